@@ -1,0 +1,131 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/base/source.h"
+
+namespace trc {
+
+// note: something worth knowing happened (a block was masked).
+// warning: the path goes on, but the operator should look at it.
+// error: the stream stops; nothing comes out after it.
+enum class Severity { note, warning, error };
+
+// Public, stable numbers. Where the reference control publishes an ID for the
+// situation, that ID is used; our own start at 900000 (D-32).
+enum class Code : std::int32_t {
+  full_circle_with_radius_word = 20034,
+  circle_center_misfit = 20035,
+  circle_radius_zero = 20036,
+  radius_and_tool_word_together = 20083,
+  transition_type_twice = 20113,
+  compensation_side_twice = 20114,
+  selection_mode_twice = 20126,
+  plane_change_while_active = 20133,
+  axis_link_while_active = 20457,
+  preset_while_active = 20608,
+  coordinate_system_while_active = 20802,
+  negative_tangfeed_minimum = 20963,
+  center_and_radius_together = 21024,
+  tangential_ignored_with_inside_corner = 21316,
+  inside_corner_selected_while_active = 21317,
+  mode_change_under_inside_corner = 21318,
+  point_to_point_while_active = 21525,
+  circle_radii_differ = 21758,
+  stretch_factor_out_of_range = 22007,
+  inverse_without_online = 22125,
+  real_time_loop_while_active = 22158,
+  circular_selection_block = 90008,
+  too_many_passive_blocks = 90011,
+  tool_not_smaller_than_arc = 90017,
+  arc_radii_differ = 90018,
+  line_reversed = 90019,
+  arc_wrapped = 90038,
+  no_feed_adaptation_in_tangential_block = 90057,
+  selection_point_too_near = 90123,
+  radius_change_under_inside_corner = 90127,
+  inside_corner_angle_too_large = 90130,
+  center_out_of_range = 90133,
+  end_point_out_of_range = 90134,
+  gear_cutting_after_deselection = 90193,
+
+  // NC text
+  nc_syntax = 900001,
+  nc_unknown_function = 900002,
+  nc_unsupported = 900003,
+  trc_option_unknown = 900004,
+  trc_option_out_of_range = 900005,
+  nc_line_too_long = 900006,
+  nc_not_text = 900007,
+  nc_number = 900008,
+  nc_unclosed = 900009,
+  nc_word_twice = 900010,
+  nc_axis_unknown = 900011,
+  nc_group_twice = 900012,
+  tool_unknown = 900013,
+  program_empty = 900014,
+
+  // program rules
+  circle_incomplete = 900101,
+  not_available = 900102,
+  deselection_without_motion = 900103,
+  tool_radius_out_of_range = 900104,
+  field_invalid = 900105,
+
+  // compensation
+  selection_block_too_short = 900201,
+  tangential_start_on_tangent = 900202,
+  circular_deselection_block = 900203,
+  selection_without_contour = 900204,
+  ended_while_active = 900205,
+  circular_side_change_block = 900206,
+};
+
+struct DiagnosticValue {
+  std::string name;  // snake_case, as documented in the row of the code
+  double value = 0;  // mm, degrees or a count, as the name says
+};
+
+struct DiagnosticPoint {
+  double x = 0;  // machine axes, mm
+  double y = 0;
+  double z = 0;
+};
+
+struct Diagnostic {
+  Code code{};
+  Severity severity = Severity::error;
+  Source source{};
+  std::uint32_t column = 0;  // 1-based byte of the line; 0: unknown
+  std::string detail{};      // the word, key or field at fault, as written
+  std::vector<DiagnosticValue> values{};
+  std::optional<DiagnosticPoint> point{};
+};
+
+// One row of the public table: everything that is known about a code before it
+// is raised. The README's table, GetServerInfo and the messages come from here.
+struct CodeRow {
+  Code code{};
+  Severity severity = Severity::error;
+  std::string_view reason;  // UPPER_SNAKE, the `ErrorInfo.reason` of the RPCs
+  std::string_view cause;   // a sentence without full stop
+  std::string_view remedy;  // what the operator or programmer can do
+};
+
+// All codes in ascending order.
+[[nodiscard]] std::span<const CodeRow> code_table();
+[[nodiscard]] const CodeRow& row_of(Code code);
+
+// The diagnostic with the severity its row gives.
+[[nodiscard]] Diagnostic diagnostic(Code code, const Source& source, std::string detail = {});
+
+// "tool radius 10 is not smaller than …: R 10, contour_radius 6": cause, detail
+// and values in one sentence, without place and code.
+[[nodiscard]] std::string message_of(const Diagnostic& diagnostic);
+
+}  // namespace trc

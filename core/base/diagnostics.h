@@ -1,0 +1,43 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "core/base/diagnostic.h"
+
+namespace trc {
+
+// The ordered log of one session: notes, warnings and at most one error, which
+// stops the stream.
+class Diagnostics {
+ public:
+  // Returns whether the stream goes on. After an error everything is dropped:
+  // what follows is a consequence of it.
+  bool report(Diagnostic diagnostic) {
+    if (stopped_) return false;
+    ++counts_[static_cast<std::size_t>(diagnostic.severity)];
+    stopped_ = diagnostic.severity == Severity::error;
+    pending_.push_back(std::move(diagnostic));
+    return !stopped_;
+  }
+
+  [[nodiscard]] bool stopped() const { return stopped_; }
+
+  // Reported and not yet taken, in order.
+  [[nodiscard]] const std::vector<Diagnostic>& pending() const { return pending_; }
+  [[nodiscard]] std::vector<Diagnostic> take() { return std::exchange(pending_, {}); }
+
+  // How many were reported so far, taken or not.
+  [[nodiscard]] std::uint64_t count(Severity severity) const {
+    return counts_[static_cast<std::size_t>(severity)];
+  }
+
+ private:
+  std::vector<Diagnostic> pending_;
+  std::array<std::uint64_t, 3> counts_{};
+  bool stopped_ = false;
+};
+
+}  // namespace trc

@@ -1,0 +1,24 @@
+#pragma once
+
+namespace trc {
+
+// Every small number of core/. Lengths in mm, angles in rad.
+struct Tolerances {
+  // Closer than this is one point. A path that merges two such points is wrong
+  // by less than a hundredth of the finest increment a control commands.
+  double same_point = 1e-6;
+  // A gouge shallower than this is none: 0.1 um, the internal unit of the
+  // reference control (D-14).
+  double on_contour = 1e-4;
+  // A smaller turn is no corner. At R = 1000 mm the joint is off by 5e-12 mm.
+  double tangent = 1e-7;
+  // So near to 180 degrees a turn with a side change is a reversal: 0.001 degrees (D-23).
+  double reversal = 1.75e-5;
+  // Coordinates and radii beyond this are refused (90133, 90134): up to here a
+  // double resolves four digits below `same_point`.
+  double largest_coordinate = 1e6;
+};
+
+static_assert(Tolerances{}.same_point < Tolerances{}.on_contour);
+
+}  // namespace trc

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include "core/geometry/segment.h"
+
+namespace trc {
+
+// G17 (XY), G18 (ZX), G19 (YZ). The third main axis stands across the plane so
+// that the three axes are right-handed.
+enum class Plane { xy, zx, yz };
+
+// Machine coordinates X Y Z, mm.
+using Position = std::array<double, 3>;
+
+struct PlaneAxes {
+  std::size_t first = 0;
+  std::size_t second = 1;
+  std::size_t third = 2;
+};
+
+[[nodiscard]] constexpr PlaneAxes axes_of(Plane plane) {
+  switch (plane) {
+    case Plane::zx:
+      return {.first = 2, .second = 0, .third = 1};
+    case Plane::yz:
+      return {.first = 1, .second = 2, .third = 0};
+    case Plane::xy:
+      break;
+  }
+  return {};
+}
+
+[[nodiscard]] inline Point to_plane(Plane plane, const Position& position) {
+  const PlaneAxes axes = axes_of(plane);
+  return {position[axes.first], position[axes.second]};
+}
+
+// The machine position of a point in the plane at height `third`.
+[[nodiscard]] inline Position from_plane(Plane plane, const Point& point, double third) {
+  const PlaneAxes axes = axes_of(plane);
+  Position position{};
+  position[axes.first] = point.x();
+  position[axes.second] = point.y();
+  position[axes.third] = third;
+  return position;
+}
+
+}  // namespace trc

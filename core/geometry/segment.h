@@ -1,0 +1,61 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <variant>
+
+namespace trc {
+
+// A point or direction in the compensation plane, mm. The first axis of the
+// plane is x, the second y (G17: X Y, G18: Z X, G19: Y Z).
+using Point = Eigen::Vector2d;
+using Vector = Eigen::Vector2d;
+
+struct Line {
+  Point start = Point::Zero();
+  Point end = Point::Zero();
+
+  bool operator==(const Line&) const = default;
+};
+
+// `sweep` in rad, positive counter-clockwise seen from the positive third axis,
+// 0 < |sweep| <= 2 pi. It is stored because start == end cannot tell a full
+// circle from nothing.
+struct Arc {
+  Point start = Point::Zero();
+  Point end = Point::Zero();
+  Point center = Point::Zero();
+  double sweep = 0;
+
+  bool operator==(const Arc&) const = default;
+};
+
+using Segment = std::variant<Line, Arc>;
+
+template <class... Cases>
+struct overloaded : Cases... {
+  using Cases::operator()...;
+};
+template <class... Cases>
+overloaded(Cases...) -> overloaded<Cases...>;
+
+// Left normal: the vector turned by +90 degrees.
+[[nodiscard]] inline Vector left_of(const Vector& v) { return {-v.y(), v.x()}; }
+[[nodiscard]] inline double cross(const Vector& a, const Vector& b) {
+  return a.x() * b.y() - a.y() * b.x();
+}
+
+[[nodiscard]] inline bool is_arc(const Segment& s) { return std::holds_alternative<Arc>(s); }
+[[nodiscard]] const Point& start_of(const Segment& segment);
+[[nodiscard]] const Point& end_of(const Segment& segment);
+
+// Unit vectors in travel direction. The segment has a length (D-29).
+[[nodiscard]] Vector tangent_at_start(const Segment& segment);
+[[nodiscard]] Vector tangent_at_end(const Segment& segment);
+
+[[nodiscard]] double length_of(const Segment& segment);
+[[nodiscard]] double radius_of(const Arc& arc);
+
+// The signed turn from a to b in rad, -pi < turn <= pi.
+[[nodiscard]] double turn_between(const Vector& a, const Vector& b);
+
+}  // namespace trc

@@ -1,0 +1,88 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "core/geometry/plane.h"
+
+namespace trc {
+
+// The side of the contour the tool runs on, seen along the direction of travel.
+enum class Side : std::uint8_t { off, left, right };
+
+// How TRC is selected and deselected: G138, G139 (initial), G236 … G239.
+enum class Selection : std::uint8_t {
+  direct,          // G138
+  indirect,        // G139
+  on_path,         // G236
+  perpendicular,   // G237
+  inside_corner,   // G238
+  without_block,   // G239
+};
+
+// What is inserted at outside corners: G25 (initial) or G26.
+enum class Transition : std::uint8_t { linear, circular };
+
+// G140 (initial): a contour violation stops. G141: what cannot be cut is masked.
+enum class Masking : std::uint8_t { off, on };
+
+// Where the programmed feed applies: at the tool centre (G10, initial) or at the
+// contact point of tool and contour (G11).
+enum class FeedAdaptation : std::uint8_t { off, on };
+
+// SPLIT words: the feed of the parts next to the contour, spec section 7.2.
+struct SplitOption {
+  enum class Where : std::uint8_t { off, pre, post, combined };
+  Where where = Where::off;
+  bool along_path = false;  // SPLIT_PATH; else distances count along `axis`
+  std::uint8_t axis = 0;    // 0-based main axis of SPLIT's AX= / AXNR=
+  double distance_1 = 0;    // mm
+  double feed_1 = 0;        // mm/min
+  double distance_2 = 0;    // mm; 0: one part only
+  double feed_2 = 0;        // mm/min
+
+  bool operator==(const SplitOption&) const = default;
+};
+
+// The `#TRC` options, one field per keyword (spec section 7), with their defaults.
+struct TrcOptions {
+  bool conv_cir_to_lin = false;
+  bool kerf_masking = false;
+  bool reverse = false;
+  bool ignore_cont_damage = false;
+  bool remove_masked_blocks = false;
+  bool ext_angle_block_intersection = false;
+  bool g236_lin = false;
+  double stretch_factor = 1;      // 1 … 9, real (D-07)
+  double tangential_limit = 3;    // degrees, 0.1 … 3
+  bool perpendicular_radius_change = false;
+  bool gen_cir_block_in_corner = false;
+  bool suppress_trc = false;
+  bool inverse = false;
+  SplitOption split{};
+
+  bool operator==(const TrcOptions&) const = default;
+};
+
+// The modal state a motion block was programmed under. Each block carries a
+// share of it, so that no pass has to ask anyone else.
+struct TrcMode {
+  Plane plane = Plane::xy;
+  Side side = Side::off;    // after a negative radius has swapped it
+  double tool_radius = 0;   // mm, never negative
+  // Counts the selections of the program from 1; 0 while off. Two blocks of one
+  // side with different numbers have a deselection between them.
+  std::uint32_t selection_number = 0;
+  Selection selection = Selection::indirect;
+  bool tangential = false;  // G05 in this block's selection or deselection
+  Transition transition = Transition::linear;
+  Masking masking = Masking::off;
+  FeedAdaptation feed_adaptation = FeedAdaptation::off;
+  double tangfeed_minimum = 0;  // #TANGFEED RMIN, mm; 0: adapt always
+  TrcOptions options{};
+
+  [[nodiscard]] bool active() const { return side != Side::off; }
+  bool operator==(const TrcMode&) const = default;
+};
+
+}  // namespace trc

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/base/diagnostics.h"
+#include "core/nc/program_state.h"
+#include "core/trc/compensator.h"
+
+namespace trc {
+
+struct SessionSetup {
+  ProgramSetup program{};
+  CompensatorSetup compensator{};
+};
+
+// One NC channel fed with motion blocks: no network, no text. Not thread-safe;
+// may move between threads between calls.
+class PathSession {
+ public:
+  explicit PathSession(const SessionSetup& setup);
+  PathSession(const PathSession&) = delete;
+  PathSession& operator=(const PathSession&) = delete;
+
+  // Moves, commands and passthrough are given here, in path order.
+  [[nodiscard]] ProgramState& program() { return program_; }
+
+  // Compensates everything given since the last call and appends what has
+  // become certain. Returns false once the stream must stop.
+  bool advance(std::vector<CompensatedBlock>& out);
+  // Ends the program (D-27) and appends all that was held back.
+  bool finish(const Source& end, std::vector<CompensatedBlock>& out);
+
+  [[nodiscard]] Diagnostics& diagnostics() { return diagnostics_; }
+  [[nodiscard]] const Summary& summary() const { return compensator_.summary(); }
+
+ private:
+  Diagnostics diagnostics_;
+  std::vector<Block> blocks_;
+  ProgramState program_;
+  Compensator compensator_;
+};
+
+}  // namespace trc

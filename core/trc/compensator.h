@@ -1,0 +1,67 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "core/base/diagnostics.h"
+#include "core/base/tolerances.h"
+#include "core/nc/block.h"
+#include "core/trc/compensated_block.h"
+
+namespace trc {
+
+struct Limits {
+  // Window of contour masking in relevant blocks; 0: the whole selection (D-10).
+  std::size_t look_ahead_blocks = 0;
+  // Non-relevant blocks between two relevant ones (D-24, 90011).
+  std::size_t passive_blocks = 100;
+  // Relevant blocks in one selection that has to be held as a whole.
+  std::size_t selection_blocks = 20'000'000;
+};
+
+struct CompensatorSetup {
+  Limits limits{};
+  Tolerances tolerances{};
+  bool implicit_contour_masking = false;  // P-CHAN-00219, D-34
+  bool circular_kerf_masking = true;      // P-CHAN-00284
+  double smallest_feed_factor = 0.01;     // D-31
+};
+
+// What a finished session did.
+struct Summary {
+  std::uint64_t blocks_in = 0;  // relevant and passive blocks
+  std::uint64_t blocks_out = 0;
+  std::array<std::uint64_t, origin_count> blocks_by_origin{};
+  double programmed_length = 0;   // mm, in the plane
+  double compensated_length = 0;  // mm, in the plane
+  std::optional<double> smallest_clearance{};  // mm, where it was computed
+};
+
+// Programmed blocks in, compensated blocks out. The order of the passes is the
+// list in Compensator::step (compensator.cpp) – start reading there.
+class Compensator {
+ public:
+  Compensator(const CompensatorSetup& setup, Diagnostics& diagnostics);
+  ~Compensator();
+  Compensator(const Compensator&) = delete;
+  Compensator& operator=(const Compensator&) = delete;
+
+  // Takes all of `blocks` (left empty) and appends what has become certain.
+  // Returns false once the stream must stop.
+  bool feed(std::vector<Block>& blocks, std::vector<CompensatedBlock>& out);
+  // No more blocks: appends all that was held back.
+  bool finish(std::vector<CompensatedBlock>& out);
+
+  [[nodiscard]] const Summary& summary() const;
+  // The most relevant blocks ever held back; nothing for "the whole selection".
+  [[nodiscard]] std::optional<std::size_t> look_ahead() const;
+
+ private:
+  struct Passes;
+  std::unique_ptr<Passes> passes_;
+};
+
+}  // namespace trc
