@@ -1,0 +1,54 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/session/session.h"
+
+namespace trc {
+
+struct ProgramSessionSetup {
+  SessionSetup session{};
+  bool nc_text = true;  // output as NC text; false: compensated blocks
+  int decimals = 4;     // of coordinates in NC text, mm; one more for inch
+  std::size_t longest_line = 64 * 1024;  // bytes; 900006 beyond
+};
+
+// What one call produced: `text` or `blocks`, as the setup asks.
+struct ProgramOutput {
+  std::string text{};
+  std::vector<CompensatedBlock> blocks{};
+};
+
+// One NC channel fed with NC text. The text may be cut anywhere, also inside a
+// word or a UTF-8 character: the output is the same.
+//
+// NC text output is the program with TRC resolved: G40 throughout, N words,
+// comments and technology words kept, G01/G02/G03 with the centre mode of the
+// source. Lines that TRC does not touch come out byte for byte as written.
+class ProgramSession {
+ public:
+  explicit ProgramSession(const ProgramSessionSetup& setup);
+  ~ProgramSession();
+  ProgramSession(const ProgramSession&) = delete;
+  ProgramSession& operator=(const ProgramSession&) = delete;
+
+  // Appends to `out` all that has become certain. Returns false once stopped.
+  bool feed(std::string_view text, ProgramOutput& out);
+  // End of the text.
+  bool finish(ProgramOutput& out);
+
+  [[nodiscard]] Diagnostics& diagnostics();
+  [[nodiscard]] const Summary& summary() const;
+  [[nodiscard]] std::uint64_t lines_read() const;
+
+ private:
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
+};
+
+}  // namespace trc
