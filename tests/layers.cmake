@@ -1,0 +1,42 @@
+# Fails when a folder includes what it must not know. Run: cmake -D ROOT=<source tree> -P layers.cmake
+#
+#   base <- geometry <- nc <- trc <- session <- wire <- server, client
+#
+# Quoted includes name a file from the top of the source tree. What a folder may include is one
+# regular expression for these and one for the headers in angle brackets, the standard library's
+# always allowed.
+
+set(standard "[a-z_]+")
+set(generated "trc/v1/.*|google/rpc/.*|grpc/.*")
+
+function(layer folder quoted angled)
+  file(GLOB_RECURSE files RELATIVE "${ROOT}" "${ROOT}/${folder}/*.h" "${ROOT}/${folder}/*.cpp"
+       "${ROOT}/${folder}/*.h.in" "${ROOT}/${folder}/*.cpp.in")
+  foreach(file IN LISTS files)
+    file(STRINGS "${ROOT}/${file}" includes REGEX "^[ \t]*#[ \t]*include")
+    foreach(include IN LISTS includes)
+      if(include MATCHES "include[ \t]*\"([^\"]*)\"" AND NOT CMAKE_MATCH_1 MATCHES "^(${quoted})$")
+        message(SEND_ERROR "${file} must not include \"${CMAKE_MATCH_1}\"")
+      elseif(include MATCHES "include[ \t]*<([^>]*)>"
+             AND NOT CMAKE_MATCH_1 MATCHES "^(${standard}|${angled})$")
+        message(SEND_ERROR "${file} must not include <${CMAKE_MATCH_1}>")
+      endif()
+    endforeach()
+  endforeach()
+endfunction()
+
+set(known "core/base/.*")
+layer(core/base "${known}" "Eigen/.*")
+foreach(folder geometry nc trc session)
+  string(APPEND known "|core/${folder}/.*")
+  layer(core/${folder} "${known}" "Eigen/.*")
+endforeach()
+
+string(APPEND known "|proto/wire/.*|(proto/)?(${generated})")
+layer(proto/wire "${known}" "Eigen/.*|google/protobuf/.*")
+layer(server "${known}|server/.*" ".*")
+
+# The client library is for other people's programs; only the command line runs a server of its own.
+layer(client/trc "${known}|client/trc/.*" ".*")
+layer(client/plot "${known}|client/(trc|plot)/.*" ".*")
+layer(client/cli "${known}|client/.*|server/.*" ".*")
