@@ -74,6 +74,9 @@ struct TrcMode {
   // side with different numbers have a deselection between them.
   std::uint32_t selection_number = 0;
   Selection selection = Selection::indirect;
+  // The mode that was in force at the last G40; it governs the retract even when
+  // another mode is programmed before the retract block (spec 1.10).
+  Selection deselection = Selection::indirect;
   bool tangential = false;  // G05 in this block's selection or deselection
   Transition transition = Transition::linear;
   Masking masking = Masking::off;

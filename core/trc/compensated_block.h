@@ -35,8 +35,8 @@ struct CompensatedBlock {
   Origin origin = Origin::uncompensated;
   Plane plane = Plane::xy;
   bool rapid = false;
-  // The joint with the next block counts as tangential for the planner: its
-  // transition angle is at most 180 degrees + TANGENTIAL_LIMIT (spec 4.5).
+  // The joint with the block before counts as tangential for the planner: the
+  // path turns there by at most TANGENTIAL_LIMIT (spec 4.5).
   bool tangential = false;
   // In the plane, at the tool centre. A line without length when only the third
   // axis or tracking axes move, and for passthrough.

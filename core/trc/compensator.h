@@ -52,8 +52,9 @@ class Compensator {
   // Takes all of `blocks` (left empty) and appends what has become certain.
   // Returns false once the stream must stop.
   bool feed(std::vector<Block>& blocks, std::vector<CompensatedBlock>& out);
-  // No more blocks: appends all that was held back.
-  bool finish(std::vector<CompensatedBlock>& out);
+  // No more blocks: appends all that was held back. `at_end` is the mode the
+  // program ended in: a G40 nothing followed still ends the contour.
+  bool finish(const TrcMode& at_end, std::vector<CompensatedBlock>& out);
 
   [[nodiscard]] const Summary& summary() const;
   // The most relevant blocks ever held back; nothing for "the whole selection".
