@@ -1,0 +1,30 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+namespace trc {
+
+// Decimal numbers of NC text and listings, in units of the last decimal. Written
+// numbers are integers of these units, so that sums and differences of them are
+// exact.
+inline constexpr int most_decimals = 9;
+
+// 10 to the power of `decimals`, 0 <= decimals <= most_decimals.
+[[nodiscard]] std::int64_t units_per_one(int decimals);
+
+// `value` in units of its last decimal, rounded from the exact value of the
+// double, ties to even: the digits printf("%.*f") gives. What does not fit
+// becomes the nearest number that does; `value` is not NaN.
+[[nodiscard]] std::int64_t to_units(double value, int decimals);
+
+// The double a reader makes of the written number: the nearest one.
+[[nodiscard]] double from_units(std::int64_t units, int decimals);
+
+// "30", "-0.5", "12.0001": no trailing zeros, no sign at zero.
+void append_units(std::string& out, std::int64_t units, int decimals);
+
+// "30.0000": all decimals, no sign at zero.
+void append_fixed(std::string& out, double value, int decimals);
+
+}  // namespace trc
