@@ -25,9 +25,8 @@ void append(std::string& out, std::int64_t units, int decimals, Zeros zeros) {
   std::array<char, longest_number> text;
   char* end = text.data();
   if (units < 0) *end++ = '-';
-  const std::uint64_t magnitude =
-      units < 0 ? std::uint64_t{0} - static_cast<std::uint64_t>(units)
-                : static_cast<std::uint64_t>(units);
+  const std::uint64_t magnitude = units < 0 ? std::uint64_t{0} - static_cast<std::uint64_t>(units)
+                                            : static_cast<std::uint64_t>(units);
   const auto one = static_cast<std::uint64_t>(powers_of_ten[static_cast<std::size_t>(decimals)]);
   std::uint64_t fraction = magnitude % one;
   end = std::to_chars(end, text.data() + text.size(), magnitude / one).ptr;
