@@ -1,0 +1,70 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/base/source.h"
+#include "core/geometry/plane.h"
+#include "core/nc/program_state.h"
+
+namespace trc {
+
+// What a word of a line is for whoever writes the line again.
+enum class WordRole : std::uint8_t {
+  number,      // N
+  motion,      // G00 … G03
+  coordinate,  // axis words, I J K R of a motion
+  trc,         // what TRC resolves: G05 G10 G11 G25 G26 G40 … G42 G138 … G141 G236 … G239,
+               // #TRC, #TANGFEED, V.G.WZ_AKT.R=
+  mode,        // G17 … G19 G52 … G59 G70 G71 G90 … G92 G159 G161 G162 G164 G165, with what they carry
+  feed,        // F
+  technology,  // S T D M H, dwell, all other G functions and commands that pass
+  comment,     // ( … ) and ; …, with the signs
+};
+
+// Bytes [begin, end) of ProgramLine::text, without the blanks around. Ranges of
+// a line are in order and do not overlap; between them are blanks, tabs and
+// the `\` and line ends of continued lines.
+struct WordRange {
+  std::uint32_t begin = 0;
+  std::uint32_t end = 0;
+  WordRole role = WordRole::technology;
+
+  bool operator==(const WordRange&) const = default;
+};
+
+// One line of NC text as it was read: a block may span several lines joined by
+// `\`; they are one ProgramLine.
+//
+// text + line_end of all lines, one after the other, is the program, byte for
+// byte. A byte order mark is a line of its own, without line end.
+struct ProgramLine {
+  // `index` is that of the block when `has_words`; else that of the next one.
+  Source source{};
+  std::string text{};
+  std::string_view line_end{};  // "\n", "\r\n", "\r"; empty at the end of the text
+  std::vector<WordRange> words{};
+
+  bool has_words = false;     // counts in Source::index; false: name, comment, blank, after the end
+  bool is_motion = false;     // gave exactly one moving block with this Source, behind the
+                              // PassiveBlock of its technology words, if it has such
+  bool has_trc_words = false;
+  bool has_technology = false;  // words that gave a PassiveBlock with this Source
+  bool ends_program = false;    // M02, M30
+
+  // In force at the end of the line.
+  MotionKind motion = MotionKind::rapid;
+  bool incremental = false;      // G91
+  bool inch = false;             // G70
+  bool absolute_center = false;  // G161
+  Plane plane = Plane::xy;
+  double feed = 0;               // mm/min; 0: none programmed yet
+
+  [[nodiscard]] std::string_view word(const WordRange& range) const {
+    return std::string_view(text).substr(range.begin, range.end - range.begin);
+  }
+};
+
+}  // namespace trc

@@ -1,0 +1,85 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+#include "core/base/diagnostic.h"
+
+namespace trc {
+
+enum class WordKind : std::uint8_t {
+  end,       // of the line
+  comment,   // ( … ) or ; …
+  address,   // a letter and its number
+  number,    // a number without letter (G04 2.5)
+  variable,  // V.G.WZ_AKT.R= or V.G.WZR=, the tool radius
+  command,   // #…, up to a comment outside its brackets
+  fault,
+};
+
+struct Word {
+  WordKind kind = WordKind::end;
+  char letter = 0;           // address: upper case
+  bool whole = false;        // the number has neither decimal point nor fraction
+  bool has_argument = false;  // G159=3, S2=500: the number behind the sign
+  double value = 0;
+  double argument = 0;
+  std::uint32_t begin = 0;  // bytes of the line
+  std::uint32_t end = 0;
+};
+
+// What is wrong with the text, and where.
+struct TextFault {
+  Code code = Code::nc_syntax;
+  std::uint32_t begin = 0;  // byte of the line
+  std::string detail{};
+};
+
+// Cuts one block of NC text into words, one after the other, in one pass over
+// the bytes. The lines of a continued block are given together, with their `\`.
+//
+// Words need no blanks between them; blanks may stand between a letter, its `=`
+// and its number. A comment in parentheses nests and ends with the line at the
+// latest, as in the dialect. Numbers are decimal without exponent: E is a letter
+// of its own.
+class WordReader {
+ public:
+  explicit WordReader(std::string_view line) : line_(line) {}
+
+  [[nodiscard]] Word next();
+  // Says what is wrong after a word of kind `fault`.
+  [[nodiscard]] const TextFault& fault() const { return fault_; }
+
+ private:
+  [[nodiscard]] bool skip_blanks();
+  [[nodiscard]] Word address(char letter);
+  [[nodiscard]] Word comment();
+  [[nodiscard]] Word command();
+  [[nodiscard]] Word variable();
+  [[nodiscard]] bool number(Word& word);
+  [[nodiscard]] bool signed_number(double& value, bool& whole);
+  [[nodiscard]] Word fail(Code code, std::size_t begin, std::string detail);
+  void no_number(const Word& word);
+
+  std::string_view line_;
+  std::size_t at_ = 0;
+  TextFault fault_{};
+};
+
+// A decimal number at the start of `text`: sign, digits, point. Returns how many
+// bytes it takes; 0 when there is none. Correctly rounded. Infinite when it is
+// larger than any double.
+[[nodiscard]] std::size_t read_number(std::string_view text, double& value, bool& whole);
+
+// Where the first byte stands that no text has: a control character other than
+// a tab or line end, or a byte that is not UTF-8. npos when there is none.
+[[nodiscard]] std::size_t first_byte_that_is_no_text(std::string_view text);
+// The same for UTF-8 alone.
+[[nodiscard]] std::size_t first_byte_that_is_no_utf8(std::string_view text);
+
+// Whether a block whose text so far is `text` goes on in the next line: it ends
+// in `\` outside a comment.
+[[nodiscard]] bool is_continued(std::string_view text);
+
+}  // namespace trc
