@@ -1,0 +1,22 @@
+#include "server/backend.h"
+
+#include <prometheus/gauge.h>
+
+#include <chrono>
+
+namespace trc::server {
+
+Backend::Backend(const Config& settings)
+    : config(settings),
+      telemetry(settings.log_level),
+      memory(std::uint64_t{settings.max_session_memory_mib} << 20U),
+      streams(settings.max_streams, std::chrono::seconds(settings.idle_timeout_s)),
+      pool(settings.worker_threads) {}
+
+void Backend::refresh_gauges() {
+  telemetry.metrics.streams_active().Set(static_cast<double>(streams.count()));
+  telemetry.metrics.session_memory().Set(static_cast<double>(memory.used_bytes()));
+  telemetry.metrics.queue_depth().Set(static_cast<double>(pool.queue_depth()));
+}
+
+}  // namespace trc::server

@@ -1,0 +1,269 @@
+#include "server/config.h"
+
+#include <toml++/toml.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <charconv>
+#include <cstdlib>
+#include <fstream>
+#include <istream>
+#include <limits>
+#include <memory>
+#include <sstream>
+#include <string_view>
+
+#include "core/base/version.h"
+
+namespace trc::server {
+namespace {
+
+// `drain-timeout-s` is TRCD_DRAIN_TIMEOUT_S in the environment.
+std::string environment_name(std::string_view setting) {
+  std::string name = "TRCD_";
+  for (const char c : setting)
+    name += c == '-' ? '_' : static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+  return name;
+}
+
+std::string toml_scalar(const toml::node& node, const std::string& key) {
+  if (const auto text = node.value_exact<std::string>()) return *text;
+  if (const auto number = node.value_exact<std::int64_t>()) return std::to_string(*number);
+  if (const auto flag = node.value_exact<bool>()) return *flag ? "true" : "false";
+  throw CLI::ConfigError("'" + key + "' must be a string, an integer, true, false or a list");
+}
+
+// Lets a TOML library read the file, and drops what the environment overrides.
+class TomlFile : public CLI::ConfigTOML {
+ public:
+  [[nodiscard]] std::vector<CLI::ConfigItem> from_config(std::istream& input) const override {
+    std::vector<CLI::ConfigItem> settings;
+    try {
+      for (const auto& [key_node, value] : toml::parse(input)) {
+        const std::string key(key_node.str());
+        if (std::getenv(environment_name(key).c_str()) != nullptr) continue;
+        CLI::ConfigItem item;
+        item.name = key;
+        if (const toml::array* list = value.as_array()) {
+          for (const toml::node& entry : *list) item.inputs.push_back(toml_scalar(entry, key));
+        } else {
+          item.inputs.push_back(toml_scalar(value, key));
+        }
+        settings.push_back(std::move(item));
+      }
+    } catch (const toml::parse_error& fault) {
+      std::ostringstream text;
+      text << "configuration file, line " << fault.source().begin.line << ": "
+           << fault.description();
+      throw CLI::ConfigError(text.str());
+    }
+    return settings;
+  }
+};
+
+class Settings {
+ public:
+  explicit Settings(CLI::App& app) : app_(app) {}
+
+  template <class Value>
+  CLI::Option* add(const std::string& name, Value& value, const std::string& description) {
+    CLI::Option* option = app_.add_option("--" + name, value, description);
+    option->envname(environment_name(name))->capture_default_str();
+    return option;
+  }
+
+  template <class Number>
+  void number(const std::string& name, Number& value, std::uint64_t least, std::uint64_t most,
+              const std::string& description) {
+    add(name, value, description)->check(CLI::Range(least, most));
+  }
+
+  void toggle(const std::string& name, bool& value, const std::string& description) {
+    app_.add_flag("--" + name, value, description)
+        ->envname(environment_name(name))
+        ->default_str(value ? "true" : "false");
+  }
+
+ private:
+  CLI::App& app_;
+};
+
+void declare(CLI::App& app, Config& config) {
+  Settings settings(app);
+  settings.add("listen", config.listen, "addresses to serve: HOST:PORT, [IPV6]:PORT or unix:/path")
+      ->delimiter(',')
+      ->expected(1, 16);
+  settings.toggle("insecure", config.insecure,
+                  "allow plain text on an address other machines can reach");
+  settings.add("tls-cert-file", config.tls_cert_file, "PEM certificate chain; switches TLS on");
+  settings.add("tls-key-file", config.tls_key_file, "PEM private key of the certificate");
+  settings.add("tls-client-ca-file", config.tls_client_ca_file,
+               "PEM authorities; clients must then show a certificate of one of them");
+  settings.number("tls-refresh-s", config.tls_refresh_s, 1, 86400,
+                  "how often the PEM files are read again");
+  settings.add("admin-listen", config.admin_listen,
+               "HOST:PORT of /metrics, /healthz and /readyz; empty: none");
+  settings.toggle("reflection", config.reflection, "serve gRPC reflection");
+  settings.number("worker-threads", config.worker_threads, 0, 1024,
+                  "threads that compute; 0: one per core");
+  settings.number("max-message-bytes", config.max_message_bytes, 4096, 1U << 30U,
+                  "largest message in either direction");
+  settings.number("max-blocks-per-batch", config.max_blocks_per_batch, 1, 1'000'000,
+                  "most blocks in one request");
+  settings.number("max-batches-in-flight", config.max_batches_in_flight, 1, 1024,
+                  "batches a client may send ahead of the answers");
+  settings.number("max-blocks-per-selection", config.max_blocks_per_selection, 1, 1'000'000'000,
+                  "most blocks between G41/G42 and G40");
+  settings.number("max-riders", config.max_riders, 1, 1'000'000,
+                  "most non-relevant blocks between two relevant ones (90011)");
+  settings.number("max-line-bytes", config.max_line_bytes, 80, 64U * 1024U * 1024U,
+                  "longest line of NC text");
+  settings.number("max-streams", config.max_streams, 1, 1'000'000, "open streams in all");
+  settings.number("max-streams-per-connection", config.max_streams_per_connection, 1, 1'000'000,
+                  "open streams of one connection");
+  settings.number("max-session-memory-mib", config.max_session_memory_mib, 1, 1U << 20U,
+                  "memory of the blocks all streams hold back");
+  settings.number("max-grpc-buffer-mib", config.max_grpc_buffer_mib, 1, 1U << 20U,
+                  "memory of gRPC's own buffers");
+  settings.number("idle-timeout-s", config.idle_timeout_s, 1, 86400,
+                  "a stream without a request for so long is ended");
+  settings.number("keepalive-time-s", config.keepalive_time_s, 1, 86400,
+                  "a silent connection is asked after so long");
+  settings.number("keepalive-timeout-s", config.keepalive_timeout_s, 1, 3600,
+                  "an unanswered question closes the connection after so long");
+  settings.number("min-client-ping-interval-s", config.min_client_ping_interval_s, 1, 3600,
+                  "clients that ask more often are disconnected");
+  settings.number("drain-timeout-s", config.drain_timeout_s, 0, 86400,
+                  "open streams may go on so long after SIGTERM");
+  settings.add("log-level", config.log_level, "debug, info, warning, error or off")
+      ->check(CLI::IsMember({"debug", "info", "warning", "error", "off"}));
+}
+
+struct HostPort {
+  std::string host;
+  std::uint16_t port = 0;
+};
+
+std::optional<HostPort> split_host_port(const std::string& address) {
+  const std::size_t colon = address.rfind(':');
+  if (colon == std::string::npos || colon == 0) return std::nullopt;
+  std::string host = address.substr(0, colon);
+  const bool bracketed = host.size() > 2 && host.front() == '[' && host.back() == ']';
+  if (bracketed)
+    host = host.substr(1, host.size() - 2);
+  else if (host.find(':') != std::string::npos)
+    return std::nullopt;
+
+  const std::string_view digits = std::string_view(address).substr(colon + 1);
+  std::uint16_t port = 0;
+  const auto [end, fault] = std::from_chars(digits.data(), digits.data() + digits.size(), port);
+  if (fault != std::errc() || end != digits.data() + digits.size()) return std::nullopt;
+  return HostPort{.host = host, .port = port};
+}
+
+constexpr std::string_view unix_prefix = "unix:";
+// Length of sun_path without its closing zero.
+constexpr std::size_t longest_unix_path = 107;
+
+std::optional<std::string> fault_of_address(const std::string& address) {
+  if (address.starts_with(unix_prefix)) {
+    const std::size_t length = address.size() - unix_prefix.size();
+    if (length == 0) return "listen: '" + address + "' names no path";
+    if (length > longest_unix_path)
+      return "listen: the path of '" + address + "' is longer than 107 bytes";
+    return std::nullopt;
+  }
+  if (!split_host_port(address))
+    return "listen: '" + address + "' is not HOST:PORT, [IPV6]:PORT or unix:/path";
+  return std::nullopt;
+}
+
+std::optional<std::string> fault_of_file(const std::string& name, const std::string& path) {
+  if (path.empty() || std::ifstream(path).good()) return std::nullopt;
+  return name + ": cannot read '" + path + "'";
+}
+
+std::string one_line(std::string text) {
+  std::replace(text.begin(), text.end(), '\n', ' ');
+  while (!text.empty() && text.back() == ' ') text.pop_back();
+  return text;
+}
+
+}  // namespace
+
+bool is_local_address(const std::string& address) {
+  if (address.starts_with(unix_prefix)) return true;
+  const auto parts = split_host_port(address);
+  if (!parts) return false;
+  // A host name may begin with 127 too.
+  const bool numeric = parts->host.find_first_not_of("0123456789.") == std::string::npos;
+  return parts->host == "localhost" || parts->host == "::1" ||
+         (numeric && parts->host.starts_with("127."));
+}
+
+std::optional<std::string> first_fault(const Config& config) {
+  if (config.listen.empty()) return "listen: at least one address is needed";
+  for (const std::string& address : config.listen)
+    if (auto fault = fault_of_address(address)) return fault;
+  if (!config.admin_listen.empty() && !split_host_port(config.admin_listen))
+    return "admin-listen: '" + config.admin_listen + "' is not HOST:PORT";
+
+  const bool tls = !config.tls_cert_file.empty();
+  if (tls != !config.tls_key_file.empty())
+    return "tls-cert-file and tls-key-file must be given together";
+  if (!tls && !config.tls_client_ca_file.empty())
+    return "tls-client-ca-file needs tls-cert-file and tls-key-file";
+  for (const auto& [name, path] :
+       {std::pair<const char*, const std::string&>{"tls-cert-file", config.tls_cert_file},
+        {"tls-key-file", config.tls_key_file},
+        {"tls-client-ca-file", config.tls_client_ca_file}})
+    if (auto fault = fault_of_file(name, path)) return fault;
+
+  if (!tls && !config.insecure) {
+    for (const std::string& address : config.listen)
+      if (!is_local_address(address))
+        return "listen: '" + address +
+               "' can be reached by other machines; give tls-cert-file and tls-key-file, or allow "
+               "plain text with insecure";
+  }
+  return std::nullopt;
+}
+
+CommandLine read_command_line(int argc, const char* const* argv) {
+  CommandLine result;
+  CLI::App app("trcd: computes CNC tool radius compensation as a gRPC service", "trcd");
+  declare(app, result.config);
+  app.set_version_flag("--version", "trcd " + std::string(version()));
+  // The file is read before CLI11 looks at the environment, so its name is looked up here.
+  const char* file = std::getenv("TRCD_CONFIG");
+  app.set_config("--config", file != nullptr ? file : "",
+                 "TOML file with the same settings (Env:TRCD_CONFIG)", file != nullptr)
+      ->configurable(false);
+  app.allow_config_extras(CLI::config_extras_mode::error);
+  app.config_formatter(std::make_shared<TomlFile>());
+  bool print = false;
+  app.add_flag("--print-config", print, "print the settings in force and exit")
+      ->configurable(false);
+
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::Success& asked) {
+    std::ostringstream text;
+    app.exit(asked, text, text);
+    result.exit = CommandLine::Exit{.code = 0, .text = text.str()};
+    return result;
+  } catch (const CLI::Error& fault) {
+    result.exit = CommandLine::Exit{.code = 2, .text = one_line(fault.what())};
+    return result;
+  }
+  if (auto fault = first_fault(result.config)) {
+    result.exit = CommandLine::Exit{.code = 2, .text = *fault};
+  } else if (print) {
+    result.exit = CommandLine::Exit{.code = 0, .text = app.config_to_str(true, false)};
+  }
+  return result;
+}
+
+}  // namespace trc::server

@@ -1,0 +1,76 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace trc::server {
+
+// Every setting of the server, with its unit in the name. The flag `--drain-timeout-s`, the
+// environment variable `TRCD_DRAIN_TIMEOUT_S` and the key `drain-timeout-s` of the TOML file name
+// the same setting; a flag wins over the environment, the environment over the file.
+struct Config {
+  // Addresses to serve: HOST:PORT, [IPV6]:PORT or unix:/path. Port 0 takes a free one.
+  std::vector<std::string> listen = {"127.0.0.1:50051"};
+  // Allows plain text on an address other machines can reach.
+  bool insecure = false;
+
+  // PEM files. A certificate switches TLS on for TCP; the client CA makes client certificates
+  // mandatory.
+  std::string tls_cert_file;
+  std::string tls_key_file;
+  std::string tls_client_ca_file;
+  // How often the PEM files are looked at for a new certificate.
+  std::uint32_t tls_refresh_s = 10;
+
+  // HOST:PORT of /metrics, /healthz and /readyz; empty: none.
+  std::string admin_listen;
+  bool reflection = true;
+
+  // Threads that compute; 0: one per core.
+  std::uint32_t worker_threads = 0;
+
+  // Limits that are announced to clients and end a stream when passed.
+  std::uint32_t max_message_bytes = 1024U * 1024U;
+  std::uint32_t max_blocks_per_batch = 4096;
+  std::uint32_t max_batches_in_flight = 16;
+  std::uint64_t max_blocks_per_selection = 20'000'000;
+  std::uint32_t max_riders = 100;  // non-relevant blocks between two relevant ones (D-24)
+  std::uint32_t max_line_bytes = 64U * 1024U;
+  std::uint32_t max_streams = 1000;
+  std::uint32_t max_streams_per_connection = 64;
+  std::uint32_t max_session_memory_mib = 1024;  // of all streams together
+  std::uint32_t max_grpc_buffer_mib = 96;
+  std::uint32_t idle_timeout_s = 300;
+
+  std::uint32_t keepalive_time_s = 30;
+  std::uint32_t keepalive_timeout_s = 10;
+  std::uint32_t min_client_ping_interval_s = 10;
+  std::uint32_t drain_timeout_s = 30;
+
+  std::string log_level = "info";  // debug, info, warning, error, off
+
+  friend bool operator==(const Config&, const Config&) = default;
+};
+
+// What the command line asked for: a configuration to serve with, or a text and an exit code.
+struct CommandLine {
+  struct Exit {
+    int code = 0;      // 0: --help, --version, --print-config; 2: wrong configuration
+    std::string text;  // one line when the code is not 0
+  };
+  Config config;
+  std::optional<Exit> exit;
+};
+
+// Reads flags, environment and file, and checks every value and their combination.
+CommandLine read_command_line(int argc, const char* const* argv);
+
+// The first rule a configuration breaks, as a sentence; empty when it is good.
+std::optional<std::string> first_fault(const Config& config);
+
+// True when an address can be reached from this machine only: a loopback address or a Unix socket.
+bool is_local_address(const std::string& address);
+
+}  // namespace trc::server

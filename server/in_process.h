@@ -1,0 +1,31 @@
+#pragma once
+
+#include <memory>
+
+#include "server/server.h"
+
+namespace trc::server {
+
+// The service inside the calling process, reached through a channel instead of a port: what a
+// program runs that needs no server, and what tests run. Logs nothing unless told to.
+class InProcessServer {
+ public:
+  explicit InProcessServer(Config config = quiet())
+      : server_(Server::start_in_process(config)), channel_(server_->in_process_channel()) {}
+
+  // Valid as long as this object lives.
+  [[nodiscard]] const std::shared_ptr<grpc::Channel>& channel() const { return channel_; }
+  [[nodiscard]] Server& server() { return *server_; }
+
+  static Config quiet() {
+    Config config;
+    config.log_level = "off";
+    return config;
+  }
+
+ private:
+  std::unique_ptr<Server> server_;
+  std::shared_ptr<grpc::Channel> channel_;
+};
+
+}  // namespace trc::server

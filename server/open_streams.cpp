@@ -1,0 +1,91 @@
+#include "server/open_streams.h"
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+namespace trc::server {
+
+OpenStreams::Ticket::Ticket(Ticket&& other) noexcept
+    : streams_(std::exchange(other.streams_, nullptr)), place_(other.place_) {}
+
+OpenStreams::Ticket& OpenStreams::Ticket::operator=(Ticket&& other) noexcept {
+  if (this != &other) {
+    release();
+    streams_ = std::exchange(other.streams_, nullptr);
+    place_ = other.place_;
+  }
+  return *this;
+}
+
+OpenStreams::Ticket::~Ticket() { release(); }
+
+void OpenStreams::Ticket::release() {
+  if (streams_ != nullptr) std::exchange(streams_, nullptr)->leave(place_);
+}
+
+OpenStreams::OpenStreams(std::size_t most, std::chrono::seconds idle_timeout)
+    : most_(most), idle_timeout_(idle_timeout), watcher_([this] { watch(); }) {}
+
+OpenStreams::~OpenStreams() {
+  {
+    const std::lock_guard lock(mutex_);
+    stopping_ = true;
+  }
+  changed_.notify_all();
+  watcher_.join();
+}
+
+OpenStreams::Admission OpenStreams::admit(std::weak_ptr<OpenStream> stream) {
+  const std::lock_guard lock(mutex_);
+  if (draining_) return {.answer = Answer::draining};
+  if (streams_.size() >= most_) return {.answer = Answer::full};
+  streams_.push_back(std::move(stream));
+  return {.answer = Answer::admitted, .ticket = Ticket(*this, std::prev(streams_.end()))};
+}
+
+void OpenStreams::drain() {
+  const std::lock_guard lock(mutex_);
+  draining_ = true;
+}
+
+bool OpenStreams::wait_until_none(Clock::time_point deadline) {
+  std::unique_lock lock(mutex_);
+  return changed_.wait_until(lock, deadline, [this] { return streams_.empty(); });
+}
+
+bool OpenStreams::draining() const {
+  const std::lock_guard lock(mutex_);
+  return draining_;
+}
+
+std::size_t OpenStreams::count() const {
+  const std::lock_guard lock(mutex_);
+  return streams_.size();
+}
+
+void OpenStreams::leave(Ticket::Place place) {
+  // Notified under the lock: whoever waits for the last stream may destroy this object next.
+  const std::lock_guard lock(mutex_);
+  streams_.erase(place);
+  changed_.notify_all();
+}
+
+void OpenStreams::watch() {
+  const Clock::duration interval =
+      std::min<Clock::duration>(std::chrono::seconds(1), Clock::duration(idle_timeout_) / 4);
+  std::unique_lock lock(mutex_);
+  while (!changed_.wait_for(lock, interval, [this] { return stopping_; })) {
+    // A stream may end while it is looked at, so each is held, and not under the lock: its end
+    // gives a ticket back.
+    std::vector<std::shared_ptr<OpenStream>> held;
+    for (const auto& stream : streams_)
+      if (auto alive = stream.lock()) held.push_back(std::move(alive));
+    lock.unlock();
+    for (const auto& stream : held) stream->end_if_idle(Clock::now() - idle_timeout_);
+    held.clear();
+    lock.lock();
+  }
+}
+
+}  // namespace trc::server

@@ -1,0 +1,80 @@
+#pragma once
+
+#include <chrono>
+#include <condition_variable>
+#include <cstddef>
+#include <list>
+#include <memory>
+#include <mutex>
+#include <thread>
+
+namespace trc::server {
+
+using Clock = std::chrono::steady_clock;
+
+// A stream as the server sees it from outside.
+class OpenStream {
+ public:
+  virtual ~OpenStream() = default;
+  // Ends the stream when it has waited for its client since before `since`.
+  virtual void end_if_idle(Clock::time_point since) = 0;
+};
+
+// The open streams: how many there may be, which of them are idle, and whether all have ended.
+class OpenStreams {
+ public:
+  // The place of one stream; given back when it is destroyed. An empty ticket holds no place.
+  class Ticket {
+   public:
+    Ticket() = default;
+    Ticket(Ticket&& other) noexcept;
+    Ticket& operator=(Ticket&& other) noexcept;
+    ~Ticket();
+
+   private:
+    friend class OpenStreams;
+    using Place = std::list<std::weak_ptr<OpenStream>>::iterator;
+    Ticket(OpenStreams& streams, Place place) : streams_(&streams), place_(place) {}
+    void release();
+
+    OpenStreams* streams_ = nullptr;
+    Place place_{};
+  };
+
+  enum class Answer { admitted, full, draining };
+  struct Admission {
+    Answer answer = Answer::full;
+    Ticket ticket{};
+  };
+
+  OpenStreams(std::size_t most, std::chrono::seconds idle_timeout);
+  // Every ticket must have been given back.
+  ~OpenStreams();
+  OpenStreams(const OpenStreams&) = delete;
+  OpenStreams& operator=(const OpenStreams&) = delete;
+
+  Admission admit(std::weak_ptr<OpenStream> stream);
+
+  // From now on no stream is admitted.
+  void drain();
+  // True once no stream is open; false when that has not come by the deadline.
+  bool wait_until_none(Clock::time_point deadline);
+
+  [[nodiscard]] bool draining() const;
+  [[nodiscard]] std::size_t count() const;
+
+ private:
+  void leave(Ticket::Place place);
+  void watch();
+
+  const std::size_t most_;
+  const std::chrono::seconds idle_timeout_;
+  mutable std::mutex mutex_;
+  std::condition_variable changed_;
+  std::list<std::weak_ptr<OpenStream>> streams_;
+  bool draining_ = false;
+  bool stopping_ = false;
+  std::thread watcher_;
+};
+
+}  // namespace trc::server

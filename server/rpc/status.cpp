@@ -1,0 +1,186 @@
+#include "server/rpc/status.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+
+#include "google/rpc/error_details.pb.h"
+#include "google/rpc/status.pb.h"
+#include "server/text.h"
+
+namespace trc::server {
+namespace {
+
+using grpc::StatusCode;
+
+struct Row {
+  Refusal refusal;
+  StatusCode code;
+  std::string_view reason;
+  std::string_view sentence;
+  int retry_after_s = 0;  // 0: waiting does not help
+};
+
+constexpr std::array<Row, 16> table{{
+    {Refusal::setup_missing, StatusCode::FAILED_PRECONDITION, "SETUP_MISSING",
+     "the first request must carry the setup"},
+    {Refusal::setup_repeated, StatusCode::FAILED_PRECONDITION, "SETUP_REPEATED",
+     "the setup may be sent once only, as the first request"},
+    {Refusal::request_empty, StatusCode::INVALID_ARGUMENT, "REQUEST_EMPTY",
+     "the request carries nothing this server knows"},
+    {Refusal::input_after_final, StatusCode::FAILED_PRECONDITION, "INPUT_AFTER_FINAL",
+     "nothing may follow the request marked final"},
+    {Refusal::batch_out_of_sequence, StatusCode::OUT_OF_RANGE, "BATCH_OUT_OF_SEQUENCE",
+     "first_block must be the next expected block"},
+    {Refusal::contour_incomplete, StatusCode::ABORTED, "CONTOUR_INCOMPLETE",
+     "the stream ended before a request marked final; the path is not complete"},
+    {Refusal::stream_idle, StatusCode::ABORTED, "STREAM_IDLE",
+     "no request came within the idle timeout"},
+    {Refusal::field_invalid, StatusCode::INVALID_ARGUMENT, "FIELD_INVALID",
+     "a field has a value that is not allowed"},
+    {Refusal::batch_too_large, StatusCode::RESOURCE_EXHAUSTED, "BATCH_TOO_LARGE",
+     "the batch has more blocks than the setting max-blocks-per-batch allows; send smaller "
+     "batches"},
+    {Refusal::stream_limit, StatusCode::RESOURCE_EXHAUSTED, "STREAM_LIMIT",
+     "as many streams are open as the setting max-streams allows; try again later", 1},
+    {Refusal::memory_limit, StatusCode::RESOURCE_EXHAUSTED, "MEMORY_LIMIT",
+     "the blocks held back by all streams pass the setting max-session-memory-mib; try again "
+     "later, "
+     "or set look_ahead_blocks",
+     1},
+    {Refusal::feature_unsupported, StatusCode::UNIMPLEMENTED, "FEATURE_UNSUPPORTED",
+     "this server does not offer what was asked for"},
+    {Refusal::draining, StatusCode::UNAVAILABLE, "SERVER_DRAINING",
+     "the server is shutting down and takes no new streams", 1},
+    {Refusal::cancelled, StatusCode::CANCELLED, "CANCELLED", "the client ended the call"},
+    {Refusal::deadline_exceeded, StatusCode::DEADLINE_EXCEEDED, "DEADLINE_EXCEEDED",
+     "the deadline of the client has passed"},
+    {Refusal::internal, StatusCode::INTERNAL, "INTERNAL",
+     "the server has failed; its log has more under the incident id"},
+}};
+
+const Row& row_of(Refusal refusal) {
+  return *std::find_if(table.begin(), table.end(),
+                       [&](const Row& row) { return row.refusal == refusal; });
+}
+
+constexpr std::string_view domain = "trc.v1";
+// Trailers are limited to 8 KB by the peer; a status beyond that would be lost as a whole.
+constexpr std::size_t most_field_faults = 20;
+
+// Digits that read back to the same double.
+std::string number_text(double value) {
+  std::array<char, 32> digits{};
+  const auto [end, fault] = std::to_chars(digits.data(), digits.data() + digits.size(), value);
+  return {digits.data(), end};
+}
+
+Ending finished(StatusCode code, std::string_view reason, std::string_view message,
+                const google::rpc::ErrorInfo& info, const google::rpc::BadRequest& fields,
+                int retry_after_s) {
+  google::rpc::Status rich;
+  rich.set_code(static_cast<int>(code));
+  rich.set_message(std::string(message));
+  rich.add_details()->PackFrom(info);
+  if (fields.field_violations_size() > 0) rich.add_details()->PackFrom(fields);
+  if (retry_after_s > 0) {
+    google::rpc::RetryInfo retry;
+    retry.mutable_retry_delay()->set_seconds(retry_after_s);
+    rich.add_details()->PackFrom(retry);
+  }
+  return {.status = grpc::Status(code, rich.message(), rich.SerializeAsString()),
+          .reason = std::string(reason)};
+}
+
+google::rpc::ErrorInfo error_info(std::string_view reason) {
+  google::rpc::ErrorInfo info;
+  info.set_reason(std::string(reason));
+  info.set_domain(std::string(domain));
+  return info;
+}
+
+}  // namespace
+
+Ending refuse(Refusal refusal, std::string_view detail, const Values& values,
+              const std::vector<FieldFault>& faults) {
+  const Row& row = row_of(refusal);
+  std::string message(row.sentence);
+  if (!detail.empty()) message += ": " + presentable(detail);
+
+  google::rpc::ErrorInfo info = error_info(row.reason);
+  for (const auto& [name, value] : values) (*info.mutable_metadata())[name] = presentable(value);
+
+  google::rpc::BadRequest fields;
+  for (std::size_t i = 0; i < std::min(faults.size(), most_field_faults); ++i) {
+    auto* violation = fields.add_field_violations();
+    violation->set_field(presentable(faults[i].field));
+    violation->set_description(presentable(faults[i].description));
+  }
+  if (faults.size() > most_field_faults)
+    (*info.mutable_metadata())["field_violations_dropped"] =
+        std::to_string(faults.size() - most_field_faults);
+  return finished(row.code, row.reason, message, info, fields, row.retry_after_s);
+}
+
+Ending refuse(const Diagnostic& diagnostic) {
+  const CodeRow& row = trc::row_of(diagnostic.code);
+  google::rpc::ErrorInfo info = error_info(row.reason);
+  auto& metadata = *info.mutable_metadata();
+  metadata["code"] = std::to_string(static_cast<int>(diagnostic.code));
+  metadata["source_index"] = std::to_string(diagnostic.source.index);
+  if (diagnostic.source.number != Source::no_number)
+    metadata["source_number"] = std::to_string(diagnostic.source.number);
+  if (diagnostic.source.line > 0) metadata["line"] = std::to_string(diagnostic.source.line);
+  if (diagnostic.column > 0) metadata["column"] = std::to_string(diagnostic.column);
+  if (!diagnostic.detail.empty()) metadata["detail"] = presentable(diagnostic.detail);
+  for (const DiagnosticValue& value : diagnostic.values)
+    metadata[value.name] = number_text(value.value);
+  metadata["remedy"] = std::string(row.remedy);
+
+  std::string message = "error " + metadata["code"] + ": " + presentable(message_of(diagnostic));
+  if (diagnostic.source.line > 0) message = "line " + metadata["line"] + ": " + message;
+  return finished(StatusCode::INVALID_ARGUMENT, row.reason, message, info, {}, 0);
+}
+
+std::string_view name_of(StatusCode code) {
+  switch (code) {
+    case StatusCode::OK:
+      return "OK";
+    case StatusCode::CANCELLED:
+      return "CANCELLED";
+    case StatusCode::UNKNOWN:
+      return "UNKNOWN";
+    case StatusCode::INVALID_ARGUMENT:
+      return "INVALID_ARGUMENT";
+    case StatusCode::DEADLINE_EXCEEDED:
+      return "DEADLINE_EXCEEDED";
+    case StatusCode::NOT_FOUND:
+      return "NOT_FOUND";
+    case StatusCode::ALREADY_EXISTS:
+      return "ALREADY_EXISTS";
+    case StatusCode::PERMISSION_DENIED:
+      return "PERMISSION_DENIED";
+    case StatusCode::UNAUTHENTICATED:
+      return "UNAUTHENTICATED";
+    case StatusCode::RESOURCE_EXHAUSTED:
+      return "RESOURCE_EXHAUSTED";
+    case StatusCode::FAILED_PRECONDITION:
+      return "FAILED_PRECONDITION";
+    case StatusCode::ABORTED:
+      return "ABORTED";
+    case StatusCode::OUT_OF_RANGE:
+      return "OUT_OF_RANGE";
+    case StatusCode::UNIMPLEMENTED:
+      return "UNIMPLEMENTED";
+    case StatusCode::INTERNAL:
+      return "INTERNAL";
+    case StatusCode::UNAVAILABLE:
+      return "UNAVAILABLE";
+    case StatusCode::DATA_LOSS:
+      return "DATA_LOSS";
+    default:
+      return "UNKNOWN";
+  }
+}
+
+}  // namespace trc::server

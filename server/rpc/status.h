@@ -1,0 +1,61 @@
+#pragma once
+
+#include <grpcpp/support/status.h>
+
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "core/base/diagnostic.h"
+
+namespace trc::server {
+
+// Why the server ends a call, apart from a fault in the program, which is a Diagnostic.
+enum class Refusal {
+  setup_missing,
+  setup_repeated,
+  request_empty,
+  input_after_final,
+  batch_out_of_sequence,
+  contour_incomplete,
+  stream_idle,
+  field_invalid,
+  batch_too_large,
+  stream_limit,
+  memory_limit,
+  feature_unsupported,
+  draining,
+  cancelled,
+  deadline_exceeded,
+  internal,
+};
+
+// How a call ended, before it becomes a grpc::Status.
+struct Ending {
+  grpc::Status status;
+  std::string reason;  // UPPER_SNAKE, for log and metrics; empty when OK
+};
+
+// The parts of a message that change from case to case; they also go into ErrorInfo.metadata.
+using Values = std::vector<std::pair<std::string, std::string>>;
+
+struct FieldFault {
+  std::string field;  // path and index, "batch.blocks[3].linear.end.x"
+  std::string description;
+};
+
+// The status of a refusal with ErrorInfo, BadRequest for the fields (at most 20; how many more
+// there were is said) and, where waiting helps, RetryInfo. `detail` completes the sentence of the
+// table.
+[[nodiscard]] Ending refuse(Refusal refusal, std::string_view detail = {},
+                            const Values& values = {}, const std::vector<FieldFault>& fields = {});
+
+// The status of a program that cannot be compensated: INVALID_ARGUMENT with the reason of the
+// code's row, place, values and remedy; RESOURCE_EXHAUSTED where a limit was passed.
+[[nodiscard]] Ending refuse(const Diagnostic& diagnostic);
+
+// "INVALID_ARGUMENT" and so on.
+[[nodiscard]] std::string_view name_of(grpc::StatusCode code);
+
+}  // namespace trc::server

@@ -1,0 +1,33 @@
+#pragma once
+
+#include "server/rpc/status.h"
+
+namespace trc::server {
+
+// What a turn of a stream asks for: an answer to be written or not, and what comes then.
+struct Turn {
+  enum class Next {
+    proceed,  // another turn without new input: more answers are waiting
+    read,     // the next request
+    finish,   // the end of the RPC
+  };
+  bool write = false;
+  Next next = Next::read;
+  Ending ending{};  // with Next::finish
+};
+
+// The protocol of one stream without gRPC: requests in, answers out, one turn at a time. A turn
+// computes and is called from a worker thread; turns of one stream never overlap.
+template <class Request, class Response>
+class StreamWork {
+ public:
+  virtual ~StreamWork() = default;
+  // A request has arrived.
+  virtual Turn take(const Request& request, Response& response) = 0;
+  // After Next::proceed, once the answer was written.
+  virtual Turn proceed(Response& response) = 0;
+  // The client sends nothing more.
+  virtual Turn ended(Response& response) = 0;
+};
+
+}  // namespace trc::server

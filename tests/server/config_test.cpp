@@ -1,0 +1,178 @@
+#include "server/config.h"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <vector>
+
+namespace trc::server {
+namespace {
+
+CommandLine read(std::vector<const char*> arguments) {
+  arguments.insert(arguments.begin(), "trcd");
+  return read_command_line(static_cast<int>(arguments.size()), arguments.data());
+}
+
+// Sets a variable of the environment as long as it lives.
+class Environment {
+ public:
+  Environment(const char* name, const char* value) : name_(name) { setenv(name, value, 1); }
+  ~Environment() { unsetenv(name_); }
+  Environment(const Environment&) = delete;
+  Environment& operator=(const Environment&) = delete;
+
+ private:
+  const char* name_;
+};
+
+// A file with the text, deleted at the end.
+class TextFile {
+ public:
+  explicit TextFile(const std::string& text)
+      : path_(std::filesystem::temp_directory_path() /
+              ("trcd_config_" + std::to_string(getpid()) + ".toml")) {
+    std::ofstream(path_) << text;
+  }
+  ~TextFile() { std::filesystem::remove(path_); }
+  TextFile(const TextFile&) = delete;
+  TextFile& operator=(const TextFile&) = delete;
+
+  [[nodiscard]] std::string path() const { return path_.string(); }
+
+ private:
+  std::filesystem::path path_;
+};
+
+// Refused with exit code 2 and one line that holds all of `words`.
+void expect_fault(const CommandLine& result, const std::vector<std::string>& words) {
+  ASSERT_TRUE(result.exit.has_value());
+  EXPECT_EQ(result.exit->code, 2);
+  EXPECT_EQ(result.exit->text.find('\n'), std::string::npos) << result.exit->text;
+  for (const std::string& word : words)
+    EXPECT_NE(result.exit->text.find(word), std::string::npos)
+        << "'" << word << "' is not in: " << result.exit->text;
+}
+
+TEST(ServerConfig, StartsWithTheDocumentedDefaults) {
+  const CommandLine result = read({});
+  ASSERT_FALSE(result.exit.has_value()) << result.exit->text;
+  const Config& config = result.config;
+  EXPECT_EQ(config, Config{});
+  EXPECT_EQ(config.listen, std::vector<std::string>{"127.0.0.1:50051"});
+  EXPECT_EQ(config.max_message_bytes, 1048576U);
+  EXPECT_EQ(config.max_blocks_per_selection, 20'000'000U);
+  EXPECT_EQ(config.max_session_memory_mib, 1024U);
+  EXPECT_EQ(config.max_grpc_buffer_mib, 96U);
+  EXPECT_EQ(config.max_streams_per_connection, 64U);
+  EXPECT_EQ(config.max_streams, 1000U);
+  EXPECT_EQ(config.max_line_bytes, 65536U);
+  EXPECT_EQ(config.max_riders, 100U);
+  EXPECT_EQ(config.idle_timeout_s, 300U);
+  EXPECT_EQ(config.keepalive_time_s, 30U);
+  EXPECT_EQ(config.drain_timeout_s, 30U);
+}
+
+TEST(ServerConfig, FlagWinsOverEnvironmentAndEnvironmentOverFile) {
+  const TextFile file("max-streams = 10\nidle-timeout-s = 20\ndrain-timeout-s = 30\n");
+  const Environment streams("TRCD_MAX_STREAMS", "11");
+  const Environment idle("TRCD_IDLE_TIMEOUT_S", "21");
+  const CommandLine result = read({"--config", file.path().c_str(), "--max-streams=12"});
+  ASSERT_FALSE(result.exit.has_value()) << result.exit->text;
+  EXPECT_EQ(result.config.max_streams, 12U);
+  EXPECT_EQ(result.config.idle_timeout_s, 21U);
+  EXPECT_EQ(result.config.drain_timeout_s, 30U);
+}
+
+TEST(ServerConfig, EnvironmentNamesTheFile) {
+  const TextFile file("worker-threads = 3\n");
+  const Environment config("TRCD_CONFIG", file.path().c_str());
+  const CommandLine result = read({});
+  ASSERT_FALSE(result.exit.has_value()) << result.exit->text;
+  EXPECT_EQ(result.config.worker_threads, 3U);
+}
+
+TEST(ServerConfig, FileHoldsListsAndSwitches) {
+  const TextFile file(
+      "listen = [\"127.0.0.1:0\", \"unix:/run/trcd.sock\"]\nreflection = false\n"
+      "log-level = \"warning\"  # a comment\n");
+  const CommandLine result = read({"--config", file.path().c_str()});
+  ASSERT_FALSE(result.exit.has_value()) << result.exit->text;
+  EXPECT_EQ(result.config.listen, (std::vector<std::string>{"127.0.0.1:0", "unix:/run/trcd.sock"}));
+  EXPECT_FALSE(result.config.reflection);
+  EXPECT_EQ(result.config.log_level, "warning");
+}
+
+TEST(ServerConfig, PrintedConfigurationReadsBackAsTheSame) {
+  const CommandLine printed =
+      read({"--print-config", "--listen=127.0.0.1:0,unix:/tmp/x.sock", "--max-streams=7",
+            "--reflection=false", "--log-level=error", "--admin-listen=127.0.0.1:9464"});
+  ASSERT_TRUE(printed.exit.has_value());
+  ASSERT_EQ(printed.exit->code, 0) << printed.exit->text;
+  const TextFile file(printed.exit->text);
+  const CommandLine again = read({"--config", file.path().c_str()});
+  ASSERT_FALSE(again.exit.has_value()) << again.exit->text << "\n" << printed.exit->text;
+  EXPECT_EQ(again.config, printed.config) << printed.exit->text;
+}
+
+TEST(ServerConfig, HelpNamesEverySettingAndItsVariable) {
+  const CommandLine result = read({"--help"});
+  ASSERT_TRUE(result.exit.has_value());
+  EXPECT_EQ(result.exit->code, 0);
+  for (const char* name : {"--listen", "TRCD_LISTEN", "--max-session-memory-mib",
+                           "TRCD_KEEPALIVE_TIMEOUT_S", "--print-config"})
+    EXPECT_NE(result.exit->text.find(name), std::string::npos) << name;
+}
+
+TEST(ServerConfig, RefusesWhatItDoesNotKnow) {
+  expect_fault(read({"--max-stream=3"}), {"--max-stream"});
+  const TextFile file("max-stream = 3\n");
+  expect_fault(read({"--config", file.path().c_str()}), {"max-stream"});
+  expect_fault(read({"--config", "/nonexistent/trcd.toml"}), {"/nonexistent/trcd.toml"});
+}
+
+TEST(ServerConfig, RefusesAFileThatIsNoToml) {
+  const TextFile file("max-streams = 3\nidle-timeout-s = = 4\n");
+  expect_fault(read({"--config", file.path().c_str()}), {"line 2"});
+}
+
+TEST(ServerConfig, RefusesValuesOutOfRange) {
+  expect_fault(read({"--max-streams=0"}), {"max-streams"});
+  expect_fault(read({"--max-streams=-1"}), {"max-streams"});
+  expect_fault(read({"--max-streams=many"}), {"max-streams"});
+  expect_fault(read({"--max-message-bytes=99999999999"}), {"max-message-bytes"});
+  expect_fault(read({"--log-level=loud"}), {"log-level"});
+  const Environment idle("TRCD_IDLE_TIMEOUT_S", "soon");
+  expect_fault(read({}), {"idle-timeout-s"});
+}
+
+TEST(ServerConfig, RefusesAddressesThatAreNone) {
+  for (const char* address : {"--listen=localhost", "--listen=:50051", "--listen=127.0.0.1:66000",
+                              "--listen=::1:50051", "--listen=unix:", "--listen=127.0.0.1:"})
+    expect_fault(read({address}), {"listen"});
+  expect_fault(read({("--listen=unix:/" + std::string(200, 'x')).c_str()}), {"longer than 107"});
+  expect_fault(read({"--admin-listen=9464"}), {"admin-listen"});
+}
+
+TEST(ServerConfig, PlainTextStaysOnThisMachineUnlessAllowed) {
+  expect_fault(read({"--listen=0.0.0.0:50051"}), {"0.0.0.0:50051", "tls-cert-file", "insecure"});
+  expect_fault(read({"--listen=[::]:50051"}), {"[::]:50051"});
+  expect_fault(read({"--listen=127.example.org:50051"}), {"127.example.org"});
+  EXPECT_FALSE(read({"--listen=0.0.0.0:50051", "--insecure"}).exit.has_value());
+  EXPECT_FALSE(read({"--listen=[::1]:50051"}).exit.has_value());
+  EXPECT_FALSE(read({"--listen=localhost:50051"}).exit.has_value());
+  EXPECT_FALSE(read({"--listen=unix:/run/trcd.sock"}).exit.has_value());
+}
+
+TEST(ServerConfig, TlsFilesComeTogetherAndCanBeRead) {
+  expect_fault(read({"--tls-cert-file=/etc/hostname"}), {"tls-cert-file", "tls-key-file"});
+  expect_fault(read({"--tls-client-ca-file=/etc/hostname"}), {"tls-client-ca-file"});
+  expect_fault(read({"--tls-cert-file=/nonexistent", "--tls-key-file=/nonexistent"}),
+               {"tls-cert-file", "/nonexistent"});
+}
+
+}  // namespace
+}  // namespace trc::server

@@ -1,0 +1,88 @@
+#include "server/open_streams.h"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <chrono>
+#include <thread>
+
+#include "server/memory_budget.h"
+
+namespace trc::server {
+namespace {
+
+using std::chrono::milliseconds;
+using std::chrono::seconds;
+
+class Stream final : public OpenStream {
+ public:
+  void end_if_idle(Clock::time_point since) override { asked_until = since; }
+  std::atomic<Clock::time_point> asked_until{Clock::time_point::min()};
+};
+
+TEST(OpenStreams, AdmitsUpToTheLimitAndAgainWhenOneHasLeft) {
+  OpenStreams streams(2, seconds(300));
+  const auto stream = std::make_shared<Stream>();
+  auto first = streams.admit(stream);
+  auto second = streams.admit(stream);
+  EXPECT_EQ(first.answer, OpenStreams::Answer::admitted);
+  EXPECT_EQ(second.answer, OpenStreams::Answer::admitted);
+  EXPECT_EQ(streams.admit(stream).answer, OpenStreams::Answer::full);
+  EXPECT_EQ(streams.count(), 2U);
+  first.ticket = {};
+  EXPECT_EQ(streams.count(), 1U);
+  EXPECT_EQ(streams.admit(stream).answer, OpenStreams::Answer::admitted);
+}
+
+TEST(OpenStreams, AdmitsNoneWhileDraining) {
+  OpenStreams streams(2, seconds(300));
+  const auto stream = std::make_shared<Stream>();
+  auto open = streams.admit(stream);
+  streams.drain();
+  EXPECT_TRUE(streams.draining());
+  EXPECT_EQ(streams.admit(stream).answer, OpenStreams::Answer::draining);
+}
+
+TEST(OpenStreams, WaitsForTheLastStreamButNotLongerThanTold) {
+  OpenStreams streams(2, seconds(300));
+  EXPECT_TRUE(streams.wait_until_none(Clock::now()));
+  auto open = streams.admit(std::make_shared<Stream>());
+  EXPECT_FALSE(streams.wait_until_none(Clock::now() + milliseconds(20)));
+  std::thread leaver([&] {
+    std::this_thread::sleep_for(milliseconds(20));
+    open.ticket = {};
+  });
+  EXPECT_TRUE(streams.wait_until_none(Clock::now() + seconds(30)));
+  leaver.join();
+}
+
+TEST(OpenStreams, AsksStreamsWhetherTheyAreIdle) {
+  OpenStreams streams(2, seconds(1));
+  const auto stream = std::make_shared<Stream>();
+  const auto admitted = streams.admit(stream);
+  const auto give_up = Clock::now() + seconds(30);
+  while (stream->asked_until.load() == Clock::time_point::min() && Clock::now() < give_up)
+    std::this_thread::sleep_for(milliseconds(5));
+  ASSERT_NE(stream->asked_until.load(), Clock::time_point::min());
+  EXPECT_LE(stream->asked_until.load(), Clock::now() - seconds(1));
+}
+
+TEST(MemoryBudget, IsSharedAndGivenBack) {
+  MemoryBudget budget(100);
+  {
+    MemoryBudget::Share one(budget);
+    MemoryBudget::Share other(budget);
+    EXPECT_TRUE(one.resize(60));
+    EXPECT_FALSE(other.resize(41));
+    EXPECT_TRUE(other.resize(40));
+    EXPECT_TRUE(one.resize(10));
+    EXPECT_EQ(budget.used_bytes(), 50U);
+    EXPECT_TRUE(other.resize(90));
+    EXPECT_FALSE(other.resize(91));
+    EXPECT_EQ(budget.used_bytes(), 100U);
+  }
+  EXPECT_EQ(budget.used_bytes(), 0U);
+}
+
+}  // namespace
+}  // namespace trc::server
