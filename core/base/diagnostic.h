@@ -52,7 +52,7 @@ enum class Code : std::int32_t {
   inside_corner_angle_too_large = 90130,
   center_out_of_range = 90133,
   end_point_out_of_range = 90134,
-  gear_cutting_after_deselection = 90193,
+  spatial_circle_after_deselection = 90193,
 
   // NC text
   nc_syntax = 900001,
@@ -76,6 +76,7 @@ enum class Code : std::int32_t {
   deselection_without_motion = 900103,
   tool_radius_out_of_range = 900104,
   field_invalid = 900105,
+  position_unknown = 900106,
 
   // compensation
   selection_block_too_short = 900201,
@@ -84,6 +85,7 @@ enum class Code : std::int32_t {
   selection_without_contour = 900204,
   ended_while_active = 900205,
   circular_side_change_block = 900206,
+  side_change_without_contour = 900207,
 };
 
 struct DiagnosticValue {

@@ -1,0 +1,227 @@
+#include "core/base/diagnostic.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <utility>
+
+namespace trc {
+namespace {
+
+using enum Severity;
+
+// The published IDs keep the severity the reference control gives them.
+constexpr auto rows = std::to_array<CodeRow>({
+    {Code::full_circle_with_radius_word, error, "FULL_CIRCLE_WITH_RADIUS_WORD",
+     "a full circle cannot be given by its radius alone",
+     "Program the centre with I, J, K instead of R."},
+    {Code::circle_center_misfit, error, "CIRCLE_CENTER_MISFIT",
+     "the circle centre does not fit the start and end point of the arc",
+     "Correct I, J, K or the end point. After G40 under G239 the arc starts at the compensated "
+     "point: move in a straight line first."},
+    {Code::circle_radius_zero, error, "CIRCLE_RADIUS_ZERO", "the radius of the circle is zero",
+     "Program a centre (I, J, K) away from the start point, or a radius other than 0."},
+    {Code::radius_and_tool_word_together, error, "RADIUS_AND_TOOL_WORD_TOGETHER",
+     "a D word and a value for the tool radius stand in one block",
+     "Write the tool radius in a block of its own behind the D word."},
+    {Code::transition_type_twice, error, "TRANSITION_TYPE_TWICE",
+     "one block programs more than one transition type (G25, G26)", "Keep one of them."},
+    {Code::compensation_side_twice, error, "COMPENSATION_SIDE_TWICE",
+     "one block programs more than one of G40, G41, G42", "Keep one of them."},
+    {Code::selection_mode_twice, error, "SELECTION_MODE_TWICE",
+     "one block programs more than one selection mode (G138, G139, G236 to G239)",
+     "Keep one of them. Only G05 may stand beside another mode."},
+    {Code::plane_change_while_active, error, "PLANE_CHANGE_WHILE_ACTIVE",
+     "the plane changes while TRC is active", "Deselect TRC with G40 before G17, G18 or G19."},
+    {Code::axis_link_while_active, error, "AXIS_LINK_WHILE_ACTIVE",
+     "an axis link changes while TRC is active", "Deselect TRC with G40 before the command."},
+    {Code::preset_while_active, error, "PRESET_WHILE_ACTIVE",
+     "#PSET or #PRESET is programmed while TRC is active",
+     "Deselect TRC with G40 before the command."},
+    {Code::coordinate_system_while_active, error, "COORDINATE_SYSTEM_WHILE_ACTIVE",
+     "the coordinate system changes while TRC is active",
+     "Deselect TRC with G40 before the command."},
+    {Code::negative_tangfeed_minimum, error, "NEGATIVE_TANGFEED_MINIMUM",
+     "the smallest contour radius of #TANGFEED is negative", "Program RMIN as 0 or positive."},
+    {Code::center_and_radius_together, error, "CENTER_AND_RADIUS_TOGETHER",
+     "one block gives a circle both a centre and a radius", "Keep either I, J, K or R."},
+    {Code::tangential_ignored_with_inside_corner, warning, "TANGENTIAL_IGNORED_WITH_INSIDE_CORNER",
+     "G05 has no effect under G238 and is ignored", "Remove G05, or choose another mode."},
+    {Code::inside_corner_selected_while_active, error, "INSIDE_CORNER_SELECTED_WHILE_ACTIVE",
+     "G238 is programmed while TRC is active in another mode",
+     "Deselect TRC with G40 before G238."},
+    {Code::mode_change_under_inside_corner, error, "MODE_CHANGE_UNDER_INSIDE_CORNER",
+     "the selection mode changes although TRC was selected with G238",
+     "Deselect TRC with G40 before the change."},
+    {Code::point_to_point_while_active, error, "POINT_TO_POINT_WHILE_ACTIVE",
+     "#PTP is programmed while TRC is active", "Deselect TRC with G40 before the command."},
+    {Code::circle_radii_differ, error, "CIRCLE_RADII_DIFFER",
+     "start and end of the arc are not equally far from its centre (G164)",
+     "Correct I, J, K or the end point, or let G165 correct the centre."},
+    {Code::stretch_factor_out_of_range, warning, "STRETCH_FACTOR_OUT_OF_RANGE",
+     "STRETCH_FACTOR is outside 1 to 9 and is set to 1", "Program a value from 1 to 9."},
+    {Code::inverse_without_online, error, "INVERSE_WITHOUT_ONLINE",
+     "INVERSE is set without ONLINE", "Remove INVERSE; ask for the inverse path in the setup."},
+    {Code::real_time_loop_while_active, error, "REAL_TIME_LOOP_WHILE_ACTIVE",
+     "#RT WHILE is programmed while TRC is active", "Deselect TRC with G40 before the command."},
+    {Code::circular_selection_block, error, "CIRCULAR_SELECTION_BLOCK",
+     "TRC is selected in a circular block",
+     "Let the first motion after G41 or G42 be a straight line, or select with G236 or G237."},
+    {Code::too_many_passive_blocks, error, "TOO_MANY_PASSIVE_BLOCKS",
+     "too many blocks without motion in the plane follow one another while TRC is active",
+     "Move them before G41 or behind G40, or raise the limit."},
+    {Code::tool_not_smaller_than_arc, error, "TOOL_NOT_SMALLER_THAN_ARC",
+     "the tool radius is not smaller than the radius of the arc it cuts from inside",
+     "Use a smaller tool or a larger arc, or G141 with #TRC [CONV_CIR_TO_LIN=1]."},
+    {Code::arc_radii_differ, error, "ARC_RADII_DIFFER",
+     "start and end radius of the arc differ, so that it has no equidistant (G164)",
+     "Correct I, J, K or the end point, or let G165 correct the centre."},
+    {Code::line_reversed, error, "LINE_REVERSED",
+     "the compensated line runs against the programmed one: the contour would be damaged",
+     "Use a smaller tool, or mask such blocks with G141."},
+    {Code::arc_wrapped, error, "ARC_WRAPPED",
+     "the compensated arc is longer than the programmed one: the contour would be damaged",
+     "Use a smaller tool, or mask such blocks with G141."},
+    {Code::no_feed_adaptation_in_tangential_block, warning,
+     "NO_FEED_ADAPTATION_IN_TANGENTIAL_BLOCK",
+     "the feed of the G05 block cannot be adapted (G11): the tool radius is too large",
+     "Use a smaller tool, a wider approach, or G10."},
+    {Code::selection_point_too_near, error, "SELECTION_POINT_TOO_NEAR",
+     "the start point of the G238 selection is nearer to the contour than the tool radius",
+     "Start farther away from the contour."},
+    {Code::radius_change_under_inside_corner, error, "RADIUS_CHANGE_UNDER_INSIDE_CORNER",
+     "the tool radius changes although TRC was selected with G238",
+     "Deselect TRC with G40 before the change."},
+    {Code::inside_corner_angle_too_large, error, "INSIDE_CORNER_ANGLE_TOO_LARGE",
+     "the angle between the G238 approach block and the first contour block is too large",
+     "Start on the other side, or select with G138 or G139."},
+    {Code::center_out_of_range, error, "CENTER_OUT_OF_RANGE",
+     "the centre of a circle lies outside the coordinate range",
+     "Look for a wrong unit or a missing decimal point."},
+    {Code::end_point_out_of_range, error, "END_POINT_OUT_OF_RANGE",
+     "an end point lies outside the coordinate range",
+     "Look for a wrong unit, a missing decimal point or two lines under a very small angle."},
+    {Code::spatial_circle_after_deselection, error, "SPATIAL_CIRCLE_AFTER_DESELECTION",
+     "G303 follows G40 without a motion in the plane",
+     "Program a straight motion in the plane between G40 and G303."},
+
+    {Code::nc_syntax, error, "NC_SYNTAX", "the text is no NC word",
+     "Correct the word at the place given."},
+    {Code::nc_unknown_function, error, "NC_UNKNOWN_FUNCTION", "the G function is not known",
+     "Remove it; GetServerInfo lists the functions that are."},
+    {Code::nc_unsupported, error, "NC_UNSUPPORTED",
+     "the word changes the path in a way that is not followed here",
+     "Resolve it before compensation: expand variables, loops, subprograms and coordinate "
+     "changes into plain motion blocks."},
+    {Code::trc_option_unknown, error, "TRC_OPTION_UNKNOWN", "the #TRC keyword is not known",
+     "Correct its spelling; GetServerInfo lists all keywords."},
+    {Code::trc_option_out_of_range, error, "TRC_OPTION_OUT_OF_RANGE",
+     "the value of a #TRC keyword is missing or out of range",
+     "Program a value of the range given; GetServerInfo lists all ranges."},
+    {Code::nc_line_too_long, error, "NC_LINE_TOO_LONG", "a line is longer than the limit",
+     "Check that this is an NC program with line ends, or raise the limit."},
+    {Code::nc_not_text, error, "NC_NOT_TEXT",
+     "a byte is not text: a control character or no UTF-8",
+     "Save the program as plain text in UTF-8; ASCII is UTF-8 too."},
+    {Code::nc_number, error, "NC_NUMBER", "a number is missing, malformed or out of range",
+     "Write a decimal number behind the address letter."},
+    {Code::nc_unclosed, error, "NC_UNCLOSED", "something is opened but not closed",
+     "Close the bracket or the comment, or complete the continued line."},
+    {Code::nc_word_twice, error, "NC_WORD_TWICE", "one block programs an address twice",
+     "Keep one of the two words."},
+    {Code::nc_axis_unknown, error, "NC_AXIS_UNKNOWN", "the axis is not among those of the setup",
+     "Correct the name, or add the axis to the tracking axes of the setup."},
+    {Code::nc_group_twice, error, "NC_GROUP_TWICE",
+     "one block programs two functions that exclude each other", "Keep one of them."},
+    {Code::tool_unknown, error, "TOOL_UNKNOWN", "the tool table of the setup has no such tool",
+     "Add the tool and its radius to the setup, or write V.G.WZ_AKT.R in place of the D word."},
+    {Code::program_empty, error, "PROGRAM_EMPTY", "the program has no block",
+     "Check that the file is the one meant and is complete."},
+
+    {Code::circle_incomplete, error, "CIRCLE_INCOMPLETE",
+     "a circular block has neither centre nor radius",
+     "Program I, J, K or R in the block itself, or G01 if it is meant to be straight."},
+    {Code::not_available, error, "NOT_AVAILABLE", "the function is not available here",
+     "Remove it, or use another one."},
+    {Code::deselection_without_motion, error, "DESELECTION_WITHOUT_MOTION",
+     "G41 or G42 follows G40 although no motion in the plane has left the contour",
+     "Program the retract motion behind G40, or use G237 or G239."},
+    {Code::tool_radius_out_of_range, error, "TOOL_RADIUS_OUT_OF_RANGE",
+     "the tool radius is out of range", "Check the unit: the radius is in mm, under G70 in inch."},
+    {Code::field_invalid, error, "FIELD_INVALID", "a value is not a number or out of range",
+     "Correct the field named."},
+    {Code::position_unknown, error, "POSITION_UNKNOWN",
+     "the motion starts from a position that is not known since the coordinates changed",
+     "Program all axes of the plane absolutely (G90, G00 or G01) behind the change, before G91, "
+     "circles or G41."},
+
+    {Code::selection_block_too_short, error, "SELECTION_BLOCK_TOO_SHORT",
+     "the selection or deselection block is shorter than its mode needs",
+     "Lengthen the block or use a smaller tool."},
+    {Code::tangential_start_on_tangent, error, "TANGENTIAL_START_ON_TANGENT",
+     "no circle leads from the start point tangentially to the contour (G05)",
+     "Start off the tangent of the first contour block."},
+    {Code::circular_deselection_block, error, "CIRCULAR_DESELECTION_BLOCK",
+     "TRC is deselected in a circular block",
+     "Let the first motion after G40 be a straight line, or use G236, G237 or G239."},
+    {Code::selection_without_contour, warning, "SELECTION_WITHOUT_CONTOUR",
+     "TRC is selected and deselected without a contour in between; nothing is compensated",
+     "Remove the selection, or program the contour before G40."},
+    {Code::ended_while_active, warning, "ENDED_WHILE_ACTIVE",
+     "the program ends before the tool has left the contour; the path ends at the last "
+     "compensated point",
+     "Program G40 and a motion in the plane before the end."},
+    {Code::circular_side_change_block, error, "CIRCULAR_SIDE_CHANGE_BLOCK",
+     "the side of TRC changes in a circular block",
+     "Let the block that changes between G41 and G42 be a straight line."},
+    {Code::side_change_without_contour, error, "SIDE_CHANGE_WITHOUT_CONTOUR",
+     "the side of TRC changes where no contour block lies on one of the two sides",
+     "Program at least one contour block between G41, G42 and G40."},
+});
+
+static_assert(std::ranges::is_sorted(rows, {}, &CodeRow::code));
+
+void append_number(std::string& text, double value) {
+  std::array<char, 32> digits{};
+  const auto written = std::to_chars(digits.data(), digits.data() + digits.size(), value,
+                                     std::chars_format::general, 9);
+  text.append(digits.data(), written.ptr);
+}
+
+}  // namespace
+
+std::span<const CodeRow> code_table() { return rows; }
+
+const CodeRow& row_of(Code code) {
+  const auto found = std::ranges::lower_bound(rows, code, {}, &CodeRow::code);
+  if (found != rows.end() && found->code == code) return *found;
+  // A number from elsewhere (a newer peer): shown as what it is, never as another fault.
+  static constexpr CodeRow unknown{.code = Code{},
+                                   .severity = error,
+                                   .reason = "UNKNOWN",
+                                   .cause = "a fault with a code that is not in the table",
+                                   .remedy = "Update this program."};
+  return unknown;
+}
+
+Diagnostic diagnostic(Code code, const Source& source, std::string detail) {
+  return {.code = code,
+          .severity = row_of(code).severity,
+          .source = source,
+          .detail = std::move(detail)};
+}
+
+std::string message_of(const Diagnostic& diagnostic) {
+  std::string text(row_of(diagnostic.code).cause);
+  if (!diagnostic.detail.empty()) text.append(": ").append(diagnostic.detail);
+  const char* separator = " (";
+  for (const DiagnosticValue& value : diagnostic.values) {
+    text.append(separator).append(value.name).append(" ");
+    append_number(text, value.value);
+    separator = ", ";
+  }
+  if (!diagnostic.values.empty()) text.append(")");
+  return text;
+}
+
+}  // namespace trc
