@@ -40,11 +40,11 @@ struct MotionBlock {
 // across the plane, tracking axes alone, no length (D-29). It keeps its place.
 struct PassiveBlock {
   Source source{};
-  std::string text{};   // passed through, never interpreted; may be empty
+  std::string text{};  // passed through, never interpreted; may be empty
   AxisTravel normal{};
   double feed = 0;
   bool rapid = false;
-  bool moves = false;   // third main axis or tracking axes travel
+  bool moves = false;  // third main axis or tracking axes travel
   std::shared_ptr<const TrcMode> mode{};
   TrackingTravel tracking{};
 };

@@ -12,12 +12,12 @@ enum class Side : std::uint8_t { off, left, right };
 
 // How TRC is selected and deselected: G138, G139 (initial), G236 … G239.
 enum class Selection : std::uint8_t {
-  direct,          // G138
-  indirect,        // G139
-  on_path,         // G236
-  perpendicular,   // G237
-  inside_corner,   // G238
-  without_block,   // G239
+  direct,         // G138
+  indirect,       // G139
+  on_path,        // G236
+  perpendicular,  // G237
+  inside_corner,  // G238
+  without_block,  // G239
 };
 
 // What is inserted at outside corners: G25 (initial) or G26.
@@ -53,8 +53,8 @@ struct TrcOptions {
   bool remove_masked_blocks = false;
   bool ext_angle_block_intersection = false;
   bool g236_lin = false;
-  double stretch_factor = 1;      // 1 … 9, real (D-07)
-  double tangential_limit = 3;    // degrees, 0.1 … 3
+  double stretch_factor = 1;    // 1 … 9, real (D-07)
+  double tangential_limit = 3;  // degrees, 0.1 … 3
   bool perpendicular_radius_change = false;
   bool gen_cir_block_in_corner = false;
   bool suppress_trc = false;
@@ -68,8 +68,8 @@ struct TrcOptions {
 // share of it, so that no pass has to ask anyone else.
 struct TrcMode {
   Plane plane = Plane::xy;
-  Side side = Side::off;    // after a negative radius has swapped it
-  double tool_radius = 0;   // mm, never negative
+  Side side = Side::off;   // after a negative radius has swapped it
+  double tool_radius = 0;  // mm, never negative
   // Counts the selections of the program from 1; 0 while off. Two blocks of one
   // side with different numbers have a deselection between them.
   std::uint32_t selection_number = 0;

@@ -23,6 +23,7 @@ struct Limits {
 };
 
 struct CompensatorSetup {
+  Position start{};  // of the tool before the first block, mm
   Limits limits{};
   Tolerances tolerances{};
   bool implicit_contour_masking = false;  // P-CHAN-00219, D-34
@@ -35,8 +36,8 @@ struct Summary {
   std::uint64_t blocks_in = 0;  // relevant and passive blocks
   std::uint64_t blocks_out = 0;
   std::array<std::uint64_t, origin_count> blocks_by_origin{};
-  double programmed_length = 0;   // mm, in the plane
-  double compensated_length = 0;  // mm, in the plane
+  double programmed_length = 0;                // mm, in the plane
+  double compensated_length = 0;               // mm, in the plane
   std::optional<double> smallest_clearance{};  // mm, where it was computed
 };
 
@@ -57,8 +58,8 @@ class Compensator {
   bool finish(const TrcMode& at_end, std::vector<CompensatedBlock>& out);
 
   [[nodiscard]] const Summary& summary() const;
-  // The most relevant blocks ever held back; nothing for "the whole selection".
-  [[nodiscard]] std::optional<std::size_t> look_ahead() const;
+  // The most relevant blocks ever held back: the sum over the passes.
+  [[nodiscard]] std::size_t look_ahead() const;
 
  private:
   struct Passes;

@@ -1,0 +1,58 @@
+#include "core/geometry/segment.h"
+
+#include <cmath>
+#include <numbers>
+
+namespace trc {
+namespace {
+
+// The tangent of a circle at a point, in the sense of travel.
+Vector circle_tangent(const Point& point, const Point& center, double sweep) {
+  const Vector radial = (point - center).normalized();
+  return sweep > 0 ? left_of(radial) : Vector(-left_of(radial));
+}
+
+}  // namespace
+
+const Point& start_of(const Segment& segment) {
+  return std::visit([](const auto& s) -> const Point& { return s.start; }, segment);
+}
+
+const Point& end_of(const Segment& segment) {
+  return std::visit([](const auto& s) -> const Point& { return s.end; }, segment);
+}
+
+Vector tangent_at_start(const Segment& segment) {
+  return std::visit(
+      overloaded{
+          [](const Line& line) -> Vector { return (line.end - line.start).normalized(); },
+          [](const Arc& arc) { return circle_tangent(arc.start, arc.center, arc.sweep); },
+      },
+      segment);
+}
+
+Vector tangent_at_end(const Segment& segment) {
+  return std::visit(
+      overloaded{
+          [](const Line& line) -> Vector { return (line.end - line.start).normalized(); },
+          [](const Arc& arc) { return circle_tangent(arc.end, arc.center, arc.sweep); },
+      },
+      segment);
+}
+
+double length_of(const Segment& segment) {
+  return std::visit(overloaded{
+                        [](const Line& line) { return (line.end - line.start).norm(); },
+                        [](const Arc& arc) { return std::abs(arc.sweep) * radius_of(arc); },
+                    },
+                    segment);
+}
+
+double radius_of(const Arc& arc) { return (arc.start - arc.center).norm(); }
+
+double turn_between(const Vector& a, const Vector& b) {
+  const double turn = std::atan2(cross(a, b), a.dot(b));
+  return turn <= -std::numbers::pi ? std::numbers::pi : turn;
+}
+
+}  // namespace trc

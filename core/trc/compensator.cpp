@@ -1,0 +1,74 @@
+#include "core/trc/compensator.h"
+
+#include "core/trc/contour_masking.h"
+#include "core/trc/offset.h"
+#include "core/trc/pass.h"
+#include "core/trc/relevant_blocks.h"
+#include "core/trc/reporting.h"
+#include "core/trc/transitions.h"
+
+namespace trc {
+
+// The passes and the blocks on their way between them; each vector is named
+// after what its blocks have become.
+struct Compensator::Passes {
+  Passes(const CompensatorSetup& setup, Diagnostics& log)
+      : diagnostics(log),
+        relevant_blocks(setup.limits.passive_blocks, setup.tolerances, log),
+        offset(setup.tolerances, log),
+        transitions(setup.tolerances, log),
+        contour_masking(setup.tolerances, log),
+        reporting(setup, log) {}
+
+  // clang-format off
+  bool step(Input input, std::vector<CompensatedBlock>& out) {
+    return !diagnostics.stopped()
+        && advance(relevant_blocks, programmed, relevant, input)
+        && apply  (offset,          relevant)
+        && advance(transitions,     relevant,   joined,   input)
+        && apply  (contour_masking, joined)
+        && advance(reporting,       joined,     out,      input);
+  }
+  // clang-format on
+
+  Diagnostics& diagnostics;
+  RelevantBlocks relevant_blocks;
+  Offset offset;
+  Transitions transitions;
+  ContourMasking contour_masking;
+  Reporting reporting;
+
+  std::vector<Block> programmed;
+  std::vector<PathBlock> relevant;
+  std::vector<PathBlock> joined;
+};
+
+Compensator::Compensator(const CompensatorSetup& setup, Diagnostics& diagnostics)
+    : passes_(std::make_unique<Passes>(setup, diagnostics)) {}
+
+Compensator::~Compensator() = default;
+
+// One block at a time through all passes: the order of diagnostics and what has
+// come out before a stop must not depend on how the caller batches.
+bool Compensator::feed(std::vector<Block>& blocks, std::vector<CompensatedBlock>& out) {
+  for (Block& block : blocks) {
+    ++passes_->reporting.summary().blocks_in;
+    passes_->programmed.push_back(std::move(block));
+    if (!passes_->step(Input::more, out)) break;
+  }
+  blocks.clear();
+  return !passes_->diagnostics.stopped();
+}
+
+bool Compensator::finish(const TrcMode& at_end, std::vector<CompensatedBlock>& out) {
+  passes_->relevant_blocks.end_in(at_end);
+  return passes_->step(Input::ended, out);
+}
+
+const Summary& Compensator::summary() const { return passes_->reporting.summary(); }
+
+std::size_t Compensator::look_ahead() const {
+  return passes_->relevant_blocks.look_ahead() + passes_->transitions.look_ahead();
+}
+
+}  // namespace trc

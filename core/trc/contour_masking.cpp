@@ -1,0 +1,70 @@
+#include "core/trc/contour_masking.h"
+
+#include <cmath>
+#include <numbers>
+
+#include "core/geometry/parallel.h"
+
+namespace trc {
+namespace {
+
+constexpr double degrees = 180 / std::numbers::pi;
+
+bool within(const Point& point, double limit) {
+  return std::abs(point.x()) <= limit && std::abs(point.y()) <= limit;
+}
+
+}  // namespace
+
+bool ContourMasking::apply(PathBlock& block) {
+  if (block.role == Role::passive || block.role == Role::uncompensated) return true;
+  if (block.role == Role::contour) {
+    const auto* arc = std::get_if<Arc>(&block.programmed.path);
+    if (!(arc != nullptr ? check_arc(block, *arc) : check_line(block))) return false;
+  }
+  return check_range(block);
+}
+
+bool ContourMasking::check_line(const PathBlock& block) {
+  const Vector travelled = end_of(block.tool_path) - start_of(block.tool_path);
+  const double along = travelled.dot(block.tangent_at_end);
+  if (along >= -tolerances_.on_contour) return true;
+  Diagnostic violation = diagnostic(Code::line_reversed, block.programmed.source);
+  violation.values = {{"programmed_length", length_of(block.programmed.path)},
+                      {"compensated_length", along},
+                      {"tool_radius", std::abs(block.at_end.shift)}};
+  return report(std::move(violation), block);
+}
+
+bool ContourMasking::check_arc(const PathBlock& block, const Arc& programmed) {
+  const double sweep = std::abs(programmed.sweep);
+  const double left = sweep - block.cut_at_start - block.cut_at_end;
+  if (left * parallel_radius(programmed, block.at_end.shift) >= -tolerances_.on_contour)
+    return true;
+  Diagnostic violation = diagnostic(Code::arc_wrapped, block.programmed.source);
+  violation.values = {{"corrected_sweep", (left + 2 * std::numbers::pi) * degrees},
+                      {"largest_sweep", sweep * degrees},
+                      {"tool_radius", std::abs(block.at_end.shift)}};
+  return report(std::move(violation), block);
+}
+
+bool ContourMasking::check_range(const PathBlock& block) {
+  const double limit = tolerances_.largest_coordinate;
+  const auto* arc = std::get_if<Arc>(&block.tool_path);
+  const bool end_fits = within(end_of(block.tool_path), limit);
+  if (end_fits && (arc == nullptr || within(arc->center, limit))) return true;
+  Diagnostic problem = diagnostic(
+      end_fits ? Code::center_out_of_range : Code::end_point_out_of_range, block.programmed.source);
+  problem.values = {{"largest_coordinate", limit}};
+  return diagnostics_.report(std::move(problem));
+}
+
+bool ContourMasking::report(Diagnostic violation, const PathBlock& block) {
+  const Position place =
+      from_plane(block.mode().plane, start_of(block.tool_path), block.programmed.normal.from);
+  violation.point = DiagnosticPoint{.x = place[0], .y = place[1], .z = place[2]};
+  if (block.mode().options.ignore_cont_damage) violation.severity = Severity::warning;
+  return diagnostics_.report(std::move(violation));
+}
+
+}  // namespace trc

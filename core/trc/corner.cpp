@@ -1,0 +1,193 @@
+#include "core/trc/corner.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "core/geometry/parallel.h"
+
+namespace trc {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+Meetings meetings_of(const OffsetCurve& a, const OffsetCurve& b, double same_point) {
+  const StraightLine line_a{.point = a.anchor, .direction = a.tangent};
+  const StraightLine line_b{.point = b.anchor, .direction = b.tangent};
+  if (!a.circular && !b.circular) return intersect(line_a, line_b);
+  if (!a.circular) return intersect(line_a, b.circle, same_point);
+  if (!b.circular) return intersect(line_b, a.circle, same_point);
+  return intersect(a.circle, b.circle, same_point);
+}
+
+// The angle travelled on the circle from `from` to `to`, in its sense. A point up
+// to `slack` mm behind counts as behind, not as almost a full turn ahead.
+double travelled(const OffsetCurve& curve, const Point& from, const Point& to, double slack) {
+  const Point& center = curve.circle.center;
+  double angle = turn_between(from - center, to - center);
+  if (!curve.counter_clockwise) angle = -angle;
+  if (angle < -slack / curve.circle.radius) angle += 2 * pi;
+  return angle;
+}
+
+double length_of_cut(const OffsetCurve& curve, double cut) {
+  return curve.circular ? cut * curve.circle.radius : cut;
+}
+
+// The crossing of the two tangents; the corner is not a reversal.
+Point mitre_point(const Corner& corner) {
+  const Vector& before = corner.before.tangent;
+  const Vector& after = corner.after.tangent;
+  const double scale = corner.shift / (1 + before.dot(after));
+  return corner.programmed + scale * (left_of(before) + left_of(after));
+}
+
+}  // namespace
+
+OffsetCurve offset_curve(const Segment& programmed, const Vector& tangent, const Point& anchor,
+                         double shift) {
+  OffsetCurve curve{.anchor = anchor, .tangent = tangent};
+  if (const auto* arc = std::get_if<Arc>(&programmed)) {
+    curve.circular = true;
+    curve.counter_clockwise = arc->sweep > 0;
+    curve.circle = {.center = arc->center, .radius = parallel_radius(*arc, shift)};
+  }
+  return curve;
+}
+
+CornerKind kind_of(const Corner& corner, const Tolerances& tolerances) {
+  const double turn = std::abs(corner.turn);
+  if (turn <= tolerances.tangent) return CornerKind::tangential;
+  if ((corner.after.anchor - corner.before.anchor).norm() <= tolerances.same_point)
+    return CornerKind::tangential;
+  if (turn >= pi - tolerances.tangent) return CornerKind::outside;
+  return corner.turn * corner.shift > 0 ? CornerKind::inside : CornerKind::outside;
+}
+
+double outside_sweep(const Corner& corner) {
+  // A reversal may have fallen on either side of 180 degrees.
+  const bool away = corner.turn * corner.shift < 0;
+  return away ? corner.turn : corner.turn - std::copysign(2 * pi, corner.turn);
+}
+
+double transition_angle(const Corner& corner, const Tolerances& tolerances) {
+  switch (kind_of(corner, tolerances)) {
+    case CornerKind::tangential:
+      return pi;
+    case CornerKind::inside:
+      return pi - std::abs(corner.turn);
+    case CornerKind::outside:
+      break;
+  }
+  return pi + std::abs(outside_sweep(corner));
+}
+
+Joint tangential_joint(const Corner& corner) {
+  Joint joint;
+  joint.end = corner.before.anchor;
+  joint.start = joint.end;
+  return joint;
+}
+
+double cut_before_anchor(const OffsetCurve& curve, const Point& point, double slack) {
+  return curve.circular ? travelled(curve, point, curve.anchor, slack)
+                        : (curve.anchor - point).dot(curve.tangent);
+}
+
+double cut_after_anchor(const OffsetCurve& curve, const Point& point, double slack) {
+  return curve.circular ? travelled(curve, curve.anchor, point, slack)
+                        : (point - curve.anchor).dot(curve.tangent);
+}
+
+std::optional<Joint> nearest_meeting(const OffsetCurve& before, const OffsetCurve& after,
+                                     const Tolerances& tolerances) {
+  // Near a tangential corner rounding may put the meeting a hair outside; it is
+  // still on both curves.
+  const double slack = tolerances.on_contour;
+  std::optional<Joint> nearest;
+  double nearest_after = std::numeric_limits<double>::infinity();
+  double nearest_before = nearest_after;
+  for (const Point& point : meetings_of(before, after, tolerances.same_point)) {
+    const double cut_before = cut_before_anchor(before, point, slack);
+    const double cut_after = cut_after_anchor(after, point, slack);
+    const double length_before = length_of_cut(before, cut_before);
+    const double length_after = length_of_cut(after, cut_after);
+    if (length_before < -slack || length_after < -slack) continue;
+    const bool tied = std::abs(length_after - nearest_after) <= tolerances.same_point;
+    if (tied ? length_before >= nearest_before : length_after >= nearest_after) continue;
+    nearest_after = length_after;
+    nearest_before = length_before;
+    nearest.emplace();
+    nearest->end = nearest->start = point;
+    nearest->cut_before = cut_before;
+    nearest->cut_after = cut_after;
+  }
+  return nearest;
+}
+
+std::optional<Joint> inside_joint(const Corner& corner, const Tolerances& tolerances) {
+  if (corner.before.circular || corner.after.circular)
+    return nearest_meeting(corner.before, corner.after, tolerances);
+  Joint joint;
+  joint.end = joint.start = mitre_point(corner);
+  joint.cut_before = joint.cut_after = corner.tool_radius() * std::tan(std::abs(corner.turn) / 2);
+  return joint;
+}
+
+Joint outside_joint(const Corner& corner, const TransitionRule& rule,
+                    const Tolerances& tolerances) {
+  const Point& q = corner.before.anchor;
+  const Point& p = corner.after.anchor;
+  const double sweep = outside_sweep(corner);
+  Joint joint;
+  joint.end = q;
+  joint.start = p;
+  if (rule.transition == Transition::circular) {
+    joint.insert(Arc{.start = q, .end = p, .center = corner.programmed, .sweep = sweep});
+    return joint;
+  }
+  const double stretch = rule.stretch_factor * corner.tool_radius();
+  const double extension = std::abs(sweep) < pi - tolerances.tangent
+                               ? corner.tool_radius() * std::tan(std::abs(sweep) / 2)
+                               : std::numeric_limits<double>::infinity();
+  const bool reaches = extension <= stretch + tolerances.same_point;
+  const double length = reaches ? extension : stretch;
+  const Point end = reaches ? mitre_point(corner) : Point(q + length * corner.before.tangent);
+  const Point start = reaches ? end : Point(p - length * corner.after.tangent);
+  if (corner.before.circular) {
+    joint.insert(Line{.start = q, .end = end});
+  } else {
+    joint.end = end;
+    joint.cut_before = -length;
+  }
+  if (!reaches) joint.insert(Line{.start = end, .end = start});
+  if (corner.after.circular) {
+    joint.insert(Line{.start = start, .end = p});
+  } else {
+    joint.start = start;
+    joint.cut_after = -length;
+  }
+  return joint;
+}
+
+std::optional<Joint> extended_joint(const Corner& corner, const Tolerances& tolerances) {
+  if (!corner.before.circular && !corner.after.circular)
+    return outside_joint(corner, {.transition = Transition::linear}, tolerances);
+  const double reach = 2 * corner.tool_radius() * std::tan(pi / 180);
+  std::optional<Joint> nearest;
+  double nearest_distance = reach;
+  for (const Point& point : meetings_of(corner.before, corner.after, tolerances.same_point)) {
+    const double distance =
+        std::max((point - corner.before.anchor).norm(), (point - corner.after.anchor).norm());
+    if (distance > nearest_distance) continue;
+    nearest_distance = distance;
+    nearest.emplace();
+    nearest->end = nearest->start = point;
+    nearest->cut_before = cut_before_anchor(corner.before, point, 2 * reach);
+    nearest->cut_after = cut_after_anchor(corner.after, point, 2 * reach);
+  }
+  return nearest;
+}
+
+}  // namespace trc

@@ -1,0 +1,103 @@
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <span>
+
+#include "core/base/tolerances.h"
+#include "core/geometry/intersect.h"
+#include "core/geometry/segment.h"
+#include "core/nc/trc_mode.h"
+
+namespace trc {
+
+// The equidistant of one block near a corner, unbounded: a straight line or a
+// circle through `anchor`, which is Q of the block before, P of the block after.
+struct OffsetCurve {
+  Point anchor = Point::Zero();
+  Vector tangent = Vector::UnitX();  // of travel at the anchor, unit
+  bool circular = false;
+  bool counter_clockwise = false;
+  Circle circle{};
+};
+
+// `shift` as in Compensation. The programmed segment must keep a circle (90017
+// has been checked).
+[[nodiscard]] OffsetCurve offset_curve(const Segment& programmed, const Vector& tangent,
+                                       const Point& anchor, double shift);
+
+// Two blocks meeting in the programmed point E.
+struct Corner {
+  Point programmed = Point::Zero();
+  OffsetCurve before{};
+  OffsetCurve after{};
+  double turn = 0;   // rad, -pi < turn <= pi, counter-clockwise positive
+  double shift = 0;  // in force on both sides of the corner
+
+  [[nodiscard]] double tool_radius() const { return std::abs(shift); }
+};
+
+enum class CornerKind { tangential, inside, outside };
+
+// An exact reversal is an outside corner of 360 degrees (D-05).
+[[nodiscard]] CornerKind kind_of(const Corner& corner, const Tolerances& tolerances);
+
+// How far the tool swings around an outside corner: |sweep| = beta - 180 degrees,
+// negative clockwise (G41), positive counter-clockwise (G42).
+[[nodiscard]] double outside_sweep(const Corner& corner);
+
+// The transition angle beta of spec section 1.12, rad, 0 < beta <= 2 pi.
+[[nodiscard]] double transition_angle(const Corner& corner, const Tolerances& tolerances);
+
+// What becomes of a corner.
+struct Joint {
+  Point end = Point::Zero();    // of the block before
+  Point start = Point::Zero();  // of the block after
+  double cut_before = 0;        // as in PathBlock
+  double cut_after = 0;
+
+  void insert(const Segment& segment) { inserted_[count_++] = segment; }
+  [[nodiscard]] std::span<const Segment> inserted() const { return {inserted_.data(), count_}; }
+
+ private:
+  std::array<Segment, 3> inserted_{};
+  std::size_t count_ = 0;
+};
+
+struct TransitionRule {
+  Transition transition = Transition::linear;
+  double stretch_factor = 1;
+};
+
+// Both blocks reach their full end in one point.
+[[nodiscard]] Joint tangential_joint(const Corner& corner);
+
+// Both blocks shortened to the meeting of their equidistants, the nearest one
+// along the block after, then along the block before (D-06). Empty when the
+// equidistants do not meet between the corner and their far ends.
+[[nodiscard]] std::optional<Joint> inside_joint(const Corner& corner, const Tolerances& tolerances);
+
+// The table of spec section 4.2 with STRETCH_FACTOR (4.3). Lines are extended,
+// circles get a tangent line.
+[[nodiscard]] Joint outside_joint(const Corner& corner, const TransitionRule& rule,
+                                  const Tolerances& tolerances);
+
+// EXT_ANGLE_BLOCK_INTERSECTION (spec 4.4, D-08): both curves extended to their
+// meeting; empty when there is none within 2 R tan 1 degree of Q and P.
+[[nodiscard]] std::optional<Joint> extended_joint(const Corner& corner,
+                                                  const Tolerances& tolerances);
+
+// How much of a curve lies between `point` on it and its anchor: positive when
+// the corner takes it off. mm of a line, rad of a circle, -slack <= cut.
+[[nodiscard]] double cut_before_anchor(const OffsetCurve& curve, const Point& point, double slack);
+[[nodiscard]] double cut_after_anchor(const OffsetCurve& curve, const Point& point, double slack);
+
+// Where two unbounded curves meet, as far as the corner lets them: the meeting
+// with the smallest cut of `after`, then of `before` (D-06).
+[[nodiscard]] std::optional<Joint> nearest_meeting(const OffsetCurve& before,
+                                                   const OffsetCurve& after,
+                                                   const Tolerances& tolerances);
+
+}  // namespace trc

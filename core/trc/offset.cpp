@@ -1,0 +1,39 @@
+#include "core/trc/offset.h"
+
+#include <cmath>
+
+#include "core/geometry/parallel.h"
+
+namespace trc {
+
+bool Offset::apply(PathBlock& block) {
+  if (block.role == Role::passive) return true;
+  const Segment& programmed = block.programmed.path;
+  block.tangent_at_start = tangent_at_start(programmed);
+  block.tangent_at_end = tangent_at_end(programmed);
+  if (block.at_start.active) {
+    if (!keeps_circle(block, block.at_start.shift)) return false;
+    block.offset_start =
+        parallel_point(start_of(programmed), block.tangent_at_start, block.at_start.shift);
+  }
+  if (block.at_end.active) {
+    if (!keeps_circle(block, block.at_end.shift)) return false;
+    block.offset_end = parallel_point(end_of(programmed), block.tangent_at_end, block.at_end.shift);
+  }
+  return true;
+}
+
+bool Offset::keeps_circle(const PathBlock& block, double shift) {
+  const auto* arc = std::get_if<Arc>(&block.programmed.path);
+  if (arc == nullptr || block.role != Role::contour) return true;
+  const double radius = parallel_radius(*arc, shift);
+  if (radius >= tolerances_.on_contour) return true;
+  Diagnostic violation = diagnostic(Code::tool_not_smaller_than_arc, block.programmed.source);
+  violation.values = {{"contour_radius", radius_of(*arc)},
+                      {"tool_radius", std::abs(shift)},
+                      {"difference", radius},
+                      {"smallest_difference", tolerances_.on_contour}};
+  return diagnostics_.report(std::move(violation));
+}
+
+}  // namespace trc

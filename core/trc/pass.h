@@ -1,0 +1,51 @@
+#pragma once
+
+#include <concepts>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace trc {
+
+// A pass reads one stream of blocks and writes another.
+//
+//   feed(item, out)  takes one item, appends to `out` all that has become certain
+//   drain(out)       no more items: appends all that was held back
+//   look_ahead()     the most items the pass ever holds back
+//
+// feed and drain return false once the stream must stop; Diagnostics then says
+// why. Certain means: no later block can change it any more. Nothing in `out` is
+// ever patched.
+template <class P, class In, class Out>
+concept Pass = requires(P pass, const P& view, In item, std::vector<Out>& out) {
+  { pass.feed(std::move(item), out) } -> std::same_as<bool>;
+  { pass.drain(out) } -> std::same_as<bool>;
+  { view.look_ahead() } -> std::same_as<std::size_t>;
+};
+
+// A pass that needs no neighbour: it looks at each block once, where it lies.
+template <class P, class Item>
+concept InPlacePass = requires(P pass, Item& item) {
+  { pass.apply(item) } -> std::same_as<bool>;
+};
+
+enum class Input { more, ended };
+
+template <class P, class In, class Out>
+requires Pass<P, In, Out>
+[[nodiscard]] bool advance(P& pass, std::vector<In>& in, std::vector<Out>& out, Input input) {
+  for (In& item : in)
+    if (!pass.feed(std::move(item), out)) return false;
+  in.clear();
+  return input == Input::more || pass.drain(out);
+}
+
+template <class P, class Item>
+requires InPlacePass<P, Item>
+[[nodiscard]] bool apply(P& pass, std::vector<Item>& items) {
+  for (Item& item : items)
+    if (!pass.apply(item)) return false;
+  return true;
+}
+
+}  // namespace trc

@@ -1,0 +1,66 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/geometry/segment.h"
+#include "core/nc/block.h"
+#include "core/trc/compensated_block.h"
+
+namespace trc {
+
+// What a block is to TRC.
+enum class Role : std::uint8_t {
+  passive,        // no motion in the plane; travels alone only while TRC is off
+  uncompensated,  // TRC is off, or the selection has no contour (D-28)
+  approach,       // selection block: from where the tool is to the equidistant
+  contour,
+  retract,      // deselection block
+  side_change,  // retract of the old side and approach of the new one (spec 9)
+  inserted,     // by TRC: transition blocks, parts of approach and retract
+};
+
+// The compensation in force at one end of a block.
+struct Compensation {
+  bool active = false;
+  double shift = 0;  // mm to the left of the programmed contour; negative: right
+
+  bool operator==(const Compensation&) const = default;
+};
+
+// A block on its way, programmed and compensated side by side: every pass can
+// check one against the other.
+struct PathBlock {
+  MotionBlock programmed{};
+  Role role = Role::uncompensated;
+  Origin origin = Origin::uncompensated;
+  // The contour begins or ends here with a block across it (G237).
+  bool perpendicular_entry = false;
+  bool perpendicular_exit = false;
+  Compensation at_start{};
+  Compensation at_end{};
+
+  // Of the programmed segment; set by Offset.
+  Vector tangent_at_start = Vector::Zero();
+  Vector tangent_at_end = Vector::Zero();
+  // The perpendicular points P and Q of the spec; set by Offset where active.
+  Point offset_start = Point::Zero();
+  Point offset_end = Point::Zero();
+
+  // The result; set by Transitions. The cuts are what the corners take off the
+  // equidistant: mm of a line, rad of an arc; negative where they extend it.
+  Segment tool_path{};
+  Point tool_start = Point::Zero();
+  bool path_given = false;  // a G05 arc: tool_path stands before the ends are known
+  double cut_at_start = 0;
+  double cut_at_end = 0;
+
+  // Passive blocks programmed after this one, in order. Those after G40 wait for
+  // the block across the contour that G237 inserts.
+  std::vector<PassiveBlock> riders{};
+  std::vector<PassiveBlock> riders_after_exit{};
+
+  [[nodiscard]] const TrcMode& mode() const { return *programmed.mode; }
+};
+
+}  // namespace trc

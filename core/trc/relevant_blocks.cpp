@@ -1,0 +1,187 @@
+#include "core/trc/relevant_blocks.h"
+
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+namespace trc {
+namespace {
+
+Compensation compensation_of(const TrcMode& mode) {
+  if (mode.options.suppress_trc) return {.active = true, .shift = 0};
+  return {.active = true, .shift = mode.side == Side::left ? mode.tool_radius : -mode.tool_radius};
+}
+
+bool continues(const TrcMode& before, const TrcMode* after) {
+  return after != nullptr && after->active() && after->selection_number == before.selection_number;
+}
+
+// Whether the mode takes the tool off the contour in the motion block after G40.
+bool retracts_in_a_block(Selection deselection) {
+  return deselection != Selection::perpendicular && deselection != Selection::without_block;
+}
+
+// The first function of the mode this build does not have.
+const char* unavailable(const TrcMode& mode) {
+  if (mode.selection == Selection::inside_corner) return "G238";
+  if (mode.masking == Masking::on) return "G141";
+  if (mode.options.kerf_masking) return "KERF_MASKING";
+  if (mode.options.inverse) return "INVERSE";
+  if (mode.options.split.where != SplitOption::Where::off) return "SPLIT";
+  if (mode.tangential && mode.selection == Selection::perpendicular) return "G05 with G237";
+  return nullptr;
+}
+
+}  // namespace
+
+bool RelevantBlocks::feed(Block block, std::vector<PathBlock>& out) {
+  return std::visit(overloaded{
+                        [&](MotionBlock& motion) { return follow(std::move(motion), out); },
+                        [&](PassiveBlock& passive) { return seat(std::move(passive), out); },
+                    },
+                    block);
+}
+
+bool RelevantBlocks::drain(std::vector<PathBlock>& out) {
+  return release(end_mode_ ? &*end_mode_ : nullptr, out);
+}
+
+bool RelevantBlocks::seat(PassiveBlock block, std::vector<PathBlock>& out) {
+  if (!held_) {
+    PathBlock carrier{.role = Role::passive};
+    carrier.programmed.source = block.source;
+    carrier.programmed.mode = block.mode;
+    carrier.riders.push_back(std::move(block));
+    out.push_back(std::move(carrier));
+    return true;
+  }
+  if (held_->riders.size() + held_->riders_after_exit.size() >= passive_blocks_) {
+    Diagnostic overflow = diagnostic(Code::too_many_passive_blocks, block.source);
+    overflow.values = {{"limit", static_cast<double>(passive_blocks_)}};
+    return diagnostics_.report(std::move(overflow));
+  }
+  const bool after_exit =
+      !block.mode->active() && block.mode->deselection == Selection::perpendicular;
+  auto& seats = after_exit ? held_->riders_after_exit : held_->riders;
+  seats.push_back(std::move(block));
+  return true;
+}
+
+bool RelevantBlocks::follow(MotionBlock motion, std::vector<PathBlock>& out) {
+  if (!release(motion.mode.get(), out)) return false;
+  PathBlock block{.programmed = std::move(motion)};
+  if (!classify(block)) return false;
+  last_ = block.at_end;
+  last_mode_ = block.programmed.mode;
+  last_path_ = block.programmed.path;
+  if (block.at_end.active) {
+    held_ = std::move(block);
+  } else {
+    out.push_back(std::move(block));
+  }
+  return true;
+}
+
+bool RelevantBlocks::release(const TrcMode* next, std::vector<PathBlock>& out) {
+  if (!held_) return true;
+  PathBlock block = *std::exchange(held_, std::nullopt);
+  const TrcMode& mode = block.mode();
+  const bool contour_follows = continues(mode, next) && next->side == mode.side;
+  if (block.role == Role::side_change && !contour_follows)
+    return refuse(Code::side_change_without_contour, block);
+  if (block.role == Role::approach && !contour_follows) {
+    if (continues(mode, next)) return refuse(Code::side_change_without_contour, block);
+    refuse(Code::selection_without_contour, block);
+    block.role = Role::uncompensated;
+    block.origin = Origin::uncompensated;
+    block.at_end = {};
+    last_ = {};
+  } else if (next != nullptr && !continues(mode, next) && !leave_selection(block, *next)) {
+    return false;
+  }
+  out.push_back(std::move(block));
+  return true;
+}
+
+bool RelevantBlocks::leave_selection(PathBlock& block, const TrcMode& next) {
+  if (retracts_in_a_block(next.deselection))
+    return !next.active() || refuse(Code::deselection_without_motion, block);
+  block.perpendicular_exit = next.deselection == Selection::perpendicular;
+  last_ = {};
+  return true;
+}
+
+bool RelevantBlocks::classify(PathBlock& block) {
+  const TrcMode& mode = block.mode();
+  if (block.programmed.mode != last_mode_) {
+    if (const char* function = unavailable(mode))
+      return refuse(Code::not_available, block, function);
+  }
+  if (!mode.active()) return end_selection(block);
+  return last_.active ? continue_selection(block) : begin_selection(block);
+}
+
+bool RelevantBlocks::begin_selection(PathBlock& block) {
+  const TrcMode& mode = block.mode();
+  block.at_end = compensation_of(mode);
+  if (mode.selection == Selection::perpendicular) {
+    block.role = Role::contour;
+    block.origin = Origin::programmed;
+    block.at_start = block.at_end;
+    block.perpendicular_entry = true;
+    return true;
+  }
+  block.role = Role::approach;
+  block.origin = Origin::approach;
+  const bool may_be_circular = mode.selection == Selection::on_path && !mode.tangential;
+  if (is_arc(block.programmed.path) && !may_be_circular)
+    return refuse(Code::circular_selection_block, block);
+  return true;
+}
+
+bool RelevantBlocks::continue_selection(PathBlock& block) {
+  const TrcMode& mode = block.mode();
+  block.at_end = compensation_of(mode);
+  block.at_start = last_;
+  block.role = Role::contour;
+  block.origin = Origin::programmed;
+  if (mode.side == last_mode_->side) return true;
+  if (mode.options.reverse && reverses(block)) {
+    block.at_start = block.at_end;
+    return true;
+  }
+  block.role = Role::side_change;
+  block.origin = Origin::approach;
+  if (is_arc(block.programmed.path)) return refuse(Code::circular_side_change_block, block);
+  return true;
+}
+
+bool RelevantBlocks::end_selection(PathBlock& block) {
+  if (!last_.active) return true;
+  const TrcMode& mode = block.mode();
+  block.role = Role::retract;
+  block.origin = Origin::retract;
+  block.at_start = last_;
+  const bool may_be_circular = mode.deselection == Selection::on_path && !mode.tangential;
+  if (is_arc(block.programmed.path) && !may_be_circular)
+    return refuse(Code::circular_deselection_block, block);
+  return true;
+}
+
+// Lines must reverse exactly; circles must have one tangent there and turn in
+// opposite senses (spec 9). A line and a circle never reverse.
+bool RelevantBlocks::reverses(const PathBlock& block) const {
+  const auto* arc_before = std::get_if<Arc>(&last_path_);
+  const auto* arc_after = std::get_if<Arc>(&block.programmed.path);
+  if ((arc_before == nullptr) != (arc_after == nullptr)) return false;
+  if (arc_before != nullptr && arc_before->sweep * arc_after->sweep > 0) return false;
+  const double turn =
+      turn_between(tangent_at_end(last_path_), tangent_at_start(block.programmed.path));
+  return std::abs(turn) >= std::numbers::pi - tolerances_.reversal;
+}
+
+bool RelevantBlocks::refuse(Code code, const PathBlock& block, std::string detail) {
+  return diagnostics_.report(diagnostic(code, block.programmed.source, std::move(detail)));
+}
+
+}  // namespace trc

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/base/diagnostics.h"
+#include "core/base/tolerances.h"
+#include "core/nc/block.h"
+#include "core/trc/path_block.h"
+
+namespace trc {
+
+// Tells what each block is to TRC – approach, contour, retract, side change –
+// and seats passive blocks (M words, dwell, motion across the plane) behind the
+// motion block they were programmed after, so that the later passes see motion
+// only. While TRC is off passive blocks go through at once.
+//
+// Holds one block while TRC is active: whether a selection has a contour at all
+// shows with the block after its approach (D-28).
+class RelevantBlocks {
+ public:
+  RelevantBlocks(std::size_t passive_blocks, const Tolerances& tolerances, Diagnostics& diagnostics)
+      : passive_blocks_(passive_blocks), tolerances_(tolerances), diagnostics_(diagnostics) {}
+
+  bool feed(Block block, std::vector<PathBlock>& out);
+  bool drain(std::vector<PathBlock>& out);
+  [[nodiscard]] std::size_t look_ahead() const { return 1; }
+
+  // The program ended in this mode: a G40 that nothing followed still ends the
+  // contour. Called before drain.
+  void end_in(const TrcMode& mode) { end_mode_ = mode; }
+
+ private:
+  bool seat(PassiveBlock block, std::vector<PathBlock>& out);
+  bool follow(MotionBlock motion, std::vector<PathBlock>& out);
+  // Passes the held block on; `next` is the mode after it, if it is known.
+  bool release(const TrcMode* next, std::vector<PathBlock>& out);
+  bool leave_selection(PathBlock& block, const TrcMode& next);
+
+  bool classify(PathBlock& block);
+  bool begin_selection(PathBlock& block);
+  bool continue_selection(PathBlock& block);
+  bool end_selection(PathBlock& block);
+  [[nodiscard]] bool reverses(const PathBlock& block) const;
+  bool refuse(Code code, const PathBlock& block, std::string detail = {});
+
+  std::size_t passive_blocks_;
+  Tolerances tolerances_;
+  Diagnostics& diagnostics_;
+  std::optional<PathBlock> held_;
+  // What the motion block before left behind.
+  Compensation last_{};
+  std::shared_ptr<const TrcMode> last_mode_{};
+  Segment last_path_{};
+  // The mode the program ended in.
+  std::optional<TrcMode> end_mode_;
+};
+
+}  // namespace trc

@@ -1,0 +1,123 @@
+#include "core/trc/reporting.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include "core/base/check.h"
+
+namespace trc {
+namespace {
+
+// Directions of travel at the ends, any length; cheaper than unit tangents.
+Vector direction_at_start(const Segment& segment) {
+  const auto* arc = std::get_if<Arc>(&segment);
+  if (arc == nullptr) return end_of(segment) - start_of(segment);
+  const Vector left = left_of(arc->start - arc->center);
+  return arc->sweep > 0 ? left : Vector(-left);
+}
+
+Vector direction_at_end(const Segment& segment) {
+  const auto* arc = std::get_if<Arc>(&segment);
+  if (arc == nullptr) return end_of(segment) - start_of(segment);
+  const Vector left = left_of(arc->end - arc->center);
+  return arc->sweep > 0 ? left : Vector(-left);
+}
+
+}  // namespace
+
+bool Reporting::feed(PathBlock block, std::vector<CompensatedBlock>& out) {
+  if (block.role == Role::passive) {
+    let_off(block.riders, out);
+    return true;
+  }
+  MotionBlock& programmed = block.programmed;
+  const Plane plane = block.mode().plane;
+  check(to_plane(plane, position_) == start_of(block.tool_path),
+        "a block starts where the one before ended");
+  position_ = from_plane(plane, end_of(block.tool_path), programmed.normal.to);
+  const double factor = feed_factor(block);
+
+  CompensatedBlock& result = out.emplace_back();
+  result.source = programmed.source;
+  result.origin = block.origin;
+  result.plane = plane;
+  result.rapid = programmed.rapid && !is_arc(block.tool_path);
+  result.tangential = is_tangential(block);
+  result.path = block.tool_path;
+  result.normal = programmed.normal;
+  result.feed = programmed.feed * factor;
+  result.tracking = std::move(programmed.tracking);
+  last_direction_ = direction_at_end(result.path);
+  if (block.role != Role::inserted) summary_.programmed_length += length_of(programmed.path);
+  count(result);
+  let_off(block.riders, out);
+  return !diagnostics_.stopped();
+}
+
+void Reporting::let_off(std::vector<PassiveBlock>& riders, std::vector<CompensatedBlock>& out) {
+  for (PassiveBlock& rider : riders) {
+    CompensatedBlock& result = out.emplace_back();
+    result.source = rider.source;
+    result.plane = rider.mode->plane;
+    result.origin = rider.text.empty() || rider.moves ? Origin::uncompensated : Origin::passthrough;
+    result.rapid = rider.rapid;
+    const Point place = to_plane(result.plane, position_);
+    result.path = Line{.start = place, .end = place};
+    result.normal = rider.normal;
+    result.feed = rider.feed;
+    result.tracking = std::move(rider.tracking);
+    result.text = std::move(rider.text);
+    position_ = from_plane(result.plane, place, rider.normal.to);
+    count(result);
+  }
+  riders.clear();
+}
+
+double Reporting::feed_factor(const PathBlock& block) {
+  const TrcMode& mode = block.mode();
+  const auto* arc = std::get_if<Arc>(&block.tool_path);
+  if (mode.feed_adaptation == FeedAdaptation::off || arc == nullptr || block.programmed.rapid)
+    return 1;
+  const double at_center = radius_of(*arc);
+  double at_contour = 0;
+  if (block.path_given) {
+    // A G05 arc has no programmed circle: the tool would touch at |rho| + R with
+    // the centre on its own side, else at |rho| - R.
+    const double radius = (mode.active() ? block.at_end : block.at_start).shift;
+    at_contour = at_center + (arc->sweep > 0 ? radius : -radius);
+    if (at_contour <= 0) {
+      Diagnostic warning =
+          diagnostic(Code::no_feed_adaptation_in_tangential_block, block.programmed.source);
+      warning.values = {{"tool_radius", std::abs(radius)},
+                        {"path_radius", at_center},
+                        {"corrected_radius", at_contour}};
+      diagnostics_.report(std::move(warning));
+      return 1;
+    }
+  } else if (const auto* circle = std::get_if<Arc>(&block.programmed.path);
+             circle != nullptr && block.role == Role::contour) {
+    at_contour = radius_of(*circle);
+  } else {
+    return 1;
+  }
+  if (at_contour < mode.tangfeed_minimum) return 1;
+  return std::max(at_center / at_contour, smallest_feed_factor_);
+}
+
+bool Reporting::is_tangential(const PathBlock& block) const {
+  const Vector direction = direction_at_start(block.tool_path);
+  const double along = last_direction_.dot(direction);
+  if (along <= 0) return false;
+  const double limit = block.mode().options.tangential_limit * std::numbers::pi / 180;
+  return std::abs(cross(last_direction_, direction)) <= std::tan(limit) * along;
+}
+
+void Reporting::count(const CompensatedBlock& block) {
+  ++summary_.blocks_out;
+  ++summary_.blocks_by_origin[static_cast<std::size_t>(block.origin)];
+  summary_.compensated_length += length_of(block.path);
+}
+
+}  // namespace trc

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <vector>
+
+#include "core/base/diagnostics.h"
+#include "core/geometry/plane.h"
+#include "core/trc/compensated_block.h"
+#include "core/trc/compensator.h"
+#include "core/trc/path_block.h"
+
+namespace trc {
+
+// Turns path blocks into the result: lets the riders off behind their block,
+// sets the feed at the tool centre (G10, G11) and counts. Checks the one promise
+// everybody relies on: each block starts where the one before ended.
+class Reporting {
+ public:
+  Reporting(const CompensatorSetup& setup, Diagnostics& diagnostics)
+      : smallest_feed_factor_(setup.smallest_feed_factor),
+        diagnostics_(diagnostics),
+        position_(setup.start) {}
+
+  bool feed(PathBlock block, std::vector<CompensatedBlock>& out);
+  bool drain(std::vector<CompensatedBlock>& /*out*/) { return true; }
+  [[nodiscard]] std::size_t look_ahead() const { return 0; }
+
+  [[nodiscard]] Summary& summary() { return summary_; }
+
+ private:
+  void let_off(std::vector<PassiveBlock>& riders, std::vector<CompensatedBlock>& out);
+  // F' / F: what the feed of the tool centre is multiplied by.
+  double feed_factor(const PathBlock& block);
+  [[nodiscard]] bool is_tangential(const PathBlock& block) const;
+  void count(const CompensatedBlock& block);
+
+  double smallest_feed_factor_;
+  Diagnostics& diagnostics_;
+  Position position_;  // of the tool, machine axes
+  Vector last_direction_ = Vector::Zero();
+  Summary summary_;
+};
+
+}  // namespace trc

@@ -1,0 +1,103 @@
+#include "core/trc/selection/on_path.h"
+
+#include <cmath>
+#include <numbers>
+
+namespace trc::selection {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+// The point of the programmed block at the distance of the tool radius from the
+// corner, nearest to it along the block: on the way in before, on the way out
+// behind the corner.
+struct Departure {
+  Point point = Point::Zero();
+  double cut = 0;
+};
+
+enum class End { before, after };
+
+std::optional<Departure> departure(const OffsetCurve& path, double radius, End end,
+                                   const Tolerances& tolerances) {
+  if (!path.circular) {
+    const double along = end == End::before ? -radius : radius;
+    return Departure{.point = path.anchor + along * path.tangent, .cut = radius};
+  }
+  std::optional<Departure> nearest;
+  const Circle reach{.center = path.anchor, .radius = radius};
+  for (const Point& point : intersect(path.circle, reach, tolerances.same_point)) {
+    const double cut = end == End::before ? cut_before_anchor(path, point, tolerances.same_point)
+                                          : cut_after_anchor(path, point, tolerances.same_point);
+    if (!nearest || cut < nearest->cut) nearest = Departure{.point = point, .cut = cut};
+  }
+  return nearest;
+}
+
+double extent_of(const Segment& programmed) {
+  const auto* arc = std::get_if<Arc>(&programmed);
+  return arc != nullptr ? std::abs(arc->sweep) : length_of(programmed);
+}
+
+// The swing around the corner, clockwise for G41.
+Segment swing(const Corner& corner, const Point& from, const Point& to, bool linear) {
+  if (linear) return Line{.start = from, .end = to};
+  const Point& center = corner.programmed;
+  double sweep = turn_between(from - center, to - center);
+  if (sweep * corner.shift > 0) sweep -= std::copysign(2 * pi, sweep);
+  return Arc{.start = from, .end = to, .center = center, .sweep = sweep};
+}
+
+bool is_linear(bool wanted, double angle, const Tolerances& tolerances) {
+  return wanted && angle <= pi + tolerances.tangent;
+}
+
+}  // namespace
+
+std::optional<Joint> approach_on_path(const Corner& corner, const Segment& selection,
+                                      const Vector& tangent, bool linear,
+                                      const Tolerances& tolerances) {
+  const OffsetCurve path = offset_curve(selection, tangent, corner.programmed, 0);
+  const double angle = transition_angle(corner, tolerances);
+  std::optional<Joint> joint;
+  if (angle < pi / 2 - tolerances.tangent) {
+    joint = nearest_meeting(path, corner.after, tolerances);
+  } else if (const auto leave = departure(path, corner.tool_radius(), End::before, tolerances)) {
+    joint.emplace();
+    joint->cut_before = leave->cut;
+    joint->end = leave->point;
+    joint->start = corner.after.anchor;
+    if ((joint->start - joint->end).norm() <= tolerances.same_point) {
+      joint->end = joint->start;
+    } else {
+      joint->insert(swing(corner, joint->end, joint->start, is_linear(linear, angle, tolerances)));
+    }
+  }
+  if (joint && joint->cut_before > extent_of(selection)) joint.reset();
+  return joint;
+}
+
+std::optional<Joint> retract_on_path(const Corner& corner, const Segment& deselection,
+                                     const Vector& tangent, bool linear,
+                                     const Tolerances& tolerances) {
+  const OffsetCurve path = offset_curve(deselection, tangent, corner.programmed, 0);
+  const double angle = transition_angle(corner, tolerances);
+  std::optional<Joint> joint;
+  if (angle < pi / 2 - tolerances.tangent) {
+    joint = nearest_meeting(corner.before, path, tolerances);
+  } else if (const auto arrive = departure(path, corner.tool_radius(), End::after, tolerances)) {
+    joint.emplace();
+    joint->cut_after = arrive->cut;
+    joint->end = corner.before.anchor;
+    joint->start = arrive->point;
+    if ((joint->start - joint->end).norm() <= tolerances.same_point) {
+      joint->start = joint->end;
+    } else {
+      joint->insert(swing(corner, joint->end, joint->start, is_linear(linear, angle, tolerances)));
+    }
+  }
+  if (joint && joint->cut_after > extent_of(deselection)) joint.reset();
+  return joint;
+}
+
+}  // namespace trc::selection

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <optional>
+
+#include "core/base/tolerances.h"
+#include "core/geometry/segment.h"
+#include "core/trc/corner.h"
+
+namespace trc::selection {
+
+// G236: the tool stays on the programmed selection block and changes over to the
+// equidistant of the contour (spec 3.3, D-02).
+//
+//   alpha < 90 degrees        at the crossing of path and equidistant
+//   90 … 180, G236_LIN = 1    R before the corner, then a line to P
+//   otherwise                 R before the corner, then an arc around it to P
+//
+// `selection` is the programmed selection (deselection) block, `tangent` its
+// direction at the corner. The cut of the joint on its side is one of the
+// programmed block. Empty when the block is too short for that (D-03).
+[[nodiscard]] std::optional<Joint> approach_on_path(const Corner& corner, const Segment& selection,
+                                                    const Vector& tangent, bool linear,
+                                                    const Tolerances& tolerances);
+[[nodiscard]] std::optional<Joint> retract_on_path(const Corner& corner, const Segment& deselection,
+                                                   const Vector& tangent, bool linear,
+                                                   const Tolerances& tolerances);
+
+}  // namespace trc::selection

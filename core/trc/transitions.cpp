@@ -1,0 +1,355 @@
+#include "core/trc/transitions.h"
+
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include "core/geometry/parallel.h"
+#include "core/trc/selection/direct.h"
+#include "core/trc/selection/on_path.h"
+#include "core/trc/selection/tangential.h"
+
+namespace trc {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+bool is_contour(const PathBlock& block) { return block.role == Role::contour; }
+
+// An arc shortened by what its two corners take off. The sweep is adjusted, not
+// recomputed: for an almost full circle the angle between the new ends cannot
+// tell 2 pi from 0.
+Segment shortened(const Arc& programmed, const PathBlock& block, const Point& end,
+                  const Tolerances& tolerances) {
+  const double sense = programmed.sweep > 0 ? 1 : -1;
+  double left = std::abs(programmed.sweep) - block.cut_at_start - block.cut_at_end;
+  const double radius = (block.tool_start - programmed.center).norm();
+  if (std::abs(left) * radius <= tolerances.on_contour)
+    return Line{.start = block.tool_start, .end = end};
+  // A consumed arc keeps its sense and wraps round (90038).
+  if (left < 0) left += 2 * pi;
+  return Arc{
+      .start = block.tool_start, .end = end, .center = programmed.center, .sweep = sense * left};
+}
+
+// D-20: an arc of the same sense through both points, its centre the programmed
+// one projected on their perpendicular bisector.
+Segment fitted(const Arc& programmed, const Point& start, const Point& end,
+               const Tolerances& tolerances) {
+  const Vector chord = end - start;
+  if (chord.norm() <= tolerances.on_contour) return Line{.start = start, .end = end};
+  const Vector across = left_of(chord).normalized();
+  const Point middle = 0.5 * (start + end);
+  const Point center = middle + (programmed.center - middle).dot(across) * across;
+  double sweep = turn_between(start - center, end - center);
+  if (sweep * programmed.sweep < 0) sweep += std::copysign(2 * pi, programmed.sweep);
+  return Arc{.start = start, .end = end, .center = center, .sweep = sweep};
+}
+
+// Builds the tool path between tool_start and `end`.
+void complete(PathBlock& block, const Point& end, const Tolerances& tolerances) {
+  if (block.path_given) return;
+  const auto* arc = std::get_if<Arc>(&block.programmed.path);
+  if (arc == nullptr) {
+    block.tool_path = Line{.start = block.tool_start, .end = end};
+  } else if (is_contour(block) && block.at_start != block.at_end) {
+    block.tool_path = fitted(*arc, block.tool_start, end, tolerances);
+  } else {
+    block.tool_path = shortened(*arc, block, end, tolerances);
+  }
+}
+
+void open(PathBlock& block, const Point& start, double cut, const Tolerances& tolerances) {
+  block.tool_start = start;
+  block.cut_at_start = cut;
+  if (!block.at_end.active) complete(block, end_of(block.programmed.path), tolerances);
+}
+
+Corner corner_between(const PathBlock& before, const PathBlock& after) {
+  const double shift = before.at_end.shift;
+  Corner corner{.programmed = end_of(before.programmed.path)};
+  corner.shift = shift;
+  corner.turn = turn_between(before.tangent_at_end, after.tangent_at_start);
+  // Off the contour the blocks count as straight: their own shape has no offset.
+  corner.before =
+      is_contour(before)
+          ? offset_curve(before.programmed.path, before.tangent_at_end, before.offset_end, shift)
+          : OffsetCurve{.anchor = before.offset_end, .tangent = before.tangent_at_end};
+  corner.after =
+      is_contour(after)
+          ? offset_curve(after.programmed.path, after.tangent_at_start, after.offset_start, shift)
+          : OffsetCurve{.anchor = after.offset_start, .tangent = after.tangent_at_start};
+  return corner;
+}
+
+AxisTravel standing(double position) { return {.from = position, .to = position}; }
+
+// What all blocks inserted between the two have in common. Third axis and
+// tracking axes stand still in them (D-26).
+PathBlock insertion_behind(const PathBlock& before, const PathBlock& after) {
+  const MotionBlock& programmed = before.programmed;
+  PathBlock inserted{.role = Role::inserted};
+  MotionBlock& motion = inserted.programmed;
+  motion.source = programmed.source;
+  motion.mode = programmed.mode;
+  motion.feed = programmed.feed > 0 ? programmed.feed : after.programmed.feed;
+  motion.rapid = programmed.rapid && after.programmed.rapid;
+  motion.normal = standing(programmed.normal.to);
+  motion.tracking.reserve(programmed.tracking.size());
+  for (const AxisTravel& axis : programmed.tracking) motion.tracking.push_back(standing(axis.to));
+  return inserted;
+}
+
+void insert(const Segment& segment, Origin origin, const PathBlock& pattern,
+            std::vector<PathBlock>& out) {
+  PathBlock& inserted = out.emplace_back(pattern);
+  inserted.origin = origin;
+  inserted.tool_path = segment;
+  inserted.programmed.rapid = pattern.programmed.rapid && !is_arc(segment);
+}
+
+Origin origin_of_insertions(const PathBlock& before, const PathBlock& after) {
+  if (!is_contour(before)) return Origin::approach;
+  return is_contour(after) ? Origin::transition : Origin::retract;
+}
+
+}  // namespace
+
+bool Transitions::feed(PathBlock block, std::vector<PathBlock>& out) {
+  if (block.role == Role::passive) {
+    out.push_back(std::move(block));
+    return true;
+  }
+  const bool continues = held_ && block.at_start.active && !block.perpendicular_entry;
+  if (continues) {
+    if (!join(block, out)) return false;
+  } else {
+    if (held_) leave(&start_of(block.programmed.path), out);
+    enter(block, out);
+  }
+  if (block.at_end.active) {
+    held_ = std::move(block);
+  } else {
+    held_.reset();
+    out.push_back(std::move(block));
+  }
+  return true;
+}
+
+bool Transitions::drain(std::vector<PathBlock>& out) {
+  if (held_) leave(nullptr, out);
+  held_.reset();
+  return true;
+}
+
+void Transitions::enter(PathBlock& block, std::vector<PathBlock>& out) const {
+  const Point& start = start_of(block.programmed.path);
+  if (!block.perpendicular_entry) {
+    open(block, start, 0, tolerances_);
+    return;
+  }
+  open(block, block.offset_start, 0, tolerances_);
+  PathBlock pattern = insertion_behind(block, block);
+  pattern.programmed.normal = standing(block.programmed.normal.from);
+  for (std::size_t axis = 0; axis < block.programmed.tracking.size(); ++axis)
+    pattern.programmed.tracking[axis] = standing(block.programmed.tracking[axis].from);
+  insert(Line{.start = start, .end = block.offset_start}, Origin::approach, pattern, out);
+}
+
+void Transitions::leave(const Point* next_start, std::vector<PathBlock>& out) {
+  PathBlock& block = *held_;
+  const bool stays = next_start != nullptr && !block.perpendicular_exit &&
+                     (*next_start - block.offset_end).norm() <= tolerances_.same_point;
+  const Point end = stays ? *next_start : block.offset_end;
+  complete(block, end, tolerances_);
+  if (!block.perpendicular_exit) {
+    out.push_back(std::move(block));
+    return;
+  }
+  std::vector<PassiveBlock> riders = std::move(block.riders_after_exit);
+  const Point target = end_of(block.programmed.path);
+  const PathBlock pattern = insertion_behind(block, block);
+  out.push_back(std::move(block));
+  insert(Line{.start = end, .end = target}, Origin::retract, pattern, out);
+  out.back().riders = std::move(riders);
+}
+
+bool Transitions::join(PathBlock& after, std::vector<PathBlock>& out) {
+  PathBlock& before = *held_;
+  const Corner corner = corner_between(before, after);
+  std::optional<Joint> joint = joint_of(corner, after);
+  if (!joint) return false;
+  before.cut_at_end = joint->cut_before;
+  complete(before, joint->end, tolerances_);
+  const Origin origin = origin_of_insertions(before, after);
+  const bool radius_changes = is_contour(before) && is_contour(after) &&
+                              after.at_start != after.at_end &&
+                              after.mode().options.perpendicular_radius_change;
+  const Point contour_start = joint->start;
+  if (radius_changes) change_radius_at_once(corner, after, *joint);
+  open(after, joint->start, joint->cut_after, tolerances_);
+  if (joint->inserted().empty() && !radius_changes) {
+    out.push_back(std::move(before));
+    return true;
+  }
+  PathBlock pattern = insertion_behind(before, after);
+  out.push_back(std::move(before));
+  for (const Segment& segment : joint->inserted()) insert(segment, origin, pattern, out);
+  if (radius_changes)
+    insert(Line{.start = contour_start, .end = joint->start}, Origin::radius_change, pattern, out);
+  return true;
+}
+
+std::optional<Joint> Transitions::joint_of(const Corner& corner, PathBlock& after) {
+  const PathBlock& before = *held_;
+  // The side changes at a reversal point: both equidistants end there (spec 9).
+  if (is_contour(before) && is_contour(after) && before.at_end.shift * after.at_start.shift < 0)
+    return tangential_joint(corner);
+  if (!is_contour(before)) return approach(corner, after);
+  if (after.role == Role::retract) return retract(corner, after, after.mode().deselection);
+  if (after.role == Role::side_change) return retract(corner, after, after.mode().selection);
+  return contour_joint(corner, after);
+}
+
+std::optional<Joint> Transitions::approach(const Corner& corner, const PathBlock& after) {
+  PathBlock& before = *held_;
+  const TrcMode& mode = before.mode();
+  if (mode.tangential) {
+    const auto path = selection::tangential_entry(before.tool_start, corner.after.anchor,
+                                                  corner.after.tangent, tolerances_);
+    if (!path) {
+      refuse(Code::tangential_start_on_tangent, before, before.tool_start);
+      return std::nullopt;
+    }
+    before.tool_path = *path;
+    before.path_given = true;
+    return selection::approach_direct(corner);
+  }
+  switch (mode.selection) {
+    case Selection::indirect:
+      if (kind_of(corner, tolerances_) == CornerKind::outside) return outside(corner, after.mode());
+      break;
+    case Selection::on_path: {
+      auto joint =
+          selection::approach_on_path(corner, before.programmed.path, before.tangent_at_end,
+                                      mode.options.g236_lin, tolerances_);
+      if (!joint) refuse(Code::selection_block_too_short, before, corner.programmed);
+      return joint;
+    }
+    case Selection::perpendicular: {
+      Joint joint;
+      joint.end = corner.programmed;
+      joint.start = corner.after.anchor;
+      joint.insert(Line{.start = joint.end, .end = joint.start});
+      return joint;
+    }
+    case Selection::direct:
+    case Selection::inside_corner:
+    case Selection::without_block:
+      break;
+  }
+  return selection::approach_direct(corner);
+}
+
+std::optional<Joint> Transitions::retract(const Corner& corner, PathBlock& after, Selection mode) {
+  if (after.mode().tangential) {
+    const auto path = selection::tangential_exit(corner.before.anchor, corner.before.tangent,
+                                                 end_of(after.programmed.path), tolerances_);
+    if (!path) {
+      refuse(Code::tangential_start_on_tangent, after, end_of(after.programmed.path));
+      return std::nullopt;
+    }
+    after.tool_path = *path;
+    after.path_given = true;
+    return selection::retract_direct(corner);
+  }
+  switch (mode) {
+    case Selection::indirect:
+      if (kind_of(corner, tolerances_) == CornerKind::outside) return outside(corner, after.mode());
+      break;
+    case Selection::on_path: {
+      auto joint = selection::retract_on_path(corner, after.programmed.path, after.tangent_at_start,
+                                              after.mode().options.g236_lin, tolerances_);
+      if (!joint) refuse(Code::selection_block_too_short, after, corner.programmed);
+      return joint;
+    }
+    case Selection::perpendicular: {
+      Joint joint;
+      joint.end = corner.before.anchor;
+      joint.start = corner.programmed;
+      joint.insert(Line{.start = joint.end, .end = joint.start});
+      return joint;
+    }
+    case Selection::direct:
+    case Selection::inside_corner:
+    case Selection::without_block:
+      break;
+  }
+  return selection::retract_direct(corner);
+}
+
+std::optional<Joint> Transitions::contour_joint(const Corner& corner, const PathBlock& after) {
+  const TrcMode& mode = after.mode();
+  switch (kind_of(corner, tolerances_)) {
+    case CornerKind::tangential:
+      return tangential_joint(corner);
+    case CornerKind::outside:
+      return outside(corner, mode);
+    case CornerKind::inside:
+      break;
+  }
+  std::optional<Joint> joint = inside_joint(corner, tolerances_);
+  if (joint) {
+    if (mode.options.gen_cir_block_in_corner)
+      joint->insert(Arc{
+          .start = joint->end, .end = joint->start, .center = joint->end, .sweep = corner.turn});
+    return joint;
+  }
+  const PathBlock& before = *held_;
+  if (!mode.options.ignore_cont_damage) {
+    const bool line_before = !corner.before.circular;
+    const bool line = line_before || !corner.after.circular;
+    refuse(line ? Code::line_reversed : Code::arc_wrapped, line_before ? before : after,
+           corner.programmed);
+    return std::nullopt;
+  }
+  joint.emplace();
+  joint->end = corner.before.anchor;
+  joint->start = corner.after.anchor;
+  joint->insert(Line{.start = joint->end, .end = joint->start});
+  return joint;
+}
+
+Joint Transitions::outside(const Corner& corner, const TrcMode& mode) const {
+  const double limit = pi + pi / 180 + tolerances_.tangent;
+  if (mode.options.ext_angle_block_intersection && transition_angle(corner, tolerances_) <= limit) {
+    if (auto joint = extended_joint(corner, tolerances_)) return *joint;
+  }
+  return outside_joint(
+      corner, {.transition = mode.transition, .stretch_factor = mode.options.stretch_factor},
+      tolerances_);
+}
+
+// D-21: the corner is solved with the old radius on both sides; a line across the
+// contour leads to the new equidistant.
+void Transitions::change_radius_at_once(const Corner& corner, PathBlock& after,
+                                        Joint& joint) const {
+  const OffsetCurve& curve = corner.after;
+  Vector along = curve.tangent;
+  if (curve.circular) {
+    const Vector radial = (joint.start - curve.circle.center).normalized();
+    along = curve.counter_clockwise ? left_of(radial) : Vector(-left_of(radial));
+  }
+  joint.start = parallel_point(joint.start, along, after.at_end.shift - after.at_start.shift);
+  after.at_start = after.at_end;
+}
+
+bool Transitions::refuse(Code code, const PathBlock& block, const Point& place) {
+  Diagnostic problem = diagnostic(code, block.programmed.source);
+  const Position position = from_plane(block.mode().plane, place, block.programmed.normal.to);
+  problem.point = DiagnosticPoint{.x = position[0], .y = position[1], .z = position[2]};
+  problem.values = {{"tool_radius", block.mode().tool_radius}};
+  return diagnostics_.report(std::move(problem));
+}
+
+}  // namespace trc

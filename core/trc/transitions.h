@@ -1,0 +1,57 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "core/base/diagnostics.h"
+#include "core/base/tolerances.h"
+#include "core/trc/corner.h"
+#include "core/trc/path_block.h"
+
+namespace trc {
+
+// Joins each equidistant to the next one.
+//
+//     outside: insert            inside: trim
+//
+//      .---o                         |   |
+//     /    |                         |   o---- kept
+//    o     P=====                    |
+//    |     |                         P=======
+//
+// P is the programmed corner. What is inserted: table 4.2 of the spec, G25 and
+// G26; where the contour begins and ends: the rules of the selection modes in
+// selection/. Does not see further than the next relevant block.
+class Transitions {
+ public:
+  Transitions(const Tolerances& tolerances, Diagnostics& diagnostics)
+      : tolerances_(tolerances), diagnostics_(diagnostics) {}
+
+  bool feed(PathBlock block, std::vector<PathBlock>& out);
+  bool drain(std::vector<PathBlock>& out);
+  [[nodiscard]] std::size_t look_ahead() const { return 1; }
+
+ private:
+  // A contour begins, or TRC is off: the block does not continue the held one.
+  void enter(PathBlock& block, std::vector<PathBlock>& out) const;
+  // The contour ends with the held block. With G239 the next block starts in
+  // `next_start`; both must be one point.
+  void leave(const Point* next_start, std::vector<PathBlock>& out);
+  bool join(PathBlock& after, std::vector<PathBlock>& out);
+
+  // The rule for a corner by what its two blocks are. Empty after a stop.
+  std::optional<Joint> joint_of(const Corner& corner, PathBlock& after);
+  std::optional<Joint> approach(const Corner& corner, const PathBlock& after);
+  std::optional<Joint> retract(const Corner& corner, PathBlock& after, Selection mode);
+  std::optional<Joint> contour_joint(const Corner& corner, const PathBlock& after);
+  [[nodiscard]] Joint outside(const Corner& corner, const TrcMode& mode) const;
+  void change_radius_at_once(const Corner& corner, PathBlock& after, Joint& joint) const;
+
+  bool refuse(Code code, const PathBlock& block, const Point& place);
+
+  Tolerances tolerances_;
+  Diagnostics& diagnostics_;
+  std::optional<PathBlock> held_;
+};
+
+}  // namespace trc
