@@ -95,10 +95,8 @@ Segment grid_block(Random& random, const Point& start, const Vector& heading, do
     if (random.chance(0.3))
       return Arc{
           .start = start, .end = center + (center - start), .center = center, .sweep = sense * pi};
-    return Arc{.start = start,
-               .end = center + radius * axis,
-               .center = center,
-               .sweep = sense * pi / 2};
+    return Arc{
+        .start = start, .end = center + radius * axis, .center = center, .sweep = sense * pi / 2};
   }
   const auto& row = rows[random.below(std::size(rows))];
   const double factor = unit * static_cast<double>(1 + random.below(6));
@@ -193,11 +191,10 @@ Contour random_contour(Random& random, Flavor flavor, const TrcMode& mode, std::
 Contour random_clean_contour(Random& random, Flavor flavor, const TrcMode& mode,
                              std::size_t longest) {
   for (;;) {
-    Contour contour =
-        grown_contour(random, flavor, mode, longest, [&](const Contour& grown) {
-          const SlowOutcome outcome = slow_trc(grown, mode);
-          return outcome.faults.empty() && !outcome.borderline;
-        });
+    Contour contour = grown_contour(random, flavor, mode, longest, [&](const Contour& grown) {
+      const SlowOutcome outcome = slow_trc(grown, mode);
+      return outcome.faults.empty() && !outcome.borderline;
+    });
     const SlowOutcome outcome = slow_trc(contour, mode);
     if (outcome.faults.empty() && !outcome.borderline) return contour;
   }
@@ -270,8 +267,8 @@ Point point_at(const Segment& segment, double t) {
 
 std::ostream& operator<<(std::ostream& out, const Contour& contour) {
   const auto precision = out.precision(17);
-  out << "G00 X" << contour.approach.start.x() << " Y" << contour.approach.start.y()
-      << "\nG01 X" << contour.approach.end.x() << " Y" << contour.approach.end.y() << " (approach)";
+  out << "G00 X" << contour.approach.start.x() << " Y" << contour.approach.start.y() << "\nG01 X"
+      << contour.approach.end.x() << " Y" << contour.approach.end.y() << " (approach)";
   for (const Segment& block : contour.blocks) {
     if (const auto* line = std::get_if<Line>(&block)) {
       out << "\nG01 X" << line->end.x() << " Y" << line->end.y();
