@@ -1,0 +1,251 @@
+#include "client/plot/picture.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <unordered_set>
+#include <utility>
+
+#include "core/trc/listing.h"
+
+namespace trc::plot {
+namespace {
+
+using Indices = std::unordered_set<std::uint64_t>;
+
+std::string number_of(const Source& source) {
+  if (source.number != Source::no_number) return "N" + std::to_string(source.number);
+  if (source.line > 0) return "line " + std::to_string(source.line);
+  return "block " + std::to_string(source.index + 1);
+}
+
+Layer layer_of(Origin origin) {
+  switch (origin) {
+    case Origin::transition:
+    case Origin::radius_change:
+      return Layer::transition;
+    case Origin::masked:
+      return Layer::masked;
+    default:
+      return Layer::path;
+  }
+}
+
+Plane plane_to_show(const Contents& contents) {
+  const MotionBlock* first = nullptr;
+  for (const Block& block : contents.programmed) {
+    const auto* motion = std::get_if<MotionBlock>(&block);
+    if (!motion || !motion->mode) continue;
+    if (motion->mode->active()) return motion->mode->plane;
+    if (!first) first = motion;
+  }
+  if (first) return first->mode->plane;
+  return contents.path.empty() ? Plane::xy : contents.path.front().plane;
+}
+
+// Contour blocks that gave no piece of the path although masking was on: those
+// marked so, and those that went with a removed loop.
+Indices not_travelled(const Contents& contents) {
+  Indices masked;
+  Indices travelled;
+  std::uint64_t last = 0;
+  for (const CompensatedBlock& block : contents.path) {
+    last = std::max(last, block.source.index);
+    if (block.origin == Origin::masked) {
+      masked.insert(block.source.index);
+    } else if (extent_of(block.path) > 0) {
+      travelled.insert(block.source.index);
+    }
+  }
+  for (const Block& block : contents.programmed) {
+    const auto* motion = std::get_if<MotionBlock>(&block);
+    if (!motion || !motion->mode || !motion->mode->active()) continue;
+    const bool may_be_removed =
+        motion->mode->masking == Masking::on && motion->mode->options.remove_masked_blocks;
+    if (may_be_removed && motion->source.index < last && !travelled.contains(motion->source.index))
+      masked.insert(motion->source.index);
+  }
+  return masked;
+}
+
+class Composer {
+ public:
+  explicit Composer(const Contents& contents) : contents_(contents) {
+    picture_.title = contents.title;
+    picture_.plane = plane_to_show(contents);
+    single_ = contents.programmed.size() + contents.path.size() <= most_single_strokes;
+  }
+
+  Picture compose() {
+    add_programmed();
+    add_path();
+    add_tools();
+    add_fault();
+    std::stable_sort(picture_.strokes.begin(), picture_.strokes.end(),
+                     [](const Stroke& a, const Stroke& b) { return a.layer < b.layer; });
+    return std::move(picture_);
+  }
+
+ private:
+  void add(Stroke stroke) {
+    std::erase_if(stroke.segments, [](const Segment& segment) { return !is_finite(segment); });
+    if (stroke.segments.empty()) return;
+    if (!single_) {
+      stroke.title.clear();
+      Stroke& before = last_of(stroke.layer);
+      if (!before.segments.empty() && before.rapid == stroke.rapid) {
+        before.segments.insert(before.segments.end(), stroke.segments.begin(),
+                               stroke.segments.end());
+        return;
+      }
+      flush(before);
+      before = std::move(stroke);
+      return;
+    }
+    picture_.strokes.push_back(std::move(stroke));
+  }
+
+  Stroke& last_of(Layer layer) { return joined_[static_cast<std::size_t>(layer)]; }
+
+  void flush(Stroke& stroke) {
+    if (!stroke.segments.empty()) picture_.strokes.push_back(std::exchange(stroke, {}));
+  }
+
+  void flush_joined() {
+    for (Stroke& stroke : joined_) flush(stroke);
+  }
+
+  void add_programmed() {
+    const Indices masked = not_travelled(contents_);
+    Position position{};
+    for (const Block& block : contents_.programmed)
+      std::visit(overloaded{[&](const MotionBlock& motion) {
+                              if (!motion.mode) return;
+                              const bool lost = masked.contains(motion.source.index);
+                              show(motion, lost);
+                              const PlaneAxes axes = axes_of(motion.mode->plane);
+                              const Place end = place_at(motion.path, 1);
+                              position[axes.first] = end.point.x();
+                              position[axes.second] = end.point.y();
+                              position[axes.third] = motion.normal.to;
+                            },
+                            [&](const PassiveBlock& passive) {
+                              if (!passive.moves || !passive.mode) return;
+                              show(passive, position);
+                              position[axes_of(passive.mode->plane).third] = passive.normal.to;
+                            }},
+                 block);
+    flush_joined();
+  }
+
+  void show(const MotionBlock& motion, bool lost) {
+    const Plane plane = motion.mode->plane;
+    add({.layer = lost ? Layer::masked : Layer::programmed,
+         .rapid = motion.rapid,
+         .segments = project(plane, motion.path, motion.normal, picture_.plane),
+         .title = number_of(motion.source) + (lost ? " contour, not travelled" : " contour")});
+    if (plane != picture_.plane || !single_ || !is_finite(motion.path)) return;
+    const Place middle = place_at(motion.path, 0.5);
+    const Vector left = left_of(middle.direction);
+    // Away from the tool.
+    picture_.numbers.push_back({.at = middle.point,
+                                .aside = motion.mode->side == Side::left ? Vector(-left) : left,
+                                .text = number_of(motion.source)});
+  }
+
+  void show(const PassiveBlock& passive, const Position& position) {
+    const Plane plane = passive.mode->plane;
+    const Point here = to_plane(plane, position);
+    add({.layer = Layer::programmed,
+         .rapid = passive.rapid,
+         .segments =
+             project(plane, Line{.start = here, .end = here}, passive.normal, picture_.plane),
+         .title = number_of(passive.source) + " contour"});
+  }
+
+  void add_path() {
+    for (const CompensatedBlock& block : contents_.path) {
+      if (block.origin == Origin::passthrough) continue;
+      add({.layer = layer_of(block.origin),
+           .rapid = block.rapid,
+           .segments = project(block.plane, block.path, block.normal, picture_.plane),
+           .title = number_of(block.source) + " " + std::string(name_of(block.origin))});
+    }
+    flush_joined();
+  }
+
+  // The tool where the first approach begins and where it first touches.
+  void add_tools() {
+    const MotionBlock* selected = nullptr;
+    for (const Block& block : contents_.programmed) {
+      const auto* motion = std::get_if<MotionBlock>(&block);
+      if (motion && motion->mode && motion->mode->active() &&
+          motion->mode->plane == picture_.plane) {
+        selected = motion;
+        break;
+      }
+    }
+    if (!selected || !(selected->mode->tool_radius > 0)) return;
+    const double radius = selected->mode->tool_radius;
+    const auto approach =
+        std::find_if(contents_.path.begin(), contents_.path.end(), [&](const auto& block) {
+          return block.source.index >= selected->source.index &&
+                 block.origin != Origin::passthrough;
+        });
+    if (approach == contents_.path.end()) {
+      picture_.tools.push_back({.center = place_at(selected->path, 0).point, .radius = radius});
+      return;
+    }
+    picture_.tools.push_back({.center = place_at(approach->path, 0).point, .radius = radius});
+    auto last = approach;
+    for (auto block = approach; block != contents_.path.end(); ++block) {
+      if (block->origin != Origin::approach && block->origin != Origin::passthrough) break;
+      if (block->origin == Origin::approach) last = block;
+    }
+    if (last->origin == Origin::approach)
+      picture_.tools.push_back({.center = place_at(last->path, 1).point, .radius = radius});
+  }
+
+  void add_fault() {
+    for (const Diagnostic& diagnostic : contents_.diagnostics) {
+      if (diagnostic.severity != Severity::error) continue;
+      picture_.fault = Fault{.place = place_of(diagnostic), .text = text_of(diagnostic)};
+      return;
+    }
+  }
+
+  [[nodiscard]] std::optional<Point> place_of(const Diagnostic& diagnostic) const {
+    if (diagnostic.point) {
+      const Position position{diagnostic.point->x, diagnostic.point->y, diagnostic.point->z};
+      return to_plane(picture_.plane, position);
+    }
+    std::optional<Point> reached;
+    for (const Block& block : contents_.programmed) {
+      const auto* motion = std::get_if<MotionBlock>(&block);
+      if (!motion || !motion->mode || motion->mode->plane != picture_.plane) continue;
+      if (motion->source.index == diagnostic.source.index) return place_at(motion->path, 0.5).point;
+      if (motion->source.index > diagnostic.source.index) break;
+      reached = place_at(motion->path, 1).point;
+    }
+    return reached;
+  }
+
+  static std::string text_of(const Diagnostic& diagnostic) {
+    std::string text = "error " + std::to_string(static_cast<std::int32_t>(diagnostic.code));
+    if (diagnostic.source.line > 0) text += " in line " + std::to_string(diagnostic.source.line);
+    if (diagnostic.source.number != Source::no_number)
+      text += " (N" + std::to_string(diagnostic.source.number) + ")";
+    return text + ": " + message_of(diagnostic);
+  }
+
+  const Contents& contents_;
+  Picture picture_;
+  bool single_ = true;
+  std::array<Stroke, 4> joined_{};
+};
+
+}  // namespace
+
+Picture compose(const Contents& contents) { return Composer(contents).compose(); }
+
+}  // namespace trc::plot

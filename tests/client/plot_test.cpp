@@ -1,0 +1,335 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <regex>
+#include <string>
+#include <vector>
+
+#include "client/plot/frame.h"
+#include "client/plot/html.h"
+#include "client/plot/picture.h"
+#include "client/plot/svg.h"
+
+namespace trc::plot {
+namespace {
+
+using std::numbers::pi;
+
+std::shared_ptr<const TrcMode> mode(Side side, Plane plane = Plane::xy, bool remove = false) {
+  TrcMode mode;
+  mode.plane = plane;
+  mode.side = side;
+  mode.tool_radius = 10;
+  mode.selection_number = side == Side::off ? 0 : 1;
+  if (remove) mode.masking = Masking::on;
+  mode.options.remove_masked_blocks = remove;
+  return std::make_shared<const TrcMode>(mode);
+}
+
+Source source(std::int64_t number) {
+  return {.index = static_cast<std::uint64_t>(number / 10),
+          .number = number,
+          .line = static_cast<std::uint32_t>(number / 10 + 1)};
+}
+
+MotionBlock motion(std::int64_t number, Segment path, std::shared_ptr<const TrcMode> trc,
+                   bool rapid = false) {
+  return {.source = source(number), .path = path, .rapid = rapid, .mode = std::move(trc)};
+}
+
+CompensatedBlock compensated(std::int64_t number, Origin origin, Segment path, bool rapid = false,
+                             Plane plane = Plane::xy) {
+  return {.source = source(number), .origin = origin, .plane = plane, .rapid = rapid, .path = path};
+}
+
+std::string svg_of(const std::vector<Block>& programmed, const std::vector<CompensatedBlock>& path,
+                   const SvgOptions& options = {}, const std::vector<Diagnostic>& found = {}) {
+  return to_svg(
+      compose({.title = "part.nc", .programmed = programmed, .path = path, .diagnostics = found}),
+      options);
+}
+
+// The opening tag of the first group of this class, and what is in the group.
+std::string group(const std::string& svg, const std::string& name) {
+  const auto begin = svg.find("<g class=\"" + name + "\"");
+  if (begin == std::string::npos) return {};
+  return svg.substr(begin, svg.find("</g>", begin) - begin);
+}
+
+std::vector<double> numbers_in(const std::string& text) {
+  const std::regex number(R"(-?\d+(\.\d+)?)");
+  std::vector<double> numbers;
+  for (std::sregex_iterator i(text.begin(), text.end(), number), end; i != end; ++i)
+    numbers.push_back(std::stod(i->str()));
+  return numbers;
+}
+
+// The d attributes of a group.
+std::vector<std::string> paths_in(const std::string& group) {
+  const std::regex d("d=\"([^\"]*)\"");
+  std::vector<std::string> paths;
+  for (std::sregex_iterator i(group.begin(), group.end(), d), end; i != end; ++i)
+    paths.push_back((*i)[1]);
+  return paths;
+}
+
+const std::vector<Block> corner_contour{
+    motion(10, Line{{-20, 0}, {0, 0}}, mode(Side::left)),
+    motion(20, Line{{0, 0}, {100, 0}}, mode(Side::left)),
+    motion(30, Line{{100, 0}, {100, -50}}, mode(Side::left)),
+    motion(40, Line{{100, -50}, {120, -70}}, mode(Side::off), true)};
+
+const std::vector<CompensatedBlock> corner_path{
+    compensated(10, Origin::approach, Line{{-20, 0}, {0, 10}}),
+    compensated(20, Origin::programmed, Line{{0, 10}, {100, 10}}),
+    compensated(20, Origin::transition, Arc{{100, 10}, {110, 0}, {100, 0}, -pi / 2}),
+    compensated(30, Origin::programmed, Line{{110, 0}, {110, -50}}),
+    compensated(40, Origin::retract, Line{{110, -50}, {120, -70}}, true)};
+
+TEST(Svg, HasOneScaleForBothAxes) {
+  const auto paths = paths_in(group(svg_of(corner_contour, corner_path), "programmed"));
+  ASSERT_EQ(paths.size(), 3u);
+  const auto across = numbers_in(paths[1]);  // 100 mm along X
+  const auto down = numbers_in(paths[2]);    // 50 mm against Y
+  ASSERT_EQ(across.size(), 4u);
+  ASSERT_EQ(down.size(), 4u);
+  const double scale = (across[2] - across[0]) / 100;
+  EXPECT_GT(scale, 1);
+  EXPECT_NEAR((down[3] - down[1]) / 50, scale, 1e-4);
+  EXPECT_EQ(across[1], across[3]);
+  EXPECT_EQ(down[0], across[2]);
+}
+
+TEST(Svg, DrawsContourBlackPathBlueAndTransitionLighter) {
+  const std::string svg = svg_of(corner_contour, corner_path);
+  EXPECT_NE(group(svg, "programmed").find("stroke=\"black\""), std::string::npos);
+  EXPECT_NE(group(svg, "path").find("stroke=\"blue\""), std::string::npos);
+  EXPECT_NE(group(svg, "transition").find("stroke=\"deepskyblue\""), std::string::npos);
+  EXPECT_EQ(paths_in(group(svg, "path")).size(), 3u);
+  EXPECT_EQ(paths_in(group(svg, "transition")).size(), 1u);
+}
+
+TEST(Svg, DashesRapidMovesOnly) {
+  const std::string svg = svg_of(corner_contour, corner_path);
+  EXPECT_NE(group(svg, "programmed rapid").find("stroke-dasharray"), std::string::npos);
+  EXPECT_NE(group(svg, "path rapid").find("stroke-dasharray"), std::string::npos);
+  EXPECT_EQ(group(svg, "programmed").find("stroke-dasharray"), std::string::npos);
+  EXPECT_EQ(group(svg, "path").find("stroke-dasharray"), std::string::npos);
+}
+
+TEST(Svg, TurnsArcsTheRightWayRound) {
+  const auto arc_of = [](double sweep) {
+    const Point end(10 * std::cos(sweep), 10 * std::sin(sweep));
+    const auto svg = svg_of({motion(10, Arc{{10, 0}, end, {0, 0}, sweep}, mode(Side::off))}, {});
+    return paths_in(group(svg, "programmed")).at(0);
+  };
+  const std::regex counter_clockwise(R"(M[\d. ]+A([\d.]+) \1 0 0 0 [\d. ]+)");
+  const std::regex clockwise(R"(M[\d. ]+A([\d.]+) \1 0 0 1 [\d. ]+)");
+  const std::regex counter_clockwise_halves(
+      R"(M[\d. ]+A([\d.]+) \1 0 0 0 [\d. ]+A\1 \1 0 0 0 [\d. ]+)");
+  const std::regex clockwise_halves(R"(M[\d. ]+A([\d.]+) \1 0 0 1 [\d. ]+A\1 \1 0 0 1 [\d. ]+)");
+  EXPECT_TRUE(std::regex_match(arc_of(pi / 2), counter_clockwise)) << arc_of(pi / 2);
+  EXPECT_TRUE(std::regex_match(arc_of(-pi / 2), clockwise));
+  EXPECT_TRUE(std::regex_match(arc_of(-pi), clockwise));
+  EXPECT_TRUE(std::regex_match(arc_of(1.5 * pi), counter_clockwise_halves));
+  EXPECT_TRUE(std::regex_match(arc_of(-1.5 * pi), clockwise_halves));
+}
+
+TEST(Svg, DrawsFullCirclesWhole) {
+  const std::string svg =
+      svg_of({motion(10, Arc{{0, 0}, {0, 0}, {30, 0}, -2 * pi}, mode(Side::off))}, {});
+  const auto numbers = numbers_in(paths_in(group(svg, "programmed")).at(0));
+  ASSERT_EQ(numbers.size(), 16u);  // M x y, twice A rx ry 0 0 1 x y
+  EXPECT_EQ(numbers[0], numbers[14]);
+  EXPECT_EQ(numbers[1], numbers[15]);
+  EXPECT_NEAR(numbers[7] - numbers[0], 2 * numbers[2], 2e-3);  // the far side
+  // All of the circle lies inside the field.
+  const auto field = numbers_in(
+      std::regex_replace(svg.substr(svg.find("<rect x="), 120), std::regex("[a-z\"=<#]+"), " "));
+  EXPECT_GT(numbers[1] - numbers[2], field[1]);
+  EXPECT_LT(numbers[1] + numbers[2], field[1] + field[3]);
+}
+
+TEST(Svg, ShowsTheToolWhereTheSelectionBeginsAndWhereItEnds) {
+  const std::string svg = svg_of(corner_contour, corner_path);
+  const std::string tool = group(svg, "tool");
+  const std::regex circle("cx=\"([^\"]*)\" cy=\"([^\"]*)\" r=\"([^\"]*)\"");
+  std::vector<std::smatch> circles(std::sregex_iterator(tool.begin(), tool.end(), circle), {});
+  ASSERT_EQ(circles.size(), 2u);
+  const auto approach = numbers_in(paths_in(group(svg, "path")).at(0));
+  const auto contour = numbers_in(paths_in(group(svg, "programmed")).at(1));
+  EXPECT_EQ(std::stod(circles[0][1]), approach[0]);
+  EXPECT_EQ(std::stod(circles[0][2]), approach[1]);
+  EXPECT_EQ(std::stod(circles[1][1]), approach[2]);
+  EXPECT_EQ(std::stod(circles[1][2]), approach[3]);
+  EXPECT_NEAR(std::stod(circles[0][3]), (contour[2] - contour[0]) / 10, 2e-3);
+}
+
+TEST(Svg, NamesTheAxesOfThePlane) {
+  const auto names = [](Plane plane) {
+    const auto svg = svg_of({motion(10, Line{{0, 0}, {10, 5}}, mode(Side::off, plane))}, {});
+    const std::regex name("([XYZ]) / mm");
+    const std::vector<std::smatch> found(std::sregex_iterator(svg.begin(), svg.end(), name), {});
+    return found.at(0)[1].str() + found.at(1)[1].str();
+  };
+  EXPECT_EQ(names(Plane::xy), "XY");
+  EXPECT_EQ(names(Plane::zx), "ZX");
+  EXPECT_EQ(names(Plane::yz), "YZ");
+}
+
+TEST(Svg, MarksMaskedBlocksRed) {
+  const std::vector<CompensatedBlock> path{
+      compensated(10, Origin::approach, Line{{-20, 0}, {0, 10}}),
+      compensated(20, Origin::masked, Line{{0, 10}, {0, 10}}),
+      compensated(30, Origin::programmed, Line{{0, 10}, {0, 60}})};
+  const std::string svg = svg_of(corner_contour, path);
+  const std::string masked = group(svg, "masked");
+  EXPECT_NE(masked.find("stroke=\"red\""), std::string::npos);
+  ASSERT_EQ(paths_in(masked).size(), 1u);
+  EXPECT_NE(masked.find("N20 contour, not travelled"), std::string::npos);
+  EXPECT_EQ(paths_in(group(svg, "programmed")).size(), 2u);
+}
+
+TEST(Svg, MarksBlocksOfRemovedLoopsRed) {
+  const auto removing = mode(Side::left, Plane::xy, true);
+  const std::vector<Block> contour{
+      motion(10, Line{{-20, 0}, {0, 0}}, removing), motion(20, Line{{0, 0}, {5, 5}}, removing),
+      motion(30, Line{{5, 5}, {5, 50}}, removing), motion(40, Line{{5, 50}, {0, 60}}, removing)};
+  const std::vector<CompensatedBlock> path{
+      compensated(10, Origin::approach, Line{{-20, 0}, {-5, 10}}),
+      compensated(30, Origin::programmed, Line{{-5, 10}, {-5, 50}})};
+  const std::string svg = svg_of(contour, path);
+  // N40 lies behind the last block of the path: it has not come out yet.
+  EXPECT_EQ(paths_in(group(svg, "masked")).size(), 1u);
+  EXPECT_NE(group(svg, "masked").find("N20"), std::string::npos);
+}
+
+TEST(Svg, KeepsHugeCoordinatesOnTheSheet) {
+  const std::string svg =
+      svg_of({motion(10, Line{{999990, -1e6}, {1e6, -999990}}, mode(Side::off)),
+              motion(20, Line{{1e6, -999990}, {1e6, -999995}}, mode(Side::off))},
+             {});
+  for (const std::string& path : paths_in(group(svg, "programmed")))
+    for (const double number : numbers_in(path)) {
+      EXPECT_GT(number, 0);
+      EXPECT_LT(number, 1000);
+    }
+  EXPECT_NE(svg.find(">999992<"), std::string::npos);
+}
+
+TEST(Svg, EnlargesTinyContours) {
+  const std::string svg = svg_of({motion(10, Line{{0, 0}, {0.001, 0.0005}}, mode(Side::off))}, {});
+  const auto numbers = numbers_in(paths_in(group(svg, "programmed")).at(0));
+  EXPECT_GT(numbers[2] - numbers[0], 300);
+  EXPECT_NE(svg.find(">0.0002<"), std::string::npos);
+}
+
+TEST(Svg, DrawsAnEmptyProgramAsEmptyAxes) {
+  const std::string svg = svg_of({}, {});
+  EXPECT_EQ(svg.find("nan"), std::string::npos);
+  EXPECT_NE(svg.find("X / mm"), std::string::npos);
+  EXPECT_EQ(svg.find("<path"), std::string::npos);
+}
+
+TEST(Svg, ShowsWhyAndWhereAProgramWasRefused) {
+  const std::vector<CompensatedBlock> certain(corner_path.begin(), corner_path.begin() + 2);
+  const std::vector<Diagnostic> found{{.code = Code::line_reversed, .source = source(30)}};
+  const std::string svg = svg_of(corner_contour, certain, {}, found);
+  EXPECT_NE(svg.find("error 90019 in line 4 (N30): "), std::string::npos);
+  const std::regex circle("cx=\"([^\"]*)\" cy=\"([^\"]*)\"");
+  const std::string fault = group(svg, "fault");
+  std::smatch place;
+  ASSERT_TRUE(std::regex_search(fault, place, circle));
+  const auto at_fault = numbers_in(paths_in(group(svg, "programmed")).at(2));
+  EXPECT_NEAR(std::stod(place[1]), at_fault[0], 2e-3);
+  EXPECT_NEAR(std::stod(place[2]), (at_fault[1] + at_fault[3]) / 2, 2e-3);
+}
+
+TEST(Svg, WritesBlockNumbersOnDemandOnly) {
+  EXPECT_TRUE(group(svg_of(corner_contour, corner_path), "numbers").empty());
+  const std::string numbers =
+      group(svg_of(corner_contour, corner_path, {.numbers = true}), "numbers");
+  EXPECT_NE(numbers.find(">N20<"), std::string::npos);
+  EXPECT_NE(numbers.find(">N30<"), std::string::npos);
+}
+
+TEST(Svg, EscapesMarkupAndWhatIsNoText) {
+  EXPECT_EQ(escaped("a<b>&\"c\""), "a&lt;b&gt;&amp;&quot;c&quot;");
+  EXPECT_EQ(escaped("M\xC3\xBCnchen"), "M\xC3\xBCnchen");
+  EXPECT_EQ(escaped("\xC3"), "\xEF\xBF\xBD");
+  EXPECT_EQ(escaped("\xED\xA0\x80"), "\xEF\xBF\xBD\xEF\xBF\xBD\xEF\xBF\xBD");
+  EXPECT_EQ(escaped(std::string("a\0b\x1B", 4)),
+            "a\xEF\xBF\xBD"
+            "b\xEF\xBF\xBD");
+}
+
+TEST(Picture, JoinsStrokesOfLongPrograms) {
+  std::vector<Block> long_program;
+  for (std::size_t i = 0; i <= most_single_strokes; ++i) {
+    const auto x = static_cast<double>(i);
+    long_program.emplace_back(motion(10, Line{{x, 0}, {x + 1, 1}}, mode(Side::off)));
+  }
+  const Picture picture = compose({.programmed = long_program});
+  ASSERT_EQ(picture.strokes.size(), 1u);
+  EXPECT_EQ(picture.strokes[0].segments.size(), most_single_strokes + 1);
+}
+
+TEST(Picture, SeesOtherPlanesFromTheSide) {
+  // A half circle in ZX at Y 5, from X 0 to X 20, seen from above: a line along X.
+  const Picture picture = compose(
+      {.programmed = std::vector<Block>{motion(10, Line{{0, 0}, {0, 5}}, mode(Side::left)),
+                                        MotionBlock{.source = source(20),
+                                                    .path = Arc{{0, 0}, {0, 20}, {0, 10}, pi},
+                                                    .normal = {.from = 5, .to = 5},
+                                                    .mode = mode(Side::off, Plane::zx)}}});
+  EXPECT_EQ(picture.plane, Plane::xy);
+  ASSERT_EQ(picture.strokes.size(), 2u);
+  const auto& seen = picture.strokes[1].segments;
+  EXPECT_EQ(place_at(seen.front(), 0).point, Point(0, 5));
+  EXPECT_EQ(place_at(seen.back(), 1).point, Point(20, 5));
+  for (const Segment& segment : seen) EXPECT_TRUE(std::holds_alternative<Line>(segment));
+}
+
+TEST(Picture, LeavesOutWhatIsNoNumber) {
+  const Picture picture = compose({.path = std::vector<CompensatedBlock>{compensated(
+                                       10, Origin::programmed, Line{{0, 0}, {std::nan(""), 1}})}});
+  EXPECT_TRUE(picture.strokes.empty());
+}
+
+TEST(Bounds, HoldTheBowOfAnArc) {
+  Bounds bounds;
+  bounds.add(Arc{{10, 0}, {-10, 0}, {0, 0}, pi});
+  EXPECT_EQ(bounds.high, Point(10, 10));
+  EXPECT_EQ(bounds.low, Point(-10, 0));
+  Bounds below;
+  below.add(Arc{{10, 0}, {-10, 0}, {0, 0}, -pi});
+  EXPECT_EQ(below.low, Point(-10, -10));
+}
+
+TEST(Ticks, StandAtRoundNumbers) {
+  const Ticks ticks = ticks_between(-0.13, 0.42, 0.07);
+  EXPECT_EQ(ticks.step, 0.1);
+  EXPECT_EQ(ticks.decimals, 1);
+  ASSERT_EQ(ticks.at.size(), 6u);
+  EXPECT_EQ(decimal(ticks.at[1], ticks.decimals), "0");
+  EXPECT_EQ(decimal(ticks.at[5], ticks.decimals), "0.4");
+  EXPECT_EQ(ticks_between(0, 1000, 130).step, 200);
+  EXPECT_EQ(decimal(-0.0001, 2), "0");
+}
+
+TEST(Html, CarriesThePictureAndASwitchForNumbers) {
+  const Picture picture =
+      compose({.title = "a<b.nc", .programmed = corner_contour, .path = corner_path});
+  const std::string off = to_html(picture, false);
+  EXPECT_EQ(off.rfind("<!DOCTYPE html>", 0), 0u);
+  EXPECT_NE(off.find("<title>a&lt;b.nc</title>"), std::string::npos);
+  EXPECT_NE(off.find("data-numbers=\"off\""), std::string::npos);
+  EXPECT_NE(to_html(picture, true).find("data-numbers=\"on\""), std::string::npos);
+  EXPECT_EQ(off.find("<?xml"), std::string::npos);
+  EXPECT_NE(off.find("class=\"transition\""), std::string::npos);
+  EXPECT_EQ(off.find("http", off.find("http://www.w3.org/2000/svg") + 10), std::string::npos);
+}
+
+}  // namespace
+}  // namespace trc::plot
