@@ -86,6 +86,11 @@ enum class Code : std::int32_t {
   ended_while_active = 900205,
   circular_side_change_block = 900206,
   side_change_without_contour = 900207,
+  contour_not_closed = 900208,
+  last_block_full_circle = 900209,
+  approach_crosses_contour = 900210,
+  side_change_under_inside_corner = 900211,
+  selection_too_long = 900212,
 };
 
 struct DiagnosticValue {

@@ -5,6 +5,8 @@
 #include "core/trc/pass.h"
 #include "core/trc/relevant_blocks.h"
 #include "core/trc/reporting.h"
+#include "core/trc/selection/inside_corner.h"
+#include "core/trc/selection/split.h"
 #include "core/trc/transitions.h"
 
 namespace trc {
@@ -16,6 +18,7 @@ struct Compensator::Passes {
       : diagnostics(log),
         relevant_blocks(setup.limits.passive_blocks, setup.tolerances, log),
         offset(setup.tolerances, log),
+        inside_corner(setup.limits.selection_blocks, setup.tolerances, log),
         transitions(setup.tolerances, log),
         contour_masking(setup.tolerances, log),
         reporting(setup, log) {}
@@ -25,22 +28,28 @@ struct Compensator::Passes {
     return !diagnostics.stopped()
         && advance(relevant_blocks, programmed, relevant, input)
         && apply  (offset,          relevant)
-        && advance(transitions,     relevant,   joined,   input)
+        && advance(inside_corner,   relevant,   entered,  input)
+        && advance(transitions,     entered,    joined,   input)
         && apply  (contour_masking, joined)
-        && advance(reporting,       joined,     out,      input);
+        && advance(split,           joined,     divided,  input)
+        && advance(reporting,       divided,    out,      input);
   }
   // clang-format on
 
   Diagnostics& diagnostics;
   RelevantBlocks relevant_blocks;
   Offset offset;
+  selection::InsideCorner inside_corner;
   Transitions transitions;
   ContourMasking contour_masking;
+  selection::Split split;
   Reporting reporting;
 
   std::vector<Block> programmed;
   std::vector<PathBlock> relevant;
+  std::vector<PathBlock> entered;
   std::vector<PathBlock> joined;
+  std::vector<PathBlock> divided;
 };
 
 Compensator::Compensator(const CompensatorSetup& setup, Diagnostics& diagnostics)

@@ -54,6 +54,7 @@ struct PathBlock {
   bool path_given = false;  // a G05 arc: tool_path stands before the ends are known
   double cut_at_start = 0;
   double cut_at_end = 0;
+  bool splittable = false;  // an approach or retract line that SPLIT may divide
 
   // Passive blocks programmed after this one, in order. Those after G40 wait for
   // the block across the contour that G237 inserts.

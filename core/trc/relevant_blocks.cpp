@@ -23,11 +23,9 @@ bool retracts_in_a_block(Selection deselection) {
 
 // The first function of the mode this build does not have.
 const char* unavailable(const TrcMode& mode) {
-  if (mode.selection == Selection::inside_corner) return "G238";
   if (mode.masking == Masking::on) return "G141";
   if (mode.options.kerf_masking) return "KERF_MASKING";
   if (mode.options.inverse) return "INVERSE";
-  if (mode.options.split.where != SplitOption::Where::off) return "SPLIT";
   if (mode.tangential && mode.selection == Selection::perpendicular) return "G05 with G237";
   return nullptr;
 }

@@ -179,6 +179,10 @@ bool Transitions::join(PathBlock& after, std::vector<PathBlock>& out) {
   const Corner corner = corner_between(before, after);
   std::optional<Joint> joint = joint_of(corner, after);
   if (!joint) return false;
+  before.splittable =
+      before.role == Role::approach && may_split(corner, before.mode(), before.mode().selection);
+  after.splittable =
+      after.role == Role::retract && may_split(corner, after.mode(), after.mode().deselection);
   before.cut_at_end = joint->cut_before;
   complete(before, joint->end, tolerances_);
   const Origin origin = origin_of_insertions(before, after);
@@ -243,8 +247,13 @@ std::optional<Joint> Transitions::approach(const Corner& corner, const PathBlock
       joint.insert(Line{.start = joint.end, .end = joint.start});
       return joint;
     }
+    case Selection::inside_corner: {
+      Joint joint;
+      joint.end = joint.start = before.offset_end;
+      joint.cut_after = before.cut_at_end;
+      return joint;
+    }
     case Selection::direct:
-    case Selection::inside_corner:
     case Selection::without_block:
       break;
   }
@@ -280,8 +289,13 @@ std::optional<Joint> Transitions::retract(const Corner& corner, PathBlock& after
       joint.insert(Line{.start = joint.end, .end = joint.start});
       return joint;
     }
+    case Selection::inside_corner: {
+      Joint joint;
+      joint.end = joint.start = after.offset_start;
+      joint.cut_before = after.cut_at_start;
+      return joint;
+    }
     case Selection::direct:
-    case Selection::inside_corner:
     case Selection::without_block:
       break;
   }
@@ -318,6 +332,24 @@ std::optional<Joint> Transitions::contour_joint(const Corner& corner, const Path
   joint->start = corner.after.anchor;
   joint->insert(Line{.start = joint->end, .end = joint->start});
   return joint;
+}
+
+// Spec 7.2: below 180 degrees, G236 up to 90 degrees.
+bool Transitions::may_split(const Corner& corner, const TrcMode& mode, Selection selection) const {
+  if (mode.options.split.where == SplitOption::Where::off || mode.tangential) return false;
+  const double angle = transition_angle(corner, tolerances_);
+  switch (selection) {
+    case Selection::direct:
+    case Selection::indirect:
+    case Selection::without_block:
+      return angle < pi - tolerances_.tangent;
+    case Selection::on_path:
+      return angle <= pi / 2 + tolerances_.tangent;
+    case Selection::perpendicular:
+    case Selection::inside_corner:
+      break;
+  }
+  return false;
 }
 
 Joint Transitions::outside(const Corner& corner, const TrcMode& mode) const {

@@ -44,6 +44,8 @@ class Transitions {
   std::optional<Joint> approach(const Corner& corner, const PathBlock& after);
   std::optional<Joint> retract(const Corner& corner, PathBlock& after, Selection mode);
   std::optional<Joint> contour_joint(const Corner& corner, const PathBlock& after);
+  [[nodiscard]] bool may_split(const Corner& corner, const TrcMode& mode,
+                               Selection selection) const;
   [[nodiscard]] Joint outside(const Corner& corner, const TrcMode& mode) const;
   void change_radius_at_once(const Corner& corner, PathBlock& after, Joint& joint) const;
 

@@ -1,0 +1,135 @@
+#include "core/trc/selection/inside_corner.h"
+
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include "core/geometry/distance.h"
+#include "core/trc/corner.h"
+
+namespace trc::selection {
+namespace {
+
+constexpr double degrees = 180 / std::numbers::pi;
+
+Corner closing_corner(const PathBlock& last, const PathBlock& first) {
+  Corner corner{.programmed = start_of(first.programmed.path)};
+  corner.shift = first.at_start.shift;
+  corner.turn = turn_between(last.tangent_at_end, first.tangent_at_start);
+  corner.before =
+      offset_curve(last.programmed.path, last.tangent_at_end, last.offset_end, corner.shift);
+  corner.after =
+      offset_curve(first.programmed.path, first.tangent_at_start, first.offset_start, corner.shift);
+  return corner;
+}
+
+bool is_full_circle(const Segment& segment, double same_point) {
+  return is_arc(segment) && (start_of(segment) - end_of(segment)).norm() <= same_point;
+}
+
+}  // namespace
+
+bool InsideCorner::feed(PathBlock block, std::vector<PathBlock>& out) {
+  const bool begins =
+      block.role == Role::approach && block.mode().selection == Selection::inside_corner;
+  if (held_.empty() && !begins) {
+    out.push_back(std::move(block));
+    return true;
+  }
+  if (begins || block.role == Role::contour) {
+    if (held_.size() >= selection_blocks_)
+      return refuse(Code::selection_too_long, block,
+                    {{"limit", static_cast<double>(selection_blocks_)}});
+    held_.push_back(std::move(block));
+    return true;
+  }
+  if (block.role == Role::side_change) return refuse(Code::side_change_under_inside_corner, block);
+  if (!close(block.role == Role::retract ? &block : nullptr, out)) return false;
+  out.push_back(std::move(block));
+  return true;
+}
+
+bool InsideCorner::drain(std::vector<PathBlock>& out) {
+  return held_.empty() || close(nullptr, out);
+}
+
+bool InsideCorner::close(PathBlock* retract, std::vector<PathBlock>& out) {
+  PathBlock& approach = held_.front();
+  PathBlock& first = held_[1];
+  PathBlock& last = held_.back();
+  if (!check_contour(approach, first, last) || !check_start(approach) ||
+      !give_points(approach, first, last, retract))
+    return false;
+  for (PathBlock& block : held_) out.push_back(std::move(block));
+  held_.clear();
+  return true;
+}
+
+bool InsideCorner::check_contour(const PathBlock& approach, const PathBlock& first,
+                                 const PathBlock& last) {
+  const double gap = (end_of(last.programmed.path) - start_of(first.programmed.path)).norm();
+  if (gap > tolerances_.same_point) return refuse(Code::contour_not_closed, last, {{"gap", gap}});
+  if (is_full_circle(last.programmed.path, tolerances_.same_point))
+    return refuse(Code::last_block_full_circle, last);
+  const Corner corner = closing_corner(last, first);
+  if (kind_of(corner, tolerances_) != CornerKind::outside) return true;
+  Corner start = corner;
+  start.turn = turn_between(approach.tangent_at_end, first.tangent_at_start);
+  start.before.anchor = approach.offset_end;
+  if (kind_of(start, tolerances_) != CornerKind::outside) return true;
+  return refuse(Code::inside_corner_angle_too_large, approach,
+                {{"angle", transition_angle(start, tolerances_) * degrees}, {"limit", 180}});
+}
+
+// The tool stands free of the contour where it starts, and comes in between the
+// last and the first block only.
+bool InsideCorner::check_start(const PathBlock& approach) {
+  const Point& start = start_of(approach.programmed.path);
+  const Line way{.start = start, .end = end_of(approach.programmed.path)};
+  const double radius = std::abs(approach.at_end.shift);
+  for (std::size_t i = 1; i < held_.size(); ++i) {
+    const PathBlock& block = held_[i];
+    const double clearance = distance(start, block.programmed.path);
+    if (clearance < radius - tolerances_.on_contour)
+      return refuse(Code::selection_point_too_near, block,
+                    {{"selection_block", static_cast<double>(approach.programmed.source.number)},
+                     {"distance", clearance},
+                     {"tool_radius", radius}});
+    const bool neighbour = i == 1 || i + 1 == held_.size();
+    if (!neighbour && meet(way, block.programmed.path, tolerances_.same_point))
+      return refuse(Code::approach_crosses_contour, block);
+  }
+  return true;
+}
+
+bool InsideCorner::give_points(PathBlock& approach, const PathBlock& first, PathBlock& last,
+                               PathBlock* retract) {
+  const Corner corner = closing_corner(last, first);
+  const CornerKind kind = kind_of(corner, tolerances_);
+  Joint joint;
+  joint.end = corner.before.anchor;
+  joint.start = corner.after.anchor;
+  if (kind == CornerKind::tangential) joint = tangential_joint(corner);
+  if (kind == CornerKind::inside) {
+    const auto inside = inside_joint(corner, tolerances_);
+    if (!inside) return refuse(Code::line_reversed, last);
+    joint = *inside;
+  }
+  approach.offset_end = joint.start;
+  approach.cut_at_end = joint.cut_after;
+  last.offset_end = joint.end;
+  last.cut_at_end = joint.cut_before;
+  if (retract != nullptr) {
+    retract->offset_start = joint.end;
+    retract->cut_at_start = joint.cut_before;
+  }
+  return true;
+}
+
+bool InsideCorner::refuse(Code code, const PathBlock& block, std::vector<DiagnosticValue> values) {
+  Diagnostic problem = diagnostic(code, block.programmed.source);
+  problem.values = std::move(values);
+  return diagnostics_.report(std::move(problem));
+}
+
+}  // namespace trc::selection

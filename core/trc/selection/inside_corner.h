@@ -1,0 +1,48 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "core/base/diagnostics.h"
+#include "core/base/tolerances.h"
+#include "core/trc/path_block.h"
+
+namespace trc::selection {
+
+// G238: a closed contour that begins and ends in its inside corner (spec 3.5).
+//
+//        last |   | first          X: where the offsets of the last and the first
+//             |   |                   block meet; the tool comes from P1 to X, goes
+//        -----+ X |                   round and leaves from X
+//             P2--+-----
+//                                  P1
+//
+// Holds a whole G238 selection: its last block is needed before the first can
+// leave. Approach and retract block are given their point; other selections
+// pass through at once.
+class InsideCorner {
+ public:
+  InsideCorner(std::size_t selection_blocks, const Tolerances& tolerances, Diagnostics& diagnostics)
+      : selection_blocks_(selection_blocks), tolerances_(tolerances), diagnostics_(diagnostics) {}
+
+  bool feed(PathBlock block, std::vector<PathBlock>& out);
+  bool drain(std::vector<PathBlock>& out);
+  // Of the selections it holds as a whole; nothing else.
+  [[nodiscard]] std::size_t look_ahead() const { return 0; }
+
+ private:
+  // Ends the held selection; `retract` is null at the end of the program.
+  bool close(PathBlock* retract, std::vector<PathBlock>& out);
+  bool check_contour(const PathBlock& approach, const PathBlock& first, const PathBlock& last);
+  bool check_start(const PathBlock& approach);
+  bool give_points(PathBlock& approach, const PathBlock& first, PathBlock& last,
+                   PathBlock* retract);
+  bool refuse(Code code, const PathBlock& block, std::vector<DiagnosticValue> values = {});
+
+  std::size_t selection_blocks_;
+  Tolerances tolerances_;
+  Diagnostics& diagnostics_;
+  std::vector<PathBlock> held_;  // the approach and the contour of one selection
+};
+
+}  // namespace trc::selection

@@ -1,0 +1,110 @@
+#include "core/trc/selection/split.h"
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+
+namespace trc::selection {
+namespace {
+
+// A stretch of the line, as a share of it counted from its start.
+struct Part {
+  double share = 0;
+  double feed = 0;
+};
+
+// How much of the line one mm of the option takes; 0 when it cannot be told.
+double share_of_one_mm(const SplitOption& split, const PathBlock& block) {
+  const Line& line = std::get<Line>(block.tool_path);
+  const Vector way = line.end - line.start;
+  double extent = way.norm();
+  if (!split.along_path) {
+    const PlaneAxes axes = axes_of(block.mode().plane);
+    extent = split.axis == axes.first    ? std::abs(way.x())
+             : split.axis == axes.second ? std::abs(way.y())
+                                         : 0;
+  }
+  return extent > 0 ? 1 / extent : 0;
+}
+
+double between(const AxisTravel& travel, double share) {
+  return travel.from + share * (travel.to - travel.from);
+}
+
+// The line from share `from` to share `to`; its far end is exact at 1.
+PathBlock piece(const PathBlock& whole, const Point& start, double from, double to, double feed) {
+  PathBlock part;
+  part.programmed = whole.programmed;
+  part.role = whole.role;
+  part.origin = whole.origin;
+  const Line& line = std::get<Line>(whole.tool_path);
+  const bool last = to == 1;
+  const Point end = last ? line.end : Point(line.start + to * (line.end - line.start));
+  part.tool_path = Line{.start = start, .end = end};
+  const auto travel = [&](const AxisTravel& axis) -> AxisTravel {
+    return {.from = from == 0 ? axis.from : between(axis, from),
+            .to = last ? axis.to : between(axis, to)};
+  };
+  part.programmed.normal = travel(whole.programmed.normal);
+  for (AxisTravel& axis : part.programmed.tracking) axis = travel(axis);
+  if (feed > 0) {
+    part.programmed.feed = feed;
+    part.programmed.rapid = false;
+  }
+  return part;
+}
+
+}  // namespace
+
+bool Split::feed(PathBlock block, std::vector<PathBlock>& out) {
+  if (!block.splittable) {
+    out.push_back(std::move(block));
+    return true;
+  }
+  const SplitOption& split = block.mode().options.split;
+  const bool approach = block.role == Role::approach;
+  const bool wanted =
+      split.where == SplitOption::Where::combined ||
+      split.where == (approach ? SplitOption::Where::pre : SplitOption::Where::post);
+  const double one = wanted ? share_of_one_mm(split, block) : 0;
+  // From the contour outwards.
+  std::array<Part, 2> parts{Part{split.distance_1 * one, split.feed_1}, Part{}};
+  std::size_t count = split.distance_1 > 0 ? 1 : 0;
+  if (split.distance_2 > 0) {
+    parts = {Part{split.distance_2 * one, split.feed_2}, parts[0]};
+    count += 1;
+    if (parts[0].share + parts[1].share > 1) count = 1;
+  }
+  if (one == 0 || count == 0 || parts[0].share > 1) {
+    out.push_back(std::move(block));
+    return true;
+  }
+  // The borders along the line, with the feed of the stretch behind each.
+  std::array<Part, 3> stretches{};
+  double taken = 0;
+  for (std::size_t i = 0; i < count; ++i) taken += parts[i].share;
+  if (approach) {
+    stretches[0] = {1 - taken, 0};
+    for (std::size_t i = 0; i < count; ++i) stretches[i + 1] = parts[count - 1 - i];
+  } else {
+    for (std::size_t i = 0; i < count; ++i) stretches[i] = parts[i];
+    stretches[count] = {1 - taken, 0};
+  }
+  Point start = start_of(block.tool_path);
+  double from = 0;
+  for (std::size_t i = 0; i <= count; ++i) {
+    const bool last = i == count || (i + 1 == count && stretches[count].share <= 0);
+    const double to = last ? 1 : from + stretches[i].share;
+    if (stretches[i].share > 0) {
+      out.push_back(piece(block, start, from, to, stretches[i].feed));
+      start = end_of(out.back().tool_path);
+      from = to;
+    }
+    if (last) break;
+  }
+  out.back().riders = std::move(block.riders);
+  return true;
+}
+
+}  // namespace trc::selection

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <vector>
+
+#include "core/trc/path_block.h"
+
+namespace trc::selection {
+
+// `#TRC [SPLIT …]`: the parts of the approach and the retract line next to the
+// contour get feeds of their own (spec 7.2, D-19).
+//
+//   S ------ rest ------ | 1 | 2 |= contour =| 2 | 1 | ---- rest ---- T
+//
+// A part that is longer than the line is not split off; of two parts that do not
+// both fit, only the second is.
+class Split {
+ public:
+  bool feed(PathBlock block, std::vector<PathBlock>& out);
+  bool drain(std::vector<PathBlock>& /*out*/) { return true; }
+  [[nodiscard]] std::size_t look_ahead() const { return 0; }
+};
+
+}  // namespace trc::selection
