@@ -1,10 +1,20 @@
 #include "core/session/session.h"
 
 namespace trc {
+namespace {
+
+// The tool and the program start in one place: the one the program names.
+CompensatorSetup compensator_setup(const SessionSetup& setup) {
+  CompensatorSetup result = setup.compensator;
+  result.start = setup.program.start;
+  return result;
+}
+
+}  // namespace
 
 PathSession::PathSession(const SessionSetup& setup)
     : program_(setup.program, setup.compensator.tolerances, diagnostics_, blocks_),
-      compensator_(setup.compensator, diagnostics_) {}
+      compensator_(compensator_setup(setup), diagnostics_) {}
 
 bool PathSession::advance(std::vector<CompensatedBlock>& out) {
   return compensator_.feed(blocks_, out);
