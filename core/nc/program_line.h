@@ -18,9 +18,10 @@ enum class WordRole : std::uint8_t {
   coordinate,  // axis words, I J K R of a motion
   trc,         // what TRC resolves: G05 G10 G11 G25 G26 G40 … G42 G138 … G141 G236 … G239,
                // #TRC, #TANGFEED, V.G.WZ_AKT.R=
-  mode,        // G17 … G19 G52 … G59 G70 G71 G90 … G92 G159 G161 G162 G164 G165, with what they carry
-  feed,        // F
-  technology,  // S T D M H, dwell, all other G functions and commands that pass
+  mode,        // G17 … G19 G70 G71 G90 G91 G161 G162 G164 G165
+  feed,        // F of a feed per minute
+  technology,  // S T D M H, dwell, zero shifts with their axis words, all other G functions
+               // and commands that pass
   comment,     // ( … ) and ; …, with the signs
 };
 
@@ -47,12 +48,15 @@ struct ProgramLine {
   std::string_view line_end{};  // "\n", "\r\n", "\r"; empty at the end of the text
   std::vector<WordRange> words{};
 
-  bool has_words = false;     // counts in Source::index; false: name, comment, blank, after the end
-  bool is_motion = false;     // gave exactly one moving block with this Source, behind the
-                              // PassiveBlock of its technology words, if it has such
+  bool has_words = false;  // counts in Source::index; false: name, comment, blank, after the end
+  // The line gave exactly one block of motion with this Source (of any length; a
+  // PassiveBlock with empty text when nothing moves in the plane).
+  bool is_motion = false;
+  // The technology words of the line came as PassiveBlocks with this Source and
+  // their text, in front of the motion (M00, M01, M02, M30: behind it).
+  bool has_technology = false;
   bool has_trc_words = false;
-  bool has_technology = false;  // words that gave a PassiveBlock with this Source
-  bool ends_program = false;    // M02, M30
+  bool ends_program = false;  // M02, M30
 
   // In force at the end of the line.
   MotionKind motion = MotionKind::rapid;
@@ -60,7 +64,7 @@ struct ProgramLine {
   bool inch = false;             // G70
   bool absolute_center = false;  // G161
   Plane plane = Plane::xy;
-  double feed = 0;               // mm/min; 0: none programmed yet
+  double feed = 0;               // mm/min; 0: none programmed yet, or not per minute (G93, G95)
 
   [[nodiscard]] std::string_view word(const WordRange& range) const {
     return std::string_view(text).substr(range.begin, range.end - range.begin);
