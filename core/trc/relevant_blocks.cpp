@@ -30,6 +30,37 @@ const char* unavailable(const TrcMode& mode) {
   return nullptr;
 }
 
+bool changes_radius_in_a_long_arc(const PathBlock& block) {
+  const auto* arc = std::get_if<Arc>(&block.programmed.path);
+  return arc != nullptr && block.role == Role::contour && block.at_start != block.at_end &&
+         std::abs(arc->sweep) > std::numbers::pi &&
+         !block.mode().options.perpendicular_radius_change;
+}
+
+AxisTravel cut(AxisTravel& travel, double share) {
+  const double middle = travel.from + share * (travel.to - travel.from);
+  return {.from = std::exchange(travel.from, middle), .to = middle};
+}
+
+// Cuts the block after 180 degrees: the radius changes in the first half, the
+// rest runs with the new one around the programmed centre (spec 8, D-20).
+PathBlock first_half_of(PathBlock& block) {
+  Arc& arc = std::get<Arc>(block.programmed.path);
+  const double half = std::copysign(std::numbers::pi, arc.sweep);
+  const double share = half / arc.sweep;
+  const Point middle = 2 * arc.center - arc.start;
+  PathBlock first = block;
+  first.origin = Origin::radius_change;
+  first.programmed.path =
+      Arc{.start = arc.start, .end = middle, .center = arc.center, .sweep = half};
+  first.programmed.normal = cut(block.programmed.normal, share);
+  for (std::size_t axis = 0; axis < block.programmed.tracking.size(); ++axis)
+    first.programmed.tracking[axis] = cut(block.programmed.tracking[axis], share);
+  arc = Arc{.start = middle, .end = arc.end, .center = arc.center, .sweep = arc.sweep - half};
+  block.at_start = block.at_end;
+  return first;
+}
+
 }  // namespace
 
 bool RelevantBlocks::feed(Block block, std::vector<PathBlock>& out) {
@@ -72,6 +103,9 @@ bool RelevantBlocks::follow(MotionBlock motion, std::vector<PathBlock>& out) {
   last_ = block.at_end;
   last_mode_ = block.programmed.mode;
   last_path_ = block.programmed.path;
+  if (changes_radius_in_a_long_arc(block)) {
+    out.push_back(first_half_of(block));
+  }
   if (block.at_end.active) {
     held_ = std::move(block);
   } else {
