@@ -1,0 +1,250 @@
+#include "tests/support/run.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iomanip>
+#include <numbers>
+#include <sstream>
+#include <utility>
+
+namespace trc::support {
+namespace {
+
+constexpr double degrees = 180 / std::numbers::pi;
+
+MoveRequest request_for(const Segment& segment, Plane plane, std::uint64_t index,
+                        std::size_t ordinal) {
+  const PlaneAxes axes = axes_of(plane);
+  MoveRequest request;
+  request.source = {.index = index, .number = static_cast<std::int64_t>(ordinal)};
+  request.feed = 1000;
+  if (const auto* arc = std::get_if<Arc>(&segment)) {
+    request.kind = arc->sweep > 0 ? MotionKind::counter_clockwise : MotionKind::clockwise;
+    request.center[axes.first] = arc->center.x();
+    request.center[axes.second] = arc->center.y();
+  }
+  const Point end = std::visit([](const auto& shape) { return shape.end; }, segment);
+  request.end[axes.first] = end.x();
+  request.end[axes.second] = end.y();
+  return request;
+}
+
+Point first_of(const Segment& segment) {
+  return std::visit([](const auto& shape) { return shape.start; }, segment);
+}
+
+Point last_of(const Segment& segment) {
+  return std::visit([](const auto& shape) { return shape.end; }, segment);
+}
+
+double extent_of(const Segment& segment) {
+  if (const auto* line = std::get_if<Line>(&segment)) return (line->end - line->start).norm();
+  const auto& arc = std::get<Arc>(segment);
+  return std::abs(arc.sweep) * (arc.start - arc.center).norm();
+}
+
+// One block of either side of a comparison.
+struct Plain {
+  bool is_arc = false;
+  Point start = Point::Zero();
+  Point end = Point::Zero();
+  Point center = Point::Zero();
+  double sweep = 0;
+  Origin origin{};
+  std::int64_t number = 0;
+};
+
+Plain plain(const CompensatedBlock& block, const Motion& map) {
+  const Segment path = map(block.path);
+  Plain result{.is_arc = is_arc(path),
+               .start = first_of(path),
+               .end = last_of(path),
+               .origin = block.origin,
+               .number = block.source.number};
+  if (const auto* arc = std::get_if<Arc>(&path)) {
+    result.center = arc->center;
+    result.sweep = arc->sweep;
+  }
+  return result;
+}
+
+Point narrow(const SlowPoint& p) { return {static_cast<double>(p.x), static_cast<double>(p.y)}; }
+
+Plain plain(const SlowBlock& block) {
+  return {.is_arc = block.is_arc,
+          .start = narrow(block.start),
+          .end = narrow(block.end),
+          .center = narrow(block.center),
+          .sweep = static_cast<double>(block.sweep),
+          .origin = block.origin,
+          .number = static_cast<std::int64_t>(block.ordinal)};
+}
+
+bool has_length(const Plain& block, double shortest) {
+  if (!block.is_arc) return (block.end - block.start).norm() > shortest;
+  return std::abs(block.sweep) * (block.start - block.center).norm() > shortest;
+}
+
+std::string text_of(const Plain& block) {
+  std::ostringstream text;
+  text << std::setprecision(12) << block.number << ' ' << name_of(block.origin)
+       << (block.is_arc ? " arc " : " line ") << block.start.x() << ' ' << block.start.y() << " -> "
+       << block.end.x() << ' ' << block.end.y();
+  if (block.is_arc)
+    text << " center " << block.center.x() << ' ' << block.center.y() << " sweep "
+         << block.sweep * degrees;
+  return text.str();
+}
+
+bool alike(const Plain& a, const Plain& b, double tolerance) {
+  if (a.is_arc != b.is_arc || a.origin != b.origin || a.number != b.number) return false;
+  if ((a.start - b.start).norm() > tolerance || (a.end - b.end).norm() > tolerance) return false;
+  if (!a.is_arc) return true;
+  const double radius = (b.start - b.center).norm();
+  return (a.center - b.center).norm() <= tolerance &&
+         std::abs(a.sweep - b.sweep) * radius <= 4 * tolerance;
+}
+
+std::string difference(std::vector<Plain> actual, std::vector<Plain> expected, double tolerance) {
+  const auto drop = [&](std::vector<Plain>& blocks) {
+    std::erase_if(blocks, [&](const Plain& block) { return !has_length(block, 2 * tolerance); });
+  };
+  drop(actual);
+  drop(expected);
+  const std::size_t common = std::min(actual.size(), expected.size());
+  for (std::size_t k = 0; k < common; ++k)
+    if (!alike(actual[k], expected[k], tolerance))
+      return "block " + std::to_string(k) + " is\n  " + text_of(actual[k]) + "\nexpected\n  " +
+             text_of(expected[k]);
+  if (actual.size() > common) return "too many blocks, first\n  " + text_of(actual[common]);
+  if (expected.size() > common) return "missing\n  " + text_of(expected[common]);
+  return {};
+}
+
+}  // namespace
+
+const Diagnostic* Outcome::error() const {
+  for (const Diagnostic& diagnostic : diagnostics)
+    if (diagnostic.severity == Severity::error) return &diagnostic;
+  return nullptr;
+}
+
+Outcome compensate(const Contour& contour, const TrcMode& mode, const Feeding& feeding) {
+  SessionSetup setup;
+  setup.program.mode = mode;
+  setup.program.mode.side = Side::off;
+  setup.program.absolute_center = true;
+  const auto third = [&](std::size_t ordinal) {
+    return feeding.third ? feeding.third(ordinal) : 0.0;
+  };
+  setup.program.start = from_plane(mode.plane, contour.approach.start, 0);
+  PathSession session(setup);
+  ProgramState& program = session.program();
+
+  Outcome outcome;
+  std::uint64_t index = 0;
+  std::size_t items = 0;
+  bool running = true;
+  const auto item_given = [&](bool goes_on) {
+    running = running && goes_on;
+    if (running && feeding.batch != 0 && ++items % feeding.batch == 0)
+      running = session.advance(outcome.blocks);
+  };
+  const auto give = [&](const Segment& segment, std::size_t ordinal) {
+    if (!running) return;
+    MoveRequest request = request_for(segment, mode.plane, index++, ordinal);
+    if (feeding.third) request.end[axes_of(mode.plane).third] = third(ordinal);
+    if (feeding.tracking) request.tracking = {feeding.tracking(ordinal)};
+    item_given(program.move(request));
+    if (feeding.texts)
+      for (const std::string& text : feeding.texts(ordinal))
+        if (running)
+          item_given(
+              program.pass({.index = index++, .number = static_cast<std::int64_t>(ordinal)}, text));
+    if (running && feeding.watch) feeding.watch(ordinal, outcome.blocks);
+  };
+
+  running = program.select(mode.side, {.index = index, .number = 0});
+  give(contour.approach, 0);
+  for (std::size_t k = 0; k < contour.blocks.size(); ++k) give(contour.blocks[k], k + 1);
+  const std::size_t last = contour.blocks.size() + 1;
+  if (running)
+    running = program.deselect({.index = index, .number = static_cast<std::int64_t>(last)});
+  give(contour.retract, last);
+  if (running) running = session.advance(outcome.blocks);
+  if (running)
+    running =
+        session.finish({.index = index, .number = static_cast<std::int64_t>(last)}, outcome.blocks);
+  outcome.stopped = session.diagnostics().stopped();
+  outcome.diagnostics = session.diagnostics().take();
+  return outcome;
+}
+
+std::vector<CompensatedBlock> moving(const std::vector<CompensatedBlock>& blocks, double shortest) {
+  std::vector<CompensatedBlock> result;
+  for (const CompensatedBlock& block : blocks)
+    if (block.origin != Origin::passthrough && extent_of(block.path) > shortest)
+      result.push_back(block);
+  return result;
+}
+
+std::string first_gap(const std::vector<CompensatedBlock>& blocks) {
+  const CompensatedBlock* before = nullptr;
+  for (const CompensatedBlock& block : blocks) {
+    if (block.origin == Origin::passthrough) continue;
+    if (before != nullptr) {
+      bool joined = last_of(before->path) == first_of(block.path) &&
+                    before->normal.to == block.normal.from &&
+                    before->tracking.size() == block.tracking.size();
+      for (std::size_t axis = 0; joined && axis < block.tracking.size(); ++axis)
+        joined = before->tracking[axis].to == block.tracking[axis].from;
+      if (!joined) return text_of(*before) + "\nis not joined to\n" + text_of(block);
+    }
+    before = &block;
+  }
+  return {};
+}
+
+std::string difference(const std::vector<CompensatedBlock>& actual,
+                       const std::vector<SlowBlock>& expected, double tolerance) {
+  std::vector<Plain> left;
+  std::vector<Plain> right;
+  for (const CompensatedBlock& block : moving(actual)) left.push_back(plain(block, Motion{}));
+  for (const SlowBlock& block : expected) right.push_back(plain(block));
+  return difference(std::move(left), std::move(right), tolerance);
+}
+
+std::string difference(const std::vector<CompensatedBlock>& actual,
+                       const std::vector<CompensatedBlock>& expected, const Motion& map,
+                       double tolerance) {
+  std::vector<Plain> left;
+  std::vector<Plain> right;
+  for (const CompensatedBlock& block : moving(actual)) left.push_back(plain(block, Motion{}));
+  for (const CompensatedBlock& block : moving(expected)) right.push_back(plain(block, map));
+  return difference(std::move(left), std::move(right), tolerance);
+}
+
+std::string name_of(Origin origin) {
+  static constexpr std::array<const char*, origin_count> names = {
+      "programmed",    "approach", "retract",          "transition",  "masked",
+      "radius_change", "kerf",     "converted_circle", "passthrough", "uncompensated"};
+  return names[static_cast<std::size_t>(origin)];
+}
+
+std::string text_of(const CompensatedBlock& block) {
+  if (block.origin == Origin::passthrough)
+    return std::to_string(block.source.number) + " passthrough " + block.text;
+  std::string text = text_of(plain(block, Motion{}));
+  if (block.normal.moves())
+    text += " third " + std::to_string(block.normal.from) + ' ' + std::to_string(block.normal.to);
+  return text;
+}
+
+std::string text_of(const std::vector<CompensatedBlock>& blocks) {
+  std::string text;
+  for (const CompensatedBlock& block : blocks) text += text_of(block) + '\n';
+  return text;
+}
+
+}  // namespace trc::support

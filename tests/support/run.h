@@ -1,0 +1,68 @@
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "core/base/diagnostic.h"
+#include "core/session/session.h"
+#include "core/trc/compensated_block.h"
+#include "tests/support/contours.h"
+#include "tests/support/slow_trc.h"
+
+namespace trc::support {
+
+// What came out of a session, whole or up to the error that stopped it.
+struct Outcome {
+  std::vector<CompensatedBlock> blocks{};
+  std::vector<Diagnostic> diagnostics{};
+  bool stopped = false;
+
+  // The error that stopped the session, or nothing.
+  [[nodiscard]] const Diagnostic* error() const;
+};
+
+// How a contour is given to a PathSession.
+struct Feeding {
+  // Compensates after every so many items; 0: only at the end.
+  std::size_t batch = 1;
+  // Text passed behind the block with this ordinal (0: approach); empty: none.
+  std::function<std::vector<std::string>(std::size_t ordinal)> texts{};
+  // End position of the third main axis and of tracking axis A, block by block.
+  std::function<double(std::size_t ordinal)> third{};
+  std::function<double(std::size_t ordinal)> tracking{};
+  // Called behind each block with its ordinal and what has come out so far.
+  std::function<void(std::size_t ordinal, const std::vector<CompensatedBlock>& out)> watch{};
+};
+
+// Compensates one selection: G41 or G42 with the approach block, G40 with the
+// retract block. Coordinates are in the plane of `mode`; `Source::number` of a
+// block is its ordinal (0: approach, 1 … n: contour, n + 1: retract).
+[[nodiscard]] Outcome compensate(const Contour& contour, const TrcMode& mode,
+                                 const Feeding& feeding = {});
+
+// The blocks that move in the plane, shorter ones than `shortest` mm left out.
+[[nodiscard]] std::vector<CompensatedBlock> moving(const std::vector<CompensatedBlock>& blocks,
+                                                   double shortest = 0);
+
+// A sentence about the first joint that is not shared bit for bit (plane, third
+// main axis and tracking axes), or nothing.
+[[nodiscard]] std::string first_gap(const std::vector<CompensatedBlock>& blocks);
+
+// A sentence about the first difference, or nothing. Blocks without length may
+// be missing on either side (D-13). `tolerance` in mm.
+[[nodiscard]] std::string difference(const std::vector<CompensatedBlock>& actual,
+                                     const std::vector<SlowBlock>& expected, double tolerance);
+
+// As above, for two results of the core; `map` is applied to `expected` first.
+[[nodiscard]] std::string difference(const std::vector<CompensatedBlock>& actual,
+                                     const std::vector<CompensatedBlock>& expected,
+                                     const Motion& map, double tolerance);
+
+// One line of text: N number, origin, geometry in mm and degrees.
+[[nodiscard]] std::string text_of(const CompensatedBlock& block);
+[[nodiscard]] std::string text_of(const std::vector<CompensatedBlock>& blocks);
+[[nodiscard]] std::string name_of(Origin origin);
+
+}  // namespace trc::support
