@@ -21,7 +21,7 @@ struct Row {
   int retry_after_s = 0;  // 0: waiting does not help
 };
 
-constexpr std::array<Row, 16> table{{
+constexpr std::array<Row, 17> table{{
     {Refusal::setup_missing, StatusCode::FAILED_PRECONDITION, "SETUP_MISSING",
      "the first request must carry the setup"},
     {Refusal::setup_repeated, StatusCode::FAILED_PRECONDITION, "SETUP_REPEATED",
@@ -32,6 +32,8 @@ constexpr std::array<Row, 16> table{{
      "nothing may follow the request marked final"},
     {Refusal::batch_out_of_sequence, StatusCode::OUT_OF_RANGE, "BATCH_OUT_OF_SEQUENCE",
      "first_block must be the next expected block"},
+    {Refusal::text_out_of_sequence, StatusCode::OUT_OF_RANGE, "TEXT_OUT_OF_SEQUENCE",
+     "first_byte must be the next expected byte"},
     {Refusal::contour_incomplete, StatusCode::ABORTED, "CONTOUR_INCOMPLETE",
      "the stream ended before a request marked final; the path is not complete"},
     {Refusal::stream_idle, StatusCode::ABORTED, "STREAM_IDLE",
@@ -65,8 +67,6 @@ const Row& row_of(Refusal refusal) {
 }
 
 constexpr std::string_view domain = "trc.v1";
-// Trailers are limited to 8 KB by the peer; a status beyond that would be lost as a whole.
-constexpr std::size_t most_field_faults = 20;
 
 // Digits that read back to the same double.
 std::string number_text(double value) {
@@ -101,25 +101,31 @@ google::rpc::ErrorInfo error_info(std::string_view reason) {
 
 }  // namespace
 
-Ending refuse(Refusal refusal, std::string_view detail, const Values& values,
-              const std::vector<FieldFault>& faults) {
+Ending refuse(Refusal refusal, std::string_view detail, const Values& values) {
   const Row& row = row_of(refusal);
   std::string message(row.sentence);
   if (!detail.empty()) message += ": " + presentable(detail);
-
   google::rpc::ErrorInfo info = error_info(row.reason);
   for (const auto& [name, value] : values) (*info.mutable_metadata())[name] = presentable(value);
+  return finished(row.code, row.reason, message, info, {}, row.retry_after_s);
+}
 
+Ending refuse(const wire::FieldFaults& faults) {
+  const Row& row = row_of(Refusal::field_invalid);
+  google::rpc::ErrorInfo info = error_info(row.reason);
   google::rpc::BadRequest fields;
-  for (std::size_t i = 0; i < std::min(faults.size(), most_field_faults); ++i) {
+  for (const wire::FieldFault& fault : faults.listed()) {
     auto* violation = fields.add_field_violations();
-    violation->set_field(presentable(faults[i].field));
-    violation->set_description(presentable(faults[i].description));
+    violation->set_field(presentable(fault.field));
+    violation->set_description(presentable(fault.description));
   }
-  if (faults.size() > most_field_faults)
+  if (faults.count() > faults.listed().size())
     (*info.mutable_metadata())["field_violations_dropped"] =
-        std::to_string(faults.size() - most_field_faults);
-  return finished(row.code, row.reason, message, info, fields, row.retry_after_s);
+        std::to_string(faults.count() - faults.listed().size());
+  (*info.mutable_metadata())["field"] = fields.field_violations(0).field();
+  const std::string message =
+      fields.field_violations(0).field() + " " + fields.field_violations(0).description();
+  return finished(row.code, row.reason, message, info, fields, 0);
 }
 
 Ending refuse(const Diagnostic& diagnostic) {

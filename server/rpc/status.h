@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/base/diagnostic.h"
+#include "proto/wire/field_fault.h"
 
 namespace trc::server {
 
@@ -18,6 +19,7 @@ enum class Refusal {
   request_empty,
   input_after_final,
   batch_out_of_sequence,
+  text_out_of_sequence,
   contour_incomplete,
   stream_idle,
   field_invalid,
@@ -31,7 +33,7 @@ enum class Refusal {
   internal,
 };
 
-// How a call ended, before it becomes a grpc::Status.
+// How a call ended; OK unless said otherwise.
 struct Ending {
   grpc::Status status;
   std::string reason;  // UPPER_SNAKE, for log and metrics; empty when OK
@@ -40,16 +42,14 @@ struct Ending {
 // The parts of a message that change from case to case; they also go into ErrorInfo.metadata.
 using Values = std::vector<std::pair<std::string, std::string>>;
 
-struct FieldFault {
-  std::string field;  // path and index, "batch.blocks[3].linear.end.x"
-  std::string description;
-};
-
-// The status of a refusal with ErrorInfo, BadRequest for the fields (at most 20; how many more
-// there were is said) and, where waiting helps, RetryInfo. `detail` completes the sentence of the
-// table.
+// The status of a refusal with ErrorInfo and, where waiting helps, RetryInfo. `detail` completes
+// the sentence of the table.
 [[nodiscard]] Ending refuse(Refusal refusal, std::string_view detail = {},
-                            const Values& values = {}, const std::vector<FieldFault>& fields = {});
+                            const Values& values = {});
+
+// The status of a message with fields that cannot be taken: BadRequest names them, at most
+// FieldFaults::most_listed; how many more there were is said.
+[[nodiscard]] Ending refuse(const wire::FieldFaults& faults);
 
 // The status of a program that cannot be compensated: INVALID_ARGUMENT with the reason of the
 // code's row, place, values and remedy; RESOURCE_EXHAUSTED where a limit was passed.

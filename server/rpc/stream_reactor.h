@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "server/backend.h"
+#include "server/rpc/stream_context.h"
 #include "server/rpc/stream_work.h"
 #include "server/telemetry/call_record.h"
 
@@ -52,7 +53,8 @@ class StreamReactor
     }
   }
 
-  [[nodiscard]] CallRecord& record() { return record_; }
+  // Valid as long as the reactor.
+  [[nodiscard]] StreamContext stream_context() { return {backend_, record_, cancelled_}; }
 
   void end_if_idle(Clock::time_point since) final {
     bool waits_for_request = false;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <utility>
+
 #include "server/rpc/status.h"
 
 namespace trc::server {
@@ -15,6 +17,11 @@ struct Turn {
   Next next = Next::read;
   Ending ending{};  // with Next::finish
 };
+
+// The RPC ends without a further answer.
+inline Turn end(Ending ending) {
+  return {.write = false, .next = Turn::Next::finish, .ending = std::move(ending)};
+}
 
 // The protocol of one stream without gRPC: requests in, answers out, one turn at a time. A turn
 // computes and is called from a worker thread; turns of one stream never overlap.

@@ -1,0 +1,84 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "proto/wire/compensated_block.h"
+#include "proto/wire/diagnostic.h"
+#include "proto/wire/setup.h"
+#include "server/backend.h"
+#include "server/rpc/outbox.h"
+#include "server/rpc/stream_work.h"
+#include "server/telemetry/call_record.h"
+
+namespace trc::server {
+
+// Writes blocks and diagnostics of a slice into a response of any RPC. The message of the layout is
+// reused from one response to the next.
+template <class Response>
+void write_slice(const Outbox::Slice& slice, wire::Layout layout, Response& response) {
+  if (slice.blocks.empty()) {
+    response.clear_response();
+  } else if (layout == wire::Layout::columns) {
+    wire::to_proto(slice.blocks, slice.first_block, *response.mutable_columns());
+  } else {
+    wire::to_proto(slice.blocks, slice.first_block, *response.mutable_batch());
+  }
+  response.clear_diagnostics();
+  for (const Diagnostic& diagnostic : slice.diagnostics)
+    wire::to_proto(diagnostic, *response.add_diagnostics());
+}
+
+// The order of answers to one request: everything that is certain, then what closes it. An error
+// comes as the status, behind all that was certain before it; a finished path as the summary.
+class Answers {
+ public:
+  Answers(Backend& backend, CallRecord& record) : backend_(backend), record_(record) {}
+
+  [[nodiscard]] Outbox& outbox() { return outbox_; }
+
+  // A request has arrived; it gets at least one answer, unless the RPC ends.
+  void begin() { answered_ = false; }
+  // Takes the session's diagnostics; the one that has stopped it ends the RPC.
+  void place(Diagnostics& diagnostics);
+  // The RPC ends with this error once the outbox is empty. The first one counts.
+  void end_with(Ending error) {
+    if (!error_) error_ = std::move(error);
+  }
+  // The summary comes once the outbox is empty.
+  void finish() { summary_due_ = true; }
+
+  [[nodiscard]] bool failed() const { return error_.has_value(); }
+
+  // The next answer. `finish_slice(slice, last)` adds what is particular to the RPC; `last` says
+  // that nothing of this request follows but the summary, which `summarize` fills in.
+  template <class Response, class FinishSlice, class Summarize>
+  Turn next(wire::Layout layout, Response& response, FinishSlice finish_slice,
+            Summarize summarize) {
+    if (!outbox_.empty() || (!answered_ && !error_)) {
+      answered_ = true;
+      const Outbox::Slice slice = outbox_.take(backend_.config.max_message_bytes);
+      write_slice(slice, layout, response);
+      finish_slice(slice, outbox_.empty());
+      record_.sent(slice.blocks.size());
+      const bool more = !outbox_.empty() || error_ || summary_due_;
+      return {.write = true, .next = more ? Turn::Next::proceed : Turn::Next::read, .ending = {}};
+    }
+    if (error_) return end(*error_);
+    summary_due_ = false;
+    response.Clear();
+    summarize();
+    record_.sent(0);
+    return {.write = true, .next = Turn::Next::read, .ending = {}};
+  }
+
+ private:
+  Backend& backend_;
+  CallRecord& record_;
+  Outbox outbox_;
+  std::optional<Ending> error_;
+  bool summary_due_ = false;
+  bool answered_ = false;
+};
+
+}  // namespace trc::server

@@ -1,0 +1,123 @@
+#include "server/rpc/compensate_program.h"
+
+#include <algorithm>
+#include <string>
+
+#include "server/rpc/setup.h"
+
+namespace trc::server {
+
+CompensateProgram::Run::Run(const StreamContext& stream, const wire::PathSettings& settings,
+                            const ProgramSessionSetup& setup)
+    : layout(settings.response_layout),
+      session(setup),
+      answers(stream.backend, stream.record),
+      meter(stream.backend.memory) {}
+
+Turn CompensateProgram::take(const v1::CompensateProgramRequest& request,
+                             v1::CompensateProgramResponse& response) {
+  using Request = v1::CompensateProgramRequest;
+  if (request.request_case() == Request::REQUEST_NOT_SET)
+    return end(refuse(Refusal::request_empty, "setup or text", {{"field", "request"}}));
+  if (request.request_case() == Request::kSetup) return set_up(request.setup(), response);
+  if (!run_) return end(refuse(Refusal::setup_missing, {}, {{"field", "setup"}}));
+  feed(request.text());
+  return proceed(response);
+}
+
+Turn CompensateProgram::set_up(const v1::ProgramSetup& message,
+                               v1::CompensateProgramResponse& response) {
+  stream_.record.received(0);
+  if (run_) return end(refuse(Refusal::setup_repeated, {}, {{"field", "setup"}}));
+  const Config& config = stream_.backend.config;
+  wire::ProgramSettings settings;
+  if (auto refused = read_setup(message, config, settings)) return end(*refused);
+  stream_.record.set_client_tag(settings.path.client_tag);
+  run_.emplace(stream_, settings.path,
+               ProgramSessionSetup{.session = settings.path.session,
+                                   .nc_text = settings.nc_text,
+                                   .decimals = settings.decimals,
+                                   .longest_line = config.max_line_bytes});
+  response.Clear();
+  accept(config, *response.mutable_accepted());
+  stream_.record.sent(0);
+  return {.write = true, .next = Turn::Next::read, .ending = {}};
+}
+
+void CompensateProgram::feed(const v1::ProgramText& chunk) {
+  Answers& answers = run_->answers;
+  answers.begin();
+  if (run_->finished) {
+    stream_.record.received(0);
+    return answers.end_with(refuse(Refusal::input_after_final, {}, {{"field", "text"}}));
+  }
+  if (chunk.first_byte() != run_->bytes_in) {
+    const std::string expected = std::to_string(run_->bytes_in);
+    const std::string got = std::to_string(chunk.first_byte());
+    return answers.end_with(refuse(Refusal::text_out_of_sequence,
+                                   "expected " + expected + ", got " + got,
+                                   {{"expected", expected}, {"got", got}}));
+  }
+  run_->bytes_in += chunk.text().size();
+
+  const Meter::Running running(run_->meter);
+  // Line by line, so that a diagnostic gets its place in the output however the text was cut.
+  std::string_view text = chunk.text();
+  bool goes_on = true;
+  while (goes_on && !text.empty()) {
+    const std::size_t length = std::min(text.find('\n'), text.size() - 1) + 1;
+    goes_on = give(text.substr(0, length));
+    text.remove_prefix(length);
+  }
+  if (goes_on && chunk.final()) finish();
+
+  const Summary& so_far = run_->session.summary();
+  stream_.record.received(so_far.blocks_in - run_->blocks_seen);
+  run_->blocks_seen = so_far.blocks_in;
+  if (!run_->meter.holds(so_far, answers.outbox().held_bytes()))
+    answers.end_with(refuse(Refusal::memory_limit));
+}
+
+bool CompensateProgram::give(std::string_view text) {
+  Answers& answers = run_->answers;
+  if (stream_.cancelled.load(std::memory_order_relaxed)) {
+    answers.end_with(refuse(Refusal::cancelled));
+    return false;
+  }
+  const bool goes_on = run_->session.feed(text, answers.outbox().content());
+  answers.place(run_->session.diagnostics());
+  return goes_on;
+}
+
+void CompensateProgram::finish() {
+  run_->finished = true;
+  run_->session.finish(run_->answers.outbox().content());
+  run_->answers.place(run_->session.diagnostics());
+  run_->answers.finish();
+}
+
+Turn CompensateProgram::proceed(v1::CompensateProgramResponse& response) {
+  return run_->answers.next(
+      run_->layout, response,
+      [&](const Outbox::Slice& slice, bool last) {
+        response.mutable_nc_text()->assign(slice.text);
+        run_->bytes_out += slice.text.size();
+        response.set_consumed_bytes(last ? run_->bytes_in : run_->bytes_answered);
+        if (last) run_->bytes_answered = run_->bytes_in;
+      },
+      [&] {
+        const wire::ProgramSummary summary{
+            .path = run_->meter.summary(run_->session.summary(), run_->session.diagnostics()),
+            .lines_in = run_->session.lines_read(),
+            .bytes_in = run_->bytes_in,
+            .bytes_out = run_->bytes_out};
+        wire::to_proto(summary, *response.mutable_summary());
+      });
+}
+
+Turn CompensateProgram::ended(v1::CompensateProgramResponse& /*response*/) {
+  if (!run_) return end(refuse(Refusal::setup_missing, {}, {{"field", "setup"}}));
+  return end(run_->finished ? Ending{} : refuse(Refusal::contour_incomplete));
+}
+
+}  // namespace trc::server

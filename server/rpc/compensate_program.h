@@ -1,0 +1,53 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+#include "core/session/program_session.h"
+#include "server/rpc/answers.h"
+#include "server/rpc/meter.h"
+#include "server/rpc/stream_context.h"
+#include "server/rpc/stream_work.h"
+#include "trc/v1/trc_service.pb.h"
+
+namespace trc::server {
+
+// CompensateProgram: the setup, then NC text cut anywhere, the last piece of it final.
+class CompensateProgram final
+    : public StreamWork<v1::CompensateProgramRequest, v1::CompensateProgramResponse> {
+ public:
+  explicit CompensateProgram(const StreamContext& stream) : stream_(stream) {}
+
+  Turn take(const v1::CompensateProgramRequest& request,
+            v1::CompensateProgramResponse& response) override;
+  Turn proceed(v1::CompensateProgramResponse& response) override;
+  Turn ended(v1::CompensateProgramResponse& response) override;
+
+ private:
+  // One program on its way through the core.
+  struct Run {
+    Run(const StreamContext& stream, const wire::PathSettings& settings,
+        const ProgramSessionSetup& setup);
+
+    wire::Layout layout;
+    ProgramSession session;
+    Answers answers;
+    Meter meter;
+    std::uint64_t bytes_in = 0;
+    std::uint64_t bytes_answered = 0;  // input whose output is all out
+    std::uint64_t bytes_out = 0;
+    std::uint64_t blocks_seen = 0;
+    bool finished = false;
+  };
+
+  Turn set_up(const v1::ProgramSetup& message, v1::CompensateProgramResponse& response);
+  void feed(const v1::ProgramText& chunk);
+  bool give(std::string_view text);
+  void finish();
+
+  StreamContext stream_;
+  std::optional<Run> run_;
+};
+
+}  // namespace trc::server

@@ -1,0 +1,70 @@
+#include "server/rpc/get_server_info.h"
+
+#include <grpcpp/grpcpp.h>
+
+#include <string>
+#include <string_view>
+
+#include "core/base/diagnostic.h"
+#include "core/base/tolerances.h"
+#include "core/base/version.h"
+#include "proto/wire/diagnostic.h"
+#include "server/rpc/capabilities.h"
+
+namespace trc::server {
+namespace {
+
+#ifdef __clang__
+constexpr std::string_view compiler = __VERSION__;
+#else
+constexpr std::string_view compiler = "gcc " __VERSION__;
+#endif
+
+void describe_limits(const Config& config, v1::Limits& limits) {
+  limits.set_max_message_bytes(config.max_message_bytes);
+  limits.set_max_blocks_per_batch(config.max_blocks_per_batch);
+  limits.set_max_batches_in_flight(config.max_batches_in_flight);
+  limits.set_max_selection_blocks(config.max_blocks_per_selection);
+  limits.set_max_memory_bytes(std::uint64_t{config.max_session_memory_mib} << 20U);
+  limits.set_max_streams_per_connection(config.max_streams_per_connection);
+  limits.set_max_streams(config.max_streams);
+  limits.set_max_line_bytes(config.max_line_bytes);
+  limits.set_idle_timeout_seconds(config.idle_timeout_s);
+  limits.set_max_coordinate(Tolerances{}.largest_coordinate);
+}
+
+}  // namespace
+
+void describe(const Config& config, v1::GetServerInfoResponse& response) {
+  response.set_version(std::string(version()));
+  response.set_commit(std::string(commit()));
+  response.set_build(std::string(compiler) + ", gRPC " + grpc::Version() + ", protobuf " +
+                     google::protobuf::internal::VersionString(GOOGLE_PROTOBUF_VERSION));
+  describe_limits(config, *response.mutable_limits());
+  for (const Keyword& keyword : trc_keywords()) {
+    v1::TrcKeyword& row = *response.add_trc_keywords();
+    row.set_name(std::string(keyword.name));
+    row.set_min(keyword.min);
+    row.set_max(keyword.max);
+    row.set_default_value(keyword.initial);
+    row.set_unit(std::string(keyword.unit));
+    row.set_available(keyword.available);
+  }
+  for (const GFunction& function : g_functions()) {
+    v1::GFunction& row = *response.add_g_functions();
+    row.set_name(std::string(function.name));
+    row.set_group(std::string(function.group));
+    row.set_initial(function.initial);
+    row.set_meaning(std::string(function.meaning));
+  }
+  for (const CodeRow& code : code_table()) {
+    v1::DiagnosticRow& row = *response.add_diagnostics();
+    row.set_code(static_cast<std::int32_t>(code.code));
+    row.set_severity(wire::to_proto(code.severity));
+    row.set_reason(std::string(code.reason));
+    row.set_cause(std::string(code.cause));
+    row.set_remedy(std::string(code.remedy));
+  }
+}
+
+}  // namespace trc::server

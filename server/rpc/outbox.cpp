@@ -1,0 +1,83 @@
+#include "server/rpc/outbox.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace trc::server {
+namespace {
+
+// What one block may take in a message of either layout.
+std::size_t message_bytes(const CompensatedBlock& block) {
+  constexpr std::size_t without_extras = 220;
+  constexpr std::size_t per_axis = 20;
+  return without_extras + per_axis * block.tracking.size() + block.text.size();
+}
+
+// Memory that is worth giving back once it is empty.
+constexpr std::size_t large = 1U << 20U;
+
+template <class Buffer>
+void empty_out(Buffer& buffer) {
+  if (buffer.capacity() * sizeof(buffer[0]) > large)
+    buffer = Buffer();
+  else
+    buffer.clear();
+}
+
+}  // namespace
+
+ProgramOutput& Outbox::content() {
+  if (empty()) {
+    blocks_forgotten_ += std::exchange(next_block_, 0);
+    next_byte_ = 0;
+    empty_out(content_.blocks);
+    empty_out(content_.text);
+  }
+  return content_;
+}
+
+void Outbox::place(std::vector<Diagnostic> diagnostics) {
+  if (diagnostics.empty()) return;
+  placed_.push_back({.block = content_.blocks.size(),
+                     .byte = content_.text.size(),
+                     .diagnostics = std::move(diagnostics)});
+}
+
+bool Outbox::empty() const {
+  return placed_.empty() && next_block_ == content_.blocks.size() &&
+         next_byte_ == content_.text.size();
+}
+
+Outbox::Slice Outbox::take(std::size_t most_bytes) {
+  const std::size_t end_block = placed_.empty() ? content_.blocks.size() : placed_.front().block;
+  const std::size_t end_byte = placed_.empty() ? content_.text.size() : placed_.front().byte;
+
+  Slice slice{.first_block = blocks_forgotten_ + next_block_};
+  std::size_t bytes = 0;
+  std::size_t last = next_block_;
+  while (last < end_block && (last == next_block_ || bytes < most_bytes))
+    bytes += message_bytes(content_.blocks[last++]);
+  slice.blocks = std::span(content_.blocks).subspan(next_block_, last - next_block_);
+  next_block_ = last;
+
+  // A line begun in this slice is finished in it.
+  std::size_t stop = std::min(end_byte, next_byte_ + most_bytes - std::min(most_bytes, bytes));
+  if (stop < end_byte && stop > next_byte_) {
+    const std::size_t line_end = content_.text.find('\n', stop - 1);
+    stop = line_end == std::string::npos ? end_byte : std::min(end_byte, line_end + 1);
+  }
+  slice.text = std::string_view(content_.text).substr(next_byte_, stop - next_byte_);
+  next_byte_ = stop;
+
+  if (!placed_.empty() && next_block_ == end_block && next_byte_ == end_byte) {
+    slice.diagnostics = std::move(placed_.front().diagnostics);
+    placed_.pop_front();
+  }
+  return slice;
+}
+
+std::size_t Outbox::held_bytes() const {
+  return content_.blocks.capacity() * sizeof(CompensatedBlock) + content_.text.capacity();
+}
+
+}  // namespace trc::server

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <deque>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "core/base/diagnostic.h"
+#include "core/session/program_session.h"
+
+namespace trc::server {
+
+// What a session has produced and the client has not got yet. A request can release any number of
+// blocks at once (the end of a selection releases all of it), so they leave in slices that fit a
+// message.
+//
+// Diagnostics keep their place among the blocks: behind those that were certain when they were
+// raised. The place does not depend on how the input was batched, as long as `place` is called
+// after every item of it.
+class Outbox {
+ public:
+  struct Slice {
+    std::uint64_t first_block = 0;  // index of the first block in the whole path
+    std::span<const CompensatedBlock> blocks{};
+    std::string_view text{};                // whole lines
+    std::vector<Diagnostic> diagnostics{};  // raised behind the blocks and the text
+  };
+
+  // The core appends here. Call once the last slice is no longer needed.
+  [[nodiscard]] ProgramOutput& content();
+  // Puts diagnostics behind everything there is now.
+  void place(std::vector<Diagnostic> diagnostics);
+
+  [[nodiscard]] bool empty() const;
+  // The next slice of about `most_bytes` as a message, at least one block or line. Valid until the
+  // content changes.
+  [[nodiscard]] Slice take(std::size_t most_bytes);
+
+  [[nodiscard]] std::size_t held_bytes() const;
+
+ private:
+  struct Placed {
+    std::size_t block = 0;
+    std::size_t byte = 0;
+    std::vector<Diagnostic> diagnostics{};
+  };
+
+  ProgramOutput content_;
+  std::deque<Placed> placed_;
+  std::size_t next_block_ = 0;
+  std::size_t next_byte_ = 0;
+  std::uint64_t blocks_forgotten_ = 0;
+};
+
+}  // namespace trc::server

@@ -1,0 +1,70 @@
+#include "server/rpc/path_run.h"
+
+#include <string>
+
+namespace trc::server {
+
+PathRun::PathRun(const StreamContext& stream, const wire::PathSettings& settings)
+    : stream_(stream),
+      layout_(settings.response_layout),
+      session_(settings.session),
+      reader_(settings.session.program.tracking_axes.size()),
+      answers_(stream.backend, stream.record),
+      meter_(stream.backend.memory) {}
+
+template <class Batch>
+void PathRun::feed_batch(const Batch& batch, const char* field, std::int64_t blocks) {
+  stream_.record.received(static_cast<std::uint64_t>(blocks));
+  answers_.begin();
+  if (finished_)
+    return answers_.end_with(refuse(Refusal::input_after_final, {}, {{"field", field}}));
+  if (batch.first_block() != reader_.next_block()) {
+    const std::string expected = std::to_string(reader_.next_block());
+    const std::string got = std::to_string(batch.first_block());
+    return answers_.end_with(refuse(Refusal::batch_out_of_sequence,
+                                    "expected " + expected + ", got " + got,
+                                    {{"expected", expected}, {"got", got}}));
+  }
+  const std::uint32_t most = stream_.backend.config.max_blocks_per_batch;
+  if (blocks > most)
+    return answers_.end_with(
+        refuse(Refusal::batch_too_large, {},
+               {{"max_blocks_per_batch", std::to_string(most)}, {"got", std::to_string(blocks)}}));
+  read(batch);
+  if (batch.final()) finish();
+}
+
+template <class Batch>
+void PathRun::read(const Batch& batch) {
+  const Meter::Running running(meter_);
+  wire::FieldFaults faults;
+  reader_.read(
+      batch, [&](const wire::PathInput& input) { return give(input); }, faults);
+  if (!faults.empty()) answers_.end_with(refuse(faults));
+  if (!meter_.holds(session_.summary(), answers_.outbox().held_bytes()))
+    answers_.end_with(refuse(Refusal::memory_limit));
+}
+
+bool PathRun::give(const wire::PathInput& input) {
+  if (stream_.cancelled.load(std::memory_order_relaxed)) {
+    answers_.end_with(refuse(Refusal::cancelled));
+    return false;
+  }
+  // Compensated item by item, so that a diagnostic gets its place among the blocks whatever the
+  // batching.
+  const bool goes_on = wire::apply(input, session_.program()) &&
+                       session_.advance(answers_.outbox().content().blocks);
+  answers_.place(session_.diagnostics());
+  return goes_on;
+}
+
+void PathRun::finish() {
+  if (finished_ || answers_.failed()) return;
+  const Meter::Running running(meter_);
+  finished_ = true;
+  session_.finish({.index = reader_.next_block()}, answers_.outbox().content().blocks);
+  answers_.place(session_.diagnostics());
+  answers_.finish();
+}
+
+}  // namespace trc::server

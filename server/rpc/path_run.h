@@ -1,0 +1,56 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "core/session/session.h"
+#include "proto/wire/block.h"
+#include "server/rpc/answers.h"
+#include "server/rpc/meter.h"
+#include "server/rpc/stream_context.h"
+
+namespace trc::server {
+
+// A path on its way through the core: batches of blocks in, answers out. CompensatePath and
+// PreviewPath differ in their messages only.
+class PathRun {
+ public:
+  // The settings must be free of faults.
+  PathRun(const StreamContext& stream, const wire::PathSettings& settings);
+
+  // Takes one batch, which must be the next one; nothing more after a final one.
+  void feed(const v1::BlockBatch& batch) { feed_batch(batch, "batch", batch.blocks_size()); }
+  void feed(const v1::BlockColumns& columns) {
+    feed_batch(columns, "columns", static_cast<std::int64_t>(columns.kinds().size()));
+  }
+  // Ends the path, unless it has ended or failed.
+  void finish();
+
+  template <class Response, class FinishSlice>
+  Turn answer(Response& response, FinishSlice finish_slice) {
+    return answers_.next(layout_, response, finish_slice, [&] {
+      wire::to_proto(meter_.summary(session_.summary(), session_.diagnostics()),
+                     *response.mutable_summary());
+    });
+  }
+
+  [[nodiscard]] std::uint64_t blocks_taken() const { return reader_.next_block(); }
+  [[nodiscard]] bool finished() const { return finished_; }
+
+ private:
+  template <class Batch>
+  void feed_batch(const Batch& batch, const char* field, std::int64_t blocks);
+  template <class Batch>
+  void read(const Batch& batch);
+  bool give(const wire::PathInput& input);
+
+  StreamContext stream_;
+  wire::Layout layout_;
+  PathSession session_;
+  wire::BlockReader reader_;
+  Answers answers_;
+  Meter meter_;
+  bool finished_ = false;
+};
+
+}  // namespace trc::server

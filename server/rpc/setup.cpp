@@ -1,0 +1,54 @@
+#include "server/rpc/setup.h"
+
+#include <string>
+
+#include "core/base/version.h"
+
+namespace trc::server {
+namespace {
+
+std::optional<Ending> refuse_unsupported(const wire::PathSettings& settings) {
+  const auto without = [](const char* field) {
+    return refuse(Refusal::feature_unsupported, field, {{"field", field}});
+  };
+  if (settings.include_inverse_path) return without("include_inverse_path");
+  if (settings.want_resume_tokens) return without("want_resume_tokens");
+  if (!settings.resume_token.empty()) return without("resume_token");
+  return std::nullopt;
+}
+
+void apply_limits(const v1::PathSetup& message, const Config& config, SessionSetup& session) {
+  Limits& limits = session.compensator.limits;
+  limits.selection_blocks = config.max_blocks_per_selection;
+  if (!message.has_max_passive_blocks()) limits.passive_blocks = config.max_riders;
+}
+
+}  // namespace
+
+std::optional<Ending> read_setup(const v1::PathSetup& message, const Config& config,
+                                 wire::PathSettings& settings) {
+  wire::FieldFaults faults;
+  settings = wire::from_proto(message, wire::FieldPath("setup"), faults);
+  if (!faults.empty()) return refuse(faults);
+  apply_limits(message, config, settings.session);
+  return refuse_unsupported(settings);
+}
+
+std::optional<Ending> read_setup(const v1::ProgramSetup& message, const Config& config,
+                                 wire::ProgramSettings& settings) {
+  wire::FieldFaults faults;
+  settings = wire::from_proto(message, wire::FieldPath("setup"), faults);
+  if (!faults.empty()) return refuse(faults);
+  apply_limits(message.path(), config, settings.path.session);
+  return refuse_unsupported(settings.path);
+}
+
+void accept(const Config& config, v1::StreamAccepted& accepted) {
+  accepted.set_max_blocks_per_batch(config.max_blocks_per_batch);
+  accepted.set_max_batches_in_flight(config.max_batches_in_flight);
+  accepted.set_max_message_bytes(config.max_message_bytes);
+  accepted.set_server_version(std::string(version()));
+  accepted.set_core_version(std::string(version()) + "+" + std::string(commit()));
+}
+
+}  // namespace trc::server

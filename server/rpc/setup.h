@@ -1,0 +1,21 @@
+#pragma once
+
+#include <optional>
+
+#include "proto/wire/setup.h"
+#include "server/config.h"
+#include "server/rpc/status.h"
+#include "trc/v1/trc_service.pb.h"
+
+namespace trc::server {
+
+// Reads a setup and adds the limits of the server. The ending when it is refused.
+std::optional<Ending> read_setup(const v1::PathSetup& message, const Config& config,
+                                 wire::PathSettings& settings);
+std::optional<Ending> read_setup(const v1::ProgramSetup& message, const Config& config,
+                                 wire::ProgramSettings& settings);
+
+// The first response of a stream.
+void accept(const Config& config, v1::StreamAccepted& accepted);
+
+}  // namespace trc::server

@@ -1,0 +1,96 @@
+#include "server/rpc/outbox.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+namespace trc::server {
+namespace {
+
+CompensatedBlock block(std::uint64_t index) {
+  CompensatedBlock made;
+  made.source.index = index;
+  return made;
+}
+
+TEST(Outbox, LeavesInSlicesThatFitAMessage) {
+  Outbox outbox;
+  for (std::uint64_t i = 0; i < 1000; ++i) outbox.content().blocks.push_back(block(i));
+  std::uint64_t next = 0;
+  int slices = 0;
+  while (!outbox.empty()) {
+    const Outbox::Slice slice = outbox.take(10'000);
+    EXPECT_EQ(slice.first_block, next);
+    ASSERT_FALSE(slice.blocks.empty());
+    EXPECT_LE(slice.blocks.size(), 10'000 / 200U);
+    for (const CompensatedBlock& got : slice.blocks) EXPECT_EQ(got.source.index, next++);
+    ++slices;
+  }
+  EXPECT_EQ(next, 1000U);
+  EXPECT_GT(slices, 10);
+}
+
+TEST(Outbox, CountsBlocksOverAllRequests) {
+  Outbox outbox;
+  outbox.content().blocks.assign(3, block(0));
+  EXPECT_EQ(outbox.take(1'000'000).first_block, 0U);
+  outbox.content().blocks.assign(2, block(0));
+  const Outbox::Slice slice = outbox.take(1'000'000);
+  EXPECT_EQ(slice.first_block, 3U);
+  EXPECT_EQ(slice.blocks.size(), 2U);
+  EXPECT_TRUE(outbox.empty());
+}
+
+TEST(Outbox, OneBlockAlwaysLeavesHoweverLarge) {
+  Outbox outbox;
+  CompensatedBlock large = block(0);
+  large.text.assign(60'000, 'M');
+  outbox.content().blocks.assign(2, large);
+  EXPECT_EQ(outbox.take(1000).blocks.size(), 1U);
+  EXPECT_EQ(outbox.take(1000).blocks.size(), 1U);
+  EXPECT_TRUE(outbox.empty());
+}
+
+TEST(Outbox, TextLeavesInWholeLines) {
+  Outbox outbox;
+  std::string text;
+  for (int i = 0; i < 100; ++i) text += "N" + std::to_string(i * 10) + " X1 Y2\n";
+  outbox.content().text = text;
+  std::string joined;
+  while (!outbox.empty()) {
+    const Outbox::Slice slice = outbox.take(64);
+    ASSERT_FALSE(slice.text.empty());
+    EXPECT_EQ(slice.text.back(), '\n');
+    EXPECT_LT(slice.text.size(), 64U + 16U);
+    joined += slice.text;
+  }
+  EXPECT_EQ(joined, text);
+}
+
+TEST(Outbox, DiagnosticsComeBehindWhatWasCertainBefore) {
+  Outbox outbox;
+  outbox.content().blocks.assign(2, block(0));
+  outbox.place({diagnostic(Code::stretch_factor_out_of_range, {})});
+  outbox.content().blocks.push_back(block(1));
+  outbox.place({});
+
+  const Outbox::Slice first = outbox.take(1'000'000);
+  EXPECT_EQ(first.blocks.size(), 2U);
+  ASSERT_EQ(first.diagnostics.size(), 1U);
+  EXPECT_EQ(first.diagnostics.front().code, Code::stretch_factor_out_of_range);
+  const Outbox::Slice second = outbox.take(1'000'000);
+  EXPECT_EQ(second.blocks.size(), 1U);
+  EXPECT_TRUE(second.diagnostics.empty());
+  EXPECT_TRUE(outbox.empty());
+}
+
+TEST(Outbox, ADiagnosticAloneIsASliceToo) {
+  Outbox outbox;
+  outbox.place({diagnostic(Code::program_empty, {})});
+  EXPECT_FALSE(outbox.empty());
+  EXPECT_EQ(outbox.take(1000).diagnostics.size(), 1U);
+  EXPECT_TRUE(outbox.empty());
+}
+
+}  // namespace
+}  // namespace trc::server
