@@ -68,6 +68,9 @@ const Row& row_of(Refusal refusal) {
 
 constexpr std::string_view domain = "trc.v1";
 
+// A peer drops a status whose trailers pass 8 KB, and the details travel in base64.
+constexpr std::size_t longest_in_list = 80;
+
 // Digits that read back to the same double.
 std::string number_text(double value) {
   std::array<char, 32> digits{};
@@ -116,8 +119,8 @@ Ending refuse(const wire::FieldFaults& faults) {
   google::rpc::BadRequest fields;
   for (const wire::FieldFault& fault : faults.listed()) {
     auto* violation = fields.add_field_violations();
-    violation->set_field(presentable(fault.field));
-    violation->set_description(presentable(fault.description));
+    violation->set_field(presentable(fault.field, longest_in_list));
+    violation->set_description(presentable(fault.description, longest_in_list));
   }
   if (faults.count() > faults.listed().size())
     (*info.mutable_metadata())["field_violations_dropped"] =

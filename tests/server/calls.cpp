@@ -1,5 +1,7 @@
 #include "tests/server/calls.h"
 
+#include <gtest/gtest.h>
+
 #include <array>
 #include <chrono>
 #include <cmath>

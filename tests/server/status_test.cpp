@@ -116,7 +116,10 @@ TEST(Status, FitsTheTrailersWhateverTheClientSent) {
   fault.detail = junk;
   for (const Ending& ending :
        {refuse(faults), refuse(Refusal::internal, junk, {{"got", junk}}), refuse(fault)}) {
-    EXPECT_LT(ending.status.error_details().size() + ending.status.error_message().size(), 6000U);
+    // Base64 for the details, percent-encoding for the message.
+    EXPECT_LT(ending.status.error_details().size() * 4 / 3 +
+                  ending.status.error_message().size() * 3,
+              7500U);
     EXPECT_TRUE(rich(ending).IsInitialized());
   }
 }
