@@ -35,6 +35,19 @@ double length_of_cut(const OffsetCurve& curve, double cut) {
   return curve.circular ? cut * curve.circle.radius : cut;
 }
 
+// How far outside its block a meeting may seem to lie by rounding alone: near a
+// tangential corner the place of a meeting along the curves is known the worse,
+// the smaller the turn. It is still on both curves.
+double slack_of(const OffsetCurve& before, const OffsetCurve& after, const Tolerances& tolerances) {
+  constexpr double rounding = 8 * std::numeric_limits<double>::epsilon();
+  const double size = before.anchor.cwiseAbs().sum() +
+                      (before.circular ? before.circle.radius : 0) +
+                      (after.circular ? after.circle.radius : 0);
+  const double sine = std::abs(cross(before.tangent, after.tangent));
+  return std::clamp(rounding * size / std::max(sine, tolerances.tangent), tolerances.same_point,
+                    tolerances.on_contour);
+}
+
 // The crossing of the two tangents; the corner is not a reversal.
 Point mitre_point(const Corner& corner) {
   const Vector& before = corner.before.tangent;
@@ -102,9 +115,7 @@ double cut_after_anchor(const OffsetCurve& curve, const Point& point, double sla
 
 std::optional<Joint> nearest_meeting(const OffsetCurve& before, const OffsetCurve& after,
                                      const Tolerances& tolerances) {
-  // Near a tangential corner rounding may put the meeting a hair outside; it is
-  // still on both curves.
-  const double slack = tolerances.on_contour;
+  const double slack = slack_of(before, after, tolerances);
   std::optional<Joint> nearest;
   double nearest_after = std::numeric_limits<double>::infinity();
   double nearest_before = nearest_after;
