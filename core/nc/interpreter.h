@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -41,23 +42,57 @@ class Interpreter {
   [[nodiscard]] std::uint64_t lines_read() const { return lines_read_; }
 
  private:
-  struct Block;
+  struct BlockWords;
 
-  bool read_line(std::string_view text, std::string_view line_end, std::vector<ProgramLine>& lines);
-  bool read_block(ProgramLine& line);
-  bool read_words(ProgramLine& line, Block& block);
-  bool read_g_function(const Word& word, ProgramLine& line, Block& block);
-  bool read_address(const Word& word, ProgramLine& line, Block& block);
-  bool read_command(const Word& word, ProgramLine& line, Block& block);
-  bool apply(ProgramLine& line, Block& block);
-  bool refuse(const ProgramLine& line, const TextFault& fault);
-
+  bool take_line(std::string_view text, std::string_view line_end, std::vector<ProgramLine>& lines);
   ProgramLine& append_line(std::string_view text, std::string_view line_end,
                            std::vector<ProgramLine>& lines);
+  bool read_line(ProgramLine& line);
+  bool read_comment_block(ProgramLine& line);
+  bool read_block(ProgramLine& line);
+
+  bool read_words(ProgramLine& line, BlockWords& block);
+  bool read_g_function(const Word& word, ProgramLine& line, BlockWords& block);
+  bool read_address(const Word& word, ProgramLine& line, BlockWords& block);
+  bool read_axis(const Word& word, ProgramLine& line, BlockWords& block);
+  bool read_number(const Word& word, ProgramLine& line, BlockWords& block);
+  bool read_command(const Word& word, ProgramLine& line, BlockWords& block);
+  bool check_axis_letters(ProgramLine& line, const BlockWords& block);
+
+  bool apply(ProgramLine& line, BlockWords& block);
+  bool apply_modes(const ProgramLine& line, const BlockWords& block);
+  bool apply_trc(const ProgramLine& line, const BlockWords& block);
+  bool apply_motion(ProgramLine& line, BlockWords& block);
+  bool pass_words(const ProgramLine& line, WordRole role);
+
+  bool refuse(const ProgramLine& line, const TextFault& fault);
+  bool refuse(const ProgramLine& line, const Word& word, Code code, std::string detail = {});
+  bool refuse_long_line();
+  bool refuse_open_line();
+  void place(const ProgramLine& line, std::uint32_t begin);
 
   ReaderLimits limits_;
   ProgramState& state_;
   Diagnostics& diagnostics_;
+  std::array<std::int8_t, 26> axis_of_letter_{};  // 0 … 2 X Y Z, then tracking axes; -1: none
+
+  // The text of a line whose end is still to come; it may hold the lines that
+  // are continued.
+  std::string partial_{};
+  std::uint32_t continued_ = 0;   // line ends within partial_
+  bool carriage_return_ = false;  // partial_ is complete, a line feed may follow
+  std::vector<ProgramLine> spare_{};
+  std::uint64_t lines_read_ = 0;
+  std::uint64_t blocks_read_ = 0;
+  std::uint32_t comment_block_ = 0;  // line of #COMMENT BEGIN; 0: not in one
+  bool ended_ = false;
+
+  MotionKind motion_ = MotionKind::rapid;
+  bool incremental_ = false;
+  bool inch_ = false;
+  bool absolute_center_ = false;
+  std::int16_t feed_mode_ = 94;
+  double feed_ = 0;  // mm/min
 };
 
 }  // namespace trc

@@ -22,6 +22,8 @@ enum class WordRole : std::uint8_t {
   feed,        // F of a feed per minute
   technology,  // S T D M H, dwell, zero shifts with their axis words, all other G functions
                // and commands that pass
+  stop,        // M00 M01 M02 M30: technology that acts behind the motion of its line, so behind
+               // all blocks that the motion becomes
   comment,     // ( … ) and ; …, with the signs
 };
 
@@ -53,7 +55,7 @@ struct ProgramLine {
   // PassiveBlock with empty text when nothing moves in the plane).
   bool is_motion = false;
   // The technology words of the line came as PassiveBlocks with this Source and
-  // their text, in front of the motion (M00, M01, M02, M30: behind it).
+  // their text, in front of the motion; those of role `stop` behind it.
   bool has_technology = false;
   bool has_trc_words = false;
   bool ends_program = false;  // M02, M30
@@ -64,7 +66,7 @@ struct ProgramLine {
   bool inch = false;             // G70
   bool absolute_center = false;  // G161
   Plane plane = Plane::xy;
-  double feed = 0;               // mm/min; 0: none programmed yet, or not per minute (G93, G95)
+  double feed = 0;  // mm/min; 0: none programmed yet, or not per minute (G93, G95)
 
   [[nodiscard]] std::string_view word(const WordRange& range) const {
     return std::string_view(text).substr(range.begin, range.end - range.begin);

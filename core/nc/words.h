@@ -20,8 +20,8 @@ enum class WordKind : std::uint8_t {
 
 struct Word {
   WordKind kind = WordKind::end;
-  char letter = 0;           // address: upper case
-  bool whole = false;        // the number has neither decimal point nor fraction
+  char letter = 0;            // address: upper case
+  bool whole = false;         // the number has neither decimal point nor fraction
   bool has_argument = false;  // G159=3, S2=500: the number behind the sign
   double value = 0;
   double argument = 0;
@@ -60,7 +60,7 @@ class WordReader {
   [[nodiscard]] bool number(Word& word);
   [[nodiscard]] bool signed_number(double& value, bool& whole);
   [[nodiscard]] Word fail(Code code, std::size_t begin, std::string detail);
-  void no_number(const Word& word);
+  [[nodiscard]] Word no_number(const Word& word);
 
   std::string_view line_;
   std::size_t at_ = 0;
@@ -79,7 +79,7 @@ class WordReader {
 [[nodiscard]] std::size_t first_byte_that_is_no_utf8(std::string_view text);
 
 // Whether a block whose text so far is `text` goes on in the next line: it ends
-// in `\` outside a comment.
+// in `\` outside a comment and is no program name.
 [[nodiscard]] bool is_continued(std::string_view text);
 
 }  // namespace trc

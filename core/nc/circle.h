@@ -1,0 +1,65 @@
+#pragma once
+
+#include <variant>
+#include <vector>
+
+#include "core/base/diagnostic.h"
+#include "core/base/tolerances.h"
+#include "core/geometry/segment.h"
+
+namespace trc {
+
+// How a programmed circle is checked (spec 10.4). G165 (initial): an inaccurate
+// centre is shifted onto a valid circle within limits. G164: no correction, the
+// radii at start and end may differ within limits.
+struct CircleCheck {
+  bool correct_center = true;              // G165 / G164
+  double largest_shift = 2.0;              // mm, P-CHAN-00059
+  double largest_shift_factor = 0.05;      // of the corrected radius, P-CHAN-00060
+  double largest_radius_difference = 0.1;  // mm, G164, P-CHAN-00171
+  double largest_radius_factor = 0.01;     // of the radius, G164, P-CHAN-00172
+  // mm; by how much half the chord may exceed the R word: one digit of a program
+  // with three decimals. The arc is a semicircle then.
+  double largest_radius_shortfall = 1e-3;
+
+  bool operator==(const CircleCheck&) const = default;
+};
+
+// A circular block in its plane, absolute, mm.
+struct CircleEnds {
+  Point start = Point::Zero();
+  Point end = Point::Zero();
+  bool clockwise = false;
+};
+
+struct CircleFault {
+  Code code = Code::circle_center_misfit;
+  std::vector<DiagnosticValue> values{};
+};
+
+using CircleResult = std::variant<Arc, CircleFault>;
+
+// The arc about a programmed centre. For every arc made:
+//   (1) start and end are those given, bit for bit; they are equal for a full circle
+//   (2) start and end are equally far from the centre
+//   (3) 0 < |sweep| <= 2 pi
+//
+// A start and an end closer than `same_point` are one point, and the arc is the
+// full circle: whoever rounds coordinates means that, and an arc shorter than
+// that is no cut. From there on only the side decides: an end ahead of the start
+// gives a short arc, one behind it an almost full circle, as written.
+//
+// `compensated`: the arc gets an equidistant. Then radii that G164 lets differ by
+// more than `on_contour` are refused (90018), since no circle fits them.
+//
+// Errors: 20035, 20036, 21758, 90018.
+[[nodiscard]] CircleResult arc_about(const Point& center, const CircleEnds& ends,
+                                     const CircleCheck& check, bool compensated,
+                                     const Tolerances& tolerances);
+
+// The arc of a radius word: at most 180 degrees when positive, more when negative.
+// Errors: 20034, 20035 (the ends are farther apart than the diameter), 20036.
+[[nodiscard]] CircleResult arc_of_radius(double radius, const CircleEnds& ends,
+                                         const CircleCheck& check, const Tolerances& tolerances);
+
+}  // namespace trc

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string_view>
+
+namespace trc {
+
+// Functions of one group exclude each other in one block; the group also says
+// what the reader does with them.
+enum class GGroup : std::uint8_t {
+  motion,           // G00 … G03
+  dwell,            // G04: the axis letter beside it is a time
+  tangential,       // G05
+  feed_adaptation,  // G10, G11
+  plane,            // G17 … G19
+  transition,       // G25, G26
+  side,             // G40 … G42
+  unit,             // G70, G71
+  dimension,        // G90, G91
+  selection,        // G138, G139, G236 … G239
+  masking,          // G140, G141
+  circle_center,    // G161, G162
+  circle_check,     // G164, G165
+  zero_shift,       // passes while TRC is off; the position is unknown afterwards
+  feed_mode,        // passes; under G93 TRC cannot be active
+  technology,       // passes, does not change the path
+  axis_technology,  // likewise, but axis letters beside it are no positions
+  spatial_circle,   // G303
+  refused,          // changes the path in a way that is not followed here
+};
+inline constexpr std::size_t g_group_count = static_cast<std::size_t>(GGroup::refused) + 1;
+
+struct GFunction {
+  std::int16_t number = 0;
+  GGroup group = GGroup::refused;
+  std::string_view meaning{};
+};
+
+// All functions known, in ascending order, those that are refused included.
+[[nodiscard]] std::span<const GFunction> g_function_table();
+
+// Null when there is no such function.
+[[nodiscard]] const GFunction* find_g_function(double number);
+
+}  // namespace trc

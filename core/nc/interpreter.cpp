@@ -1,0 +1,376 @@
+#include "core/nc/interpreter.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "core/nc/block_words.h"
+
+namespace trc {
+namespace {
+
+constexpr double mm_per_inch = 25.4;
+constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+constexpr std::size_t spare_lines = 256;
+
+std::string_view without_blanks_in_front(std::string_view text) {
+  text.remove_prefix(std::min(text.find_first_not_of(" \t"), text.size()));
+  return text;
+}
+
+bool is_line_end(char byte) { return byte == '\n' || byte == '\r'; }
+
+void scale(std::optional<double>& value, double factor) {
+  if (value) *value *= factor;
+}
+
+Side side_of(int g_number) {
+  return g_number == 41 ? Side::left : g_number == 42 ? Side::right : Side::off;
+}
+
+Selection selection_of(int g_number) {
+  switch (g_number) {
+    case 138:
+      return Selection::direct;
+    case 236:
+      return Selection::on_path;
+    case 237:
+      return Selection::perpendicular;
+    case 238:
+      return Selection::inside_corner;
+    case 239:
+      return Selection::without_block;
+    default:
+      return Selection::indirect;
+  }
+}
+
+constexpr std::array<MotionKind, 4> motions{MotionKind::rapid, MotionKind::linear,
+                                            MotionKind::clockwise, MotionKind::counter_clockwise};
+
+}  // namespace
+
+Interpreter::Interpreter(const ReaderLimits& limits, ProgramState& state, Diagnostics& diagnostics)
+    : limits_(limits),
+      state_(state),
+      diagnostics_(diagnostics),
+      absolute_center_(state.setup().absolute_center) {
+  axis_of_letter_.fill(-1);
+  for (const char main : {'X', 'Y', 'Z'})
+    axis_of_letter_[static_cast<std::size_t>(main - 'A')] = static_cast<std::int8_t>(main - 'X');
+  std::int8_t index = 3;
+  for (const std::string& name : state.setup().tracking_axes) {
+    if (name.size() == 1 && name[0] >= 'A' && name[0] <= 'Z') {
+      std::int8_t& place = axis_of_letter_[static_cast<std::size_t>(name[0] - 'A')];
+      if (place < 0) place = index;
+    }
+    ++index;
+  }
+}
+
+bool Interpreter::feed(std::string_view text, std::vector<ProgramLine>& lines) {
+  if (diagnostics_.stopped()) return false;
+  if (carriage_return_ && !text.empty()) {
+    carriage_return_ = false;
+    const bool line_feed = text.front() == '\n';
+    if (line_feed) text.remove_prefix(1);
+    if (!take_line({}, line_feed ? "\r\n" : "\r", lines)) return false;
+  }
+  std::size_t line_feed = text.find('\n');
+  std::size_t at = 0;
+  while (at < text.size()) {
+    // The next line feed is looked for once, not once for every carriage return.
+    if (line_feed != std::string_view::npos && line_feed < at) line_feed = text.find('\n', at);
+    const std::size_t end = std::min(
+        {line_feed, text.substr(0, std::min(line_feed, text.size())).find('\r', at), text.size()});
+    const std::string_view part = text.substr(at, end - at);
+    if (partial_.size() + part.size() > limits_.longest_line) return refuse_long_line();
+    if (end == text.size()) {
+      partial_.append(part);
+      return true;
+    }
+    std::string_view line_end = "\n";
+    if (text[end] == '\r') {
+      if (end + 1 == text.size()) {
+        partial_.append(part);
+        carriage_return_ = true;
+        return true;
+      }
+      line_end = text[end + 1] == '\n' ? "\r\n" : "\r";
+    }
+    at = end + line_end.size();
+    if (!take_line(part, line_end, lines)) return false;
+  }
+  return true;
+}
+
+// Takes the rest of a line, with its end; what came before of it is in partial_.
+bool Interpreter::take_line(std::string_view text, std::string_view line_end,
+                            std::vector<ProgramLine>& lines) {
+  const bool split = !partial_.empty();
+  if (split) {
+    partial_.append(text);
+    text = partial_;
+  }
+  if (!ended_ && comment_block_ == 0 && is_continued(text)) {
+    if (line_end.empty()) return refuse_open_line();
+    if (!split) partial_.assign(text);
+    partial_.append(line_end);
+    ++continued_;
+    return true;
+  }
+  if (lines_read_ == 0 && text.starts_with(byte_order_mark)) {
+    append_line(byte_order_mark, {}, lines);
+    text.remove_prefix(byte_order_mark.size());
+  }
+  ProgramLine& line = append_line(text, line_end, lines);
+  lines_read_ += 1 + std::exchange(continued_, 0U);
+  partial_.clear();
+  const bool goes_on = read_line(line);
+  line.motion = motion_;
+  line.incremental = incremental_;
+  line.inch = inch_;
+  line.absolute_center = absolute_center_;
+  line.plane = state_.mode().plane;
+  line.feed = feed_mode_ == 94 ? feed_ : 0;
+  return goes_on;
+}
+
+ProgramLine& Interpreter::append_line(std::string_view text, std::string_view line_end,
+                                      std::vector<ProgramLine>& lines) {
+  if (spare_.empty()) {
+    lines.emplace_back();
+  } else {
+    lines.push_back(std::move(spare_.back()));
+    spare_.pop_back();
+  }
+  ProgramLine& line = lines.back();
+  line.text.assign(text);
+  line.line_end = line_end;
+  line.source = {.index = blocks_read_, .line = static_cast<std::uint32_t>(lines_read_ + 1)};
+  line.motion = motion_;
+  return line;
+}
+
+void Interpreter::recycle(ProgramLine&& line) {
+  if (spare_.size() == spare_lines) return;
+  ProgramLine used{.text = std::move(line.text), .words = std::move(line.words)};
+  used.words.clear();
+  spare_.push_back(std::move(used));
+}
+
+bool Interpreter::finish(std::vector<ProgramLine>& lines) {
+  if (diagnostics_.stopped()) return false;
+  if (carriage_return_) {
+    carriage_return_ = false;
+    if (!take_line({}, "\r", lines)) return false;
+  }
+  const bool continued_to_nothing = !partial_.empty() && is_line_end(partial_.back());
+  if (continued_to_nothing) return refuse_open_line();
+  if (!partial_.empty() && !take_line({}, {}, lines)) return false;
+  const auto last_line = static_cast<std::uint32_t>(lines_read_);
+  if (comment_block_ != 0)
+    return diagnostics_.report(
+        diagnostic(Code::nc_unclosed, {.line = comment_block_}, "#COMMENT BEGIN"));
+  if (blocks_read_ == 0)
+    return diagnostics_.report(diagnostic(Code::program_empty, {.line = last_line}));
+  state_.place(0);
+  return state_.end({.index = blocks_read_, .line = last_line});
+}
+
+bool Interpreter::refuse_long_line() {
+  Diagnostic refused = diagnostic(
+      Code::nc_line_too_long,
+      {.index = blocks_read_, .line = static_cast<std::uint32_t>(lines_read_ + continued_ + 1)});
+  refused.values = {{"longest_line", static_cast<double>(limits_.longest_line)}};
+  partial_.clear();
+  return diagnostics_.report(std::move(refused));
+}
+
+// The text ends behind a `\`.
+bool Interpreter::refuse_open_line() {
+  const auto last_line = static_cast<std::uint32_t>(lines_read_ + std::max(continued_, 1U));
+  return diagnostics_.report(
+      diagnostic(Code::nc_unclosed, {.index = blocks_read_, .line = last_line}, "\\"));
+}
+
+// The place of a fault is its physical line, also within a continued block.
+bool Interpreter::refuse(const ProgramLine& line, const TextFault& fault) {
+  Source source = line.source;
+  std::size_t line_begin = 0;
+  for (std::size_t at = 0; at < fault.begin && at < line.text.size(); ++at) {
+    const bool ends =
+        line.text[at] == '\n' || (line.text[at] == '\r' && line.text.compare(at, 2, "\r\n") != 0);
+    if (!ends) continue;
+    ++source.line;
+    line_begin = at + 1;
+  }
+  Diagnostic refused = diagnostic(fault.code, source, fault.detail);
+  refused.column = static_cast<std::uint32_t>(fault.begin - line_begin + 1);
+  return diagnostics_.report(std::move(refused));
+}
+
+bool Interpreter::refuse(const ProgramLine& line, const Word& word, Code code, std::string detail) {
+  if (detail.empty()) detail = line.text.substr(word.begin, word.end - word.begin);
+  return refuse(line, TextFault{.code = code, .begin = word.begin, .detail = std::move(detail)});
+}
+
+// Diagnostics of the state name the column too, where the block is one line.
+void Interpreter::place(const ProgramLine& line, std::uint32_t begin) {
+  const bool first_line = line.text.find_first_of("\r\n") >= begin;
+  state_.place(first_line ? begin + 1 : 0);
+}
+
+bool Interpreter::read_line(ProgramLine& line) {
+  const std::string_view text = without_blanks_in_front(line.text);
+  const bool is_name = text.starts_with('%');
+  if (!ended_ && comment_block_ == 0 && !is_name) return text.empty() || read_block(line);
+
+  const std::size_t bad =
+      ended_ ? first_byte_that_is_no_utf8(line.text) : first_byte_that_is_no_text(line.text);
+  if (bad != std::string_view::npos)
+    return refuse(line, TextFault{.code = Code::nc_not_text,
+                                  .begin = static_cast<std::uint32_t>(bad),
+                                  .detail = "in a text that is only passed on"});
+  if (ended_) return true;
+  if (comment_block_ != 0) return read_comment_block(line);
+  const auto place_of_name = static_cast<std::uint32_t>(line.text.size() - text.size());
+  const bool local =
+      text.size() > 2 && (text[1] == 'L' || text[1] == 'l') && (text[2] == ' ' || text[2] == '\t');
+  if (local || blocks_read_ > 0)
+    return refuse(line, TextFault{.code = Code::nc_unsupported,
+                                  .begin = place_of_name,
+                                  .detail = local ? "%L, a subprogram" : "%, a second program"});
+  return true;
+}
+
+bool Interpreter::read_block(ProgramLine& line) {
+  BlockWords block;
+  if (!read_words(line, block)) return false;
+  const bool only_comments = std::ranges::all_of(
+      line.words, [](const WordRange& word) { return word.role == WordRole::comment; });
+  if (only_comments) return true;
+  line.has_words = true;
+  ++blocks_read_;
+  return check_axis_letters(line, block) && apply(line, block);
+}
+
+bool Interpreter::apply(ProgramLine& line, BlockWords& block) {
+  block.move.source = line.source;
+  for (const WordRange& word : line.words) {
+    line.has_trc_words |= word.role == WordRole::trc;
+    line.has_technology |= word.role == WordRole::technology || word.role == WordRole::stop;
+  }
+  const bool goes_on = apply_modes(line, block) && apply_trc(line, block) &&
+                       pass_words(line, WordRole::technology) && apply_motion(line, block) &&
+                       pass_words(line, WordRole::stop);
+  if (!goes_on) return false;
+  if (!line.ends_program) return true;
+  ended_ = true;
+  state_.place(0);
+  return state_.end(line.source);
+}
+
+bool Interpreter::apply_modes(const ProgramLine& line, const BlockWords& block) {
+  using enum GGroup;
+  if (block.has(motion))
+    motion_ = motions[static_cast<std::size_t>(block.of(motion).function->number)];
+  if (block.has(unit)) inch_ = block.of(unit).is(70);
+  if (block.has(dimension)) incremental_ = block.of(dimension).is(91);
+  if (block.has(feed_mode)) feed_mode_ = block.of(feed_mode).function->number;
+  if (block.feed) feed_ = block.feed->value * (inch_ ? mm_per_inch : 1);
+  if (block.has(circle_center)) {
+    absolute_center_ = block.of(circle_center).is(161);
+    state_.set_absolute_center(absolute_center_);
+  }
+  if (block.has(circle_check)) state_.set_circle_correction(block.of(circle_check).is(165));
+  if (block.has(zero_shift)) state_.forget_position();
+  if (!block.has(plane)) return true;
+  place(line, block.of(plane).begin);
+  const int number = block.of(plane).function->number;
+  return state_.set_plane(number == 17   ? Plane::xy
+                          : number == 18 ? Plane::zx
+                                         : Plane::yz,
+                          line.source);
+}
+
+// Modes and radius before the side, so that G41 begins with all of its block.
+bool Interpreter::apply_trc(const ProgramLine& line, const BlockWords& block) {
+  using enum GGroup;
+  const Source& source = line.source;
+  const auto at = [&](std::uint32_t begin) { return place(line, begin), true; };
+  const auto has = [&](GGroup group) { return block.has(group) && at(block.of(group).begin); };
+  const double length_unit = inch_ ? mm_per_inch : 1;
+
+  if (has(transition) &&
+      !state_.set_transition(
+          block.of(transition).is(25) ? Transition::linear : Transition::circular, source))
+    return false;
+  if (has(masking) &&
+      !state_.set_masking(block.of(masking).is(141) ? Masking::on : Masking::off, source))
+    return false;
+  if (has(feed_adaptation) &&
+      !state_.set_feed_adaptation(
+          block.of(feed_adaptation).is(11) ? FeedAdaptation::on : FeedAdaptation::off, source))
+    return false;
+  if (block.options && at(block.command) && !state_.set_options(*block.options, source))
+    return false;
+  if (block.tangfeed && at(block.command) &&
+      !state_.set_tangfeed_minimum(*block.tangfeed * length_unit, source))
+    return false;
+  if (has(selection) &&
+      !state_.set_selection(selection_of(block.of(selection).function->number), source))
+    return false;
+  if (block.tool_radius && at(block.tool_radius->begin) &&
+      !state_.set_tool_radius(block.tool_radius->value * length_unit, source))
+    return false;
+  if (block.tool && at(block.tool->begin) &&
+      !state_.set_tool(static_cast<std::int64_t>(block.tool->value), source))
+    return false;
+  if (has(tangential) && !state_.set_tangential(source)) return false;
+  if (!has(side)) return true;
+  return state_.select(side_of(block.of(side).function->number), source);
+}
+
+bool Interpreter::apply_motion(ProgramLine& line, BlockWords& block) {
+  const bool axis_is_position = !block.has(GGroup::dwell) && !block.of(GGroup::zero_shift).is(92);
+  if ((!block.axis || !axis_is_position) && !block.center) return true;
+  const std::uint32_t begin = std::min(block.axis.value_or(~0U), block.center.value_or(~0U));
+  place(line, begin);
+  const bool per_minute = feed_mode_ == 94;
+  const bool adapted = state_.mode().feed_adaptation == FeedAdaptation::on;
+  if (!per_minute && state_.contour_open() && (feed_mode_ == 93 || adapted))
+    return refuse(line, TextFault{.code = Code::nc_unsupported,
+                                  .begin = begin,
+                                  .detail = "G" + std::to_string(feed_mode_) +
+                                            (adapted ? " with G11" : " while TRC is active")});
+  MoveRequest& move = block.move;
+  move.kind = motion_;
+  move.incremental = incremental_;
+  move.feed = per_minute ? feed_ : 0;
+  if (inch_) {
+    for (auto& coordinate : move.end) scale(coordinate, mm_per_inch);
+    for (auto& coordinate : move.center) scale(coordinate, mm_per_inch);
+    scale(move.radius, mm_per_inch);
+    // U V W are linear axes, A B C turn: degrees have no inch.
+    const auto& names = state_.setup().tracking_axes;
+    for (std::size_t axis = 0; axis < move.tracking.size(); ++axis)
+      if (!names[axis].empty() &&
+          std::string_view("UVWXYZ").find(names[axis][0]) != std::string_view::npos)
+        scale(move.tracking[axis], mm_per_inch);
+  }
+  line.is_motion = true;
+  return state_.move(move);
+}
+
+// The words of one role as one text, in their order.
+bool Interpreter::pass_words(const ProgramLine& line, WordRole role) {
+  std::string text;
+  for (const WordRange& range : line.words) {
+    if (range.role != role) continue;
+    if (!text.empty()) text += ' ';
+    text += line.word(range);
+  }
+  return text.empty() || state_.pass(line.source, std::move(text));
+}
+
+}  // namespace trc
