@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <variant>
 #include <vector>
@@ -45,6 +46,9 @@ struct CompensatedBlock {
   double feed = 0;  // mm/min at the tool centre; 0: none programmed
   TrackingTravel tracking{};
   std::string text{};  // passthrough only
+  // The contour recovered from `path`, where the setup asks for it and there is
+  // one (inverse_path.h).
+  std::shared_ptr<const Segment> inverse{};
 };
 
 }  // namespace trc

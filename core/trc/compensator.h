@@ -29,6 +29,7 @@ struct CompensatorSetup {
   bool implicit_contour_masking = false;  // P-CHAN-00219, D-34
   bool circular_kerf_masking = true;      // P-CHAN-00284
   double smallest_feed_factor = 0.01;     // D-31
+  bool inverse_path = false;              // CompensatedBlock::inverse
 };
 
 // What a finished session did.

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/base/check.h"
+#include "core/trc/inverse_path.h"
 
 namespace trc {
 namespace {
@@ -49,6 +50,10 @@ bool Reporting::feed(PathBlock block, std::vector<CompensatedBlock>& out) {
   result.normal = programmed.normal;
   result.feed = programmed.feed * factor;
   result.tracking = std::move(programmed.tracking);
+  if (inverse_path_) {
+    if (auto recovered = inverse_path(block, same_point_))
+      result.inverse = std::make_shared<const Segment>(*recovered);
+  }
   last_direction_ = direction_at_end(result.path);
   if (block.role != Role::inserted) summary_.programmed_length += length_of(programmed.path);
   count(result);

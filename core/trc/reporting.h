@@ -17,6 +17,8 @@ class Reporting {
  public:
   Reporting(const CompensatorSetup& setup, Diagnostics& diagnostics)
       : smallest_feed_factor_(setup.smallest_feed_factor),
+        inverse_path_(setup.inverse_path),
+        same_point_(setup.tolerances.same_point),
         diagnostics_(diagnostics),
         position_(setup.start) {}
 
@@ -34,6 +36,8 @@ class Reporting {
   void count(const CompensatedBlock& block);
 
   double smallest_feed_factor_;
+  bool inverse_path_;
+  double same_point_;
   Diagnostics& diagnostics_;
   Position position_;  // of the tool, machine axes
   Vector last_direction_ = Vector::Zero();

@@ -88,7 +88,7 @@ AxisTravel standing(double position) { return {.from = position, .to = position}
 // tracking axes stand still in them (D-26).
 PathBlock insertion_behind(const PathBlock& before, const PathBlock& after) {
   const MotionBlock& programmed = before.programmed;
-  PathBlock inserted{.role = Role::inserted};
+  PathBlock inserted{.role = Role::inserted, .at_start = before.at_end, .at_end = before.at_end};
   MotionBlock& motion = inserted.programmed;
   motion.source = programmed.source;
   motion.mode = programmed.mode;
