@@ -1,0 +1,201 @@
+#include "core/session/motion_writer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include "core/nc/circle.h"
+#include "core/nc/number_format.h"
+
+namespace trc {
+namespace {
+
+constexpr double mm_per_inch = 25.4;
+constexpr std::string_view main_axis_letters = "XYZ";
+constexpr std::string_view center_letters = "IJK";
+
+// A B C turn: degrees have no inch.
+bool is_linear(char axis_letter) { return axis_letter >= 'U' && axis_letter <= 'Z'; }
+
+// How far the middle of an arc may move when its numbers are rounded, in units of the last decimal:
+// one from its centre, half of one from its ends.
+constexpr double arc_units = 1.5;
+// A rounded arc turns by no more than this further or less, as a share of its sweep or in rad.
+constexpr double sweep_share = 0.01;
+constexpr double sweep_change = 1e-3;
+// Radii at start and end that strict controls still take for one circle (P-CHAN-00172).
+constexpr double radius_share = 0.01;
+
+Point middle_of(const Arc& arc) {
+  const Vector radial = arc.start - arc.center;
+  return arc.center + std::cos(arc.sweep / 2) * radial + std::sin(arc.sweep / 2) * left_of(radial);
+}
+
+bool is_full_circle(const Arc& arc) { return arc.start == arc.end; }
+
+}  // namespace
+
+std::array<Arc, 2> halves_of(const Arc& arc) {
+  const Point middle = middle_of(arc);
+  const double half = arc.sweep / 2;
+  return {Arc{.start = arc.start, .end = middle, .center = arc.center, .sweep = half},
+          Arc{.start = middle, .end = arc.end, .center = arc.center, .sweep = half}};
+}
+
+MotionWriter::MotionWriter(int decimals, std::string tracking_letters)
+    : decimals_(decimals), tracking_letters_(std::move(tracking_letters)) {}
+
+int MotionWriter::decimals_of(bool inch) const { return inch ? decimals_ + 1 : decimals_; }
+
+double MotionWriter::unit(bool inch) const {
+  return from_units(1, decimals_of(inch)) * (inch ? mm_per_inch : 1);
+}
+
+MotionWriter::Written MotionWriter::written(double value, bool inch) const {
+  const std::int64_t units = to_units(inch ? value / mm_per_inch : value, decimals_of(inch));
+  const double number = from_units(units, decimals_of(inch));
+  return {.units = units, .read = inch ? number * mm_per_inch : number};
+}
+
+MotionWriter::Written MotionWriter::written_end(double target, double position, bool inch,
+                                                bool incremental) const {
+  if (!incremental) return written(target, inch);
+  const Written step = written(target - position, inch);
+  return {.units = step.units, .read = position + step.read};
+}
+
+std::array<MotionWriter::Written, 2> MotionWriter::written_center(const Arc& arc, Plane plane,
+                                                                  const WrittenState& state) const {
+  const Point start = to_plane(plane, state.position);
+  std::array<Written, 2> center;
+  for (int i = 0; i < 2; ++i) {
+    Written& axis = center[static_cast<std::size_t>(i)];
+    if (state.absolute_center) {
+      axis = written(arc.center[i], state.inch);
+    } else {
+      axis = written(arc.center[i] - start[i], state.inch);
+      axis.read += start[i];
+    }
+  }
+  return center;
+}
+
+bool MotionWriter::reaches(double target, double position, bool inch) const {
+  return std::abs(target - position) <= unit(inch) / 2;
+}
+
+bool MotionWriter::reaches_tracking(std::size_t axis, double target, double position,
+                                    bool inch) const {
+  return reaches(target, position, inch && is_linear(tracking_letters_[axis]));
+}
+
+MotionWriter::ArcForm MotionWriter::form_of(const Arc& arc, Plane plane,
+                                            const WrittenState& state) const {
+  const Tolerances tolerances;
+  const PlaneAxes axes = axes_of(plane);
+  const double first = state.position[axes.first];
+  const double second = state.position[axes.second];
+  const Point start(first, second);
+  const Point end(written_end(arc.end.x(), first, state.inch, state.incremental).read,
+                  written_end(arc.end.y(), second, state.inch, state.incremental).read);
+  const auto written_at = written_center(arc, plane, state);
+  const Point center(written_at[0].read, written_at[1].read);
+
+  const double sagitta = radius_of(arc) * (1 - std::cos(arc.sweep / 2));
+  const bool closed = is_full_circle(arc) || (end - start).norm() <= tolerances.same_point;
+  if ((center - start).norm() <= tolerances.same_point)
+    return closed ? ArcForm::nothing : ArcForm::line;
+  if (closed) return std::abs(arc.sweep) > std::numbers::pi ? ArcForm::arc : ArcForm::nothing;
+
+  const CircleEnds ends{.start = start, .end = end, .clockwise = arc.sweep < 0};
+  const CircleResult result = arc_about(center, ends, CircleCheck{}, false, tolerances);
+  if (const Arc* read = std::get_if<Arc>(&result)) {
+    const double start_radius = (start - center).norm();
+    const double end_radius = (end - center).norm();
+    if ((middle_of(*read) - middle_of(arc)).norm() <= arc_units * unit(state.inch) &&
+        std::abs(read->sweep - arc.sweep) <=
+            std::max(sweep_change, sweep_share * std::abs(arc.sweep)) &&
+        std::abs(start_radius - end_radius) <= radius_share * start_radius)
+      return ArcForm::arc;
+  }
+  return sagitta <= unit(state.inch) ? ArcForm::line : ArcForm::halves;
+}
+
+bool MotionWriter::moves(const Position& end, const TrackingTravel& tracking,
+                         const WrittenState& state) const {
+  for (std::size_t axis = 0; axis < end.size(); ++axis)
+    if (!reaches(end[axis], state.position[axis], state.inch)) return true;
+  for (std::size_t axis = 0; axis < tracking.size(); ++axis)
+    if (!reaches_tracking(axis, tracking[axis].to, state.tracking[axis], state.inch)) return true;
+  return false;
+}
+
+void MotionWriter::append_word(std::string& out, char letter, std::int64_t units, bool inch) const {
+  out += ' ';
+  out += letter;
+  append_units(out, units, decimals_of(inch));
+}
+
+void MotionWriter::append_axes(std::string& out, AxisSet always, AxisSet never, const Position& end,
+                               const TrackingTravel& tracking, WrittenState& state) const {
+  const auto append_axis = [&](char letter, AxisSet bit, double target, double& position) {
+    if ((never & bit) != 0) return;
+    const bool inch = state.inch && is_linear(letter);
+    if ((always & bit) == 0 && reaches(target, position, inch)) return;
+    const Written axis = written_end(target, position, inch, state.incremental);
+    append_word(out, letter, axis.units, inch);
+    position = axis.read;
+  };
+  for (std::size_t axis = 0; axis < end.size(); ++axis)
+    append_axis(main_axis_letters[axis], axis_bit(axis), end[axis], state.position[axis]);
+  for (std::size_t axis = 0; axis < tracking.size(); ++axis)
+    append_axis(tracking_letters_[axis], axis_bit(end.size() + axis), tracking[axis].to,
+                state.tracking[axis]);
+}
+
+void MotionWriter::append_line(std::string& out, MotionKind kind, const Position& end,
+                               const TrackingTravel& tracking, AxisSet always,
+                               WrittenState& state) const {
+  out += kind == MotionKind::rapid ? " G00" : " G01";
+  append_axes(out, always, 0, end, tracking, state);
+  state.motion = kind;
+}
+
+void MotionWriter::append_arc(std::string& out, const Arc& arc, Plane plane, const Position& end,
+                              const TrackingTravel& tracking, AxisSet always,
+                              WrittenState& state) const {
+  const bool clockwise = arc.sweep < 0;
+  const auto center = written_center(arc, plane, state);
+  const PlaneAxes axes = axes_of(plane);
+  const AxisSet plane_axes = axis_bit(axes.first) | axis_bit(axes.second);
+  // An end that rounds to another place than the start would not close the circle.
+  const bool only_center =
+      is_full_circle(arc) &&
+      (written_end(arc.end.x(), state.position[axes.first], state.inch, state.incremental).read !=
+           state.position[axes.first] ||
+       written_end(arc.end.y(), state.position[axes.second], state.inch, state.incremental).read !=
+           state.position[axes.second]);
+  out += clockwise ? " G02" : " G03";
+  append_axes(out, always | plane_axes, only_center ? plane_axes : 0, end, tracking, state);
+  // The letters belong to the machine axes: in G18 the first axis of the plane is Z.
+  const bool swapped = axes.first > axes.second;
+  const std::array<std::size_t, 2> order =
+      swapped ? std::array<std::size_t, 2>{1, 0} : std::array<std::size_t, 2>{0, 1};
+  for (const std::size_t i : order)
+    append_word(out, center_letters[i == 0 ? axes.first : axes.second], center[i].units,
+                state.inch);
+  state.motion = clockwise ? MotionKind::clockwise : MotionKind::counter_clockwise;
+}
+
+bool MotionWriter::same_feed(double a, double b, bool inch) const {
+  return a == b || written(a, inch).units == written(b, inch).units;
+}
+
+void MotionWriter::append_feed(std::string& out, double feed, WrittenState& state) const {
+  const Written word = written(feed, state.inch);
+  append_word(out, 'F', word.units, state.inch);
+  state.feed = word.read;
+}
+
+}  // namespace trc

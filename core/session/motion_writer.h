@@ -1,0 +1,92 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "core/nc/program_line.h"
+#include "core/trc/compensated_block.h"
+
+namespace trc {
+
+// What a control that reads the output knows after the text written so far. The
+// position is the one it reads, not the exact one: numbers are rounded as they
+// are written.
+struct WrittenState {
+  MotionKind motion = MotionKind::rapid;
+  bool incremental = false;
+  bool inch = false;
+  bool absolute_center = false;
+  Plane plane = Plane::xy;
+  double feed = 0;  // mm/min; 0: none written yet
+  Position position{};
+  std::vector<double> tracking{};  // by index into the tracking axes of the session
+};
+
+// A set of axes: bits 0 … 2 are X Y Z, the tracking axes follow.
+using AxisSet = std::uint64_t;
+[[nodiscard]] constexpr AxisSet axis_bit(std::size_t axis) { return AxisSet{1} << axis; }
+
+// The two parts of an arc of half the sweep each; they share their joint.
+[[nodiscard]] std::array<Arc, 2> halves_of(const Arc& arc);
+
+// Turns motions into words (G01 X30 Y30 …) such that a reader of the text makes
+// the same motion: every point to half a unit of the last decimal, points inside
+// an arc to one and a half units. The state is brought up to what such a reader knows.
+class MotionWriter {
+ public:
+  // `tracking_letters`: one letter per tracking axis. 0 <= decimals < most_decimals.
+  MotionWriter(int decimals, std::string tracking_letters);
+
+  // How an arc can be written from the position the reader is at.
+  enum class ArcForm : std::uint8_t {
+    arc,      // as G02 or G03
+    line,     // so short that a line is as exact, and rounding would change its sweep
+    halves,   // rounding would move its centre or change its sweep: too near to a full circle
+    nothing,  // no length after rounding
+  };
+  [[nodiscard]] ArcForm form_of(const Arc& arc, Plane plane, const WrittenState& state) const;
+
+  // Whether a reader would move if it were told to go there.
+  [[nodiscard]] bool moves(const Position& end, const TrackingTravel& tracking,
+                           const WrittenState& state) const;
+  // Whether `position` is `target` to half a unit of the last decimal.
+  [[nodiscard]] bool reaches(double target, double position, bool inch) const;
+  [[nodiscard]] bool reaches_tracking(std::size_t axis, double target, double position,
+                                      bool inch) const;
+
+  // Append the motion function, the axes that move or are in `always` and, for
+  // an arc, both plane axes and the centre. Each word has a blank before it.
+  void append_line(std::string& out, MotionKind kind, const Position& end,
+                   const TrackingTravel& tracking, AxisSet always, WrittenState& state) const;
+  void append_arc(std::string& out, const Arc& arc, Plane plane, const Position& end,
+                  const TrackingTravel& tracking, AxisSet always, WrittenState& state) const;
+
+  // Whether two feeds are written alike, mm/min.
+  [[nodiscard]] bool same_feed(double a, double b, bool inch) const;
+  void append_feed(std::string& out, double feed, WrittenState& state) const;
+
+ private:
+  // A number as it is written, and what a reader makes of it in mm.
+  struct Written {
+    std::int64_t units = 0;
+    double read = 0;
+  };
+  [[nodiscard]] Written written(double value, bool inch) const;
+  [[nodiscard]] Written written_end(double target, double position, bool inch,
+                                    bool incremental) const;
+  [[nodiscard]] std::array<Written, 2> written_center(const Arc& arc, Plane plane,
+                                                      const WrittenState& state) const;
+  [[nodiscard]] int decimals_of(bool inch) const;
+  [[nodiscard]] double unit(bool inch) const;  // of the last decimal, mm
+
+  void append_word(std::string& out, char letter, std::int64_t units, bool inch) const;
+  void append_axes(std::string& out, AxisSet always, AxisSet never, const Position& end,
+                   const TrackingTravel& tracking, WrittenState& state) const;
+
+  int decimals_;
+  std::string tracking_letters_;
+};
+
+}  // namespace trc

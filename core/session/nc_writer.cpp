@@ -1,0 +1,334 @@
+#include "core/session/nc_writer.h"
+
+#include <array>
+#include <cmath>
+#include <utility>
+
+namespace trc {
+namespace {
+
+constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+
+constexpr std::uint32_t bit(WordRole role) { return std::uint32_t{1} << static_cast<int>(role); }
+
+// What is left of a line besides its N word when its motion is gone.
+constexpr std::uint32_t roles_without_motion =
+    bit(WordRole::mode) | bit(WordRole::feed) | bit(WordRole::technology) | bit(WordRole::comment);
+
+char upper(char letter) {
+  return letter >= 'a' && letter <= 'z' ? static_cast<char>(letter - 'a' + 'A') : letter;
+}
+
+// mm; a reader takes the start of a copied arc for the programmed one.
+constexpr double same_start = 1e-9;
+
+MotionKind kind_of(const CompensatedBlock& block) {
+  if (const Arc* arc = std::get_if<Arc>(&block.path))
+    return arc->sweep < 0 ? MotionKind::clockwise : MotionKind::counter_clockwise;
+  return block.rapid ? MotionKind::rapid : MotionKind::linear;
+}
+
+bool moves_in_plane(const CompensatedBlock& block) {
+  return is_arc(block.path) || start_of(block.path) != end_of(block.path);
+}
+
+AxisSet plane_axes(Plane plane) {
+  const PlaneAxes axes = axes_of(plane);
+  return axis_bit(axes.first) | axis_bit(axes.second);
+}
+
+}  // namespace
+
+NcWriter::NcWriter(const Setup& setup)
+    : motions_(setup.decimals, setup.tracking_letters), tracking_letters_(setup.tracking_letters) {
+  state_.absolute_center = setup.absolute_center;
+  state_.plane = setup.plane;
+  state_.position = setup.start;
+  state_.tracking.resize(setup.tracking_letters.size());
+}
+
+void NcWriter::take(ProgramLine&& line, bool gives_block, const Position& programmed) {
+  if (gives_block) {
+    ++waiting_for_blocks_;
+    silent_bytes_ = 0;
+  } else {
+    silent_bytes_ += sizeof(Waiting) + line.text.size();
+  }
+  std::uint32_t roles = 0;
+  for (const WordRange& word : line.words) roles |= bit(word.role);
+  waiting_.push_back({std::move(line), gives_block, roles, programmed});
+}
+
+void NcWriter::drop_first() {
+  Waiting& waiting = waiting_[first_++];
+  if (waiting.gives_block) --waiting_for_blocks_;
+  used_.push_back(std::move(waiting.line));
+  // Half of the queue at a time, so that a line is moved once on average.
+  if (first_ * 2 < waiting_.size()) return;
+  waiting_.erase(waiting_.begin(), waiting_.begin() + static_cast<std::ptrdiff_t>(first_));
+  first_ = 0;
+}
+
+void NcWriter::write_lines_before(const Source& source, std::string& out) {
+  while (first_ < waiting_.size()) {
+    const ProgramLine& line = waiting_[first_].line;
+    if (line.source.index > source.index) return;
+    if (line.source.index == source.index && line.has_words) return;
+    write_without_motion(waiting_[first_], out);
+    drop_first();
+  }
+}
+
+void NcWriter::write_silent_lines(std::string& out) {
+  if (waiting_for_blocks_ == 0) finish(out);
+}
+
+void NcWriter::finish(std::string& out) {
+  while (first_ < waiting_.size()) {
+    write_without_motion(waiting_[first_], out);
+    drop_first();
+  }
+  silent_bytes_ = 0;
+}
+
+void NcWriter::write(const CompensatedBlock& block, std::string& out) {
+  write_lines_before(block.source, out);
+  const bool has_own =
+      first_ < waiting_.size() && waiting_[first_].line.source.index == block.source.index;
+  own_ = has_own ? &waiting_[first_] : nullptr;
+  if (block.origin == Origin::passthrough) {
+    // The technology of a motion line comes with the motion, that of the program
+    // end behind everything.
+    if (!has_own || own_->line.is_motion || own_->line.ends_program) return;
+    write_without_motion(*own_, out);
+    drop_first();
+    return;
+  }
+  if (!has_own || !copy_motion(*own_, block, out)) write_motion(block, out);
+  if (own_ != nullptr && (own_->roles & roles_without_motion) != 0) {
+    write_without_motion(*own_, out);
+    own_ = nullptr;
+  }
+  if (has_own && own_ == nullptr) drop_first();
+}
+
+void NcWriter::write_without_motion(const Waiting& own, std::string& out) {
+  const ProgramLine& line = own.line;
+  if (!line.has_trc_words && !line.is_motion) {
+    write_text(line.text, line.line_end, out);
+  } else {
+    words_.clear();
+    bool has_more_than_number = false;
+    for (const WordRange& word : line.words) {
+      if (word.role == WordRole::trc || word.role == WordRole::coordinate) continue;
+      if (word.role == WordRole::motion && line.is_motion) continue;
+      has_more_than_number |= word.role != WordRole::number;
+      append_word(line.word(word));
+    }
+    if (has_more_than_number) write_words(line.line_end, out);
+  }
+  enter_modes(own);
+  if (own.has(WordRole::feed)) enter_feed(line);
+  if (own.has(WordRole::motion) && !line.is_motion) state_.motion = line.motion;
+}
+
+bool NcWriter::copy_motion(const Waiting& own, const CompensatedBlock& block, std::string& out) {
+  const ProgramLine& line = own.line;
+  if (block.origin != Origin::uncompensated || line.has_trc_words || !line.is_motion) return false;
+  if (line.motion != kind_of(block)) return false;
+  if (!own.has(WordRole::motion) && line.motion != state_.motion) return false;
+  if (is_arc(block.path) && line.plane != block.plane) return false;
+  if (!block.rapid && block.feed > 0 && !own.has(WordRole::feed) && !has_feed(block)) return false;
+  after_.position = state_.position;
+  after_.tracking = state_.tracking;
+  if (!reads_as(own, block, after_)) return false;
+
+  enter_modes(own);
+  state_.position = after_.position;
+  state_.tracking = after_.tracking;
+  if (own.has(WordRole::feed)) enter_feed(line);
+  state_.motion = line.motion;
+  write_text(line.text, line.line_end, out);
+  own_ = nullptr;
+  return true;
+}
+
+bool NcWriter::reads_as(const Waiting& own, const CompensatedBlock& block,
+                        WrittenState& after) const {
+  const ProgramLine& line = own.line;
+  const AxisSet named = axes_named_in(line);
+  const AxisSet in_plane = plane_axes(block.plane);
+  const bool flat = moves_in_plane(block);
+  const Position start = from_plane(block.plane, start_of(block.path), block.normal.from);
+  const Position end = from_plane(block.plane, end_of(block.path), block.normal.to);
+  for (std::size_t axis = 0; axis < end.size(); ++axis) {
+    const AxisSet bit = axis_bit(axis);
+    double& position = after.position[axis];
+    // The centre may count from the start, so that an arc begins just there.
+    if (is_arc(block.path) && (in_plane & bit) != 0 &&
+        !(std::abs(position - start[axis]) <= same_start))
+      return false;
+    // Without motion in the plane the block stays where TRC has put it, and the
+    // words of the line name the programmed place.
+    if (!flat && (in_plane & named & bit) != 0 &&
+        !motions_.reaches(end[axis], own.programmed[axis], line.inch))
+      return false;
+    if ((named & bit) != 0)
+      position = line.incremental ? position + (end[axis] - start[axis]) : end[axis];
+    if (!motions_.reaches(end[axis], position, line.inch)) return false;
+  }
+  for (std::size_t axis = 0; axis < block.tracking.size(); ++axis) {
+    const AxisTravel& travel = block.tracking[axis];
+    double& position = after.tracking[axis];
+    if ((named & axis_bit(end.size() + axis)) != 0)
+      position = line.incremental ? position + (travel.to - travel.from) : travel.to;
+    if (!motions_.reaches_tracking(axis, travel.to, position, line.inch)) return false;
+  }
+  return true;
+}
+
+void NcWriter::write_motion(const CompensatedBlock& block, std::string& out) {
+  if (own_ != nullptr) enter_modes(*own_);
+  const Arc* arc = std::get_if<Arc>(&block.path);
+  if (arc == nullptr) return write_piece(block, block.path, 1, out);
+  const Plane plane = state_.plane;
+  if (block.plane != plane) write_plane(block.plane, out);
+  write_arc(block, *arc, 0, 1, out);
+  if (block.plane != plane) write_plane(plane, out);
+}
+
+void NcWriter::write_arc(const CompensatedBlock& block, const Arc& arc, double from, double to,
+                         std::string& out) {
+  switch (motions_.form_of(arc, block.plane, state_)) {
+    case MotionWriter::ArcForm::arc:
+      return write_piece(block, arc, to, out);
+    case MotionWriter::ArcForm::halves: {
+      const double middle = (from + to) / 2;
+      const std::array<Arc, 2> halves = halves_of(arc);
+      write_arc(block, halves[0], from, middle, out);
+      write_arc(block, halves[1], middle, to, out);
+      return;
+    }
+    case MotionWriter::ArcForm::line:
+    case MotionWriter::ArcForm::nothing:
+      return write_piece(block, Line{.start = arc.start, .end = arc.end}, to, out);
+  }
+}
+
+void NcWriter::write_piece(const CompensatedBlock& block, const Segment& piece, double share,
+                           std::string& out) {
+  const auto part_way = [share](const AxisTravel& travel) {
+    return share == 1 ? travel.to : travel.from + share * (travel.to - travel.from);
+  };
+  const Position end = from_plane(block.plane, end_of(piece), part_way(block.normal));
+  tracking_.assign(block.tracking.begin(), block.tracking.end());
+  for (AxisTravel& travel : tracking_) travel.to = part_way(travel);
+  const Arc* arc = std::get_if<Arc>(&piece);
+  if (arc == nullptr && !motions_.moves(end, tracking_, state_)) return;
+
+  words_.clear();
+  AxisSet always = moves_in_plane(block) ? plane_axes(block.plane) : 0;
+  if (own_ != nullptr) {
+    for (const WordRange& word : own_->line.words)
+      if (word.role == WordRole::number || word.role == WordRole::mode)
+        append_word(own_->line.word(word));
+    // The line may say where the third axis is after a shift of the zero point:
+    // that it need not move by our count is no reason to leave the word out.
+    const std::size_t third = axes_of(block.plane).third;
+    if (own_->programmed[third] == end[third])
+      always |= axes_named_in(own_->line) & axis_bit(third);
+  }
+  const MotionKind kind = kind_of(block);
+  if (arc != nullptr) {
+    motions_.append_arc(words_, *arc, block.plane, end, tracking_, always, state_);
+  } else {
+    motions_.append_line(words_, kind == MotionKind::rapid ? kind : MotionKind::linear, end,
+                         tracking_, always, state_);
+  }
+  append_feed_and_rest(block);
+  write_words(own_ != nullptr ? own_->line.line_end : line_end_, out);
+  own_ = nullptr;
+}
+
+void NcWriter::append_feed_and_rest(const CompensatedBlock& block) {
+  const bool needs_feed = !block.rapid && block.feed > 0;
+  if (needs_feed && !(own_ != nullptr && own_->has(WordRole::feed)) && !has_feed(block))
+    append_feed(block.feed);
+  if (own_ == nullptr) return;
+  const ProgramLine& line = own_->line;
+  for (const WordRange& word : line.words) {
+    if (word.role == WordRole::technology || word.role == WordRole::comment) {
+      append_word(line.word(word));
+    } else if (word.role == WordRole::feed) {
+      if (needs_feed && !motions_.same_feed(line.feed, block.feed, line.inch)) {
+        append_feed(block.feed);
+      } else {
+        append_word(line.word(word));
+        enter_feed(line);
+      }
+    }
+  }
+}
+
+// With a feed word that the program has written itself its reader has the feed
+// of the program, also where that is per revolution and means nothing here.
+bool NcWriter::has_feed(const CompensatedBlock& block) const {
+  if (feed_is_programmed_ && own_ != nullptr && own_->line.feed == block.feed) return true;
+  return motions_.same_feed(state_.feed, block.feed, state_.inch);
+}
+
+void NcWriter::append_feed(double feed) {
+  motions_.append_feed(words_, feed, state_);
+  feed_is_programmed_ = false;
+}
+
+void NcWriter::enter_feed(const ProgramLine& line) {
+  state_.feed = line.feed;
+  feed_is_programmed_ = true;
+}
+
+void NcWriter::write_plane(Plane plane, std::string& out) {
+  words_.clear();
+  append_word(plane == Plane::xy ? "G17" : plane == Plane::zx ? "G18" : "G19");
+  write_words(line_end_, out);
+  state_.plane = plane;
+}
+
+void NcWriter::write_words(std::string_view line_end, std::string& out) {
+  write_text(std::string_view(words_).substr(1), line_end, out);
+}
+
+void NcWriter::write_text(std::string_view text, std::string_view line_end, std::string& out) {
+  if (std::exchange(line_end_missing_, false)) out += line_end_;
+  out += text;
+  out += line_end;
+  if (!line_end.empty()) {
+    line_end_ = line_end;
+  } else {
+    line_end_missing_ = text != byte_order_mark;
+  }
+}
+
+void NcWriter::enter_modes(const Waiting& own) {
+  if (!own.has(WordRole::mode)) return;
+  state_.incremental = own.line.incremental;
+  state_.inch = own.line.inch;
+  state_.absolute_center = own.line.absolute_center;
+  state_.plane = own.line.plane;
+}
+
+AxisSet NcWriter::axes_named_in(const ProgramLine& line) const {
+  AxisSet named = 0;
+  for (const WordRange& word : line.words) {
+    if (word.role != WordRole::coordinate) continue;
+    const char letter = upper(line.text[word.begin]);
+    if (letter >= 'X' && letter <= 'Z') {
+      named |= axis_bit(static_cast<std::size_t>(letter - 'X'));
+    } else if (const std::size_t axis = tracking_letters_.find(letter); axis != std::string::npos) {
+      named |= axis_bit(3 + axis);
+    }
+  }
+  return named;
+}
+
+}  // namespace trc

@@ -1,0 +1,115 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/nc/program_line.h"
+#include "core/session/motion_writer.h"
+#include "core/trc/compensated_block.h"
+
+namespace trc {
+
+// The program text with TRC resolved: compensated blocks meet the lines they
+// came from again, through Source::index.
+//
+// A line comes out byte for byte when a reader of the output does with it what
+// the program meant: no TRC words in it, motion uncompensated, and position,
+// motion function and feed as the line takes them for granted. Else its words
+// are written anew: N word, modes, motion, then technology and comments in their
+// order. Blocks that TRC inserts are lines of their own, without N word. A line
+// of which nothing but its N word is left does not come out.
+//
+// Lines that give no block wait for the next block of the program, so that the
+// output does not depend on when the text arrives.
+class NcWriter {
+ public:
+  struct Setup {
+    int decimals = 4;  // mm; one more for inch; below most_decimals
+    Position start{};  // mm
+    bool absolute_center = false;
+    Plane plane = Plane::xy;
+    std::string tracking_letters{};  // one per tracking axis
+  };
+  explicit NcWriter(const Setup& setup);
+
+  // The next line of the program. `gives_block`: a block with its Source comes
+  // to write(), unless TRC drops it. `programmed`: where the program is after the line.
+  void take(ProgramLine&& line, bool gives_block, const Position& programmed);
+  // The next block of the path: appends the text that has become certain.
+  void write(const CompensatedBlock& block, std::string& out);
+  // Appends the waiting lines if none of them gives a block.
+  void write_silent_lines(std::string& out);
+  // No more blocks: appends all waiting lines.
+  void finish(std::string& out);
+
+  // Bytes held since the last line that gives a block.
+  [[nodiscard]] std::size_t silent_bytes() const { return silent_bytes_; }
+  // Lines no longer needed; the caller takes them away.
+  [[nodiscard]] std::vector<ProgramLine>& used_lines() { return used_; }
+
+ private:
+  struct Waiting {
+    ProgramLine line{};
+    bool gives_block = false;
+    std::uint32_t roles = 0;  // of its words, a bit each
+    Position programmed{};
+
+    [[nodiscard]] bool has(WordRole role) const {
+      return (roles >> static_cast<int>(role) & 1) != 0;
+    }
+  };
+
+  void drop_first();
+  void write_lines_before(const Source& source, std::string& out);
+
+  // The line without its motion and TRC words; as it is when it has neither.
+  void write_without_motion(const Waiting& own, std::string& out);
+  // Copies the line if a reader makes the motion of the block from it.
+  bool copy_motion(const Waiting& own, const CompensatedBlock& block, std::string& out);
+  // Whether a reader who starts at `after` makes that motion; moves `after` to its end.
+  [[nodiscard]] bool reads_as(const Waiting& own, const CompensatedBlock& block,
+                              WrittenState& after) const;
+
+  void write_motion(const CompensatedBlock& block, std::string& out);
+  void write_arc(const CompensatedBlock& block, const Arc& arc, double from, double to,
+                 std::string& out);
+  // One line of output: the piece of the block that ends after a share of its way.
+  void write_piece(const CompensatedBlock& block, const Segment& piece, double share,
+                   std::string& out);
+  void write_plane(Plane plane, std::string& out);
+
+  void append_word(std::string_view word) { (words_ += ' ') += word; }
+  void append_feed_and_rest(const CompensatedBlock& block);
+  void append_feed(double feed);
+  void enter_feed(const ProgramLine& line);
+  // Whether the feed of the block is in force without a word for it.
+  [[nodiscard]] bool has_feed(const CompensatedBlock& block) const;
+  void write_words(std::string_view line_end, std::string& out);
+  void write_text(std::string_view text, std::string_view line_end, std::string& out);
+  void enter_modes(const Waiting& own);
+  [[nodiscard]] AxisSet axes_named_in(const ProgramLine& line) const;
+
+  MotionWriter motions_;
+  std::string tracking_letters_;
+  WrittenState state_;
+  WrittenState after_;              // of the line being judged
+  bool feed_is_programmed_ = true;  // the last F word is one of the program
+
+  // Lines that have not come out: those from `first_` on.
+  std::vector<Waiting> waiting_;
+  std::size_t first_ = 0;
+  std::size_t waiting_for_blocks_ = 0;
+  std::size_t silent_bytes_ = 0;
+  std::vector<ProgramLine> used_;
+
+  const Waiting* own_ = nullptr;      // the line of the block being written, until it has come out
+  std::string words_;                 // of the line being written, a blank before each
+  TrackingTravel tracking_{};         // of the piece being written
+  std::string_view line_end_ = "\n";  // of the lines TRC inserts: that of the line before
+  bool line_end_missing_ = false;     // the text so far ends with a line without
+};
+
+}  // namespace trc

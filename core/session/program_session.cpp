@@ -1,0 +1,212 @@
+#include "core/session/program_session.h"
+
+#include <algorithm>
+#include <iterator>
+#include <limits>
+#include <utility>
+
+#include "core/nc/interpreter.h"
+#include "core/session/nc_writer.h"
+
+namespace trc {
+namespace {
+
+// Text is read in pieces of this size, so that lines and blocks on their way
+// stay few however long a chunk is.
+constexpr std::size_t bytes_per_piece = 8 * 1024;
+
+// After so many lines in a row that give no block, they come out if no block is
+// on its way; if one is, they may take so many bytes.
+constexpr std::uint64_t silent_lines_per_release = 256;
+constexpr std::size_t most_silent_bytes = 16 * 1024 * 1024;
+
+SessionSetup with_common_start(SessionSetup setup) {
+  setup.compensator.start = setup.program.start;
+  return setup;
+}
+
+NcWriter::Setup writer_setup(const ProgramSessionSetup& setup) {
+  const ProgramSetup& program = setup.session.program;
+  NcWriter::Setup writer{.decimals = setup.decimals,
+                         .start = program.start,
+                         .absolute_center = program.absolute_center,
+                         .plane = program.mode.plane};
+  // Text has no word for an axis with a longer name.
+  for (const std::string& axis : program.tracking_axes)
+    writer.tracking_letters += axis.size() == 1 ? axis.front() : '?';
+  return writer;
+}
+
+void follow(const Block& block, Position& position) {
+  std::visit(overloaded{
+                 [&](const MotionBlock& motion) {
+                   position = from_plane(motion.mode->plane, end_of(motion.path), motion.normal.to);
+                 },
+                 [&](const PassiveBlock& passive) {
+                   position[axes_of(passive.mode->plane).third] = passive.normal.to;
+                 },
+             },
+             block);
+}
+
+}  // namespace
+
+// Reading runs ahead of compensation by up to one piece of text. What it reports
+// waits in a log of its own until the blocks before that line are compensated:
+// output and diagnostics come in the order of the program, however it is cut.
+struct ProgramSession::Parts {
+  explicit Parts(const ProgramSessionSetup& given)
+      : setup(given),
+        program(setup.session.program, setup.session.compensator.tolerances, read_diagnostics,
+                blocks),
+        interpreter({.longest_line = setup.longest_line}, program, read_diagnostics),
+        compensator(with_common_start(setup.session).compensator, diagnostics),
+        writer(writer_setup(setup)),
+        programmed(setup.session.program.start) {}
+
+  // Compensates what has been read. Returns whether the stream goes on.
+  bool advance(ProgramOutput& out);
+  bool take(ProgramLine& line, ProgramOutput& out);
+  // Reports what reading found up to this line, behind the blocks before it.
+  bool report_until(std::uint32_t line, ProgramOutput& out);
+  // Compensates the blocks of all lines taken.
+  bool compensate(ProgramOutput& out);
+  bool end(ProgramOutput& out);
+  void hand_out(ProgramOutput& out);
+
+  ProgramSessionSetup setup;
+  Diagnostics read_diagnostics;
+  Diagnostics diagnostics;
+  std::vector<Block> blocks;
+  ProgramState program;
+  Interpreter interpreter;
+  Compensator compensator;
+  NcWriter writer;
+
+  std::vector<ProgramLine> lines;
+  std::vector<Diagnostic> reported;  // by the reader; the first `reports_taken` are passed on
+  std::size_t reports_taken = 0;
+  std::size_t blocks_taken = 0;  // of `blocks`: those of the lines taken
+  std::vector<Block> programmed_blocks;
+  std::vector<CompensatedBlock> compensated;
+  Position programmed{};  // after the last line taken
+  std::uint64_t silent_lines = 0;
+  bool ended = false;
+};
+
+bool ProgramSession::Parts::advance(ProgramOutput& out) {
+  reported = read_diagnostics.take();
+  reports_taken = 0;
+  bool goes_on = true;
+  for (ProgramLine& line : lines) {
+    goes_on = goes_on && take(line, out);
+    if (!setup.nc_text) interpreter.recycle(std::move(line));
+  }
+  lines.clear();
+  goes_on =
+      goes_on && report_until(std::numeric_limits<std::uint32_t>::max(), out) && compensate(out);
+  if (goes_on && ended && setup.nc_text) writer.finish(out.text);
+  for (ProgramLine& line : writer.used_lines()) interpreter.recycle(std::move(line));
+  writer.used_lines().clear();
+  return goes_on;
+}
+
+bool ProgramSession::Parts::take(ProgramLine& line, ProgramOutput& out) {
+  if (reports_taken < reported.size() && !report_until(line.source.line, out)) return false;
+  const std::size_t first = blocks_taken;
+  while (line.has_words && blocks_taken < blocks.size() &&
+         std::visit([](const auto& block) { return block.source.index; }, blocks[blocks_taken]) ==
+             line.source.index)
+    follow(blocks[blocks_taken++], programmed);
+  const bool gives_block = blocks_taken > first;
+  const bool ends_program = line.ends_program;
+  if (setup.nc_text) {
+    const Source source = line.source;
+    writer.take(std::move(line), gives_block, programmed);
+    silent_lines = gives_block ? 0 : silent_lines + 1;
+    if (silent_lines % silent_lines_per_release == silent_lines_per_release - 1) {
+      if (!compensate(out)) return false;
+      writer.write_silent_lines(out.text);
+      if (writer.silent_bytes() > most_silent_bytes) {
+        Diagnostic overflow = diagnostic(Code::too_many_passive_blocks, source);
+        overflow.values = {{"lines", static_cast<double>(silent_lines)}};
+        return diagnostics.report(std::move(overflow));
+      }
+    }
+  }
+  return !ends_program || end(out);
+}
+
+bool ProgramSession::Parts::report_until(std::uint32_t line, ProgramOutput& out) {
+  for (; reports_taken < reported.size(); ++reports_taken) {
+    Diagnostic& next = reported[reports_taken];
+    if (next.source.line > line) break;
+    if (!compensate(out) || !diagnostics.report(std::move(next))) return false;
+  }
+  return true;
+}
+
+bool ProgramSession::Parts::compensate(ProgramOutput& out) {
+  if (blocks_taken == 0) return true;
+  bool goes_on = true;
+  if (blocks_taken == blocks.size()) {
+    goes_on = compensator.feed(blocks, compensated);
+  } else {
+    const auto end = blocks.begin() + static_cast<std::ptrdiff_t>(blocks_taken);
+    programmed_blocks.assign(std::make_move_iterator(blocks.begin()), std::make_move_iterator(end));
+    blocks.erase(blocks.begin(), end);
+    goes_on = compensator.feed(programmed_blocks, compensated);
+  }
+  blocks_taken = 0;
+  hand_out(out);
+  return goes_on;
+}
+
+bool ProgramSession::Parts::end(ProgramOutput& out) {
+  if (std::exchange(ended, true)) return true;
+  if (!compensate(out)) return false;
+  const bool goes_on = compensator.finish(program.mode(), compensated);
+  hand_out(out);
+  return goes_on;
+}
+
+void ProgramSession::Parts::hand_out(ProgramOutput& out) {
+  if (setup.nc_text) {
+    for (const CompensatedBlock& block : compensated) writer.write(block, out.text);
+  } else {
+    out.blocks.insert(out.blocks.end(), std::make_move_iterator(compensated.begin()),
+                      std::make_move_iterator(compensated.end()));
+  }
+  compensated.clear();
+}
+
+ProgramSession::ProgramSession(const ProgramSessionSetup& setup)
+    : parts_(std::make_unique<Parts>(setup)) {}
+
+ProgramSession::~ProgramSession() = default;
+
+bool ProgramSession::feed(std::string_view text, ProgramOutput& out) {
+  Parts& parts = *parts_;
+  while (!text.empty() && !parts.diagnostics.stopped()) {
+    const std::string_view piece = text.substr(0, bytes_per_piece);
+    text.remove_prefix(piece.size());
+    parts.interpreter.feed(piece, parts.lines);
+    parts.advance(out);
+  }
+  return !parts.diagnostics.stopped();
+}
+
+bool ProgramSession::finish(ProgramOutput& out) {
+  Parts& parts = *parts_;
+  if (parts.diagnostics.stopped()) return false;
+  parts.interpreter.finish(parts.lines);
+  if (!parts.advance(out) || !parts.end(out)) return false;
+  if (parts.setup.nc_text) parts.writer.finish(out.text);
+  return true;
+}
+
+Diagnostics& ProgramSession::diagnostics() { return parts_->diagnostics; }
+const Summary& ProgramSession::summary() const { return parts_->compensator.summary(); }
+std::uint64_t ProgramSession::lines_read() const { return parts_->interpreter.lines_read(); }
+
+}  // namespace trc

@@ -1,0 +1,175 @@
+// The output, read again without TRC, is the compensated path.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <numbers>
+#include <string>
+
+#include "core/nc/number_format.h"
+#include "core/trc/listing.h"
+#include "tests/session/random_program.h"
+#include "tests/session/run_program.h"
+
+namespace trc::testing {
+namespace {
+
+std::uint64_t programs() { return std::getenv("TRC_TEST_LONG") != nullptr ? 100'000 : 2'000; }
+
+bool travels(const CompensatedBlock& block) {
+  if (block.origin == Origin::passthrough) return false;
+  if (is_arc(block.path) || start_of(block.path) != end_of(block.path)) return true;
+  if (block.normal.moves()) return true;
+  for (const AxisTravel& travel : block.tracking)
+    if (travel.moves()) return true;
+  return false;
+}
+
+std::vector<CompensatedBlock> travelling(const std::vector<CompensatedBlock>& blocks) {
+  std::vector<CompensatedBlock> moving;
+  for (const CompensatedBlock& block : blocks)
+    if (travels(block)) moving.push_back(block);
+  return moving;
+}
+
+double largest_difference(const Position& a, const Position& b) {
+  double largest = 0;
+  for (std::size_t axis = 0; axis < a.size(); ++axis)
+    largest = std::max(largest, std::abs(a[axis] - b[axis]));
+  return largest;
+}
+
+Position start_position(const CompensatedBlock& block) {
+  return from_plane(block.plane, start_of(block.path), block.normal.from);
+}
+
+Position end_position(const CompensatedBlock& block) {
+  return from_plane(block.plane, end_of(block.path), block.normal.to);
+}
+
+double tracking_end(const CompensatedBlock& block) {
+  return block.tracking.empty() ? 0 : block.tracking[0].to;
+}
+
+// How far a point is from the line or circle of a segment.
+double off(const Point& point, const Segment& segment) {
+  if (const Arc* arc = std::get_if<Arc>(&segment))
+    return std::abs((point - arc->center).norm() - radius_of(*arc));
+  const Line& line = std::get<Line>(segment);
+  const Vector along = line.end - line.start;
+  if (along.norm() < 1e-9) return (point - line.start).norm();
+  return std::abs(cross(along.normalized(), point - line.start));
+}
+
+Point middle(const Segment& segment) {
+  if (const Arc* arc = std::get_if<Arc>(&segment)) {
+    const Vector radial = arc->start - arc->center;
+    return arc->center + std::cos(arc->sweep / 2) * radial +
+           std::sin(arc->sweep / 2) * left_of(radial);
+  }
+  return (start_of(segment) + end_of(segment)) / 2;
+}
+
+std::string text_of(const CompensatedBlock& block) {
+  std::string line;
+  append_listing(line, block, {}, 6);
+  return line;
+}
+
+// What is wrong with `read` as the rounded form of `path`; `unit`: of the last decimal, mm.
+std::string difference(const std::vector<CompensatedBlock>& path,
+                       const std::vector<CompensatedBlock>& read, double unit) {
+  const double half = unit / 2 * (1 + 1e-6);
+  std::size_t next = 0;
+  Position at = path.empty() ? Position{} : start_position(path.front());
+  double tracking_at = 0;
+  for (const CompensatedBlock& block : path) {
+    const Arc* arc = std::get_if<Arc>(&block.path);
+    bool must_travel = arc != nullptr && std::abs(arc->sweep) > std::numbers::pi;
+    while (must_travel || largest_difference(at, end_position(block)) > half ||
+           std::abs(tracking_at - tracking_end(block)) > half) {
+      if (next == read.size()) return "nothing is read for " + text_of(block);
+      const CompensatedBlock& part = read[next++];
+      const std::string pair = text_of(part) + " is read for " + text_of(block);
+      if (part.rapid != block.rapid) return "rapid: " + pair;
+      if (!block.rapid && std::abs(part.feed - block.feed) > unit) return "feed: " + pair;
+      if (part.plane != block.plane) return "plane: " + pair;
+      if (off(middle(part.path), block.path) > 2.5 * unit) return "off the path: " + pair;
+      if (off(end_of(part.path), block.path) > unit) return "end off the path: " + pair;
+      at = end_position(part);
+      tracking_at = tracking_end(part);
+      must_travel = false;
+    }
+    // A half is not a whole: the lengths tell an arc from its complement.
+  }
+  if (next != read.size()) return "also read: " + text_of(read[next]);
+  double length = 0;
+  for (const CompensatedBlock& block : path) length += length_of(block.path);
+  for (const CompensatedBlock& block : read) length -= length_of(block.path);
+  if (std::abs(length) > 10 * unit * static_cast<double>(path.size() + read.size()))
+    return "length differs by " + std::to_string(length);
+  return {};
+}
+
+double unit_of(const std::string& program, int places) {
+  const bool inch = program.find("G70") != std::string::npos;
+  return inch ? 25.4 * std::pow(10, -(places + 1)) : std::pow(10, -places);
+}
+
+TEST(ReadBack, TextIsThePathToHalfAUnit) {
+  std::uint64_t compensated = 0;
+  for (std::uint64_t seed = 1; seed <= programs(); ++seed) {
+    const std::string program = random_program(seed, true);
+    const int decimals = 2 + static_cast<int>(seed % 4);
+    SCOPED_TRACE("seed " + std::to_string(seed) + ", decimals " + std::to_string(decimals));
+    const ProgramRun path = to_blocks(program);
+    if (!path.completed) continue;
+    ++compensated;
+    const ProgramRun text = to_text(program, {.decimals = decimals});
+    ASSERT_TRUE(text.completed) << text.reports() << "\n" << program;
+    const ProgramRun read = to_blocks(text.text);
+    ASSERT_TRUE(read.completed) << read.reports() << "\n" << program << "\n->\n" << text.text;
+    for (const CompensatedBlock& block : read.blocks)
+      ASSERT_TRUE(block.origin == Origin::uncompensated || block.origin == Origin::passthrough);
+    ASSERT_EQ(
+        difference(travelling(path.blocks), travelling(read.blocks), unit_of(program, decimals)),
+        "")
+        << program << "\n->\n"
+        << text.text;
+  }
+  EXPECT_GT(compensated, programs() / 4);
+}
+
+TEST(ReadBack, ProgramWithoutCompensationComesOutByteForByte) {
+  for (std::uint64_t seed = 1; seed <= programs(); ++seed) {
+    const std::string program = random_program(seed, false);
+    const ProgramRun run = to_text(program);
+    ASSERT_TRUE(run.completed) << run.reports() << "\n" << program;
+    ASSERT_EQ(run.text, program) << "seed " << seed;
+  }
+}
+
+TEST(ReadBack, OutputIsItsOwnOutput) {
+  for (std::uint64_t seed = 1; seed <= programs() / 4; ++seed) {
+    const ProgramRun once = to_text(random_program(seed, true));
+    if (!once.completed) continue;
+    ASSERT_EQ(to_text(once.text).text, once.text) << "seed " << seed;
+  }
+}
+
+TEST(ReadBack, CutAnywhereGivesTheSameBytes) {
+  for (std::uint64_t seed = 1; seed <= programs() / 20; ++seed) {
+    const std::string program = random_program(seed, true);
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    const ProgramRun whole = to_text(program);
+    for (const std::size_t cut : {1, 2, 3, 7, 64}) {
+      const ProgramRun pieces = to_text(program, {}, cut);
+      ASSERT_EQ(pieces.text, whole.text) << "cut " << cut;
+      ASSERT_EQ(pieces.reports(), whole.reports()) << "cut " << cut;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace trc::testing
