@@ -1,5 +1,6 @@
 #include "tests/support/contours.h"
 
+#include <algorithm>
 #include <cmath>
 #include <iomanip>
 #include <numbers>
@@ -30,6 +31,12 @@ Vector end_direction(const Segment& segment) {
   const Vector spoke = (arc.end - arc.center).normalized();
   const Vector left{-spoke.y(), spoke.x()};
   return arc.sweep > 0 ? left : Vector(-left);
+}
+
+// Size of the turn into a block, rad.
+double turn_to(const Vector& heading, const Segment& block) {
+  const Vector start = -end_direction(reversed(block));
+  return std::acos(std::clamp(heading.dot(start), -1.0, 1.0));
 }
 
 double random_turn(Random& random, Flavor flavor, double away) {
@@ -140,11 +147,12 @@ Contour grown_contour(Random& random, Flavor flavor, const TrcMode& mode, std::s
   double turned_so_far = 0;
   for (std::size_t tries = 0; contour.blocks.size() < blocks && tries < 6 * blocks; ++tries) {
     const Segment block = random_block(random, flavor, at, heading, away, unit);
-    if (flavor == Flavor::convex && !contour.blocks.empty()) {
-      const Vector end = end_direction(block);
-      const double turn = std::abs(turn_between(heading, end));
-      if (turned_so_far + turn > 5) break;
-      turned_so_far += turn;
+    if (flavor == Flavor::convex) {
+      const auto* arc = std::get_if<Arc>(&block);
+      const double sweep = arc != nullptr ? std::abs(arc->sweep) : 0;
+      const double corner = contour.blocks.empty() ? 0 : turn_to(heading, block);
+      if (turned_so_far + corner + sweep > pi) break;
+      turned_so_far += corner + sweep;
     }
     contour.blocks.push_back(block);
     contour.retract = {.start = end_point(block),

@@ -26,7 +26,7 @@ enum class Flavor {
   near_tangent,  // turns of 1e-5 … 1e-2 rad, and none at all
   short_blocks,  // blocks down to a hundredth of the radius, small turns
   grid,          // whole-number coordinates, right angles, quarter circles: every tie happens
-  convex,        // turns away from the tool only, less than once round
+  convex,        // turns away from the tool only, at most half round
 };
 
 inline constexpr Flavor all_flavors[] = {Flavor::mixed,        Flavor::lines, Flavor::near_tangent,

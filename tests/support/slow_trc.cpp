@@ -30,12 +30,11 @@ SlowPoint rotated(SlowPoint v, Real angle) {
 }
 SlowPoint wide(const Point& p) { return {p.x(), p.y()}; }
 
-// The angle of a full turn that is left when `angle` is brought into [0, 2 pi);
-// rounding noise below zero stays zero.
+// `angle` brought into one turn that begins a little below zero: where two
+// equidistants touch, rounding may put the joint just behind the corner.
 Real positive_angle(Real angle) {
   angle = std::fmod(angle, 2 * pi);
-  if (angle < 0) angle += 2 * pi;
-  return angle > 2 * pi - 1e-12L ? 0 : angle;
+  return angle < -1e-4L ? angle + 2 * pi : angle;
 }
 
 // One programmed block with what the rules need of it.
@@ -161,38 +160,58 @@ Real SlowCompensation::angle_between(const Shape& before, const Shape& after) co
   return pi - side_ * turn;
 }
 
+// The first place where `value` is no longer negative, between `inside`, where it
+// is, and `outside`, where it is not.
+template <class Function>
+Real bisect(const Function& value, Real inside, Real outside) {
+  for (int k = 0; k < 80; ++k) {
+    const Real middle = (inside + outside) / 2;
+    (value(middle) < 0 ? inside : outside) = middle;
+  }
+  return outside;
+}
+
+// Where `value`, which has one summit between `low` and `high`, is largest.
+template <class Function>
+Real summit(const Function& value, Real low, Real high) {
+  for (int k = 0; k < 120; ++k) {
+    const Real third = (high - low) / 3;
+    if (value(low + third) < value(high - third))
+      low += third;
+    else
+      high -= third;
+  }
+  return (low + high) / 2;
+}
+
 // Walks along the equidistant of `after`, also past its end, until it leaves the
 // strip of `before`; the walk stops after one turn of an arc, and where no
 // stretched transition could bring a line back.
 std::optional<Real> SlowCompensation::leave(const Shape& before, const Shape& after) {
   const Real last = after.is_arc ? 2 * pi : 2 * (after.extent + 10 * radius_) + 1;
-  constexpr int steps = 2500;
-  std::vector<Real> stations;
+  const auto value = [&](Real s) { return beyond(before, along(after, s)); };
+  std::vector<Real> stations{0};
   if (before.is_arc || after.is_arc) {
+    constexpr int steps = 1500;
     for (int k = 1; k < steps; ++k) stations.push_back(last * k / steps);
     // Next to the corner the strip can be left and entered again in an instant.
-    for (Real s = last / steps; s > 1e-11L * last; s *= 0.96L) stations.push_back(s);
+    for (Real s = last; s > 1e-11L * last; s *= 0.97L) stations.push_back(s);
     std::sort(stations.begin(), stations.end());
   }
   stations.push_back(last);
-  Real inside = 0;
-  Real nearest = -radius_;
-  for (const Real station : stations) {
-    const Real distance = beyond(before, along(after, station));
-    nearest = std::max(nearest, distance);
-    if (distance < 0) {
-      inside = station;
+  std::vector<Real> values;
+  for (const Real station : stations) values.push_back(value(station));
+  Real nearest = values.back();
+  for (std::size_t k = 1; k < stations.size(); ++k) {
+    if (values[k] >= 0) return bisect(value, stations[k - 1], stations[k]);
+    // Between two stations the strip may be left and entered again.
+    if (k + 1 == stations.size() || values[k] < values[k - 1] || values[k] < values[k + 1])
       continue;
-    }
-    Real outside = station;
-    for (int k = 0; k < 80; ++k) {
-      const Real middle = (inside + outside) / 2;
-      (beyond(before, along(after, middle)) < 0 ? inside : outside) = middle;
-    }
-    return outside;
+    const Real top = summit(value, stations[k - 1], stations[k + 1]);
+    nearest = std::max(nearest, value(top));
+    if (value(top) >= 0) return bisect(value, stations[k - 1], top);
   }
-  // Between two stations a touch may have been missed.
-  if (nearest > -open_length - radius_ * 1e-5L) outcome_.borderline = true;
+  if (nearest > -open_length) outcome_.borderline = true;
   return std::nullopt;
 }
 
