@@ -85,18 +85,20 @@ Corner corner_between(const PathBlock& before, const PathBlock& after) {
 AxisTravel standing(double position) { return {.from = position, .to = position}; }
 
 // What all blocks inserted between the two have in common. Third axis and
-// tracking axes stand still in them (D-26).
+// tracking axes stand still in them (D-26), where the riders have left them.
 PathBlock insertion_behind(const PathBlock& before, const PathBlock& after) {
   const MotionBlock& programmed = before.programmed;
+  const PassiveBlock* rider = before.riders.empty() ? nullptr : &before.riders.back();
+  const TrackingTravel& tracking = rider != nullptr ? rider->tracking : programmed.tracking;
   PathBlock inserted{.role = Role::inserted, .at_start = before.at_end, .at_end = before.at_end};
   MotionBlock& motion = inserted.programmed;
   motion.source = programmed.source;
   motion.mode = programmed.mode;
   motion.feed = programmed.feed > 0 ? programmed.feed : after.programmed.feed;
   motion.rapid = programmed.rapid && after.programmed.rapid;
-  motion.normal = standing(programmed.normal.to);
-  motion.tracking.reserve(programmed.tracking.size());
-  for (const AxisTravel& axis : programmed.tracking) motion.tracking.push_back(standing(axis.to));
+  motion.normal = standing((rider != nullptr ? rider->normal : programmed.normal).to);
+  motion.tracking.reserve(tracking.size());
+  for (const AxisTravel& axis : tracking) motion.tracking.push_back(standing(axis.to));
   return inserted;
 }
 

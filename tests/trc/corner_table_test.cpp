@@ -41,10 +41,10 @@ Segment block_before(const Point& end, const Vector& travel, Bend bend) {
 }
 
 Segment block_after(const Point& start, const Vector& travel, Bend bend) {
-  return reversed(
-      block_before(start, -travel, bend == Bend::left    ? Bend::right
-                                   : bend == Bend::right ? Bend::left
-                                                         : bend));
+  return reversed(block_before(start, -travel,
+                               bend == Bend::left    ? Bend::right
+                               : bend == Bend::right ? Bend::left
+                                                     : bend));
 }
 
 Vector tangent(const Segment& segment, bool at_end) {
@@ -145,8 +145,7 @@ constexpr Sequence sequences[] = {
 
 void PrintTo(const Sequence& sequence, std::ostream* out) { *out << sequence.name; }
 
-class CornerTable
-    : public ::testing::TestWithParam<std::tuple<double, Sequence, Transition>> {
+class CornerTable : public ::testing::TestWithParam<std::tuple<double, Sequence, Transition>> {
  protected:
   [[nodiscard]] double angle() const { return std::get<0>(GetParam()); }
   [[nodiscard]] Sequence sequence() const { return std::get<1>(GetParam()); }
@@ -251,13 +250,12 @@ std::string name_of_case(
          sequence.name + (transition == Transition::linear ? "G25" : "G26");
 }
 
-INSTANTIATE_TEST_SUITE_P(T10, CornerTable,
-                         ::testing::Combine(::testing::Values(90, 180, 180.5, 181, 225, 270, 271,
-                                                              300, 350),
-                                            ::testing::ValuesIn(sequences),
-                                            ::testing::Values(Transition::linear,
-                                                              Transition::circular)),
-                         name_of_case);
+INSTANTIATE_TEST_SUITE_P(
+    T10, CornerTable,
+    ::testing::Combine(::testing::Values(90, 180, 180.5, 181, 225, 270, 271, 300, 350),
+                       ::testing::ValuesIn(sequences),
+                       ::testing::Values(Transition::linear, Transition::circular)),
+    name_of_case);
 
 // Spec section 4.4 and D-08.
 TEST(ExtAngleBlockIntersection, JoinsWithoutInsertionUpTo181Degrees) {
@@ -325,8 +323,7 @@ TEST_P(StretchFactor, SetsTheLongestStretch) {
 INSTANTIATE_TEST_SUITE_P(OneToNineAndReal, StretchFactor,
                          ::testing::Values(1, 1.5, 2, 2.6, 2.65, 3, 4, 5, 6, 7, 8, 9),
                          [](const auto& tested) {
-                           return "Percent" +
-                                  std::to_string(std::lround(tested.param * 100));
+                           return "Percent" + std::to_string(std::lround(tested.param * 100));
                          });
 
 TEST(StretchFactorLimits, DoNotChangeCornersUpTo270Degrees) {
@@ -356,7 +353,8 @@ TEST(Reversal, GetsAStretchedEndWithG25AndAHalfCircleWithG26) {
   for (const Side side : {Side::left, Side::right}) {
     Contour contour;
     contour.approach = {.start = {-20, 0}, .end = {0, 0}};
-    contour.blocks = {Line{.start = {0, 0}, .end = {50, 0}}, Line{.start = {50, 0}, .end = {20, 0}}};
+    contour.blocks = {Line{.start = {0, 0}, .end = {50, 0}},
+                      Line{.start = {50, 0}, .end = {20, 0}}};
     contour.retract = {.start = {20, 0}, .end = {-10, 0}};
     const double hand = side == Side::left ? 1 : -1;
     TrcMode mode = mode_for(Transition::linear);
