@@ -1,0 +1,45 @@
+#include "proto/wire/block_values.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "core/base/tolerances.h"
+
+namespace trc::wire {
+
+bool check_coordinate(double value, const FieldPath& path, FieldFaults& faults) {
+  constexpr double largest = Tolerances{}.largest_coordinate;
+  return check_range(value, -largest, largest, "mm", path, faults);
+}
+
+bool check_feed(double value, const FieldPath& path, FieldFaults& faults) {
+  return check_above(value, 0, 1e9, "mm/min", path, faults);
+}
+
+bool check_text(const std::string& text, const FieldPath& path, FieldFaults& faults) {
+  constexpr std::size_t longest = 65536;
+  if (text.size() > longest) {
+    add_fault(
+        path,
+        "has " + std::to_string(text.size()) + " bytes, allowed are " + std::to_string(longest),
+        faults);
+    return false;
+  }
+  const auto is_control = [](char c) {
+    const auto byte = static_cast<unsigned char>(c);
+    return (byte < 0x20 && c != '\t') || byte == 0x7f;
+  };
+  if (std::none_of(text.begin(), text.end(), is_control)) return true;
+  add_fault(path, "holds a control character", faults);
+  return false;
+}
+
+bool check_number(std::uint64_t number, const FieldPath& path, FieldFaults& faults) {
+  constexpr auto largest = static_cast<std::uint64_t>(std::numeric_limits<std::int64_t>::max());
+  if (number <= largest) return true;
+  add_fault(path, "is " + std::to_string(number) + ", allowed is up to " + std::to_string(largest),
+            faults);
+  return false;
+}
+
+}  // namespace trc::wire

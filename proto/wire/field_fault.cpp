@@ -1,0 +1,59 @@
+#include "proto/wire/field_fault.h"
+
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <utility>
+
+namespace trc::wire {
+namespace {
+
+std::string number_text(double value) {
+  if (std::isnan(value)) return "NaN";
+  if (std::isinf(value)) return value > 0 ? "infinite" : "-infinite";
+  std::array<char, 32> text{};
+  const auto written = std::to_chars(text.data(), text.data() + text.size(), value);
+  return {text.data(), written.ptr};
+}
+
+std::string with_unit(double value, std::string_view unit) {
+  std::string text = number_text(value);
+  if (!unit.empty()) text.append(" ").append(unit);
+  return text;
+}
+
+}  // namespace
+
+std::string FieldPath::text() const {
+  std::string text = parent_ == nullptr ? std::string() : parent_->text();
+  if (!text.empty()) text += '.';
+  text += name_;
+  if (indexed_) text.append("[").append(std::to_string(index_)).append("]");
+  return text;
+}
+
+void add_fault(const FieldPath& path, std::string description, FieldFaults& faults) {
+  faults.add({.field = path.text(), .description = std::move(description)});
+}
+
+bool check_range(double value, double low, double high, std::string_view unit,
+                 const FieldPath& path, FieldFaults& faults) {
+  if (value >= low && value <= high) return true;
+  add_fault(path,
+            "is " + number_text(value) + ", allowed is " + number_text(low) + " to " +
+                with_unit(high, unit),
+            faults);
+  return false;
+}
+
+bool check_above(double value, double low, double high, std::string_view unit,
+                 const FieldPath& path, FieldFaults& faults) {
+  if (value > low && value <= high) return true;
+  add_fault(path,
+            "is " + number_text(value) + ", allowed is above " + number_text(low) + " to " +
+                with_unit(high, unit),
+            faults);
+  return false;
+}
+
+}  // namespace trc::wire

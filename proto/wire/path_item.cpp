@@ -1,0 +1,62 @@
+#include "proto/wire/path_item.h"
+
+#include "proto/wire/compensated_block.h"
+
+namespace trc::wire {
+
+void to_proto(const PathSummary& summary, v1::PathSummary& message) {
+  message.Clear();
+  const Summary& core = summary.summary;
+  message.set_blocks_in(core.blocks_in);
+  message.set_blocks_out(core.blocks_out);
+  message.set_masked_blocks(core.blocks_by_origin[static_cast<std::size_t>(Origin::masked)]);
+  message.set_programmed_length(core.programmed_length);
+  message.set_compensated_length(core.compensated_length);
+  if (core.smallest_clearance) message.set_min_clearance(*core.smallest_clearance);
+  for (std::size_t origin = 0; origin < core.blocks_by_origin.size(); ++origin) {
+    if (core.blocks_by_origin[origin] == 0) continue;
+    v1::OriginCount& entry = *message.add_blocks_by_origin();
+    entry.set_origin(to_proto(static_cast<Origin>(origin)));
+    entry.set_count(core.blocks_by_origin[origin]);
+  }
+  message.set_notes(summary.notes);
+  message.set_warnings(summary.warnings);
+  message.set_wall_time_seconds(summary.wall_time_seconds);
+  message.set_cpu_time_seconds(summary.cpu_time_seconds);
+}
+
+void to_proto(const ProgramSummary& summary, v1::ProgramSummary& message) {
+  to_proto(summary.path, *message.mutable_path());
+  message.set_lines_in(summary.lines_in);
+  message.set_bytes_in(summary.bytes_in);
+  message.set_bytes_out(summary.bytes_out);
+}
+
+PathSummary from_proto(const v1::PathSummary& message) {
+  PathSummary summary{.notes = message.notes(),
+                      .warnings = message.warnings(),
+                      .wall_time_seconds = message.wall_time_seconds(),
+                      .cpu_time_seconds = message.cpu_time_seconds()};
+  Summary& core = summary.summary;
+  core.blocks_in = message.blocks_in();
+  core.blocks_out = message.blocks_out();
+  core.programmed_length = message.programmed_length();
+  core.compensated_length = message.compensated_length();
+  if (message.has_min_clearance()) core.smallest_clearance = message.min_clearance();
+  for (const v1::OriginCount& entry : message.blocks_by_origin()) {
+    // A newer server may know more origins; its total still counts them.
+    FieldFaults ignored;
+    const auto origin = from_proto(entry.origin(), FieldPath("origin"), ignored);
+    if (origin) core.blocks_by_origin[static_cast<std::size_t>(*origin)] = entry.count();
+  }
+  return summary;
+}
+
+ProgramSummary from_proto(const v1::ProgramSummary& message) {
+  return {.path = from_proto(message.path()),
+          .lines_in = message.lines_in(),
+          .bytes_in = message.bytes_in(),
+          .bytes_out = message.bytes_out()};
+}
+
+}  // namespace trc::wire

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <cstdint>
+
+#include "core/trc/compensator.h"
+#include "trc/v1/path_item.pb.h"
+
+namespace trc::wire {
+
+// What a finished stream of blocks did.
+struct PathSummary {
+  Summary summary{};
+  std::uint64_t notes = 0;
+  std::uint64_t warnings = 0;
+  double wall_time_seconds = 0;
+  double cpu_time_seconds = 0;
+};
+
+// What a finished stream of NC text did.
+struct ProgramSummary {
+  PathSummary path{};
+  std::uint64_t lines_in = 0;
+  std::uint64_t bytes_in = 0;
+  std::uint64_t bytes_out = 0;
+};
+
+void to_proto(const PathSummary& summary, v1::PathSummary& message);
+void to_proto(const ProgramSummary& summary, v1::ProgramSummary& message);
+[[nodiscard]] PathSummary from_proto(const v1::PathSummary& message);
+[[nodiscard]] ProgramSummary from_proto(const v1::ProgramSummary& message);
+
+}  // namespace trc::wire
