@@ -251,7 +251,7 @@ bool Interpreter::read_block(ProgramLine& line) {
   if (only_comments) return true;
   line.has_words = true;
   ++blocks_read_;
-  return check_axis_letters(line, block) && apply(line, block);
+  return check_block(line, block) && apply(line, block);
 }
 
 bool Interpreter::apply(ProgramLine& line, BlockWords& block) {

@@ -57,7 +57,7 @@ class Interpreter {
   bool read_axis(const Word& word, ProgramLine& line, BlockWords& block);
   bool read_number(const Word& word, ProgramLine& line, BlockWords& block);
   bool read_command(const Word& word, ProgramLine& line, BlockWords& block);
-  bool check_axis_letters(ProgramLine& line, const BlockWords& block);
+  bool check_block(ProgramLine& line, const BlockWords& block);
 
   bool apply(ProgramLine& line, BlockWords& block);
   bool apply_modes(const ProgramLine& line, const BlockWords& block);

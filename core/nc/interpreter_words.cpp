@@ -280,8 +280,9 @@ bool Interpreter::read_axis(const Word& word, ProgramLine& line, BlockWords& blo
   return true;
 }
 
-// Where axis letters are no positions, and where nothing else may stand.
-bool Interpreter::check_axis_letters(ProgramLine& line, const BlockWords& block) {
+// What the words of a block must be together: which need another, which stand
+// alone, and where axis letters are no positions.
+bool Interpreter::check_block(ProgramLine& line, const BlockWords& block) {
   using enum GGroup;
   const auto wrong = [&](Code code, const BlockWords::Function& function, const char* why) {
     return refuse(line, TextFault{.code = code,
@@ -298,6 +299,8 @@ bool Interpreter::check_axis_letters(ProgramLine& line, const BlockWords& block)
   }
   if (block.has(axis_technology) && (block.axis || block.center))
     return wrong(Code::nc_unsupported, block.of(axis_technology), " with axis words");
+  if (block.has(tangential) && !block.has(side))
+    return wrong(Code::nc_syntax, block.of(tangential), " without G40, G41 or G42");
   const bool preset = block.of(zero_shift).is(92);
   if (preset && (block.has(motion) || block.center || block.move.radius))
     return wrong(Code::nc_unsupported, block.of(zero_shift), " with a motion");

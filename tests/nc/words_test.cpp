@@ -1,0 +1,179 @@
+#include "core/nc/words.h"
+
+#include <gtest/gtest.h>
+
+#include <charconv>
+#include <cmath>
+#include <cstdio>
+#include <random>
+#include <string>
+#include <vector>
+
+namespace trc {
+namespace {
+
+// The words of a line as text: "G1 N10 | comment …".
+std::string words_of(std::string_view line) {
+  WordReader reader(line);
+  std::string text;
+  for (;;) {
+    const Word word = reader.next();
+    if (word.kind == WordKind::end) return text;
+    if (!text.empty()) text += " ";
+    if (word.kind == WordKind::fault)
+      return text + "fault " + std::to_string(static_cast<int>(reader.fault().code)) + " at " +
+             std::to_string(reader.fault().begin);
+    char shown[64];
+    switch (word.kind) {
+      case WordKind::address:
+        std::snprintf(shown, sizeof shown, "%c%.17g", word.letter, word.value);
+        text += shown;
+        if (word.has_argument) {
+          std::snprintf(shown, sizeof shown, "=%.17g", word.argument);
+          text += shown;
+        }
+        break;
+      case WordKind::number:
+      case WordKind::variable:
+        std::snprintf(shown, sizeof shown, "%s%.17g",
+                      word.kind == WordKind::variable ? "radius=" : "", word.value);
+        text += shown;
+        break;
+      default:
+        text += std::string(line.substr(word.begin, word.end - word.begin));
+    }
+  }
+}
+
+TEST(Words, NeedNoBlanksBetweenThem) {
+  EXPECT_EQ(words_of("N10G01X10.5Y-3F1000M8"), "N10 G1 X10.5 Y-3 F1000 M8");
+}
+
+TEST(Words, MayHaveBlanksAndAnEqualSignInsideThem) {
+  EXPECT_EQ(words_of("G 01  X = 10\tY= -.5 Z 3."), "G1 X10 Y-0.5 Z3");
+}
+
+TEST(Words, AreTheSameInLowerCase) { EXPECT_EQ(words_of("n10 g1 x5"), "N10 G1 X5"); }
+
+TEST(Words, TakeASignAndAPointWithoutDigitsOnOneSide) {
+  EXPECT_EQ(words_of("X+3 Y-.5 Z5. A.25"), "X3 Y-0.5 Z5 A0.25");
+}
+
+TEST(Words, KeepTheNumberBehindAnIndexedAddress) {
+  EXPECT_EQ(words_of("G159=3 S2=500 X1 = -4"), "G159=3 S2=500 X1=-4");
+}
+
+TEST(Words, TheToolRadiusHasTwoNames) {
+  EXPECT_EQ(words_of("V.G.WZ_AKT.R = 10"), "radius=10");
+  EXPECT_EQ(words_of("v.g.wzr=-2.5 G41"), "radius=-2.5 G41");
+}
+
+TEST(Words, VIsAnAxisWhenADigitFollows) { EXPECT_EQ(words_of("V10 W.5"), "V10 W0.5"); }
+
+TEST(Words, ANumberWithoutLetterIsAWordOfItsOwn) {
+  EXPECT_EQ(words_of("G04 2.13"), "G4 2.1299999999999999");
+}
+
+TEST(Words, CommentsNestAndEndWithTheLine) {
+  EXPECT_EQ(words_of("X1 (a (b) c) Y2"), "X1 (a (b) c) Y2");
+  EXPECT_EQ(words_of("X1 (open"), "X1 (open");
+  EXPECT_EQ(words_of("X1 ;a (b Y2"), "X1 ;a (b Y2");
+}
+
+TEST(Words, OneClosingParenthesisTooManyBelongsToTheComment) {
+  EXPECT_EQ(words_of("G140 (Deactivate))"), "G140 (Deactivate))");
+}
+
+TEST(Words, ACommandReachesToTheCommentBehindIt) {
+  EXPECT_EQ(words_of("N10 #TRC [REVERSE=1] (on)"), "N10 #TRC [REVERSE=1] (on)");
+  EXPECT_EQ(words_of("#MSG [\"a;b (c\"];d"), "#MSG [\"a;b (c\"] ;d");
+}
+
+TEST(Words, AContinuedLineIsOneLine) {
+  EXPECT_EQ(words_of("G01 \\\r\nN20 X10 \\ \nY5"), "G1 N20 X10 Y5");
+}
+
+TEST(Words, ABackslashElsewhereIsAFault) {
+  EXPECT_EQ(words_of("G01 \\ X10"), "G1 fault 900001 at 4");
+}
+
+TEST(Words, ANumberThatIsMissingOrBrokenIsAFaultAtItsLetter) {
+  EXPECT_EQ(words_of("G01 X"), "G1 fault 900008 at 4");
+  EXPECT_EQ(words_of("X Y10"), "fault 900008 at 0");
+  EXPECT_EQ(words_of("X--3"), "fault 900008 at 0");
+  EXPECT_EQ(words_of("X."), "fault 900008 at 0");
+  EXPECT_EQ(words_of("X1.2.3"), "X1.2 0.29999999999999999");  // refused as a number without letter
+}
+
+TEST(Words, ANumberLargerThanAnyDoubleIsAFault) {
+  EXPECT_EQ(words_of(std::string("X").append(400, '9')), "fault 900008 at 0");
+}
+
+TEST(Words, EIsNoExponent) { EXPECT_EQ(words_of("X1E3"), "X1 E3"); }
+
+TEST(Words, ExpressionsAndVariablesAreRefusedAtTheirPlace) {
+  EXPECT_EQ(words_of("G1 X[1+2]"), "G1 fault 900003 at 3");
+  EXPECT_EQ(words_of("XP1"), "fault 900003 at 0");
+  EXPECT_EQ(words_of("X=V.L.A"), "fault 900003 at 0");
+  EXPECT_EQ(words_of("P1=5"), "fault 900003 at 0");
+  EXPECT_EQ(words_of("V.P.X=5"), "fault 900003 at 0");
+  EXPECT_EQ(words_of("V.G.WZ_AKT.R=P5"), "fault 900003 at 0");
+  EXPECT_EQ(words_of("$IF V.L.A"), "fault 900003 at 0");
+  EXPECT_EQ(words_of("L SUB"), "fault 900003 at 0");
+  EXPECT_EQ(words_of("/ X1"), "fault 900003 at 0");
+}
+
+TEST(Words, BytesThatAreNoTextAreFoundAlsoInComments) {
+  using namespace std::string_view_literals;
+  EXPECT_EQ(words_of("X1\0"sv), "X1 fault 900007 at 2");
+  EXPECT_EQ(words_of("X1 (a\x01)"), "X1 fault 900007 at 5");
+  EXPECT_EQ(words_of("; \xC3"), "fault 900007 at 2");
+  EXPECT_EQ(words_of("; \xC3\xA4"), "; \xC3\xA4");
+  EXPECT_EQ(words_of("X1 \xC3\xA4"), "X1 fault 900001 at 3");
+}
+
+TEST(Utf8, AcceptsWhatTheStandardAcceptsAndNothingElse) {
+  const auto good = [](std::string_view text) {
+    return first_byte_that_is_no_text(text) == std::string_view::npos;
+  };
+  EXPECT_TRUE(good("\xC2\x80 \xE0\xA0\x80 \xED\x9F\xBF \xF0\x90\x80\x80 \xF4\x8F\xBF\xBF"));
+  for (const char* bad : {"\x80", "\xC0\x80", "\xC1\xBF", "\xE0\x9F\xBF", "\xED\xA0\x80",
+                          "\xF0\x8F\xBF\xBF", "\xF4\x90\x80\x80", "\xF5\x80\x80\x80", "\xE2\x82"})
+    EXPECT_FALSE(good(bad)) << bad;
+}
+
+TEST(Continuation, IsABackslashAtTheEndOutsideComments) {
+  EXPECT_TRUE(is_continued("G01 X10 \\"));
+  EXPECT_TRUE(is_continued("G01 (a) X10 \\ \t"));
+  EXPECT_TRUE(is_continued("G01 \\\nX10 \\"));
+  EXPECT_FALSE(is_continued("G01 X10"));
+  EXPECT_FALSE(is_continued("G01 ; C:\\"));
+  EXPECT_FALSE(is_continued("G01 (open \\"));
+  EXPECT_FALSE(is_continued("%name\\"));
+  EXPECT_FALSE(is_continued(""));
+}
+
+TEST(Numbers, AreRoundedAsTheStandardLibraryRoundsThem) {
+  constexpr unsigned seed = 20240;
+  SCOPED_TRACE(seed);
+  std::mt19937_64 random(seed);
+  std::uniform_int_distribution<int> digit('0', '9');
+  std::uniform_int_distribution<std::size_t> length(0, 24);
+  for (int i = 0; i < 200'000; ++i) {
+    std::string text(length(random), ' ');
+    for (char& byte : text) byte = static_cast<char>(digit(random));
+    text.insert(text.begin() + static_cast<std::ptrdiff_t>(length(random) % (text.size() + 1)),
+                '.');
+    if (text.size() == 1) text += '5';
+    double expected = -1;
+    std::from_chars(text.data(), text.data() + text.size(), expected, std::chars_format::fixed);
+    double value = 0;
+    bool whole = true;
+    ASSERT_EQ(read_number(text, value, whole), text.size()) << text;
+    ASSERT_EQ(value, expected) << text;
+    ASSERT_FALSE(whole);
+  }
+}
+
+}  // namespace
+}  // namespace trc

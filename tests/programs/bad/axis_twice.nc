@@ -1,0 +1,4 @@
+; expect: 900010 at line 3
+N10 G00 X0 Y0
+N20 X10 Y20 X10
+N30 M30

@@ -1,0 +1,4 @@
+; expect: 90133 at line 3
+N10 G00 X0 Y0
+N20 G02 X1 Y0 I1000001 F500
+N30 M30

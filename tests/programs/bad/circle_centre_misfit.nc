@@ -1,0 +1,4 @@
+; expect: 20035 at line 3
+N10 G00 X0 Y0
+N20 G02 X40 Y0 I12 J30 F1000
+N30 M30

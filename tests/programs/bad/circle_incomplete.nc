@@ -1,0 +1,4 @@
+; expect: 900101 at line 3
+N10 G00 X0 Y0
+N20 G02 X10 F500
+N30 M30

@@ -1,0 +1,4 @@
+; expect: 20036 at line 3
+N10 G00 X0 Y0
+N20 G02 X10 I0 J0 F1000
+N30 M30

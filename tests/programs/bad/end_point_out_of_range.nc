@@ -1,0 +1,4 @@
+; expect: 90134 at line 3
+N10 G00 X0 Y0
+N20 G01 X1000000.1 F500
+N30 M30

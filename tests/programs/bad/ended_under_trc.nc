@@ -1,0 +1,5 @@
+; expect: 900205 at line 5
+N10 V.G.WZ_AKT.R=2
+N20 G41 G01 X10 Y0 F500
+N30 X20
+N40 M30

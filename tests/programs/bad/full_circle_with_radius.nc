@@ -1,0 +1,4 @@
+; expect: 20034 at line 3
+N10 G00 X0 Y0 Z0
+N20 G02 X0 Y0 R10 F1000
+N30 M30

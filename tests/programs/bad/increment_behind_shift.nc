@@ -1,0 +1,5 @@
+; expect: 900106 at line 4
+N10 G00 X0 Y0
+N20 G54
+N30 G91 X10
+N40 M30

@@ -1,0 +1,4 @@
+; expect: 20963 at line 3
+N10 G00 X0 Y0
+N20 #TANGFEED [RMIN=-3]
+N30 M30

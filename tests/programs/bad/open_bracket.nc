@@ -1,0 +1,4 @@
+; expect: 900009 at line 3
+N10 G00 X0 Y0
+N20 #TRC [REVERSE=1
+N30 M30

@@ -1,0 +1,7 @@
+; expect: 900204 at line 5
+N10 V.G.WZ_AKT.R=2
+N20 G41
+N30 M8
+N40 G40
+N50 G00 X10 Y10
+N60 M30

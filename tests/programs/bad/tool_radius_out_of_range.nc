@@ -1,0 +1,4 @@
+; expect: 900104 at line 3
+N10 G00 X0 Y0
+N20 V.G.WZ_AKT.R=214749
+N30 M30

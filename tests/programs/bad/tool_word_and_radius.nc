@@ -1,0 +1,4 @@
+; expect: 20083 at line 3
+N10 G00 X0 Y0
+N20 D1 V.G.WZ_AKT.R=3
+N30 M30

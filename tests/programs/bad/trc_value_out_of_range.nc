@@ -1,0 +1,4 @@
+; expect: 900005 at line 3
+N10 G00 X0 Y0
+N20 #TRC [KERF_MASKING=2]
+N30 M30

@@ -1,0 +1,4 @@
+; expect: 20126 at line 3
+N10 G00 X0 Y0
+N20 G138 G41 G139 X10
+N30 M30

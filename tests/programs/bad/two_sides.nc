@@ -1,0 +1,4 @@
+; expect: 20114 at line 3
+N10 G00 X0 Y0
+N20 G41 X10 Y20 G42
+N30 M30

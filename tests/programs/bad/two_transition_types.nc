@@ -1,0 +1,4 @@
+; expect: 20113 at line 3
+N10 G00 X0 Y0
+N20 G25 G26
+N30 M30

@@ -1,0 +1,4 @@
+; expect: 900013 at line 3
+N10 G00 X0 Y0
+N20 D77
+N30 M30

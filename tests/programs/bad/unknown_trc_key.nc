@@ -1,0 +1,4 @@
+; expect: 900004 at line 3
+N10 G00 X0 Y0
+N20 #TRC [REVERS=1]
+N30 M30
