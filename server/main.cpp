@@ -1,3 +1,4 @@
+#include <grpc/support/log.h>
 #include <pthread.h>
 #include <unistd.h>
 
@@ -22,6 +23,19 @@ sigset_t block_stop_signals() {
   sigaddset(&signals, SIGINT);
   pthread_sigmask(SIG_BLOCK, &signals, nullptr);
   return signals;
+}
+
+// gRPC's own messages, a failed handshake say, join the log instead of going to standard error.
+void adopt_grpc_log(const std::string& level) {
+  static const trc::server::Log log(level);
+  gpr_set_log_function([](gpr_log_func_args* message) {
+    const LogLine line = LogLine("grpc").text("message", message->message);
+    if (message->severity == GPR_LOG_SEVERITY_ERROR) {
+      log.warning(line);
+    } else {
+      log.info(line);
+    }
+  });
 }
 
 void wait_for(const sigset_t& signals) {
@@ -72,6 +86,7 @@ int main(int argc, char** argv) {
 
   const sigset_t signals = block_stop_signals();
   std::signal(SIGPIPE, SIG_IGN);
+  adopt_grpc_log(command_line.config.log_level);
   auto [server, fault] = trc::server::Server::start(command_line.config);
   if (server == nullptr) {
     std::fprintf(stderr, "trcd: error: %s\n", fault.c_str());

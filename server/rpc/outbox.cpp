@@ -9,8 +9,10 @@ namespace {
 // What one block may take in a message of either layout.
 std::size_t message_bytes(const CompensatedBlock& block) {
   constexpr std::size_t without_extras = 220;
+  constexpr std::size_t inverse = 130;
   constexpr std::size_t per_axis = 20;
-  return without_extras + per_axis * block.tracking.size() + block.text.size();
+  return without_extras + per_axis * block.tracking.size() + block.text.size() +
+         (block.inverse ? inverse : 0);
 }
 
 // Memory that is worth giving back once it is empty.

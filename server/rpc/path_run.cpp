@@ -45,6 +45,12 @@ void PathRun::read(const Batch& batch) {
     answers_.end_with(refuse(Refusal::memory_limit));
 }
 
+void PathRun::feed(const v1::BlockBatch& batch) { feed_batch(batch, "batch", batch.blocks_size()); }
+
+void PathRun::feed(const v1::BlockColumns& columns) {
+  feed_batch(columns, "columns", static_cast<std::int64_t>(columns.kinds().size()));
+}
+
 bool PathRun::give(const wire::PathInput& input) {
   if (stream_.cancelled.load(std::memory_order_relaxed)) {
     answers_.end_with(refuse(Refusal::cancelled));

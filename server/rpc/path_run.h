@@ -19,10 +19,8 @@ class PathRun {
   PathRun(const StreamContext& stream, const wire::PathSettings& settings);
 
   // Takes one batch, which must be the next one; nothing more after a final one.
-  void feed(const v1::BlockBatch& batch) { feed_batch(batch, "batch", batch.blocks_size()); }
-  void feed(const v1::BlockColumns& columns) {
-    feed_batch(columns, "columns", static_cast<std::int64_t>(columns.kinds().size()));
-  }
+  void feed(const v1::BlockBatch& batch);
+  void feed(const v1::BlockColumns& columns);
   // Ends the path, unless it has ended or failed.
   void finish();
 

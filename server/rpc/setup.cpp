@@ -11,7 +11,6 @@ std::optional<Ending> refuse_unsupported(const wire::PathSettings& settings) {
   const auto without = [](const char* field) {
     return refuse(Refusal::feature_unsupported, field, {{"field", field}});
   };
-  if (settings.include_inverse_path) return without("include_inverse_path");
   if (settings.want_resume_tokens) return without("want_resume_tokens");
   if (!settings.resume_token.empty()) return without("resume_token");
   return std::nullopt;

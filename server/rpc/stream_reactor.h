@@ -64,6 +64,7 @@ class StreamReactor
       if (phase_ != Phase::reading && phase_ != Phase::writing) return;
       waits_for_request = phase_ == Phase::reading;
       phase_ = waits_for_request ? Phase::finished : Phase::cancelling;
+      stalled_ = !waits_for_request;
     }
     if (waits_for_request) return finish(idle());
 
@@ -77,7 +78,7 @@ class StreamReactor
         return;
       }
     }
-    finish(idle());
+    finish(gone());
   }
 
  protected:
@@ -184,6 +185,7 @@ class StreamReactor
   }
 
   Ending gone() const {
+    if (stalled_) return idle();
     return refuse(context_.deadline() <= std::chrono::system_clock::now()
                       ? Refusal::deadline_exceeded
                       : Refusal::cancelled);
@@ -205,6 +207,7 @@ class StreamReactor
   std::mutex mutex_;
   Phase phase_ = Phase::working;
   Clock::time_point phase_since_ = Clock::now();
+  bool stalled_ = false;
   bool written_while_cancelling_ = false;
 };
 

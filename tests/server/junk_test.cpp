@@ -67,7 +67,7 @@ TEST_F(Junk, BytesThatAreNoText) {
   const Answer answer = run(binary);
   EXPECT_EQ(answer.status.error_code(), grpc::INVALID_ARGUMENT);
   EXPECT_FALSE(answer.diagnostics.empty());
-  expect_refused(run("N10 G1 X\xFF\xFE\n"), 900007);
+  expect_refused(run("N10 G1 X1 (\xFF\xFE)\n"), 900007);
 }
 
 TEST_F(Junk, HalfOfACharacter) {

@@ -291,7 +291,8 @@ TEST(Server, LongSelectionsOfAllStreamsShareTheMemory) {
   const Running running(config);
   v1::PathSetup setup;
   setup.set_tool_radius(0.1);
-  setup.set_contour_masking(v1::CONTOUR_MASKING_ON);
+  // G238 needs the whole contour before its first point is known.
+  setup.set_selection_mode(v1::SELECTION_MODE_INSIDE_CORNER);
   std::vector<v1::CompensatePathRequest> requests{setup_request(setup)};
   std::uint64_t next = 0;
   for (int i = 0; i < 20; ++i) {

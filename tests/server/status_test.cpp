@@ -117,9 +117,9 @@ TEST(Status, FitsTheTrailersWhateverTheClientSent) {
   for (const Ending& ending :
        {refuse(faults), refuse(Refusal::internal, junk, {{"got", junk}}), refuse(fault)}) {
     // Base64 for the details, percent-encoding for the message.
-    EXPECT_LT(ending.status.error_details().size() * 4 / 3 +
-                  ending.status.error_message().size() * 3,
-              7500U);
+    EXPECT_LT(
+        ending.status.error_details().size() * 4 / 3 + ending.status.error_message().size() * 3,
+        7500U);
     EXPECT_TRUE(rich(ending).IsInitialized());
   }
 }
