@@ -1,0 +1,15 @@
+; expect: 20035 at line 12
+%LEAVE_INTO_A_CIRCLE
+N5 G162
+N10 G00 X0 Y0 Z0 F1000
+N20 G239
+N30 V.G.WZ_AKT.R = 30
+N40 G41 G01 X30 Y20
+N50 X60
+N60 X90
+N70 G40
+(the centre fits the programmed start, not the compensated one)
+N80 G02 X140 Y-30 J-50
+N90 G00 X200
+N100 G40
+N110 M30

@@ -1,0 +1,14 @@
+%CHANNEL_INTO_A_ROOM
+(a channel 15 wide for a tool of radius 10; its walls are seven blocks apart)
+N10 G00 X-30 Y0 F1000
+N20 V.G.WZ_AKT.R = 10
+N30 G41 G01 X0
+N40 X50
+N50 Y-40
+N60 X120
+N70 Y60
+N80 X50
+N90 Y15
+N100 X0
+N110 G40 X-30
+N120 M30
