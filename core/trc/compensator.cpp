@@ -1,6 +1,6 @@
 #include "core/trc/compensator.h"
 
-#include "core/trc/contour_masking.h"
+#include "core/trc/contour_violations.h"
 #include "core/trc/offset.h"
 #include "core/trc/pass.h"
 #include "core/trc/relevant_blocks.h"
@@ -20,7 +20,7 @@ struct Compensator::Passes {
         offset(setup.tolerances, log),
         inside_corner(setup.limits.selection_blocks, setup.tolerances, log),
         transitions(setup.tolerances, log),
-        contour_masking(setup.tolerances, log),
+        contour_violations(setup.tolerances, log),
         reporting(setup, log) {}
 
   // clang-format off
@@ -30,7 +30,7 @@ struct Compensator::Passes {
         && apply  (offset,          relevant)
         && advance(inside_corner,   relevant,   entered,  input)
         && advance(transitions,     entered,    joined,   input)
-        && apply  (contour_masking, joined)
+        && apply  (contour_violations, joined)
         && advance(split,           joined,     divided,  input)
         && advance(reporting,       divided,    out,      input);
   }
@@ -41,7 +41,7 @@ struct Compensator::Passes {
   Offset offset;
   selection::InsideCorner inside_corner;
   Transitions transitions;
-  ContourMasking contour_masking;
+  ContourViolations contour_violations;
   selection::Split split;
   Reporting reporting;
 

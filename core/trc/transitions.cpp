@@ -5,9 +5,7 @@
 #include <utility>
 
 #include "core/geometry/parallel.h"
-#include "core/trc/selection/direct.h"
-#include "core/trc/selection/on_path.h"
-#include "core/trc/selection/tangential.h"
+#include "core/trc/joints.h"
 
 namespace trc {
 namespace {
@@ -65,23 +63,6 @@ void open(PathBlock& block, const Point& start, double cut, const Tolerances& to
   if (!block.at_end.active) complete(block, end_of(block.programmed.path), tolerances);
 }
 
-Corner corner_between(const PathBlock& before, const PathBlock& after) {
-  const double shift = before.at_end.shift;
-  Corner corner{.programmed = end_of(before.programmed.path)};
-  corner.shift = shift;
-  corner.turn = turn_between(before.tangent_at_end, after.tangent_at_start);
-  // Off the contour the blocks count as straight: their own shape has no offset.
-  corner.before =
-      is_contour(before)
-          ? offset_curve(before.programmed.path, before.tangent_at_end, before.offset_end, shift)
-          : OffsetCurve{.anchor = before.offset_end, .tangent = before.tangent_at_end};
-  corner.after =
-      is_contour(after)
-          ? offset_curve(after.programmed.path, after.tangent_at_start, after.offset_start, shift)
-          : OffsetCurve{.anchor = after.offset_start, .tangent = after.tangent_at_start};
-  return corner;
-}
-
 AxisTravel standing(double position) { return {.from = position, .to = position}; }
 
 // What all blocks inserted between the two have in common. Third axis and
@@ -108,6 +89,25 @@ void insert(const Segment& segment, Origin origin, const PathBlock& pattern,
   inserted.origin = origin;
   inserted.tool_path = segment;
   inserted.programmed.rapid = pattern.programmed.rapid && !is_arc(segment);
+}
+
+// Spec 7.2: below 180 degrees, G236 up to 90 degrees.
+bool may_split(const Corner& corner, const TrcMode& mode, Selection selection,
+               const Tolerances& tolerances) {
+  if (mode.options.split.where == SplitOption::Where::off || mode.tangential) return false;
+  const double angle = transition_angle(corner, tolerances);
+  switch (selection) {
+    case Selection::direct:
+    case Selection::indirect:
+    case Selection::without_block:
+      return angle < pi - tolerances.tangent;
+    case Selection::on_path:
+      return angle <= pi / 2 + tolerances.tangent;
+    case Selection::perpendicular:
+    case Selection::inside_corner:
+      break;
+  }
+  return false;
 }
 
 Origin origin_of_insertions(const PathBlock& before, const PathBlock& after) {
@@ -179,189 +179,37 @@ void Transitions::leave(const Point* next_start, std::vector<PathBlock>& out) {
 bool Transitions::join(PathBlock& after, std::vector<PathBlock>& out) {
   PathBlock& before = *held_;
   const Corner corner = corner_between(before, after);
-  std::optional<Joint> joint = joint_of(corner, after);
-  if (!joint) return false;
-  before.splittable =
-      before.role == Role::approach && may_split(corner, before.mode(), before.mode().selection);
-  after.splittable =
-      after.role == Role::retract && may_split(corner, after.mode(), after.mode().deselection);
-  before.cut_at_end = joint->cut_before;
-  complete(before, joint->end, tolerances_);
+  JointResult result = joint_between(before, after, corner, tolerances_);
+  if (const auto* refusal = std::get_if<JointRefusal>(&result)) return refuse(*refusal, after);
+  auto& [joint, tangential_path] = std::get<JoinedBlocks>(result);
+  if (tangential_path) {
+    PathBlock& block = before.role == Role::approach ? before : after;
+    block.tool_path = *tangential_path;
+    block.path_given = true;
+  }
+  before.splittable = before.role == Role::approach &&
+                      may_split(corner, before.mode(), before.mode().selection, tolerances_);
+  after.splittable = after.role == Role::retract &&
+                     may_split(corner, after.mode(), after.mode().deselection, tolerances_);
+  before.cut_at_end = joint.cut_before;
+  complete(before, joint.end, tolerances_);
   const Origin origin = origin_of_insertions(before, after);
   const bool radius_changes = is_contour(before) && is_contour(after) &&
                               after.at_start != after.at_end &&
                               after.mode().options.perpendicular_radius_change;
-  const Point contour_start = joint->start;
-  if (radius_changes) change_radius_at_once(corner, after, *joint);
-  open(after, joint->start, joint->cut_after, tolerances_);
-  if (joint->inserted().empty() && !radius_changes) {
+  const Point contour_start = joint.start;
+  if (radius_changes) change_radius_at_once(corner, after, joint);
+  open(after, joint.start, joint.cut_after, tolerances_);
+  if (joint.inserted().empty() && !radius_changes) {
     out.push_back(std::move(before));
     return true;
   }
   PathBlock pattern = insertion_behind(before, after);
   out.push_back(std::move(before));
-  for (const Segment& segment : joint->inserted()) insert(segment, origin, pattern, out);
+  for (const Segment& segment : joint.inserted()) insert(segment, origin, pattern, out);
   if (radius_changes)
-    insert(Line{.start = contour_start, .end = joint->start}, Origin::radius_change, pattern, out);
+    insert(Line{.start = contour_start, .end = joint.start}, Origin::radius_change, pattern, out);
   return true;
-}
-
-std::optional<Joint> Transitions::joint_of(const Corner& corner, PathBlock& after) {
-  const PathBlock& before = *held_;
-  // The side changes at a reversal point: both equidistants end there (spec 9).
-  if (is_contour(before) && is_contour(after) && before.at_end.shift * after.at_start.shift < 0)
-    return tangential_joint(corner);
-  if (!is_contour(before)) return approach(corner, after);
-  if (after.role == Role::retract) return retract(corner, after, after.mode().deselection);
-  if (after.role == Role::side_change) return retract(corner, after, after.mode().selection);
-  return contour_joint(corner, after);
-}
-
-std::optional<Joint> Transitions::approach(const Corner& corner, const PathBlock& after) {
-  PathBlock& before = *held_;
-  const TrcMode& mode = before.mode();
-  if (mode.tangential) {
-    const auto path = selection::tangential_entry(before.tool_start, corner.after.anchor,
-                                                  corner.after.tangent, tolerances_);
-    if (!path) {
-      refuse(Code::tangential_start_on_tangent, before, before.tool_start);
-      return std::nullopt;
-    }
-    before.tool_path = *path;
-    before.path_given = true;
-    return selection::approach_direct(corner);
-  }
-  switch (mode.selection) {
-    case Selection::indirect:
-      if (kind_of(corner, tolerances_) == CornerKind::outside) return outside(corner, after.mode());
-      break;
-    case Selection::on_path: {
-      auto joint =
-          selection::approach_on_path(corner, before.programmed.path, before.tangent_at_end,
-                                      mode.options.g236_lin, tolerances_);
-      if (!joint) refuse(Code::selection_block_too_short, before, corner.programmed);
-      return joint;
-    }
-    case Selection::perpendicular: {
-      Joint joint;
-      joint.end = corner.programmed;
-      joint.start = corner.after.anchor;
-      joint.insert(Line{.start = joint.end, .end = joint.start});
-      return joint;
-    }
-    case Selection::inside_corner: {
-      Joint joint;
-      joint.end = joint.start = before.offset_end;
-      joint.cut_after = before.cut_at_end;
-      return joint;
-    }
-    case Selection::direct:
-    case Selection::without_block:
-      break;
-  }
-  return selection::approach_direct(corner);
-}
-
-std::optional<Joint> Transitions::retract(const Corner& corner, PathBlock& after, Selection mode) {
-  if (after.mode().tangential) {
-    const auto path = selection::tangential_exit(corner.before.anchor, corner.before.tangent,
-                                                 end_of(after.programmed.path), tolerances_);
-    if (!path) {
-      refuse(Code::tangential_start_on_tangent, after, end_of(after.programmed.path));
-      return std::nullopt;
-    }
-    after.tool_path = *path;
-    after.path_given = true;
-    return selection::retract_direct(corner);
-  }
-  switch (mode) {
-    case Selection::indirect:
-      if (kind_of(corner, tolerances_) == CornerKind::outside) return outside(corner, after.mode());
-      break;
-    case Selection::on_path: {
-      auto joint = selection::retract_on_path(corner, after.programmed.path, after.tangent_at_start,
-                                              after.mode().options.g236_lin, tolerances_);
-      if (!joint) refuse(Code::selection_block_too_short, after, corner.programmed);
-      return joint;
-    }
-    case Selection::perpendicular: {
-      Joint joint;
-      joint.end = corner.before.anchor;
-      joint.start = corner.programmed;
-      joint.insert(Line{.start = joint.end, .end = joint.start});
-      return joint;
-    }
-    case Selection::inside_corner: {
-      Joint joint;
-      joint.end = joint.start = after.offset_start;
-      joint.cut_before = after.cut_at_start;
-      return joint;
-    }
-    case Selection::direct:
-    case Selection::without_block:
-      break;
-  }
-  return selection::retract_direct(corner);
-}
-
-std::optional<Joint> Transitions::contour_joint(const Corner& corner, const PathBlock& after) {
-  const TrcMode& mode = after.mode();
-  switch (kind_of(corner, tolerances_)) {
-    case CornerKind::tangential:
-      return tangential_joint(corner);
-    case CornerKind::outside:
-      return outside(corner, mode);
-    case CornerKind::inside:
-      break;
-  }
-  std::optional<Joint> joint = inside_joint(corner, tolerances_);
-  if (joint) {
-    if (mode.options.gen_cir_block_in_corner)
-      joint->insert(Arc{
-          .start = joint->end, .end = joint->start, .center = joint->end, .sweep = corner.turn});
-    return joint;
-  }
-  const PathBlock& before = *held_;
-  if (!mode.options.ignore_cont_damage) {
-    const bool line_before = !corner.before.circular;
-    const bool line = line_before || !corner.after.circular;
-    refuse(line ? Code::line_reversed : Code::arc_wrapped, line_before ? before : after,
-           corner.programmed);
-    return std::nullopt;
-  }
-  joint.emplace();
-  joint->end = corner.before.anchor;
-  joint->start = corner.after.anchor;
-  joint->insert(Line{.start = joint->end, .end = joint->start});
-  return joint;
-}
-
-// Spec 7.2: below 180 degrees, G236 up to 90 degrees.
-bool Transitions::may_split(const Corner& corner, const TrcMode& mode, Selection selection) const {
-  if (mode.options.split.where == SplitOption::Where::off || mode.tangential) return false;
-  const double angle = transition_angle(corner, tolerances_);
-  switch (selection) {
-    case Selection::direct:
-    case Selection::indirect:
-    case Selection::without_block:
-      return angle < pi - tolerances_.tangent;
-    case Selection::on_path:
-      return angle <= pi / 2 + tolerances_.tangent;
-    case Selection::perpendicular:
-    case Selection::inside_corner:
-      break;
-  }
-  return false;
-}
-
-Joint Transitions::outside(const Corner& corner, const TrcMode& mode) const {
-  const double limit = pi + pi / 180 + tolerances_.tangent;
-  if (mode.options.ext_angle_block_intersection && transition_angle(corner, tolerances_) <= limit) {
-    if (auto joint = extended_joint(corner, tolerances_)) return *joint;
-  }
-  return outside_joint(
-      corner, {.transition = mode.transition, .stretch_factor = mode.options.stretch_factor},
-      tolerances_);
 }
 
 // D-21: the corner is solved with the old radius on both sides; a line across the
@@ -378,9 +226,11 @@ void Transitions::change_radius_at_once(const Corner& corner, PathBlock& after,
   after.at_start = after.at_end;
 }
 
-bool Transitions::refuse(Code code, const PathBlock& block, const Point& place) {
-  Diagnostic problem = diagnostic(code, block.programmed.source);
-  const Position position = from_plane(block.mode().plane, place, block.programmed.normal.to);
+bool Transitions::refuse(const JointRefusal& refusal, const PathBlock& after) {
+  const PathBlock& block = refusal.of_after ? after : *held_;
+  Diagnostic problem = diagnostic(refusal.code, block.programmed.source);
+  const Position position =
+      from_plane(block.mode().plane, refusal.place, block.programmed.normal.to);
   problem.point = DiagnosticPoint{.x = position[0], .y = position[1], .z = position[2]};
   problem.values = {{"tool_radius", block.mode().tool_radius}};
   return diagnostics_.report(std::move(problem));

@@ -6,6 +6,7 @@
 #include "core/base/diagnostics.h"
 #include "core/base/tolerances.h"
 #include "core/trc/corner.h"
+#include "core/trc/joints.h"
 #include "core/trc/path_block.h"
 
 namespace trc {
@@ -39,17 +40,9 @@ class Transitions {
   void leave(const Point* next_start, std::vector<PathBlock>& out);
   bool join(PathBlock& after, std::vector<PathBlock>& out);
 
-  // The rule for a corner by what its two blocks are. Empty after a stop.
-  std::optional<Joint> joint_of(const Corner& corner, PathBlock& after);
-  std::optional<Joint> approach(const Corner& corner, const PathBlock& after);
-  std::optional<Joint> retract(const Corner& corner, PathBlock& after, Selection mode);
-  std::optional<Joint> contour_joint(const Corner& corner, const PathBlock& after);
-  [[nodiscard]] bool may_split(const Corner& corner, const TrcMode& mode,
-                               Selection selection) const;
-  [[nodiscard]] Joint outside(const Corner& corner, const TrcMode& mode) const;
   void change_radius_at_once(const Corner& corner, PathBlock& after, Joint& joint) const;
 
-  bool refuse(Code code, const PathBlock& block, const Point& place);
+  bool refuse(const JointRefusal& refusal, const PathBlock& after);
 
   Tolerances tolerances_;
   Diagnostics& diagnostics_;

@@ -13,9 +13,9 @@ namespace trc {
 //
 // Sees a block with its two neighbours, as the reference control does: a
 // bottleneck between blocks further apart is not found.
-class ContourMasking {
+class ContourViolations {
  public:
-  ContourMasking(const Tolerances& tolerances, Diagnostics& diagnostics)
+  ContourViolations(const Tolerances& tolerances, Diagnostics& diagnostics)
       : tolerances_(tolerances), diagnostics_(diagnostics) {}
 
   bool apply(PathBlock& block);

@@ -1,4 +1,4 @@
-#include "core/trc/contour_masking.h"
+#include "core/trc/contour_violations.h"
 
 #include <cmath>
 #include <numbers>
@@ -16,7 +16,7 @@ bool within(const Point& point, double limit) {
 
 }  // namespace
 
-bool ContourMasking::apply(PathBlock& block) {
+bool ContourViolations::apply(PathBlock& block) {
   if (block.role == Role::passive || block.role == Role::uncompensated) return true;
   if (block.role == Role::contour) {
     const auto* arc = std::get_if<Arc>(&block.programmed.path);
@@ -25,7 +25,7 @@ bool ContourMasking::apply(PathBlock& block) {
   return check_range(block);
 }
 
-bool ContourMasking::check_line(const PathBlock& block) {
+bool ContourViolations::check_line(const PathBlock& block) {
   const Vector travelled = end_of(block.tool_path) - start_of(block.tool_path);
   const double along = travelled.dot(block.tangent_at_end);
   if (along >= -tolerances_.on_contour) return true;
@@ -36,7 +36,7 @@ bool ContourMasking::check_line(const PathBlock& block) {
   return report(std::move(violation), block);
 }
 
-bool ContourMasking::check_arc(const PathBlock& block, const Arc& programmed) {
+bool ContourViolations::check_arc(const PathBlock& block, const Arc& programmed) {
   const double sweep = std::abs(programmed.sweep);
   const double left = sweep - block.cut_at_start - block.cut_at_end;
   if (left * parallel_radius(programmed, block.at_end.shift) >= -tolerances_.on_contour)
@@ -48,7 +48,7 @@ bool ContourMasking::check_arc(const PathBlock& block, const Arc& programmed) {
   return report(std::move(violation), block);
 }
 
-bool ContourMasking::check_range(const PathBlock& block) {
+bool ContourViolations::check_range(const PathBlock& block) {
   const double limit = tolerances_.largest_coordinate;
   const auto* arc = std::get_if<Arc>(&block.tool_path);
   const bool end_fits = within(end_of(block.tool_path), limit);
@@ -59,7 +59,7 @@ bool ContourMasking::check_range(const PathBlock& block) {
   return diagnostics_.report(std::move(problem));
 }
 
-bool ContourMasking::report(Diagnostic violation, const PathBlock& block) {
+bool ContourViolations::report(Diagnostic violation, const PathBlock& block) {
   const Position place =
       from_plane(block.mode().plane, start_of(block.tool_path), block.programmed.normal.from);
   violation.point = DiagnosticPoint{.x = place[0], .y = place[1], .z = place[2]};

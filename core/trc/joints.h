@@ -1,0 +1,41 @@
+#pragma once
+
+#include <optional>
+#include <variant>
+
+#include "core/base/diagnostic.h"
+#include "core/base/tolerances.h"
+#include "core/trc/corner.h"
+#include "core/trc/path_block.h"
+
+namespace trc {
+
+// Why two blocks cannot be joined.
+struct JointRefusal {
+  Code code{};
+  bool of_after = false;  // the block behind the corner is at fault, else the one before
+  Point place = Point::Zero();
+};
+
+struct JoinedBlocks {
+  Joint joint{};
+  // The arc G05 makes of the approach (retract) block.
+  std::optional<Segment> tangential_path{};
+};
+
+using JointResult = std::variant<JoinedBlocks, JointRefusal>;
+
+// The corner between two blocks that follow each other, with the compensation in
+// force at the end of `before`.
+[[nodiscard]] Corner corner_between(const PathBlock& before, const PathBlock& after);
+
+// The rule for a corner by what its two blocks are: the table of transitions
+// between contour blocks, the rules of the selection modes at both ends.
+[[nodiscard]] JointResult joint_between(const PathBlock& before, const PathBlock& after,
+                                        const Corner& corner, const Tolerances& tolerances);
+
+// What two corners leave of the equidistant of a block: mm of a line, rad of an
+// arc, as the cuts. Negative: the block would run backwards.
+[[nodiscard]] double left_of_block(const PathBlock& block, double cut_at_start, double cut_at_end);
+
+}  // namespace trc
