@@ -1,0 +1,37 @@
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "proto/wire/field_fault.h"
+
+namespace grpc {
+class Status;
+}
+
+namespace trc::client {
+
+// Why a call did not end with OK.
+struct Failure {
+  std::string status{};                         // the name of the gRPC code, "UNAVAILABLE"
+  std::string message{};                        // one sentence for people
+  std::string reason{};                         // UPPER_SNAKE, stable; empty: the server gave none
+  std::map<std::string, std::string> values{};  // the parts of the message that vary
+  std::vector<wire::FieldFault> fields{};       // of the request, at most 20
+  std::optional<double> retry_after_seconds{};  // absent: retrying does not help by itself
+
+  // The server could not be reached, went away or broke: nothing was wrong with
+  // the request.
+  [[nodiscard]] bool unreachable() const;
+};
+
+// Nothing when the status is OK.
+[[nodiscard]] std::optional<Failure> failure_of(const grpc::Status& status);
+// A response that no server of this version sends.
+[[nodiscard]] Failure invalid_response(const wire::FieldFaults& faults);
+// The server said OK without a summary: the path may be half of one.
+[[nodiscard]] Failure missing_summary();
+
+}  // namespace trc::client

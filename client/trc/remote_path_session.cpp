@@ -1,0 +1,91 @@
+#include "client/trc/remote_path_session.h"
+
+#include <algorithm>
+
+#include "client/trc/stream_session.h"
+#include "trc/v1/trc_service.grpc.pb.h"
+
+namespace trc::client {
+namespace {
+
+using Request = v1::CompensatePathRequest;
+using Response = v1::CompensatePathResponse;
+
+// 1024 blocks a message is where a further block costs next to nothing; more only
+// adds delay.
+constexpr std::size_t best_batch = 1024;
+
+v1::PathSetup message_of(const wire::PathSettings& settings) {
+  v1::PathSetup setup;
+  wire::to_proto(settings, setup);
+  return setup;
+}
+
+}  // namespace
+
+struct RemotePathSession::Parts {
+  Parts(const Connection& connection, const v1::PathSetup& setup)
+      : stub(v1::TrcService::NewStub(connection.channel())),
+        session(start_of(setup),
+                [this](auto* context, auto* reactor) {
+                  stub->async()->CompensatePath(context, reactor);
+                }),
+        unsent_setup(setup),
+        columns(setup.response_layout() == v1::RESPONSE_LAYOUT_COLUMNS) {}
+
+  bool send_batch(std::span<const wire::PathInput> items, bool final, const AnswerSink& sink) {
+    if (columns)
+      writer.write(items, final, *session.outgoing().mutable_columns());
+    else
+      writer.write(items, final, *session.outgoing().mutable_batch());
+    return session.send(final ? std::nullopt : std::optional(writer.next_block()), sink);
+  }
+
+  std::unique_ptr<v1::TrcService::Stub> stub;
+  StreamSession<Request, Response, wire::PathSummary> session;
+  v1::PathSetup unsent_setup;
+  bool columns;
+  bool set_up = false;
+  wire::BlockWriter writer;
+};
+
+RemotePathSession::RemotePathSession(const Connection& connection,
+                                     const wire::PathSettings& settings)
+    : RemotePathSession(connection, message_of(settings)) {}
+
+RemotePathSession::RemotePathSession(const Connection& connection, const v1::PathSetup& setup)
+    : parts_(std::make_unique<Parts>(connection, setup)) {}
+
+RemotePathSession::~RemotePathSession() = default;
+
+bool RemotePathSession::feed(std::span<const wire::PathInput> items, const AnswerSink& sink) {
+  Parts& parts = *parts_;
+  if (!parts.set_up) {
+    parts.set_up = true;
+    parts.session.outgoing().mutable_setup()->Swap(&parts.unsent_setup);
+    if (!parts.session.send(std::nullopt, sink) || !parts.session.accept(sink)) return false;
+  }
+  const std::size_t most = parts.session.limits().max_blocks_per_batch();
+  const std::size_t batch = most == 0 ? best_batch : std::min(most, best_batch);
+  while (!items.empty()) {
+    const auto part = items.first(std::min(items.size(), batch));
+    if (!parts.send_batch(part, false, sink)) return false;
+    items = items.subspan(part.size());
+  }
+  return !parts.session.failure();
+}
+
+bool RemotePathSession::finish(const AnswerSink& sink) {
+  if (feed({}, sink)) parts_->send_batch({}, true, sink);
+  return parts_->session.finish(sink);
+}
+
+const std::optional<Failure>& RemotePathSession::failure() const {
+  return parts_->session.failure();
+}
+
+const std::optional<wire::PathSummary>& RemotePathSession::summary() const {
+  return parts_->session.summary();
+}
+
+}  // namespace trc::client

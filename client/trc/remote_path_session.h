@@ -1,0 +1,47 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <span>
+
+#include "client/trc/answer.h"
+#include "client/trc/connection.h"
+#include "client/trc/failure.h"
+#include "proto/wire/block.h"
+#include "proto/wire/path_item.h"
+#include "proto/wire/setup.h"
+
+namespace trc::client {
+
+// A path compensated by a server: the face of trc::PathSession. Used by one
+// thread at a time.
+class RemotePathSession {
+ public:
+  // Requests use the layout of the responses.
+  RemotePathSession(const Connection& connection, const wire::PathSettings& settings);
+  // The setup as a message, for callers that hold one.
+  RemotePathSession(const Connection& connection, const v1::PathSetup& setup);
+  // Cancels a stream that has not finished.
+  ~RemotePathSession();
+  RemotePathSession(const RemotePathSession&) = delete;
+  RemotePathSession& operator=(const RemotePathSession&) = delete;
+
+  // Sends the items, divided into batches the server takes, and hands out what
+  // has become certain. `Source::index` is ignored: position counts. A MoveRequest
+  // must be absolute. Returns false once the stream has ended; `failure` then
+  // says why.
+  bool feed(std::span<const wire::PathInput> items, const AnswerSink& sink);
+  // End of the path: hands out all that was held back. Returns whether the path
+  // was compensated completely.
+  bool finish(const AnswerSink& sink);
+
+  [[nodiscard]] const std::optional<Failure>& failure() const;
+  // Of a complete run only.
+  [[nodiscard]] const std::optional<wire::PathSummary>& summary() const;
+
+ private:
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
+};
+
+}  // namespace trc::client

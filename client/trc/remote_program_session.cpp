@@ -1,0 +1,78 @@
+#include "client/trc/remote_program_session.h"
+
+#include <algorithm>
+
+#include "client/trc/stream_session.h"
+#include "trc/v1/trc_service.grpc.pb.h"
+
+namespace trc::client {
+namespace {
+
+using Request = v1::CompensateProgramRequest;
+using Response = v1::CompensateProgramResponse;
+
+// Small enough for any limit on messages, large enough to cost nothing.
+constexpr std::size_t chunk_bytes = 64 * 1024;
+
+}  // namespace
+
+struct RemoteProgramSession::Parts {
+  Parts(const Connection& connection, const v1::ProgramSetup& setup)
+      : stub(v1::TrcService::NewStub(connection.channel())),
+        session(start_of(setup.path()), [this](auto* context, auto* reactor) {
+          stub->async()->CompensateProgram(context, reactor);
+        }) {}
+
+  bool send_text(std::string_view text, bool final, const AnswerSink& sink) {
+    v1::ProgramText& message = *session.outgoing().mutable_text();
+    message.set_first_byte(sent_bytes);
+    message.set_text(text.data(), text.size());
+    message.set_final(final);
+    sent_bytes += text.size();
+    return session.send(final ? std::nullopt : std::optional(sent_bytes), sink);
+  }
+
+  std::unique_ptr<v1::TrcService::Stub> stub;
+  StreamSession<Request, Response, wire::ProgramSummary> session;
+  v1::ProgramSetup unsent_setup;
+  bool set_up = false;
+  std::uint64_t sent_bytes = 0;
+};
+
+RemoteProgramSession::RemoteProgramSession(const Connection& connection,
+                                           const v1::ProgramSetup& setup)
+    : parts_(std::make_unique<Parts>(connection, setup)) {
+  parts_->unsent_setup = setup;
+}
+
+RemoteProgramSession::~RemoteProgramSession() = default;
+
+bool RemoteProgramSession::feed(std::string_view text, const AnswerSink& sink) {
+  Parts& parts = *parts_;
+  if (!parts.set_up) {
+    parts.set_up = true;
+    parts.session.outgoing().mutable_setup()->Swap(&parts.unsent_setup);
+    if (!parts.session.send(std::nullopt, sink) || !parts.session.accept(sink)) return false;
+  }
+  while (!text.empty()) {
+    const std::string_view chunk = text.substr(0, std::min(text.size(), chunk_bytes));
+    if (!parts.send_text(chunk, false, sink)) return false;
+    text.remove_prefix(chunk.size());
+  }
+  return !parts.session.failure();
+}
+
+bool RemoteProgramSession::finish(const AnswerSink& sink) {
+  if (feed({}, sink)) parts_->send_text({}, true, sink);
+  return parts_->session.finish(sink);
+}
+
+const std::optional<Failure>& RemoteProgramSession::failure() const {
+  return parts_->session.failure();
+}
+
+const std::optional<wire::ProgramSummary>& RemoteProgramSession::summary() const {
+  return parts_->session.summary();
+}
+
+}  // namespace trc::client

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string_view>
+
+#include "client/trc/answer.h"
+#include "client/trc/connection.h"
+#include "client/trc/failure.h"
+#include "proto/wire/path_item.h"
+#include "trc/v1/setup.pb.h"
+
+namespace trc::client {
+
+// An NC program compensated by a server: the face of trc::ProgramSession. Used by
+// one thread at a time.
+//
+// At most the number of chunks the server allows is unanswered, so that neither
+// side holds more than a few messages.
+class RemoteProgramSession {
+ public:
+  // Opens the stream; what is wrong with the setup shows in the first `feed`.
+  RemoteProgramSession(const Connection& connection, const v1::ProgramSetup& setup);
+  // Cancels a stream that has not finished.
+  ~RemoteProgramSession();
+  RemoteProgramSession(const RemoteProgramSession&) = delete;
+  RemoteProgramSession& operator=(const RemoteProgramSession&) = delete;
+
+  // Sends text, cut anywhere, and hands out what has become certain. Returns
+  // false once the stream has ended; `failure` then says why.
+  bool feed(std::string_view text, const AnswerSink& sink);
+  // End of the text: hands out all that was held back. Returns whether the
+  // program was compensated completely.
+  bool finish(const AnswerSink& sink);
+
+  [[nodiscard]] const std::optional<Failure>& failure() const;
+  // Of a complete run only.
+  [[nodiscard]] const std::optional<wire::ProgramSummary>& summary() const;
+
+ private:
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
+};
+
+}  // namespace trc::client
