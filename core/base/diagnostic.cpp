@@ -191,6 +191,11 @@ constexpr auto rows = std::to_array<CodeRow>({
     {Code::selection_too_long, error, "SELECTION_TOO_LONG",
      "one selection holds more blocks than may be kept back",
      "Divide the contour, or raise the limit of blocks in one selection."},
+    {Code::blocks_masked, note, "BLOCKS_MASKED",
+     "contour blocks the tool cannot reach are masked", "Use a smaller tool to machine them."},
+    {Code::bottleneck, error, "BOTTLENECK",
+     "the tool comes closer to another block of the contour than its radius",
+     "Use a smaller tool, or correct the contour."},
 });
 
 static_assert(std::ranges::is_sorted(rows, {}, &CodeRow::code));

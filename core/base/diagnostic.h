@@ -91,6 +91,8 @@ enum class Code : std::int32_t {
   approach_crosses_contour = 900210,
   side_change_under_inside_corner = 900211,
   selection_too_long = 900212,
+  blocks_masked = 900213,
+  bottleneck = 900214,
 };
 
 struct DiagnosticValue {

@@ -10,6 +10,9 @@ struct Tolerances {
   // A gouge shallower than this is none: 0.1 um, the internal unit of the
   // reference control (D-14).
   double on_contour = 1e-4;
+  // How much nearer than the tool radius a path may come before it is a
+  // bottleneck: this part of the radius, or of 1 mm if that is more (spec 5.1).
+  double clearance = 1e-6;
   // A smaller turn is no corner. At R = 1000 mm the joint is off by 5e-12 mm.
   double tangent = 1e-7;
   // So near to 180 degrees a turn with a side change is a reversal: 0.001 degrees (D-23).

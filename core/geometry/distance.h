@@ -10,6 +10,14 @@ namespace trc {
 // Whether the sweep of the arc covers the direction from its centre to `point`.
 [[nodiscard]] bool covers(const Arc& arc, const Point& point);
 
+// The shortest distance between two bounded segments, mm, and where on the first
+// it is; one of the places if there are several.
+struct Nearness {
+  double distance = 0;
+  Point on_first = Point::Zero();
+};
+[[nodiscard]] Nearness nearness(const Segment& first, const Segment& second, double same_point);
+
 // Whether the two bounded pieces have a point in common, ends included.
 [[nodiscard]] bool meet(const Line& line, const Segment& segment, double same_point);
 

@@ -1,6 +1,9 @@
 #include "core/trc/compensator.h"
 
+#include "core/trc/clearance.h"
+#include "core/trc/contour_masking.h"
 #include "core/trc/contour_violations.h"
+#include "core/trc/convert_circles.h"
 #include "core/trc/offset.h"
 #include "core/trc/pass.h"
 #include "core/trc/relevant_blocks.h"
@@ -17,38 +20,50 @@ struct Compensator::Passes {
   Passes(const CompensatorSetup& setup, Diagnostics& log)
       : diagnostics(log),
         relevant_blocks(setup.limits.passive_blocks, setup.tolerances, log),
+        convert_circles(setup.tolerances),
         offset(setup.tolerances, log),
         inside_corner(setup.limits.selection_blocks, setup.tolerances, log),
+        contour_masking(setup.limits.selection_blocks, setup.tolerances, log),
         transitions(setup.tolerances, log),
         contour_violations(setup.tolerances, log),
+        clearance(setup.implicit_contour_masking, setup.limits.selection_blocks, setup.tolerances,
+                  log),
         reporting(setup, log) {}
 
   // clang-format off
   bool step(Input input, std::vector<CompensatedBlock>& out) {
     return !diagnostics.stopped()
-        && advance(relevant_blocks, programmed, relevant, input)
-        && apply  (offset,          relevant)
-        && advance(inside_corner,   relevant,   entered,  input)
-        && advance(transitions,     entered,    joined,   input)
-        && apply  (contour_violations, joined)
-        && advance(split,           joined,     divided,  input)
-        && advance(reporting,       divided,    out,      input);
+        && advance(relevant_blocks,     programmed, relevant, input)
+        && apply  (convert_circles,     relevant)
+        && apply  (offset,              relevant)
+        && advance(inside_corner,       relevant,   entered,  input)
+        && advance(contour_masking,     entered,    masked,   input)
+        && advance(transitions,         masked,     joined,   input)
+        && apply  (contour_violations,  joined)
+        && advance(clearance,           joined,     checked,  input)
+        && advance(split,               checked,    divided,  input)
+        && advance(reporting,           divided,    out,      input);
   }
   // clang-format on
 
   Diagnostics& diagnostics;
   RelevantBlocks relevant_blocks;
+  ConvertCircles convert_circles;
   Offset offset;
   selection::InsideCorner inside_corner;
+  ContourMasking contour_masking;
   Transitions transitions;
   ContourViolations contour_violations;
+  Clearance clearance;
   selection::Split split;
   Reporting reporting;
 
   std::vector<Block> programmed;
   std::vector<PathBlock> relevant;
   std::vector<PathBlock> entered;
+  std::vector<PathBlock> masked;
   std::vector<PathBlock> joined;
+  std::vector<PathBlock> checked;
   std::vector<PathBlock> divided;
 };
 

@@ -18,7 +18,7 @@ bool within(const Point& point, double limit) {
 
 bool ContourViolations::apply(PathBlock& block) {
   if (block.role == Role::passive || block.role == Role::uncompensated) return true;
-  if (block.role == Role::contour) {
+  if (block.role == Role::contour && !block.masked) {
     const auto* arc = std::get_if<Arc>(&block.programmed.path);
     if (!(arc != nullptr ? check_arc(block, *arc) : check_line(block))) return false;
   }

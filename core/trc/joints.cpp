@@ -50,8 +50,7 @@ JointResult approach(const PathBlock& before, const PathBlock& after, const Corn
     auto path = selection::tangential_entry(start_of(before.programmed.path), corner.after.anchor,
                                             corner.after.tangent, tolerances);
     if (path) return JoinedBlocks{selection::approach_direct(corner), path};
-    return JointRefusal{.code = Code::tangential_start_on_tangent,
-                        .place = before.tool_start};
+    return JointRefusal{.code = Code::tangential_start_on_tangent, .place = before.tool_start};
   }
   switch (mode.selection) {
     case Selection::indirect:

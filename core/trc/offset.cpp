@@ -23,11 +23,15 @@ bool Offset::apply(PathBlock& block) {
   return true;
 }
 
-bool Offset::keeps_circle(const PathBlock& block, double shift) {
+bool Offset::keeps_circle(PathBlock& block, double shift) {
   const auto* arc = std::get_if<Arc>(&block.programmed.path);
   if (arc == nullptr || block.role != Role::contour) return true;
   const double radius = parallel_radius(*arc, shift);
   if (radius >= tolerances_.on_contour) return true;
+  if (block.mode().masking == Masking::on) {
+    block.masked = true;
+    return true;
+  }
   Diagnostic violation = diagnostic(Code::tool_not_smaller_than_arc, block.programmed.source);
   violation.values = {{"contour_radius", radius_of(*arc)},
                       {"tool_radius", std::abs(shift)},

@@ -13,7 +13,7 @@ namespace trc {
 //   |             |      to the side of the tool
 //   o=============o
 //
-// Stops at an arc the tool does not fit into (90017).
+// Stops at an arc the tool does not fit into (90017); under G141 it is masked.
 class Offset {
  public:
   Offset(const Tolerances& tolerances, Diagnostics& diagnostics)
@@ -22,7 +22,7 @@ class Offset {
   bool apply(PathBlock& block);
 
  private:
-  bool keeps_circle(const PathBlock& block, double shift);
+  bool keeps_circle(PathBlock& block, double shift);
 
   Tolerances tolerances_;
   Diagnostics& diagnostics_;

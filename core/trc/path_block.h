@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "core/geometry/segment.h"
@@ -55,6 +56,16 @@ struct PathBlock {
   double cut_at_start = 0;
   double cut_at_end = 0;
   bool splittable = false;  // an approach or retract line that SPLIT may divide
+
+  // Set by ContourMasking (G141): programmed, but not travelled; and the joint of
+  // the first block behind masked ones with the last one before them.
+  bool masked = false;
+  struct Rejoin {
+    Point point = Point::Zero();
+    double cut_before = 0;
+    double cut_after = 0;
+  };
+  std::optional<Rejoin> rejoin{};
 
   // Passive blocks programmed after this one, in order. Those after G40 wait for
   // the block across the contour that G237 inserts.

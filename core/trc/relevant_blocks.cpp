@@ -23,7 +23,8 @@ bool retracts_in_a_block(Selection deselection) {
 
 // The first function of the mode this build does not have.
 const char* unavailable(const TrcMode& mode) {
-  if (mode.masking == Masking::on) return "G141";
+  if (mode.options.remove_masked_blocks && mode.masking == Masking::on)
+    return "REMOVE_MASKED_BLOCKS";
   if (mode.options.kerf_masking) return "KERF_MASKING";
   if (mode.options.inverse) return "INVERSE";
   if (mode.tangential && mode.selection == Selection::perpendicular) return "G05 with G237";

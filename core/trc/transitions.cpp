@@ -47,6 +47,10 @@ Segment fitted(const Arc& programmed, const Point& start, const Point& end,
 // Builds the tool path between tool_start and `end`.
 void complete(PathBlock& block, const Point& end, const Tolerances& tolerances) {
   if (block.path_given) return;
+  if (block.role == Role::uncompensated) {
+    block.tool_path = block.programmed.path;
+    return;
+  }
   const auto* arc = std::get_if<Arc>(&block.programmed.path);
   if (arc == nullptr) {
     block.tool_path = Line{.start = block.tool_start, .end = end};
@@ -122,6 +126,10 @@ bool Transitions::feed(PathBlock block, std::vector<PathBlock>& out) {
     out.push_back(std::move(block));
     return true;
   }
+  if (block.masked) {
+    masked_.push_back(std::move(block));
+    return true;
+  }
   const bool continues = held_ && block.at_start.active && !block.perpendicular_entry;
   if (continues) {
     if (!join(block, out)) return false;
@@ -176,7 +184,26 @@ void Transitions::leave(const Point* next_start, std::vector<PathBlock>& out) {
   out.back().riders = std::move(riders);
 }
 
+void Transitions::join_anew(PathBlock& after, std::vector<PathBlock>& out) {
+  PathBlock& before = *held_;
+  const PathBlock::Rejoin& rejoin = *after.rejoin;
+  before.cut_at_end = rejoin.cut_before;
+  complete(before, rejoin.point, tolerances_);
+  out.push_back(std::move(before));
+  for (PathBlock& masked : masked_) {
+    masked.origin = Origin::masked;
+    masked.tool_path = Line{.start = rejoin.point, .end = rejoin.point};
+    out.push_back(std::move(masked));
+  }
+  masked_.clear();
+  open(after, rejoin.point, rejoin.cut_after, tolerances_);
+}
+
 bool Transitions::join(PathBlock& after, std::vector<PathBlock>& out) {
+  if (after.rejoin) {
+    join_anew(after, out);
+    return true;
+  }
   PathBlock& before = *held_;
   const Corner corner = corner_between(before, after);
   JointResult result = joint_between(before, after, corner, tolerances_);

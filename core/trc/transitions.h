@@ -40,6 +40,8 @@ class Transitions {
   void leave(const Point* next_start, std::vector<PathBlock>& out);
   bool join(PathBlock& after, std::vector<PathBlock>& out);
 
+  // A joint over masked blocks: they come out without length where it is.
+  void join_anew(PathBlock& after, std::vector<PathBlock>& out);
   void change_radius_at_once(const Corner& corner, PathBlock& after, Joint& joint) const;
 
   bool refuse(const JointRefusal& refusal, const PathBlock& after);
@@ -47,6 +49,7 @@ class Transitions {
   Tolerances tolerances_;
   Diagnostics& diagnostics_;
   std::optional<PathBlock> held_;
+  std::vector<PathBlock> masked_;  // behind the held block
 };
 
 }  // namespace trc

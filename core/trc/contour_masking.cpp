@@ -1,0 +1,190 @@
+#include "core/trc/contour_masking.h"
+
+#include <cmath>
+#include <utility>
+
+#include "core/geometry/parallel.h"
+#include "core/trc/joints.h"
+
+namespace trc {
+namespace {
+
+bool is_contour(const PathBlock& block) { return block.role == Role::contour; }
+
+// The radius of the equidistant, by which an angle becomes a length; 1 for lines.
+double radius_at(const PathBlock& block, double shift) {
+  const auto* arc = std::get_if<Arc>(&block.programmed.path);
+  return arc != nullptr ? parallel_radius(*arc, shift) : 1;
+}
+
+double equidistant_length(const PathBlock& block) {
+  return left_of_block(block, 0, 0) * radius_at(block, block.at_end.shift);
+}
+
+OffsetCurve end_curve(const PathBlock& block) {
+  return offset_curve(block.programmed.path, block.tangent_at_end, block.offset_end,
+                      block.at_end.shift);
+}
+
+OffsetCurve start_curve(const PathBlock& block) {
+  return offset_curve(block.programmed.path, block.tangent_at_start, block.offset_start,
+                      block.at_start.shift);
+}
+
+}  // namespace
+
+bool ContourMasking::feed(PathBlock block, std::vector<PathBlock>& out) {
+  const bool masking = block.role != Role::passive && block.mode().masking == Masking::on;
+  const bool continues = !held_.empty() && is_contour(block) && !block.perpendicular_entry;
+  if (continues && masking) {
+    if (held_.size() >= selection_blocks_) return refuse(Code::selection_too_long, block);
+    held_.push_back(std::move(block));
+    return true;
+  }
+  if (!resolve(block.at_start.active ? &block : nullptr, out)) return false;
+  if (masking && block.at_end.active) {
+    held_.push_back(std::move(block));
+  } else {
+    out.push_back(std::move(block));
+  }
+  return true;
+}
+
+bool ContourMasking::resolve(const PathBlock* after, std::vector<PathBlock>& out) {
+  if (held_.empty()) return true;
+  kept_.clear();
+  // The first block has a start of its own: an approach, or what came before G141.
+  kept_.push_back({.index = 0});
+  for (std::size_t index = 1; index < held_.size(); ++index)
+    if (!keep(index)) return false;
+  if (!close(after)) return false;
+  report_masked();
+  for (PathBlock& block : held_) out.push_back(std::move(block));
+  held_.clear();
+  return true;
+}
+
+// Joins the block to the last kept one, masking kept blocks that do not survive it.
+bool ContourMasking::keep(std::size_t index) {
+  PathBlock& block = held_[index];
+  const bool begins_contour = kept_.size() == 1 && !is_contour(held_[0]);
+  if (block.masked) return !begins_contour || refuse_to_mask(block);
+  while (true) {
+    const Kept& last = kept_.back();
+    const PathBlock& before = held_[last.index];
+    const bool adjacent = last.index + 1 == index;
+    const auto meeting = meet(before, block, adjacent);
+    if (meeting && survives(last, meeting->cut_before)) {
+      block.rejoin = meeting->rejoin;
+      kept_.push_back({.index = index, .cut_at_start = meeting->cut_after});
+      return true;
+    }
+    // Of two that do not meet the one with less to cut gives way.
+    if (!meeting && !begins_contour && equidistant_length(block) < equidistant_length(before)) {
+      block.masked = true;
+      return true;
+    }
+    if (!mask_last_kept()) return false;
+  }
+}
+
+// The last block must survive its end: nothing lies behind it to join anew.
+bool ContourMasking::close(const PathBlock* after) {
+  PathBlock& last = held_.back();
+  if (last.masked) return refuse_to_mask(last);
+  double cut_at_end = 0;
+  if (after != nullptr) {
+    const Corner corner = corner_between(last, *after);
+    const JointResult result = joint_between(last, *after, corner, tolerances_);
+    const auto* joined = std::get_if<JoinedBlocks>(&result);
+    // What cannot be joined is refused by Transitions, with its reason.
+    if (joined != nullptr) cut_at_end = joined->joint.cut_before;
+  }
+  return survives(kept_.back(), cut_at_end) || refuse_to_mask(last);
+}
+
+std::optional<ContourMasking::Meeting> ContourMasking::meet(const PathBlock& before,
+                                                            PathBlock& after, bool adjacent) const {
+  if (adjacent) {
+    const Corner corner = corner_between(before, after);
+    const JointResult result = joint_between(before, after, corner, tolerances_);
+    if (const auto* joined = std::get_if<JoinedBlocks>(&result))
+      return Meeting{.cut_before = joined->joint.cut_before, .cut_after = joined->joint.cut_after};
+    return std::nullopt;
+  }
+  const auto rejoin = join_anew(before, after);
+  if (!rejoin) return std::nullopt;
+  return Meeting{
+      .cut_before = rejoin->cut_before, .cut_after = rejoin->cut_after, .rejoin = rejoin};
+}
+
+// The nearest meeting of the two equidistants; at an outside corner of two lines
+// the crossing of their extensions, as far as STRETCH_FACTOR lets them.
+std::optional<PathBlock::Rejoin> ContourMasking::join_anew(const PathBlock& before,
+                                                           const PathBlock& after) const {
+  if (!is_contour(before)) return std::nullopt;
+  const OffsetCurve curve_before = end_curve(before);
+  const OffsetCurve curve_after = start_curve(after);
+  if (const auto joint = nearest_meeting(curve_before, curve_after, tolerances_))
+    return PathBlock::Rejoin{joint->end, joint->cut_before, joint->cut_after};
+  if (curve_before.circular || curve_after.circular) return std::nullopt;
+  const Meetings meetings =
+      intersect(StraightLine{.point = curve_before.anchor, .direction = curve_before.tangent},
+                StraightLine{.point = curve_after.anchor, .direction = curve_after.tangent});
+  if (meetings.count == 0) return std::nullopt;
+  const Point& point = meetings.points[0];
+  const double limit =
+      after.mode().options.stretch_factor * std::abs(after.at_start.shift) + tolerances_.same_point;
+  const double cut_before = cut_before_anchor(curve_before, point, 0);
+  const double cut_after = cut_after_anchor(curve_after, point, 0);
+  if (cut_before < -limit || cut_after < -limit) return std::nullopt;
+  return PathBlock::Rejoin{point, cut_before, cut_after};
+}
+
+bool ContourMasking::survives(const Kept& kept, double cut_at_end) const {
+  const PathBlock& block = held_[kept.index];
+  if (!is_contour(block)) return true;
+  const double left = left_of_block(block, kept.cut_at_start, cut_at_end);
+  return left * radius_at(block, block.at_end.shift) >= -tolerances_.on_contour;
+}
+
+bool ContourMasking::mask_last_kept() {
+  PathBlock& block = held_[kept_.back().index];
+  const bool first_of_contour = kept_.size() == 1 || (kept_.size() == 2 && !is_contour(held_[0]));
+  if (first_of_contour) return refuse_to_mask(block);
+  block.masked = true;
+  block.rejoin.reset();
+  kept_.pop_back();
+  return true;
+}
+
+// One note for each run of masked blocks.
+void ContourMasking::report_masked() {
+  for (std::size_t index = 0; index < held_.size(); ++index) {
+    if (!held_[index].masked) continue;
+    const std::size_t first = index;
+    while (index + 1 < held_.size() && held_[index + 1].masked) ++index;
+    Diagnostic masked = diagnostic(Code::blocks_masked, held_[first].programmed.source);
+    const auto number = [&](std::size_t at) {
+      return static_cast<double>(held_[at].programmed.source.index);
+    };
+    masked.values = {{"first_index", number(first)},
+                     {"last_index", number(index)},
+                     {"tool_radius", std::abs(held_[first].at_end.shift)}};
+    diagnostics_.report(std::move(masked));
+  }
+}
+
+bool ContourMasking::refuse_to_mask(const PathBlock& block) {
+  if (!is_arc(block.programmed.path)) return refuse(Code::line_reversed, block);
+  const bool fits = radius_at(block, block.at_end.shift) >= tolerances_.on_contour;
+  return refuse(fits ? Code::arc_wrapped : Code::tool_not_smaller_than_arc, block);
+}
+
+bool ContourMasking::refuse(Code code, const PathBlock& block) {
+  Diagnostic problem = diagnostic(code, block.programmed.source);
+  problem.values = {{"tool_radius", std::abs(block.at_end.shift)}};
+  return diagnostics_.report(std::move(problem));
+}
+
+}  // namespace trc
