@@ -31,10 +31,12 @@ struct Violation {
 }  // namespace
 
 bool Clearance::feed(PathBlock block, std::vector<PathBlock>& out) {
-  const bool belongs = is_contour(block) || block.role == Role::inserted;
+  // The approach waits too: the tool must not enter what it cannot get through.
+  const bool begins = block.role == Role::approach || block.perpendicular_entry;
+  const bool belongs = begins || is_contour(block) || block.role == Role::inserted;
   const bool wanted =
       belongs && (implicit_ || block.mode().masking == Masking::on || !held_.empty());
-  if (wanted && !block.perpendicular_entry) {
+  if (wanted && !begins) {
     if (held_.size() >= selection_blocks_) {
       diagnostics_.report(diagnostic(Code::selection_too_long, block.programmed.source));
       return false;
