@@ -94,7 +94,8 @@ void declare(CLI::App& app, Config& config) {
   Settings settings(app);
   settings.add("listen", config.listen, "addresses to serve: HOST:PORT, [IPV6]:PORT or unix:/path")
       ->delimiter(',')
-      ->expected(1, 16);
+      ->expected(1, 16)
+      ->default_str(config.listen.front());
   settings.toggle("insecure", config.insecure,
                   "allow plain text on an address other machines can reach");
   settings.add("tls-cert-file", config.tls_cert_file, "PEM certificate chain; switches TLS on");

@@ -12,7 +12,7 @@
 #include <cstring>
 #include <string_view>
 
-#include "core/base/version.h"
+#include "grpc/health/v1/health.pb.h"
 #include "server/credentials.h"
 
 namespace trc::server {
@@ -80,7 +80,11 @@ Server::~Server() {
 std::string Server::open(bool with_addresses) {
   const Config& config = backend_.config;
   grpc::EnableDefaultHealthCheckService(true);
-  if (config.reflection) grpc::reflection::InitProtoReflectionServerBuilderPlugin();
+  if (config.reflection) {
+    grpc::reflection::InitProtoReflectionServerBuilderPlugin();
+    // Reflection lists the health service; it can describe it only with its descriptor linked in.
+    grpc::health::v1::HealthCheckRequest::descriptor();
+  }
 
   grpc::ServerBuilder builder;
   set_limits(builder, config);

@@ -1,0 +1,156 @@
+#include <grpcpp/grpcpp.h>
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <chrono>
+#include <functional>
+#include <memory>
+#include <stdexcept>
+#include <thread>
+#include <vector>
+
+#include "server/backend.h"
+#include "server/rpc/stream_reactor.h"
+#include "tests/server/calls.h"
+
+namespace trc::server {
+namespace {
+
+using Request = v1::CompensatePathRequest;
+using Response = v1::CompensatePathResponse;
+using Work = StreamWork<Request, Response>;
+
+// The real reactor around a work of the test.
+class TestService final : public v1::TrcService::CallbackService {
+ public:
+  using MakeWork = std::function<std::unique_ptr<Work>(const StreamContext&)>;
+
+  explicit TestService(MakeWork make_work) : make_work_(std::move(make_work)) {
+    grpc::ServerBuilder builder;
+    builder.RegisterService(this);
+    server_ = builder.BuildAndStart();
+  }
+  ~TestService() override { server_->Shutdown(std::chrono::system_clock::now()); }
+
+  grpc::ServerBidiReactor<Request, Response>* CompensatePath(
+      grpc::CallbackServerContext* context) override {
+    const auto reactor = std::make_shared<BidiReactor<Request, Response>>(backend, *context,
+                                                                          Method::compensate_path);
+    reactor->start(make_work_(reactor->stream_context()));
+    return reactor.get();
+  }
+  [[nodiscard]] std::shared_ptr<grpc::Channel> channel() { return server_->InProcessChannel({}); }
+
+  Backend backend{[] {
+    Config config;
+    config.log_level = "off";
+    config.worker_threads = 2;
+    return config;
+  }()};
+
+ private:
+  MakeWork make_work_;
+  std::unique_ptr<grpc::Server> server_;
+};
+
+// Fails at a batch, ends well without one.
+class FailingWork final : public Work {
+ public:
+  Turn take(const Request& request, Response& /*response*/) override {
+    if (request.has_batch()) throw std::logic_error("broken invariant");
+    return {};
+  }
+  Turn proceed(Response& /*response*/) override { return end({}); }
+  Turn ended(Response& /*response*/) override { return end({}); }
+};
+
+TEST(StreamReactor, BugEndsItsOwnStreamOnly) {
+  TestService service([](const StreamContext&) { return std::make_unique<FailingWork>(); });
+  const Answer failed = call_path(service.channel(), {batch(0, {}, true)});
+  EXPECT_EQ(failed.status.error_code(), grpc::INTERNAL);
+  EXPECT_EQ(failed.reason(), "INTERNAL");
+  EXPECT_EQ(failed.metadata("incident_id").size(), 16U);
+  EXPECT_EQ(failed.status.error_message().find("invariant"), std::string::npos);
+  EXPECT_TRUE(call_path(service.channel(), {setup_request(v1::PathSetup())}).status.ok());
+  EXPECT_TRUE(eventually([&] { return service.backend.streams.count() == 0; }));
+}
+
+// Has always something to do, a little in each turn.
+class EndlessWork final : public Work {
+ public:
+  EndlessWork(const StreamContext& stream, std::atomic<int>& turns, bool writes)
+      : stream_(stream), turns_(turns), writes_(writes) {}
+
+  Turn take(const Request& /*request*/, Response& response) override { return proceed(response); }
+  Turn proceed(Response& response) override {
+    ++turns_;
+    const auto end = Clock::now() + std::chrono::milliseconds(2);
+    while (!stream_.cancelled && Clock::now() < end) std::this_thread::yield();
+    response.clear_response();
+    return {.write = writes_, .next = Turn::Next::proceed, .ending = {}};
+  }
+  Turn ended(Response& /*response*/) override { return end({}); }
+
+ private:
+  StreamContext stream_;
+  std::atomic<int>& turns_;
+  bool writes_;
+};
+
+TEST(StreamReactor, WorkStopsWhenTheClientHasGone) {
+  for (const bool writes : {false, true}) {
+    std::atomic<int> turns = 0;
+    TestService service([&](const StreamContext& stream) {
+      return std::make_unique<EndlessWork>(stream, turns, writes);
+    });
+    const auto stub = v1::TrcService::NewStub(service.channel());
+    grpc::ClientContext context;
+    const auto stream = stub->CompensatePath(&context);
+    stream->Write(batch(0, {}, true));
+    ASSERT_TRUE(eventually([&] { return turns > 5; }));
+    context.TryCancel();
+    EXPECT_TRUE(eventually([&] { return service.backend.streams.count() == 0; }));
+    const int turns_at_end = turns;
+    EXPECT_EQ(stream->Finish().error_code(), grpc::CANCELLED);
+    EXPECT_EQ(turns, turns_at_end);
+  }
+}
+
+TEST(StreamReactor, DeadlineEndsTheWorkToo) {
+  std::atomic<int> turns = 0;
+  TestService service([&](const StreamContext& stream) {
+    return std::make_unique<EndlessWork>(stream, turns, false);
+  });
+  const auto stub = v1::TrcService::NewStub(service.channel());
+  grpc::ClientContext context;
+  context.set_deadline(std::chrono::system_clock::now() + std::chrono::milliseconds(200));
+  const auto stream = stub->CompensatePath(&context);
+  stream->Write(batch(0, {}, true));
+  EXPECT_EQ(stream->Finish().error_code(), grpc::DEADLINE_EXCEEDED);
+  EXPECT_TRUE(eventually([&] { return service.backend.streams.count() == 0; }));
+}
+
+TEST(StreamReactor, BusyStreamsDoNotKeepOthersFromTheirTurn) {
+  std::atomic<int> turns = 0;
+  std::atomic<int> streams = 0;
+  TestService service([&](const StreamContext& stream) -> std::unique_ptr<Work> {
+    if (streams++ < 8) return std::make_unique<EndlessWork>(stream, turns, false);
+    return std::make_unique<FailingWork>();
+  });
+  const auto channel = service.channel();
+  const auto stub = v1::TrcService::NewStub(channel);
+  std::vector<std::unique_ptr<grpc::ClientContext>> contexts;
+  std::vector<std::unique_ptr<grpc::ClientReaderWriter<Request, Response>>> busy;
+  for (int i = 0; i < 8; ++i) {
+    contexts.push_back(std::make_unique<grpc::ClientContext>());
+    busy.push_back(stub->CompensatePath(contexts.back().get()));
+    busy.back()->Write(batch(0, {}, true));
+  }
+  ASSERT_TRUE(eventually([&] { return turns > 16; }));
+  EXPECT_TRUE(call_path(channel, {setup_request(v1::PathSetup())}).status.ok());
+  for (const auto& context : contexts) context->TryCancel();
+  for (const auto& stream : busy) stream->Finish();
+}
+
+}  // namespace
+}  // namespace trc::server
