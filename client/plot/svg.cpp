@@ -211,17 +211,22 @@ class Sheet {
     shown_.push_back({&style, rapid});
   }
 
-  // One arrow every hundred pixels of path, in the middle of a piece that is long
-  // enough to carry it.
+  // At most eighty arrows, at least a hundred pixels of path apart, each in the
+  // middle of a piece that is long enough to carry it.
   void draw_arrows() {
+    double whole = 0;
+    for (const Stroke& stroke : picture_.strokes)
+      if (stroke.layer == Layer::path)
+        for (const Segment& segment : stroke.segments) whole += extent_of(segment) * frame_.scale;
+    const double apart = std::max(100.0, whole / 80);
     body_ += "<g class=\"arrows\" fill=\"blue\">\n";
-    double since = 100;
+    double since = apart;
     for (const Stroke& stroke : picture_.strokes) {
       if (stroke.layer != Layer::path) continue;
       for (const Segment& segment : stroke.segments) {
         const double length = extent_of(segment) * frame_.scale;
         since += length;
-        if (length < 36 || since < 100) continue;
+        if (length < 36 || since < apart) continue;
         since = 0;
         draw_arrow(place_at(segment, 0.5));
       }
@@ -256,7 +261,10 @@ class Sheet {
         "<g class=\"numbers\" font-size=\"11\" fill=\"#222\" stroke=\"white\" stroke-width=\"3\" "
         "paint-order=\"stroke\" text-anchor=\"middle\">\n";
     for (const Label& label : picture_.numbers) {
-      const Point at = frame_.on_sheet(label.at) + 12 * Vector(label.aside.x(), -label.aside.y());
+      // Clear of the contour: beside an upright line a label needs half its width.
+      const double half_width = text_width * static_cast<double>(label.text.size()) / 2;
+      const double room = 12 + half_width * std::abs(label.aside.x());
+      const Point at = frame_.on_sheet(label.at) + room * Vector(label.aside.x(), -label.aside.y());
       const auto column = static_cast<int>(std::floor(at.x() / 34));
       const auto row = static_cast<int>(std::floor(at.y() / 13));
       if (!taken.insert({column, row}).second) continue;

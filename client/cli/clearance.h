@@ -1,0 +1,40 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+
+#include "core/geometry/plane.h"
+#include "core/nc/block.h"
+#include "core/trc/compensated_block.h"
+
+namespace trc::cli {
+
+// How near one block of the path comes to the contour.
+struct Clearance {
+  double distance = 0;  // mm; negative on the wrong side of the contour
+  double required = 0;  // mm, the tool radius
+  Position place{};     // on the path, machine axes, mm
+  Source path{};
+  Source contour{};
+
+  [[nodiscard]] double margin() const { return distance - required; }
+};
+
+struct ClearanceReport {
+  std::optional<Clearance> worst{};  // the smallest margin; empty: nothing to check
+  std::uint64_t checked = 0;         // blocks of the path
+  std::uint64_t gouging = 0;         // of these, with a margin below -`allowed`
+};
+
+// Measures every block of the compensated path between approach and retract
+// against every contour block of its selection, pair by pair with the exact
+// distance of lines and arcs. Shares no code with the compensation and decides
+// nothing by it: only source positions link path and contour.
+//
+// Where the tool radius changes, the smaller one is required.
+[[nodiscard]] ClearanceReport measure_clearance(std::span<const Block> programmed,
+                                                std::span<const CompensatedBlock> path,
+                                                double allowed);
+
+}  // namespace trc::cli

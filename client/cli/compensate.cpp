@@ -1,0 +1,118 @@
+#include <iostream>
+#include <memory>
+
+#include "client/cli/command.h"
+#include "client/cli/files.h"
+#include "client/cli/program_options.h"
+#include "client/cli/progress.h"
+#include "client/cli/service.h"
+#include "core/nc/program_state.h"
+#include "core/trc/listing.h"
+#include "proto/wire/compensated_block.h"
+#include "proto/wire/json_lines.h"
+
+namespace trc::cli {
+namespace {
+
+struct Call {
+  ProgramOptions program;
+  std::string format = "nc";
+  std::string output;
+  std::uint32_t decimals = 4;
+};
+
+// Path items as the lines of --format jsonl.
+class JsonWriter {
+ public:
+  std::string lines_for(const Answer& answer) {
+    std::string text;
+    for (const CompensatedBlock& block : answer.blocks) {
+      wire::to_proto(block, *item_.mutable_block());
+      lines_.append(item_, text);
+    }
+    for (const wire::ReceivedDiagnostic& received : answer.diagnostics) {
+      v1::Diagnostic& message = *item_.mutable_diagnostic();
+      wire::to_proto(received.diagnostic, message);
+      message.set_message(received.message);
+      message.set_remedy(received.remedy);
+      message.set_reason(received.reason);
+      lines_.append(item_, text);
+    }
+    return text;
+  }
+
+  std::string line_for(const wire::PathSummary& summary) {
+    std::string text;
+    wire::to_proto(summary, *item_.mutable_summary());
+    lines_.append(item_, text);
+    return text;
+  }
+
+ private:
+  wire::JsonLines lines_;
+  v1::PathItem item_;
+};
+
+std::vector<std::string> axis_names(const v1::ProgramSetup& setup) {
+  const auto& names = setup.path().axis_names();
+  if (names.empty()) return ProgramSetup{}.tracking_axes;
+  return {names.begin(), names.end()};
+}
+
+Exit run(const Call& call) {
+  v1::ProgramSetup setup;
+  if (!setup_of(call.program, setup)) return Exit::wrong_call;
+  const bool as_nc = call.format == "nc";
+  const bool as_json = call.format == "jsonl";
+  setup.set_output(as_nc ? v1::PROGRAM_OUTPUT_NC : v1::PROGRAM_OUTPUT_BLOCKS);
+  setup.set_decimals(call.decimals);
+
+  Input input(call.program.file);
+  Output output(call.output);
+  if (!input.open() || !output.open()) return Exit::wrong_call;
+  Progress progress(output.is_standard_output());
+  JsonWriter json;
+  const std::vector<std::string> axes = axis_names(setup);
+
+  const Outcome outcome =
+      compensate_program(call.program.service, setup, input, progress, [&](const Answer& answer) {
+        if (as_nc) return output.write(answer.text);
+        if (as_json) return output.write(json.lines_for(answer));
+        std::string text;
+        for (const CompensatedBlock& block : answer.blocks) {
+          append_listing(text, block, axes, static_cast<int>(call.decimals));
+          text += '\n';
+        }
+        return output.write(text);
+      });
+  if (as_json && outcome.summary && !output.write(json.line_for(outcome.summary->path)))
+    return Exit::wrong_call;
+  // What was certain before a refusal is shown on the screen; a file of it could
+  // be taken for a whole path.
+  const bool keep = outcome.exit == Exit::done || output.is_standard_output();
+  if (keep && !output.commit()) return Exit::wrong_call;
+  return outcome.exit;
+}
+
+}  // namespace
+
+void add_compensate(CLI::App& app, Action& action) {
+  auto* command = app.add_subcommand(
+      "compensate", "Compensate an NC program: G41 and G42 resolved, G40 throughout");
+  auto call = std::make_shared<Call>();
+  add_program_options(*command, call->program);
+  command
+      ->add_option("--format", call->format,
+                   "nc: NC program, jsonl: one JSON object per block, listing: one line per block")
+      ->check(CLI::IsMember({"nc", "jsonl", "listing"}))
+      ->capture_default_str();
+  command->add_option("-o,--output", call->output,
+                      "File to write; it appears only when all went well. Else standard output");
+  command->add_option("--decimals", call->decimals, "Decimal places of coordinates, 1 to 9")
+      ->check(CLI::Range(1, 9))
+      ->capture_default_str();
+  command->footer(settings_help());
+  command->callback([call, &action] { action = [call] { return run(*call); }; });
+}
+
+}  // namespace trc::cli

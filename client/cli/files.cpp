@@ -1,0 +1,152 @@
+#include "client/cli/files.h"
+
+#include <fcntl.h>
+#include <signal.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <iostream>
+#include <utility>
+
+namespace trc::cli {
+namespace {
+
+constexpr std::size_t piece = 64U * 1024U;
+
+// The unfinished file of this process, for the signal handler.
+std::array<char, 4096> unfinished{};
+
+extern "C" void remove_unfinished(int signal_number) {
+  if (unfinished[0] != '\0') unlink(unfinished.data());
+  ::signal(signal_number, SIG_DFL);
+  ::raise(signal_number);
+}
+
+void guard_unfinished(const std::string& path) {
+  if (path.size() >= unfinished.size()) return;
+  std::memcpy(unfinished.data(), path.c_str(), path.size() + 1);
+  for (const int number : {SIGINT, SIGTERM, SIGHUP}) ::signal(number, remove_unfinished);
+}
+
+bool write_all(int descriptor, std::string_view text) {
+  while (!text.empty()) {
+    const ssize_t written = ::write(descriptor, text.data(), text.size());
+    if (written < 0) {
+      if (errno == EINTR) continue;
+      return false;
+    }
+    text.remove_prefix(static_cast<std::size_t>(written));
+  }
+  return true;
+}
+
+mode_t mode_of_new_files() {
+  const mode_t mask = ::umask(0);
+  ::umask(mask);
+  return 0666 & ~mask;
+}
+
+}  // namespace
+
+Input::Input(std::string path)
+    : path_(std::move(path)), name_(path_ == "-" ? "<stdin>" : path_), buffer_(piece, '\0') {}
+
+Input::~Input() {
+  if (descriptor_ > STDIN_FILENO) ::close(descriptor_);
+}
+
+bool Input::open() {
+  descriptor_ = path_ == "-" ? STDIN_FILENO : ::open(path_.c_str(), O_RDONLY | O_CLOEXEC);
+  if (descriptor_ >= 0) return true;
+  std::cerr << "trc: cannot read " << name_ << ": " << std::strerror(errno) << '\n';
+  return false;
+}
+
+std::string_view Input::read() {
+  for (;;) {
+    const ssize_t count = ::read(descriptor_, buffer_.data(), buffer_.size());
+    if (count >= 0) {
+      const auto piece_read = std::string_view(buffer_).substr(0, static_cast<std::size_t>(count));
+      if (watcher_) watcher_(piece_read);
+      return piece_read;
+    }
+    if (errno == EINTR) continue;
+    std::cerr << "trc: cannot read " << name_ << ": " << std::strerror(errno) << '\n';
+    failed_ = true;
+    return {};
+  }
+}
+
+Output::Output(std::string path) : path_(path == "-" ? std::string() : std::move(path)) {}
+
+Output::~Output() {
+  if (descriptor_ > STDOUT_FILENO) ::close(descriptor_);
+  if (!temporary_.empty()) {
+    ::unlink(temporary_.c_str());
+    unfinished[0] = '\0';
+  }
+}
+
+bool Output::complain(const char* what) {
+  const int reason = errno;
+  // Who reads our output has gone; there is nobody to tell.
+  if (!(is_standard_output() && reason == EPIPE))
+    std::cerr << "trc: cannot " << what << ' '
+              << (is_standard_output() ? std::string("standard output") : path_) << ": "
+              << std::strerror(reason) << '\n';
+  failed_ = true;
+  return false;
+}
+
+bool Output::open() {
+  // A reader that goes away is an error to report, not a reason to be killed.
+  ::signal(SIGPIPE, SIG_IGN);
+  if (is_standard_output()) {
+    descriptor_ = STDOUT_FILENO;
+    return true;
+  }
+  struct stat existing {};
+  const bool exists = ::stat(path_.c_str(), &existing) == 0;
+  if (exists && S_ISDIR(existing.st_mode)) {
+    errno = EISDIR;
+    return complain("write");
+  }
+  if (exists && !S_ISREG(existing.st_mode)) {
+    descriptor_ = ::open(path_.c_str(), O_WRONLY | O_CLOEXEC);
+    return descriptor_ >= 0 || complain("write");
+  }
+  std::string pattern = path_ + ".XXXXXX";
+  descriptor_ = ::mkstemp(pattern.data());
+  if (descriptor_ < 0) return complain("write");
+  temporary_ = pattern;
+  guard_unfinished(temporary_);
+  return ::fchmod(descriptor_, exists ? existing.st_mode & 07777 : mode_of_new_files()) == 0 ||
+         complain("write");
+}
+
+bool Output::flush() {
+  if (!write_all(descriptor_, buffer_)) return complain("write");
+  buffer_.clear();
+  return true;
+}
+
+bool Output::write(std::string_view text) {
+  if (failed_) return false;
+  buffer_ += text;
+  return buffer_.size() < piece || flush();
+}
+
+bool Output::commit() {
+  if (failed_ || !flush()) return false;
+  if (temporary_.empty()) return true;
+  if (::close(std::exchange(descriptor_, -1)) != 0) return complain("write");
+  if (::rename(temporary_.c_str(), path_.c_str()) != 0) return complain("write");
+  temporary_.clear();
+  unfinished[0] = '\0';
+  return true;
+}
+
+}  // namespace trc::cli

@@ -1,0 +1,68 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <string_view>
+#include <utility>
+
+namespace trc::cli {
+
+// A program to read: a file, or standard input for "-".
+class Input {
+ public:
+  explicit Input(std::string path);
+  ~Input();
+  Input(const Input&) = delete;
+  Input& operator=(const Input&) = delete;
+
+  // Says on standard error what is wrong. False: nothing to read.
+  bool open();
+  // The next piece; empty at the end. Valid until the next call.
+  [[nodiscard]] std::string_view read();
+  // Shows every piece to somebody else too, before it is returned.
+  void watch(std::function<void(std::string_view)> watcher) { watcher_ = std::move(watcher); }
+  // Whether reading broke off before the end.
+  [[nodiscard]] bool failed() const { return failed_; }
+
+  // As messages name it.
+  [[nodiscard]] const std::string& name() const { return name_; }
+
+ private:
+  std::string path_;
+  std::string name_;
+  int descriptor_ = -1;
+  bool failed_ = false;
+  std::string buffer_;
+  std::function<void(std::string_view)> watcher_;
+};
+
+// Where a result goes. A file gets its name only with `commit`: until then, and
+// when the program ends early, an older file of that name stays as it was. What
+// goes to standard output is gone at once.
+class Output {
+ public:
+  // "-" or nothing: standard output.
+  explicit Output(std::string path);
+  ~Output();
+  Output(const Output&) = delete;
+  Output& operator=(const Output&) = delete;
+
+  // Each says on standard error what is wrong and returns false then.
+  bool open();
+  bool write(std::string_view text);
+  bool commit();
+
+  [[nodiscard]] bool is_standard_output() const { return path_.empty(); }
+
+ private:
+  bool complain(const char* what);
+  bool flush();
+
+  std::string path_;
+  std::string temporary_;  // empty: written in place (a device or a pipe)
+  int descriptor_ = -1;
+  bool failed_ = false;
+  std::string buffer_;
+};
+
+}  // namespace trc::cli

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <string>
+
+#include "trc/v1/trc_service.pb.h"
+
+namespace trc::cli {
+
+// Version, limits, options, G functions and diagnostics for reading on a screen.
+[[nodiscard]] std::string text_of(const v1::GetServerInfoResponse& info);
+
+// Markdown tables, as documentation shows them.
+[[nodiscard]] std::string markdown_options(const v1::GetServerInfoResponse& info);
+[[nodiscard]] std::string markdown_functions(const v1::GetServerInfoResponse& info);
+[[nodiscard]] std::string markdown_diagnostics(const v1::GetServerInfoResponse& info);
+
+}  // namespace trc::cli

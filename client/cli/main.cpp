@@ -1,0 +1,45 @@
+#include <CLI/CLI.hpp>
+#include <exception>
+#include <iostream>
+#include <string>
+
+#include "client/cli/command.h"
+#include "core/base/version.h"
+
+namespace {
+
+int run(int argc, char** argv) {
+  CLI::App app("Tool radius compensation: computes the path of the tool centre beside a contour.",
+               "trc");
+  app.set_version_flag(
+      "--version", "trc " + std::string(trc::version()) + " (" + std::string(trc::commit()) + ")");
+  app.require_subcommand(1);
+  app.footer(
+      "Exit codes: 0 done, 1 the program was refused or gouges, 2 wrong call, "
+      "3 server not reachable.");
+
+  trc::cli::Action action;
+  trc::cli::add_compensate(app, action);
+  trc::cli::add_plot(app, action);
+  trc::cli::add_verify(app, action);
+  trc::cli::add_generate(app, action);
+  trc::cli::add_info(app, action);
+  trc::cli::add_health(app, action);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : static_cast<int>(trc::cli::Exit::wrong_call);
+  }
+  return static_cast<int>(action());
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    return run(argc, argv);
+  } catch (const std::exception& error) {
+    std::cerr << "trc: internal error: " << error.what() << '\n';
+    return static_cast<int>(trc::cli::Exit::unreachable);
+  }
+}

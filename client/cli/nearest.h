@@ -1,0 +1,21 @@
+#pragma once
+
+#include "core/geometry/segment.h"
+
+namespace trc::cli {
+
+// The point of the segment that is nearest to `point`.
+[[nodiscard]] Point nearest_point(const Segment& segment, const Point& point);
+
+// The smallest distance of two segments, mm, and where on `a` it is reached; 0
+// where they cross or touch.
+struct Gap {
+  double distance = 0;
+  Point on_a = Point::Zero();
+};
+[[nodiscard]] Gap gap_between(const Segment& a, const Segment& b);
+
+// The unit travel direction at a point of the segment.
+[[nodiscard]] Vector direction_at(const Segment& segment, const Point& point);
+
+}  // namespace trc::cli

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+#include <vector>
+
+#include "client/cli/service.h"
+#include "trc/v1/setup.pb.h"
+
+namespace trc::cli {
+
+// What every subcommand that reads a program takes.
+struct ProgramOptions {
+  std::string file{};
+  std::vector<std::string> assignments{};  // key=value
+  ServiceOptions service{};
+};
+void add_program_options(CLI::App& command, ProgramOptions& options);
+
+// The setup the options describe. Says on standard error what is wrong with them
+// and returns false then.
+bool setup_of(const ProgramOptions& options, v1::ProgramSetup& setup);
+
+// "Settings (--set): …", for the end of a help text.
+[[nodiscard]] std::string settings_help();
+
+}  // namespace trc::cli

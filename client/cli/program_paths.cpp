@@ -1,0 +1,69 @@
+#include "client/cli/program_paths.h"
+
+#include <string>
+#include <string_view>
+
+#include "client/cli/progress.h"
+#include "core/nc/interpreter.h"
+#include "proto/wire/setup.h"
+
+namespace trc::cli {
+namespace {
+
+// Reads the blocks of the text while it passes by on its way to the service.
+class ContourReader {
+ public:
+  explicit ContourReader(const SessionSetup& session)
+      : state_(session.program, session.compensator.tolerances, diagnostics_, blocks_),
+        interpreter_({}, state_, diagnostics_) {}
+
+  void feed(std::string_view text) {
+    reading_ = reading_ && interpreter_.feed(text, lines_);
+    lines_.clear();
+  }
+
+  std::vector<Block> finish() {
+    if (reading_) interpreter_.finish(lines_);
+    return std::move(blocks_);
+  }
+
+ private:
+  Diagnostics diagnostics_;
+  std::vector<Block> blocks_;
+  ProgramState state_;
+  Interpreter interpreter_;
+  std::vector<ProgramLine> lines_;
+  bool reading_ = true;
+};
+
+}  // namespace
+
+ProgramPaths read_paths(const ServiceOptions& options, v1::ProgramSetup setup, Input& input) {
+  ProgramPaths paths;
+  setup.set_output(v1::PROGRAM_OUTPUT_BLOCKS);
+  setup.mutable_path()->set_response_layout(v1::RESPONSE_LAYOUT_COLUMNS);
+  wire::FieldFaults faults;
+  const wire::ProgramSettings settings = wire::from_proto(setup, wire::FieldPath("setup"), faults);
+  // The service says what is wrong with the setup; a contour read without it
+  // would be another one.
+  std::optional<ContourReader> reader;
+  if (faults.empty()) reader.emplace(settings.path.session);
+  input.watch([&](std::string_view text) {
+    if (reader) reader->feed(text);
+  });
+
+  Progress progress(false);
+  const Outcome outcome =
+      compensate_program(options, setup, input, progress, [&](const Answer& answer) {
+        paths.compensated.insert(paths.compensated.end(), answer.blocks.begin(),
+                                 answer.blocks.end());
+        for (const wire::ReceivedDiagnostic& received : answer.diagnostics)
+          paths.diagnostics.push_back(received.diagnostic);
+        return true;
+      });
+  paths.exit = outcome.exit;
+  if (reader) paths.programmed = reader->finish();
+  return paths;
+}
+
+}  // namespace trc::cli

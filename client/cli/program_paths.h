@@ -1,0 +1,27 @@
+#pragma once
+
+#include <vector>
+
+#include "client/cli/command.h"
+#include "client/cli/files.h"
+#include "client/cli/service.h"
+#include "core/base/diagnostic.h"
+#include "core/nc/block.h"
+#include "core/trc/compensated_block.h"
+
+namespace trc::cli {
+
+// A program before and after compensation, both as blocks.
+struct ProgramPaths {
+  Exit exit = Exit::done;
+  // As read here, without the service. Where the text has an error they end
+  // there; the error is among `diagnostics`, from the service.
+  std::vector<Block> programmed{};
+  std::vector<CompensatedBlock> compensated{};  // what was certain, if refused
+  std::vector<Diagnostic> diagnostics{};        // also told on standard error
+};
+
+[[nodiscard]] ProgramPaths read_paths(const ServiceOptions& options, v1::ProgramSetup setup,
+                                      Input& input);
+
+}  // namespace trc::cli

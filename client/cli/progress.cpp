@@ -1,0 +1,31 @@
+#include "client/cli/progress.h"
+
+#include <unistd.h>
+
+#include <cstdio>
+
+namespace trc::cli {
+
+Progress::Progress(bool result_on_screen)
+    : enabled_(isatty(STDERR_FILENO) == 1 && !(result_on_screen && isatty(STDOUT_FILENO) == 1)) {}
+
+void Progress::update(std::uint64_t bytes, std::uint64_t blocks) {
+  if (!enabled_) return;
+  const Clock::time_point now = Clock::now();
+  if (now < next_) return;
+  next_ = now + std::chrono::milliseconds(200);
+  shown_ = true;
+  const double seconds = std::chrono::duration<double>(now - start_).count();
+  std::fprintf(stderr, "\r%.1f MB read, %llu blocks out, %.0f s\x1b[K",
+               static_cast<double>(bytes) / 1e6, static_cast<unsigned long long>(blocks), seconds);
+  std::fflush(stderr);
+}
+
+void Progress::clear() {
+  if (!shown_) return;
+  std::fputs("\r\x1b[K", stderr);
+  std::fflush(stderr);
+  shown_ = false;
+}
+
+}  // namespace trc::cli

@@ -1,0 +1,157 @@
+#include "client/cli/service.h"
+
+#include <chrono>
+#include <iostream>
+#include <memory>
+
+#include "client/cli/report.h"
+#include "client/trc/connection.h"
+#include "client/trc/remote_program_session.h"
+#include "server/in_process.h"
+
+namespace trc::cli {
+namespace {
+
+constexpr std::chrono::seconds longest_question{10};
+
+// The service of one run: a server elsewhere, or one inside this process.
+class Service {
+ public:
+  explicit Service(const ServiceOptions& options) : name_(options.server) {
+    if (!options.server.empty()) {
+      failure_ = client::Connection::open(
+          options.server, {.ca = options.tls_ca, .cert = options.tls_cert, .key = options.tls_key},
+          connection_);
+      return;
+    }
+    own_ = std::make_unique<server::InProcessServer>();
+    connection_.emplace(own_->channel());
+  }
+
+  [[nodiscard]] const std::optional<client::Failure>& failure() const { return failure_; }
+  [[nodiscard]] const client::Connection& connection() const { return *connection_; }
+
+  // Says what went wrong and returns how the program ends.
+  Exit explain(const client::Failure& failure, bool answered) const {
+    if (failure.reason == "CALLER_STOPPED") return Exit::wrong_call;
+    for (const wire::FieldFault& field : failure.fields)
+      std::cerr << "trc: " << field.field << ": " << field.description << '\n';
+    if (failure.unreachable()) {
+      explain_unreachable(failure, answered);
+      return Exit::unreachable;
+    }
+    if (failure.fields.empty()) std::cerr << "trc: " << failure.message << '\n';
+    // What the server says of the call. Where waiting helps, it is busy.
+    if (failure.retry_after_seconds) return Exit::unreachable;
+    return failure.status == "RESOURCE_EXHAUSTED" ? Exit::refused : Exit::wrong_call;
+  }
+
+ private:
+  void explain_unreachable(const client::Failure& failure, bool answered) const {
+    // A server that gives a reason speaks for itself; the transport does not.
+    if (!failure.reason.empty()) {
+      std::cerr << "trc: " << failure.message << '\n';
+    } else if (failure.status == "UNAUTHENTICATED" || failure.status == "PERMISSION_DENIED") {
+      std::cerr << "trc: the server at " << name_ << " does not let this client in\n";
+    } else if (answered) {
+      std::cerr << "trc: lost the connection to the server" << (name_.empty() ? "" : " at ")
+                << name_ << "; the path is not complete\n";
+    } else {
+      std::cerr << "trc: cannot reach a server at " << name_
+                << "; is trcd running there, and do the --tls files fit?\n";
+    }
+  }
+
+  std::string name_;
+  std::unique_ptr<server::InProcessServer> own_;
+  std::optional<client::Connection> connection_;
+  std::optional<client::Failure> failure_;
+};
+
+// Prints the diagnostics of an answer and remembers whether one stops the program.
+class Reporter {
+ public:
+  Reporter(const Input& input, Progress& progress) : input_(input), progress_(progress) {}
+
+  void report(const Answer& answer) {
+    for (const wire::ReceivedDiagnostic& received : answer.diagnostics) {
+      progress_.clear();
+      std::cerr << line_for(input_.name(), received) << '\n';
+      refused_ = refused_ || received.diagnostic.severity == Severity::error;
+    }
+  }
+
+  [[nodiscard]] bool refused() const { return refused_; }
+
+ private:
+  const Input& input_;
+  Progress& progress_;
+  bool refused_ = false;
+};
+
+}  // namespace
+
+void add_service_options(CLI::App& command, ServiceOptions& options) {
+  auto* server = command.add_option("--server", options.server,
+                                    "Server to ask; without it the work is done in this process");
+  server->type_name("HOST:PORT");
+  const auto add_file = [&](const char* name, std::string& path, const char* meaning) {
+    command.add_option(name, path, meaning)
+        ->type_name("FILE")
+        ->check(CLI::ExistingFile)
+        ->needs(server);
+  };
+  add_file("--tls-ca", options.tls_ca, "Certificate (PEM) the server is known by");
+  add_file("--tls-cert", options.tls_cert, "Certificate (PEM) of this client");
+  add_file("--tls-key", options.tls_key, "Key (PEM) of that certificate");
+}
+
+Outcome compensate_program(const ServiceOptions& options, const v1::ProgramSetup& setup,
+                           Input& input, Progress& progress, const AnswerSink& sink) {
+  const Service service(options);
+  if (service.failure()) return {.exit = service.explain(*service.failure(), false)};
+  client::RemoteProgramSession session(service.connection(), setup);
+  Reporter reporter(input, progress);
+  bool answered = false;
+  std::uint64_t bytes = 0;
+  std::uint64_t blocks = 0;
+  const AnswerSink take = [&](const Answer& answer) {
+    answered = true;
+    blocks += answer.blocks.size();
+    reporter.report(answer);
+    progress.update(bytes, blocks);
+    return sink(answer);
+  };
+
+  bool open = true;
+  while (open) {
+    const std::string_view text = input.read();
+    if (text.empty()) break;
+    bytes += text.size();
+    open = session.feed(text, take);
+    progress.update(bytes, blocks);
+  }
+  // Half a program must not look like a whole one.
+  if (input.failed()) return {.exit = Exit::wrong_call};
+  if (open && session.finish(take)) return {.exit = Exit::done, .summary = session.summary()};
+  progress.clear();
+  if (reporter.refused()) return {.exit = Exit::refused};
+  if (!session.failure()) return {.exit = Exit::unreachable};
+  return {.exit = service.explain(*session.failure(), answered)};
+}
+
+Exit server_info(const ServiceOptions& options, v1::GetServerInfoResponse& info) {
+  const Service service(options);
+  if (service.failure()) return service.explain(*service.failure(), false);
+  const auto failure = service.connection().server_info(longest_question, info);
+  return failure ? service.explain(*failure, false) : Exit::done;
+}
+
+Exit server_health(const ServiceOptions& options, bool& serving) {
+  const Service service(options);
+  if (service.failure()) return service.explain(*service.failure(), false);
+  const auto failure = service.connection().health(longest_question, serving);
+  return failure ? service.explain(*failure, false) : Exit::done;
+}
+
+}  // namespace trc::cli

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <optional>
+#include <string>
+
+#include "client/cli/command.h"
+#include "client/cli/files.h"
+#include "client/cli/progress.h"
+#include "client/trc/answer.h"
+#include "proto/wire/path_item.h"
+#include "trc/v1/setup.pb.h"
+#include "trc/v1/trc_service.pb.h"
+
+namespace trc::cli {
+
+// Where the service is. Without an address it runs inside this process.
+struct ServiceOptions {
+  std::string server{};  // HOST:PORT, [IPV6]:PORT or unix:/path
+  std::string tls_ca{};  // PEM files
+  std::string tls_cert{};
+  std::string tls_key{};
+};
+void add_service_options(CLI::App& command, ServiceOptions& options);
+
+using client::Answer;
+using client::AnswerSink;
+
+struct Outcome {
+  Exit exit = Exit::done;
+  std::optional<wire::ProgramSummary> summary{};  // complete runs only
+};
+
+// Sends a program and hands out the answers in order. Diagnostics of the program
+// and what else went wrong are on standard error when it returns.
+[[nodiscard]] Outcome compensate_program(const ServiceOptions& options,
+                                         const v1::ProgramSetup& setup, Input& input,
+                                         Progress& progress, const AnswerSink& sink);
+
+// Each says on standard error why there is no answer.
+[[nodiscard]] Exit server_info(const ServiceOptions& options, v1::GetServerInfoResponse& info);
+[[nodiscard]] Exit server_health(const ServiceOptions& options, bool& serving);
+
+}  // namespace trc::cli

@@ -1,0 +1,184 @@
+#include "client/cli/clearance.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <numbers>
+#include <random>
+#include <vector>
+
+#include "client/cli/nearest.h"
+#include "client/plot/outline.h"
+
+namespace trc::cli {
+namespace {
+
+using std::numbers::pi;
+
+std::shared_ptr<const TrcMode> left_of_contour(double radius) {
+  TrcMode mode;
+  mode.side = Side::left;
+  mode.tool_radius = radius;
+  mode.selection_number = 1;
+  return std::make_shared<const TrcMode>(mode);
+}
+
+Source source(std::uint64_t index) {
+  return {.index = index,
+          .number = static_cast<std::int64_t>(index) * 10,
+          .line = static_cast<std::uint32_t>(index) + 1};
+}
+
+MotionBlock contour(std::uint64_t index, Segment path, double radius = 10) {
+  return {.source = source(index), .path = path, .mode = left_of_contour(radius)};
+}
+
+CompensatedBlock path_block(std::uint64_t index, Segment path, Origin origin = Origin::programmed) {
+  return {.source = source(index), .origin = origin, .path = path};
+}
+
+std::vector<Point> points_of(const Segment& segment, int samples) {
+  std::vector<Point> points;
+  for (int i = 0; i <= samples; ++i)
+    points.push_back(plot::place_at(segment, static_cast<double>(i) / samples).point);
+  return points;
+}
+
+// The smallest distance of many points, for comparison.
+double sampled_gap(const Segment& a, const Segment& b, int samples) {
+  double smallest = std::numeric_limits<double>::infinity();
+  const std::vector<Point> on_b = points_of(b, samples);
+  for (const Point& p : points_of(a, samples))
+    for (const Point& q : on_b) smallest = std::min(smallest, (p - q).squaredNorm());
+  return std::sqrt(smallest);
+}
+
+class Chance {
+ public:
+  explicit Chance(std::uint64_t seed) : generator_(seed) {}
+  double between(double low, double high) {
+    return low + (high - low) * static_cast<double>(generator_() >> 11U) * 0x1.0p-53;
+  }
+  Point point() { return {between(-50, 50), between(-50, 50)}; }
+  Segment segment() {
+    const Point start = point();
+    if (between(0, 1) < 0.5) return Line{.start = start, .end = point()};
+    const Point center = point();
+    const double sweep = between(0, 1) < 0.15 ? 2 * pi : between(-2 * pi, 2 * pi);
+    const Vector from = start - center;
+    const Vector to(std::cos(sweep) * from.x() - std::sin(sweep) * from.y(),
+                    std::sin(sweep) * from.x() + std::cos(sweep) * from.y());
+    return Arc{.start = start, .end = center + to, .center = center, .sweep = sweep};
+  }
+
+ private:
+  std::mt19937_64 generator_;
+};
+
+TEST(Gap, AgreesWithManyPointsOnRandomSegments) {
+  constexpr std::uint64_t seed = 20261121;
+  SCOPED_TRACE(seed);
+  Chance chance(seed);
+  constexpr int samples = 300;
+  for (int i = 0; i < 300; ++i) {
+    const Segment a = chance.segment();
+    const Segment b = chance.segment();
+    const Gap gap = gap_between(a, b);
+    const double sampled = sampled_gap(a, b, samples);
+    const double step = (plot::extent_of(a) + plot::extent_of(b)) / samples;
+    EXPECT_LE(gap.distance, sampled + 1e-9) << i;
+    EXPECT_GE(gap.distance, sampled - step) << i;
+    EXPECT_NEAR(gap_between(b, a).distance, gap.distance, 1e-9) << i;
+    EXPECT_NEAR((nearest_point(b, gap.on_a) - gap.on_a).norm(), gap.distance, 1e-9) << i;
+  }
+}
+
+TEST(Gap, IsZeroWhereSegmentsCross) {
+  EXPECT_NEAR(gap_between(Line{{-10, 0}, {10, 0}}, Line{{0, -10}, {0, 10}}).distance, 0, 1e-12);
+  EXPECT_NEAR(gap_between(Line{{-20, 5}, {20, 5}}, Arc{{10, 0}, {-10, 0}, {0, 0}, pi}).distance, 0,
+              1e-12);
+  EXPECT_GT(gap_between(Line{{-20, 5}, {20, 5}}, Arc{{10, 0}, {-10, 0}, {0, 0}, -pi}).distance, 1);
+}
+
+TEST(Clearance, OfAnEquidistantIsTheToolRadius) {
+  const std::vector<Block> programmed{contour(0, Line{{-20, 0}, {0, 0}}),
+                                      contour(1, Line{{0, 0}, {50, 0}}),
+                                      contour(2, Line{{50, 0}, {50, 50}})};
+  const std::vector<CompensatedBlock> path{path_block(0, Line{{-20, 0}, {0, 10}}, Origin::approach),
+                                           path_block(1, Line{{0, 10}, {40, 10}}),
+                                           path_block(2, Line{{40, 10}, {40, 50}})};
+  const ClearanceReport report = measure_clearance(programmed, path, 1e-4);
+  EXPECT_EQ(report.checked, 2u);
+  EXPECT_EQ(report.gouging, 0u);
+  ASSERT_TRUE(report.worst);
+  EXPECT_NEAR(report.worst->distance, 10, 1e-12);
+}
+
+TEST(Clearance, FindsTheWorstPointAndBothBlocks) {
+  // The path runs 3 mm too far into the corner.
+  const std::vector<Block> programmed{contour(0, Line{{-20, 0}, {0, 0}}),
+                                      contour(1, Line{{0, 0}, {50, 0}}),
+                                      contour(2, Line{{50, 0}, {50, 50}})};
+  const std::vector<CompensatedBlock> path{path_block(1, Line{{0, 10}, {43, 10}}),
+                                           path_block(2, Line{{43, 10}, {40, 50}})};
+  const ClearanceReport report = measure_clearance(programmed, path, 1e-4);
+  EXPECT_EQ(report.gouging, 2u);
+  ASSERT_TRUE(report.worst);
+  EXPECT_NEAR(report.worst->distance, 7, 1e-12);
+  EXPECT_EQ(report.worst->required, 10);
+  EXPECT_NEAR(report.worst->place[0], 43, 1e-9);
+  EXPECT_NEAR(report.worst->place[1], 10, 1e-9);
+  EXPECT_EQ(report.worst->path.number, 10);
+  EXPECT_EQ(report.worst->contour.number, 20);
+}
+
+TEST(Clearance, SeesContourBlocksFarAwayInTheProgram) {
+  // A wall that comes back 15 mm beside the first one, many blocks later.
+  std::vector<Block> programmed{contour(0, Line{{-20, 0}, {0, 0}}),
+                                contour(1, Line{{0, 0}, {100, 0}})};
+  for (std::uint64_t i = 2; i < 200; ++i) {
+    const auto x = 1000.0 + 20.0 * static_cast<double>(i);
+    programmed.emplace_back(contour(i, Line{{x, 0}, {x + 20, 0}}));
+  }
+  programmed.emplace_back(contour(200, Line{{100, 15}, {0, 15}}));
+  const std::vector<CompensatedBlock> path{path_block(1, Line{{0, 10}, {100, 10}})};
+  const ClearanceReport report = measure_clearance(programmed, path, 1e-4);
+  ASSERT_TRUE(report.worst);
+  EXPECT_NEAR(report.worst->distance, 5, 1e-12);
+  EXPECT_EQ(report.worst->contour.index, 200u);
+}
+
+TEST(Clearance, IsNegativeOnTheWrongSide) {
+  const std::vector<Block> programmed{contour(0, Line{{-20, 0}, {0, 0}}),
+                                      contour(1, Line{{0, 0}, {100, 0}})};
+  const std::vector<CompensatedBlock> path{path_block(1, Line{{0, -10}, {100, -10}})};
+  const ClearanceReport report = measure_clearance(programmed, path, 1e-4);
+  EXPECT_EQ(report.gouging, 1u);
+  EXPECT_NEAR(report.worst->distance, -10, 1e-12);
+}
+
+TEST(Clearance, AsksForTheSmallerRadiusWhereItChanges) {
+  const std::vector<Block> programmed{contour(0, Line{{-20, 0}, {0, 0}}, 10),
+                                      contour(1, Line{{0, 0}, {100, 0}}, 10),
+                                      contour(2, Line{{100, 0}, {200, 0}}, 20)};
+  const std::vector<CompensatedBlock> path{path_block(1, Line{{0, 10}, {100, 10}}),
+                                           path_block(2, Line{{100, 10}, {200, 20}})};
+  EXPECT_EQ(measure_clearance(programmed, path, 1e-4).gouging, 0u);
+}
+
+TEST(Clearance, LeavesApproachAndRetractOut) {
+  const std::vector<Block> programmed{contour(0, Line{{-20, 0}, {0, 0}}),
+                                      contour(1, Line{{0, 0}, {100, 0}})};
+  const std::vector<CompensatedBlock> path{
+      path_block(0, Line{{50, 0}, {0, 10}}, Origin::approach),
+      path_block(1, Line{{100, 10}, {100, 0}}, Origin::retract)};
+  const ClearanceReport report = measure_clearance(programmed, path, 1e-4);
+  EXPECT_EQ(report.checked, 0u);
+  EXPECT_FALSE(report.worst);
+}
+
+}  // namespace
+}  // namespace trc::cli

@@ -1,0 +1,372 @@
+#include <google/protobuf/struct.pb.h>
+#include <google/protobuf/util/json_util.h>
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+
+#include <regex>
+#include <string>
+#include <vector>
+
+#include "tests/client/process.h"
+
+namespace trc::testing_support {
+namespace {
+
+// In the manner of the G239 demonstration, R 10.
+const std::string demo =
+    "%demo\n"
+    "N10 G90 G17 G00 X0 Y0\n"
+    "N20 G239\n"
+    "N30 V.G.WZ_AKT.R = 10\n"
+    "N40 G41 G01 X30 Y20 F1000\n"
+    "N50 X60\n"
+    "N55 M8\n"
+    "N60 X90\n"
+    "N70 X120\n"
+    "N80 G40\n"
+    "N90 G00 X150 Y0\n"
+    "N100 M30\n";
+
+// The middle edge is too short for the tool in both of its inside corners.
+const std::string violating =
+    "N10 G90 G17 G00 X-20 Y0\n"
+    "N20 V.G.WZ_AKT.R=10\n"
+    "N30 G138 G41 G01 X0 Y0 F500\n"
+    "N40 X50\n"
+    "N50 X55 Y5\n"
+    "N60 Y50\n"
+    "N70 G40 X0 Y60\n"
+    "N80 M30\n";
+
+Ended trc(std::vector<std::string> arguments, const std::string& input = "") {
+  arguments.insert(arguments.begin(), TRC_PROGRAM);
+  return run(arguments, input);
+}
+
+std::vector<std::string> lines_of(const std::string& text) {
+  std::vector<std::string> lines;
+  std::size_t begin = 0;
+  while (begin < text.size()) {
+    const auto end = text.find('\n', begin);
+    lines.push_back(text.substr(begin, end - begin));
+    begin = end == std::string::npos ? text.size() : end + 1;
+  }
+  return lines;
+}
+
+google::protobuf::Struct object_of(const std::string& line) {
+  google::protobuf::Struct object;
+  EXPECT_TRUE(google::protobuf::util::JsonStringToMessage(line, &object).ok()) << line;
+  return object;
+}
+
+TEST(Compensate, WritesNcTextWithoutCompensation) {
+  const Ended ended = trc({"compensate", "-"}, demo);
+  EXPECT_EQ(ended.code, 0) << ended.err;
+  EXPECT_EQ(ended.err, "");
+  EXPECT_EQ(ended.out.find("G41"), std::string::npos);
+  EXPECT_NE(ended.out.find("N40 G01 X30 Y30"), std::string::npos) << ended.out;
+  EXPECT_NE(ended.out.find("M8"), std::string::npos);
+}
+
+TEST(Compensate, ListsOneBlockALine) {
+  const Ended ended = trc({"compensate", "-", "--format", "listing"}, demo);
+  EXPECT_EQ(ended.code, 0) << ended.err;
+  const auto lines = lines_of(ended.out);
+  ASSERT_GE(lines.size(), 6u);
+  EXPECT_NE(ended.out.find("40 approach line 0.0000 0.0000 0.0000 -> 30.0000 30.0000 0.0000 F1000"),
+            std::string::npos)
+      << ended.out;
+}
+
+TEST(Compensate, NamesJsonFieldsAsDocumented) {
+  const Ended ended = trc({"compensate", "-", "--format", "jsonl"}, demo);
+  EXPECT_EQ(ended.code, 0) << ended.err;
+  EXPECT_NE(
+      ended.out.find(
+          R"({"block":{"sourceNumber":"40","sourceIndex":3,"origin":"APPROACH","rapid":false,)"
+          R"("start":{"x":0,"y":0,"z":0},"line":{"end":{"x":30,"y":30,"z":0}},"feed":1000)"),
+      std::string::npos)
+      << ended.out;
+  EXPECT_NE(ended.out.find(R"("origin":"PASSTHROUGH")"), std::string::npos);
+  EXPECT_NE(ended.out.find(R"("passthrough":{"text":"M8"})"), std::string::npos);
+  const auto lines = lines_of(ended.out);
+  for (const std::string& line : lines) EXPECT_EQ(object_of(line).fields_size(), 1) << line;
+  const auto last = object_of(lines.back());
+  ASSERT_TRUE(last.fields().contains("summary"));
+  const auto& summary = last.fields().at("summary").struct_value().fields();
+  for (const char* name :
+       {"blocksIn", "blocksOut", "maskedBlocks", "programmedLength", "compensatedLength"})
+    EXPECT_TRUE(summary.contains(name)) << name;
+  EXPECT_EQ(summary.at("maskedBlocks").string_value(), "0");
+}
+
+TEST(Compensate, PutsTheDiagnosticIntoJsonAndNoSummaryBehindIt) {
+  const Ended ended = trc({"compensate", "-", "--format", "jsonl"}, violating);
+  EXPECT_EQ(ended.code, 1);
+  const auto lines = lines_of(ended.out);
+  ASSERT_FALSE(lines.empty());
+  const auto last = object_of(lines.back());
+  ASSERT_TRUE(last.fields().contains("diagnostic")) << lines.back();
+  const auto& diagnostic = last.fields().at("diagnostic").struct_value().fields();
+  EXPECT_EQ(diagnostic.at("code").number_value(), 90019);
+  EXPECT_EQ(diagnostic.at("severity").string_value(), "ERROR");
+  EXPECT_EQ(diagnostic.at("sourceNumber").string_value(), "50");
+  EXPECT_EQ(diagnostic.at("line").number_value(), 5);
+  EXPECT_NE(diagnostic.at("message").string_value(), "");
+  EXPECT_TRUE(diagnostic.at("values").has_struct_value());
+}
+
+TEST(Compensate, TellsFileLineCodeAndRemedyOfARefusal) {
+  const Folder folder;
+  const std::string file = folder.write("part.nc", violating);
+  const Ended ended = trc({"compensate", file});
+  EXPECT_EQ(ended.code, 1);
+  const auto lines = lines_of(ended.err);
+  ASSERT_EQ(lines.size(), 1u) << ended.err;
+  EXPECT_EQ(lines[0].rfind(file + ":5: error 90019: ", 0), 0u) << lines[0];
+  EXPECT_EQ(lines[0].back(), ')');
+}
+
+TEST(Compensate, LeavesNoFileOfARefusedProgram) {
+  const Folder folder;
+  folder.write("in.nc", violating);
+  const std::string kept = folder.write("out.nc", "older result");
+  EXPECT_EQ(trc({"compensate", folder.path("in.nc"), "-o", kept}).code, 1);
+  EXPECT_EQ(content_of(kept), "older result");
+  EXPECT_EQ(trc({"compensate", folder.path("in.nc"), "-o", folder.path("new.nc")}).code, 1);
+  EXPECT_EQ(folder.names().size(), 2u);
+}
+
+TEST(Compensate, ReplacesTheFileOfAnEarlierRun) {
+  const Folder folder;
+  folder.write("in.nc", demo);
+  const std::string out = folder.write("out.nc", "older result");
+  ASSERT_EQ(::chmod(out.c_str(), 0640), 0);
+  const Ended ended = trc({"compensate", folder.path("in.nc"), "-o", out});
+  EXPECT_EQ(ended.code, 0) << ended.err;
+  EXPECT_EQ(ended.out, "");
+  EXPECT_EQ(content_of(out), trc({"compensate", "-"}, demo).out);
+  EXPECT_EQ(folder.names().size(), 2u);
+  struct stat status {};
+  ASSERT_EQ(::stat(out.c_str(), &status), 0);
+  EXPECT_EQ(status.st_mode & 0777, 0640u);
+}
+
+TEST(Compensate, WritesIntoDevices) {
+  EXPECT_EQ(trc({"compensate", "-", "-o", "/dev/null"}, demo).code, 0);
+}
+
+TEST(Compensate, TakesInitialValues) {
+  const std::string plain = "N10 G41 G01 X30 Y20 F100\nN20 X60\nN30 G40 X100 Y0\nN40 M30\n";
+  const Ended ended = trc({"compensate", "-", "--format", "listing", "--set", "tool_radius=4",
+                           "--set", "selection_mode=G138"},
+                          plain);
+  EXPECT_EQ(ended.code, 0) << ended.err;
+  EXPECT_NE(ended.out.find("-> 30.0000 24.0000 0.0000"), std::string::npos) << ended.out;
+}
+
+TEST(Compensate, RefusesUnknownAndImpossibleSettings) {
+  const Ended unknown = trc({"compensate", "-", "--set", "tol_radius=4"}, demo);
+  EXPECT_EQ(unknown.code, 2);
+  EXPECT_NE(unknown.err.find("tool_radius"), std::string::npos);
+  const Ended far = trc({"compensate", "-", "--set", "tool_radius=1e9"}, demo);
+  EXPECT_EQ(far.code, 2) << far.err;
+  EXPECT_NE(far.err.find("tool_radius"), std::string::npos) << far.err;
+  EXPECT_EQ(far.out, "");
+}
+
+TEST(Compensate, WritesAsManyDecimalsAsAsked) {
+  const std::string third = "N10 G00 X0.123456789 Y0\nN20 G01 X1 Y1 F100\nN30 M30\n";
+  const Ended ended = trc({"compensate", "-", "--format", "listing", "--decimals", "6"}, third);
+  EXPECT_EQ(ended.code, 0) << ended.err;
+  EXPECT_NE(ended.out.find("0.123457"), std::string::npos) << ended.out;
+  EXPECT_EQ(trc({"compensate", "-", "--decimals", "10"}, third).code, 2);
+}
+
+TEST(Compensate, RefusesBadInputClearly) {
+  const std::vector<std::pair<std::string, std::string>> programs{
+      {"empty", ""},
+      {"unclosed", "N10 #TRC[KERF_MASKING=1\n"},
+      {"half a character", "N10 (\xC3"},
+      {"binary", std::string("\x00\x01\xFF\xFE", 4)},
+      {"huge", "N10 G01 X1e300 F100\n"},
+      {"no number", "N10 G01 X F100\n"}};
+  for (const auto& [name, text] : programs) {
+    SCOPED_TRACE(name);
+    const Ended ended = trc({"compensate", "-"}, text);
+    EXPECT_EQ(ended.code, 1);
+    EXPECT_EQ(ended.err.rfind("<stdin>", 0), 0u) << ended.err;
+    EXPECT_NE(ended.err.find(": error "), std::string::npos) << ended.err;
+    EXPECT_EQ(lines_of(ended.err).size(), 1u) << ended.err;
+  }
+}
+
+TEST(Compensate, SaysWhatIsWrongWithTheCall) {
+  EXPECT_EQ(trc({}).code, 2);
+  EXPECT_EQ(trc({"compensat"}).code, 2);
+  EXPECT_EQ(trc({"compensate"}).code, 2);
+  EXPECT_EQ(trc({"compensate", "-", "--format", "xml"}, demo).code, 2);
+  const Ended missing = trc({"compensate", "/nowhere/part.nc"});
+  EXPECT_EQ(missing.code, 2);
+  EXPECT_NE(missing.err.find("cannot read /nowhere/part.nc"), std::string::npos);
+  const Ended folder = trc({"compensate", "/"});
+  EXPECT_EQ(folder.code, 2);
+  const Ended output = trc({"compensate", "-", "-o", "/nowhere/out.nc"}, demo);
+  EXPECT_EQ(output.code, 2);
+  EXPECT_NE(output.err.find("cannot write /nowhere/out.nc"), std::string::npos);
+}
+
+TEST(Server, GivesTheSameBytesAsTheOwnProcess) {
+  const ServerProcess server;
+  ASSERT_NE(server.address(), "");
+  for (const char* format : {"nc", "listing"}) {
+    const Ended own = trc({"compensate", "-", "--format", format}, demo);
+    const Ended remote =
+        trc({"compensate", "-", "--format", format, "--server", server.address()}, demo);
+    EXPECT_EQ(remote.code, 0) << remote.err;
+    EXPECT_EQ(remote.out, own.out);
+  }
+  const Ended refused = trc({"compensate", "-", "--server", server.address()}, violating);
+  const Ended own = trc({"compensate", "-"}, violating);
+  EXPECT_EQ(refused.code, 1);
+  EXPECT_EQ(refused.err, own.err);
+  EXPECT_EQ(refused.out, own.out);
+}
+
+TEST(Server, TakesLongPrograms) {
+  const ServerProcess server;
+  ASSERT_NE(server.address(), "");
+  const std::string text = trc({"generate", "--shape", "gear", "--blocks", "50000"}).out;
+  const Ended own = trc({"compensate", "-"}, text);
+  const Ended remote = trc({"compensate", "-", "--server", server.address()}, text);
+  EXPECT_EQ(remote.code, 0) << remote.err;
+  EXPECT_GT(remote.out.size(), 50000u * 20);
+  EXPECT_TRUE(remote.out == own.out);
+}
+
+TEST(Server, IsNamedWhenItCannotBeReached) {
+  // Port 1 of the loopback address: nobody listens there.
+  for (const char* command : {"compensate", "verify"}) {
+    const Ended ended = trc({command, "-", "--server", "127.0.0.1:1"}, demo);
+    EXPECT_EQ(ended.code, 3);
+    EXPECT_NE(ended.err.find("127.0.0.1:1"), std::string::npos) << ended.err;
+    EXPECT_EQ(ended.err.find("gRPC"), std::string::npos);
+    EXPECT_EQ(ended.err.find("rpc"), std::string::npos);
+    EXPECT_EQ(ended.out, "");
+  }
+  EXPECT_EQ(trc({"health", "--server", "127.0.0.1:1"}).code, 3);
+  EXPECT_EQ(trc({"info", "--server", "127.0.0.1:1"}).code, 3);
+}
+
+TEST(Server, IsAskedForHealthAndInfo) {
+  const ServerProcess server;
+  ASSERT_NE(server.address(), "");
+  const Ended health = trc({"health", "--server", server.address()});
+  EXPECT_EQ(health.code, 0) << health.err;
+  EXPECT_EQ(health.out, "serving\n");
+  const Ended info = trc({"info", "--server", server.address()});
+  EXPECT_EQ(info.code, 0) << info.err;
+  EXPECT_EQ(info.out, trc({"info"}).out);
+}
+
+TEST(Info, PrintsTheTablesOfTheDocumentation) {
+  const Ended info = trc({"info"});
+  EXPECT_EQ(info.code, 0) << info.err;
+  for (const char* word : {"STRETCH_FACTOR", "G239", "90019", "Limits"})
+    EXPECT_NE(info.out.find(word), std::string::npos) << word;
+  const Ended diagnostics = trc({"info", "--markdown", "diagnostics"});
+  EXPECT_EQ(diagnostics.out.rfind("| Code | Severity | Cause | Remedy |\n|---|---|---|---|\n", 0),
+            0u);
+  EXPECT_NE(diagnostics.out.find("\n| 90019 | error | "), std::string::npos);
+  EXPECT_NE(trc({"info", "--markdown", "options"}).out.find("| KERF_MASKING | 0 … 1 | 0 |"),
+            std::string::npos);
+}
+
+TEST(Plot, DrawsContourAndPath) {
+  const Folder folder;
+  folder.write("part.nc", demo);
+  const Ended ended =
+      trc({"plot", folder.path("part.nc"), "-o", folder.path("part.svg"), "--numbers"});
+  EXPECT_EQ(ended.code, 0) << ended.err;
+  const std::string svg = content_of(folder.path("part.svg"));
+  EXPECT_NE(svg.find("<g class=\"programmed\""), std::string::npos);
+  EXPECT_NE(svg.find("<g class=\"path\""), std::string::npos);
+  EXPECT_NE(svg.find("<title>N40 approach</title>"), std::string::npos);
+  EXPECT_NE(svg.find(">N50<"), std::string::npos);
+  EXPECT_NE(svg.find("R 10 mm"), std::string::npos);
+  EXPECT_EQ(trc({"plot", folder.path("part.nc"), "-o", folder.path("part.html")}).code, 0);
+  EXPECT_EQ(content_of(folder.path("part.html")).rfind("<!DOCTYPE html>", 0), 0u);
+}
+
+TEST(Plot, DrawsTheSameThroughAServer) {
+  const ServerProcess server;
+  ASSERT_NE(server.address(), "");
+  EXPECT_EQ(trc({"plot", "-", "-o", "-", "--server", server.address()}, demo).out,
+            trc({"plot", "-", "-o", "-"}, demo).out);
+}
+
+TEST(Plot, MarksThePlaceOfARefusal) {
+  const Folder folder;
+  const Ended ended = trc({"plot", "-", "-o", folder.path("part.svg")}, violating);
+  EXPECT_EQ(ended.code, 1);
+  EXPECT_EQ(ended.err.rfind("<stdin>:5: error 90019: ", 0), 0u) << ended.err;
+  const std::string svg = content_of(folder.path("part.svg"));
+  EXPECT_NE(svg.find("<g class=\"fault\""), std::string::npos);
+  EXPECT_NE(svg.find("error 90019 in line 5 (N50)"), std::string::npos);
+}
+
+TEST(Plot, KnowsTheKindOfPictureByItsName) {
+  const Folder folder;
+  EXPECT_EQ(trc({"plot", "-", "-o", folder.path("part.png")}, demo).code, 2);
+  EXPECT_EQ(trc({"plot", "-"}, demo).code, 2);
+  EXPECT_TRUE(folder.names().empty());
+}
+
+TEST(Verify, FindsTheToolRadiusOnAGoodPath) {
+  const Ended ended = trc({"verify", "-"}, demo);
+  EXPECT_EQ(ended.code, 0) << ended.err;
+  EXPECT_NE(ended.out.find("smallest clearance 10.0000 mm of 10.0000 mm"), std::string::npos)
+      << ended.out;
+}
+
+TEST(Verify, FindsAGougeThatWasIgnored) {
+  const Ended ended = trc({"verify", "-", "--set", "ignore_cont_damage=1"}, violating);
+  EXPECT_EQ(ended.code, 1) << ended.out;
+  EXPECT_NE(ended.err.find("gouge"), std::string::npos) << ended.err;
+  // N40 is trimmed to X 45.8579, N60 stands at X 55.
+  EXPECT_NE(ended.err.find("smallest clearance 9.1421 mm of 10.0000 mm"), std::string::npos)
+      << ended.err;
+}
+
+TEST(Verify, FindsNoGougeInGeneratedContours) {
+  for (const char* shape : {"polygon", "square", "star", "gear", "wave", "spiral", "random"}) {
+    SCOPED_TRACE(shape);
+    const Ended generated = trc({"generate", "--shape", shape, "--blocks", "700", "--seed", "5"});
+    EXPECT_EQ(generated.code, 0) << generated.err;
+    const Ended verified = trc({"verify", "-"}, generated.out);
+    EXPECT_EQ(verified.code, 0) << verified.err;
+  }
+}
+
+TEST(Generate, WritesTheSameTextAgain) {
+  const std::vector<std::string> call{"generate", "--shape", "random", "--blocks",
+                                      "50",       "--seed",  "3"};
+  EXPECT_EQ(trc(call).out, trc(call).out);
+  EXPECT_EQ(trc({"generate", "--shape", "cube"}).code, 2);
+  EXPECT_EQ(trc({"generate", "--blocks", "0"}).code, 2);
+}
+
+TEST(Help, NamesEverySubcommand) {
+  const Ended help = trc({"--help"});
+  EXPECT_EQ(help.code, 0);
+  for (const char* name : {"compensate", "plot", "verify", "generate", "info", "health"}) {
+    EXPECT_NE(help.out.find(name), std::string::npos) << name;
+    EXPECT_EQ(trc({name, "--help"}).code, 0) << name;
+  }
+  EXPECT_NE(trc({"compensate", "--help"}).out.find("tool_radius"), std::string::npos);
+  EXPECT_EQ(trc({"--version"}).out.rfind("trc ", 0), 0u);
+}
+
+}  // namespace
+}  // namespace trc::testing_support

@@ -1,0 +1,71 @@
+#include "client/cli/shapes.h"
+
+#include <gtest/gtest.h>
+
+#include "client/cli/clearance.h"
+#include "core/session/program_session.h"
+
+namespace trc::cli {
+namespace {
+
+std::string program_of(const ShapeRequest& request) {
+  std::string text;
+  EXPECT_EQ(generate(request,
+                     [&](std::string_view piece) {
+                       text += piece;
+                       return true;
+                     }),
+            "");
+  return text;
+}
+
+std::uint64_t count_of(const std::string& text, const std::string& word) {
+  std::uint64_t count = 0;
+  for (auto at = text.find(word); at != std::string::npos; at = text.find(word, at + 1)) ++count;
+  return count;
+}
+
+TEST(Shapes, HaveAsManyContourBlocksAsAsked) {
+  for (const ShapeRow& row : shapes())
+    for (const std::uint64_t blocks : {1, 2, 61, 2500}) {
+      SCOPED_TRACE(std::string(row.name) + " " + std::to_string(blocks));
+      const std::string text = program_of({.shape = std::string(row.name), .blocks = blocks});
+      // Beside the contour there are approach and retract.
+      EXPECT_EQ(count_of(text, " G01 ") + count_of(text, " G02 ") + count_of(text, " G03 "),
+                blocks + 2);
+    }
+}
+
+TEST(Shapes, AreTheSameForTheSameSeed) {
+  const ShapeRequest request{.shape = "random", .blocks = 200, .seed = 7};
+  EXPECT_EQ(program_of(request), program_of(request));
+  ShapeRequest other = request;
+  other.seed = 8;
+  EXPECT_NE(program_of(request), program_of(other));
+}
+
+TEST(Shapes, CanBeCompensatedWithoutAViolation) {
+  for (const ShapeRow& row : shapes())
+    for (const std::uint64_t seed : {1, 2, 3})
+      for (const std::uint64_t blocks : {1, 5, 40, 1200}) {
+        SCOPED_TRACE(std::string(row.name) + " seed " + std::to_string(seed) + " blocks " +
+                     std::to_string(blocks));
+        const std::string text =
+            program_of({.shape = std::string(row.name), .blocks = blocks, .seed = seed});
+        ProgramSession session({.nc_text = false});
+        ProgramOutput output;
+        EXPECT_TRUE(session.feed(text, output) && session.finish(output));
+        for (const Diagnostic& diagnostic : session.diagnostics().pending())
+          ADD_FAILURE() << static_cast<int>(diagnostic.code) << ": " << message_of(diagnostic);
+        EXPECT_GE(session.summary().blocks_out, blocks);
+      }
+}
+
+TEST(Shapes, RefuseWhatTheyDoNotKnowOrCannotHold) {
+  const auto ignore = [](std::string_view) { return true; };
+  EXPECT_NE(generate({.shape = "cube"}, ignore), "");
+  EXPECT_NE(generate({.shape = "spiral", .blocks = 10'000'000}, ignore), "");
+}
+
+}  // namespace
+}  // namespace trc::cli
