@@ -11,8 +11,7 @@ set(CMAKE_POSITION_INDEPENDENT_CODE ON)
 include(CheckPIESupported)
 check_pie_supported(LANGUAGES CXX)
 
-# Dev: optimised, with the library's own checks on, so that the whole test suite stays fast.
-set(CMAKE_CXX_FLAGS_DEV "-O2 -g1 -D_GLIBCXX_ASSERTIONS" CACHE STRING "Flags of the Dev build type")
+set(CMAKE_CXX_FLAGS_DEV "${CMAKE_CXX_FLAGS_DEV_INIT}" CACHE STRING "Flags of the Dev build type")
 set(CMAKE_EXE_LINKER_FLAGS_DEV "" CACHE STRING "Linker flags of the Dev build type")
 mark_as_advanced(CMAKE_CXX_FLAGS_DEV CMAKE_EXE_LINKER_FLAGS_DEV)
 if(NOT CMAKE_BUILD_TYPE)
