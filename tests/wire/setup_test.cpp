@@ -1,0 +1,196 @@
+#include "proto/wire/setup.h"
+
+#include <google/protobuf/text_format.h>
+#include <gtest/gtest.h>
+
+#include <string>
+
+namespace trc::wire {
+namespace {
+
+PathSettings every_setting() {
+  PathSettings settings;
+  ProgramSetup& program = settings.session.program;
+  program.mode = {.plane = Plane::yz,
+                  .tool_radius = 12.5,
+                  .selection = Selection::perpendicular,
+                  .transition = Transition::circular,
+                  .masking = Masking::on,
+                  .feed_adaptation = FeedAdaptation::on,
+                  .tangfeed_minimum = 3,
+                  .options = {.kerf_masking = true, .stretch_factor = 4}};
+  program.start = {1, -2, 0.5};
+  program.absolute_center = true;
+  program.circle = {.correct_center = false,
+                    .largest_shift = 1,
+                    .largest_shift_factor = 0.1,
+                    .largest_radius_difference = 0.5,
+                    .largest_radius_factor = 0};
+  program.tracking_axes = {"C", "E2"};
+  program.tools = {{0, 0}, {5, 2.5}, {7, -3}};
+  CompensatorSetup& compensator = settings.session.compensator;
+  compensator.limits.look_ahead_blocks = 200;
+  compensator.limits.passive_blocks = 7;
+  compensator.implicit_contour_masking = true;
+  compensator.circular_kerf_masking = false;
+  compensator.smallest_feed_factor = 0.5;
+  compensator.inverse_path = true;
+  settings.response_layout = Layout::columns;
+  settings.want_resume_tokens = true;
+  settings.client_tag = "cell 4";
+  settings.resume_token = std::string("\0token", 6);
+  return settings;
+}
+
+TEST(Setup, ReadsBackEveryField) {
+  const PathSettings sent = every_setting();
+  v1::ProgramSetup message;
+  to_proto(ProgramSettings{.path = sent, .nc_text = false, .decimals = 6, .file_name = "a.nc"},
+           message);
+  FieldFaults faults;
+  const ProgramSettings read = from_proto(message, FieldPath("setup"), faults);
+  ASSERT_TRUE(faults.empty()) << faults.listed()[0].field;
+  EXPECT_FALSE(read.nc_text);
+  EXPECT_EQ(read.decimals, 6);
+  EXPECT_EQ(read.file_name, "a.nc");
+
+  const ProgramSetup& program = read.path.session.program;
+  const ProgramSetup& expected = sent.session.program;
+  EXPECT_EQ(program.mode, expected.mode);
+  EXPECT_EQ(program.start, expected.start);
+  EXPECT_EQ(program.absolute_center, expected.absolute_center);
+  EXPECT_EQ(program.circle.correct_center, expected.circle.correct_center);
+  EXPECT_EQ(program.circle.largest_shift, expected.circle.largest_shift);
+  EXPECT_EQ(program.circle.largest_shift_factor, expected.circle.largest_shift_factor);
+  EXPECT_EQ(program.circle.largest_radius_difference, expected.circle.largest_radius_difference);
+  EXPECT_EQ(program.circle.largest_radius_factor, expected.circle.largest_radius_factor);
+  EXPECT_EQ(program.tracking_axes, expected.tracking_axes);
+  EXPECT_EQ(program.tools, expected.tools);
+  const CompensatorSetup& compensator = read.path.session.compensator;
+  EXPECT_EQ(compensator.start, expected.start);
+  EXPECT_EQ(compensator.limits.look_ahead_blocks, 200U);
+  EXPECT_EQ(compensator.limits.passive_blocks, 7U);
+  EXPECT_TRUE(compensator.implicit_contour_masking);
+  EXPECT_FALSE(compensator.circular_kerf_masking);
+  EXPECT_TRUE(compensator.inverse_path);
+  EXPECT_EQ(compensator.smallest_feed_factor, 0.5);
+  EXPECT_EQ(read.path.response_layout, Layout::columns);
+  EXPECT_TRUE(read.path.want_resume_tokens);
+  EXPECT_EQ(read.path.client_tag, "cell 4");
+  EXPECT_EQ(read.path.resume_token, sent.resume_token);
+
+  v1::ProgramSetup again;
+  to_proto(read, again);
+  EXPECT_EQ(again.SerializeAsString(), message.SerializeAsString());
+}
+
+TEST(Setup, EmptyMessageMeansTheInitialState) {
+  FieldFaults faults;
+  const ProgramSettings read = from_proto(v1::ProgramSetup(), FieldPath("setup"), faults);
+  ASSERT_TRUE(faults.empty());
+  EXPECT_EQ(read.path.session.program.mode, TrcMode{});
+  EXPECT_EQ(read.path.session.program.start, Position{});
+  EXPECT_EQ(read.path.session.program.tracking_axes, ProgramSetup{}.tracking_axes);
+  EXPECT_EQ(read.path.session.compensator.limits.passive_blocks, Limits{}.passive_blocks);
+  EXPECT_EQ(read.path.response_layout, Layout::blocks);
+  EXPECT_TRUE(read.nc_text);
+  EXPECT_EQ(read.decimals, 4);
+}
+
+TEST(Setup, OptionsReadBackOneByOne) {
+  // Each option alone, so that none can hide behind another.
+  const auto changes_with = [](auto set) {
+    TrcOptionChanges changes;
+    set(changes);
+    return changes;
+  };
+  const SplitOption split{
+      .where = SplitOption::Where::pre, .along_path = true, .distance_1 = 5, .feed_1 = 200};
+  const std::vector<TrcOptionChanges> all{
+      changes_with([](auto& c) { c.conv_cir_to_lin = true; }),
+      changes_with([](auto& c) { c.kerf_masking = true; }),
+      changes_with([](auto& c) { c.reverse = true; }),
+      changes_with([](auto& c) { c.ignore_cont_damage = true; }),
+      changes_with([](auto& c) { c.remove_masked_blocks = true; }),
+      changes_with([](auto& c) { c.ext_angle_block_intersection = true; }),
+      changes_with([](auto& c) { c.g236_lin = true; }),
+      changes_with([](auto& c) { c.stretch_factor = 9; }),
+      changes_with([](auto& c) { c.tangential_limit = 0.1; }),
+      changes_with([](auto& c) { c.perpendicular_radius_change = true; }),
+      changes_with([](auto& c) { c.gen_cir_block_in_corner = true; }),
+      changes_with([](auto& c) { c.suppress_trc = true; }),
+      changes_with([](auto& c) { c.inverse = true; }),
+      changes_with([&split](auto& c) { c.split = split; }),
+  };
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    v1::TrcOptions message;
+    to_proto(all[i], message);
+    FieldFaults faults;
+    EXPECT_EQ(from_proto(message, FieldPath("options"), faults), all[i]) << i;
+    EXPECT_TRUE(faults.empty()) << i;
+    EXPECT_EQ(changes_from_initial(changed({}, all[i])), all[i]) << i;
+  }
+}
+
+TEST(Setup, AbsentOptionsStayUnchanged) {
+  const TrcOptions before{.reverse = true, .stretch_factor = 3};
+  EXPECT_EQ(changed(before, {}), before);
+  TrcOptions expected = before;
+  expected.reverse = false;
+  EXPECT_EQ(changed(before, {.reverse = false}), expected);
+}
+
+struct RefusedSetup {
+  std::string name;
+  std::string setup;  // v1::ProgramSetup in protobuf text format
+  std::string field;
+};
+
+class RefusedSetups : public ::testing::TestWithParam<RefusedSetup> {};
+
+TEST_P(RefusedSetups, NameTheField) {
+  v1::ProgramSetup message;
+  ASSERT_TRUE(google::protobuf::TextFormat::ParseFromString(GetParam().setup, &message));
+  FieldFaults faults;
+  (void)from_proto(message, FieldPath("setup"), faults);
+  ASSERT_EQ(faults.count(), 1U);
+  EXPECT_EQ(faults.listed()[0].field, GetParam().field);
+  EXPECT_FALSE(faults.listed()[0].description.empty());
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Program, RefusedSetups,
+    ::testing::Values(
+        RefusedSetup{"RadiusNotANumber", "path { tool_radius: nan }", "setup.path.tool_radius"},
+        RefusedSetup{"RadiusTooLarge", "path { tool_radius: 214748.3648 }",
+                     "setup.path.tool_radius"},
+        RefusedSetup{"UnknownPlane", "path { plane: 7 }", "setup.path.plane"},
+        RefusedSetup{"UnknownMode", "path { selection_mode: -1 }", "setup.path.selection_mode"},
+        RefusedSetup{"StartInfinite", "path { start_position { y: inf } }",
+                     "setup.path.start_position.y"},
+        RefusedSetup{"NegativeTangfeed", "path { tangfeed_min_radius: -1 }",
+                     "setup.path.tangfeed_min_radius"},
+        RefusedSetup{"FeedFactorZero", "path { min_feed_factor: 0 }", "setup.path.min_feed_factor"},
+        RefusedSetup{"StretchFactor", "path { options { stretch_factor: 10 } }",
+                     "setup.path.options.stretch_factor"},
+        RefusedSetup{"TangentialLimit", "path { options { tangential_limit: 3.5 } }",
+                     "setup.path.options.tangential_limit"},
+        RefusedSetup{"CircleShift", "path { circle_center_mode { max_shift: -1 } }",
+                     "setup.path.circle_center_mode.max_shift"},
+        RefusedSetup{"PassiveBlocks", "path { max_passive_blocks: 0 }",
+                     "setup.path.max_passive_blocks"},
+        RefusedSetup{"AxisName", "path { axis_names: 'C' axis_names: '1' }",
+                     "setup.path.axis_names[1]"},
+        RefusedSetup{"AxisTwice", "path { axis_names: 'C' axis_names: 'C' }",
+                     "setup.path.axis_names[1]"},
+        RefusedSetup{"MainAxis", "path { axis_names: 'X' }", "setup.path.axis_names[0]"},
+        RefusedSetup{"ClientTag", "path { client_tag: 'a\\nb' }", "setup.path.client_tag"},
+        RefusedSetup{"ToolTwice", "tools { number: 1 } tools { number: 1 }",
+                     "setup.tools[1].number"},
+        RefusedSetup{"ToolRadius", "tools { radius: inf }", "setup.tools[0].radius"},
+        RefusedSetup{"Decimals", "decimals: 10", "setup.decimals"},
+        RefusedSetup{"Output", "output: 3", "setup.output"}),
+    [](const auto& tested) { return tested.param.name; });
+
+}  // namespace
+}  // namespace trc::wire
