@@ -30,6 +30,15 @@ MoveRequest request_for(const Segment& segment, Plane plane, std::uint64_t index
   return request;
 }
 
+SessionSetup setup_for(const TrcMode& mode, const Point& start) {
+  SessionSetup setup;
+  setup.program.mode = mode;
+  setup.program.mode.side = Side::off;
+  setup.program.absolute_center = true;
+  setup.program.start = from_plane(mode.plane, start, 0);
+  return setup;
+}
+
 Point first_of(const Segment& segment) {
   return std::visit([](const auto& shape) { return shape.start; }, segment);
 }
@@ -130,55 +139,57 @@ const Diagnostic* Outcome::error() const {
   return nullptr;
 }
 
-Outcome compensate(const Contour& contour, const TrcMode& mode, const Feeding& feeding) {
-  SessionSetup setup;
-  setup.program.mode = mode;
-  setup.program.mode.side = Side::off;
-  setup.program.absolute_center = true;
-  const auto third = [&](std::size_t ordinal) {
-    return feeding.third ? feeding.third(ordinal) : 0.0;
-  };
-  setup.program.start = from_plane(mode.plane, contour.approach.start, 0);
-  PathSession session(setup);
-  ProgramState& program = session.program();
+Channel::Channel(const TrcMode& mode, const Point& start, std::size_t batch)
+    : plane_(mode.plane), batch_(batch), session_(setup_for(mode, start)) {}
 
-  Outcome outcome;
-  std::uint64_t index = 0;
-  std::size_t items = 0;
-  bool running = true;
-  const auto item_given = [&](bool goes_on) {
-    running = running && goes_on;
-    if (running && feeding.batch != 0 && ++items % feeding.batch == 0)
-      running = session.advance(outcome.blocks);
+void Channel::item_given(bool goes_on) {
+  note(goes_on);
+  if (running_ && batch_ != 0 && ++items_ % batch_ == 0)
+    running_ = session_.advance(outcome_.blocks);
+}
+
+void Channel::move(const Segment& segment, std::size_t ordinal, std::optional<double> third,
+                   std::optional<double> tracking) {
+  if (!running_) return;
+  MoveRequest request = request_for(segment, plane_, index_++, ordinal);
+  request.end[axes_of(plane_).third] = third;
+  if (tracking) request.tracking = {tracking};
+  item_given(program().move(request));
+}
+
+void Channel::pass(const std::string& text, std::size_t ordinal) {
+  if (!running_) return;
+  const Source source = place(ordinal);
+  ++index_;
+  item_given(program().pass(source, text));
+}
+
+Outcome Channel::finish(std::size_t ordinal) {
+  if (running_) running_ = session_.advance(outcome_.blocks);
+  if (running_) running_ = session_.finish(place(ordinal), outcome_.blocks);
+  outcome_.stopped = session_.diagnostics().stopped();
+  outcome_.diagnostics = session_.diagnostics().take();
+  return std::move(outcome_);
+}
+
+Outcome compensate(const Contour& contour, const TrcMode& mode, const Feeding& feeding) {
+  Channel channel(mode, contour.approach.start, feeding.batch);
+  const auto value = [](const auto& function, std::size_t ordinal) -> std::optional<double> {
+    return function ? std::optional<double>(function(ordinal)) : std::nullopt;
   };
   const auto give = [&](const Segment& segment, std::size_t ordinal) {
-    if (!running) return;
-    MoveRequest request = request_for(segment, mode.plane, index++, ordinal);
-    if (feeding.third) request.end[axes_of(mode.plane).third] = third(ordinal);
-    if (feeding.tracking) request.tracking = {feeding.tracking(ordinal)};
-    item_given(program.move(request));
+    channel.move(segment, ordinal, value(feeding.third, ordinal), value(feeding.tracking, ordinal));
     if (feeding.texts)
-      for (const std::string& text : feeding.texts(ordinal))
-        if (running)
-          item_given(
-              program.pass({.index = index++, .number = static_cast<std::int64_t>(ordinal)}, text));
-    if (running && feeding.watch) feeding.watch(ordinal, outcome.blocks);
+      for (const std::string& text : feeding.texts(ordinal)) channel.pass(text, ordinal);
+    if (channel.running() && feeding.watch) feeding.watch(ordinal, channel.blocks());
   };
-
-  running = program.select(mode.side, {.index = index, .number = 0});
+  const std::size_t last = contour.blocks.size() + 1;
+  channel.note(channel.program().select(mode.side, channel.place(0)));
   give(contour.approach, 0);
   for (std::size_t k = 0; k < contour.blocks.size(); ++k) give(contour.blocks[k], k + 1);
-  const std::size_t last = contour.blocks.size() + 1;
-  if (running)
-    running = program.deselect({.index = index, .number = static_cast<std::int64_t>(last)});
+  if (channel.running()) channel.note(channel.program().deselect(channel.place(last)));
   give(contour.retract, last);
-  if (running) running = session.advance(outcome.blocks);
-  if (running)
-    running =
-        session.finish({.index = index, .number = static_cast<std::int64_t>(last)}, outcome.blocks);
-  outcome.stopped = session.diagnostics().stopped();
-  outcome.diagnostics = session.diagnostics().take();
-  return outcome;
+  return channel.finish(last);
 }
 
 std::vector<CompensatedBlock> moving(const std::vector<CompensatedBlock>& blocks, double shortest) {

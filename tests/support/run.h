@@ -1,7 +1,9 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,6 +23,43 @@ struct Outcome {
 
   // The error that stopped the session, or nothing.
   [[nodiscard]] const Diagnostic* error() const;
+};
+
+// A PathSession fed with motions in the plane of its mode, from a start point.
+// Modal words go to `program()` in between.
+class Channel {
+ public:
+  // `mode` holds before the first block; its side counts as off.
+  Channel(const TrcMode& mode, const Point& start, std::size_t batch = 1);
+
+  [[nodiscard]] ProgramState& program() { return session_.program(); }
+  // The place of the next item, with `ordinal` as its number.
+  [[nodiscard]] Source place(std::size_t ordinal) const {
+    return {.index = index_, .number = static_cast<std::int64_t>(ordinal)};
+  }
+
+  // A motion to the end of `segment`; the other axes move where a value is given.
+  void move(const Segment& segment, std::size_t ordinal, std::optional<double> third = {},
+            std::optional<double> tracking = {});
+  void pass(const std::string& text, std::size_t ordinal);
+  // For modal words: `goes_on` is what the ProgramState answered.
+  void note(bool goes_on) { running_ = running_ && goes_on; }
+
+  [[nodiscard]] bool running() const { return running_; }
+  [[nodiscard]] const std::vector<CompensatedBlock>& blocks() const { return outcome_.blocks; }
+  // Ends the program.
+  Outcome finish(std::size_t ordinal);
+
+ private:
+  void item_given(bool goes_on);
+
+  Plane plane_;
+  std::size_t batch_;
+  PathSession session_;
+  Outcome outcome_{};
+  std::uint64_t index_ = 0;
+  std::size_t items_ = 0;
+  bool running_ = true;
 };
 
 // How a contour is given to a PathSession.
