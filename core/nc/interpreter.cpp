@@ -10,14 +10,17 @@ namespace {
 
 constexpr double mm_per_inch = 25.4;
 constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
-constexpr std::size_t spare_lines = 256;
+constexpr std::size_t spare_lines = 2048;  // as many as a message of 64 KiB holds
+constexpr std::size_t longest_spare_line = 256;
 
 std::string_view without_blanks_in_front(std::string_view text) {
-  text.remove_prefix(std::min(text.find_first_not_of(" \t"), text.size()));
+  while (!text.empty() && (text.front() == ' ' || text.front() == '\t')) text.remove_prefix(1);
   return text;
 }
 
 bool is_line_end(char byte) { return byte == '\n' || byte == '\r'; }
+
+constexpr std::uint32_t bit(WordRole role) { return 1U << static_cast<unsigned>(role); }
 
 void scale(std::optional<double>& value, double factor) {
   if (value) *value *= factor;
@@ -75,13 +78,17 @@ bool Interpreter::feed(std::string_view text, std::vector<ProgramLine>& lines) {
     if (line_feed) text.remove_prefix(1);
     if (!take_line({}, line_feed ? "\r\n" : "\r", lines)) return false;
   }
-  std::size_t line_feed = text.find('\n');
+  // Each sign is looked for once, not once for every one of the other.
+  std::size_t line_feed = 0;
+  std::size_t carriage_return = 0;
+  const auto find_from = [&](char sign, std::size_t at, std::size_t& found) {
+    if (found < at || at == 0) found = std::min(text.find(sign, at), text.size());
+  };
   std::size_t at = 0;
   while (at < text.size()) {
-    // The next line feed is looked for once, not once for every carriage return.
-    if (line_feed != std::string_view::npos && line_feed < at) line_feed = text.find('\n', at);
-    const std::size_t end = std::min(
-        {line_feed, text.substr(0, std::min(line_feed, text.size())).find('\r', at), text.size()});
+    find_from('\n', at, line_feed);
+    find_from('\r', at, carriage_return);
+    const std::size_t end = std::min(line_feed, carriage_return);
     const std::string_view part = text.substr(at, end - at);
     if (partial_.size() + part.size() > limits_.longest_line) return refuse_long_line();
     if (end == text.size()) {
@@ -111,16 +118,16 @@ bool Interpreter::take_line(std::string_view text, std::string_view line_end,
     partial_.append(text);
     text = partial_;
   }
-  if (!ended_ && comment_block_ == 0 && is_continued(text)) {
-    if (line_end.empty()) return refuse_open_line();
-    if (!split) partial_.assign(text);
-    partial_.append(line_end);
-    ++continued_;
-    return true;
-  }
-  if (lines_read_ == 0 && text.starts_with(byte_order_mark)) {
+  if (lines_read_ == 0 && continued_ == 0 && text.starts_with(byte_order_mark)) {
     append_line(byte_order_mark, {}, lines);
     text.remove_prefix(byte_order_mark.size());
+  }
+  if (!ended_ && comment_block_ == 0 && is_continued(text)) {
+    if (line_end.empty()) return refuse_open_line();
+    std::string begun(text);
+    partial_ = std::move(begun.append(line_end));
+    ++continued_;
+    return true;
   }
   ProgramLine& line = append_line(text, line_end, lines);
   lines_read_ += 1 + std::exchange(continued_, 0U);
@@ -152,7 +159,7 @@ ProgramLine& Interpreter::append_line(std::string_view text, std::string_view li
 }
 
 void Interpreter::recycle(ProgramLine&& line) {
-  if (spare_.size() == spare_lines) return;
+  if (spare_.size() == spare_lines || line.text.capacity() > longest_spare_line) return;
   ProgramLine used{.text = std::move(line.text), .words = std::move(line.words)};
   used.words.clear();
   spare_.push_back(std::move(used));
@@ -167,7 +174,7 @@ bool Interpreter::finish(std::vector<ProgramLine>& lines) {
   const bool continued_to_nothing = !partial_.empty() && is_line_end(partial_.back());
   if (continued_to_nothing) return refuse_open_line();
   if (!partial_.empty() && !take_line({}, {}, lines)) return false;
-  const auto last_line = static_cast<std::uint32_t>(lines_read_);
+  const auto last_line = static_cast<std::uint32_t>(std::max<std::uint64_t>(lines_read_, 1));
   if (comment_block_ != 0)
     return diagnostics_.report(
         diagnostic(Code::nc_unclosed, {.line = comment_block_}, "#COMMENT BEGIN"));
@@ -216,8 +223,9 @@ bool Interpreter::refuse(const ProgramLine& line, const Word& word, Code code, s
 
 // Diagnostics of the state name the column too, where the block is one line.
 void Interpreter::place(const ProgramLine& line, std::uint32_t begin) {
-  const bool first_line = line.text.find_first_of("\r\n") >= begin;
-  state_.place(first_line ? begin + 1 : 0);
+  const bool one_line = line.source.line == lines_read_;
+  const bool in_first_line = one_line || line.text.find_first_of("\r\n") >= begin;
+  state_.place(in_first_line ? begin + 1 : 0);
 }
 
 bool Interpreter::read_line(ProgramLine& line) {
@@ -246,9 +254,8 @@ bool Interpreter::read_line(ProgramLine& line) {
 bool Interpreter::read_block(ProgramLine& line) {
   BlockWords block;
   if (!read_words(line, block)) return false;
-  const bool only_comments = std::ranges::all_of(
-      line.words, [](const WordRange& word) { return word.role == WordRole::comment; });
-  if (only_comments) return true;
+  const auto is_comment = [](const WordRange& word) { return word.role == WordRole::comment; };
+  if (std::ranges::all_of(line.words, is_comment)) return true;
   line.has_words = true;
   ++blocks_read_;
   return check_block(line, block) && apply(line, block);
@@ -256,13 +263,16 @@ bool Interpreter::read_block(ProgramLine& line) {
 
 bool Interpreter::apply(ProgramLine& line, BlockWords& block) {
   block.move.source = line.source;
-  for (const WordRange& word : line.words) {
-    line.has_trc_words |= word.role == WordRole::trc;
-    line.has_technology |= word.role == WordRole::technology || word.role == WordRole::stop;
-  }
+  std::uint32_t roles = 0;
+  for (const WordRange& word : line.words) roles |= bit(word.role);
+  line.has_trc_words = (roles & bit(WordRole::trc)) != 0;
+  line.has_technology = (roles & (bit(WordRole::technology) | bit(WordRole::stop))) != 0;
+  const auto pass = [&](WordRole role) {
+    return (roles & bit(role)) == 0 || pass_words(line, role);
+  };
   const bool goes_on = apply_modes(line, block) && apply_trc(line, block) &&
-                       pass_words(line, WordRole::technology) && apply_motion(line, block) &&
-                       pass_words(line, WordRole::stop);
+                       pass(WordRole::technology) && apply_motion(line, block) &&
+                       pass(WordRole::stop);
   if (!goes_on) return false;
   if (!line.ends_program) return true;
   ended_ = true;
@@ -370,7 +380,7 @@ bool Interpreter::pass_words(const ProgramLine& line, WordRole role) {
     if (!text.empty()) text += ' ';
     text += line.word(range);
   }
-  return text.empty() || state_.pass(line.source, std::move(text));
+  return state_.pass(line.source, std::move(text));
 }
 
 }  // namespace trc

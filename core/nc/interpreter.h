@@ -23,7 +23,22 @@ struct ReaderLimits {
 // UTF-8 character: lines, blocks and diagnostics are the same.
 //
 // What cannot be carried safely is an error with line, column and remedy. After
-// an error nothing more is read. core/README.md lists the dialect.
+// an error nothing more is read.
+//
+//   - The words of a block act together, whatever their order: modes, radius,
+//     G40 … G42, technology, motion, stop. A function excludes all others of its
+//     group in one block, itself included.
+//   - Values are plain decimal numbers. Variables, expressions, jumps,
+//     subprograms and blocks to skip are refused, so are R and I J K outside
+//     circles: R is not modal here.
+//   - G70 counts coordinates, centres, radii and F in inch, also the tool radius
+//     that a program writes; the radii of the tool table are mm.
+//   - Zero shifts and G92 pass while TRC is off. The position is unknown then:
+//     ProgramState::forget_position.
+//   - F is a feed per minute under G94 only; under G93, G95 and G194 it passes as
+//     technology and blocks have no feed. TRC cannot be active under G93, nor G11
+//     under any of them.
+//   - Behind M02, M30 and between #COMMENT BEGIN and END lines are text only.
 class Interpreter {
  public:
   Interpreter(const ReaderLimits& limits, ProgramState& state, Diagnostics& diagnostics);

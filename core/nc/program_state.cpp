@@ -81,7 +81,7 @@ bool ProgramState::select(Side side, const Source& source) {
   }
   if (!mode_.active()) {
     if (retract_pending_) return report(source, Code::deselection_without_motion);
-    contour_blocks_ = 0;
+    in_plane_blocks_ = 0;
     change_mode().selection_number = ++selections_;
   }
   programmed_side_ = side;
@@ -93,7 +93,7 @@ bool ProgramState::select(Side side, const Source& source) {
 bool ProgramState::deselect(const Source& source) {
   const bool tangential = std::exchange(tangential_requested_, false);
   if (!mode_.active()) return true;
-  const bool has_contour = contour_blocks_ >= 2;
+  const bool has_contour = in_plane_blocks_ > (has_approach_ ? 1U : 0U);
   if (has_contour && mode_.selection == Selection::without_block) {
     const Point point = last_equidistant_point();
     const double third = position_[axes_of(mode_.plane).third];
@@ -108,7 +108,7 @@ bool ProgramState::deselect(const Source& source) {
   mode.selection_number = 0;
   programmed_side_ = Side::off;
   update_side();
-  return contour_blocks_ > 0 || report(source, Code::selection_without_contour);
+  return in_plane_blocks_ > 0 || report(source, Code::selection_without_contour);
 }
 
 Point ProgramState::last_equidistant_point() const {
@@ -353,9 +353,10 @@ void ProgramState::append_motion(const MoveRequest& request, const Segment& path
                                    .tracking = std::move(tracking)});
   position_ = from_plane(mode_.plane, trc::end_of(path), end[third]);
   if (mode_.active()) {
-    ++contour_blocks_;
+    // Only G237 begins with the contour itself.
+    if (in_plane_blocks_++ == 0) has_approach_ = mode_.selection != Selection::perpendicular;
     last_path_ = path;
-    last_mode_ = shared_mode();
+    if (last_mode_ != shared_mode()) last_mode_ = shared_mode();
   } else {
     retract_pending_ = false;
     just_deselected_ = false;

@@ -86,7 +86,8 @@ class ProgramState {
 
   // The coordinates mean something else from here on (zero shift, preset): where
   // the machine stands is not known until all axes of the plane are programmed
-  // absolutely in a straight motion; until then 900106.
+  // absolutely in a straight motion; until then 900106. That motion is shown as
+  // starting from the old coordinates, so that joints stay shared.
   void forget_position() { known_.fill(false); }
 
   // Appends one block: a MotionBlock, or a PassiveBlock when nothing moves in the
@@ -166,7 +167,8 @@ class ProgramState {
 
   // The selection in force, or the last one.
   std::uint32_t selections_ = 0;
-  std::uint64_t contour_blocks_ = 0;  // with motion in the plane
+  std::uint64_t in_plane_blocks_ = 0;
+  bool has_approach_ = false;  // the first of them leads to the contour
   Segment last_path_{};
   std::shared_ptr<const TrcMode> last_mode_{};
   bool retract_pending_ = false;

@@ -1,5 +1,6 @@
 #include "core/nc/words.h"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <limits>
@@ -46,6 +47,7 @@ constexpr std::array<Class, 256> classes = make_classes();
 
 Class class_of(char byte) { return classes[static_cast<unsigned char>(byte)]; }
 bool is_digit(char byte) { return byte >= '0' && byte <= '9'; }
+bool is_blank(char byte) { return byte == ' ' || byte == '\t'; }
 bool is_line_end(char byte) { return byte == '\n' || byte == '\r'; }
 char upper(char letter) {
   return letter >= 'a' && letter <= 'z' ? static_cast<char>(letter - 'a' + 'A') : letter;
@@ -75,6 +77,7 @@ constexpr std::array<double, 23> powers_of_ten{1e0,  1e1,  1e2,  1e3,  1e4,  1e5
 
 // Whole numbers up to here are exact too, so that one division rounds correctly.
 constexpr std::uint64_t largest_exact = std::uint64_t{1} << 53;
+constexpr std::size_t digits_that_fit = 19;  // in 64 bits
 
 // How many bytes the UTF-8 character at the start of `text` takes; 0: it is none.
 std::size_t utf8_character(std::string_view text) {
@@ -116,46 +119,38 @@ std::size_t first_bad_byte(std::string_view text, bool control_characters_pass) 
 }  // namespace
 
 std::size_t read_number(std::string_view text, double& value, bool& whole) {
-  std::size_t at = 0;
-  const bool negative = !text.empty() && text[0] == '-';
-  if (!text.empty() && (text[0] == '-' || text[0] == '+')) ++at;
-  const std::size_t begin = at;
+  const char* const begin = text.data();
+  const char* const end = begin + text.size();
+  const char* at = begin;
+  const bool negative = at != end && *at == '-';
+  if (at != end && (*at == '-' || *at == '+')) ++at;
+  const char* const first = at;
 
-  std::uint64_t digits = 0;
-  std::size_t digit_count = 0;
-  std::size_t decimals = 0;
-  bool exact = true;
+  std::uint64_t digits = 0;  // wraps beyond `digits_that_fit`, and is not used then
   const auto read_digits = [&] {
-    const std::size_t first = at;
-    for (; at < text.size() && is_digit(text[at]); ++at) {
-      digits = digits * 10 + static_cast<std::uint64_t>(text[at] - '0');
-      if (digits > largest_exact) {  // refused here before it can overflow
-        exact = false;
-        digits = 0;
-      }
-    }
-    return at - first;
+    const char* const start = at;
+    for (; at != end && is_digit(*at); ++at)
+      digits = digits * 10 + static_cast<std::uint64_t>(*at - '0');
+    return static_cast<std::size_t>(at - start);
   };
-  digit_count = read_digits();
-  whole = true;
-  if (at < text.size() && text[at] == '.') {
-    whole = false;
+  const std::size_t before_point = read_digits();
+  std::size_t decimals = 0;
+  whole = at == end || *at != '.';
+  if (!whole) {
     ++at;
     decimals = read_digits();
   }
-  if (digit_count + decimals == 0) return 0;
-  if (exact && decimals < powers_of_ten.size()) {
+  if (before_point + decimals == 0) return 0;
+  if (before_point + decimals <= digits_that_fit && digits <= largest_exact &&
+      decimals < powers_of_ten.size()) {
     value = static_cast<double>(digits) / powers_of_ten[decimals];
-  } else {
-    const char* first = text.data() + begin;
-    const auto read = std::from_chars(first, text.data() + at, value, std::chars_format::fixed);
-    if (read.ec == std::errc::result_out_of_range) {
-      const bool large = text.find_first_of("123456789", begin) < begin + digit_count;
-      value = large ? std::numeric_limits<double>::infinity() : 0;
-    }
+  } else if (std::from_chars(first, at, value, std::chars_format::fixed).ec ==
+             std::errc::result_out_of_range) {
+    const bool large = std::any_of(first, first + before_point, [](char d) { return d != '0'; });
+    value = large ? std::numeric_limits<double>::infinity() : 0;
   }
   if (negative) value = -value;
-  return at;
+  return static_cast<std::size_t>(at - begin);
 }
 
 std::size_t first_byte_that_is_no_text(std::string_view text) {
@@ -165,8 +160,10 @@ std::size_t first_byte_that_is_no_text(std::string_view text) {
 std::size_t first_byte_that_is_no_utf8(std::string_view text) { return first_bad_byte(text, true); }
 
 bool is_continued(std::string_view text) {
-  const std::size_t last = text.find_last_not_of(" \t");
-  if (last == std::string_view::npos || text[last] != '\\') return false;
+  std::size_t size = text.size();
+  while (size > 0 && is_blank(text[size - 1])) --size;
+  if (size == 0 || text[size - 1] != '\\') return false;
+  const std::size_t last = size - 1;
   if (text[text.find_first_not_of(" \t")] == '%') return false;
   for (std::size_t at = 0; at < last; ++at) {
     if (text[at] == '(') {
@@ -186,6 +183,7 @@ Word WordReader::fail(Code code, std::size_t begin, std::string detail) {
 
 // Blanks, and the `\` with the line end of a continued line. False at another `\`.
 bool WordReader::skip_blanks() {
+  while (at_ < line_.size() && is_blank(line_[at_])) ++at_;
   for (; at_ < line_.size(); ++at_) {
     const Class kind = class_of(line_[at_]);
     if (kind == Class::blank) continue;
@@ -292,8 +290,9 @@ Word WordReader::address(char letter) {
   word.end = static_cast<std::uint32_t>(at_);
 
   // G159=3, S2=500; or an axis with a name of its own: X1=10.
-  const std::size_t behind = line_.find_first_not_of(" \t", at_);
-  if (behind == std::string_view::npos || line_[behind] != '=') return word;
+  std::size_t behind = at_;
+  while (behind < line_.size() && is_blank(line_[behind])) ++behind;
+  if (behind == line_.size() || line_[behind] != '=') return word;
   at_ = behind + 1;
   if (!skip_blanks() || !signed_number(word.argument, word.whole))
     return fail(Code::nc_number, at_, std::string(1, letter));
@@ -304,6 +303,7 @@ Word WordReader::address(char letter) {
 
 // The number of an address: blanks and one `=` may stand in front of it.
 bool WordReader::number(Word& word) {
+  if (at_ < line_.size() && is_digit(line_[at_])) return signed_number(word.value, word.whole);
   if (skip_blanks() && at_ < line_.size() && line_[at_] == '=') ++at_;
   return skip_blanks() && signed_number(word.value, word.whole);
 }

@@ -189,6 +189,22 @@ TEST(Dialect, EveryLineEndAndAByteOrderMarkAreReadAndKept) {
   }
 }
 
+TEST(Dialect, AProgramNameIsNotContinued) {
+  for (const std::string mark : {"", "\xEF\xBB\xBF"}) {
+    const Reading reading = read(mark + "%C:\\\nG00 X1\n");
+    EXPECT_EQ(reading.motions().size(), 1U);
+    EXPECT_EQ(reading.last_motion().source.line, 2U);
+  }
+}
+
+TEST(Dialect, AContinuedFirstLineMayHaveAByteOrderMark) {
+  const std::string text = "\xEF\xBB\xBFG00 \\\nX1\n";
+  const Reading reading = read(text);
+  EXPECT_TRUE(reading.diagnostics.empty());
+  EXPECT_EQ(reading.text(), text);
+  EXPECT_EQ(reading.lines.size(), 2U);
+}
+
 TEST(Dialect, WordRolesTellTheWriterWhatIsWhat) {
   const Reading reading = read("N10 G17 G41 G01 X10 I5 F100 M8 M0 (c)");
   ASSERT_EQ(reading.lines.size(), 1U);

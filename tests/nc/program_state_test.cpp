@@ -265,6 +265,18 @@ TEST_F(Program, G239BehindAConvertedCircleTakesTheChord) {
   EXPECT_NEAR(state.position()[1], 4, 1e-12);
 }
 
+TEST_F(Program, TheFirstBlockOfG237IsContourAlready) {
+  ProgramState state = make();
+  state.set_selection(Selection::perpendicular, at(1));
+  state.set_tool_radius(10, at(2));
+  state.select(Side::left, at(3));
+  state.move(line(30, 0));
+  state.set_selection(Selection::direct, at(4));
+  state.deselect(at(5));
+  EXPECT_FALSE(state.select(Side::left, at(6)));
+  EXPECT_EQ(code(), Code::deselection_without_motion);
+}
+
 TEST_F(Program, AnAbsoluteCentreThatIsHalfProgrammedTakesTheStartForTheRest) {
   ProgramState state = make({.start = {10, 5, 0}, .absolute_center = true});
   state.move({.kind = MotionKind::counter_clockwise, .center = {20.0, std::nullopt, std::nullopt}});

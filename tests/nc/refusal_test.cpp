@@ -93,7 +93,7 @@ INSTANTIATE_TEST_SUITE_P(
         Refused{"AnOpenCommentBlock", "X1\n#COMMENT BEGIN\nX2\n", "2:0 900009"},
         Refused{"ANestedCommentBlock", "#COMMENT BEGIN\n#COMMENT BEGIN\n", "2:1 900003"},
         Refused{"NoBlockAtAll", "%name\n; nothing\n\n", "3:0 900014"},
-        Refused{"NoTextAtAll", "", "0:0 900014"}, Refused{"AnUnknownTool", "D99", "1:1 900013"},
+        Refused{"NoTextAtAll", "", "1:0 900014"}, Refused{"AnUnknownTool", "D99", "1:1 900013"},
         Refused{"ARadiusOutOfRange", "V.G.WZ_AKT.R=300000", "1:1 900104"},
         Refused{"ACoordinateOutOfRange", "G01 Y3 X1000001", "1:5 90134"},
         Refused{"AStartThatIsUnknown", "G54\nG91 X1", "2:5 900106"}),
