@@ -1,0 +1,377 @@
+#include <grpcpp/grpcpp.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <cmath>
+#include <filesystem>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "client/trc/remote_path_session.h"
+#include "client/trc/remote_program_session.h"
+#include "core/session/program_session.h"
+#include "proto/wire/compensated_block.h"
+#include "server/in_process.h"
+#include "trc/v1/trc_service.grpc.pb.h"
+
+namespace trc::client {
+namespace {
+
+using std::chrono::seconds;
+
+// Examples T-01 and T-04 of the rule book.
+constexpr std::string_view g239_program =
+    "%G239\nN010 G0 X0 Y0 Z0 F1000\nN020 G239\nN030 V.G.WZ_AKT.R = 10\nN040 G41 G01 X30 Y20\n"
+    "N050 G01 X60\nN060 G01 X90\nN070 G01 X120\nN080 G40\nN100 G00 X150 Y0\nN110 M30\n";
+constexpr std::string_view refused_program =
+    "N005 G162\nN010 G0 X0 Y0 Z0 F1000\nN020 G239\nN030 V.G.WZ_AKT.R = 30\n"
+    "N040 G41 G01 X30 Y20\nN050 G01 X60\nN060 G01 X90\nN070 G40\nN080 G02 X140 Y-30 J-50\n"
+    "N120 M30\n";
+
+// Everything a session has handed out.
+struct Collected {
+  std::string text;
+  std::vector<CompensatedBlock> blocks;
+  std::vector<wire::ReceivedDiagnostic> diagnostics;
+
+  AnswerSink sink() {
+    return [this](const Answer& answer) {
+      text += answer.text;
+      blocks.insert(blocks.end(), answer.blocks.begin(), answer.blocks.end());
+      diagnostics.insert(diagnostics.end(), answer.diagnostics.begin(), answer.diagnostics.end());
+      return true;
+    };
+  }
+  // Every bit of every block.
+  [[nodiscard]] std::string bytes() const {
+    v1::CompensatedBatch batch;
+    wire::to_proto(blocks, 0, batch);
+    return batch.SerializeAsString();
+  }
+};
+
+std::string bytes_of(const std::vector<CompensatedBlock>& blocks) {
+  v1::CompensatedBatch batch;
+  wire::to_proto(blocks, 0, batch);
+  return batch.SerializeAsString();
+}
+
+// A meander with outside and inside corners, arcs, text and changes of radius.
+std::vector<wire::PathInput> meander(std::size_t turns, unsigned seed) {
+  std::mt19937 random(seed);
+  std::vector<wire::PathInput> items;
+  const auto source = [&items] { return Source{.index = items.size(), .number = 5}; };
+  items.emplace_back(wire::TrcCommand{.source = source(), .side = Side::left});
+  for (std::size_t turn = 0; turn < turns; ++turn) {
+    const double x = 20.0 * static_cast<double>(turn);
+    const double y = 10 + static_cast<double>(random() % 1000) / 100;
+    items.emplace_back(MoveRequest{.source = source(), .end = {x, y, {}}, .feed = 800});
+    items.emplace_back(MoveRequest{.source = source(), .end = {x + 10, y, {}}, .feed = 800});
+    items.emplace_back(MoveRequest{.source = source(),
+                                   .kind = MotionKind::clockwise,
+                                   .end = {x + 16, y, {}},
+                                   .center = {3, 0, {}},
+                                   .feed = 800});
+    if (turn % 7 == 3) items.emplace_back(wire::Passthrough{.source = source(), .text = "M8"});
+  }
+  items.emplace_back(wire::TrcCommand{.source = source(), .side = Side::off});
+  items.emplace_back(MoveRequest{.source = source(), .end = {0, -100, {}}, .feed = 800});
+  return items;
+}
+
+wire::PathSettings small_tool(wire::Layout layout) {
+  wire::PathSettings settings;
+  settings.session.program.mode.tool_radius = 0.5;
+  settings.session.program.mode.transition = Transition::circular;
+  settings.response_layout = layout;
+  return settings;
+}
+
+class RemoteSession : public ::testing::Test {
+ protected:
+  static void SetUpTestSuite() { server_ = new server::InProcessServer(); }
+  static void TearDownTestSuite() {
+    delete server_;
+    server_ = nullptr;
+  }
+  [[nodiscard]] static Connection connection() { return Connection(server_->channel()); }
+
+  static server::InProcessServer* server_;
+};
+server::InProcessServer* RemoteSession::server_ = nullptr;
+
+TEST_F(RemoteSession, ProgramTextIsThatOfALocalSession) {
+  ProgramSession local({});
+  ProgramOutput expected;
+  ASSERT_TRUE(local.feed(g239_program, expected) && local.finish(expected));
+  for (const std::size_t cut : {std::size_t{1}, std::size_t{7}, g239_program.size()}) {
+    RemoteProgramSession remote(connection(), {});
+    Collected collected;
+    for (std::size_t from = 0; from < g239_program.size(); from += cut)
+      ASSERT_TRUE(remote.feed(g239_program.substr(from, cut), collected.sink()));
+    ASSERT_TRUE(remote.finish(collected.sink())) << remote.failure()->message;
+    EXPECT_EQ(collected.text, expected.text);
+    EXPECT_TRUE(collected.blocks.empty());
+    ASSERT_TRUE(remote.summary());
+    EXPECT_EQ(remote.summary()->bytes_in, g239_program.size());
+    EXPECT_EQ(remote.summary()->bytes_out, expected.text.size());
+    EXPECT_EQ(remote.summary()->path.summary.blocks_out, local.summary().blocks_out);
+  }
+}
+
+TEST_F(RemoteSession, ProgramBlocksAreThoseOfALocalSessionInBothLayouts) {
+  ProgramSession local({.nc_text = false});
+  ProgramOutput expected;
+  ASSERT_TRUE(local.feed(g239_program, expected) && local.finish(expected));
+  ASSERT_FALSE(expected.blocks.empty());
+  for (const v1::ResponseLayout layout :
+       {v1::RESPONSE_LAYOUT_BLOCKS, v1::RESPONSE_LAYOUT_COLUMNS}) {
+    v1::ProgramSetup setup;
+    setup.set_output(v1::PROGRAM_OUTPUT_BLOCKS);
+    setup.mutable_path()->set_response_layout(layout);
+    RemoteProgramSession remote(connection(), setup);
+    Collected collected;
+    ASSERT_TRUE(remote.feed(g239_program, collected.sink()));
+    ASSERT_TRUE(remote.finish(collected.sink())) << remote.failure()->message;
+    EXPECT_EQ(collected.bytes(), bytes_of(expected.blocks));
+    EXPECT_TRUE(collected.text.empty());
+  }
+}
+
+TEST_F(RemoteSession, PathIsThatOfALocalSessionInBothLayouts) {
+  constexpr unsigned seed = 11;
+  SCOPED_TRACE("seed " + std::to_string(seed));
+  const std::vector<wire::PathInput> items = meander(2000, seed);
+  PathSession local(small_tool(wire::Layout::blocks).session);
+  std::vector<CompensatedBlock> expected;
+  for (const wire::PathInput& item : items)
+    ASSERT_TRUE(wire::apply(item, local.program()) && local.advance(expected));
+  ASSERT_TRUE(local.finish({.index = items.size()}, expected));
+  ASSERT_GT(expected.size(), items.size());
+
+  for (const wire::Layout layout : {wire::Layout::blocks, wire::Layout::columns}) {
+    RemotePathSession remote(connection(), small_tool(layout));
+    Collected collected;
+    ASSERT_TRUE(remote.feed(items, collected.sink())) << remote.failure()->message;
+    ASSERT_TRUE(remote.finish(collected.sink())) << remote.failure()->message;
+    EXPECT_TRUE(collected.bytes() == bytes_of(expected));
+    ASSERT_TRUE(remote.summary());
+    EXPECT_EQ(remote.summary()->summary.blocks_out, expected.size());
+    EXPECT_EQ(remote.summary()->summary.compensated_length, local.summary().compensated_length);
+  }
+}
+
+TEST_F(RemoteSession, RefusedProgramGivesItsDiagnosticAndNoSummary) {
+  RemoteProgramSession remote(connection(), {});
+  Collected collected;
+  remote.feed(refused_program, collected.sink());
+  EXPECT_FALSE(remote.finish(collected.sink()));
+  ASSERT_FALSE(collected.diagnostics.empty());
+  const wire::ReceivedDiagnostic& last = collected.diagnostics.back();
+  EXPECT_EQ(last.diagnostic.code, Code::circle_center_misfit);
+  EXPECT_EQ(last.diagnostic.severity, Severity::error);
+  EXPECT_EQ(last.diagnostic.source.line, 9U);
+  EXPECT_EQ(last.diagnostic.source.number, 80);
+  EXPECT_FALSE(last.remedy.empty());
+  ASSERT_TRUE(remote.failure());
+  EXPECT_EQ(remote.failure()->status, "INVALID_ARGUMENT");
+  EXPECT_EQ(remote.failure()->reason, row_of(Code::circle_center_misfit).reason);
+  EXPECT_FALSE(remote.failure()->unreachable());
+  EXPECT_FALSE(remote.summary());
+}
+
+TEST_F(RemoteSession, WrongSetupNamesItsFields) {
+  v1::ProgramSetup setup;
+  setup.mutable_path()->set_tool_radius(std::nan(""));
+  setup.set_decimals(17);
+  RemoteProgramSession remote(connection(), setup);
+  Collected collected;
+  EXPECT_FALSE(remote.feed(g239_program, collected.sink()));
+  EXPECT_FALSE(remote.finish(collected.sink()));
+  ASSERT_TRUE(remote.failure());
+  EXPECT_EQ(remote.failure()->status, "INVALID_ARGUMENT");
+  ASSERT_EQ(remote.failure()->fields.size(), 2U);
+  EXPECT_EQ(remote.failure()->fields[0].field, "setup.path.tool_radius");
+  EXPECT_EQ(remote.failure()->fields[1].field, "setup.decimals");
+}
+
+TEST_F(RemoteSession, WrongBlockNamesItsFieldAndLetsTheEarlierOnesThrough) {
+  for (const wire::Layout layout : {wire::Layout::blocks, wire::Layout::columns}) {
+    RemotePathSession remote(connection(), small_tool(layout));
+    const std::vector<wire::PathInput> items{
+        MoveRequest{.end = {1, 2, {}}, .feed = 5},
+        MoveRequest{.end = {std::numeric_limits<double>::infinity(), {}, {}}, .feed = 5}};
+    Collected collected;
+    remote.feed(items, collected.sink());
+    EXPECT_FALSE(remote.finish(collected.sink()));
+    EXPECT_EQ(collected.blocks.size(), 1U);
+    ASSERT_TRUE(remote.failure());
+    ASSERT_EQ(remote.failure()->fields.size(), 1U);
+    EXPECT_EQ(remote.failure()->fields[0].field,
+              layout == wire::Layout::blocks ? "batch.blocks[1].linear.end.x" : "columns.x[1]");
+  }
+}
+
+TEST_F(RemoteSession, EmptyPathIsComplete) {
+  RemotePathSession remote(connection(), wire::PathSettings{});
+  Collected collected;
+  EXPECT_TRUE(remote.finish(collected.sink()));
+  EXPECT_TRUE(collected.blocks.empty());
+  ASSERT_TRUE(remote.summary());
+  EXPECT_EQ(remote.summary()->summary.blocks_out, 0U);
+}
+
+TEST_F(RemoteSession, SinkThatWantsNoMoreStopsTheStream) {
+  const std::vector<wire::PathInput> items = meander(5000, 3);
+  RemotePathSession remote(connection(), small_tool(wire::Layout::columns));
+  int answers = 0;
+  const AnswerSink stop = [&answers](const Answer&) { return ++answers < 2; };
+  remote.feed(items, stop);
+  EXPECT_FALSE(remote.finish(stop));
+  EXPECT_EQ(answers, 2);
+  ASSERT_TRUE(remote.failure());
+  EXPECT_EQ(remote.failure()->reason, "CALLER_STOPPED");
+  EXPECT_FALSE(remote.summary());
+}
+
+TEST_F(RemoteSession, UnfinishedSessionEndsWhenDropped) {
+  const std::vector<wire::PathInput> items = meander(50, 3);
+  Collected collected;
+  { const RemotePathSession untouched(connection(), small_tool(wire::Layout::blocks)); }
+  {
+    RemotePathSession remote(connection(), small_tool(wire::Layout::blocks));
+    EXPECT_TRUE(remote.feed(items, collected.sink()));
+  }
+  // The server is well and takes the next one.
+  RemotePathSession next(connection(), small_tool(wire::Layout::blocks));
+  EXPECT_TRUE(next.feed(items, collected.sink()));
+  EXPECT_TRUE(next.finish(collected.sink()));
+}
+
+TEST_F(RemoteSession, FinishedSessionTakesNothingMore) {
+  RemotePathSession remote(connection(), small_tool(wire::Layout::blocks));
+  Collected collected;
+  ASSERT_TRUE(remote.finish(collected.sink()));
+  const std::vector<wire::PathInput> items{MoveRequest{.end = {1, 2, {}}, .feed = 5}};
+  EXPECT_FALSE(remote.feed(items, collected.sink()));
+  EXPECT_TRUE(collected.blocks.empty());
+}
+
+TEST_F(RemoteSession, InfoAndHealthAnswer) {
+  v1::GetServerInfoResponse info;
+  ASSERT_FALSE(connection().server_info(seconds(10), info));
+  EXPECT_FALSE(info.version().empty());
+  EXPECT_EQ(static_cast<std::size_t>(info.diagnostics_size()), code_table().size());
+  bool serving = false;
+  ASSERT_FALSE(connection().health(seconds(10), serving));
+  EXPECT_TRUE(serving);
+}
+
+TEST(Connection, ServesOverTcpAndUnixSocket) {
+  const std::string socket =
+      (std::filesystem::temp_directory_path() / ("trc_client_" + std::to_string(getpid())))
+          .string();
+  server::Config config = server::InProcessServer::quiet();
+  config.listen = {"127.0.0.1:0", "unix:" + socket};
+  const server::Server::Start started = server::Server::start(config);
+  ASSERT_TRUE(started.server) << started.fault;
+  const std::string port = std::to_string(started.server->ports().front());
+  ProgramSession local({});
+  ProgramOutput expected;
+  ASSERT_TRUE(local.feed(g239_program, expected) && local.finish(expected));
+  for (const std::string& address : {"127.0.0.1:" + port, "unix:" + socket}) {
+    SCOPED_TRACE(address);
+    std::optional<Connection> connection;
+    ASSERT_FALSE(Connection::open(address, {}, connection));
+    RemoteProgramSession remote(*connection, {});
+    Collected collected;
+    EXPECT_TRUE(remote.feed(g239_program, collected.sink()));
+    EXPECT_TRUE(remote.finish(collected.sink()));
+    EXPECT_EQ(collected.text, expected.text);
+  }
+}
+
+TEST(Connection, NobodyListeningIsUnreachable) {
+  std::optional<Connection> connection;
+  ASSERT_FALSE(Connection::open("unix:/nonexistent/trc.sock", {}, connection));
+  RemoteProgramSession remote(*connection, {});
+  Collected collected;
+  EXPECT_FALSE(remote.feed("G0 X0\n", collected.sink()));
+  ASSERT_TRUE(remote.failure());
+  EXPECT_EQ(remote.failure()->status, "UNAVAILABLE");
+  EXPECT_TRUE(remote.failure()->unreachable());
+}
+
+TEST(Connection, MissingOrHalfTlsFilesAreNamed) {
+  std::optional<Connection> connection;
+  const auto unreadable =
+      Connection::open("localhost:1", {.ca = "/nonexistent/ca.pem"}, connection);
+  ASSERT_TRUE(unreadable);
+  EXPECT_EQ(unreadable->message, "cannot read /nonexistent/ca.pem");
+  const auto half = Connection::open("localhost:1", {.cert = "cert.pem"}, connection);
+  ASSERT_TRUE(half);
+  EXPECT_EQ(half->reason, "TLS_FILES_INCOMPLETE");
+  EXPECT_FALSE(connection);
+}
+
+// What no server of ours does: answers that do not hold together.
+class BrokenServer : public v1::TrcService::Service {
+ public:
+  enum class Fault { no_summary, gap };
+  explicit BrokenServer(Fault fault) : fault_(fault) {
+    grpc::ServerBuilder builder;
+    builder.RegisterService(this);
+    server_ = builder.BuildAndStart();
+  }
+  ~BrokenServer() override { server_->Shutdown(); }
+  BrokenServer(const BrokenServer&) = delete;
+  BrokenServer& operator=(const BrokenServer&) = delete;
+
+  [[nodiscard]] Connection connection() {
+    return Connection(server_->InProcessChannel(grpc::ChannelArguments()));
+  }
+
+  grpc::Status CompensatePath(
+      grpc::ServerContext* /*context*/,
+      grpc::ServerReaderWriter<v1::CompensatePathResponse, v1::CompensatePathRequest>* stream)
+      override {
+    v1::CompensatePathRequest request;
+    v1::CompensatePathResponse response;
+    stream->Read(&request);
+    response.mutable_accepted()->set_max_batches_in_flight(4);
+    stream->Write(response);
+    if (fault_ == Fault::gap) {
+      response.mutable_batch()->set_first_block(1);
+      stream->Write(response);
+    }
+    while (stream->Read(&request)) {
+    }
+    return grpc::Status::OK;
+  }
+
+ private:
+  Fault fault_;
+  std::unique_ptr<grpc::Server> server_;
+};
+
+TEST(BrokenServer, OkWithoutSummaryIsNoSuccess) {
+  BrokenServer server(BrokenServer::Fault::no_summary);
+  RemotePathSession remote(server.connection(), wire::PathSettings{});
+  Collected collected;
+  EXPECT_FALSE(remote.finish(collected.sink()));
+  ASSERT_TRUE(remote.failure());
+  EXPECT_EQ(remote.failure()->reason, "SUMMARY_MISSING");
+}
+
+TEST(BrokenServer, GapInThePathIsNoSuccess) {
+  BrokenServer server(BrokenServer::Fault::gap);
+  RemotePathSession remote(server.connection(), wire::PathSettings{});
+  Collected collected;
+  EXPECT_FALSE(remote.finish(collected.sink()));
+  ASSERT_TRUE(remote.failure());
+  EXPECT_EQ(remote.failure()->reason, "RESPONSE_INVALID");
+}
+
+}  // namespace
+}  // namespace trc::client
