@@ -148,7 +148,11 @@ Ending refuse(const Diagnostic& diagnostic) {
 
   std::string message = "error " + metadata["code"] + ": " + presentable(message_of(diagnostic));
   if (diagnostic.source.line > 0) message = "line " + metadata["line"] + ": " + message;
-  return finished(StatusCode::INVALID_ARGUMENT, row.reason, message, info, {}, 0);
+  // Nothing is wrong with the program that passes a limit of this server.
+  const StatusCode code = diagnostic.code == Code::selection_too_long
+                              ? StatusCode::RESOURCE_EXHAUSTED
+                              : StatusCode::INVALID_ARGUMENT;
+  return finished(code, row.reason, message, info, {}, 0);
 }
 
 std::string_view name_of(StatusCode code) {
