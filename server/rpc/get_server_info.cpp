@@ -38,8 +38,11 @@ void describe_limits(const Config& config, v1::Limits& limits) {
 void describe(const Config& config, v1::GetServerInfoResponse& response) {
   response.set_version(std::string(version()));
   response.set_commit(std::string(commit()));
-  response.set_build(std::string(compiler) + ", gRPC " + grpc::Version() + ", protobuf " +
-                     google::protobuf::internal::VersionString(GOOGLE_PROTOBUF_VERSION));
+  std::string& build = *response.mutable_build();
+  build = compiler;
+  build.append(", gRPC ").append(grpc::Version());
+  build.append(", protobuf ")
+      .append(google::protobuf::internal::VersionString(GOOGLE_PROTOBUF_VERSION));
   describe_limits(config, *response.mutable_limits());
   for (const Keyword& keyword : trc_keywords()) {
     v1::TrcKeyword& row = *response.add_trc_keywords();
