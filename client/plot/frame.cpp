@@ -44,7 +44,8 @@ Ticks ticks_between(double low, double high, double smallest_step) {
   ticks.decimals = std::max(0, -static_cast<int>(std::floor(std::log10(ticks.step) + 1e-9)));
   const double first = std::ceil(low / ticks.step);
   const double last = std::floor(high / ticks.step);
-  for (double n = first; n <= last; ++n) ticks.at.push_back(n * ticks.step);
+  const int steps = static_cast<int>(last - first);
+  for (int n = 0; n <= steps; ++n) ticks.at.push_back((first + n) * ticks.step);
   return ticks;
 }
 
