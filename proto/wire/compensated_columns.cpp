@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
-#include <cstring>
+#include <bit>
+#include <cstdint>
 #include <limits>
 #include <memory>
 
@@ -15,7 +16,9 @@ using Columns = v1::CompensatedColumns;
 using Doubles = google::protobuf::RepeatedField<double>;
 
 // == takes -0 for 0; a column must give back the same double.
-bool same_bits(double a, double b) { return std::memcmp(&a, &b, sizeof a) == 0; }
+bool same_bits(double a, double b) {
+  return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
+}
 template <class Value>
 bool same_bits(Value a, Value b) {
   return a == b;
