@@ -179,12 +179,12 @@ class StreamReactor
     this->Finish(ending.status);
   }
 
-  Ending idle() const {
+  [[nodiscard]] Ending idle() const {
     return refuse(Refusal::stream_idle, {},
                   {{"idle_timeout_s", std::to_string(backend_.config.idle_timeout_s)}});
   }
 
-  Ending gone() const {
+  [[nodiscard]] Ending gone() const {
     if (stalled_) return idle();
     return refuse(context_.deadline() <= std::chrono::system_clock::now()
                       ? Refusal::deadline_exceeded
