@@ -13,8 +13,8 @@ namespace trc {
 
 struct ProgramSessionSetup {
   SessionSetup session{};
-  bool nc_text = true;  // output as NC text; false: compensated blocks
-  int decimals = 4;     // of coordinates in NC text, mm; one more for inch
+  bool nc_text = true;                   // output as NC text; false: compensated blocks
+  int decimals = 4;                      // of coordinates in NC text, mm; one more for inch
   std::size_t longest_line = 64 * 1024;  // bytes; 900006 beyond
 };
 
