@@ -1,0 +1,120 @@
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "proto/wire/block.h"
+#include "server/in_process.h"
+#include "tests/server/calls.h"
+
+namespace trc::server {
+namespace {
+
+v1::CompensatePathRequest columns_of(const v1::CompensatePathRequest& request) {
+  std::vector<wire::PathInput> items;
+  wire::BlockReader reader(6);
+  wire::FieldFaults faults;
+  reader.read(
+      request.batch(),
+      [&items](const wire::PathInput& item) {
+        items.push_back(item);
+        return true;
+      },
+      faults);
+  EXPECT_TRUE(faults.empty());
+  v1::CompensatePathRequest columns;
+  wire::BlockWriter().write(items, request.batch().final(), *columns.mutable_columns());
+  columns.mutable_columns()->set_first_block(request.batch().first_block());
+  return columns;
+}
+
+// A square that is left at its start corner.
+std::vector<v1::Block> square(v1::CompensationSide side) {
+  return {command(side),
+          line_to(20, 0),
+          line_to(20, 20),
+          line_to(0, 20),
+          line_to(0, 0),
+          line_to(20, 0),
+          command(v1::COMPENSATION_SIDE_OFF),
+          line_to(40, -20)};
+}
+
+v1::PathSetup tool(double radius) {
+  v1::PathSetup setup;
+  setup.set_tool_radius(radius);
+  setup.mutable_start_position()->set_x(-20);
+  return setup;
+}
+
+TEST(Protocol, LayoutsMayBeMixedInOneStream) {
+  const InProcessServer server;
+  const std::vector<v1::Block> blocks = square(v1::COMPENSATION_SIDE_RIGHT);
+  const Answer whole =
+      call_path(server.channel(), {setup_request(tool(2)), batch(0, blocks, true)});
+  ASSERT_TRUE(whole.status.ok()) << whole.status.error_message();
+  ASSERT_FALSE(whole.blocks.empty());
+
+  const std::vector<v1::Block> first(blocks.begin(), blocks.begin() + 3);
+  const std::vector<v1::Block> second(blocks.begin() + 3, blocks.begin() + 6);
+  const std::vector<v1::Block> third(blocks.begin() + 6, blocks.end());
+  const Answer mixed =
+      call_path(server.channel(), {setup_request(tool(2)), columns_of(batch(0, first, false)),
+                                   batch(3, second, false), columns_of(batch(6, third, true))});
+  ASSERT_TRUE(mixed.status.ok()) << mixed.status.error_message();
+  EXPECT_EQ(mixed.bytes(), whole.bytes());
+}
+
+// Spec section 1.5.
+TEST(Protocol, NegativeRadiusInTheSetupSwapsTheSide) {
+  const InProcessServer server;
+  const Answer right =
+      call_path(server.channel(),
+                {setup_request(tool(2)), batch(0, square(v1::COMPENSATION_SIDE_RIGHT), true)});
+  const Answer left =
+      call_path(server.channel(),
+                {setup_request(tool(-2)), batch(0, square(v1::COMPENSATION_SIDE_LEFT), true)});
+  ASSERT_TRUE(right.status.ok()) << right.status.error_message();
+  ASSERT_FALSE(right.blocks.empty());
+  EXPECT_EQ(left.bytes(), right.bytes());
+}
+
+// What was certain before the fault comes out, whichever way the blocks are batched.
+TEST(Protocol, WrongBlockEndsThePathAtTheSamePlaceInAnyBatching) {
+  const InProcessServer server;
+  std::vector<v1::Block> blocks = square(v1::COMPENSATION_SIDE_RIGHT);
+  blocks[5].mutable_linear()->mutable_end()->set_x(1e300);
+  const Answer whole =
+      call_path(server.channel(), {setup_request(tool(2)), batch(0, blocks, true)});
+  EXPECT_EQ(whole.status.error_code(), grpc::INVALID_ARGUMENT);
+  EXPECT_EQ(whole.reason(), "FIELD_INVALID");
+  EXPECT_EQ(whole.metadata("field"), "batch.blocks[5].linear.end.x");
+  EXPECT_FALSE(whole.blocks.empty());
+  EXPECT_EQ(whole.summaries, 0);
+
+  std::vector<v1::CompensatePathRequest> single{setup_request(tool(2))};
+  for (std::size_t i = 0; i < blocks.size(); ++i)
+    single.push_back(batch(i, {blocks[i]}, i + 1 == blocks.size()));
+  const Answer one_by_one = call_path(server.channel(), single);
+  EXPECT_EQ(one_by_one.status.error_code(), grpc::INVALID_ARGUMENT);
+  EXPECT_EQ(one_by_one.metadata("field"), "batch.blocks[0].linear.end.x");
+  EXPECT_EQ(one_by_one.bytes(), whole.bytes());
+}
+
+TEST(Protocol, SelectionBeyondTheLimitIsALimitAndNoFaultOfTheProgram) {
+  Config config = InProcessServer::quiet();
+  config.max_blocks_per_selection = 10;
+  const InProcessServer server(config);
+  v1::PathSetup setup = tool(1);
+  setup.set_contour_masking(v1::CONTOUR_MASKING_ON);
+  std::vector<v1::Block> blocks{command(v1::COMPENSATION_SIDE_LEFT)};
+  for (int i = 0; i < 30; ++i) blocks.push_back(line_to(10.0 * i, i % 2 == 0 ? 0 : 5));
+  const Answer answer = call_path(server.channel(), {setup_request(setup), batch(0, blocks, true)});
+  EXPECT_EQ(answer.status.error_code(), grpc::RESOURCE_EXHAUSTED);
+  EXPECT_EQ(answer.reason(), "SELECTION_TOO_LONG");
+  EXPECT_FALSE(answer.metadata("remedy").empty());
+  EXPECT_EQ(answer.summaries, 0);
+}
+
+}  // namespace
+}  // namespace trc::server
