@@ -8,7 +8,7 @@
 set -euo pipefail
 work=$1
 
-cmake -G Ninja -S . -B "$work" -D TRC_TESTS=OFF -D TRC_BENCH=OFF \
+cmake -G Ninja -S . -B "$work" -D TRC_TESTS=OFF \
   -D CMAKE_DISABLE_PRECOMPILE_HEADERS=ON >"$work.log" 2>&1 || { cat "$work.log"; exit 1; }
 
 # The sources include generated headers.
