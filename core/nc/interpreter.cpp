@@ -349,10 +349,12 @@ bool Interpreter::apply_motion(ProgramLine& line, BlockWords& block) {
   const bool per_minute = feed_mode_ == 94;
   const bool adapted = state_.mode().feed_adaptation == FeedAdaptation::on;
   if (!per_minute && state_.contour_open() && (feed_mode_ == 93 || adapted))
-    return refuse(line, TextFault{.code = Code::nc_unsupported,
-                                  .begin = begin,
-                                  .detail = "G" + std::to_string(feed_mode_) +
-                                            (adapted ? " with G11" : " while TRC is active")});
+    return refuse(line,
+                  TextFault{.code = Code::nc_unsupported,
+                            .begin = begin,
+                            .detail = std::string("G")
+                                          .append(std::to_string(feed_mode_))
+                                          .append(adapted ? " with G11" : " while TRC is active")});
   MoveRequest& move = block.move;
   move.kind = motion_;
   move.incremental = incremental_;

@@ -174,7 +174,7 @@ bool Interpreter::read_g_function(const Word& word, ProgramLine& line, BlockWord
   if (function == nullptr) return refuse(line, word, Code::nc_unknown_function);
   const GGroup group = function->group;
   const auto named = [&](std::string_view why) {
-    return "G" + std::to_string(function->number).append(why);
+    return std::string("G").append(std::to_string(function->number)).append(why);
   };
   if (group == GGroup::refused || group == GGroup::spatial_circle) {
     const bool published = group == GGroup::spatial_circle && state_.just_deselected();
@@ -285,9 +285,13 @@ bool Interpreter::read_axis(const Word& word, ProgramLine& line, BlockWords& blo
 bool Interpreter::check_block(ProgramLine& line, const BlockWords& block) {
   using enum GGroup;
   const auto wrong = [&](Code code, const BlockWords::Function& function, const char* why) {
-    return refuse(line, TextFault{.code = code,
-                                  .begin = function.begin,
-                                  .detail = "G" + std::to_string(function.function->number) + why});
+    return refuse(
+        line,
+        TextFault{
+            .code = code,
+            .begin = function.begin,
+            .detail =
+                std::string("G").append(std::to_string(function.function->number)).append(why)});
   };
   const bool main_axis_only = std::ranges::none_of(
       block.move.tracking, [](const auto& value) { return value.has_value(); });

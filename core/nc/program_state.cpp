@@ -188,7 +188,7 @@ bool ProgramState::set_tool(std::int64_t number, const Source& source) {
   const auto tool = setup_.tools.find(number);
   if (tool != setup_.tools.end()) return set_tool_radius(tool->second, source);
   if (number == 0) return set_tool_radius(0, source);
-  return report(source, Code::tool_unknown, "D" + std::to_string(number));
+  return report(source, Code::tool_unknown, std::string("D").append(std::to_string(number)));
 }
 
 bool ProgramState::set_options(const TrcOptions& options, const Source& source) {

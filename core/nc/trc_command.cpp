@@ -270,7 +270,8 @@ CommandReader::Fault CommandReader::split_axis(std::size_t begin) {
   skip_separators();
   const std::string axis = identifier();
   if (axis != "X" && axis != "Y" && axis != "Z")
-    return fault(Code::nc_axis_unknown, begin, "AX=" + axis + ", X, Y or Z");
+    return fault(Code::nc_axis_unknown, begin,
+                 std::string("AX=").append(axis).append(", X, Y or Z"));
   split_.any = true;
   split_.axis = static_cast<std::uint8_t>(axis[0] - 'X');
   return {};

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -176,172 +177,172 @@ bool is_continued(std::string_view text) {
   return true;
 }
 
-Word WordReader::fail(Code code, std::size_t begin, std::string detail) {
-  fault_ = {.code = code, .begin = static_cast<std::uint32_t>(begin), .detail = std::move(detail)};
+Word WordReader::fail(Code code, const char* at, std::string detail) {
+  fault_ = {.code = code, .begin = place_of(at), .detail = std::move(detail)};
   return {.kind = WordKind::fault, .begin = fault_.begin, .end = fault_.begin};
 }
 
-// Blanks, and the `\` with the line end of a continued line. False at another `\`.
-bool WordReader::skip_blanks() {
-  while (at_ < line_.size() && is_blank(line_[at_])) ++at_;
-  for (; at_ < line_.size(); ++at_) {
-    const Class kind = class_of(line_[at_]);
-    if (kind == Class::blank) continue;
-    if (kind != Class::continuation) return true;
-    const std::size_t behind = line_.find_first_not_of(" \t", at_ + 1);
-    if (behind != std::string_view::npos && !is_line_end(line_[behind])) return false;
-    if (behind == std::string_view::npos) return false;
-    at_ = behind + (line_.substr(behind, 2) == "\r\n" ? 1 : 0);
-  }
-  return true;
+Word WordReader::no_text(const char* begin, std::size_t bad) {
+  const char* at = begin + bad;
+  return fail(Code::nc_not_text, at,
+              class_of(*at) == Class::high ? "no UTF-8" : "control character");
+}
+
+inline bool WordReader::skip_blanks() {
+  while (at_ != end_ && is_blank(*at_)) ++at_;
+  return at_ == end_ || *at_ != '\\' || skip_line_end();
+}
+
+// A `\` with the line end of a continued line, and the blanks behind. False at
+// any other `\`.
+bool WordReader::skip_line_end() {
+  const char* behind = at_ + 1;
+  while (behind != end_ && is_blank(*behind)) ++behind;
+  if (behind == end_ || !is_line_end(*behind)) return false;
+  if (*behind == '\r' && behind + 1 != end_ && behind[1] == '\n') ++behind;
+  at_ = behind + 1;
+  return skip_blanks();
 }
 
 Word WordReader::next() {
   if (!skip_blanks()) return fail(Code::nc_syntax, at_, "\\ inside a line");
-  const std::size_t begin = at_;
-  Word word{.begin = static_cast<std::uint32_t>(begin), .end = static_cast<std::uint32_t>(begin)};
-  if (begin == line_.size()) return word;
-  const char first = line_[begin];
-  switch (class_of(first)) {
+  if (at_ == end_) return {.begin = place_of(at_), .end = place_of(at_)};
+  switch (class_of(*at_)) {
     case Class::letter:
-      return address(upper(first));
+      return address();
+    case Class::digit:
+    case Class::number_sign:
+      return number_alone();
     case Class::parenthesis:
     case Class::semicolon:
       return comment();
     case Class::command:
       return command();
-    case Class::digit:
-    case Class::number_sign:
-      word.kind = WordKind::number;
-      if (!signed_number(word.value, word.whole)) return fail(Code::nc_number, begin, {first});
-      word.end = static_cast<std::uint32_t>(at_);
-      return word;
+    default:
+      return other_sign();
+  }
+}
+
+Word WordReader::other_sign() {
+  const auto rest = static_cast<std::size_t>(end_ - at_);
+  std::size_t length = 1;
+  switch (class_of(*at_)) {
     case Class::control:
-      return fail(Code::nc_not_text, begin, "control character");
+      return no_text(at_, 0);
     case Class::high:
-      if (utf8_character(line_.substr(begin)) == 0)
-        return fail(Code::nc_not_text, begin, "no UTF-8");
-      return fail(Code::nc_syntax, begin,
-                  std::string(line_.substr(begin, utf8_character(line_.substr(begin)))));
+      length = utf8_character({at_, rest});
+      if (length == 0) return no_text(at_, 0);
+      break;
     default:
       break;
   }
-  if (first == '$' || first == '/')
-    return fail(Code::nc_unsupported, begin,
-                first == '$' ? "$, a control statement" : "/, a block to skip on demand");
-  return fail(Code::nc_syntax, begin, {first});
+  if (*at_ == '$') return fail(Code::nc_unsupported, at_, "$, a control statement");
+  if (*at_ == '/') return fail(Code::nc_unsupported, at_, "/, a block to skip on demand");
+  return fail(Code::nc_syntax, at_, std::string(at_, length));
 }
 
-Word WordReader::comment() {
-  const std::size_t begin = at_;
-  at_ = line_[begin] == '(' ? end_of_comment(line_, begin) : end_of_line(line_, begin);
-  // One closing parenthesis too many is common and harms nobody.
-  while (line_[begin] == '(' && at_ < line_.size() && line_[at_] == ')') ++at_;
-  const std::string_view text = line_.substr(begin, at_ - begin);
-  if (const std::size_t bad = first_byte_that_is_no_text(text); bad != std::string_view::npos)
-    return fail(Code::nc_not_text, begin + bad,
-                class_of(text[bad]) == Class::high ? "no UTF-8" : "control character");
-  return {.kind = WordKind::comment,
-          .begin = static_cast<std::uint32_t>(begin),
-          .end = static_cast<std::uint32_t>(at_)};
-}
-
-Word WordReader::command() {
-  const std::size_t begin = at_;
-  std::size_t depth = 0;
-  bool quoted = false;
-  for (++at_; at_ < line_.size(); ++at_) {
-    const char byte = line_[at_];
-    if (byte == '"') quoted = !quoted;
-    if (quoted) continue;
-    if (byte == '[') ++depth;
-    if (byte == ']' && depth > 0) --depth;
-    if (depth == 0 && (byte == '(' || byte == ';')) break;
-  }
-  const std::string_view text = line_.substr(begin, at_ - begin);
-  if (const std::size_t bad = first_byte_that_is_no_text(text); bad != std::string_view::npos)
-    return fail(Code::nc_not_text, begin + bad,
-                class_of(text[bad]) == Class::high ? "no UTF-8" : "control character");
-  const std::size_t last = text.find_last_not_of(" \t\r\n");
-  return {.kind = WordKind::command,
-          .begin = static_cast<std::uint32_t>(begin),
-          .end = static_cast<std::uint32_t>(begin + last + 1)};
-}
-
-bool WordReader::signed_number(double& value, bool& whole) {
-  const std::size_t length = read_number(line_.substr(at_), value, whole);
-  at_ += length;
-  return length > 0 && value <= std::numeric_limits<double>::max() &&
-         value >= std::numeric_limits<double>::lowest();
-}
-
-Word WordReader::address(char letter) {
-  const std::size_t begin = at_;
-  Word word{
-      .kind = WordKind::address, .letter = letter, .begin = static_cast<std::uint32_t>(begin)};
-  ++at_;
-  if (letter == 'V' && at_ + 1 < line_.size() && line_[at_] == '.' &&
-      class_of(line_[at_ + 1]) == Class::letter)
-    return variable();
-  if (letter == 'L' || letter == 'P')
-    return fail(Code::nc_unsupported, begin,
-                letter == 'L' ? "L, a subprogram call" : "P, a parameter");
-  if (!number(word)) return no_number(word);
-  word.end = static_cast<std::uint32_t>(at_);
-
-  // G159=3, S2=500; or an axis with a name of its own: X1=10.
-  std::size_t behind = at_;
-  while (behind < line_.size() && is_blank(line_[behind])) ++behind;
-  if (behind == line_.size() || line_[behind] != '=') return word;
-  at_ = behind + 1;
-  if (!skip_blanks() || !signed_number(word.argument, word.whole))
-    return fail(Code::nc_number, at_, std::string(1, letter));
-  word.has_argument = true;
-  word.end = static_cast<std::uint32_t>(at_);
+Word WordReader::number_alone() {
+  Word word{.kind = WordKind::number, .begin = place_of(at_)};
+  const char* const begin = at_;
+  if (!number(word.value, word.whole)) return fail(Code::nc_number, begin, {*begin});
+  word.end = place_of(at_);
   return word;
 }
 
-// The number of an address: blanks and one `=` may stand in front of it.
-bool WordReader::number(Word& word) {
-  if (at_ < line_.size() && is_digit(line_[at_])) return signed_number(word.value, word.whole);
-  if (skip_blanks() && at_ < line_.size() && line_[at_] == '=') ++at_;
-  return skip_blanks() && signed_number(word.value, word.whole);
+Word WordReader::comment() {
+  const char* const begin = at_;
+  const std::size_t place = place_of(begin);
+  const bool in_parentheses = *begin == '(';
+  at_ = line_.data() + (in_parentheses ? end_of_comment(line_, place) : end_of_line(line_, place));
+  // One closing parenthesis too many is common and harms nobody.
+  while (in_parentheses && peek() == ')') ++at_;
+  const std::size_t bad =
+      first_byte_that_is_no_text({begin, static_cast<std::size_t>(at_ - begin)});
+  if (bad != std::string_view::npos) return no_text(begin, bad);
+  return {.kind = WordKind::comment, .begin = place_of(begin), .end = place_of(at_)};
+}
+
+Word WordReader::command() {
+  const char* const begin = at_;
+  std::size_t depth = 0;
+  bool quoted = false;
+  for (++at_; at_ != end_; ++at_) {
+    if (*at_ == '"') quoted = !quoted;
+    if (quoted) continue;
+    if (*at_ == '[') ++depth;
+    if (*at_ == ']' && depth > 0) --depth;
+    if (depth == 0 && (*at_ == '(' || *at_ == ';')) break;
+  }
+  const std::string_view text(begin, static_cast<std::size_t>(at_ - begin));
+  const std::size_t bad = first_byte_that_is_no_text(text);
+  if (bad != std::string_view::npos) return no_text(begin, bad);
+  const std::size_t last = text.find_last_not_of(" \t\r\n");
+  return {.kind = WordKind::command,
+          .begin = place_of(begin),
+          .end = static_cast<std::uint32_t>(place_of(begin) + last + 1)};
+}
+
+inline bool WordReader::number(double& value, bool& whole) {
+  const std::size_t length = read_number({at_, static_cast<std::size_t>(end_ - at_)}, value, whole);
+  at_ += length;
+  return length > 0 && std::abs(value) <= std::numeric_limits<double>::max();
+}
+
+// Blanks and one `=` may stand in front of the number.
+Word WordReader::address() {
+  const char* const begin = at_++;
+  Word word{.kind = WordKind::address, .letter = upper(*begin), .begin = place_of(begin)};
+  if (word.letter == 'L') return fail(Code::nc_unsupported, begin, "L, a subprogram call");
+  if (word.letter == 'P') return fail(Code::nc_unsupported, begin, "P, a parameter");
+  if (word.letter == 'V' && peek() == '.' && at_ + 1 != end_ && class_of(at_[1]) == Class::letter)
+    return variable();
+  if (!is_digit(peek())) {
+    if (skip_blanks() && peek() == '=') ++at_;
+    if (!skip_blanks()) return no_number(word);
+  }
+  if (!number(word.value, word.whole)) return no_number(word);
+  word.end = place_of(at_);
+
+  // G159=3, S2=500; or an axis with a name of its own: X1=10.
+  while (at_ != end_ && is_blank(*at_)) ++at_;
+  if (peek() != '=') return word;
+  ++at_;
+  if (!skip_blanks() || !number(word.argument, word.whole))
+    return fail(Code::nc_number, at_, {word.letter});
+  word.has_argument = true;
+  word.end = place_of(at_);
+  return word;
 }
 
 Word WordReader::no_number(const Word& word) {
-  const char byte = at_ < line_.size() ? upper(line_[at_]) : ' ';
-  const bool adjacent = at_ == word.begin + 1U;
-  const bool function = adjacent && class_of(byte) == Class::letter;
-  if (byte == '[' || byte == 'P' || (byte == 'V' && line_.substr(at_ + 1, 1) == ".") || function)
-    return fail(
-        Code::nc_unsupported, word.begin,
-        std::string(line_.substr(word.begin, at_ + 1 - word.begin)) + ", an expression or a name");
-  return fail(Code::nc_number, word.begin, std::string(1, word.letter));
+  const char* const begin = line_.data() + word.begin;
+  const char sign = upper(peek());
+  const bool name = at_ == begin + 1 && class_of(sign) == Class::letter;
+  const bool variable = sign == 'V' && at_ + 1 != end_ && at_[1] == '.';
+  if (sign == '[' || sign == 'P' || variable || name)
+    return fail(Code::nc_unsupported, begin,
+                std::string(begin, at_ + 1).append(", an expression or a name"));
+  return fail(Code::nc_number, begin, {word.letter});
 }
 
 Word WordReader::variable() {
-  const std::size_t begin = at_ - 1;
-  std::size_t end = begin;
+  const char* const begin = at_ - 1;
   std::string name;
-  for (; end < line_.size(); ++end) {
-    const char byte = line_[end];
-    if (class_of(byte) != Class::letter && !is_digit(byte) && byte != '.' && byte != '_') break;
-    name += upper(byte);
+  for (at_ = begin; at_ != end_; ++at_) {
+    if (class_of(*at_) != Class::letter && !is_digit(*at_) && *at_ != '.' && *at_ != '_') break;
+    name += upper(*at_);
   }
   if (name != "V.G.WZ_AKT.R" && name != "V.G.WZR")
-    return fail(Code::nc_unsupported, begin, "variable " + name);
-  Word word{.kind = WordKind::variable, .begin = static_cast<std::uint32_t>(begin)};
-  at_ = end;
-  if (!skip_blanks() || at_ == line_.size() || line_[at_] != '=')
-    return fail(Code::nc_syntax, begin, name + " without =");
+    return fail(Code::nc_unsupported, begin, name.append(", a variable"));
+  Word word{.kind = WordKind::variable, .begin = place_of(begin)};
+  if (!skip_blanks() || peek() != '=')
+    return fail(Code::nc_syntax, begin, name.append(" without ="));
   ++at_;
   const bool readable = skip_blanks();
-  const char byte = at_ < line_.size() ? line_[at_] : ' ';
-  if (readable && (byte == '[' || class_of(byte) == Class::letter))
-    return fail(Code::nc_unsupported, begin, name + " with an expression");
-  if (!readable || !signed_number(word.value, word.whole))
-    return fail(Code::nc_number, begin, name);
-  word.end = static_cast<std::uint32_t>(at_);
+  if (readable && (peek() == '[' || class_of(peek()) == Class::letter))
+    return fail(Code::nc_unsupported, begin, name.append(" with an expression"));
+  if (!readable || !number(word.value, word.whole)) return fail(Code::nc_number, begin, name);
+  word.end = place_of(at_);
   return word;
 }
 

@@ -45,7 +45,8 @@ struct TextFault {
 // of its own.
 class WordReader {
  public:
-  explicit WordReader(std::string_view line) : line_(line) {}
+  explicit WordReader(std::string_view line)
+      : line_(line), at_(line.data()), end_(line.data() + line.size()) {}
 
   [[nodiscard]] Word next();
   // Says what is wrong after a word of kind `fault`.
@@ -53,17 +54,25 @@ class WordReader {
 
  private:
   [[nodiscard]] bool skip_blanks();
-  [[nodiscard]] Word address(char letter);
+  [[nodiscard]] bool skip_line_end();
+  [[nodiscard]] Word address();
+  [[nodiscard]] Word number_alone();
   [[nodiscard]] Word comment();
   [[nodiscard]] Word command();
   [[nodiscard]] Word variable();
-  [[nodiscard]] bool number(Word& word);
-  [[nodiscard]] bool signed_number(double& value, bool& whole);
-  [[nodiscard]] Word fail(Code code, std::size_t begin, std::string detail);
+  [[nodiscard]] Word other_sign();
+  [[nodiscard]] bool number(double& value, bool& whole);
+  [[nodiscard]] Word fail(Code code, const char* at, std::string detail);
   [[nodiscard]] Word no_number(const Word& word);
+  [[nodiscard]] Word no_text(const char* begin, std::size_t bad);
+  [[nodiscard]] std::uint32_t place_of(const char* at) const {
+    return static_cast<std::uint32_t>(at - line_.data());
+  }
+  [[nodiscard]] char peek() const { return at_ == end_ ? ' ' : *at_; }
 
   std::string_view line_;
-  std::size_t at_ = 0;
+  const char* at_;
+  const char* end_;
   TextFault fault_{};
 };
 
