@@ -13,7 +13,7 @@ constexpr double fastest = 1e9;  // mm/min
 
 constexpr std::array keywords{
     Keyword{.name = "CONV_CIR_TO_LIN"},
-    Keyword{.name = "KERF_MASKING"},
+    Keyword{.name = "KERF_MASKING", .available = false},
     Keyword{.name = "REVERSE"},
     Keyword{.name = "IGNORE_CONT_DAMAGE"},
     Keyword{.name = "REMOVE_MASKED_BLOCKS"},

@@ -12,7 +12,7 @@ CompensateProgram::Run::Run(const StreamContext& stream, const wire::PathSetting
     : layout(settings.response_layout),
       session(setup),
       answers(stream.backend, stream.record),
-      meter(stream.backend.memory) {}
+      meter(stream.backend.memory, settings.session.compensator.limits) {}
 
 Turn CompensateProgram::take(const v1::CompensateProgramRequest& request,
                              v1::CompensateProgramResponse& response) {

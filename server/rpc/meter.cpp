@@ -1,7 +1,6 @@
 #include "server/rpc/meter.h"
 
-#include <array>
-#include <cstdint>
+#include <algorithm>
 #include <ctime>
 
 namespace trc::server {
@@ -13,18 +12,6 @@ double thread_cpu_seconds() {
   return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
 
-// Blocks that went in and have not come out. Inserted blocks come out without having gone in, so
-// only the origins that stand for one input block each are counted.
-std::uint64_t held_blocks(const Summary& summary) {
-  constexpr std::array one_for_one{Origin::programmed,  Origin::masked,
-                                   Origin::kerf,        Origin::converted_circle,
-                                   Origin::passthrough, Origin::uncompensated};
-  std::uint64_t out = 0;
-  for (const Origin origin : one_for_one)
-    out += summary.blocks_by_origin[static_cast<std::size_t>(origin)];
-  return summary.blocks_in > out ? summary.blocks_in - out : 0;
-}
-
 // A block inside the passes, with what its vectors add.
 constexpr std::uint64_t held_block_bytes = 800;
 
@@ -34,8 +21,17 @@ Meter::Running::Running(Meter& meter) : meter_(meter), started_s_(thread_cpu_sec
 
 Meter::Running::~Running() { meter_.cpu_seconds_ += thread_cpu_seconds() - started_s_; }
 
+// What the passes hold is known from outside only by what they let go: all blocks since something
+// came out last, or a full window.
 bool Meter::holds(const Summary& so_far, std::size_t outbox_bytes) {
-  return share_.resize(held_blocks(so_far) * held_block_bytes + outbox_bytes);
+  if (so_far.blocks_out > blocks_out_) {
+    blocks_out_ = so_far.blocks_out;
+    let_go_through_ = blocks_in_;
+  }
+  blocks_in_ = so_far.blocks_in;
+  const std::uint64_t held =
+      std::max(blocks_in_ - let_go_through_, std::min(look_ahead_blocks_, blocks_in_));
+  return share_.resize(held * held_block_bytes + outbox_bytes);
 }
 
 wire::PathSummary Meter::summary(const Summary& core, const Diagnostics& diagnostics) const {

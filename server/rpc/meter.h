@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <cstddef>
+#include <cstdint>
 
 #include "core/base/diagnostics.h"
 #include "core/trc/compensator.h"
@@ -13,7 +14,8 @@ namespace trc::server {
 // What a session costs: time for its summary, memory for the budget of all streams.
 class Meter {
  public:
-  explicit Meter(MemoryBudget& memory) : share_(memory) {}
+  Meter(MemoryBudget& memory, const Limits& limits)
+      : share_(memory), look_ahead_blocks_(limits.look_ahead_blocks) {}
 
   // Counts the CPU time of its thread as long as it lives.
   class Running {
@@ -28,7 +30,8 @@ class Meter {
     double started_s_;
   };
 
-  // False when all streams together would now hold more than they may.
+  // To be asked after every request. False when all streams together would now hold more than they
+  // may.
   bool holds(const Summary& so_far, std::size_t outbox_bytes);
 
   [[nodiscard]] wire::PathSummary summary(const Summary& core,
@@ -36,6 +39,10 @@ class Meter {
 
  private:
   MemoryBudget::Share share_;
+  std::uint64_t look_ahead_blocks_;
+  std::uint64_t blocks_in_ = 0;
+  std::uint64_t blocks_out_ = 0;
+  std::uint64_t let_go_through_ = 0;  // input up to here was taken when something came out last
   std::chrono::steady_clock::time_point started_ = std::chrono::steady_clock::now();
   double cpu_seconds_ = 0;
 };

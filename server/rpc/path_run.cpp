@@ -10,7 +10,7 @@ PathRun::PathRun(const StreamContext& stream, const wire::PathSettings& settings
       session_(settings.session),
       reader_(settings.session.program.tracking_axes.size()),
       answers_(stream.backend, stream.record),
-      meter_(stream.backend.memory) {}
+      meter_(stream.backend.memory, settings.session.compensator.limits) {}
 
 template <class Batch>
 void PathRun::feed_batch(const Batch& batch, const char* field, std::int64_t blocks) {

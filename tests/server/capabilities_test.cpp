@@ -44,6 +44,7 @@ TEST(Capabilities, EveryKeywordIsReadOrRefusedAsSaid) {
                                     "FEED_SEG2=200"
                               : name == "SPLIT"      ? "SPLIT AX=X PRE DIST_SEG1=5 FEED_SEG1=200"
                               : name == "SPLIT_PATH" ? "SPLIT_PATH PRE DIST_SEG1=5 FEED_SEG1=200"
+                              : name == "INVERSE"    ? "ONLINE=1 INVERSE=1"
                               : name == "SPLIT_OFF"  ? "SPLIT_OFF"
                                                      : name + "=" + number(keyword.max);
     const Answer answer =

@@ -24,7 +24,7 @@ std::string content(const std::string& name) {
 
 Config with_tls() {
   Config config;
-  config.listen = {"localhost:0"};
+  config.listen = {"127.0.0.1:0"};
   config.log_level = "off";
   config.tls_cert_file = file("server_cert.pem");
   config.tls_key_file = file("server_key.pem");
@@ -32,7 +32,7 @@ Config with_tls() {
 }
 
 grpc::StatusCode call(const Server& server, const grpc::SslCredentialsOptions& options) {
-  const auto channel = grpc::CreateChannel("localhost:" + std::to_string(server.ports().front()),
+  const auto channel = grpc::CreateChannel("127.0.0.1:" + std::to_string(server.ports().front()),
                                            grpc::SslCredentials(options));
   return run_program(channel, {}, g239_program).status.error_code();
 }
@@ -60,7 +60,7 @@ TEST(Tls, PlainTextIsRefused) {
   const auto started = Server::start(with_tls());
   ASSERT_NE(started.server, nullptr) << started.fault;
   const auto channel =
-      grpc::CreateChannel("localhost:" + std::to_string(started.server->ports().front()),
+      grpc::CreateChannel("127.0.0.1:" + std::to_string(started.server->ports().front()),
                           grpc::InsecureChannelCredentials());
   EXPECT_EQ(run_program(channel, {}, g239_program).status.error_code(), grpc::UNAVAILABLE);
 }
