@@ -22,12 +22,13 @@ fail() {
   exit 1
 }
 
+# In a mount namespace of its own, so that an interrupted run leaves nothing mounted.
 make_root() {
   local sources
   mapfile -t sources < <(grep -lsE '^(deb |Suites:).*[[:space:]]bookworm([[:space:]]|$)' \
     /etc/apt/sources.list /etc/apt/sources.list.d/*)
   apt-config dump | grep -E '^Acquire::(http|https|Check|Retries)' >"$work/apt.conf" || true
-  timeout 600 mmdebstrap --quiet --variant=minbase --aptopt="$work/apt.conf" \
+  timeout 600 unshare --mount mmdebstrap --quiet --variant=minbase --aptopt="$work/apt.conf" \
     bookworm "$work/bare" "${sources[@]}" </dev/null
 }
 
