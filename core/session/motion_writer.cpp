@@ -18,14 +18,14 @@ constexpr std::string_view center_letters = "IJK";
 // A B C turn: degrees have no inch.
 bool is_linear(char axis_letter) { return axis_letter >= 'U' && axis_letter <= 'Z'; }
 
-// How far the middle of an arc may move when its numbers are rounded, in units of the last decimal:
-// one from its centre, half of one from its ends.
-constexpr double arc_units = 1.5;
+// How far an arc may leave its circle when its numbers are rounded, in units of the last decimal:
+// of up to 180 degrees in its middle, one unit from its centre and half of one from its ends.
+// Beyond that the ends turn it about each other, the more the nearer they are.
+constexpr double short_arc_units = 1.5;
+constexpr double long_arc_units = 5;
 // A rounded arc turns by no more than this further or less, as a share of its sweep or in rad.
 constexpr double sweep_share = 0.01;
 constexpr double sweep_change = 1e-3;
-// Radii at start and end that strict controls still take for one circle (P-CHAN-00172).
-constexpr double radius_share = 0.01;
 
 Point middle_of(const Arc& arc) {
   const Vector radial = arc.start - arc.center;
@@ -33,6 +33,17 @@ Point middle_of(const Arc& arc) {
 }
 
 bool is_full_circle(const Arc& arc) { return arc.start == arc.end; }
+
+bool is_same_arc(const Arc& read, const Arc& arc, double unit) {
+  if (std::abs(read.sweep - arc.sweep) > std::max(sweep_change, sweep_share * std::abs(arc.sweep)))
+    return false;
+  const double radius = radius_of(arc);
+  const double shift = (read.center - arc.center).norm();
+  if (shift + std::abs(radius_of(read) - radius) <= short_arc_units * unit) return true;
+  if (std::abs(arc.sweep) > std::numbers::pi)
+    return shift + std::abs(radius_of(read) - radius) <= long_arc_units * unit;
+  return std::abs((middle_of(read) - arc.center).norm() - radius) <= short_arc_units * unit;
+}
 
 }  // namespace
 
@@ -102,23 +113,21 @@ MotionWriter::ArcForm MotionWriter::form_of(const Arc& arc, Plane plane,
   const auto written_at = written_center(arc, plane, state);
   const Point center(written_at[0].read, written_at[1].read);
 
-  const double sagitta = radius_of(arc) * (1 - std::cos(arc.sweep / 2));
-  const bool closed = is_full_circle(arc) || (end - start).norm() <= tolerances.same_point;
-  if ((center - start).norm() <= tolerances.same_point)
-    return closed ? ArcForm::nothing : ArcForm::line;
-  if (closed) return std::abs(arc.sweep) > std::numbers::pi ? ArcForm::arc : ArcForm::nothing;
-
+  const CircleCheck check;
+  if ((center - start).norm() <= tolerances.same_point) return ArcForm::line;
+  if (is_full_circle(arc)) return ArcForm::arc;
   const CircleEnds ends{.start = start, .end = end, .clockwise = arc.sweep < 0};
-  const CircleResult result = arc_about(center, ends, CircleCheck{}, false, tolerances);
-  if (const Arc* read = std::get_if<Arc>(&result)) {
+  const CircleResult result = arc_about(center, ends, check, false, tolerances);
+  const Arc* read = std::get_if<Arc>(&result);
+  if (read != nullptr && is_same_arc(*read, arc, unit(state.inch))) {
+    // Controls that do not shift a centre compare the radii (G164).
     const double start_radius = (start - center).norm();
-    const double end_radius = (end - center).norm();
-    if ((middle_of(*read) - middle_of(arc)).norm() <= arc_units * unit(state.inch) &&
-        std::abs(read->sweep - arc.sweep) <=
-            std::max(sweep_change, sweep_share * std::abs(arc.sweep)) &&
-        std::abs(start_radius - end_radius) <= radius_share * start_radius)
+    const double difference = std::abs(start_radius - (end - center).norm());
+    if (difference <=
+        std::min(check.largest_radius_difference, check.largest_radius_factor * start_radius))
       return ArcForm::arc;
   }
+  const double sagitta = radius_of(arc) * (1 - std::cos(arc.sweep / 2));
   return sagitta <= unit(state.inch) ? ArcForm::line : ArcForm::halves;
 }
 

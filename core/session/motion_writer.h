@@ -32,8 +32,9 @@ using AxisSet = std::uint64_t;
 [[nodiscard]] std::array<Arc, 2> halves_of(const Arc& arc);
 
 // Turns motions into words (G01 X30 Y30 …) such that a reader of the text makes
-// the same motion: every point to half a unit of the last decimal, points inside
-// an arc to one and a half units. The state is brought up to what such a reader knows.
+// the same motion: ends to half a unit of the last decimal, points inside an arc to
+// one and a half units, to five in one of more than 180 degrees. The state is brought up to what
+// such a reader knows.
 class MotionWriter {
  public:
   // `tracking_letters`: one letter per tracking axis. 0 <= decimals < most_decimals.
@@ -41,10 +42,9 @@ class MotionWriter {
 
   // How an arc can be written from the position the reader is at.
   enum class ArcForm : std::uint8_t {
-    arc,      // as G02 or G03
-    line,     // so short that a line is as exact, and rounding would change its sweep
-    halves,   // rounding would move its centre or change its sweep: too near to a full circle
-    nothing,  // no length after rounding
+    arc,     // as G02 or G03
+    line,    // so short that a line is as exact, and rounding would change its sweep
+    halves,  // rounding would move its centre or change its sweep: too near to a full circle
   };
   [[nodiscard]] ArcForm form_of(const Arc& arc, Plane plane, const WrittenState& state) const;
 

@@ -47,8 +47,8 @@ NcWriter::NcWriter(const Setup& setup)
   state_.tracking.resize(setup.tracking_letters.size());
 }
 
-void NcWriter::take(ProgramLine&& line, bool gives_block, const Position& programmed) {
-  if (gives_block) {
+void NcWriter::take(ProgramLine&& line, const Meaning& meaning) {
+  if (meaning.gives_block) {
     ++waiting_for_blocks_;
     silent_bytes_ = 0;
   } else {
@@ -56,12 +56,12 @@ void NcWriter::take(ProgramLine&& line, bool gives_block, const Position& progra
   }
   std::uint32_t roles = 0;
   for (const WordRange& word : line.words) roles |= bit(word.role);
-  waiting_.push_back({std::move(line), gives_block, roles, programmed});
+  waiting_.push_back({std::move(line), meaning, roles});
 }
 
 void NcWriter::drop_first() {
   Waiting& waiting = waiting_[first_++];
-  if (waiting.gives_block) --waiting_for_blocks_;
+  if (waiting.meaning.gives_block) --waiting_for_blocks_;
   used_.push_back(std::move(waiting.line));
   // Half of the queue at a time, so that a line is moved once on average.
   if (first_ * 2 < waiting_.size()) return;
@@ -99,7 +99,12 @@ void NcWriter::write(const CompensatedBlock& block, std::string& out) {
   if (block.origin == Origin::passthrough) {
     // The technology of a motion line comes with the motion, that of the program
     // end behind everything.
-    if (!has_own || own_->line.is_motion || own_->line.ends_program) return;
+    if (!has_own) {
+      // Behind a motion that was written anew: M00 and the like.
+      if (block.source.index == rewritten_index_) write_text(block.text, line_end_, out);
+      return;
+    }
+    if (own_->line.is_motion || own_->line.ends_program) return;
     write_without_motion(*own_, out);
     drop_first();
     return;
@@ -117,13 +122,13 @@ void NcWriter::write_without_motion(const Waiting& own, std::string& out) {
   if (!line.has_trc_words && !line.is_motion) {
     write_text(line.text, line.line_end, out);
   } else {
-    words_.clear();
+    begin_words();
     bool has_more_than_number = false;
     for (const WordRange& word : line.words) {
       if (word.role == WordRole::trc || word.role == WordRole::coordinate) continue;
       if (word.role == WordRole::motion && line.is_motion) continue;
       has_more_than_number |= word.role != WordRole::number;
-      append_word(line.word(word));
+      append(line, word);
     }
     if (has_more_than_number) write_words(line.line_end, out);
   }
@@ -171,7 +176,7 @@ bool NcWriter::reads_as(const Waiting& own, const CompensatedBlock& block,
     // Without motion in the plane the block stays where TRC has put it, and the
     // words of the line name the programmed place.
     if (!flat && (in_plane & named & bit) != 0 &&
-        !motions_.reaches(end[axis], own.programmed[axis], line.inch))
+        !motions_.reaches(end[axis], own.meaning.end[axis], line.inch))
       return false;
     if ((named & bit) != 0)
       position = line.incremental ? position + (end[axis] - start[axis]) : end[axis];
@@ -210,7 +215,6 @@ void NcWriter::write_arc(const CompensatedBlock& block, const Arc& arc, double f
       return;
     }
     case MotionWriter::ArcForm::line:
-    case MotionWriter::ArcForm::nothing:
       return write_piece(block, Line{.start = arc.start, .end = arc.end}, to, out);
   }
 }
@@ -223,20 +227,17 @@ void NcWriter::write_piece(const CompensatedBlock& block, const Segment& piece, 
   const Position end = from_plane(block.plane, end_of(piece), part_way(block.normal));
   tracking_.assign(block.tracking.begin(), block.tracking.end());
   for (AxisTravel& travel : tracking_) travel.to = part_way(travel);
+  const bool in_plane = moves_in_plane(block);
+  AxisSet always = in_plane ? plane_axes(block.plane) : 0;
+  if (own_ != nullptr) always |= axes_to_keep(*own_, block, end);
   const Arc* arc = std::get_if<Arc>(&piece);
-  if (arc == nullptr && !motions_.moves(end, tracking_, state_)) return;
+  const bool must_be_written = (always & (in_plane ? ~plane_axes(block.plane) : ~AxisSet{0})) != 0;
+  if (arc == nullptr && !must_be_written && !motions_.moves(end, tracking_, state_)) return;
 
-  words_.clear();
-  AxisSet always = moves_in_plane(block) ? plane_axes(block.plane) : 0;
+  begin_words();
   if (own_ != nullptr) {
     for (const WordRange& word : own_->line.words)
-      if (word.role == WordRole::number || word.role == WordRole::mode)
-        append_word(own_->line.word(word));
-    // The line may say where the third axis is after a shift of the zero point:
-    // that it need not move by our count is no reason to leave the word out.
-    const std::size_t third = axes_of(block.plane).third;
-    if (own_->programmed[third] == end[third])
-      always |= axes_named_in(own_->line) & axis_bit(third);
+      if (word.role == WordRole::number || word.role == WordRole::mode) append(own_->line, word);
   }
   const MotionKind kind = kind_of(block);
   if (arc != nullptr) {
@@ -247,7 +248,24 @@ void NcWriter::write_piece(const CompensatedBlock& block, const Segment& piece, 
   }
   append_feed_and_rest(block);
   write_words(own_ != nullptr ? own_->line.line_end : line_end_, out);
+  if (own_ != nullptr) rewritten_index_ = own_->line.source.index;
   own_ = nullptr;
+}
+
+// The words of the line for axes that need not move by our count. They stay:
+// where the machine is at the start of the program or after a shift of the zero
+// point only the line says.
+AxisSet NcWriter::axes_to_keep(const Waiting& own, const CompensatedBlock& block,
+                               const Position& end) const {
+  AxisSet kept = axes_named_in(own.line) & ~own.meaning.moved;
+  for (std::size_t axis = 0; axis < end.size(); ++axis) {
+    if ((plane_axes(block.plane) & axis_bit(axis)) == 0) continue;
+    // Under TRC the line names the programmed place, not that of the tool.
+    const bool is_there = block.origin == Origin::uncompensated &&
+                          motions_.reaches(end[axis], own.meaning.end[axis], state_.inch);
+    if (!is_there) kept &= ~axis_bit(axis);
+  }
+  return kept;
 }
 
 void NcWriter::append_feed_and_rest(const CompensatedBlock& block) {
@@ -258,12 +276,12 @@ void NcWriter::append_feed_and_rest(const CompensatedBlock& block) {
   const ProgramLine& line = own_->line;
   for (const WordRange& word : line.words) {
     if (word.role == WordRole::technology || word.role == WordRole::comment) {
-      append_word(line.word(word));
+      append(line, word);
     } else if (word.role == WordRole::feed) {
       if (needs_feed && !motions_.same_feed(line.feed, block.feed, line.inch)) {
         append_feed(block.feed);
       } else {
-        append_word(line.word(word));
+        append(line, word);
         enter_feed(line);
       }
     }
@@ -288,13 +306,25 @@ void NcWriter::enter_feed(const ProgramLine& line) {
 }
 
 void NcWriter::write_plane(Plane plane, std::string& out) {
-  words_.clear();
-  append_word(plane == Plane::xy ? "G17" : plane == Plane::zx ? "G18" : "G19");
+  begin_words();
+  words_ += plane == Plane::xy ? " G17" : plane == Plane::zx ? " G18" : " G19";
   write_words(line_end_, out);
   state_.plane = plane;
 }
 
+void NcWriter::begin_words() {
+  words_.clear();
+  last_comment_.clear();
+}
+
+// In a continued block words may stand behind a `;` comment.
+void NcWriter::append(const ProgramLine& line, const WordRange& word) {
+  const bool ends_line = word.role == WordRole::comment && line.text[word.begin] == ';';
+  ((ends_line ? last_comment_ : words_) += ' ') += line.word(word);
+}
+
 void NcWriter::write_words(std::string_view line_end, std::string& out) {
+  words_ += last_comment_;
   write_text(std::string_view(words_).substr(1), line_end, out);
 }
 

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -35,9 +36,14 @@ class NcWriter {
   };
   explicit NcWriter(const Setup& setup);
 
-  // The next line of the program. `gives_block`: a block with its Source comes
-  // to write(), unless TRC drops it. `programmed`: where the program is after the line.
-  void take(ProgramLine&& line, bool gives_block, const Position& programmed);
+  // What the program says in a line, before TRC.
+  struct Meaning {
+    bool gives_block = false;  // one with its Source comes to write(), unless TRC drops it
+    Position end{};            // where the program is after the line
+    AxisSet moved{};           // axes across the plane and tracking axes that travel
+  };
+  // The next line of the program.
+  void take(ProgramLine&& line, const Meaning& meaning);
   // The next block of the path: appends the text that has become certain.
   void write(const CompensatedBlock& block, std::string& out);
   // Appends the waiting lines if none of them gives a block.
@@ -53,9 +59,8 @@ class NcWriter {
  private:
   struct Waiting {
     ProgramLine line{};
-    bool gives_block = false;
+    Meaning meaning{};
     std::uint32_t roles = 0;  // of its words, a bit each
-    Position programmed{};
 
     [[nodiscard]] bool has(WordRole role) const {
       return (roles >> static_cast<int>(role) & 1) != 0;
@@ -81,7 +86,8 @@ class NcWriter {
                    std::string& out);
   void write_plane(Plane plane, std::string& out);
 
-  void append_word(std::string_view word) { (words_ += ' ') += word; }
+  void begin_words();
+  void append(const ProgramLine& line, const WordRange& word);
   void append_feed_and_rest(const CompensatedBlock& block);
   void append_feed(double feed);
   void enter_feed(const ProgramLine& line);
@@ -90,6 +96,8 @@ class NcWriter {
   void write_words(std::string_view line_end, std::string& out);
   void write_text(std::string_view text, std::string_view line_end, std::string& out);
   void enter_modes(const Waiting& own);
+  [[nodiscard]] AxisSet axes_to_keep(const Waiting& own, const CompensatedBlock& block,
+                                     const Position& end) const;
   [[nodiscard]] AxisSet axes_named_in(const ProgramLine& line) const;
 
   MotionWriter motions_;
@@ -103,10 +111,14 @@ class NcWriter {
   std::size_t first_ = 0;
   std::size_t waiting_for_blocks_ = 0;
   std::size_t silent_bytes_ = 0;
+  // The line whose motion was last written anew: what stops behind the motion is
+  // still to come.
+  std::uint64_t rewritten_index_ = std::numeric_limits<std::uint64_t>::max();
   std::vector<ProgramLine> used_;
 
   const Waiting* own_ = nullptr;      // the line of the block being written, until it has come out
   std::string words_;                 // of the line being written, a blank before each
+  std::string last_comment_;          // behind them: what begins with `;` ends the line
   TrackingTravel tracking_{};         // of the piece being written
   std::string_view line_end_ = "\n";  // of the lines TRC inserts: that of the line before
   bool line_end_missing_ = false;     // the text so far ends with a line without

@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <iterator>
 #include <limits>
+#include <type_traits>
 #include <utility>
 
 #include "core/nc/interpreter.h"
+#include "core/nc/number_format.h"
 #include "core/session/nc_writer.h"
 
 namespace trc {
@@ -37,16 +39,24 @@ NcWriter::Setup writer_setup(const ProgramSessionSetup& setup) {
   return writer;
 }
 
-void follow(const Block& block, Position& position) {
-  std::visit(overloaded{
-                 [&](const MotionBlock& motion) {
-                   position = from_plane(motion.mode->plane, end_of(motion.path), motion.normal.to);
-                 },
-                 [&](const PassiveBlock& passive) {
-                   position[axes_of(passive.mode->plane).third] = passive.normal.to;
-                 },
-             },
-             block);
+void add(const Block& block, NcWriter::Meaning& meaning) {
+  meaning.gives_block = true;
+  std::visit(
+      [&](const auto& given) {
+        const Plane plane = given.mode->plane;
+        if constexpr (std::is_same_v<decltype(given), const MotionBlock&>)
+          meaning.end = from_plane(plane, end_of(given.path), given.normal.to);
+        const std::size_t third = axes_of(plane).third;
+        meaning.end[third] = given.normal.to;
+        if (given.normal.moves()) meaning.moved |= axis_bit(third);
+        for (std::size_t axis = 0; axis < given.tracking.size(); ++axis)
+          if (given.tracking[axis].moves()) meaning.moved |= axis_bit(meaning.end.size() + axis);
+      },
+      block);
+}
+
+std::uint64_t index_of(const Block& block) {
+  return std::visit([](const auto& given) { return given.source.index; }, block);
 }
 
 }  // namespace
@@ -62,11 +72,17 @@ struct ProgramSession::Parts {
         interpreter({.longest_line = setup.longest_line}, program, read_diagnostics),
         compensator(with_common_start(setup.session).compensator, diagnostics),
         writer(writer_setup(setup)),
-        programmed(setup.session.program.start) {}
+        meaning{.end = setup.session.program.start} {
+    if (setup.decimals >= 0 && setup.decimals < most_decimals) return;
+    Diagnostic invalid = diagnostic(Code::field_invalid, {}, "decimals");
+    invalid.values = {{"decimals", static_cast<double>(setup.decimals)}};
+    diagnostics.report(std::move(invalid));
+  }
 
   // Compensates what has been read. Returns whether the stream goes on.
   bool advance(ProgramOutput& out);
   bool take(ProgramLine& line, ProgramOutput& out);
+  bool release_silent_lines(const Source& source, ProgramOutput& out);
   // Reports what reading found up to this line, behind the blocks before it.
   bool report_until(std::uint32_t line, ProgramOutput& out);
   // Compensates the blocks of all lines taken.
@@ -89,7 +105,7 @@ struct ProgramSession::Parts {
   std::size_t blocks_taken = 0;  // of `blocks`: those of the lines taken
   std::vector<Block> programmed_blocks;
   std::vector<CompensatedBlock> compensated;
-  Position programmed{};  // after the last line taken
+  NcWriter::Meaning meaning{};  // of the last line taken
   std::uint64_t silent_lines = 0;
   bool ended = false;
 };
@@ -113,28 +129,32 @@ bool ProgramSession::Parts::advance(ProgramOutput& out) {
 
 bool ProgramSession::Parts::take(ProgramLine& line, ProgramOutput& out) {
   if (reports_taken < reported.size() && !report_until(line.source.line, out)) return false;
-  const std::size_t first = blocks_taken;
+  meaning.gives_block = false;
+  meaning.moved = 0;
   while (line.has_words && blocks_taken < blocks.size() &&
-         std::visit([](const auto& block) { return block.source.index; }, blocks[blocks_taken]) ==
-             line.source.index)
-    follow(blocks[blocks_taken++], programmed);
-  const bool gives_block = blocks_taken > first;
+         index_of(blocks[blocks_taken]) == line.source.index)
+    add(blocks[blocks_taken++], meaning);
   const bool ends_program = line.ends_program;
   if (setup.nc_text) {
     const Source source = line.source;
-    writer.take(std::move(line), gives_block, programmed);
-    silent_lines = gives_block ? 0 : silent_lines + 1;
-    if (silent_lines % silent_lines_per_release == silent_lines_per_release - 1) {
-      if (!compensate(out)) return false;
-      writer.write_silent_lines(out.text);
-      if (writer.silent_bytes() > most_silent_bytes) {
-        Diagnostic overflow = diagnostic(Code::too_many_passive_blocks, source);
-        overflow.values = {{"lines", static_cast<double>(silent_lines)}};
-        return diagnostics.report(std::move(overflow));
-      }
-    }
+    writer.take(std::move(line), meaning);
+    silent_lines = meaning.gives_block ? 0 : silent_lines + 1;
+    if (silent_lines >= silent_lines_per_release && !release_silent_lines(source, out))
+      return false;
   }
   return !ends_program || end(out);
+}
+
+// A matter of the lines taken, not of how they arrived: the output depends on it.
+bool ProgramSession::Parts::release_silent_lines(const Source& source, ProgramOutput& out) {
+  silent_lines = 0;
+  if (!compensate(out)) return false;
+  writer.write_silent_lines(out.text);
+  if (writer.silent_bytes() <= most_silent_bytes) return true;
+  Diagnostic overflow = diagnostic(Code::too_many_passive_blocks, source);
+  overflow.values = {{"bytes", static_cast<double>(writer.silent_bytes())},
+                     {"limit", static_cast<double>(most_silent_bytes)}};
+  return diagnostics.report(std::move(overflow));
 }
 
 bool ProgramSession::Parts::report_until(std::uint32_t line, ProgramOutput& out) {

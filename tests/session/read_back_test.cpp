@@ -99,7 +99,7 @@ std::string difference(const std::vector<CompensatedBlock>& path,
       if (telling && !block.rapid && std::abs(part.feed - block.feed) > unit)
         return "feed: " + pair;
       if (part.plane != block.plane) return "plane: " + pair;
-      if (off(middle(part.path), block.path) > 2.5 * unit) return "off the path: " + pair;
+      if (off(middle(part.path), block.path) > 5.5 * unit) return "off the path: " + pair;
       if (off(end_of(part.path), block.path) > unit) return "end off the path: " + pair;
       at = end_position(part);
       tracking_at = tracking_end(part);

@@ -1,0 +1,317 @@
+// What becomes of single lines: which come out as they are, which are written anew and how.
+
+#include <gtest/gtest.h>
+
+#include "tests/session/run_program.h"
+
+namespace trc::testing {
+namespace {
+
+std::string output(std::string_view program, int decimals = 4) {
+  const ProgramRun run = to_text(program, {.decimals = decimals});
+  EXPECT_TRUE(run.completed) << run.reports();
+  return run.text;
+}
+
+TEST(UntouchedLines, ComeOutByteForByte) {
+  const std::string program =
+      "\xEF\xBB\xBF%part 7\r\n"
+      "\r\n"
+      "  n10  g0 x0.50 y-.5   z+1 ( rapid \xC3\xBC )\r\n"
+      "N20 G1 X 12.3450 F1e\n"
+      "\t(only a remark)\n";
+  // E is no exponent: the line above is refused; here is the program that is not.
+  const std::string accepted =
+      "\xEF\xBB\xBF%part 7\r\n"
+      "\r\n"
+      "  n10  g0 x0.50 y-.5   z+1 ( rapid \xC3\xBC )\r\n"
+      "N20 G1 X 12.345678901 F100\n"
+      "\t(only a remark)\n"
+      "X20;to the end\r"
+      "N30 G02 X30 Y0 I5 J.5 M8\n"
+      "N40 G01 X40 \\\n"
+      "    Y40\n"
+      "G91 X1 Y1\n"
+      "M30\n"
+      "what follows the end (stays) G41 as it is\n"
+      "\n"
+      "even without a line end";
+  EXPECT_FALSE(to_text(program).completed);
+  EXPECT_EQ(output(accepted), accepted);
+}
+
+TEST(UntouchedLines, RepeatedPositionsStay) {
+  const std::string program = "G0 X10 Y10\nG1 X10 F100\nX10 Y10 M8\nG91 X0\nG90\nZ0\nX20\n";
+  EXPECT_EQ(output(program), program);
+}
+
+TEST(UntouchedLines, FeedPerRevolutionStays) {
+  const std::string program = "G95 F0.2\nG1 X10\nG94\nX20\nF300 X30\nX40\n";
+  EXPECT_EQ(output(program), program);
+}
+
+TEST(CompensationWords, GoWithTheLineWhenTheyAreAlone) {
+  EXPECT_EQ(output("G0 X0 Y0\n"
+                   "N10 G139 G25\n"
+                   "N20 #TRC[STRETCH_FACTOR=2]\n"
+                   "N30 V.G.WZ_AKT.R=5\n"
+                   "N40 G10 G140\n"
+                   "G1 X5 F100\n"),
+            "G0 X0 Y0\nG1 X5 F100\n");
+}
+
+TEST(CompensationWords, LeaveTechnologyModesAndComments) {
+  EXPECT_EQ(output("G0 X0 Y0\n"
+                   "N10 G26 M8 (cooling)\n"
+                   "N20 G139 ; mode\n"
+                   "N30 G90 G25\n"
+                   "N40 G01 G10\n"
+                   "N50 G140 F500\n"
+                   "X5\n"),
+            "G0 X0 Y0\n"
+            "N10 M8 (cooling)\n"
+            "N20 ; mode\n"
+            "N30 G90\n"
+            "N40 G01\n"
+            "N50 F500\n"
+            "X5\n");
+}
+
+TEST(CompensationWords, ToolWordsStay) {
+  ProgramSessionSetup setup;
+  setup.session.program.tools[3] = 5;
+  const ProgramRun run = to_text("G0 X0 Y0\nN10 T3 D3 M6\nG41 G1 X10 F100\nX50\nG40 Y-20\n", setup);
+  EXPECT_EQ(run.text, "G0 X0 Y0\nN10 T3 D3 M6\nG01 X10 Y5 F100\nG01 X55 Y5\nG01 X50 Y-20\n");
+}
+
+TEST(CompensatedLines, KeepTheirOtherWordsInOrder) {
+  EXPECT_EQ(output("G0 X0 Y0 V.G.WZ_AKT.R=5\n"
+                   "n7 (first) g41 S500 G1 M3 x10 F100 H12 (last) ; end\r\n"
+                   "X50\nG40 Y-20\n"),
+            "G00 X0 Y0\n"
+            "n7 G01 X10 Y5 (first) S500 M3 F100 H12 (last) ; end\r\n"
+            "G01 X55 Y5\n"
+            "G01 X50 Y-20\n");
+}
+
+TEST(CompensatedLines, BlockOverSeveralLinesBecomesOne) {
+  EXPECT_EQ(
+      output("G0 X0 Y0 V.G.WZ_AKT.R=5\nG41 G1 X10 F100\nN20 X50 \\\n  M8 \\\n (c)\nG40 Y-20\n"),
+      "G00 X0 Y0\nG01 X10 Y5 F100\nN20 G01 X55 Y5 M8 (c)\nG01 X50 Y-20\n");
+}
+
+TEST(InsertedLines, HaveNoNumberAndTheLineEndOfTheLineBefore) {
+  EXPECT_EQ(output("G0 X0 Y0\r\nG26 V.G.WZ_AKT.R=5\r\n"
+                   "N10 G41 G1 X10 F100\r\nN20 X50\r\nN30 Y-50\r\nN40 G40 X20\n"),
+            "G0 X0 Y0\r\n"
+            "N10 G01 X10 Y5 F100\r\n"
+            "N20 G01 X50 Y5\r\n"
+            "G02 X55 Y0 I0 J-5\r\n"
+            "N30 G01 X55 Y-50\r\n"
+            "G02 X50 Y-55 I-5 J0\r\n"
+            "N40 G01 X20 Y-50\n");
+}
+
+TEST(InsertedLines, StandBehindALastLineWithoutLineEnd) {
+  EXPECT_EQ(output("G0 X0 Y0\nG237 V.G.WZ_AKT.R=5\nG41\nN10 G1 X50 F100\nN20 G40\nN30 G0 X80"),
+            "G0 X0 Y0\nN10 G01 X0 Y5 F100\nG01 X50 Y5\nG01 X50 Y0\nN30 G0 X80");
+  const ProgramRun run = to_text("G0 X0 Y0\nG237 V.G.WZ_AKT.R=5\nG41\nN10 G1 X50 F100");
+  EXPECT_EQ(run.text, "G0 X0 Y0\nN10 G01 X0 Y5 F100\nG01 X50 Y5\n");
+}
+
+TEST(Riders, StayBehindTheirBlockAndBeforeInsertedOnes) {
+  EXPECT_EQ(output("G0 X0 Y0 Z5\nG26 V.G.WZ_AKT.R=5\n"
+                   "N10 G41 G1 X10 F100\nN20 X50\n"
+                   "N21 M8\nN22 G04 X0.5\n(remark)\nN23 Z-3\n"
+                   "N30 Y-50\nN40 G40 X20\nN50 M30\n"),
+            "G0 X0 Y0 Z5\n"
+            "N10 G01 X10 Y5 F100\n"
+            "N20 G01 X50 Y5\n"
+            "N21 M8\n"
+            "N22 G04 X0.5\n"
+            "(remark)\n"
+            "N23 Z-3\n"
+            "G02 X55 Y0 I0 J-5\n"
+            "N30 G01 X55 Y-50\n"
+            "G02 X50 Y-55 I-5 J0\n"
+            "N40 G01 X20 Y-50\n"
+            "N50 M30\n");
+}
+
+TEST(Riders, DoNotMoveToTheProgrammedPoint) {
+  // X50 is where the program is, not where the tool is.
+  EXPECT_EQ(output("G0 X0 Y0 Z5\nG138 V.G.WZ_AKT.R=5\n"
+                   "G41 G1 X10 Y0 F100\nX50 Y20\nN20 X50 Y20 Z-3\nN21 X50 M9\nX50 Y60\nG40 X0\n"),
+            "G0 X0 Y0 Z5\n"
+            "G01 X7.7639 Y4.4721 F100\n"
+            "G01 X45 Y23.0902\n"
+            "N20 G01 Z-3\n"
+            "N21 M9\n"
+            "G01 X45 Y60\n"
+            "G01 X0 Y60\n");
+}
+
+TEST(Riders, ProgramEndIsBehindTheRetract) {
+  EXPECT_EQ(output("G0 X0 Y0\nG237 V.G.WZ_AKT.R=5\nG41\nG1 X50 F100\nG40\nN90 M9 M30\n"),
+            "G0 X0 Y0\nG01 X0 Y5 F100\nG01 X50 Y5\nG01 X50 Y0\nN90 M9 M30\n");
+}
+
+TEST(MotionFunction, IsNamedWhenTheLineBeforeHasAnother) {
+  // The retract of G05 is an arc; the line after it takes G01 for granted.
+  const std::string text = output(
+      "G0 X0 Y0\nG139 V.G.WZ_AKT.R=5\nG41 G1 X20 Y0 F100\nX60\nN40 G05 G40 X90 Y40\nN50 "
+      "X120\nM30\n");
+  EXPECT_NE(text.find("N40 G03 X90 Y40 I"), std::string::npos) << text;
+  EXPECT_NE(text.find("N50 G01 X120"), std::string::npos) << text;
+}
+
+TEST(Feed, IsWrittenWhereItDiffersAndRestored) {
+  EXPECT_EQ(output("G0 X0 Y0 V.G.WZ_AKT.R=5 G11\n"
+                   "N10 G41 G1 Y20 X0 F600\n"
+                   "N20 X20\nN30 G3 X40 Y40 J20\nN40 G1 Y80\nN50 G40 X0\n"),
+            "G00 X0 Y0\n"
+            "N10 G01 X-5 Y25 F600\n"
+            "N20 G01 X20 Y25\n"
+            "N30 G03 X35 Y40 I0 J15 F450\n"
+            "N40 G01 X35 Y80 F600\n"
+            "N50 G01 X0 Y80\n");
+}
+
+TEST(Feed, OfTheLineIsReplacedInItsPlace) {
+  EXPECT_EQ(output("G0 X0 Y0 V.G.WZ_AKT.R=5 G11\n"
+                   "G41 G1 Y20 X0 F600\nX20\nN30 G3 X40 Y40 J20 S5 F1200 M8\nN40 G1 Y80\nG40 X0\n"),
+            "G00 X0 Y0\n"
+            "G01 X-5 Y25 F600\n"
+            "G01 X20 Y25\n"
+            "N30 G03 X35 Y40 I0 J15 S5 F900 M8\n"
+            "N40 G01 X35 Y80 F1200\n"
+            "G01 X0 Y80\n");
+}
+
+TEST(Increments, CountFromTheRoundedPosition) {
+  // Each step is 2/3 along the offset line; 30 of them must not drift.
+  std::string program = "G0 X0 Y0\nV.G.WZ_AKT.R=1\nG91\nG41 G1 X1 Y1 F100\n";
+  for (int i = 0; i < 30; ++i) program += "X1 Y" + std::string(i % 2 == 0 ? "1\n" : "2\n");
+  program += "G40 X5\nG90\nM30\n";
+  const ProgramRun read = to_blocks(output(program, 2));
+  const ProgramRun path = to_blocks(program);
+  const Point at = end_of(read.blocks[read.blocks.size() - 3].path);
+  const Point meant = end_of(path.blocks[path.blocks.size() - 3].path);
+  EXPECT_LE((at - meant).cwiseAbs().maxCoeff(), 0.005 + 1e-9);
+}
+
+TEST(Units, InchHasOneDecimalMore) {
+  EXPECT_EQ(
+      output("G70\nG0 X0 Y0\nV.G.WZ_AKT.R=0.1\nG41 G1 X1 Y0 F10\nX2 Y1\nG40 X3 A30\nG71\nM30\n"),
+      "G70\nG0 X0 Y0\nG01 X0.92929 Y0.07071 F10\n"
+      "G01 X1.95858 Y1.1\nG01 X3 Y1 A30\nG71\nM30\n");
+}
+
+TEST(Planes, CentreLettersFollowTheAxes) {
+  EXPECT_EQ(output("G18 G26\nG0 X0 Z0\nV.G.WZ_AKT.R=5\n"
+                   "G41 G1 Z10 F100\nZ50\nX-50\nG40 Z20\n"),
+            "G18\nG0 X0 Z0\n"
+            "G01 X5 Z10 F100\nG01 X5 Z50\nG02 X0 Z55 I-5 K0\nG01 X-50 Z55\n"
+            "G02 X-55 Z50 I0 K-5\nG01 X-50 Z20\n");
+  EXPECT_EQ(output("G19 G26 G161\nG0 Y0 Z0\nV.G.WZ_AKT.R=5\n"
+                   "G41 G1 Y10 F100\nY50\nZ-50\nG40 Y20\n"),
+            "G19 G161\nG0 Y0 Z0\n"
+            "G01 Y10 Z5 F100\nG01 Y50 Z5\nG02 Y55 Z0 J50 K0\nG01 Y55 Z-50\n"
+            "G02 Y50 Z-55 J50 K-50\nG01 Y20 Z-50\n");
+}
+
+TEST(Circles, RadiusWordBecomesACentre) {
+  EXPECT_EQ(output("G0 X0 Y0\nV.G.WZ_AKT.R=2\nG41 G1 X10 F100\nG3 X30 Y20 R20\nG1 Y50\nG40 X0\n"),
+            "G0 X0 Y0\nG01 X10 Y2 F100\nG03 X28 Y20 I0 J18\nG01 X28 Y50\nG01 X0 Y50\n");
+}
+
+TEST(Circles, FullCircleStaysOne) {
+  EXPECT_EQ(output("G0 X0 Y0\nG138 V.G.WZ_AKT.R=2\nG41 G1 X10 F100\nG3 I0 J20\nX10 I0 J20 Z-5\n"
+                   "G40 G1 X50\n"),
+            "G0 X0 Y0\nG01 X10 Y2 F100\nG03 X10 Y2 I0 J18\nG03 X10 Y2 Z-5 I0 J18\nG01 X50 Y0\n");
+}
+
+TEST(Circles, FullCircleFromARoundedStartIsOnlyItsCentre) {
+  // X10.00004 cannot be written with four decimals: an end there would be an arc of 0.04 um.
+  const std::string program = "G0 X10.00004 Y0\nG138\nN20 G25 G3 I0 J20 F100\nG1 X50\n";
+  EXPECT_EQ(output(program), "G0 X10.00004 Y0\nN20 G03 I0 J20 F100\nG1 X50\n");
+}
+
+TEST(Circles, HelixAndTrackingAxesGoWithTheirBlock) {
+  EXPECT_EQ(output("G0 X0 Y0 Z0\nG26 V.G.WZ_AKT.R=5\nG41 G1 X10 F100\n"
+                   "N20 X50 Z-1 A90\nN30 Y-50 Z-2\nN40 G40 X20 Z0 A0\n"),
+            "G0 X0 Y0 Z0\n"
+            "G01 X10 Y5 F100\n"
+            "N20 G01 X50 Y5 Z-1 A90\n"
+            "G02 X55 Y0 I0 J-5\n"
+            "N30 G01 X55 Y-50 Z-2\n"
+            "G02 X50 Y-55 I-5 J0\n"
+            "N40 G01 X20 Y-50 Z0 A0\n");
+}
+
+TEST(ShortBlocks, VanishWhenTheyHaveNoLengthAfterRounding) {
+  const std::string text = output(
+      "G0 X0 Y0\nV.G.WZ_AKT.R=1\nG41 G1 X10 F100\nN20 X10.001\nN30 X10.002 M8\nX50\nG40 Y-20\n", 1);
+  EXPECT_EQ(text, "G0 X0 Y0\nG01 X10 Y1 F100\nN30 M8\nG01 X51 Y1\nG01 X50 Y-20\n");
+}
+
+TEST(Refusals, WhatWasCertainIsWrittenAndNothingAfter) {
+  const std::string program = "N10 G0 X0 Y0\nN20 G1 X10 F100\nN30 G1 X20\nN40 QQ\nN50 X30\n";
+  for (const std::size_t cut : {0, 1, 2, 5, 11}) {
+    const ProgramRun run = to_text(program, {}, cut);
+    EXPECT_FALSE(run.completed);
+    EXPECT_EQ(run.text, "N10 G0 X0 Y0\nN20 G1 X10 F100\nN30 G1 X20\n") << cut;
+    ASSERT_EQ(run.diagnostics.size(), 1U);
+    EXPECT_EQ(run.diagnostics[0].source.line, 4U);
+  }
+}
+
+TEST(Refusals, OrderOfDiagnosticsIsThatOfTheProgram) {
+  // The warning of line 3 comes from reading, the error of line 6 from compensating,
+  // the error of line 9 from reading again.
+  const std::string program =
+      "G0 X0 Y0\nV.G.WZ_AKT.R=10\n#TRC[STRETCH_FACTOR=20]\nG41 G1 X0 Y20 F100\nX50\nX55 Y25\n"
+      "Y70\nG40 X0\nQQ\n";
+  for (const std::size_t cut : {0, 1, 3, 64})
+    EXPECT_EQ(to_text(program, {}, cut).reports(), "22007 at line 3; 90019 at line 6") << cut;
+}
+
+TEST(Refusals, DecimalsOutOfRange) {
+  for (const int decimals : {-1, 9}) {
+    const ProgramRun run = to_text("G0 X1\n", {.decimals = decimals});
+    EXPECT_FALSE(run.completed);
+    EXPECT_EQ(run.text, "");
+    ASSERT_EQ(run.diagnostics.size(), 1U);
+    EXPECT_EQ(run.diagnostics[0].code, Code::field_invalid);
+  }
+}
+
+TEST(Memory, LinesThatGiveNoBlockDoNotPileUp) {
+  ProgramSession session({});
+  ProgramOutput out;
+  std::string program = "G0 X0\n";
+  ASSERT_TRUE(session.feed(program, out));
+  for (int i = 0; i < 10'000; ++i) {
+    const std::string remark = "(" + std::to_string(i) + ")\n";
+    program += remark;
+    ASSERT_TRUE(session.feed(remark, out));
+    ASSERT_LT(program.size() - out.text.size(), 4096U);
+  }
+  ASSERT_TRUE(session.finish(out));
+  EXPECT_EQ(out.text, program);
+}
+
+TEST(Memory, TextBetweenTwoBlocksOfAContourIsLimited) {
+  ProgramSession session({});
+  ProgramOutput out;
+  ASSERT_TRUE(session.feed("V.G.WZ_AKT.R=1\nG41 G1 X10 F100\nX20\n", out));
+  const std::string remark = "(" + std::string(60'000, 'x') + ")\n";
+  bool goes_on = true;
+  for (int i = 0; goes_on && i < 2'000; ++i) goes_on = session.feed(remark, out);
+  EXPECT_FALSE(goes_on);
+  ASSERT_EQ(session.diagnostics().pending().size(), 1U);
+  EXPECT_EQ(session.diagnostics().pending()[0].code, Code::too_many_passive_blocks);
+}
+
+}  // namespace
+}  // namespace trc::testing

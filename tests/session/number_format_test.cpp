@@ -1,0 +1,103 @@
+#include "core/nc/number_format.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <limits>
+#include <string>
+
+#include "tests/support/random.h"
+
+namespace trc::testing {
+namespace {
+
+std::string fixed(double value, int places) {
+  std::string text;
+  append_fixed(text, value, places);
+  return text;
+}
+
+std::string trimmed(std::int64_t units, int places) {
+  std::string text;
+  append_units(text, units, places);
+  return text;
+}
+
+// What the C library prints, without the sign of a number that has become zero.
+std::string printed(double value, int places) {
+  char text[400];
+  std::snprintf(text, sizeof text, "%.*f", places, value);
+  std::string number = text;
+  if (number.find_first_of("123456789") == std::string::npos && number[0] == '-')
+    number.erase(0, 1);
+  return number;
+}
+
+TEST(NumberFormat, HasNoTrailingZerosAndNoSignAtZero) {
+  EXPECT_EQ(trimmed(0, 4), "0");
+  EXPECT_EQ(trimmed(300000, 4), "30");
+  EXPECT_EQ(trimmed(-5000, 4), "-0.5");
+  EXPECT_EQ(trimmed(1, 4), "0.0001");
+  EXPECT_EQ(trimmed(-1200100, 4), "-120.01");
+  EXPECT_EQ(trimmed(7, 0), "7");
+  EXPECT_EQ(trimmed(std::numeric_limits<std::int64_t>::min(), 0), "-9223372036854775808");
+  EXPECT_EQ(fixed(-0.00001, 4), "0.0000");
+  EXPECT_EQ(fixed(30, 4), "30.0000");
+}
+
+TEST(NumberFormat, TiesGoToEven) {
+  EXPECT_EQ(fixed(0.5, 0), "0");
+  EXPECT_EQ(fixed(1.5, 0), "2");
+  EXPECT_EQ(fixed(0.125, 2), "0.12");
+  EXPECT_EQ(fixed(0.375, 2), "0.38");
+  EXPECT_EQ(fixed(-0.03125, 4), "-0.0312");
+  // No ties: these doubles lie above and below.
+  EXPECT_EQ(fixed(1.00005, 4), "1.0001");
+  EXPECT_EQ(fixed(0.99995, 4), "0.9999");
+}
+
+TEST(NumberFormat, RoundsAsTheCLibraryDoes) {
+  support::Random random(20);
+  for (int i = 0; i < 300'000; ++i) {
+    const auto places = static_cast<int>(random.below(most_decimals + 1));
+    double value = 0;
+    switch (random.below(4)) {
+      case 0:  // decimal fractions
+        value = std::round(random.between(-1e9, 1e9)) /
+                static_cast<double>(units_per_one(static_cast<int>(random.below(10))));
+        break;
+      case 1:  // binary fractions: exact ties among them
+        value =
+            std::ldexp(std::round(random.between(-1e7, 1e7)), -static_cast<int>(random.below(30)));
+        break;
+      case 2:  // decimal ties, as near as doubles come
+        value = std::round(random.between(-1e6, 1e6)) +
+                (2 * std::round(random.between(0, 1000)) + 1) / 2 /
+                    static_cast<double>(units_per_one(places));
+        break;
+      default:
+        value = random.between(-1e6, 1e6);
+    }
+    ASSERT_EQ(fixed(value, places), printed(value, places)) << "seed 20, step " << i;
+    ASSERT_EQ(from_units(to_units(value, places), places),
+              std::strtod(printed(value, places).c_str(), nullptr));
+  }
+}
+
+TEST(NumberFormat, ExtremesStayInRange) {
+  const auto largest = std::numeric_limits<std::int64_t>::max();
+  for (const double value :
+       {1e19, 1e300, std::numeric_limits<double>::max(), std::numeric_limits<double>::infinity()}) {
+    EXPECT_EQ(to_units(value, 4), largest);
+    EXPECT_EQ(to_units(-value, 4), -largest);
+  }
+  for (const double value : {0.0, -0.0, 5e-324, 1e-300, -1e-40, 1e-10}) {
+    EXPECT_EQ(to_units(value, 9), 0) << value;
+  }
+  EXPECT_EQ(to_units(1e6, 9), 1'000'000'000'000'000);
+}
+
+}  // namespace
+}  // namespace trc::testing
