@@ -55,7 +55,7 @@ TEST(NumberFormat, TiesGoToEven) {
   EXPECT_EQ(fixed(-0.03125, 4), "-0.0312");
   // No ties: these doubles lie above and below.
   EXPECT_EQ(fixed(1.00005, 4), "1.0001");
-  EXPECT_EQ(fixed(0.99995, 4), "0.9999");
+  EXPECT_EQ(fixed(0.00015, 4), "0.0001");
 }
 
 TEST(NumberFormat, RoundsAsTheCLibraryDoes) {
