@@ -1,0 +1,10 @@
+; expect: 900201 at line 6
+(D-03: 5 of path for a tool of radius 10)
+N10 G00 X0 Y0 F1000
+N20 V.G.WZ_AKT.R = 10
+N30 G236
+N40 G41 G01 X5
+N50 X60 Y10
+N60 G40
+N70 X120 Y30
+N80 M30
