@@ -63,7 +63,8 @@ class Contour {
 
 struct Programmed {
   const MotionBlock* block = nullptr;
-  double required = 0;  // mm, of the path this block gives
+  double required = 0;         // mm, of the path this block gives
+  double required_behind = 0;  // mm, of what is inserted behind it
 };
 
 struct Plan {
@@ -71,12 +72,21 @@ struct Plan {
   std::unordered_map<std::uint64_t, Programmed> blocks;  // by source
 };
 
+// Whether the second motion goes back on the way the first one came.
+bool reverses(const Segment& before, const Segment& after) {
+  constexpr double same_way = 1e-4;  // rad
+  const Vector in = plot::place_at(before, 1).direction;
+  const Vector out = plot::place_at(after, 0).direction;
+  return in.dot(out) < 0 && std::abs(cross(in, out)) < same_way;
+}
+
 // The approach block is no contour, and neither is the block that carries the
-// change to the other side.
+// change to the other side, unless it turns on the spot (REVERSE).
 bool is_contour(const MotionBlock& block, const MotionBlock* before) {
   const bool first = !before || before->mode->selection_number != block.mode->selection_number;
   if (first) return block.mode->selection == Selection::perpendicular && !block.mode->tangential;
-  return before->mode->side == block.mode->side || block.mode->options.reverse;
+  if (before->mode->side == block.mode->side) return true;
+  return block.mode->options.reverse && reverses(before->path, block.path);
 }
 
 Plan plan_of(std::span<const Block> programmed) {
@@ -89,8 +99,12 @@ Plan plan_of(std::span<const Block> programmed) {
     const TrcMode& mode = *motion->mode;
     const bool same = before && before->mode->selection_number == mode.selection_number;
     double required = mode.options.suppress_trc ? 0 : mode.tool_radius;
-    if (same) required = std::min(required, before->mode->tool_radius);
-    plan.blocks[motion->source.index] = {.block = motion, .required = required};
+    if (same) {
+      required = std::min(required, before->mode->tool_radius);
+      plan.blocks[before->source.index].required_behind = required;
+    }
+    plan.blocks[motion->source.index] = {
+        .block = motion, .required = required, .required_behind = required};
     if (is_contour(*motion, before)) plan.contours[mode.selection_number].add(*motion);
     before = motion;
   }
@@ -140,6 +154,9 @@ ClearanceReport measure_clearance(std::span<const Block> programmed,
     if (contour == plan.contours.end()) continue;
 
     ++report.checked;
+    const bool inserted =
+        block.origin == Origin::transition || block.origin == Origin::radius_change;
+    const double own_required = inserted ? own->second.required_behind : own->second.required;
     std::optional<Clearance> worst;
     const auto note = [&](double distance, double required, const Point& point,
                           const Source& source) {
@@ -153,17 +170,17 @@ ClearanceReport measure_clearance(std::span<const Block> programmed,
     Bounds bounds;
     bounds.add(block.path);
     // A little farther than the tool reaches: the blocks it just touches count.
-    const double reach = own->second.required * 1.01 + 1;
+    const double reach = own_required * 1.01 + 1;
     contour->second.for_each_near(bounds, reach, [&](const MotionBlock& near) {
       const Gap gap = gap_between(block.path, near.path);
-      const double required = std::min(
-          own->second.required, near.mode->options.suppress_trc ? 0 : near.mode->tool_radius);
+      const double required =
+          std::min(own_required, near.mode->options.suppress_trc ? 0 : near.mode->tool_radius);
       note(gap.distance, required, gap.on_a, near.source);
     });
     if (block.origin == Origin::programmed && !on_programmed_side(block, *own->second.block)) {
       const Point middle = plot::place_at(block.path, 0.5).point;
       const Point foot = nearest_point(own->second.block->path, middle);
-      note(-(middle - foot).norm(), own->second.required, middle, block.source);
+      note(-(middle - foot).norm(), own_required, middle, block.source);
     }
     if (!worst) continue;
     if (worst->margin() < -allowed) ++report.gouging;

@@ -169,6 +169,36 @@ TEST(Clearance, AsksForTheSmallerRadiusWhereItChanges) {
   EXPECT_EQ(measure_clearance(programmed, path, 1e-4).gouging, 0u);
 }
 
+TEST(Clearance, AsksForTheSmallerRadiusOfWhatIsInsertedBetweenTwo) {
+  // At once from 10 to 8, across the contour, behind the block with 10.
+  const std::vector<Block> programmed{contour(0, Line{{-20, 0}, {0, 0}}, 10),
+                                      contour(1, Line{{0, 0}, {100, 0}}, 10),
+                                      contour(2, Line{{100, 0}, {200, 0}}, 8)};
+  const std::vector<CompensatedBlock> path{
+      path_block(1, Line{{0, 10}, {100, 10}}),
+      path_block(1, Line{{100, 10}, {100, 8}}, Origin::radius_change),
+      path_block(2, Line{{100, 8}, {200, 8}})};
+  EXPECT_EQ(measure_clearance(programmed, path, 1e-4).gouging, 0u);
+}
+
+TEST(Clearance, CountsTheChangeOfSideAsContourWhereItTurnsOnTheSpotOnly) {
+  const auto right = [](const Segment& path) {
+    TrcMode mode = *left_of_contour(10);
+    mode.side = Side::right;
+    mode.options.reverse = true;
+    return MotionBlock{
+        .source = source(2), .path = path, .mode = std::make_shared<const TrcMode>(mode)};
+  };
+  const std::vector<CompensatedBlock> path{path_block(1, Line{{0, 10}, {100, 10}})};
+  const std::vector<Block> aside{contour(0, Line{{-20, 0}, {0, 0}}),
+                                 contour(1, Line{{0, 0}, {100, 0}}),
+                                 right(Line{{100, 0}, {100, 50}})};
+  EXPECT_EQ(measure_clearance(aside, path, 1e-4).gouging, 0u);
+  const std::vector<Block> back{contour(0, Line{{-20, 0}, {0, 0}}),
+                                contour(1, Line{{0, 5}, {100, 5}}), right(Line{{100, 5}, {0, 5}})};
+  EXPECT_EQ(measure_clearance(back, path, 1e-4).gouging, 1u);
+}
+
 TEST(Clearance, LeavesApproachAndRetractOut) {
   const std::vector<Block> programmed{contour(0, Line{{-20, 0}, {0, 0}}),
                                       contour(1, Line{{0, 0}, {100, 0}})};
