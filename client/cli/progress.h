@@ -15,7 +15,7 @@ class Progress {
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  void update(std::uint64_t bytes, std::uint64_t blocks);
+  void update(std::uint64_t bytes_read);
   // Takes the line away, so that another can be written.
   void clear();
 

@@ -3,6 +3,7 @@
 #include <chrono>
 #include <iostream>
 #include <memory>
+#include <string_view>
 
 #include "client/cli/report.h"
 #include "client/trc/connection.h"
@@ -13,6 +14,13 @@ namespace trc::cli {
 namespace {
 
 constexpr std::chrono::seconds longest_question{10};
+
+// A field of the setup as --set knows it.
+std::string_view as_setting(std::string_view field) {
+  for (const std::string_view above : {"setup.", "path."})
+    if (field.starts_with(above)) field.remove_prefix(above.size());
+  return field;
+}
 
 // The service of one run: a server elsewhere, or one inside this process.
 class Service {
@@ -35,7 +43,7 @@ class Service {
   Exit explain(const client::Failure& failure, bool answered) const {
     if (failure.reason == "CALLER_STOPPED") return Exit::wrong_call;
     for (const wire::FieldFault& field : failure.fields)
-      std::cerr << "trc: " << field.field << ": " << field.description << '\n';
+      std::cerr << "trc: " << as_setting(field.field) << ": " << field.description << '\n';
     if (failure.unreachable()) {
       explain_unreachable(failure, answered);
       return Exit::unreachable;
@@ -97,7 +105,7 @@ void add_service_options(CLI::App& command, ServiceOptions& options) {
   server->type_name("HOST:PORT");
   const auto add_file = [&](const char* name, std::string& path, const char* meaning) {
     command.add_option(name, path, meaning)
-        ->type_name("FILE")
+        ->type_name("PEM")
         ->check(CLI::ExistingFile)
         ->needs(server);
   };
@@ -114,12 +122,10 @@ Outcome compensate_program(const ServiceOptions& options, const v1::ProgramSetup
   Reporter reporter(input, progress);
   bool answered = false;
   std::uint64_t bytes = 0;
-  std::uint64_t blocks = 0;
   const AnswerSink take = [&](const Answer& answer) {
     answered = true;
-    blocks += answer.blocks.size();
     reporter.report(answer);
-    progress.update(bytes, blocks);
+    progress.update(bytes);
     return sink(answer);
   };
 
@@ -129,7 +135,7 @@ Outcome compensate_program(const ServiceOptions& options, const v1::ProgramSetup
     if (text.empty()) break;
     bytes += text.size();
     open = session.feed(text, take);
-    progress.update(bytes, blocks);
+    progress.update(bytes);
   }
   // Half a program must not look like a whole one.
   if (input.failed()) return {.exit = Exit::wrong_call};
