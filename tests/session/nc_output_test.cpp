@@ -156,6 +156,27 @@ TEST(Riders, ProgramEndIsBehindTheRetract) {
             "G0 X0 Y0\nG01 X0 Y5 F100\nG01 X50 Y5\nG01 X50 Y0\nN90 M9 M30\n");
 }
 
+TEST(Riders, AStopStaysBehindTheMotionOfItsLine) {
+  EXPECT_EQ(output("N10 G0 X0 Y0\n"
+                   "N20 V.G.WZ_AKT.R=10\n"
+                   "N30 G41 G01 X30 Y0 F1000\n"
+                   "N40 X60 M8 M0\n"
+                   "N50 Y40\n"
+                   "N60 G40 X100 M30\n"),
+            "N10 G0 X0 Y0\n"
+            "N30 G01 X30 Y10 F1000\n"
+            "N40 G01 X50 Y10 M8\n"
+            "M0\n"
+            "N50 G01 X50 Y50\n"
+            "N60 G01 X100 Y40\n"
+            "M30\n");
+}
+
+TEST(Riders, AStopOfALineThatIsCopiedComesOnce) {
+  const std::string program = "G0 X0 Y0\nG01 X5 F100 M0\nM8 M1\nX6 M30\n";
+  EXPECT_EQ(output(program), program);
+}
+
 TEST(MotionFunction, IsNamedWhenTheLineBeforeHasAnother) {
   // The retract of G05 is an arc; the line after it takes G01 for granted.
   const std::string text = output(
