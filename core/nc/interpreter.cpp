@@ -12,6 +12,7 @@ constexpr double mm_per_inch = 25.4;
 constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
 constexpr std::size_t spare_lines = 2048;  // as many as a message of 64 KiB holds
 constexpr std::size_t longest_spare_line = 256;
+constexpr std::size_t usual_words = 8;
 
 std::string_view without_blanks_in_front(std::string_view text) {
   while (!text.empty() && (text.front() == ' ' || text.front() == '\t')) text.remove_prefix(1);
@@ -59,11 +60,11 @@ Interpreter::Interpreter(const ReaderLimits& limits, ProgramState& state, Diagno
       absolute_center_(state.setup().absolute_center) {
   axis_of_letter_.fill(-1);
   for (const char main : {'X', 'Y', 'Z'})
-    axis_of_letter_[static_cast<std::size_t>(main - 'A')] = static_cast<std::int8_t>(main - 'X');
-  std::int8_t index = 3;
+    axis_of_letter_[static_cast<std::size_t>(main - 'A')] = static_cast<std::int16_t>(main - 'X');
+  std::int16_t index = 3;
   for (const std::string& name : state.setup().tracking_axes) {
     if (name.size() == 1 && name[0] >= 'A' && name[0] <= 'Z') {
-      std::int8_t& place = axis_of_letter_[static_cast<std::size_t>(name[0] - 'A')];
+      std::int16_t& place = axis_of_letter_[static_cast<std::size_t>(name[0] - 'A')];
       if (place < 0) place = index;
     }
     ++index;
@@ -145,7 +146,7 @@ bool Interpreter::take_line(std::string_view text, std::string_view line_end,
 ProgramLine& Interpreter::append_line(std::string_view text, std::string_view line_end,
                                       std::vector<ProgramLine>& lines) {
   if (spare_.empty()) {
-    lines.emplace_back();
+    lines.emplace_back().words.reserve(usual_words);
   } else {
     lines.push_back(std::move(spare_.back()));
     spare_.pop_back();

@@ -89,7 +89,7 @@ class Interpreter {
   ReaderLimits limits_;
   ProgramState& state_;
   Diagnostics& diagnostics_;
-  std::array<std::int8_t, 26> axis_of_letter_{};  // 0 … 2 X Y Z, then tracking axes; -1: none
+  std::array<std::int16_t, 26> axis_of_letter_{};  // 0 … 2 X Y Z, then tracking axes; -1: none
 
   // The text of a line whose end is still to come; it may hold the lines that
   // are continued.
