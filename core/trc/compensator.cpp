@@ -19,7 +19,7 @@ namespace trc {
 struct Compensator::Passes {
   Passes(const CompensatorSetup& setup, Diagnostics& log)
       : diagnostics(log),
-        relevant_blocks(setup.limits.passive_blocks, setup.tolerances, log),
+        relevant_blocks(setup, log),
         convert_circles(setup.tolerances),
         offset(setup.tolerances, log),
         inside_corner(setup.limits.selection_blocks, setup.tolerances, log),

@@ -21,16 +21,6 @@ bool retracts_in_a_block(Selection deselection) {
   return deselection != Selection::perpendicular && deselection != Selection::without_block;
 }
 
-// The first function of the mode this build does not have.
-const char* unavailable(const TrcMode& mode) {
-  if (mode.options.remove_masked_blocks && mode.masking == Masking::on)
-    return "REMOVE_MASKED_BLOCKS";
-  if (mode.options.kerf_masking) return "KERF_MASKING";
-  if (mode.options.inverse) return "INVERSE";
-  if (mode.tangential && mode.selection == Selection::perpendicular) return "G05 with G237";
-  return nullptr;
-}
-
 bool changes_radius_in_a_long_arc(const PathBlock& block) {
   const auto* arc = std::get_if<Arc>(&block.programmed.path);
   return arc != nullptr && block.role == Role::contour && block.at_start != block.at_end &&
@@ -64,6 +54,18 @@ PathBlock first_half_of(PathBlock& block) {
 
 }  // namespace
 
+const char* RelevantBlocks::unavailable(const TrcMode& mode) const {
+  const bool masking = mode.masking == Masking::on;
+  if (masking && mode.options.remove_masked_blocks) return "REMOVE_MASKED_BLOCKS";
+  if (mode.options.kerf_masking) return "KERF_MASKING";
+  if (mode.options.inverse) return "INVERSE";
+  if (mode.tangential && mode.selection == Selection::perpendicular) return "G05 with G237";
+  // A window would bound memory and delay (D-10); a selection held as a whole does not.
+  if (setup_.limits.look_ahead_blocks > 0 && (masking || setup_.implicit_contour_masking))
+    return "look_ahead_blocks";
+  return nullptr;
+}
+
 bool RelevantBlocks::feed(Block block, std::vector<PathBlock>& out) {
   return std::visit(overloaded{
                         [&](MotionBlock& motion) { return follow(std::move(motion), out); },
@@ -85,9 +87,9 @@ bool RelevantBlocks::seat(PassiveBlock block, std::vector<PathBlock>& out) {
     out.push_back(std::move(carrier));
     return true;
   }
-  if (held_->riders.size() + held_->riders_after_exit.size() >= passive_blocks_) {
+  if (held_->riders.size() + held_->riders_after_exit.size() >= setup_.limits.passive_blocks) {
     Diagnostic overflow = diagnostic(Code::too_many_passive_blocks, block.source);
-    overflow.values = {{"limit", static_cast<double>(passive_blocks_)}};
+    overflow.values = {{"limit", static_cast<double>(setup_.limits.passive_blocks)}};
     return diagnostics_.report(std::move(overflow));
   }
   const bool after_exit =
@@ -146,7 +148,7 @@ bool RelevantBlocks::leave_selection(PathBlock& block, const TrcMode& next) {
 
 bool RelevantBlocks::classify(PathBlock& block) {
   const TrcMode& mode = block.mode();
-  if (block.programmed.mode != last_mode_) {
+  if (mode.active() && block.programmed.mode != last_mode_) {
     if (const char* function = unavailable(mode))
       return refuse(Code::not_available, block, function);
   }
@@ -210,7 +212,7 @@ bool RelevantBlocks::reverses(const PathBlock& block) const {
   if (arc_before != nullptr && arc_before->sweep * arc_after->sweep > 0) return false;
   const double turn =
       turn_between(tangent_at_end(last_path_), tangent_at_start(block.programmed.path));
-  return std::abs(turn) >= std::numbers::pi - tolerances_.reversal;
+  return std::abs(turn) >= std::numbers::pi - setup_.tolerances.reversal;
 }
 
 bool RelevantBlocks::refuse(Code code, const PathBlock& block, std::string detail) {

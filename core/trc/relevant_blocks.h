@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "core/base/diagnostics.h"
-#include "core/base/tolerances.h"
 #include "core/nc/block.h"
+#include "core/trc/compensator.h"
 #include "core/trc/path_block.h"
 
 namespace trc {
@@ -21,8 +21,8 @@ namespace trc {
 // shows with the block after its approach (D-28).
 class RelevantBlocks {
  public:
-  RelevantBlocks(std::size_t passive_blocks, const Tolerances& tolerances, Diagnostics& diagnostics)
-      : passive_blocks_(passive_blocks), tolerances_(tolerances), diagnostics_(diagnostics) {}
+  RelevantBlocks(const CompensatorSetup& setup, Diagnostics& diagnostics)
+      : setup_(setup), diagnostics_(diagnostics) {}
 
   bool feed(Block block, std::vector<PathBlock>& out);
   bool drain(std::vector<PathBlock>& out);
@@ -46,8 +46,10 @@ class RelevantBlocks {
   [[nodiscard]] bool reverses(const PathBlock& block) const;
   bool refuse(Code code, const PathBlock& block, std::string detail = {});
 
-  std::size_t passive_blocks_;
-  Tolerances tolerances_;
+  // The first function of the mode this build does not have, or nothing.
+  [[nodiscard]] const char* unavailable(const TrcMode& mode) const;
+
+  CompensatorSetup setup_;
   Diagnostics& diagnostics_;
   std::optional<PathBlock> held_;
   // What the motion block before left behind.
