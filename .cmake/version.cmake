@@ -9,7 +9,7 @@ function(trc_add_version target)
       -D "TEMPLATE=${PROJECT_SOURCE_DIR}/core/base/version.cpp.in" -D "OUTPUT=${output}"
       -P "${PROJECT_SOURCE_DIR}/.cmake/write_version.cmake"
     BYPRODUCTS "${output}"
-    COMMENT "" VERBATIM)
+    COMMENT "Reading the commit" VERBATIM)
   set_source_files_properties("${output}" TARGET_DIRECTORY ${target} PROPERTIES GENERATED ON)
   target_sources(${target} PRIVATE "${output}")
   add_dependencies(${target} trc_version_source)
