@@ -23,6 +23,11 @@ bool is_line_end(char byte) { return byte == '\n' || byte == '\r'; }
 
 constexpr std::uint32_t bit(WordRole role) { return 1U << static_cast<unsigned>(role); }
 
+std::string_view last_line_of(std::string_view text) {
+  const std::size_t line_end = text.find_last_of("\r\n");
+  return line_end == std::string_view::npos ? text : text.substr(line_end + 1);
+}
+
 void scale(std::optional<double>& value, double factor) {
   if (value) *value *= factor;
 }
@@ -114,8 +119,7 @@ bool Interpreter::feed(std::string_view text, std::vector<ProgramLine>& lines) {
 // Takes the rest of a line, with its end; what came before of it is in partial_.
 bool Interpreter::take_line(std::string_view text, std::string_view line_end,
                             std::vector<ProgramLine>& lines) {
-  const bool split = !partial_.empty();
-  if (split) {
+  if (!partial_.empty()) {
     partial_.append(text);
     text = partial_;
   }
@@ -123,10 +127,11 @@ bool Interpreter::take_line(std::string_view text, std::string_view line_end,
     append_line(byte_order_mark, {}, lines);
     text.remove_prefix(byte_order_mark.size());
   }
-  if (!ended_ && comment_block_ == 0 && is_continued(text)) {
+  if (!ended_ && comment_block_ == 0 && is_continued(last_line_of(text))) {
     if (line_end.empty()) return refuse_open_line();
-    std::string begun(text);
-    partial_ = std::move(begun.append(line_end));
+    if (partial_.empty()) partial_.assign(text);
+    partial_.erase(0, partial_.size() - text.size());  // the byte order mark
+    partial_.append(line_end);
     ++continued_;
     return true;
   }

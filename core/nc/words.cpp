@@ -160,17 +160,17 @@ std::size_t first_byte_that_is_no_text(std::string_view text) {
 
 std::size_t first_byte_that_is_no_utf8(std::string_view text) { return first_bad_byte(text, true); }
 
-bool is_continued(std::string_view text) {
-  std::size_t size = text.size();
-  while (size > 0 && is_blank(text[size - 1])) --size;
-  if (size == 0 || text[size - 1] != '\\') return false;
+bool is_continued(std::string_view line) {
+  std::size_t size = line.size();
+  while (size > 0 && is_blank(line[size - 1])) --size;
+  if (size == 0 || line[size - 1] != '\\') return false;
   const std::size_t last = size - 1;
-  if (text[text.find_first_not_of(" \t")] == '%') return false;
+  if (line[line.find_first_not_of(" \t")] == '%') return false;
   for (std::size_t at = 0; at < last; ++at) {
-    if (text[at] == '(') {
-      at = end_of_comment(text, at) - 1;
-    } else if (text[at] == ';') {
-      at = end_of_line(text, at);
+    if (line[at] == '(') {
+      at = end_of_comment(line, at) - 1;
+    } else if (line[at] == ';') {
+      return false;
     }
     if (at >= last) return false;
   }
@@ -189,19 +189,21 @@ Word WordReader::no_text(const char* begin, std::size_t bad) {
 }
 
 inline bool WordReader::skip_blanks() {
-  while (at_ != end_ && is_blank(*at_)) ++at_;
-  return at_ == end_ || *at_ != '\\' || skip_line_end();
+  for (;;) {
+    while (at_ != end_ && is_blank(*at_)) ++at_;
+    if (at_ == end_ || *at_ != '\\') return true;
+    if (!skip_line_end()) return false;
+  }
 }
 
-// A `\` with the line end of a continued line, and the blanks behind. False at
-// any other `\`.
+// A `\` with the line end of a continued line. False at any other `\`.
 bool WordReader::skip_line_end() {
   const char* behind = at_ + 1;
   while (behind != end_ && is_blank(*behind)) ++behind;
   if (behind == end_ || !is_line_end(*behind)) return false;
   if (*behind == '\r' && behind + 1 != end_ && behind[1] == '\n') ++behind;
   at_ = behind + 1;
-  return skip_blanks();
+  return true;
 }
 
 Word WordReader::next() {

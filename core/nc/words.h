@@ -87,8 +87,8 @@ class WordReader {
 // The same for UTF-8 alone.
 [[nodiscard]] std::size_t first_byte_that_is_no_utf8(std::string_view text);
 
-// Whether a block whose text so far is `text` goes on in the next line: it ends
-// in `\` outside a comment and is no program name.
-[[nodiscard]] bool is_continued(std::string_view text);
+// Whether the block goes on behind `line`, one physical line: it ends in `\`
+// outside a comment and is no program name.
+[[nodiscard]] bool is_continued(std::string_view line);
 
 }  // namespace trc

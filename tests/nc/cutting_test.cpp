@@ -150,6 +150,16 @@ TEST(LongLines, TheLimitCountsContinuedLinesTogether) {
   EXPECT_EQ(read(text, {}, 3, {.longest_line = 12}).code(), Code::nc_line_too_long);
 }
 
+TEST(LongLines, ManyContinuedLinesAreOneBlockLikeAnyOther) {
+  std::string text = "G01 ";
+  for (int line = 0; line < 30'000; ++line) text += "\\\n";
+  text += "X1";
+  const Reading whole = read(text);
+  EXPECT_EQ(whole.motions().size(), 1U);
+  EXPECT_EQ(whole.text(), text);
+  EXPECT_EQ(transcript(read(text, {}, 1)), transcript(whole));
+}
+
 TEST(LongLines, OnlyTheLineCountsNotTheText) {
   std::string text;
   for (int i = 0; i < 1000; ++i)
