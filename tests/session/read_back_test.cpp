@@ -11,6 +11,7 @@
 #include "core/trc/listing.h"
 #include "tests/session/random_program.h"
 #include "tests/session/run_program.h"
+#include "tests/support/random.h"
 
 namespace trc::testing {
 namespace {
@@ -173,6 +174,56 @@ TEST(ReadBack, CutAnywhereGivesTheSameBytes) {
       ASSERT_EQ(pieces.reports(), whole.reports()) << "cut " << cut;
     }
   }
+}
+
+// Bytes changed, doubled and lost: whatever of it is a program gives a program.
+std::string damaged(std::string program, std::uint64_t seed) {
+  static constexpr std::string_view bytes = "0123456789.-+=GMXYZIJKRFNS%()[];#/\\ \n\r\tA\xC3";
+  support::Random random(seed);
+  for (std::size_t i = 1 + random.below(3); i > 0; --i) {
+    const std::size_t at = random.below(program.size());
+    switch (random.below(4)) {
+      case 0:
+        program[at] = bytes[random.below(bytes.size())];
+        break;
+      case 1:
+        program.insert(at, 1, bytes[random.below(bytes.size())]);
+        break;
+      case 2:
+        program.erase(at, 1 + random.below(5));
+        break;
+      default:
+        program.insert(at, program.substr(random.below(program.size()), random.below(40)));
+    }
+    if (program.empty()) program = " ";
+  }
+  return program;
+}
+
+TEST(ReadBack, DamagedTextIsRefusedOrWrittenAsAProgram) {
+  std::uint64_t accepted = 0;
+  for (std::uint64_t seed = 1; seed <= programs(); ++seed) {
+    const std::string program = damaged(random_program(seed, true), seed);
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    const ProgramRun run = to_text(program);
+    const ProgramRun pieces = to_text(program, {}, 1 + seed % 13);
+    ASSERT_EQ(pieces.text, run.text) << program;
+    ASSERT_EQ(pieces.reports(), run.reports()) << program;
+    if (!run.completed) {
+      ASSERT_FALSE(run.diagnostics.empty());
+      ASSERT_EQ(run.diagnostics.back().severity, Severity::error);
+      continue;
+    }
+    ++accepted;
+    const ProgramRun read = to_blocks(run.text);
+    ASSERT_TRUE(read.completed) << read.reports() << "\n" << program << "\n->\n" << run.text;
+    ASSERT_EQ(difference(travelling(to_blocks(program).blocks), travelling(read.blocks),
+                         unit_of(program, 4)),
+              "")
+        << program << "\n->\n"
+        << run.text;
+  }
+  EXPECT_GT(accepted, programs() / 20);
 }
 
 }  // namespace
