@@ -9,5 +9,5 @@ target_compile_options(trc_warnings INTERFACE
 # AddressSanitizer watch over the real ones.
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
   target_compile_options(trc_warnings INTERFACE
-    -Wno-array-bounds -Wno-restrict -Wno-stringop-overread)
+    -Wno-array-bounds -Wno-restrict -Wno-stringop-overflow -Wno-stringop-overread)
 endif()
