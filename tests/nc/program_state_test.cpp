@@ -11,7 +11,7 @@ namespace {
 
 class Program : public ::testing::Test {
  protected:
-  ProgramState make(ProgramSetup setup = {}) {
+  ProgramState make(const ProgramSetup& setup = {}) {
     return ProgramState(setup, {}, diagnostics_, blocks_);
   }
   static Source at(std::int64_t number) { return {.number = number}; }

@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <ostream>
+
 #include "tests/nc/reading.h"
 
 namespace trc::testing {
@@ -11,7 +13,7 @@ struct Refused {
   const char* place_and_code;  // of the last diagnostic
 };
 
-void PrintTo(const Refused& refused, std::ostream* out) { *out << refused.text; }
+std::ostream& operator<<(std::ostream& out, const Refused& refused) { return out << refused.text; }
 
 class Refusal : public ::testing::TestWithParam<Refused> {};
 
