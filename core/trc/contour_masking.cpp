@@ -94,7 +94,7 @@ bool ContourMasking::close(const PathBlock* after) {
   if (last.masked) return refuse_to_mask(last);
   double cut_at_end = 0;
   if (after != nullptr) {
-    const Corner corner = corner_between(last, *after);
+    const Corner corner = corner_between(last, *after, tolerances_);
     const JointResult result = joint_between(last, *after, corner, tolerances_);
     const auto* joined = std::get_if<JoinedBlocks>(&result);
     // What cannot be joined is refused by Transitions, with its reason.
@@ -106,7 +106,7 @@ bool ContourMasking::close(const PathBlock* after) {
 std::optional<ContourMasking::Meeting> ContourMasking::meet(const PathBlock& before,
                                                             PathBlock& after, bool adjacent) const {
   if (adjacent) {
-    const Corner corner = corner_between(before, after);
+    const Corner corner = corner_between(before, after, tolerances_);
     const JointResult result = joint_between(before, after, corner, tolerances_);
     if (const auto* joined = std::get_if<JoinedBlocks>(&result))
       return Meeting{.cut_before = joined->joint.cut_before, .cut_after = joined->joint.cut_after};

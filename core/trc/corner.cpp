@@ -69,12 +69,30 @@ OffsetCurve offset_curve(const Segment& programmed, const Vector& tangent, const
   return curve;
 }
 
+bool reverses_into_slit(const Segment& before, const Segment& after, double turn, double shift,
+                        const Tolerances& tolerances) {
+  if (std::abs(turn) < pi - tolerances.tangent) return false;
+  double opening = 0;  // curvature by which the second block leaves the first to its right
+  double reach = std::numeric_limits<double>::infinity();
+  for (const Segment* segment : {&before, &after}) {
+    reach = std::min(reach, length_of(*segment));
+    if (const auto* arc = std::get_if<Arc>(segment)) {
+      const double radius = radius_of(*arc);
+      opening += arc->sweep > 0 ? 1 / radius : -1 / radius;
+      reach = std::min(reach, radius);
+    }
+  }
+  const double gap = 0.5 * std::abs(opening) * reach * reach;
+  return opening * shift < 0 && gap > 10 * tolerances.on_contour;
+}
+
 CornerKind kind_of(const Corner& corner, const Tolerances& tolerances) {
   const double turn = std::abs(corner.turn);
   if (turn <= tolerances.tangent) return CornerKind::tangential;
   if ((corner.after.anchor - corner.before.anchor).norm() <= tolerances.same_point)
     return CornerKind::tangential;
-  if (turn >= pi - tolerances.tangent) return CornerKind::outside;
+  if (turn >= pi - tolerances.tangent)
+    return corner.slit ? CornerKind::inside : CornerKind::outside;
   return corner.turn * corner.shift > 0 ? CornerKind::inside : CornerKind::outside;
 }
 

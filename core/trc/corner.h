@@ -35,13 +35,23 @@ struct Corner {
   OffsetCurve after{};
   double turn = 0;   // rad, -pi < turn <= pi, counter-clockwise positive
   double shift = 0;  // in force on both sides of the corner
+  // An exact reversal that encloses the tool: the block after bends back over the
+  // one before on the tool side.
+  bool slit = false;
 
   [[nodiscard]] double tool_radius() const { return std::abs(shift); }
 };
 
 enum class CornerKind { tangential, inside, outside };
 
-// An exact reversal is an outside corner of 360 degrees (D-05).
+// Whether two blocks that reverse exactly in one point leave a slit between them
+// on the side of the shift, not a tip: their curvatures decide. A gap that stays
+// below ten times the contour tolerance is the same way back.
+[[nodiscard]] bool reverses_into_slit(const Segment& before, const Segment& after, double turn,
+                                      double shift, const Tolerances& tolerances);
+
+// An exact reversal is an outside corner of 360 degrees (D-05), or, where it
+// leaves a slit, an inside corner of none.
 [[nodiscard]] CornerKind kind_of(const Corner& corner, const Tolerances& tolerances);
 
 // How far the tool swings around an outside corner: |sweep| = beta - 180 degrees,

@@ -140,10 +140,13 @@ JointResult contour_joint(const PathBlock& after, const Corner& corner,
 
 }  // namespace
 
-Corner corner_between(const PathBlock& before, const PathBlock& after) {
+Corner corner_between(const PathBlock& before, const PathBlock& after,
+                      const Tolerances& tolerances) {
   Corner corner{.programmed = end_of(before.programmed.path)};
   corner.shift = before.at_end.shift;
   corner.turn = turn_between(before.tangent_at_end, after.tangent_at_start);
+  corner.slit = reverses_into_slit(before.programmed.path, after.programmed.path, corner.turn,
+                                   corner.shift, tolerances);
   // Off the contour the blocks count as straight: their own shape has no offset.
   corner.before = is_contour(before) ? offset_curve(before.programmed.path, before.tangent_at_end,
                                                     before.offset_end, corner.shift)

@@ -27,7 +27,8 @@ using JointResult = std::variant<JoinedBlocks, JointRefusal>;
 
 // The corner between two blocks that follow each other, with the compensation in
 // force at the end of `before`.
-[[nodiscard]] Corner corner_between(const PathBlock& before, const PathBlock& after);
+[[nodiscard]] Corner corner_between(const PathBlock& before, const PathBlock& after,
+                                    const Tolerances& tolerances);
 
 // The rule for a corner by what its two blocks are: the table of transitions
 // between contour blocks, the rules of the selection modes at both ends.

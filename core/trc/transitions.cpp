@@ -205,7 +205,7 @@ bool Transitions::join(PathBlock& after, std::vector<PathBlock>& out) {
     return true;
   }
   PathBlock& before = *held_;
-  const Corner corner = corner_between(before, after);
+  const Corner corner = corner_between(before, after, tolerances_);
   JointResult result = joint_between(before, after, corner, tolerances_);
   if (const auto* refusal = std::get_if<JointRefusal>(&result)) return refuse(*refusal, after);
   auto& [joint, tangential_path] = std::get<JoinedBlocks>(result);

@@ -139,7 +139,11 @@ class SlowCompensation {
   [[nodiscard]] Code code_of(const Shape& shape) const {
     return shape.is_arc ? Code::arc_wrapped : Code::line_reversed;
   }
-  // The transition angle in rad; 2 pi at a reversal (D-05), pi where nothing turns.
+  // Of two blocks that reverse: whether the way back lies on the tool side of the
+  // way there, judged by two points a little before and behind the corner.
+  [[nodiscard]] bool encloses_tool(const Shape& before, const Shape& after) const;
+  // The transition angle in rad; 2 pi at a reversal (D-05) that does not enclose
+  // the tool, pi where nothing turns.
   [[nodiscard]] Real angle_between(const Shape& before, const Shape& after) const;
 
   TrcMode mode_;
@@ -152,11 +156,30 @@ class SlowCompensation {
   SlowOutcome outcome_{};
 };
 
+bool SlowCompensation::encloses_tool(const Shape& before, const Shape& after) const {
+  const auto length_of = [](const Shape& shape) {
+    return shape.is_arc ? shape.extent * shape.radius : shape.extent;
+  };
+  Real step = std::min(length_of(before), length_of(after));
+  if (before.is_arc) step = std::min(step, before.radius);
+  if (after.is_arc) step = std::min(step, after.radius);
+  // A point of the block itself, `step` from its start (forwards) or end.
+  const auto programmed = [&](const Shape& shape, bool from_start) {
+    const SlowPoint corner = from_start ? shape.start : shape.end;
+    const Real along = from_start ? step : -step;
+    if (!shape.is_arc) return corner + along * shape.start_tangent;
+    const Real angle = (shape.sweep > 0 ? along : -along) / shape.radius;
+    return shape.center + rotated(corner - shape.center, angle);
+  };
+  const SlowPoint apart = programmed(after, true) - programmed(before, false);
+  return dot(apart, to_tool(before.end_tangent)) > radius_ * 1e-3L;
+}
+
 Real SlowCompensation::angle_between(const Shape& before, const Shape& after) const {
   const Real turn = std::atan2(cross_of(before.end_tangent, after.start_tangent),
                                dot(before.end_tangent, after.start_tangent));
   if (std::abs(turn) < no_turn) return pi;
-  if (pi - std::abs(turn) < no_turn) return 2 * pi;
+  if (pi - std::abs(turn) < no_turn) return encloses_tool(before, after) ? 0 : 2 * pi;
   return pi - side_ * turn;
 }
 

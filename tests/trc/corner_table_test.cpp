@@ -377,5 +377,27 @@ TEST(Reversal, GetsAStretchedEndWithG25AndAHalfCircleWithG26) {
   }
 }
 
+// An exact reversal into an arc that bends back over the line on the tool side is
+// no tip: going round it would cross the line. It is solved as an inside corner.
+TEST(Reversal, IntoASlitIsAnInsideCorner) {
+  for (const Side side : {Side::left, Side::right}) {
+    const double hand = side == Side::left ? 1 : -1;
+    Contour contour;
+    contour.approach = {.start = {-20, 0}, .end = {0, 0}};
+    contour.blocks = {Line{.start = {0, 0}, .end = {30, 0}}, Arc{.start = {30, 0},
+                                                                 .end = {20, 10 * hand},
+                                                                 .center = {30, 10 * hand},
+                                                                 .sweep = -hand * pi / 2}};
+    contour.retract = {.start = {20, 10 * hand}, .end = {20, 30 * hand}};
+    TrcMode mode = mode_for(Transition::circular);
+    mode.side = side;
+    const Outcome outcome = compensate(contour, mode);
+    EXPECT_TRUE(with_origin(outcome.blocks, Origin::transition).empty()) << text_of(outcome.blocks);
+    const auto programmed = with_origin(outcome.blocks, Origin::programmed);
+    ASSERT_EQ(programmed.size(), 2U) << text_of(outcome.blocks);
+    expect_at(end(programmed[0]), {30 - std::sqrt(200.0), 5 * hand}, "X");
+  }
+}
+
 }  // namespace
 }  // namespace trc::support

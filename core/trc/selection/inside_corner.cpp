@@ -12,10 +12,12 @@ namespace {
 
 constexpr double degrees = 180 / std::numbers::pi;
 
-Corner closing_corner(const PathBlock& last, const PathBlock& first) {
+Corner closing_corner(const PathBlock& last, const PathBlock& first, const Tolerances& tolerances) {
   Corner corner{.programmed = start_of(first.programmed.path)};
   corner.shift = first.at_start.shift;
   corner.turn = turn_between(last.tangent_at_end, first.tangent_at_start);
+  corner.slit = reverses_into_slit(last.programmed.path, first.programmed.path, corner.turn,
+                                   corner.shift, tolerances);
   corner.before =
       offset_curve(last.programmed.path, last.tangent_at_end, last.offset_end, corner.shift);
   corner.after =
@@ -71,7 +73,7 @@ bool InsideCorner::check_contour(const PathBlock& approach, const PathBlock& fir
   if (gap > tolerances_.same_point) return refuse(Code::contour_not_closed, last, {{"gap", gap}});
   if (is_full_circle(last.programmed.path, tolerances_.same_point))
     return refuse(Code::last_block_full_circle, last);
-  const Corner corner = closing_corner(last, first);
+  const Corner corner = closing_corner(last, first, tolerances_);
   if (kind_of(corner, tolerances_) != CornerKind::outside) return true;
   Corner start = corner;
   start.turn = turn_between(approach.tangent_at_end, first.tangent_at_start);
@@ -104,7 +106,7 @@ bool InsideCorner::check_start(const PathBlock& approach) {
 
 bool InsideCorner::give_points(PathBlock& approach, const PathBlock& first, PathBlock& last,
                                PathBlock* retract) {
-  const Corner corner = closing_corner(last, first);
+  const Corner corner = closing_corner(last, first, tolerances_);
   const CornerKind kind = kind_of(corner, tolerances_);
   Joint joint;
   joint.end = corner.before.anchor;
