@@ -41,8 +41,8 @@ constexpr std::array keywords{
 };
 
 constexpr std::array functions{
-    GFunction{"G00", "motion", false, "line at rapid rate"},
-    GFunction{"G01", "motion", true, "line at feed"},
+    GFunction{"G00", "motion", true, "line at rapid rate"},
+    GFunction{"G01", "motion", false, "line at feed"},
     GFunction{"G02", "motion", false, "circle or helix, clockwise"},
     GFunction{"G03", "motion", false, "circle or helix, counter-clockwise"},
     GFunction{"G04", "none", false, "dwell; passed through"},

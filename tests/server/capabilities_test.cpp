@@ -48,7 +48,9 @@ TEST(Capabilities, EveryKeywordIsReadOrRefusedAsSaid) {
                               : name == "SPLIT_OFF"  ? "SPLIT_OFF"
                                                      : name + "=" + number(keyword.max);
     const Answer answer =
-        run_program(server.channel(), {}, "G01 X0 Y0 F100\n#TRC [" + words + "]\nG01 X40\nM30\n");
+        run_program(server.channel(), {},
+                    "G01 X0 Y0 F100\n#TRC [" + words +
+                        "]\nV.G.WZ_AKT.R=1\nG141 G41 G01 X40\nX80\nG40 X120 Y-20\nM30\n");
     if (keyword.available) {
       EXPECT_TRUE(answer.status.ok()) << words << ": " << answer.status.error_message();
       EXPECT_TRUE(answer.diagnostics.empty()) << words;
