@@ -30,8 +30,10 @@ MoveRequest request_for(const Segment& segment, Plane plane, std::uint64_t index
   return request;
 }
 
-SessionSetup setup_for(const TrcMode& mode, const Point& start) {
+SessionSetup setup_for(const TrcMode& mode, const Point& start,
+                       const CompensatorSetup& compensator) {
   SessionSetup setup;
+  setup.compensator = compensator;
   setup.program.mode = mode;
   setup.program.mode.side = Side::off;
   setup.program.absolute_center = true;
@@ -139,8 +141,9 @@ const Diagnostic* Outcome::error() const {
   return nullptr;
 }
 
-Channel::Channel(const TrcMode& mode, const Point& start, std::size_t batch)
-    : plane_(mode.plane), batch_(batch), session_(setup_for(mode, start)) {}
+Channel::Channel(const TrcMode& mode, const Point& start, std::size_t batch,
+                 const CompensatorSetup& compensator)
+    : plane_(mode.plane), batch_(batch), session_(setup_for(mode, start, compensator)) {}
 
 void Channel::item_given(bool goes_on) {
   note(goes_on);
@@ -173,7 +176,7 @@ Outcome Channel::finish(std::size_t ordinal) {
 }
 
 Outcome compensate(const Contour& contour, const TrcMode& mode, const Feeding& feeding) {
-  Channel channel(mode, contour.approach.start, feeding.batch);
+  Channel channel(mode, contour.approach.start, feeding.batch, feeding.compensator);
   const auto value = [](const auto& function, std::size_t ordinal) -> std::optional<double> {
     return function ? std::optional<double>(function(ordinal)) : std::nullopt;
   };
