@@ -104,7 +104,7 @@ std::string difference(const std::vector<CompensatedBlock>& path,
       if (off(end_of(part.path), block.path) > unit) return "end off the path: " + pair;
       at = end_position(part);
       tracking_at = tracking_end(part);
-      must_travel = must_travel && !is_arc(part.path);
+      must_travel = false;
     }
     // A half is not a whole: the lengths tell an arc from its complement.
   }
