@@ -1,5 +1,6 @@
 #include "core/session/nc_writer.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <utility>
@@ -317,8 +318,13 @@ void NcWriter::begin_words() {
   last_comment_.clear();
 }
 
-// In a continued block words may stand behind a `;` comment.
+// In a continued block words may stand behind a `;` comment, and each line may
+// have an N word: the first one is that of the block.
 void NcWriter::append(const ProgramLine& line, const WordRange& word) {
+  if (word.role == WordRole::number) {
+    const auto first = std::ranges::find(line.words, WordRole::number, &WordRange::role);
+    if (&*first != &word) return;
+  }
   const bool ends_line = word.role == WordRole::comment && line.text[word.begin] == ';';
   ((ends_line ? last_comment_ : words_) += ' ') += line.word(word);
 }

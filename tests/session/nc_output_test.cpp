@@ -100,6 +100,11 @@ TEST(CompensatedLines, BlockOverSeveralLinesBecomesOne) {
       "G00 X0 Y0\nG01 X10 Y5 F100\nN20 G01 X55 Y5 M8 (c)\nG01 X50 Y-20\n");
 }
 
+TEST(CompensatedLines, BlockOverSeveralLinesKeepsItsFirstNumber) {
+  EXPECT_EQ(output("G0 X0 Y0\nV.G.WZ_AKT.R=5\nG41 G1 X10 F100\nN20 X50 \\\nN21 M8\nG40 Y-20\n"),
+            "G0 X0 Y0\nG01 X10 Y5 F100\nN20 G01 X55 Y5 M8\nG01 X50 Y-20\n");
+}
+
 TEST(InsertedLines, HaveNoNumberAndTheLineEndOfTheLineBefore) {
   EXPECT_EQ(output("G0 X0 Y0\r\nG26 V.G.WZ_AKT.R=5\r\n"
                    "N10 G41 G1 X10 F100\r\nN20 X50\r\nN30 Y-50\r\nN40 G40 X20\n"),
