@@ -121,7 +121,6 @@ bool ProgramSession::Parts::advance(ProgramOutput& out) {
   lines.clear();
   goes_on =
       goes_on && report_until(std::numeric_limits<std::uint32_t>::max(), out) && compensate(out);
-  if (goes_on && ended && setup.nc_text) writer.finish(out.text);
   for (ProgramLine& line : writer.used_lines()) interpreter.recycle(std::move(line));
   writer.used_lines().clear();
   return goes_on;
@@ -142,7 +141,10 @@ bool ProgramSession::Parts::take(ProgramLine& line, ProgramOutput& out) {
     if (silent_lines >= silent_lines_per_release && !release_silent_lines(source, out))
       return false;
   }
-  return !ends_program || end(out);
+  if (ends_program && !end(out)) return false;
+  // Nothing can come before the lines behind the program end.
+  if (ended && setup.nc_text) writer.finish(out.text);
+  return true;
 }
 
 // A matter of the lines taken, not of how they arrived: the output depends on it.

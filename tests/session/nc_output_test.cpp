@@ -292,6 +292,15 @@ TEST(Refusals, WhatWasCertainIsWrittenAndNothingAfter) {
   }
 }
 
+TEST(Refusals, BinaryBehindTheProgramEnd) {
+  const std::string program = "G0 X0\nM30\ntext\nmore \xFF\nlast\n";
+  for (const std::size_t cut : {0, 1, 4, 9}) {
+    const ProgramRun run = to_text(program, {}, cut);
+    EXPECT_FALSE(run.completed);
+    EXPECT_EQ(run.text, "G0 X0\nM30\ntext\n") << cut;
+  }
+}
+
 TEST(Refusals, OrderOfDiagnosticsIsThatOfTheProgram) {
   // The warning of line 3 comes from reading, the error of line 6 from compensating,
   // the error of line 9 from reading again.
