@@ -156,7 +156,9 @@ ClearanceReport measure_clearance(std::span<const Block> programmed,
     ++report.checked;
     const bool inserted =
         block.origin == Origin::transition || block.origin == Origin::radius_change;
-    const double own_required = inserted ? own->second.required_behind : own->second.required;
+    const double own_required = inserted
+                                    ? std::min(own->second.required, own->second.required_behind)
+                                    : own->second.required;
     std::optional<Clearance> worst;
     const auto note = [&](double distance, double required, const Point& point,
                           const Source& source) {

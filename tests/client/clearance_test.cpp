@@ -181,6 +181,18 @@ TEST(Clearance, AsksForTheSmallerRadiusOfWhatIsInsertedBetweenTwo) {
   EXPECT_EQ(measure_clearance(programmed, path, 1e-4).gouging, 0u);
 }
 
+TEST(Clearance, AsksForTheSmallerRadiusOfAPieceThatGrowsToTheNewOne) {
+  // The first part of a long circle is one, and carries the source of the circle.
+  const std::vector<Block> programmed{
+      contour(0, Line{{-20, 0}, {0, 0}}, 10), contour(1, Line{{0, 0}, {100, 0}}, 10),
+      contour(2, Line{{100, 0}, {200, 0}}, 20), contour(3, Line{{200, 0}, {300, 0}}, 20)};
+  const std::vector<CompensatedBlock> path{
+      path_block(1, Line{{0, 10}, {100, 10}}),
+      path_block(2, Line{{100, 10}, {150, 20}}, Origin::radius_change),
+      path_block(2, Line{{150, 20}, {200, 20}})};
+  EXPECT_EQ(measure_clearance(programmed, path, 1e-4).gouging, 0u);
+}
+
 TEST(Clearance, CountsTheChangeOfSideAsContourWhereItTurnsOnTheSpotOnly) {
   const auto right = [](const Segment& path) {
     TrcMode mode = *left_of_contour(10);
