@@ -10,7 +10,7 @@ namespace trc::server {
 // program runs that needs no server, and what tests run. Logs nothing unless told to.
 class InProcessServer {
  public:
-  explicit InProcessServer(Config config = quiet())
+  explicit InProcessServer(const Config& config = quiet())
       : server_(Server::start_in_process(config)), channel_(server_->in_process_channel()) {}
 
   // Valid as long as this object lives.

@@ -40,7 +40,7 @@ class Service {
   [[nodiscard]] const client::Connection& connection() const { return *connection_; }
 
   // Says what went wrong and returns how the program ends.
-  Exit explain(const client::Failure& failure, bool answered) const {
+  [[nodiscard]] Exit explain(const client::Failure& failure, bool answered) const {
     if (failure.reason == "CALLER_STOPPED") return Exit::wrong_call;
     for (const wire::FieldFault& field : failure.fields)
       std::cerr << "trc: " << as_setting(field.field) << ": " << field.description << '\n';

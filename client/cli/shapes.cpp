@@ -310,6 +310,7 @@ void write(const ShapeRequest& request, const Outline& outline, const TextSink& 
 const std::vector<ShapeRow>& shapes() {
   static const std::vector<ShapeRow> rows = [] {
     std::vector<ShapeRow> all;
+    all.reserve(makers.size());
     for (const ShapeMaker& maker : makers) all.push_back(maker.row);
     return all;
   }();

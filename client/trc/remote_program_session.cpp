@@ -1,5 +1,7 @@
 #include "client/trc/remote_program_session.h"
 
+#include <grpcpp/channel.h>
+
 #include <algorithm>
 
 #include "client/trc/stream_session.h"
