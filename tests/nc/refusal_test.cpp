@@ -7,6 +7,8 @@
 namespace trc::testing {
 namespace {
 
+// The mode errors of T-22 and G303 behind G40 (T-20) are among them; each also has
+// a program in tests/programs/bad.
 struct Refused {
   const char* name;
   const char* text;
