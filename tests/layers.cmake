@@ -26,7 +26,7 @@ function(layer folder quoted angled)
 endfunction()
 
 set(known "core/base/.*")
-layer(core/base "${known}" "Eigen/.*")
+layer(core/base "${known}" "cereal/.*")
 foreach(folder geometry nc trc session)
   string(APPEND known "|core/${folder}/.*")
   layer(core/${folder} "${known}" "Eigen/.*")

@@ -34,6 +34,11 @@ class Diagnostics {
     return counts_[static_cast<std::size_t>(severity)];
   }
 
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(counts_, stopped_);
+  }
+
  private:
   std::vector<Diagnostic> pending_;
   std::array<std::uint64_t, 3> counts_{};

@@ -56,6 +56,12 @@ class Interpreter {
   // Physical lines read so far.
   [[nodiscard]] std::uint64_t lines_read() const { return lines_read_; }
 
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(partial_, continued_, carriage_return_, lines_read_, blocks_read_, comment_block_,
+            ended_, motion_, incremental_, inch_, absolute_center_, feed_mode_, feed_);
+  }
+
  private:
   struct BlockWords;
 

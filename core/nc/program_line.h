@@ -38,6 +38,10 @@ struct WordRange {
   bool operator==(const WordRange&) const = default;
 };
 
+// Of the archives of core/base/archive.h; defined in core/nc/state_archive.h.
+template <class Archive>
+void serialize_line_end(Archive& archive, std::string_view& line_end);
+
 // One line of NC text as it was read: a block may span several lines joined by
 // `\`; they are one ProgramLine.
 //

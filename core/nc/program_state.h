@@ -117,6 +117,14 @@ class ProgramState {
   // mm; the reference control keeps 32 bits of 0.1 um.
   static constexpr double largest_tool_radius = 214748.3647;
 
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(column_, mode_, shared_mode_, programmed_side_, programmed_radius_,
+            tangential_requested_, absolute_center_, circle_.correct_center, position_, target_,
+            known_, tracking_, selections_, in_plane_blocks_, has_approach_, last_path_, last_mode_,
+            retract_pending_, just_deselected_, ended_);
+  }
+
  private:
   struct Refusal {
     Code code = Code::field_invalid;

@@ -22,6 +22,11 @@ struct WrittenState {
   double feed = 0;  // mm/min; 0: none written yet
   Position position{};
   std::vector<double> tracking{};  // by index into the tracking axes of the session
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(motion, incremental, inch, absolute_center, plane, feed, position, tracking);
+  }
 };
 
 // A set of axes: bits 0 … 2 are X Y Z, the tracking axes follow.

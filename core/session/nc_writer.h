@@ -41,6 +41,11 @@ class NcWriter {
     bool gives_block = false;  // one with its Source comes to write(), unless TRC drops it
     Position end{};            // where the program is after the line
     AxisSet moved{};           // axes across the plane and tracking axes that travel
+
+    template <class Archive>
+    void serialize(Archive& archive) {
+      archive(gives_block, end, moved);
+    }
   };
   // The next line of the program.
   void take(ProgramLine&& line, const Meaning& meaning);
@@ -56,11 +61,23 @@ class NcWriter {
   // Lines no longer needed; the caller takes them away.
   [[nodiscard]] std::vector<ProgramLine>& used_lines() { return used_; }
 
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(state_, feed_is_programmed_, waiting_, first_, waiting_for_blocks_, silent_bytes_,
+            rewritten_index_, line_end_missing_);
+    serialize_line_end(archive, line_end_);
+  }
+
  private:
   struct Waiting {
     ProgramLine line{};
     Meaning meaning{};
     std::uint32_t roles = 0;  // of its words, a bit each
+
+    template <class Archive>
+    void serialize(Archive& archive) {
+      archive(line, meaning, roles);
+    }
 
     [[nodiscard]] bool has(WordRole role) const {
       return (roles >> static_cast<int>(role) & 1) != 0;

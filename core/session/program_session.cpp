@@ -9,6 +9,7 @@
 #include "core/nc/interpreter.h"
 #include "core/nc/number_format.h"
 #include "core/session/nc_writer.h"
+#include "core/trc/state_archive.h"
 
 namespace trc {
 namespace {
@@ -89,6 +90,13 @@ struct ProgramSession::Parts {
   bool compensate(ProgramOutput& out);
   bool end(ProgramOutput& out);
   void hand_out(ProgramOutput& out);
+
+  // All lines read have been taken when a call has ended.
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(read_diagnostics, diagnostics, program, interpreter, compensator, writer, meaning,
+            silent_lines, ended);
+  }
 
   ProgramSessionSetup setup;
   Diagnostics read_diagnostics;
@@ -226,6 +234,9 @@ bool ProgramSession::finish(ProgramOutput& out) {
   if (parts.setup.nc_text) parts.writer.finish(out.text);
   return true;
 }
+
+void ProgramSession::save(StateWriter& archive) const { archive(*parts_); }
+void ProgramSession::load(StateReader& archive) { archive(*parts_); }
 
 Diagnostics& ProgramSession::diagnostics() { return parts_->diagnostics; }
 const Summary& ProgramSession::summary() const { return parts_->compensator.summary(); }

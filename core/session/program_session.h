@@ -42,6 +42,10 @@ class ProgramSession {
   // End of the text.
   bool finish(ProgramOutput& out);
 
+  // As of PathSession. An unfinished line is part of it.
+  void save(StateWriter& archive) const;
+  void load(StateReader& archive);
+
   [[nodiscard]] Diagnostics& diagnostics();
   [[nodiscard]] const Summary& summary() const;
   [[nodiscard]] std::uint64_t lines_read() const;

@@ -1,5 +1,7 @@
 #include "core/session/session.h"
 
+#include "core/trc/state_archive.h"
+
 namespace trc {
 namespace {
 
@@ -19,6 +21,11 @@ PathSession::PathSession(const SessionSetup& setup)
 bool PathSession::advance(std::vector<CompensatedBlock>& out) {
   return compensator_.feed(blocks_, out);
 }
+
+void PathSession::save(StateWriter& archive) const {
+  archive(diagnostics_, program_, compensator_);
+}
+void PathSession::load(StateReader& archive) { archive(diagnostics_, program_, compensator_); }
 
 bool PathSession::finish(const Source& end, std::vector<CompensatedBlock>& out) {
   return program_.end(end) && compensator_.feed(blocks_, out) &&

@@ -33,6 +33,12 @@ class PathSession {
   // Ends the program (D-27) and appends all that was held back.
   bool finish(const Source& end, std::vector<CompensatedBlock>& out);
 
+  // What a session with the same setup needs to go on here; only while the stream goes on. Holds
+  // what has not come out yet.
+  void save(StateWriter& archive) const;
+  // Goes on there; nothing may have been given before. Throws when it is no such state.
+  void load(StateReader& archive);
+
   [[nodiscard]] Diagnostics& diagnostics() { return diagnostics_; }
   [[nodiscard]] const Summary& summary() const { return compensator_.summary(); }
 

@@ -29,6 +29,11 @@ class Clearance {
   // Of the selections it holds as a whole; nothing else.
   [[nodiscard]] std::size_t look_ahead() const { return 0; }
 
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(held_);
+  }
+
  private:
   bool resolve(std::vector<PathBlock>& out);
   bool report(const PathBlock& path, const PathBlock& contour, double distance, const Point& place);

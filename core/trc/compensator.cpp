@@ -10,6 +10,7 @@
 #include "core/trc/reporting.h"
 #include "core/trc/selection/inside_corner.h"
 #include "core/trc/selection/split.h"
+#include "core/trc/state_archive.h"
 #include "core/trc/transitions.h"
 
 namespace trc {
@@ -45,6 +46,12 @@ struct Compensator::Passes {
         && advance(reporting,           divided,    out,      input);
   }
   // clang-format on
+
+  // The passes that hold something. The vectors between them are empty when a call has ended.
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(relevant_blocks, inside_corner, contour_masking, transitions, clearance, reporting);
+  }
 
   Diagnostics& diagnostics;
   RelevantBlocks relevant_blocks;
@@ -88,6 +95,9 @@ bool Compensator::finish(const TrcMode& at_end, std::vector<CompensatedBlock>& o
   passes_->relevant_blocks.end_in(at_end);
   return passes_->step(Input::ended, out);
 }
+
+void Compensator::save(StateWriter& archive) const { archive(*passes_); }
+void Compensator::load(StateReader& archive) { archive(*passes_); }
 
 const Summary& Compensator::summary() const { return passes_->reporting.summary(); }
 

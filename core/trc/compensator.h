@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/base/diagnostics.h"
+#include "core/base/state.h"
 #include "core/base/tolerances.h"
 #include "core/nc/block.h"
 #include "core/trc/compensated_block.h"
@@ -57,6 +58,9 @@ class Compensator {
   // No more blocks: appends all that was held back. `at_end` is the mode the
   // program ended in: a G40 nothing followed still ends the contour.
   bool finish(const TrcMode& at_end, std::vector<CompensatedBlock>& out);
+
+  void save(StateWriter& archive) const;
+  void load(StateReader& archive);
 
   [[nodiscard]] const Summary& summary() const;
   // The most relevant blocks ever held back: the sum over the passes.

@@ -35,11 +35,21 @@ class ContourMasking {
   // Of the selections it holds as a whole; nothing else.
   [[nodiscard]] std::size_t look_ahead() const { return 0; }
 
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(held_, kept_);
+  }
+
  private:
   // A block that is not masked so far, and what its start corner takes off it.
   struct Kept {
     std::size_t index = 0;
     double cut_at_start = 0;
+
+    template <class Archive>
+    void serialize(Archive& archive) {
+      archive(index, cut_at_start);
+    }
   };
   // The joint of two kept blocks: of the corner, or anew over masked blocks.
   struct Meeting {

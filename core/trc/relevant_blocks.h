@@ -32,6 +32,11 @@ class RelevantBlocks {
   // contour. Called before drain.
   void end_in(const TrcMode& mode) { end_mode_ = mode; }
 
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(held_, last_, last_mode_, last_path_, end_mode_);
+  }
+
  private:
   bool seat(PassiveBlock block, std::vector<PathBlock>& out);
   bool follow(MotionBlock motion, std::vector<PathBlock>& out);

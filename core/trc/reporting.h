@@ -28,6 +28,11 @@ class Reporting {
 
   [[nodiscard]] Summary& summary() { return summary_; }
 
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(position_, last_direction_, summary_);
+  }
+
  private:
   void let_off(std::vector<PassiveBlock>& riders, std::vector<CompensatedBlock>& out);
   // F' / F: what the feed of the tool centre is multiplied by.

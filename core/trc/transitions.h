@@ -32,6 +32,11 @@ class Transitions {
   bool drain(std::vector<PathBlock>& out);
   [[nodiscard]] std::size_t look_ahead() const { return 1; }
 
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(held_, masked_);
+  }
+
  private:
   // A contour begins, or TRC is off: the block does not continue the held one.
   void enter(PathBlock& block, std::vector<PathBlock>& out) const;

@@ -50,6 +50,11 @@ class BlockReader {
   bool read(const v1::BlockBatch& batch, const Sink& sink, FieldFaults& faults);
   bool read(const v1::BlockColumns& columns, const Sink& sink, FieldFaults& faults);
 
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(next_block_, feed_);
+  }
+
  private:
   bool read(const v1::Block& block, const FieldPath& path, const Sink& sink, FieldFaults& faults);
   MoveRequest& fresh_move();

@@ -30,6 +30,11 @@ class InsideCorner {
   // Of the selections it holds as a whole; nothing else.
   [[nodiscard]] std::size_t look_ahead() const { return 0; }
 
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(held_);
+  }
+
  private:
   // Ends the held selection; `retract` is null at the end of the program.
   bool close(PathBlock* retract, std::vector<PathBlock>& out);

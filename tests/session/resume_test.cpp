@@ -1,0 +1,172 @@
+// A session that is written down and read back at any place gives the path of one that never was:
+// every worked example, good and bad, and random programs.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <random>
+#include <sstream>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/base/archive.h"
+#include "core/session/program_session.h"
+#include "tests/session/random_program.h"
+#include "tests/support/expectation.h"
+
+namespace trc::testing {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Result {
+  ProgramOutput output{};
+  std::vector<Diagnostic> diagnostics{};
+  bool complete = false;
+
+  void take(ProgramSession& session) {
+    for (Diagnostic& raised : session.diagnostics().take())
+      diagnostics.push_back(std::move(raised));
+  }
+};
+
+template <class Session>
+std::string state_of(const Session& session) {
+  std::ostringstream stream;
+  StateWriter archive(stream);
+  session.save(archive);
+  return stream.str();
+}
+
+template <class Session>
+void restore(Session& session, const std::string& state) {
+  std::istringstream stream(state);
+  StateReader archive(stream);
+  session.load(archive);
+}
+
+Result unbroken(const ProgramSessionSetup& setup, std::string_view text) {
+  Result result;
+  ProgramSession session(setup);
+  session.feed(text, result.output);
+  result.complete = session.finish(result.output);
+  result.take(session);
+  return result;
+}
+
+// In pieces of at most `longest` bytes, each of them in a session of its own.
+Result resumed(const ProgramSessionSetup& setup, std::string_view text, std::size_t longest,
+               std::mt19937& random) {
+  Result result;
+  std::string state;
+  for (;;) {
+    ProgramSession session(setup);
+    if (!state.empty()) restore(session, state);
+    const std::string_view piece = text.substr(0, random() % longest + 1);
+    text.remove_prefix(piece.size());
+    const bool goes_on = session.feed(piece, result.output);
+    if (goes_on && text.empty()) result.complete = session.finish(result.output);
+    result.take(session);
+    if (!goes_on || text.empty()) return result;
+    state = state_of(session);
+  }
+}
+
+void expect_same(const Result& actual, const Result& expected) {
+  EXPECT_EQ(actual.complete, expected.complete);
+  EXPECT_EQ(actual.output.text, expected.output.text);
+  ASSERT_EQ(actual.output.blocks.size(), expected.output.blocks.size());
+  for (std::size_t i = 0; i < expected.output.blocks.size(); ++i) {
+    const CompensatedBlock& a = actual.output.blocks[i];
+    const CompensatedBlock& e = expected.output.blocks[i];
+    SCOPED_TRACE("block " + std::to_string(i));
+    EXPECT_EQ(a.source, e.source);
+    EXPECT_EQ(a.origin, e.origin);
+    EXPECT_EQ(a.path, e.path);
+    EXPECT_EQ(a.normal, e.normal);
+    EXPECT_EQ(a.feed, e.feed);
+    EXPECT_EQ(a.tangential, e.tangential);
+    EXPECT_EQ(a.tracking, e.tracking);
+    EXPECT_EQ(a.text, e.text);
+  }
+  ASSERT_EQ(actual.diagnostics.size(), expected.diagnostics.size());
+  for (std::size_t i = 0; i < expected.diagnostics.size(); ++i) {
+    EXPECT_EQ(actual.diagnostics[i].code, expected.diagnostics[i].code);
+    EXPECT_EQ(actual.diagnostics[i].source, expected.diagnostics[i].source);
+  }
+}
+
+void expect_resumable(ProgramSessionSetup setup, std::string_view text, std::size_t longest) {
+  constexpr unsigned seed = 11;
+  SCOPED_TRACE("seed " + std::to_string(seed));
+  std::mt19937 random(seed);
+  for (const bool nc_text : {true, false}) {
+    SCOPED_TRACE(nc_text ? "text" : "blocks");
+    setup.nc_text = nc_text;
+    expect_same(resumed(setup, text, longest, random), unbroken(setup, text));
+  }
+}
+
+std::string read_file(const fs::path& path) {
+  std::ostringstream text;
+  text << std::ifstream(path, std::ios::binary).rdbuf();
+  return text.str();
+}
+
+TEST(ResumedSession, GivesThePathOfTheWorkedExamples) {
+  std::size_t programs = 0;
+  for (const char* folder : {"good", "bad"}) {
+    for (const auto& entry :
+         fs::directory_iterator(fs::path(TRC_SOURCE_DIR) / "tests" / "programs" / folder)) {
+      if (entry.path().extension() != ".nc") continue;
+      SCOPED_TRACE(entry.path().filename().string());
+      const std::string text = read_file(entry.path());
+      expect_resumable(support::read_setup(text), text, 40);
+      ++programs;
+    }
+  }
+  EXPECT_GT(programs, 50U);
+}
+
+TEST(ResumedSession, GivesThePathOfRandomPrograms) {
+  for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+    SCOPED_TRACE("program " + std::to_string(seed));
+    expect_resumable({}, random_program(seed, true), 300);
+  }
+}
+
+// Under G140 a selection of any length is held in two blocks and what rides on them.
+TEST(ResumedSession, StateDoesNotGrowWithTheContour) {
+  const auto largest = [](int blocks) {
+    ProgramSession session({});
+    ProgramOutput out;
+    session.feed("G41 V.G.WZ_AKT.R=1\n", out);
+    std::size_t size = 0;
+    for (int i = 1; i <= blocks; ++i) {
+      session.feed(
+          "G1 X" + std::to_string(100000 + 10 * i) + " Y" + std::to_string(i % 2 * 20) + " F100\n",
+          out);
+      if (i > 10) size = std::max(size, state_of(session).size());
+    }
+    return size;
+  };
+  EXPECT_EQ(largest(2000), largest(20));
+  EXPECT_LT(largest(20), 4096U);
+}
+
+TEST(ResumedSession, WhatIsNoStateIsRefused) {
+  ProgramSession session({});
+  ProgramOutput out;
+  session.feed("N10 G1 X10 F100\n", out);
+  const std::string state = state_of(session);
+  for (const std::size_t size : {std::size_t{0}, std::size_t{1}, state.size() / 2}) {
+    ProgramSession other({});
+    EXPECT_THROW(restore(other, state.substr(0, size)), cereal::Exception);
+  }
+}
+
+}  // namespace
+}  // namespace trc::testing
