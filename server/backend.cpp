@@ -3,14 +3,17 @@
 #include <prometheus/gauge.h>
 
 #include <chrono>
+#include <utility>
 
 namespace trc::server {
 
-Backend::Backend(const Config& settings)
+Backend::Backend(const Config& settings, std::string resume_key)
     : config(settings),
       telemetry(settings.log_level),
       memory(std::uint64_t{settings.max_session_memory_mib} << 20U),
-      streams(settings.max_streams, std::chrono::seconds(settings.idle_timeout_s)),
+      resume_tokens(std::move(resume_key), settings.max_resume_token_bytes),
+      streams(settings.max_streams, std::chrono::seconds(settings.idle_timeout_s),
+              std::chrono::seconds(settings.heartbeat_s)),
       pool(settings.worker_threads) {}
 
 void Backend::refresh_gauges() {

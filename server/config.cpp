@@ -130,6 +130,13 @@ void declare(CLI::App& app, Config& config) {
                   "memory of gRPC's own buffers");
   settings.number("idle-timeout-s", config.idle_timeout_s, 1, 86400,
                   "a stream without a request for so long is ended");
+  settings.number("heartbeat-s", config.heartbeat_s, 0, 86400,
+                  "a silent stream gets a heartbeat that often; 0: never");
+  settings.add("resume-key-file", config.resume_key_file,
+               "key of the resume tokens, at least 32 bytes, made if missing; the same on all "
+               "servers that resume each other's streams; empty: tokens end with the process");
+  settings.number("max-resume-token-bytes", config.max_resume_token_bytes, 1024, 1U << 20U,
+                  "largest resume token; where more would be needed none is given");
   settings.number("keepalive-time-s", config.keepalive_time_s, 1, 86400,
                   "a silent connection is asked after so long");
   settings.number("keepalive-timeout-s", config.keepalive_timeout_s, 1, 3600,

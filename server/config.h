@@ -43,6 +43,13 @@ struct Config {
   std::uint32_t max_session_memory_mib = 1024;  // of all streams together
   std::uint32_t max_grpc_buffer_mib = 96;
   std::uint32_t idle_timeout_s = 300;
+  // A silent stream gets a sign of life that often; 0: never.
+  std::uint32_t heartbeat_s = 20;
+
+  // Key of the resume tokens, at least 32 bytes. Made when the file does not exist. Without a file
+  // tokens end with the process.
+  std::string resume_key_file;
+  std::uint32_t max_resume_token_bytes = 64U * 1024U;
 
   std::uint32_t keepalive_time_s = 30;
   std::uint32_t keepalive_timeout_s = 10;

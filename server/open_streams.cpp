@@ -24,8 +24,12 @@ void OpenStreams::Ticket::release() {
   if (streams_ != nullptr) std::exchange(streams_, nullptr)->leave(place_);
 }
 
-OpenStreams::OpenStreams(std::size_t most, std::chrono::seconds idle_timeout)
-    : most_(most), idle_timeout_(idle_timeout), watcher_([this] { watch(); }) {}
+OpenStreams::OpenStreams(std::size_t most, std::chrono::seconds idle_timeout,
+                         std::chrono::seconds heartbeat)
+    : most_(most),
+      idle_timeout_(idle_timeout),
+      heartbeat_(heartbeat),
+      watcher_([this] { watch(); }) {}
 
 OpenStreams::~OpenStreams() {
   {
@@ -72,8 +76,9 @@ void OpenStreams::leave(Ticket::Place place) {
 }
 
 void OpenStreams::watch() {
-  const Clock::duration interval =
-      std::min<Clock::duration>(std::chrono::seconds(1), Clock::duration(idle_timeout_) / 4);
+  const bool beats = heartbeat_ > heartbeat_.zero();
+  const Clock::duration shortest = beats ? std::min(idle_timeout_, heartbeat_) : idle_timeout_;
+  const Clock::duration interval = std::min<Clock::duration>(std::chrono::seconds(1), shortest / 4);
   std::unique_lock lock(mutex_);
   while (!changed_.wait_for(lock, interval, [this] { return stopping_; })) {
     // A stream may end while it is looked at, so each is held, and not under the lock: its end
@@ -82,7 +87,10 @@ void OpenStreams::watch() {
     for (const auto& stream : streams_)
       if (auto alive = stream.lock()) held.push_back(std::move(alive));
     lock.unlock();
-    for (const auto& stream : held) stream->end_if_idle(Clock::now() - idle_timeout_);
+    for (const auto& stream : held) {
+      stream->end_if_idle(Clock::now() - idle_timeout_);
+      if (beats) stream->beat_if_silent(Clock::now() - heartbeat_);
+    }
     held.clear();
     lock.lock();
   }

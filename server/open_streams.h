@@ -18,6 +18,8 @@ class OpenStream {
   virtual ~OpenStream() = default;
   // Ends the stream when it has waited for its client since before `since`.
   virtual void end_if_idle(Clock::time_point since) = 0;
+  // Sends a heartbeat when nothing was sent since then.
+  virtual void beat_if_silent(Clock::time_point since) = 0;
 };
 
 // The open streams: how many there may be, which of them are idle, and whether all have ended.
@@ -47,7 +49,9 @@ class OpenStreams {
     Ticket ticket{};
   };
 
-  OpenStreams(std::size_t most, std::chrono::seconds idle_timeout);
+  // No heartbeats with an interval of 0.
+  OpenStreams(std::size_t most, std::chrono::seconds idle_timeout,
+              std::chrono::seconds heartbeat = {});
   // Every ticket must have been given back.
   ~OpenStreams();
   OpenStreams(const OpenStreams&) = delete;
@@ -69,6 +73,7 @@ class OpenStreams {
 
   const std::size_t most_;
   const std::chrono::seconds idle_timeout_;
+  const std::chrono::seconds heartbeat_;
   mutable std::mutex mutex_;
   std::condition_variable changed_;
   std::list<std::weak_ptr<OpenStream>> streams_;

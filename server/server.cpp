@@ -11,6 +11,7 @@
 #include <chrono>
 #include <cstring>
 #include <string_view>
+#include <utility>
 
 #include "grpc/health/v1/health.pb.h"
 #include "server/credentials.h"
@@ -59,18 +60,21 @@ void set_limits(grpc::ServerBuilder& builder, const Config& config) {
 }  // namespace
 
 Server::Start Server::start(const Config& config) {
-  std::unique_ptr<Server> server(new Server(config));
+  ResumeKey key = resume_key(config.resume_key_file);
+  if (!key.fault.empty()) return {.server = nullptr, .fault = std::move(key.fault)};
+  std::unique_ptr<Server> server(new Server(config, std::move(key.key)));
   std::string fault = server->open(true);
   if (!fault.empty()) return {.server = nullptr, .fault = std::move(fault)};
   return {.server = std::move(server), .fault = {}};
 }
 
 std::unique_ptr<Server> Server::start_in_process(const Config& config) {
-  std::unique_ptr<Server> server(new Server(config));
+  std::unique_ptr<Server> server(new Server(config, resume_key({}).key));
   return server->open(false).empty() ? std::move(server) : nullptr;
 }
 
-Server::Server(const Config& config) : backend_(config) {}
+Server::Server(const Config& config, std::string resume_key)
+    : backend_(config, std::move(resume_key)) {}
 
 Server::~Server() {
   backend_.streams.drain();

@@ -42,7 +42,7 @@ class Server {
   [[nodiscard]] Backend& backend() { return backend_; }
 
  private:
-  explicit Server(const Config& config);
+  Server(const Config& config, std::string resume_key);
   // Empty when the server runs.
   std::string open(bool with_addresses);
   void stop_grpc();

@@ -25,13 +25,20 @@ std::optional<Failure> read_file(const std::string& path, std::string& content) 
       .status = "INVALID_ARGUMENT", .message = "cannot read " + path, .reason = "FILE_UNREADABLE"};
 }
 
-grpc::ChannelArguments channel_arguments() {
-  constexpr int keepalive_ms = 30'000;
-  constexpr int keepalive_timeout_ms = 10'000;
+grpc::ChannelArguments channel_arguments(const ConnectionOptions& options) {
   grpc::ChannelArguments arguments;
-  // A frozen or unplugged server is noticed after the sum of the two.
-  arguments.SetInt(GRPC_ARG_KEEPALIVE_TIME_MS, keepalive_ms);
-  arguments.SetInt(GRPC_ARG_KEEPALIVE_TIMEOUT_MS, keepalive_timeout_ms);
+  const auto set = [&](const char* name, std::chrono::milliseconds value) {
+    arguments.SetInt(name, static_cast<int>(value.count()));
+  };
+  set(GRPC_ARG_KEEPALIVE_TIME_MS, options.keepalive_time);
+  set(GRPC_ARG_KEEPALIVE_TIMEOUT_MS, options.keepalive_timeout);
+  // Also while the stream is silent for long.
+  arguments.SetInt(GRPC_ARG_HTTP2_MAX_PINGS_WITHOUT_DATA, 0);
+  // By itself gRPC would wait for up to two minutes before it tries an address again, and for
+  // twenty seconds for one that does not answer.
+  set(GRPC_ARG_INITIAL_RECONNECT_BACKOFF_MS, options.resume.first_wait);
+  set(GRPC_ARG_MIN_RECONNECT_BACKOFF_MS, options.resume.longest_wait);
+  set(GRPC_ARG_MAX_RECONNECT_BACKOFF_MS, options.resume.longest_wait);
   return arguments;
 }
 
@@ -42,20 +49,22 @@ std::chrono::system_clock::time_point after(std::chrono::milliseconds timeout) {
 }  // namespace
 
 std::optional<Failure> Connection::open(const std::string& address, const TlsFiles& tls,
-                                        std::optional<Connection>& connection) {
+                                        std::optional<Connection>& connection,
+                                        const ConnectionOptions& options) {
   std::shared_ptr<grpc::ChannelCredentials> credentials = grpc::InsecureChannelCredentials();
   if (!tls.ca.empty() || !tls.cert.empty() || !tls.key.empty()) {
     if (tls.cert.empty() != tls.key.empty())
       return Failure{.status = "INVALID_ARGUMENT",
                      .message = "a client certificate and its key belong together",
                      .reason = "TLS_FILES_INCOMPLETE"};
-    grpc::SslCredentialsOptions options;
-    if (auto failure = read_file(tls.ca, options.pem_root_certs)) return failure;
-    if (auto failure = read_file(tls.cert, options.pem_cert_chain)) return failure;
-    if (auto failure = read_file(tls.key, options.pem_private_key)) return failure;
-    credentials = grpc::SslCredentials(options);
+    grpc::SslCredentialsOptions files;
+    if (auto failure = read_file(tls.ca, files.pem_root_certs)) return failure;
+    if (auto failure = read_file(tls.cert, files.pem_cert_chain)) return failure;
+    if (auto failure = read_file(tls.key, files.pem_private_key)) return failure;
+    credentials = grpc::SslCredentials(files);
   }
-  connection.emplace(grpc::CreateCustomChannel(address, credentials, channel_arguments()));
+  connection.emplace(grpc::CreateCustomChannel(address, credentials, channel_arguments(options)),
+                     options.resume);
   return std::nullopt;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <chrono>
+#include <cstddef>
 #include <memory>
 #include <optional>
 #include <string>
@@ -21,6 +22,26 @@ struct TlsFiles {
   std::string key{};
 };
 
+// How a session goes on after its server or the way to it was lost. What comes out is what an
+// unbroken stream gives; the caller sees a pause.
+struct ResumePolicy {
+  // Without progress for so long the session fails with what happened last. 0: at once.
+  std::chrono::milliseconds patience{60'000};
+  // Between attempts, doubling from the first to the longest.
+  std::chrono::milliseconds first_wait{100};
+  std::chrono::milliseconds longest_wait{5'000};
+  // Input that is kept because the server may ask for it again. What a selection that is held as a
+  // whole passes beyond that cannot be resumed.
+  std::size_t most_kept_bytes = std::size_t{256} << 20U;
+};
+
+struct ConnectionOptions {
+  // A frozen or unplugged server is noticed after the sum of the two.
+  std::chrono::milliseconds keepalive_time{30'000};
+  std::chrono::milliseconds keepalive_timeout{10'000};
+  ResumePolicy resume{};
+};
+
 // A way to one server. Cheap to copy; a connection serves any number of sessions
 // and re-establishes itself.
 class Connection {
@@ -28,11 +49,14 @@ class Connection {
   // HOST:PORT, [IPV6]:PORT or unix:/path. Fails when a file cannot be read, not
   // when nobody listens: sessions find that out.
   [[nodiscard]] static std::optional<Failure> open(const std::string& address, const TlsFiles& tls,
-                                                   std::optional<Connection>& connection);
+                                                   std::optional<Connection>& connection,
+                                                   const ConnectionOptions& options = {});
   // Through a channel that exists, an in-process one above all.
-  explicit Connection(std::shared_ptr<grpc::Channel> channel) : channel_(std::move(channel)) {}
+  explicit Connection(std::shared_ptr<grpc::Channel> channel, const ResumePolicy& resume = {})
+      : channel_(std::move(channel)), resume_(resume) {}
 
   [[nodiscard]] const std::shared_ptr<grpc::Channel>& channel() const { return channel_; }
+  [[nodiscard]] const ResumePolicy& resume_policy() const { return resume_; }
 
   // Version, limits and tables of the server.
   [[nodiscard]] std::optional<Failure> server_info(std::chrono::milliseconds timeout,
@@ -43,6 +67,7 @@ class Connection {
 
  private:
   std::shared_ptr<grpc::Channel> channel_;
+  ResumePolicy resume_;
 };
 
 }  // namespace trc::client

@@ -59,6 +59,13 @@ bool Failure::unreachable() const {
          status == "PERMISSION_DENIED";
 }
 
+// Balancers report a server that died as CANCELLED or INTERNAL, gRPC itself some resets as UNKNOWN;
+// what the server itself says has a reason.
+bool Failure::stream_lost() const {
+  if (status == "UNAVAILABLE" || reason == "STREAM_IDLE") return true;
+  return reason.empty() && (status == "CANCELLED" || status == "INTERNAL" || status == "UNKNOWN");
+}
+
 std::optional<Failure> failure_of(const grpc::Status& status) {
   if (status.ok()) return std::nullopt;
   Failure failure{.status = name_of(status.error_code()), .message = status.error_message()};
@@ -77,6 +84,12 @@ Failure invalid_response(const wire::FieldFaults& faults) {
   if (!failure.fields.empty())
     failure.message += ": " + failure.fields[0].field + " " + failure.fields[0].description;
   return failure;
+}
+
+Failure resumed_path_differs() {
+  return {.status = "INTERNAL",
+          .message = "the stream was resumed, but the server gave another path than before",
+          .reason = "RESUMED_PATH_DIFFERS"};
 }
 
 Failure missing_summary() {

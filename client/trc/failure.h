@@ -25,12 +25,17 @@ struct Failure {
   // The server could not be reached, went away or broke: nothing was wrong with
   // the request.
   [[nodiscard]] bool unreachable() const;
+  // The stream was lost, or the server gave it up, and another one may take it
+  // over: nothing says that the input or the server has a fault.
+  [[nodiscard]] bool stream_lost() const;
 };
 
 // Nothing when the status is OK.
 [[nodiscard]] std::optional<Failure> failure_of(const grpc::Status& status);
 // A response that no server of this version sends.
 [[nodiscard]] Failure invalid_response(const wire::FieldFaults& faults);
+// What a resumed stream gave again is not what the first one gave: its servers differ.
+[[nodiscard]] Failure resumed_path_differs();
 // The server said OK without a summary: the path may be half of one.
 [[nodiscard]] Failure missing_summary();
 

@@ -28,10 +28,12 @@ v1::PathSetup message_of(const wire::PathSettings& settings) {
 struct RemotePathSession::Parts {
   Parts(const Connection& connection, const v1::PathSetup& setup)
       : stub(v1::TrcService::NewStub(connection.channel())),
-        session(start_of(setup),
-                [this](auto* context, auto* reactor) {
-                  stub->async()->CompensatePath(context, reactor);
-                }),
+        session(
+            start_of(setup),
+            [this](auto* context, auto* reactor) {
+              stub->async()->CompensatePath(context, reactor);
+            },
+            connection.resume_policy()),
         unsent_setup(setup),
         columns(setup.response_layout() == v1::RESPONSE_LAYOUT_COLUMNS) {}
 
@@ -40,7 +42,7 @@ struct RemotePathSession::Parts {
       writer.write(items, final, *session.outgoing().mutable_columns());
     else
       writer.write(items, final, *session.outgoing().mutable_batch());
-    return session.send(final ? std::nullopt : std::optional(writer.next_block()), sink);
+    return session.send(final ? session.end_of_input : writer.next_block(), sink);
   }
 
   std::unique_ptr<v1::TrcService::Stub> stub;
@@ -65,7 +67,7 @@ bool RemotePathSession::feed(std::span<const wire::PathInput> items, const Answe
   if (!parts.set_up) {
     parts.set_up = true;
     parts.session.outgoing().mutable_setup()->Swap(&parts.unsent_setup);
-    if (!parts.session.send(std::nullopt, sink) || !parts.session.accept(sink)) return false;
+    if (!parts.session.open(sink)) return false;
   }
   const std::size_t most = parts.session.limits().max_blocks_per_batch();
   const std::size_t batch = most == 0 ? best_batch : std::min(most, best_batch);
@@ -85,6 +87,8 @@ bool RemotePathSession::finish(const AnswerSink& sink) {
 const std::optional<Failure>& RemotePathSession::failure() const {
   return parts_->session.failure();
 }
+
+std::uint64_t RemotePathSession::resumed() const { return parts_->session.resumed(); }
 
 const std::optional<wire::PathSummary>& RemotePathSession::summary() const {
   return parts_->session.summary();

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <span>
@@ -36,6 +37,8 @@ class RemotePathSession {
   bool finish(const AnswerSink& sink);
 
   [[nodiscard]] const std::optional<Failure>& failure() const;
+  // How often the stream was lost and another one has gone on.
+  [[nodiscard]] std::uint64_t resumed() const;
   // Of a complete run only.
   [[nodiscard]] const std::optional<wire::PathSummary>& summary() const;
 

@@ -21,9 +21,12 @@ constexpr std::size_t chunk_bytes = 64 * 1024;
 struct RemoteProgramSession::Parts {
   Parts(const Connection& connection, const v1::ProgramSetup& setup)
       : stub(v1::TrcService::NewStub(connection.channel())),
-        session(start_of(setup.path()), [this](auto* context, auto* reactor) {
-          stub->async()->CompensateProgram(context, reactor);
-        }) {}
+        session(
+            start_of(setup.path()),
+            [this](auto* context, auto* reactor) {
+              stub->async()->CompensateProgram(context, reactor);
+            },
+            connection.resume_policy()) {}
 
   bool send_text(std::string_view text, bool final, const AnswerSink& sink) {
     v1::ProgramText& message = *session.outgoing().mutable_text();
@@ -31,7 +34,7 @@ struct RemoteProgramSession::Parts {
     message.set_text(text.data(), text.size());
     message.set_final(final);
     sent_bytes += text.size();
-    return session.send(final ? std::nullopt : std::optional(sent_bytes), sink);
+    return session.send(final ? session.end_of_input : sent_bytes, sink);
   }
 
   std::unique_ptr<v1::TrcService::Stub> stub;
@@ -54,7 +57,7 @@ bool RemoteProgramSession::feed(std::string_view text, const AnswerSink& sink) {
   if (!parts.set_up) {
     parts.set_up = true;
     parts.session.outgoing().mutable_setup()->Swap(&parts.unsent_setup);
-    if (!parts.session.send(std::nullopt, sink) || !parts.session.accept(sink)) return false;
+    if (!parts.session.open(sink)) return false;
   }
   while (!text.empty()) {
     const std::string_view chunk = text.substr(0, std::min(text.size(), chunk_bytes));
@@ -72,6 +75,8 @@ bool RemoteProgramSession::finish(const AnswerSink& sink) {
 const std::optional<Failure>& RemoteProgramSession::failure() const {
   return parts_->session.failure();
 }
+
+std::uint64_t RemoteProgramSession::resumed() const { return parts_->session.resumed(); }
 
 const std::optional<wire::ProgramSummary>& RemoteProgramSession::summary() const {
   return parts_->session.summary();

@@ -35,6 +35,8 @@ class RemoteProgramSession {
   bool finish(const AnswerSink& sink);
 
   [[nodiscard]] const std::optional<Failure>& failure() const;
+  // How often the stream was lost and another one has gone on.
+  [[nodiscard]] std::uint64_t resumed() const;
   // Of a complete run only.
   [[nodiscard]] const std::optional<wire::ProgramSummary>& summary() const;
 

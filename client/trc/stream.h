@@ -43,18 +43,15 @@ class Stream : private grpc::ClientBidiReactor<Request, Response> {
   Stream(const Stream&) = delete;
   Stream& operator=(const Stream&) = delete;
 
-  // The request to fill before `send`; keeps its memory from one to the next.
-  [[nodiscard]] Request& outgoing() { return outgoing_; }
-
-  // Sends `outgoing` and hands out what arrives meanwhile. False: the server has
+  // Sends a request and hands out what arrives meanwhile. False: the server has
   // ended the stream, or the sink wants no more; then call `close`.
-  bool send(const Sink& sink) {
+  bool send(const Request& request, const Sink& sink) {
     {
       const std::lock_guard lock(mutex_);
       if (reading_ended_) return false;
       writing_ = true;
     }
-    this->StartWrite(&outgoing_);
+    this->StartWrite(&request);
     return take_until([this] { return !writing_; }, sink) && !write_failed_;
   }
 
@@ -165,7 +162,6 @@ class Stream : private grpc::ClientBidiReactor<Request, Response> {
   }
 
   grpc::ClientContext context_;
-  Request outgoing_;
   Response incoming_;
 
   std::mutex mutex_;

@@ -1,13 +1,19 @@
 #pragma once
 
+#include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <deque>
+#include <functional>
+#include <limits>
 #include <optional>
 #include <string>
 #include <utility>
 
 #include "client/trc/answer.h"
+#include "client/trc/connection.h"
 #include "client/trc/failure.h"
+#include "client/trc/resume_clock.h"
 #include "client/trc/stream.h"
 #include "proto/wire/compensated_block.h"
 #include "proto/wire/diagnostic.h"
@@ -15,56 +21,193 @@
 
 namespace trc::client {
 
-// What both kinds of session share: the window of unanswered requests, reading
-// responses, and how a stream ends. `Summary` is the native summary.
+// What both kinds of session share: the window of unanswered requests, reading responses, how a
+// stream ends, and how the session goes on when one was lost:
+//
+//     requests   ──► kept since the last token ──► stream ──► responses ──► sink
+//     stream lost ──► wait ──► new stream: setup with the token ──► the kept requests again,
+//                              of their answers those left out that the sink has got already
+//
+// `Summary` is the native summary.
 template <class Request, class Response, class Summary>
 class StreamSession {
  public:
-  template <class Start>
-  StreamSession(const Position& start_position, Start start)
-      : stream_(start), reader_(start_position) {}
+  using Reactor = grpc::ClientBidiReactor<Request, Response>;
+  // Binds a reactor to the RPC.
+  using Start = std::function<void(grpc::ClientContext*, Reactor*)>;
+  // Input behind the last request.
+  static constexpr std::uint64_t end_of_input = std::numeric_limits<std::uint64_t>::max();
 
-  [[nodiscard]] Request& outgoing() { return stream_.outgoing(); }
+  StreamSession(const Position& start_position, Start start, const ResumePolicy& policy)
+      : start_(std::move(start)),
+        policy_(policy),
+        clock_(policy),
+        reader_(start_position),
+        reader_at_token_(start_position) {}
 
-  // Sends `outgoing`. `input_end`: the input position behind this request;
-  // nothing when it is not to be waited for.
-  bool send(std::optional<std::uint64_t> input_end, const AnswerSink& sink) {
-    if (failure_ || finished_) return false;
-    if (input_end) unanswered_.push_back(*input_end);
-    const auto take = taker(sink);
-    if (!stream_.send(take)) return end(sink);
-    while (unanswered_.size() >= window_)
-      if (!stream_.receive(take)) return end(sink);
-    return true;
+  // The request to fill before `send`; keeps its memory from one to the next.
+  [[nodiscard]] Request& outgoing() { return outgoing_; }
+
+  // Sends `outgoing`, a setup, and waits until the server has taken it: limits are known from then
+  // on.
+  bool open(const AnswerSink& sink) {
+    setup_ = std::exchange(outgoing_, Request());
+    path_setup(setup_).set_want_resume_tokens(policy_.patience > policy_.patience.zero());
+    return begin(sink) || recover(sink);
   }
 
-  // Waits until the server has taken the setup: limits are known from then on.
-  bool accept(const AnswerSink& sink) {
+  // Sends `outgoing`. `input_end`: the input position behind it; `end_of_input` for the last one.
+  bool send(std::uint64_t input_end, const AnswerSink& sink) {
     if (failure_ || finished_) return false;
-    const auto take = taker(sink);
-    while (!accepted_)
-      if (!stream_.receive(take)) return end(sink);
-    return true;
+    keep(input_end);
+    return transmit(outgoing_, input_end, sink) || recover(sink);
   }
 
   // Hands out the rest and reads the status.
   bool finish(const AnswerSink& sink) {
-    if (!failure_ && !finished_) end(sink);
+    while (!failure_ && !finished_) {
+      if (close(sink)) finished_ = true;
+      if (!finished_ && !recover(sink)) break;
+    }
     return !failure_;
   }
 
   [[nodiscard]] const v1::StreamAccepted& limits() const { return limits_; }
   [[nodiscard]] const std::optional<Failure>& failure() const { return failure_; }
   [[nodiscard]] const std::optional<Summary>& summary() const { return summary_; }
+  // How often the session has gone on with a new stream.
+  [[nodiscard]] std::uint64_t resumed() const { return resumed_; }
 
  private:
+  // What the sink has got since the token.
+  struct Handed {
+    std::size_t blocks = 0;
+    std::size_t bytes = 0;
+    std::size_t diagnostics = 0;
+
+    bool operator==(const Handed&) const = default;
+  };
+  struct Kept {
+    std::uint64_t input_end = 0;
+    std::size_t bytes = 0;
+    Request request{};
+  };
+
+  static v1::PathSetup& path_setup(v1::CompensatePathRequest& request) {
+    return *request.mutable_setup();
+  }
+  static v1::PathSetup& path_setup(v1::CompensateProgramRequest& request) {
+    return *request.mutable_setup()->mutable_path();
+  }
+
   auto taker(const AnswerSink& sink) {
     return [this, &sink](const Response& response) { return take(response, sink); };
   }
 
+  bool begin(const AnswerSink& sink) {
+    stream_.emplace(start_);
+    accepted_ = false;
+    unanswered_.clear();
+    const auto take = taker(sink);
+    if (!stream_->send(setup_, take)) return false;
+    while (!accepted_)
+      if (!stream_->receive(take)) return false;
+    return true;
+  }
+
+  bool transmit(const Request& request, std::uint64_t input_end, const AnswerSink& sink) {
+    const auto take = taker(sink);
+    if (input_end != end_of_input) unanswered_.push_back(input_end);
+    if (!stream_->send(request, take)) return false;
+    while (unanswered_.size() >= window_)
+      if (!stream_->receive(take)) return false;
+    return true;
+  }
+
+  void keep(std::uint64_t input_end) {
+    if (policy_.patience <= policy_.patience.zero()) return;
+    const std::size_t bytes = outgoing_.ByteSizeLong();
+    kept_bytes_ += bytes;
+    if (kept_bytes_ > policy_.most_kept_bytes) {
+      kept_.clear();
+      kept_bytes_ = 0;
+      lost_through_ = input_end;
+      return;
+    }
+    kept_.push_back({.input_end = input_end, .bytes = bytes, .request = outgoing_});
+  }
+
+  // The stream has ended before its time. Goes on with a new one, or says why not: always false
+  // then.
+  bool recover(const AnswerSink& sink) {
+    if (finished_) return false;
+    for (;;) {
+      if ((!failure_ || stopped_) && close(sink)) {
+        finished_ = true;
+        return false;
+      }
+      if (std::exchange(progressed_, false)) clock_.restart();
+      if (!may_resume() || !clock_.wait(failure_->retry_after_seconds)) return fail(*failure_);
+      failure_.reset();
+      reader_ = reader_at_token_;
+      to_skip_ = handed_;
+      path_setup(setup_).set_resume_token(token_);
+      const ResumeClock::Attempt attempt(clock_);
+      if (begin(sink) && send_kept(sink)) {
+        ++resumed_;
+        return true;
+      }
+    }
+  }
+
+  bool send_kept(const AnswerSink& sink) {
+    // A token that arrives meanwhile drops requests from the front: the next one to send is found
+    // by its place.
+    std::uint64_t sent_through = 0;
+    for (bool sent = false; !kept_.empty();) {
+      const auto next = std::find_if(kept_.begin(), kept_.end(), [&](const Kept& kept) {
+        return !sent || kept.input_end > sent_through;
+      });
+      if (next == kept_.end()) break;
+      sent_through = next->input_end;
+      sent = true;
+      const Request request = next->request;
+      if (!transmit(request, sent_through, sink)) return false;
+    }
+    return true;
+  }
+
+  // Only what was once accepted: a server that was never there is not waited for. And while all
+  // input since the token is at hand.
+  [[nodiscard]] bool may_resume() const {
+    if (policy_.patience <= policy_.patience.zero() || !ever_accepted_ || stopped_) return false;
+    if (token_position_ < lost_through_) return false;
+    return failure_->stream_lost() ||
+           (!accepted_ && failure_->retry_after_seconds && failure_->reason != "INTERNAL");
+  }
+
+  bool fail(Failure why) {
+    failure_ = std::move(why);
+    finished_ = true;
+    summary_.reset();
+    return false;
+  }
+
+  // Reads the stream to its end. True when it has ended well.
+  bool close(const AnswerSink& sink) {
+    if (stopped_) stream_->cancel();
+    const AnswerSink drop = [](const Answer&) { return true; };
+    const grpc::Status status = stream_->close(taker(stopped_ ? drop : sink));
+    if (!failure_) failure_ = failure_of(status);
+    if (!failure_ && !summary_) failure_ = missing_summary();
+    if (failure_) summary_.reset();
+    return !failure_;
+  }
+
   bool take(const Response& response, const AnswerSink& sink) {
+    if (response.has_heartbeat() || stopped_) return true;
     if (response.has_accepted()) {
-      accepted_ = true;
+      accepted_ = ever_accepted_ = true;
       limits_ = response.accepted();
       window_ = std::max<std::size_t>(limits_.max_batches_in_flight(), 1);
       return true;
@@ -77,18 +220,52 @@ class StreamSession {
     if (response.has_batch()) reader_.read(response.batch(), answer.blocks, faults);
     if (response.has_columns()) reader_.read(response.columns(), answer.blocks, faults);
     if (response.has_summary()) summary_ = wire::from_proto(response.summary());
-    if (!faults.empty()) {
-      failure_ = invalid_response(faults);
-      return false;
-    }
+    if (!faults.empty()) return stop(invalid_response(faults));
     answer.text = text_of(response);
     for (const v1::Diagnostic& diagnostic : response.diagnostics())
       answer.diagnostics.push_back(wire::from_proto(diagnostic));
+    leave_out(answer.blocks, to_skip_.blocks);
+    leave_out(answer.text, to_skip_.bytes);
+    leave_out(answer.diagnostics, to_skip_.diagnostics);
+    handed_.blocks += answer.blocks.size();
+    handed_.bytes += answer.text.size();
+    handed_.diagnostics += answer.diagnostics.size();
+    if (!response.resume_token().empty() || response.has_summary()) {
+      if (to_skip_ != Handed{}) return stop(resumed_path_differs());
+      note_token(response.resume_token(), consumed);
+    }
     if (answer.text.empty() && answer.blocks.empty() && answer.diagnostics.empty()) return true;
-    if (sink(answer)) return true;
-    failure_ = Failure{
-        .status = "CANCELLED", .message = "the caller wanted no more", .reason = "CALLER_STOPPED"};
+    progressed_ = true;
+    return sink(answer) || stop({.status = "CANCELLED",
+                                 .message = "the caller wanted no more",
+                                 .reason = "CALLER_STOPPED"});
+  }
+
+  bool stop(Failure why) {
+    failure_ = std::move(why);
+    stopped_ = true;
     return false;
+  }
+
+  template <class Sequence>
+  static void leave_out(Sequence& answers, std::size_t& to_skip) {
+    const std::size_t count = std::min(answers.size(), to_skip);
+    answers.erase(answers.begin(), answers.begin() + static_cast<std::ptrdiff_t>(count));
+    to_skip -= count;
+  }
+
+  // All answers to the input before `position` are out: only what follows can be needed again.
+  void note_token(const std::string& token, std::uint64_t position) {
+    if (token.empty()) return;
+    progressed_ = true;
+    token_ = token;
+    token_position_ = position;
+    reader_at_token_ = reader_;
+    handed_ = {};
+    while (!kept_.empty() && kept_.front().input_end <= position) {
+      kept_bytes_ -= kept_.front().bytes;
+      kept_.pop_front();
+    }
   }
 
   // The position behind the last input that was answered.
@@ -103,27 +280,35 @@ class StreamSession {
     return response.nc_text();
   }
 
-  // The stream is over, or is to be. Always false, for the caller to pass on.
-  bool end(const AnswerSink& sink) {
-    finished_ = true;
-    if (failure_) stream_.cancel();
-    const AnswerSink drop = [](const Answer&) { return true; };
-    const grpc::Status status = stream_.close(taker(failure_ ? drop : sink));
-    if (!failure_) failure_ = failure_of(status);
-    if (!failure_ && !summary_) failure_ = missing_summary();
-    if (failure_) summary_.reset();
-    return false;
-  }
+  Start start_;
+  ResumePolicy policy_;
+  ResumeClock clock_;
+  Request setup_;
+  Request outgoing_;
+  std::optional<Stream<Request, Response>> stream_;
 
-  Stream<Request, Response> stream_;
   wire::CompensatedReader reader_;
   v1::StreamAccepted limits_;
   std::deque<std::uint64_t> unanswered_;  // input positions behind each request
   std::size_t window_ = 1;
   bool accepted_ = false;
+  bool ever_accepted_ = false;
+  bool stopped_ = false;  // by the caller, or by a response that no server sends
   bool finished_ = false;
+  bool progressed_ = true;  // since the stream was lost last
+  std::uint64_t resumed_ = 0;
   std::optional<Failure> failure_;
   std::optional<Summary> summary_;
+
+  // Where a new stream goes on.
+  std::string token_;
+  std::uint64_t token_position_ = 0;
+  wire::CompensatedReader reader_at_token_;
+  Handed handed_{};   // since the token
+  Handed to_skip_{};  // of what comes again
+  std::deque<Kept> kept_;
+  std::size_t kept_bytes_ = 0;
+  std::uint64_t lost_through_ = 0;  // input up to here that is no longer kept
 };
 
 // Where a setup says the tool stands.

@@ -36,6 +36,7 @@ class Answers {
   Answers(Backend& backend, CallRecord& record) : backend_(backend), record_(record) {}
 
   [[nodiscard]] Outbox& outbox() { return outbox_; }
+  [[nodiscard]] const Outbox& outbox() const { return outbox_; }
 
   // A request has arrived; it gets at least one answer, unless the RPC ends.
   void begin() { answered_ = false; }

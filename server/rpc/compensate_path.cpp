@@ -26,6 +26,15 @@ Turn CompensatePath::set_up(const v1::PathSetup& message, v1::CompensatePathResp
   if (auto refused = read_setup(message, stream_.backend.config, settings)) return end(*refused);
   stream_.record.set_client_tag(settings.client_tag);
   run_.emplace(stream_, settings);
+  want_tokens_ = settings.want_resume_tokens;
+  if (want_tokens_ || !settings.resume_token.empty()) {
+    v1::PathSetup without_token = message;
+    without_token.clear_resume_token();
+    setup_ = ResumeTokens::digest_of(without_token);
+  }
+  if (!settings.resume_token.empty()) {
+    if (auto refused = run_->resume(settings.resume_token, setup_)) return end(*refused);
+  }
   response.Clear();
   accept(stream_.backend.config, *response.mutable_accepted());
   stream_.record.sent(0);
@@ -38,6 +47,8 @@ Turn CompensatePath::proceed(v1::CompensatePathResponse& response) {
       response.set_consumed_through_block(run_->blocks_taken() - 1);
     else
       response.clear_consumed_through_block();
+    response.clear_resume_token();
+    if (last && want_tokens_) *response.mutable_resume_token() = run_->resume_token(setup_);
   });
 }
 

@@ -24,6 +24,8 @@ class CompensatePath final
 
   StreamContext stream_;
   std::optional<PathRun> run_;
+  bool want_tokens_ = false;
+  ResumeTokens::Digest setup_{};  // where tokens are wanted or given
 };
 
 }  // namespace trc::server

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <string>
 
+#include "core/base/archive.h"
 #include "server/rpc/setup.h"
 
 namespace trc::server {
@@ -38,6 +39,15 @@ Turn CompensateProgram::set_up(const v1::ProgramSetup& message,
                                    .nc_text = settings.nc_text,
                                    .decimals = settings.decimals,
                                    .longest_line = config.max_line_bytes});
+  want_tokens_ = settings.path.want_resume_tokens;
+  if (want_tokens_ || !settings.path.resume_token.empty()) {
+    v1::ProgramSetup without_token = message;
+    without_token.mutable_path()->clear_resume_token();
+    setup_ = ResumeTokens::digest_of(without_token);
+  }
+  if (!settings.path.resume_token.empty()) {
+    if (auto refused = resume(settings.path.resume_token)) return end(*refused);
+  }
   response.Clear();
   accept(config, *response.mutable_accepted());
   stream_.record.sent(0);
@@ -104,6 +114,8 @@ Turn CompensateProgram::proceed(v1::CompensateProgramResponse& response) {
         run_->bytes_out += slice.text.size();
         response.set_consumed_bytes(last ? run_->bytes_in : run_->bytes_answered);
         if (last) run_->bytes_answered = run_->bytes_in;
+        response.clear_resume_token();
+        if (last && want_tokens_) *response.mutable_resume_token() = resume_token();
       },
       [&] {
         const wire::ProgramSummary summary{
@@ -113,6 +125,22 @@ Turn CompensateProgram::proceed(v1::CompensateProgramResponse& response) {
             .bytes_out = run_->bytes_out};
         wire::to_proto(summary, *response.mutable_summary());
       });
+}
+
+std::string CompensateProgram::resume_token() {
+  if (run_->finished || run_->answers.failed()) return {};
+  return stream_.backend.resume_tokens.seal(setup_, [this](StateWriter& archive) {
+    archive(*run_, run_->answers.outbox().blocks_taken());
+  });
+}
+
+std::optional<Ending> CompensateProgram::resume(std::string_view token) {
+  return stream_.backend.resume_tokens.open(token, setup_, [this](StateReader& archive) {
+    std::uint64_t blocks_out = 0;
+    archive(*run_, blocks_out);
+    run_->bytes_answered = run_->bytes_in;
+    run_->answers.outbox().go_on_behind(blocks_out);
+  });
 }
 
 Turn CompensateProgram::ended(v1::CompensateProgramResponse& /*response*/) {

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <string_view>
 
 #include "core/session/program_session.h"
@@ -30,6 +31,11 @@ class CompensateProgram final
     Run(const StreamContext& stream, const wire::PathSettings& settings,
         const ProgramSessionSetup& setup);
 
+    template <class Archive>
+    void serialize(Archive& archive) {
+      archive(session, meter, bytes_in, bytes_out, blocks_seen);
+    }
+
     wire::Layout layout;
     ProgramSession session;
     Answers answers;
@@ -45,9 +51,14 @@ class CompensateProgram final
   void feed(const v1::ProgramText& chunk);
   bool give(std::string_view text);
   void finish();
+  // As of PathRun.
+  [[nodiscard]] std::string resume_token();
+  [[nodiscard]] std::optional<Ending> resume(std::string_view token);
 
   StreamContext stream_;
   std::optional<Run> run_;
+  bool want_tokens_ = false;
+  ResumeTokens::Digest setup_{};  // where tokens are wanted or given
 };
 
 }  // namespace trc::server

@@ -37,6 +37,12 @@ class Meter {
   [[nodiscard]] wire::PathSummary summary(const Summary& core,
                                           const Diagnostics& diagnostics) const;
 
+  // Times count from where a stream goes on.
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(blocks_in_, blocks_out_, let_go_through_);
+  }
+
  private:
   MemoryBudget::Share share_;
   std::uint64_t look_ahead_blocks_;

@@ -34,6 +34,9 @@ class Outbox {
   void place(std::vector<Diagnostic> diagnostics);
 
   [[nodiscard]] bool empty() const;
+  // How many blocks were taken so far, and that a resumed path goes on behind them.
+  [[nodiscard]] std::uint64_t blocks_taken() const { return blocks_forgotten_ + next_block_; }
+  void go_on_behind(std::uint64_t blocks) { blocks_forgotten_ = blocks; }
   // The next slice of about `most_bytes` as a message, at least one block or line. Valid until the
   // content changes.
   [[nodiscard]] Slice take(std::size_t most_bytes);

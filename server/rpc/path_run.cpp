@@ -2,6 +2,8 @@
 
 #include <string>
 
+#include "core/base/archive.h"
+
 namespace trc::server {
 
 PathRun::PathRun(const StreamContext& stream, const wire::PathSettings& settings)
@@ -62,6 +64,21 @@ bool PathRun::give(const wire::PathInput& input) {
                        session_.advance(answers_.outbox().content().blocks);
   answers_.place(session_.diagnostics());
   return goes_on;
+}
+
+std::string PathRun::resume_token(const ResumeTokens::Digest& setup) const {
+  if (finished_ || answers_.failed()) return {};
+  return stream_.backend.resume_tokens.seal(setup, [this](StateWriter& archive) {
+    archive(session_, reader_, meter_, answers_.outbox().blocks_taken());
+  });
+}
+
+std::optional<Ending> PathRun::resume(std::string_view token, const ResumeTokens::Digest& setup) {
+  return stream_.backend.resume_tokens.open(token, setup, [this](StateReader& archive) {
+    std::uint64_t blocks_out = 0;
+    archive(session_, reader_, meter_, blocks_out);
+    answers_.outbox().go_on_behind(blocks_out);
+  });
 }
 
 void PathRun::finish() {

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
+#include <string_view>
 
 #include "core/session/session.h"
 #include "proto/wire/block.h"
@@ -31,6 +33,13 @@ class PathRun {
                      *response.mutable_summary());
     });
   }
+
+  // The place behind the last batch, once all its answers are out; empty when the path does not go
+  // on from there.
+  [[nodiscard]] std::string resume_token(const ResumeTokens::Digest& setup) const;
+  // Goes on there. The ending when the token is refused.
+  [[nodiscard]] std::optional<Ending> resume(std::string_view token,
+                                             const ResumeTokens::Digest& setup);
 
   [[nodiscard]] std::uint64_t blocks_taken() const { return reader_.next_block(); }
   [[nodiscard]] bool finished() const { return finished_; }

@@ -7,15 +7,6 @@
 namespace trc::server {
 namespace {
 
-std::optional<Ending> refuse_unsupported(const wire::PathSettings& settings) {
-  const auto without = [](const char* field) {
-    return refuse(Refusal::feature_unsupported, field, {{"field", field}});
-  };
-  if (settings.want_resume_tokens) return without("want_resume_tokens");
-  if (!settings.resume_token.empty()) return without("resume_token");
-  return std::nullopt;
-}
-
 void apply_limits(const v1::PathSetup& message, const Config& config, SessionSetup& session) {
   Limits& limits = session.compensator.limits;
   limits.selection_blocks = config.max_blocks_per_selection;
@@ -30,7 +21,7 @@ std::optional<Ending> read_setup(const v1::PathSetup& message, const Config& con
   settings = wire::from_proto(message, wire::FieldPath("setup"), faults);
   if (!faults.empty()) return refuse(faults);
   apply_limits(message, config, settings.session);
-  return refuse_unsupported(settings);
+  return std::nullopt;
 }
 
 std::optional<Ending> read_setup(const v1::ProgramSetup& message, const Config& config,
@@ -39,7 +30,7 @@ std::optional<Ending> read_setup(const v1::ProgramSetup& message, const Config& 
   settings = wire::from_proto(message, wire::FieldPath("setup"), faults);
   if (!faults.empty()) return refuse(faults);
   apply_limits(message.path(), config, settings.path.session);
-  return refuse_unsupported(settings.path);
+  return std::nullopt;
 }
 
 void accept(const Config& config, v1::StreamAccepted& accepted) {

@@ -22,7 +22,7 @@ struct Row {
   int retry_after_s = 0;  // 0: waiting does not help
 };
 
-constexpr std::array<Row, 17> table{{
+constexpr std::array<Row, 19> table{{
     {Refusal::setup_missing, StatusCode::FAILED_PRECONDITION, "SETUP_MISSING",
      "the first request must carry the setup"},
     {Refusal::setup_repeated, StatusCode::FAILED_PRECONDITION, "SETUP_REPEATED",
@@ -51,8 +51,13 @@ constexpr std::array<Row, 17> table{{
      "later, "
      "or set look_ahead_blocks",
      1},
-    {Refusal::feature_unsupported, StatusCode::UNIMPLEMENTED, "FEATURE_UNSUPPORTED",
-     "this server does not offer what was asked for"},
+    {Refusal::resume_token_invalid, StatusCode::INVALID_ARGUMENT, "RESUME_TOKEN_INVALID",
+     "the resume token cannot be used"},
+    {Refusal::resume_token_of_other_version, StatusCode::FAILED_PRECONDITION,
+     "RESUME_TOKEN_OF_OTHER_VERSION",
+     "the resume token is of another version of the server; begin the path anew"},
+    {Refusal::resume_setup_differs, StatusCode::FAILED_PRECONDITION, "RESUME_SETUP_DIFFERS",
+     "the setup is not that of the stream which gave the resume token"},
     {Refusal::draining, StatusCode::UNAVAILABLE, "SERVER_DRAINING",
      "the server is shutting down and takes no new streams", 1},
     {Refusal::cancelled, StatusCode::CANCELLED, "CANCELLED", "the call was cancelled"},

@@ -23,7 +23,8 @@ namespace trc::server {
 // There is never more than one read or write outstanding, which is also the back-pressure: nothing
 // is read while an answer waits. Reactions only hand over; turns compute. The phase says who owns
 // the stream, so that Finish is called once: by the owner, or by the watch for idle streams, which
-// takes the ownership away from a pending read.
+// takes the ownership away from a pending read. The watch also writes the heartbeats of a silent
+// stream.
 template <class GrpcReactor, class Request, class Response>
 class StreamReactor
     : public GrpcReactor,
@@ -58,11 +59,13 @@ class StreamReactor
 
   void end_if_idle(Clock::time_point since) final {
     bool waits_for_request = false;
+    bool was_reading = false;
     {
       const std::lock_guard lock(mutex_);
       if (phase_since_ > since) return;
       if (phase_ != Phase::reading && phase_ != Phase::writing) return;
-      waits_for_request = phase_ == Phase::reading;
+      was_reading = phase_ == Phase::reading;
+      waits_for_request = was_reading && !beating_;
       phase_ = waits_for_request ? Phase::finished : Phase::cancelling;
       stalled_ = !waits_for_request;
     }
@@ -73,12 +76,28 @@ class StreamReactor
     context_.TryCancel();
     {
       const std::lock_guard lock(mutex_);
-      if (!written_while_cancelling_) {
-        phase_ = Phase::writing;
+      if (beating_ || !written_while_cancelling_) {
+        const bool still_reading = was_reading && !arrived_while_cancelling_;
+        phase_ = still_reading ? Phase::reading : Phase::writing;
         return;
       }
     }
     finish(gone());
+  }
+
+  // A beat is a write beside a pending read or a running turn. What the turn wants written, and the
+  // end of the stream, wait for it.
+  void beat_if_silent(Clock::time_point since) final {
+    if constexpr (requires { beat_.mutable_heartbeat(); }) {
+      {
+        const std::lock_guard lock(mutex_);
+        if (!accepted_ || beating_ || written_at_ > since) return;
+        if (phase_ != Phase::reading && phase_ != Phase::working) return;
+        beating_ = true;
+      }
+      beat_.mutable_heartbeat();
+      this->StartWrite(&beat_);
+    }
   }
 
  protected:
@@ -93,10 +112,14 @@ class StreamReactor
     {
       const std::lock_guard lock(mutex_);
       if (phase_ == Phase::finished) return;
+      if (phase_ == Phase::cancelling) {
+        arrived_while_cancelling_ = true;
+        return;
+      }
       phase_ = Phase::working;
     }
     input_ = input;
-    if (input == Input::ended && context_.IsCancelled()) return finish(gone());
+    if (input == Input::ended && context_.IsCancelled()) return end_with(gone());
     backend_.pool.submit(*this);
   }
 
@@ -112,18 +135,18 @@ class StreamReactor
   }
 
   void turn() noexcept final {
-    if (cancelled_ || context_.IsCancelled()) return finish(gone());
-    Turn turn;
+    if (cancelled_ || context_.IsCancelled()) return end_with(gone());
     try {
-      turn = work();
+      turn_ = work();
     } catch (const std::exception& bug) {
-      turn = {.write = false, .next = Turn::Next::finish, .ending = record_.incident(bug.what())};
+      turn_ = end(record_.incident(bug.what()));
     }
-    next_ = turn.next;
-    ending_ = std::move(turn.ending);
-    if (!turn.write) return go_on();
-    enter(Phase::writing);
-    this->StartWrite(&response_);
+    conclude();
+  }
+
+  void end_with(Ending ending) {
+    turn_ = end(std::move(ending));
+    conclude();
   }
 
   Turn work() {
@@ -138,29 +161,49 @@ class StreamReactor
     return work_->proceed(response_);
   }
 
-  void go_on() {
-    switch (next_) {
+  // Does what the last turn has asked for, or leaves it to the end of a heartbeat on its way.
+  void conclude() {
+    {
+      const std::lock_guard lock(mutex_);
+      if (beating_ || turn_.write) {
+        phase_ = Phase::writing;
+        phase_since_ = Clock::now();
+      } else if (turn_.next == Turn::Next::finish) {
+        phase_ = Phase::finished;
+      }
+      if (beating_) return;
+    }
+    if (turn_.write) return this->StartWrite(&response_);
+    switch (turn_.next) {
       case Turn::Next::proceed:
         return backend_.pool.submit(*this);
       case Turn::Next::read:
         record_.answered();
         return read();
       case Turn::Next::finish:
-        return finish(ending_);
+        return finish(turn_.ending);
     }
   }
 
   void OnWriteDone(bool ok) final {
     {
       const std::lock_guard lock(mutex_);
+      const bool was_beat = std::exchange(beating_, false);
+      written_at_ = Clock::now();
       if (phase_ == Phase::cancelling) {
         written_while_cancelling_ = true;
         return;
       }
+      // After a beat that failed the call is over, which the read or the turn finds out.
+      if (was_beat && phase_ != Phase::writing) return;
       phase_ = Phase::working;
+      if (!was_beat) {
+        accepted_ = true;
+        turn_.write = false;
+      }
     }
-    if (!ok) return finish(gone());
-    go_on();
+    if (!ok) return end_with(gone());
+    conclude();
   }
 
   void OnCancel() final { cancelled_ = true; }
@@ -199,16 +242,20 @@ class StreamReactor
   std::shared_ptr<StreamReactor> self_;
 
   Response response_;
+  Response beat_;
   Input input_ = Input::none;
-  Turn::Next next_ = Turn::Next::read;
-  Ending ending_;
+  Turn turn_;
 
   std::atomic<bool> cancelled_ = false;
   std::mutex mutex_;
   Phase phase_ = Phase::working;
   Clock::time_point phase_since_ = Clock::now();
+  Clock::time_point written_at_ = Clock::now();
+  bool accepted_ = false;  // the first answer is out
+  bool beating_ = false;
   bool stalled_ = false;
   bool written_while_cancelling_ = false;
+  bool arrived_while_cancelling_ = false;
 };
 
 // A stream in both directions.

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "tests/client/process.h"
+#include "tests/support/process.h"
 
 namespace trc::testing_support {
 namespace {

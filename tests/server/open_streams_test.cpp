@@ -17,6 +17,8 @@ using std::chrono::seconds;
 class Stream final : public OpenStream {
  public:
   void end_if_idle(Clock::time_point since) override { asked_until = since; }
+  void beat_if_silent(Clock::time_point since) override { silent_since = since; }
+  std::atomic<Clock::time_point> silent_since{Clock::time_point::min()};
   std::atomic<Clock::time_point> asked_until{Clock::time_point::min()};
 };
 

@@ -162,8 +162,6 @@ TEST_F(CompensatePathRpc, EndsAsTheProtocolSays) {
   const auto part = batch(0, {line_to(1, 1)}, false);
   const auto last = batch(0, {line_to(1, 1)}, true);
   v1::CompensatePathRequest nothing;
-  v1::PathSetup tokens;
-  tokens.set_want_resume_tokens(true);
   struct Case {
     const char* name;
     std::vector<v1::CompensatePathRequest> requests;
@@ -187,7 +185,6 @@ TEST_F(CompensatePathRpc, EndsAsTheProtocolSays) {
        {setup, last, batch(1, {line_to(2, 2)}, true)},
        grpc::FAILED_PRECONDITION,
        "INPUT_AFTER_FINAL"},
-      {"resume tokens", {setup_request(tokens)}, grpc::UNIMPLEMENTED, "FEATURE_UNSUPPORTED"},
   };
   for (const Case& tested : cases) {
     SCOPED_TRACE(tested.name);

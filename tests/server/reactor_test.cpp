@@ -42,11 +42,13 @@ class TestService final : public v1::TrcService::CallbackService {
   [[nodiscard]] std::shared_ptr<grpc::Channel> channel() { return server_->InProcessChannel({}); }
 
   Backend backend{[] {
-    Config config;
-    config.log_level = "off";
-    config.worker_threads = 2;
-    return config;
-  }()};
+                    Config config;
+                    config.log_level = "off";
+                    config.worker_threads = 2;
+                    config.heartbeat_s = 1;
+                    return config;
+                  }(),
+                  std::string(32, 'k')};
 
  private:
   MakeWork make_work_;

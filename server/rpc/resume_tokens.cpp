@@ -1,0 +1,177 @@
+#include "server/rpc/resume_tokens.h"
+
+#include <fcntl.h>
+#include <google/protobuf/io/coded_stream.h>
+#include <google/protobuf/io/zero_copy_stream_impl_lite.h>
+#include <google/protobuf/message.h>
+#include <openssl/crypto.h>
+#include <openssl/evp.h>
+#include <openssl/hmac.h>
+#include <openssl/rand.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <istream>
+#include <iterator>
+#include <ostream>
+#include <streambuf>
+
+#include "core/base/archive.h"
+#include "core/base/version.h"
+
+namespace trc::server {
+namespace {
+
+using Digest = ResumeTokens::Digest;
+
+constexpr std::string_view format = "TRCR\x01";
+constexpr std::size_t digest_bytes = std::tuple_size_v<Digest>;
+constexpr std::size_t head_bytes = format.size() + 2 * digest_bytes;
+constexpr std::size_t key_bytes = 32;
+
+std::string_view text_of(const Digest& digest) {
+  return {reinterpret_cast<const char*>(digest.data()), digest.size()};
+}
+
+Digest sha256(std::string_view text) {
+  Digest digest{};
+  EVP_Digest(text.data(), text.size(), digest.data(), nullptr, EVP_sha256(), nullptr);
+  return digest;
+}
+
+Digest mac_of(std::string_view text, const std::string& key) {
+  Digest mac{};
+  HMAC(EVP_sha256(), key.data(), static_cast<int>(key.size()),
+       reinterpret_cast<const unsigned char*>(text.data()), text.size(), mac.data(), nullptr);
+  return mac;
+}
+
+// Releases differ in what a session holds, and so do commits between them.
+const Digest& build_digest() {
+  static const Digest digest = sha256(std::string(version()) + "+" + std::string(commit()));
+  return digest;
+}
+
+// Takes so many bytes and then fails, so that the attempt costs little when a session holds much.
+class BoundedBuffer : public std::streambuf {
+ public:
+  explicit BoundedBuffer(std::size_t most_bytes) : most_bytes_(most_bytes) {}
+  [[nodiscard]] std::string& content() { return content_; }
+
+ private:
+  std::streamsize xsputn(const char* bytes, std::streamsize count) override {
+    const auto size = static_cast<std::size_t>(count);
+    if (size > most_bytes_ - content_.size()) return 0;
+    content_.append(bytes, size);
+    return count;
+  }
+  int_type overflow(int_type byte) override {
+    const char c = traits_type::to_char_type(byte);
+    return xsputn(&c, 1) == 1 ? byte : traits_type::eof();
+  }
+
+  std::size_t most_bytes_;
+  std::string content_;
+};
+
+class ViewBuffer : public std::streambuf {
+ public:
+  explicit ViewBuffer(std::string_view text) {
+    char* begin = const_cast<char*>(text.data());
+    setg(begin, begin, begin + text.size());
+  }
+};
+
+Ending refuse_token(std::string_view detail) {
+  return refuse(Refusal::resume_token_invalid, detail, {{"field", "setup.resume_token"}});
+}
+
+}  // namespace
+
+Digest ResumeTokens::digest_of(const google::protobuf::Message& setup) {
+  std::string text;
+  {
+    google::protobuf::io::StringOutputStream stream(&text);
+    google::protobuf::io::CodedOutputStream coded(&stream);
+    coded.SetSerializationDeterministic(true);
+    setup.SerializeToCodedStream(&coded);
+  }
+  return sha256(setup.GetTypeName() + '\n' + text);
+}
+
+std::string ResumeTokens::seal(const Digest& setup,
+                               const std::function<void(StateWriter&)>& save) const {
+  if (most_bytes_ < head_bytes + digest_bytes) return {};
+  BoundedBuffer buffer(most_bytes_ - digest_bytes);
+  std::ostream stream(&buffer);
+  stream << format << text_of(build_digest()) << text_of(setup);
+  try {
+    StateWriter archive(stream);
+    save(archive);
+  } catch (const cereal::Exception&) {
+    return {};
+  }
+  std::string& token = buffer.content();
+  token += text_of(mac_of(token, key_));
+  return std::move(token);
+}
+
+std::optional<Ending> ResumeTokens::open(std::string_view token, const Digest& setup,
+                                         const std::function<void(StateReader&)>& load) const {
+  if (token.size() < head_bytes + digest_bytes || !token.starts_with(format.substr(0, 4)))
+    return refuse_token("it is none of this service");
+  const std::string_view sealed = token.substr(0, token.size() - digest_bytes);
+  const Digest mac = mac_of(sealed, key_);
+  if (CRYPTO_memcmp(mac.data(), token.data() + sealed.size(), digest_bytes) != 0)
+    return refuse_token("it was changed, or comes from a server with another key");
+  if (!token.starts_with(format) ||
+      sealed.substr(format.size(), digest_bytes) != text_of(build_digest()))
+    return refuse(Refusal::resume_token_of_other_version);
+  if (sealed.substr(format.size() + digest_bytes, digest_bytes) != text_of(setup))
+    return refuse(Refusal::resume_setup_differs, {}, {{"field", "setup"}});
+  ViewBuffer buffer(sealed.substr(head_bytes));
+  std::istream stream(&buffer);
+  StateReader archive(stream);
+  load(archive);
+  return std::nullopt;
+}
+
+ResumeKey resume_key(const std::string& path) {
+  ResumeKey result;
+  if (!path.empty()) {
+    std::ifstream file(path, std::ios::binary);
+    if (file) {
+      result.key.assign(std::istreambuf_iterator<char>(file), {});
+      if (result.key.size() < key_bytes)
+        result.fault = "resume-key-file: '" + path + "' holds fewer than 32 bytes";
+      return result;
+    }
+  }
+  result.key.resize(key_bytes);
+  if (RAND_bytes(reinterpret_cast<unsigned char*>(result.key.data()), key_bytes) != 1) {
+    result.fault = "resume-key-file: no random numbers to make a key from";
+    return result;
+  }
+  if (path.empty()) return result;
+
+  // Written aside and linked into place: of servers that start at the same time one makes the key
+  // and the others read it, never half of it.
+  const std::string draft = path + "." + std::to_string(getpid());
+  const int file =
+      ::open(draft.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, S_IRUSR | S_IWUSR);
+  const bool written = file >= 0 && write(file, result.key.data(), key_bytes) == key_bytes;
+  if (file >= 0) close(file);
+  const bool linked = written && link(draft.c_str(), path.c_str()) == 0;
+  const int why = errno;
+  if (file >= 0) unlink(draft.c_str());
+  if (linked) return result;
+  if (written && why == EEXIST) return resume_key(path);
+  result.fault = "resume-key-file: cannot make '" + path + "': " + std::strerror(why);
+  return result;
+}
+
+}  // namespace trc::server
