@@ -13,6 +13,12 @@ struct Tolerances {
   // How much nearer than the tool radius a path may come before it is a
   // bottleneck: this part of the radius, or of 1 mm if that is more (spec 5.1).
   double clearance = 1e-6;
+  // How much nearer a loop may come before it violates and is removed, likewise:
+  // the passable side of `clearance`, with room for rounding (D-36).
+  double passable = 0.9e-6;
+  // The loops themselves are looked for at this part of the radius, or of 1 mm:
+  // what rounding leaves of an equidistant in coordinates of a metre.
+  double rounding = 1e-9;
   // A smaller turn is no corner. At R = 1000 mm the joint is off by 5e-12 mm.
   double tangent = 1e-7;
   // So near to 180 degrees a turn with a side change is a reversal: 0.001 degrees (D-23).
@@ -23,5 +29,7 @@ struct Tolerances {
 };
 
 static_assert(Tolerances{}.same_point < Tolerances{}.on_contour);
+static_assert(Tolerances{}.rounding < Tolerances{}.passable);
+static_assert(Tolerances{}.passable < Tolerances{}.clearance);
 
 }  // namespace trc

@@ -19,17 +19,32 @@ class BoxTree {
  public:
   explicit BoxTree(const std::vector<Box>& boxes);
 
-  // Calls visit(index) for every box that meets `area`, in ascending order.
+  // Indices from first to last; none if last < first.
+  struct Range {
+    std::size_t first = 1;
+    std::size_t last = 0;
+  };
+
+  // Calls visit(index) for every box that meets `area`, in ascending order, those
+  // in `skipped` left out.
+  template <class Visit>
+  void for_each_in(const Box& area, const Range& skipped, Visit visit) const {
+    if (count_ > 0) descend(levels_.size() - 1, 0, area, skipped, visit);
+  }
   template <class Visit>
   void for_each_in(const Box& area, Visit visit) const {
-    if (count_ > 0) descend(levels_.size() - 1, 0, area, visit);
+    for_each_in(area, Range{}, visit);
   }
 
  private:
-  static constexpr std::size_t width = 4;  // children of a node
+  static constexpr std::size_t bits_of_width = 2;
+  static constexpr std::size_t width = 1 << bits_of_width;  // children of a node
 
   template <class Visit>
-  void descend(std::size_t level, std::size_t node, const Box& area, Visit& visit) const {
+  void descend(std::size_t level, std::size_t node, const Box& area, const Range& skipped,
+               Visit& visit) const {
+    const std::size_t span = std::size_t{1} << (bits_of_width * level);
+    if (node * span >= skipped.first && (node + 1) * span - 1 <= skipped.last) return;
     if (!levels_[level][node].intersects(area)) return;
     if (level == 0) {
       visit(node);
@@ -37,7 +52,7 @@ class BoxTree {
     }
     const std::size_t end = std::min((node + 1) * width, levels_[level - 1].size());
     for (std::size_t child = node * width; child < end; ++child)
-      descend(level - 1, child, area, visit);
+      descend(level - 1, child, area, skipped, visit);
   }
 
   std::size_t count_;

@@ -34,8 +34,8 @@ bool Clearance::feed(PathBlock block, std::vector<PathBlock>& out) {
   // The approach waits too: the tool must not enter what it cannot get through.
   const bool begins = block.role == Role::approach || block.perpendicular_entry;
   const bool belongs = begins || is_contour(block) || block.role == Role::inserted;
-  const bool wanted =
-      belongs && (implicit_ || block.mode().masking == Masking::on || !held_.empty());
+  const bool wanted = belongs && !block.removes_loops() &&
+                      (implicit_ || block.mode().masking == Masking::on || !held_.empty());
   if (wanted && !begins) {
     if (held_.size() >= selection_blocks_) {
       diagnostics_.report(diagnostic(Code::selection_too_long, block.programmed.source));

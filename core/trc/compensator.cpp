@@ -4,6 +4,7 @@
 #include "core/trc/contour_masking.h"
 #include "core/trc/contour_violations.h"
 #include "core/trc/convert_circles.h"
+#include "core/trc/loop_removal.h"
 #include "core/trc/offset.h"
 #include "core/trc/pass.h"
 #include "core/trc/relevant_blocks.h"
@@ -26,6 +27,7 @@ struct Compensator::Passes {
         inside_corner(setup.limits.selection_blocks, setup.tolerances, log),
         contour_masking(setup.limits.selection_blocks, setup.tolerances, log),
         transitions(setup.tolerances, log),
+        loop_removal(setup.limits.selection_blocks, setup.tolerances, log),
         contour_violations(setup.tolerances, log),
         clearance(setup.implicit_contour_masking, setup.limits.selection_blocks, setup.tolerances,
                   log),
@@ -40,8 +42,9 @@ struct Compensator::Passes {
         && advance(inside_corner,       relevant,   entered,  input)
         && advance(contour_masking,     entered,    masked,   input)
         && advance(transitions,         masked,     joined,   input)
-        && apply  (contour_violations,  joined)
-        && advance(clearance,           joined,     checked,  input)
+        && advance(loop_removal,        joined,     simple,   input)
+        && apply  (contour_violations,  simple)
+        && advance(clearance,           simple,     checked,  input)
         && advance(split,               checked,    divided,  input)
         && advance(reporting,           divided,    out,      input);
   }
@@ -60,6 +63,7 @@ struct Compensator::Passes {
   selection::InsideCorner inside_corner;
   ContourMasking contour_masking;
   Transitions transitions;
+  LoopRemoval loop_removal;
   ContourViolations contour_violations;
   Clearance clearance;
   selection::Split split;
@@ -70,6 +74,7 @@ struct Compensator::Passes {
   std::vector<PathBlock> entered;
   std::vector<PathBlock> masked;
   std::vector<PathBlock> joined;
+  std::vector<PathBlock> simple;
   std::vector<PathBlock> checked;
   std::vector<PathBlock> divided;
 };

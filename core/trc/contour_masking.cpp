@@ -34,7 +34,8 @@ OffsetCurve start_curve(const PathBlock& block) {
 }  // namespace
 
 bool ContourMasking::feed(PathBlock block, std::vector<PathBlock>& out) {
-  const bool masking = block.role != Role::passive && block.mode().masking == Masking::on;
+  const bool masking =
+      block.role != Role::passive && block.mode().masking == Masking::on && !block.removes_loops();
   const bool continues = !held_.empty() && is_contour(block) && !block.perpendicular_entry;
   if (continues && masking) {
     if (held_.size() >= selection_blocks_) return refuse(Code::selection_too_long, block);

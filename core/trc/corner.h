@@ -21,10 +21,12 @@ struct OffsetCurve {
   bool circular = false;
   bool counter_clockwise = false;
   Circle circle{};
+
+  // Whether the tool leaves anything of the circle (90017).
+  [[nodiscard]] bool exists() const { return !circular || circle.radius > 0; }
 };
 
-// `shift` as in Compensation. The programmed segment must keep a circle (90017
-// has been checked).
+// `shift` as in Compensation.
 [[nodiscard]] OffsetCurve offset_curve(const Segment& programmed, const Vector& tangent,
                                        const Point& anchor, double shift);
 

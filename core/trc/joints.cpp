@@ -20,7 +20,9 @@ OffsetCurve straight(const Point& anchor, const Vector& tangent) {
 
 Joint outside(const Corner& corner, const TrcMode& mode, const Tolerances& tolerances) {
   const double limit = pi + pi / 180 + tolerances.tangent;
-  if (mode.options.ext_angle_block_intersection && transition_angle(corner, tolerances) <= limit) {
+  const bool extensible = corner.before.exists() && corner.after.exists();
+  if (mode.options.ext_angle_block_intersection && extensible &&
+      transition_angle(corner, tolerances) <= limit) {
     if (auto joint = extended_joint(corner, tolerances)) return *joint;
   }
   return outside_joint(
@@ -112,9 +114,13 @@ JointResult retract(const PathBlock& after, Selection mode, const Corner& corner
   return JoinedBlocks{.joint = selection::retract_direct(corner)};
 }
 
-JointResult contour_joint(const PathBlock& after, const Corner& corner,
+// Whether the corner leaves something of the block, whatever its other end loses.
+bool reaches(const PathBlock& block, double cut) { return left_of_block(block, cut, 0) >= 0; }
+
+JointResult contour_joint(const PathBlock& before, const PathBlock& after, const Corner& corner,
                           const Tolerances& tolerances) {
   const TrcMode& mode = after.mode();
+  const bool vanished = before.unreachable || after.unreachable;
   switch (kind_of(corner, tolerances)) {
     case CornerKind::tangential:
       return JoinedBlocks{.joint = tangential_joint(corner)};
@@ -123,7 +129,12 @@ JointResult contour_joint(const PathBlock& after, const Corner& corner,
     case CornerKind::inside:
       break;
   }
-  if (std::optional<Joint> joint = inside_joint(corner, tolerances)) {
+  std::optional<Joint> joint;
+  if (!vanished) joint = inside_joint(corner, tolerances);
+  if (after.removes_loops() &&
+      !(joint && reaches(before, joint->cut_before) && reaches(after, joint->cut_after)))
+    return JoinedBlocks{.joint = across(corner.before.anchor, corner.after.anchor), .apart = true};
+  if (joint) {
     if (mode.options.gen_cir_block_in_corner)
       joint->insert(Arc{
           .start = joint->end, .end = joint->start, .center = joint->end, .sweep = corner.turn});
@@ -167,7 +178,7 @@ JointResult joint_between(const PathBlock& before, const PathBlock& after, const
     return retract(after, after.mode().deselection, corner, tolerances);
   if (after.role == Role::side_change)
     return retract(after, after.mode().selection, corner, tolerances);
-  return contour_joint(after, corner, tolerances);
+  return contour_joint(before, after, corner, tolerances);
 }
 
 double left_of_block(const PathBlock& block, double cut_at_start, double cut_at_end) {

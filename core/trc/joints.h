@@ -21,6 +21,9 @@ struct JoinedBlocks {
   Joint joint{};
   // The arc G05 makes of the approach (retract) block.
   std::optional<Segment> tangential_path{};
+  // The equidistants do not meet on their blocks: what is inserted leads from one to
+  // the other through the contour, for LoopRemoval to leave out.
+  bool apart = false;
 };
 
 using JointResult = std::variant<JoinedBlocks, JointRefusal>;

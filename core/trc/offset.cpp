@@ -28,6 +28,10 @@ bool Offset::keeps_circle(PathBlock& block, double shift) {
   if (arc == nullptr || block.role != Role::contour) return true;
   const double radius = parallel_radius(*arc, shift);
   if (radius >= tolerances_.on_contour) return true;
+  if (block.removes_loops()) {
+    block.unreachable = true;
+    return true;
+  }
   if (block.mode().masking == Masking::on) {
     block.masked = true;
     return true;

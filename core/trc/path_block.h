@@ -67,12 +67,23 @@ struct PathBlock {
   };
   std::optional<Rejoin> rejoin{};
 
+  // Set by Transitions under REMOVE_MASKED_BLOCKS: nothing of it can be travelled,
+  // its equidistant does not exist or does not meet the next one. LoopRemoval
+  // leaves it out.
+  bool unreachable = false;
+
   // Passive blocks programmed after this one, in order. Those after G40 wait for
   // the block across the contour that G237 inserts.
   std::vector<PassiveBlock> riders{};
   std::vector<PassiveBlock> riders_after_exit{};
 
   [[nodiscard]] const TrcMode& mode() const { return *programmed.mode; }
+  // Violating loops are taken out of the whole contour, instead of blocks masked
+  // one by one.
+  [[nodiscard]] bool removes_loops() const {
+    return role != Role::passive && mode().masking == Masking::on &&
+           mode().options.remove_masked_blocks;
+  }
 };
 
 }  // namespace trc

@@ -56,7 +56,6 @@ PathBlock first_half_of(PathBlock& block) {
 
 const char* RelevantBlocks::unavailable(const TrcMode& mode) const {
   const bool masking = mode.masking == Masking::on;
-  if (masking && mode.options.remove_masked_blocks) return "REMOVE_MASKED_BLOCKS";
   if (mode.options.kerf_masking) return "KERF_MASKING";
   if (mode.options.inverse) return "INVERSE";
   if (mode.tangential && mode.selection == Selection::perpendicular) return "G05 with G237";

@@ -24,8 +24,9 @@ Segment shortened(const Arc& programmed, const PathBlock& block, const Point& en
   const double radius = (block.tool_start - programmed.center).norm();
   if (std::abs(left) * radius <= tolerances.on_contour)
     return Line{.start = block.tool_start, .end = end};
-  // A consumed arc keeps its sense and wraps round (90038).
-  if (left < 0) left += 2 * pi;
+  // A consumed arc keeps its sense and wraps round (90038). Where loops are removed
+  // it runs backwards, as a line does: LoopRemoval sees what is left of it.
+  if (left < 0 && !block.removes_loops()) left += 2 * pi;
   return Arc{
       .start = block.tool_start, .end = end, .center = programmed.center, .sweep = sense * left};
 }
@@ -208,7 +209,7 @@ bool Transitions::join(PathBlock& after, std::vector<PathBlock>& out) {
   const Corner corner = corner_between(before, after, tolerances_);
   JointResult result = joint_between(before, after, corner, tolerances_);
   if (const auto* refusal = std::get_if<JointRefusal>(&result)) return refuse(*refusal, after);
-  auto& [joint, tangential_path] = std::get<JoinedBlocks>(result);
+  auto& [joint, tangential_path, apart] = std::get<JoinedBlocks>(result);
   if (tangential_path) {
     PathBlock& block = before.role == Role::approach ? before : after;
     block.tool_path = *tangential_path;
@@ -232,6 +233,7 @@ bool Transitions::join(PathBlock& after, std::vector<PathBlock>& out) {
     return true;
   }
   PathBlock pattern = insertion_behind(before, after);
+  pattern.unreachable = apart;
   out.push_back(std::move(before));
   for (const Segment& segment : joint.inserted()) insert(segment, origin, pattern, out);
   if (radius_changes)

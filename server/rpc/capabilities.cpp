@@ -16,7 +16,7 @@ constexpr std::array keywords{
     Keyword{.name = "KERF_MASKING", .available = false},
     Keyword{.name = "REVERSE"},
     Keyword{.name = "IGNORE_CONT_DAMAGE"},
-    Keyword{.name = "REMOVE_MASKED_BLOCKS", .available = false},
+    Keyword{.name = "REMOVE_MASKED_BLOCKS", .available = true},
     Keyword{.name = "EXT_ANGLE_BLOCK_INTERSECTION"},
     Keyword{.name = "G236_LIN"},
     Keyword{.name = "STRETCH_FACTOR", .min = 1, .max = 9, .initial = initial.stretch_factor},

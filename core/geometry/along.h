@@ -1,0 +1,52 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <optional>
+
+#include "core/geometry/segment.h"
+
+namespace trc {
+
+// Places on a bounded segment, told by the way from its start, mm.
+
+[[nodiscard]] Point point_along(const Segment& segment, double way);
+// Unit vector of travel there; of the line or circle, also where it has no length.
+[[nodiscard]] Vector tangent_along(const Segment& segment, double way);
+// The place nearest to `point`, between the ends.
+[[nodiscard]] double nearest_along(const Segment& segment, const Point& point);
+
+// The stretch between two places, with the ends as given: they are those of its
+// neighbours, bit for bit.
+[[nodiscard]] Segment stretch_of(const Segment& segment, double from, double to, const Point& start,
+                                 const Point& end);
+
+// Where on `path`, not before `from` and before `to`, it comes nearer than `reach`
+// to `obstacle`; empty if it does not. A touch is not nearer.
+//
+//     ----- path -----o=======>        The places where the path can cross the
+//                  .-'  `.             outline of all that is within reach are
+//                 |   -------          collected; between two of them it is on
+//                  `-.  .---           one side throughout, which one point tells.
+[[nodiscard]] std::optional<double> first_entry(const Segment& path, double from, double to,
+                                                const Segment& obstacle, double reach);
+
+// A point two segments have in common, and how far along each it is.
+struct Crossing {
+  double along_first = 0;
+  double along_second = 0;
+  Point point = Point::Zero();
+};
+struct Crossings {
+  std::array<Crossing, 2> found{};
+  std::size_t count = 0;
+
+  [[nodiscard]] const Crossing* begin() const { return found.data(); }
+  [[nodiscard]] const Crossing* end() const { return found.data() + count; }
+};
+
+// Segments that miss each other by up to `slack` mm cross, also at their ends.
+// Those that run into one another along a stretch have no crossing.
+[[nodiscard]] Crossings crossings(const Segment& first, const Segment& second, double slack);
+
+}  // namespace trc
