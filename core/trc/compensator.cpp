@@ -53,7 +53,8 @@ struct Compensator::Passes {
   // The passes that hold something. The vectors between them are empty when a call has ended.
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(relevant_blocks, inside_corner, contour_masking, transitions, clearance, reporting);
+    archive(relevant_blocks, inside_corner, contour_masking, transitions, loop_removal, clearance,
+            reporting);
   }
 
   Diagnostics& diagnostics;

@@ -36,6 +36,11 @@ class LoopRemoval {
   // Of the selections it holds as a whole; nothing else.
   [[nodiscard]] std::size_t look_ahead() const { return 0; }
 
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(held_);
+  }
+
  private:
   // A point of the path: how far along which held block.
   struct Place {

@@ -22,11 +22,11 @@ template <class Archive>
 void serialize(Archive& archive, PathBlock& block) {
   auto& [programmed, role, origin, perpendicular_entry, perpendicular_exit, at_start, at_end,
          tangent_at_start, tangent_at_end, offset_start, offset_end, tool_path, tool_start,
-         path_given, cut_at_start, cut_at_end, splittable, masked, rejoin, riders,
+         path_given, cut_at_start, cut_at_end, splittable, masked, rejoin, unreachable, riders,
          riders_after_exit] = block;
   archive(programmed, role, origin, perpendicular_entry, perpendicular_exit, at_start, at_end,
           tangent_at_start, tangent_at_end, offset_start, offset_end, tool_path, tool_start,
-          path_given, cut_at_start, cut_at_end, splittable, masked, rejoin, riders,
+          path_given, cut_at_start, cut_at_end, splittable, masked, rejoin, unreachable, riders,
           riders_after_exit);
 }
 
