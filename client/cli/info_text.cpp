@@ -33,16 +33,20 @@ std::string severity_word(v1::Diagnostic::Severity severity) {
   }
 }
 
+// Nothing for words that take no number.
 std::string range_of(const v1::TrcKeyword& keyword) {
+  if (keyword.min() == keyword.max()) return "";
   return number(keyword.min()) + " … " + number(keyword.max()) +
          (keyword.unit().empty() ? "" : " " + keyword.unit());
 }
 
 Table options_of(const v1::GetServerInfoResponse& info) {
-  Table table{{{"Option", "Range", "Default", "Available"}}};
+  Table table{{{"Option", "Range", "Default", "Available", "Meaning"}}};
   for (const v1::TrcKeyword& keyword : info.trc_keywords())
-    table.rows.push_back({keyword.name(), range_of(keyword), number(keyword.default_value()),
-                          keyword.available() ? "yes" : "no, refused with 900102"});
+    table.rows.push_back({keyword.name(), range_of(keyword),
+                          range_of(keyword).empty() ? "" : number(keyword.default_value()),
+                          keyword.available() ? "yes" : "no, refused with 900102",
+                          keyword.meaning()});
   return table;
 }
 

@@ -2,7 +2,7 @@
 
 namespace trc {
 
-// Every small number of core/. Lengths in mm, angles in rad.
+// Every small number of core/, and the limits of what is accepted. Lengths in mm, angles in rad.
 struct Tolerances {
   // Closer than this is one point. A path that merges two such points is wrong
   // by less than a hundredth of the finest increment a control commands.
@@ -26,6 +26,9 @@ struct Tolerances {
   // Coordinates and radii beyond this are refused (90133, 90134): up to here a
   // double resolves four digits below `same_point`.
   double largest_coordinate = 1e6;
+  // mm/min; feeds beyond this are refused, that of a path never is (D-31): up to
+  // here a feed can be written with any number of decimals.
+  double largest_feed = 1e9;
 };
 
 static_assert(Tolerances{}.same_point < Tolerances{}.on_contour);

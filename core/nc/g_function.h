@@ -35,10 +35,14 @@ struct GFunction {
   std::int16_t number = 0;
   GGroup group = GGroup::refused;
   std::string_view meaning{};
+  bool initial = false;  // holds before the first line
 };
 
 // All functions known, in ascending order, those that are refused included.
 [[nodiscard]] std::span<const GFunction> g_function_table();
+
+// What a group is called in words; for functions that are refused: how.
+[[nodiscard]] std::string_view name_of(GGroup group);
 
 // Null when there is no such function.
 [[nodiscard]] const GFunction* find_g_function(double number);

@@ -4,11 +4,11 @@
 #include <utility>
 
 #include "core/nc/block_words.h"
+#include "core/nc/number_format.h"
 
 namespace trc {
 namespace {
 
-constexpr double mm_per_inch = 25.4;
 constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
 constexpr std::size_t spare_lines = 2048;  // as many as a message of 64 KiB holds
 constexpr std::size_t longest_spare_line = 256;

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "core/nc/block_words.h"
+#include "core/nc/number_format.h"
 #include "core/nc/trc_command.h"
 
 namespace trc {
@@ -310,6 +311,11 @@ bool Interpreter::check_block(ProgramLine& line, const BlockWords& block) {
     return wrong(Code::nc_unsupported, block.of(zero_shift), " with a motion");
   // Not feed per minute: the number is technology like any other.
   const int feed = block.has(feed_mode) ? block.of(feed_mode).function->number : feed_mode_;
+  const bool inch = block.has(unit) ? block.of(unit).is(70) : inch_;
+  if (block.feed && feed == 94 && !state_.is_feed(block.feed->value * (inch ? mm_per_inch : 1)))
+    return refuse(line, TextFault{.code = Code::nc_number,
+                                  .begin = block.feed->begin,
+                                  .detail = "F, more than 0 and at most 1000000000 mm/min"});
   for (WordRange& range : line.words) {
     const bool no_position = range.role == WordRole::coordinate && (preset || block.has(dwell));
     const bool no_feed = range.role == WordRole::feed && feed != 94;

@@ -10,6 +10,8 @@ namespace trc {
 // exact.
 inline constexpr int most_decimals = 9;
 
+inline constexpr double mm_per_inch = 25.4;
+
 // 10 to the power of `decimals`, 0 <= decimals <= most_decimals.
 [[nodiscard]] std::int64_t units_per_one(int decimals);
 

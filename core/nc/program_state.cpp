@@ -156,6 +156,10 @@ bool ProgramState::set_feed_adaptation(FeedAdaptation adaptation, const Source&)
   return true;
 }
 
+bool ProgramState::is_feed(double feed) const {
+  return feed > 0 && feed <= tolerances_.largest_feed;
+}
+
 bool ProgramState::set_tangfeed_minimum(double radius, const Source& source) {
   if (radius < 0)
     return report(source, Code::negative_tangfeed_minimum, "RMIN", {{"radius", radius}});
@@ -199,8 +203,9 @@ bool ProgramState::set_options(const TrcOptions& options, const Source& source) 
   const SplitOption& split = options.split;
   if (split.where != SplitOption::Where::off) {
     const double largest = tolerances_.largest_coordinate;
-    const bool first = split.distance_1 > 0 && split.distance_1 <= largest && split.feed_1 > 0;
-    const bool second = split.distance_2 > 0 && split.distance_2 <= largest && split.feed_2 > 0;
+    const bool first = split.distance_1 > 0 && split.distance_1 <= largest && is_feed(split.feed_1);
+    const bool second =
+        split.distance_2 > 0 && split.distance_2 <= largest && is_feed(split.feed_2);
     const bool no_second = split.distance_2 == 0 && split.feed_2 == 0;
     if (!first || !(second || no_second) || split.axis > 2)
       return report(source, Code::trc_option_out_of_range,
@@ -311,7 +316,7 @@ bool ProgramState::move(const MoveRequest& request) {
   Position end{};
   if (auto refusal = end_of(request, end)) return refuse(request.source, std::move(*refusal));
   if (auto refusal = unknown_start(request)) return refuse(request.source, std::move(*refusal));
-  if (!in_range(request.feed, 0, std::numeric_limits<double>::max()))
+  if (request.feed != 0 && !is_feed(request.feed))
     return report(request.source, Code::field_invalid, "feed", {{"feed", request.feed}});
 
   Segment path;

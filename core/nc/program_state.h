@@ -108,6 +108,8 @@ class ProgramState {
   [[nodiscard]] const TrcMode& mode() const { return mode_; }
   // Where the last block ended, mm.
   [[nodiscard]] const Position& position() const { return position_; }
+  // Whether this is a feed, mm/min: 0 is none.
+  [[nodiscard]] bool is_feed(double feed) const;
   [[nodiscard]] const ProgramSetup& setup() const { return setup_; }
   // TRC is active, or its retract motion is still to come.
   [[nodiscard]] bool contour_open() const { return mode_.active() || retract_pending_; }

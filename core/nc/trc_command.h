@@ -17,6 +17,8 @@ struct TrcKeyword {
   double initial = 0;
   bool takes_value = true;
   std::string_view meaning{};
+  std::string_view unit{};
+  bool available = true;  // else known, but refused with 900102
 };
 
 // All keywords, also those that are refused as not available (D-15).

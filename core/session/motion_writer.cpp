@@ -11,7 +11,6 @@
 namespace trc {
 namespace {
 
-constexpr double mm_per_inch = 25.4;
 constexpr std::string_view main_axis_letters = "XYZ";
 constexpr std::string_view center_letters = "IJK";
 
@@ -26,6 +25,9 @@ constexpr double long_arc_units = 5;
 // A rounded arc turns by no more than this further or less, as a share of its sweep or in rad.
 constexpr double sweep_share = 0.01;
 constexpr double sweep_change = 1e-3;
+
+// A written feed is wrong by no more than a thousandth.
+constexpr std::int64_t least_feed_units = 500;
 
 Point middle_of(const Arc& arc) {
   const Vector radial = arc.start - arc.center;
@@ -197,13 +199,25 @@ void MotionWriter::append_arc(std::string& out, const Arc& arc, Plane plane, con
   state.motion = clockwise ? MotionKind::clockwise : MotionKind::counter_clockwise;
 }
 
+// A feed counts by its digits, not by its decimals: a slow one gets more of them,
+// and none becomes F0.
+MotionWriter::WrittenFeed MotionWriter::written_feed(double feed, bool inch) const {
+  const double value = inch ? feed / mm_per_inch : feed;
+  int decimals = decimals_of(inch);
+  while (decimals < most_decimals && to_units(value, decimals) < least_feed_units) ++decimals;
+  const std::int64_t units = std::max<std::int64_t>(to_units(value, decimals), 1);
+  const double number = from_units(units, decimals);
+  return {.units = units, .decimals = decimals, .read = inch ? number * mm_per_inch : number};
+}
+
 bool MotionWriter::same_feed(double a, double b, bool inch) const {
-  return a == b || written(a, inch).units == written(b, inch).units;
+  return a == b || written_feed(a, inch).read == written_feed(b, inch).read;
 }
 
 void MotionWriter::append_feed(std::string& out, double feed, WrittenState& state) const {
-  const Written word = written(feed, state.inch);
-  append_word(out, 'F', word.units, state.inch);
+  const WrittenFeed word = written_feed(feed, state.inch);
+  out += " F";
+  append_units(out, word.units, word.decimals);
   state.feed = word.read;
 }
 

@@ -83,6 +83,12 @@ class MotionWriter {
                                     bool incremental) const;
   [[nodiscard]] std::array<Written, 2> written_center(const Arc& arc, Plane plane,
                                                       const WrittenState& state) const;
+  struct WrittenFeed {
+    std::int64_t units = 0;
+    int decimals = 0;
+    double read = 0;  // mm/min
+  };
+  [[nodiscard]] WrittenFeed written_feed(double feed, bool inch) const;
   [[nodiscard]] int decimals_of(bool inch) const;
   [[nodiscard]] double unit(bool inch) const;  // of the last decimal, mm
 

@@ -38,8 +38,9 @@ bool Clearance::feed(PathBlock block, std::vector<PathBlock>& out) {
                       (implicit_ || block.mode().masking == Masking::on || !held_.empty());
   if (wanted && !begins) {
     if (held_.size() >= selection_blocks_) {
-      diagnostics_.report(diagnostic(Code::selection_too_long, block.programmed.source));
-      return false;
+      Diagnostic problem = diagnostic(Code::selection_too_long, block.programmed.source);
+      problem.values = {{"limit", static_cast<double>(selection_blocks_)}};
+      return diagnostics_.report(std::move(problem));
     }
     held_.push_back(std::move(block));
     return true;

@@ -38,7 +38,11 @@ bool ContourMasking::feed(PathBlock block, std::vector<PathBlock>& out) {
       block.role != Role::passive && block.mode().masking == Masking::on && !block.removes_loops();
   const bool continues = !held_.empty() && is_contour(block) && !block.perpendicular_entry;
   if (continues && masking) {
-    if (held_.size() >= selection_blocks_) return refuse(Code::selection_too_long, block);
+    if (held_.size() >= selection_blocks_) {
+      Diagnostic problem = diagnostic(Code::selection_too_long, block.programmed.source);
+      problem.values = {{"limit", static_cast<double>(selection_blocks_)}};
+      return diagnostics_.report(std::move(problem));
+    }
     held_.push_back(std::move(block));
     return true;
   }

@@ -48,10 +48,10 @@ bool Reporting::feed(PathBlock block, std::vector<CompensatedBlock>& out) {
   result.tangential = is_tangential(block);
   result.path = block.tool_path;
   result.normal = programmed.normal;
-  result.feed = programmed.feed * factor;
+  result.feed = std::min(programmed.feed * factor, tolerances_.largest_feed);
   result.tracking = std::move(programmed.tracking);
   if (inverse_path_) {
-    if (auto recovered = inverse_path(block, same_point_))
+    if (auto recovered = inverse_path(block, tolerances_.same_point))
       result.inverse = std::make_shared<const Segment>(*recovered);
   }
   last_direction_ = direction_at_end(result.path);

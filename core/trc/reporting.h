@@ -18,7 +18,7 @@ class Reporting {
   Reporting(const CompensatorSetup& setup, Diagnostics& diagnostics)
       : smallest_feed_factor_(setup.smallest_feed_factor),
         inverse_path_(setup.inverse_path),
-        same_point_(setup.tolerances.same_point),
+        tolerances_(setup.tolerances),
         diagnostics_(diagnostics),
         position_(setup.start) {}
 
@@ -42,7 +42,7 @@ class Reporting {
 
   double smallest_feed_factor_;
   bool inverse_path_;
-  double same_point_;
+  Tolerances tolerances_;
   Diagnostics& diagnostics_;
   Position position_;  // of the tool, machine axes
   Vector last_direction_ = Vector::Zero();

@@ -2,14 +2,16 @@
 
 #include <grpcpp/grpcpp.h>
 
+#include <cstdint>
 #include <string>
 #include <string_view>
 
 #include "core/base/diagnostic.h"
 #include "core/base/tolerances.h"
 #include "core/base/version.h"
+#include "core/nc/g_function.h"
+#include "core/nc/trc_command.h"
 #include "proto/wire/diagnostic.h"
-#include "server/rpc/capabilities.h"
 
 namespace trc::server {
 namespace {
@@ -33,6 +35,11 @@ void describe_limits(const Config& config, v1::Limits& limits) {
   limits.set_max_coordinate(Tolerances{}.largest_coordinate);
 }
 
+// G01, G41, G138
+std::string as_written(std::int16_t number) {
+  return (number < 10 ? "G0" : "G") + std::to_string(number);
+}
+
 }  // namespace
 
 void describe(const Config& config, v1::GetServerInfoResponse& response) {
@@ -44,19 +51,20 @@ void describe(const Config& config, v1::GetServerInfoResponse& response) {
   build.append(", protobuf ")
       .append(google::protobuf::internal::VersionString(GOOGLE_PROTOBUF_VERSION));
   describe_limits(config, *response.mutable_limits());
-  for (const Keyword& keyword : trc_keywords()) {
+  for (const TrcKeyword& keyword : trc_keywords()) {
     v1::TrcKeyword& row = *response.add_trc_keywords();
     row.set_name(std::string(keyword.name));
-    row.set_min(keyword.min);
-    row.set_max(keyword.max);
+    row.set_min(keyword.smallest);
+    row.set_max(keyword.largest);
     row.set_default_value(keyword.initial);
     row.set_unit(std::string(keyword.unit));
     row.set_available(keyword.available);
+    row.set_meaning(std::string(keyword.meaning));
   }
-  for (const GFunction& function : g_functions()) {
+  for (const GFunction& function : g_function_table()) {
     v1::GFunction& row = *response.add_g_functions();
-    row.set_name(std::string(function.name));
-    row.set_group(std::string(function.group));
+    row.set_name(as_written(function.number));
+    row.set_group(std::string(name_of(function.group)));
     row.set_initial(function.initial);
     row.set_meaning(std::string(function.meaning));
   }

@@ -59,8 +59,14 @@ TEST(InfoText, MakesMarkdownTables) {
   keyword.set_default_value(3);
   keyword.set_unit("degrees");
   keyword.set_available(true);
-  EXPECT_NE(markdown_options(info).find("| TANGENTIAL_LIMIT | 0.1 … 3 degrees | 3 | yes |"),
-            std::string::npos);
+  keyword.set_meaning("turns up to this");
+  auto& word = *info.add_trc_keywords();
+  word.set_name("PRE");
+  word.set_meaning("at selection");
+  EXPECT_EQ(markdown_options(info),
+            "| Option | Range | Default | Available | Meaning |\n|---|---|---|---|---|\n"
+            "| TANGENTIAL_LIMIT | 0.1 … 3 degrees | 3 | yes | turns up to this |\n"
+            "| PRE |  |  | no, refused with 900102 | at selection |\n");
 }
 
 }  // namespace

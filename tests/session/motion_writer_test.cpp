@@ -1,4 +1,5 @@
-// Arcs in decimal numbers: where rounding could turn one into its complement.
+// Arcs and feeds in decimal numbers: where rounding could turn an arc into its complement, or a
+// feed into none.
 
 #include "core/session/motion_writer.h"
 
@@ -146,6 +147,34 @@ TEST(MotionWords, RotaryAxesHaveNoInch) {
   EXPECT_EQ(state.position[0], 25.4);
   EXPECT_EQ(state.tracking[0], 30);
   EXPECT_EQ(state.tracking[1], 50.8);
+}
+
+std::string feed_word(double feed, int decimals, bool inch = false) {
+  WrittenState state;
+  state.inch = inch;
+  std::string text;
+  MotionWriter(decimals, "").append_feed(text, feed, state);
+  EXPECT_NEAR(state.feed, feed, feed / 1000) << text;
+  return text;
+}
+
+TEST(Feed, IsWrittenToAThousandthWithAnyNumberOfDecimals) {
+  EXPECT_EQ(feed_word(1000, 0), " F1000");
+  EXPECT_EQ(feed_word(2.5, 0), " F2.5");
+  EXPECT_EQ(feed_word(0.3333, 0), " F0.3333");
+  EXPECT_EQ(feed_word(0.05, 4), " F0.05");
+  EXPECT_EQ(feed_word(0.0001234567, 4), " F0.0001235");
+  EXPECT_EQ(feed_word(254, 4, true), " F10");
+  EXPECT_EQ(feed_word(1e9, 8), " F1000000000");
+  EXPECT_EQ(feed_word(1e9, 4, true), " F39370078.74016");
+}
+
+TEST(Feed, IsNeverWrittenAsNone) {
+  std::string text;
+  WrittenState state;
+  MotionWriter(4, "").append_feed(text, 1e-15, state);
+  EXPECT_EQ(text, " F0.000000001");
+  EXPECT_FALSE(MotionWriter(0, "").same_feed(0.2, 0.3, false));
 }
 
 }  // namespace
