@@ -192,7 +192,9 @@ bool Interpreter::read_g_function(const Word& word, ProgramLine& line, BlockWord
   if (seen.function != nullptr && group != GGroup::technology && group != GGroup::axis_technology)
     return refuse(line, word, twice_code(group));
   seen = {.function = function, .begin = word.begin};
-  add(line, word, role_of(group));
+  // Where there is nothing to end, G40 is a line of the program like any other.
+  const bool ends_nothing = group == GGroup::side && function->number == 40;
+  add(line, word, ends_nothing && !state_.contour_open() ? WordRole::mode : role_of(group));
   return true;
 }
 

@@ -18,7 +18,7 @@ enum class WordRole : std::uint8_t {
   coordinate,  // axis words, I J K R of a motion
   trc,         // what TRC resolves: G05 G10 G11 G25 G26 G40 … G42 G138 … G141 G236 … G239,
                // #TRC, #TANGFEED, V.G.WZ_AKT.R=
-  mode,        // G17 … G19 G70 G71 G90 G91 G161 G162 G164 G165
+  mode,        // G17 … G19 G70 G71 G90 G91 G161 G162 G164 G165, G40 while TRC is off
   feed,        // F of a feed per minute
   technology,  // S T D M H, dwell, zero shifts with their axis words, all other G functions
                // and commands that pass

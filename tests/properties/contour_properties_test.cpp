@@ -75,18 +75,6 @@ const Segment& programmed_of(const Contour& contour, const CompensatedBlock& blo
   return contour.blocks.at(static_cast<std::size_t>(block.source.number) - 1);
 }
 
-bool same(const CompensatedBlock& a, const CompensatedBlock& b) {
-  return a.source == b.source && a.origin == b.origin && a.plane == b.plane && a.rapid == b.rapid &&
-         a.tangential == b.tangential && a.path == b.path && a.normal == b.normal &&
-         a.feed == b.feed && a.tracking == b.tracking && a.text == b.text;
-}
-
-bool same(const Outcome& a, const Outcome& b) {
-  return a.stopped == b.stopped && a.blocks.size() == b.blocks.size() &&
-         std::equal(a.blocks.begin(), a.blocks.end(), b.blocks.begin(),
-                    [](const auto& x, const auto& y) { return same(x, y); });
-}
-
 // Travel of the third main axis and of a tracking axis, and up to three texts
 // behind every block.
 Feeding full_feeding() {

@@ -80,8 +80,6 @@ Plain plain(const CompensatedBlock& block, const Motion& map) {
   return result;
 }
 
-Point narrow(const SlowPoint& p) { return {static_cast<double>(p.x), static_cast<double>(p.y)}; }
-
 Plain plain(const SlowBlock& block) {
   return {.is_arc = block.is_arc,
           .start = narrow(block.start),
@@ -238,6 +236,42 @@ std::string difference(const std::vector<CompensatedBlock>& actual,
   for (const CompensatedBlock& block : moving(expected)) right.push_back(plain(block, map));
   return difference(std::move(left), std::move(right), tolerance);
 }
+
+// Which role a block plays is told by its number; what remains is geometry.
+std::string geometric_difference(std::vector<CompensatedBlock> actual,
+                                 std::vector<SlowBlock> expected, double tolerance) {
+  for (CompensatedBlock& block : actual) {
+    if (block.origin != Origin::passthrough) block.origin = Origin::programmed;
+    block.source.number = 0;
+  }
+  for (SlowBlock& block : expected) {
+    block.origin = Origin::programmed;
+    block.ordinal = 0;
+  }
+  return difference(actual, expected, tolerance);
+}
+
+bool same(const Outcome& a, const Outcome& b) {
+  const auto same_block = [](const CompensatedBlock& x, const CompensatedBlock& y) {
+    return x.source == y.source && x.origin == y.origin && x.plane == y.plane &&
+           x.rapid == y.rapid && x.tangential == y.tangential && x.path == y.path &&
+           x.normal == y.normal && x.feed == y.feed && x.tracking == y.tracking && x.text == y.text;
+  };
+  return a.stopped == b.stopped && a.blocks.size() == b.blocks.size() &&
+         std::equal(a.blocks.begin(), a.blocks.end(), b.blocks.begin(), same_block);
+}
+
+SlowPoint wide(const Point& p) { return {p.x(), p.y()}; }
+Point narrow(const SlowPoint& p) { return {static_cast<double>(p.x), static_cast<double>(p.y)}; }
+
+Vector start_tangent(const Segment& segment) {
+  if (const auto* line = std::get_if<Line>(&segment)) return (line->end - line->start).normalized();
+  const auto& arc = std::get<Arc>(segment);
+  const Vector spoke = (arc.start - arc.center).normalized();
+  return (arc.sweep > 0 ? 1.0 : -1.0) * Vector(-spoke.y(), spoke.x());
+}
+
+Vector end_tangent(const Segment& segment) { return -start_tangent(reversed(segment)); }
 
 std::string name_of(Origin origin) {
   static constexpr std::array<const char*, origin_count> names = {

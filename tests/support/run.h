@@ -101,6 +101,20 @@ struct Feeding {
                                      const std::vector<CompensatedBlock>& expected,
                                      const Motion& map, double tolerance);
 
+// As above for the geometry alone, whatever role each block plays.
+[[nodiscard]] std::string geometric_difference(std::vector<CompensatedBlock> actual,
+                                               std::vector<SlowBlock> expected, double tolerance);
+
+// Equal bit for bit.
+[[nodiscard]] bool same(const Outcome& a, const Outcome& b);
+
+[[nodiscard]] SlowPoint wide(const Point& p);
+[[nodiscard]] Point narrow(const SlowPoint& p);
+
+// Directions of travel at the ends, unit vectors.
+[[nodiscard]] Vector start_tangent(const Segment& segment);
+[[nodiscard]] Vector end_tangent(const Segment& segment);
+
 // One line of text: N number, origin, geometry in mm and degrees.
 [[nodiscard]] std::string text_of(const CompensatedBlock& block);
 [[nodiscard]] std::string text_of(const std::vector<CompensatedBlock>& blocks);

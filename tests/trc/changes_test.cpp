@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "tests/support/run.h"
+#include "tests/support/slow_clearance.h"
 
 // Modes and changes that are composed of what the slow computation knows:
 // changes of side and radius in the middle of a contour, and the selection modes
@@ -50,31 +51,6 @@ void for_each_sample(std::uint64_t first_seed, const Claim& claim) {
 
 bool judged_clean(const SlowOutcome& outcome) {
   return outcome.faults.empty() && !outcome.borderline;
-}
-
-SlowPoint wide(const Point& p) { return {p.x(), p.y()}; }
-Point narrow(const SlowPoint& p) { return {static_cast<double>(p.x), static_cast<double>(p.y)}; }
-
-Vector start_tangent(const Segment& segment) {
-  if (const auto* line = std::get_if<Line>(&segment)) return (line->end - line->start).normalized();
-  const auto& arc = std::get<Arc>(segment);
-  const Vector spoke = (arc.start - arc.center).normalized();
-  return (arc.sweep > 0 ? 1.0 : -1.0) * Vector(-spoke.y(), spoke.x());
-}
-Vector end_tangent(const Segment& segment) { return -start_tangent(reversed(segment)); }
-
-// Which role a block plays is told by its number; what remains is geometry.
-std::string geometric_difference(std::vector<CompensatedBlock> actual,
-                                 std::vector<SlowBlock> expected, double tolerance) {
-  for (CompensatedBlock& block : actual) {
-    if (block.origin != Origin::passthrough) block.origin = Origin::programmed;
-    block.source.number = 0;
-  }
-  for (SlowBlock& block : expected) {
-    block.origin = Origin::programmed;
-    block.ordinal = 0;
-  }
-  return difference(actual, expected, tolerance);
 }
 
 double tolerance_for(const Contour& contour, const TrcMode& mode) {
@@ -162,6 +138,46 @@ TEST(Reverse, GoesBackOnThePathItCameBy) {
               "")
         << text_of(outcome.blocks);
   });
+}
+
+// D-23 and D-14: within 0.001 degrees of a reversal the two blocks share the point at R from
+// the first one. It is at R from the second one, too, to less than the clearance of D-36: the
+// two perpendicular points lie beside each other along the contour, not across it. What the
+// second block rises into the strip of the first (0.4 um on 50 mm) is in the program.
+TEST(Reverse, KeepsBothBlocksAtTheirRadiusWithinItsTolerance) {
+  const Tolerances tolerances;
+  for (const double radius : {0.5, 10.0, 200.0})
+    for (const double off : {-1.7e-5, -8e-6, 0.0, 8e-6, 1.7e-5})
+      for (const Side side : {Side::left, Side::right}) {
+        TrcMode mode;
+        mode.tool_radius = radius;
+        mode.side = side;
+        mode.selection = Selection::direct;
+        mode.options.reverse = true;
+        const Line there{.start = {0, 0}, .end = {100, 0}};
+        const Line back{.start = {100, 0}, .end = {100 - 50 * std::cos(off), 50 * std::sin(off)}};
+        Channel channel(mode, {-30, 0});
+        channel.note(channel.program().select(side, channel.place(0)));
+        channel.move(Line{.start = {-30, 0}, .end = there.start}, 0);
+        channel.move(there, 1);
+        channel.note(channel.program().select(other(side), channel.place(2)));
+        channel.move(back, 2);
+        channel.note(channel.program().deselect(channel.place(3)));
+        channel.move(Line{.start = back.end, .end = {20, 0}}, 3);
+        const Outcome outcome = channel.finish(3);
+        ASSERT_FALSE(outcome.stopped) << message_of(*outcome.error());
+        EXPECT_EQ(first_gap(outcome.blocks), "");
+        ASSERT_EQ(outcome.blocks.size(), 4U) << "nothing is inserted";
+        const double hand = side == Side::left ? 1 : -1;
+        const Line& first = std::get<Line>(outcome.blocks[1].path);
+        const Line& second = std::get<Line>(outcome.blocks[2].path);
+        EXPECT_EQ(first.end, Point(100, hand * radius));
+        const double slack = tolerances.clearance * std::max(radius, 1.0);
+        for (const Point& point : {second.start, second.end}) {
+          EXPECT_NEAR(slow_distance(point, back), radius, slack) << off;
+          EXPECT_GE(slow_distance(point, there), radius - std::max(-hand * 50 * off, 0.0) - slack);
+        }
+      }
 }
 
 // The tool radius changes from `mode.tool_radius` to `radius` before block `at`.

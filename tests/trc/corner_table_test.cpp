@@ -257,6 +257,123 @@ INSTANTIATE_TEST_SUITE_P(
                        ::testing::Values(Transition::linear, Transition::circular)),
     name_of_case);
 
+// The tables of section 3: at the corner between the selection block and the contour, and
+// mirrored between the contour and the block of G40, the selection block counts as a line.
+class SelectionTable : public ::testing::TestWithParam<std::tuple<double, Bend, Transition>> {
+ protected:
+  [[nodiscard]] double angle() const { return std::get<0>(GetParam()); }
+  [[nodiscard]] Bend bend() const { return std::get<1>(GetParam()); }
+  [[nodiscard]] Transition transition() const { return std::get<2>(GetParam()); }
+  [[nodiscard]] bool goes_round_an_arc() const {
+    return angle() > 180 && transition() == Transition::circular;
+  }
+
+  // One contour block that runs on tangentially into a straight retract.
+  [[nodiscard]] Contour entry() const {
+    Contour contour = corner_contour(angle(), Bend::straight, bend());
+    contour.approach = std::get<Line>(contour.blocks.front());
+    contour.blocks.erase(contour.blocks.begin());
+    return contour;
+  }
+  [[nodiscard]] Contour exit() const {
+    Contour contour = corner_contour(angle(), bend(), Bend::straight);
+    contour.retract = std::get<Line>(contour.blocks.back());
+    contour.blocks.pop_back();
+    return contour;
+  }
+  // Where the straight way over the corner turns: X, or A and B.
+  [[nodiscard]] std::vector<Point> turning_points() const {
+    const Corner at(angle());
+    if (angle() <= 270) return {at.q + at.extension * at.d1};
+    return {at.q + radius * at.d1, at.p - radius * at.d2};
+  }
+  // The ends of what leads from the selection block onto the contour (G139).
+  [[nodiscard]] std::vector<Point> indirect_entry() const {
+    const Corner at(angle());
+    if (angle() <= 180) return {at.p};
+    if (goes_round_an_arc()) return {at.q, at.p};
+    std::vector<Point> joints = turning_points();
+    if (bend() != Bend::straight) joints.push_back(at.p);
+    return joints;
+  }
+  // The ends of the contour block and of what leads off it.
+  [[nodiscard]] std::vector<Point> indirect_exit() const {
+    const Corner at(angle());
+    if (angle() <= 180) return {at.q};
+    if (goes_round_an_arc()) return {at.q, at.p};
+    std::vector<Point> joints = turning_points();
+    if (bend() != Bend::straight) joints.insert(joints.begin(), at.q);
+    return joints;
+  }
+};
+
+TEST_P(SelectionTable, EntersIndirectlyAsG139Says) {
+  const Outcome outcome = compensate(entry(), mode_for(transition()));
+  ASSERT_FALSE(outcome.stopped);
+  const std::vector<Point> expected = indirect_entry();
+  ASSERT_EQ(outcome.blocks.size(), expected.size() + 2) << text_of(outcome.blocks);
+  EXPECT_EQ(start(outcome.blocks[0]), entry().approach.start);
+  for (std::size_t k = 0; k < expected.size(); ++k) {
+    expect_at(end(outcome.blocks[k]), expected[k], "entry");
+    EXPECT_EQ(is_arc(outcome.blocks[k].path), goes_round_an_arc() && k == 1);
+  }
+  if (goes_round_an_arc())
+    expect_at(std::get<Arc>(outcome.blocks[1].path).center, corner, "centre");
+}
+
+TEST_P(SelectionTable, LeavesIndirectlyAsG139Says) {
+  const Outcome outcome = compensate(exit(), mode_for(transition()));
+  ASSERT_FALSE(outcome.stopped);
+  const std::vector<Point> expected = indirect_exit();
+  ASSERT_EQ(outcome.blocks.size(), expected.size() + 2) << text_of(outcome.blocks);
+  for (std::size_t k = 0; k < expected.size(); ++k)
+    expect_at(end(outcome.blocks[k + 1]), expected[k], "exit");
+  EXPECT_EQ(end(outcome.blocks.back()), exit().retract.end);
+}
+
+TEST_P(SelectionTable, EntersAndLeavesDirectlyAsG138Says) {
+  TrcMode mode = mode_for(transition());
+  mode.selection = Selection::direct;
+  const Corner at(angle());
+  const Outcome in = compensate(entry(), mode);
+  ASSERT_EQ(in.blocks.size(), 3U) << text_of(in.blocks);
+  EXPECT_EQ(start(in.blocks[0]), entry().approach.start);
+  expect_at(end(in.blocks[0]), at.p, "P");
+  const Outcome out = compensate(exit(), mode);
+  ASSERT_EQ(out.blocks.size(), 3U) << text_of(out.blocks);
+  expect_at(start(out.blocks[2]), at.q, "Q");
+  EXPECT_EQ(end(out.blocks[2]), exit().retract.end);
+}
+
+// G239 approaches as G138 does and ends in Q without a block of its own.
+TEST_P(SelectionTable, EntersAndEndsAsG239Says) {
+  TrcMode mode = mode_for(transition());
+  mode.selection = Selection::without_block;
+  const Corner at(angle());
+  const Outcome in = compensate(entry(), mode);
+  ASSERT_FALSE(in.stopped);
+  expect_at(end(in.blocks[0]), at.p, "P");
+  const Outcome out = compensate(exit(), mode);
+  ASSERT_EQ(out.blocks.size(), 3U) << text_of(out.blocks);
+  expect_at(end(out.blocks[1]), at.q, "Q");
+  EXPECT_EQ(out.blocks[2].origin, Origin::uncompensated);
+}
+
+std::string name_of_selection(
+    const ::testing::TestParamInfo<std::tuple<double, Bend, Transition>>& tested) {
+  const auto& [angle, bend, transition] = tested.param;
+  const char* shape = bend == Bend::straight ? "Lin" : bend == Bend::left ? "CirLeft" : "CirRight";
+  return "Angle" + std::to_string(std::lround(angle)) + shape +
+         (transition == Transition::linear ? "G25" : "G26");
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Section3, SelectionTable,
+    ::testing::Combine(::testing::Values(20, 90, 180, 181, 225, 270, 271, 318, 350),
+                       ::testing::Values(Bend::straight, Bend::left, Bend::right),
+                       ::testing::Values(Transition::linear, Transition::circular)),
+    name_of_selection);
+
 // Spec section 4.4 and D-08.
 TEST(ExtAngleBlockIntersection, JoinsWithoutInsertionUpTo181Degrees) {
   for (const Sequence& sequence : sequences)
