@@ -4,8 +4,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <map>
 #include <string>
 
+#include "core/nc/number_format.h"
 #include "tests/session/run_program.h"
 
 namespace trc::testing {
@@ -47,6 +49,45 @@ TEST(Selection, AloneInALineActsWithTheNextMotion) {
                                "X80 Y60")),
             expected)
       << "a negative radius swaps the side";
+}
+
+// On the circle of radius 20 about (20, 0) the point at R = 2 before the corner (20, 20) is
+// (18.0025, 19.9); the arc about the corner goes on by 90 degrees and the 2.866 of the chord.
+TEST(SelectionBlock, MayBeCircularWhereItsModeSaysSo) {
+  const std::string in = "G41 G2 X20 Y20 I20\nG1 X40\nG40 X60";
+  const std::string out = "G41 G1 X20\nX40\nG40 G2 X60 Y0 J-20";
+  const auto program = [](const char* start, const char* mode, const std::string& contour) {
+    return program_of(start, std::string("V.G.WZ_AKT.R=2 ") + mode, contour);
+  };
+  EXPECT_EQ(path_of(program("X0 Y0", "G236", in)),
+            "- approach arc 0.0000 0.0000 0.0000 -> 18.0025 19.9000 0.0000 "
+            "center 20.0000 0.0000 0.0000 sweep -84.2680\n"
+            "- approach arc 18.0025 19.9000 0.0000 -> 20.0000 22.0000 0.0000 "
+            "center 20.0000 20.0000 0.0000 sweep -92.8660\n"
+            "- programmed line 20.0000 22.0000 0.0000 -> 40.0000 22.0000 0.0000\n"
+            "- retract arc 40.0000 22.0000 0.0000 -> 42.0000 20.0000 0.0000 "
+            "center 40.0000 20.0000 0.0000 sweep -90.0000\n"
+            "- retract line 42.0000 20.0000 0.0000 -> 60.0000 20.0000 0.0000\n");
+  EXPECT_EQ(path_of(program("X0 Y20", "G236", out)),
+            "- approach line 0.0000 20.0000 0.0000 -> 18.0000 20.0000 0.0000\n"
+            "- approach arc 18.0000 20.0000 0.0000 -> 20.0000 22.0000 0.0000 "
+            "center 20.0000 20.0000 0.0000 sweep -90.0000\n"
+            "- programmed line 20.0000 22.0000 0.0000 -> 40.0000 22.0000 0.0000\n"
+            "- retract arc 40.0000 22.0000 0.0000 -> 41.9975 19.9000 0.0000 "
+            "center 40.0000 20.0000 0.0000 sweep -92.8660\n"
+            "- retract arc 41.9975 19.9000 0.0000 -> 60.0000 0.0000 0.0000 "
+            "center 40.0000 0.0000 0.0000 sweep -84.2680\n");
+  // Under G237 it is the first contour block, outside: 20 + 2.
+  EXPECT_EQ(path_of(program("X0 Y0", "G237", in)),
+            "- approach line 0.0000 0.0000 0.0000 -> -2.0000 0.0000 0.0000\n"
+            "- programmed arc -2.0000 0.0000 0.0000 -> 20.0000 22.0000 0.0000 "
+            "center 20.0000 0.0000 0.0000 sweep -90.0000\n"
+            "- programmed line 20.0000 22.0000 0.0000 -> 40.0000 22.0000 0.0000\n"
+            "- retract line 40.0000 22.0000 0.0000 -> 40.0000 20.0000 0.0000\n");
+  for (const char* mode : {"G138", "G139", "G238", "G239"})
+    EXPECT_EQ(to_blocks(program("X0 Y0", mode, in)).reports(), "90008 at line 4") << mode;
+  for (const char* mode : {"G138", "G139", "G238"})
+    EXPECT_EQ(to_blocks(program("X0 Y20", mode, out)).reports(), "900203 at line 6") << mode;
 }
 
 // The mirror image of the entry at 63.43 degrees: where the equidistant meets the block of
@@ -206,6 +247,21 @@ TEST(SideChange, FollowsTheModeItLeavesAndEnters) {
   for (const char* mode : {"G138", "G139"})
     EXPECT_EQ(path_of(program_of("X0 Y0", mode, contour)), straight + retract) << mode;
   EXPECT_EQ(path_of(program_of("X0 Y0", "G239", contour)), straight) << "no block of its own";
+  // On the programmed block between two arcs about its ends, 5 / √2 each way.
+  EXPECT_EQ(path_of(program_of("X0 Y0", "G236", contour)),
+            "- approach line 0.0000 0.0000 0.0000 -> 15.0000 0.0000 0.0000\n"
+            "- approach arc 15.0000 0.0000 0.0000 -> 20.0000 5.0000 0.0000 "
+            "center 20.0000 0.0000 0.0000 sweep -90.0000\n"
+            "- programmed line 20.0000 5.0000 0.0000 -> 60.0000 5.0000 0.0000\n"
+            "- retract arc 60.0000 5.0000 0.0000 -> 63.5355 3.5355 0.0000 "
+            "center 60.0000 0.0000 0.0000 sweep -45.0000\n"
+            "- approach line 63.5355 3.5355 0.0000 -> 96.4645 36.4645 0.0000\n"
+            "- approach arc 96.4645 36.4645 0.0000 -> 100.0000 35.0000 0.0000 "
+            "center 100.0000 40.0000 0.0000 sweep 45.0000\n"
+            "- programmed line 100.0000 35.0000 0.0000 -> 140.0000 35.0000 0.0000\n"
+            "- retract arc 140.0000 35.0000 0.0000 -> 142.2361 35.5279 0.0000 "
+            "center 140.0000 40.0000 0.0000 sweep 26.5651\n"
+            "- retract line 142.2361 35.5279 0.0000 -> 160.0000 0.0000 0.0000\n");
   // Out and in across the contour.
   EXPECT_EQ(path_of(program_of("X0 Y0", "G237", contour)),
             "- approach line 0.0000 0.0000 0.0000 -> 0.0000 5.0000 0.0000\n"
@@ -298,6 +354,51 @@ TEST(ContourMaskingFunction, DoesNotSwitchKerfMasking) {
       "- retract line -20.0000 29.6410 0.0000 -> -60.0000 34.6410 0.0000\n";
   EXPECT_EQ(path_of(program_of("X0 Y0", "G140", notch)), expected);
   EXPECT_EQ(path_of(program_of("X0 Y0", "G141", notch)), expected);
+}
+
+// Whichever rule holds a selection back, the limit it passes is named.
+TEST(SelectionTooLong, NamesItsLimit) {  // 900212
+  const std::string contour = "G41 G1 X10\nX20\nX30\nX40\nX50\nG40 X60";
+  for (const char* held_by : {"G238", "G141", ""}) {
+    ProgramSessionSetup setup;
+    setup.session.compensator.limits.selection_blocks = 3;
+    setup.session.compensator.implicit_contour_masking = held_by[0] == '\0';
+    const ProgramRun run = to_blocks(program_of("X0 Y0", held_by, contour), setup);
+    ASSERT_EQ(run.diagnostics.size(), 1U) << held_by;
+    EXPECT_EQ(run.diagnostics[0].code, Code::selection_too_long) << held_by;
+    ASSERT_EQ(run.diagnostics[0].values.size(), 1U) << held_by;
+    EXPECT_EQ(run.diagnostics[0].values[0].name, "limit");
+    EXPECT_EQ(run.diagnostics[0].values[0].value, 3);
+  }
+}
+
+// The parameters the reference control publishes with its messages.
+TEST(PublishedValues, ComeWithTheirMessage) {
+  const auto values = [](const std::string& program) {
+    const ProgramRun run = to_blocks(program);
+    std::string text;
+    if (run.diagnostics.size() != 1) return text;
+    std::map<std::string, double> named;
+    for (const DiagnosticValue& value : run.diagnostics[0].values)
+      named[std::string(value.name)] = value.value;
+    for (const auto& [name, value] : named) {
+      std::string number;
+      append_fixed(number, value, 3);
+      text += name + ' ' + number + "; ";
+    }
+    return std::to_string(static_cast<int>(run.diagnostics[0].code)) + ": " + text;
+  };
+  // Up between two lines at 45 degrees each: 10 tan 22.5° is cut at either end.
+  EXPECT_EQ(
+      values(program_of("X-30 Y0", "V.G.WZ_AKT.R=10", "G41 G1 X0 Y0\nX50\nX55 Y5\nY50\nG40 Y80")),
+      "90019: compensated_length -1.213; programmed_length 7.071; tool_radius 10.000; ");
+  EXPECT_EQ(values(program_of("X-30 Y0", "V.G.WZ_AKT.R=12",
+                              "G41 G1 X0 Y0\nX50\nG3 X60 Y10 J10\nG1 Y50\nG40 Y80")),
+            "90017: contour_radius 10.000; difference -2.000; smallest_difference 0.000; "
+            "tool_radius 12.000; ");
+  EXPECT_EQ(values(program_of("X0 Y0", "N70 G238 V.G.WZ_AKT.R=12",
+                              "N80 G41 G1 X-10 Y-10\nN90 X10\nY10\nX-10\nY-10\nG40 X0 Y0")),
+            "90123: distance 10.000; selection_block 80.000; tool_radius 12.000; ");
 }
 
 }  // namespace
