@@ -6,6 +6,7 @@
 
 #include "core/geometry/box_tree.h"
 #include "core/geometry/distance.h"
+#include "core/trc/selection_limit.h"
 
 namespace trc {
 namespace {
@@ -37,11 +38,8 @@ bool Clearance::feed(PathBlock block, std::vector<PathBlock>& out) {
   const bool wanted = belongs && !block.removes_loops() &&
                       (implicit_ || block.mode().masking == Masking::on || !held_.empty());
   if (wanted && !begins) {
-    if (held_.size() >= selection_blocks_) {
-      Diagnostic problem = diagnostic(Code::selection_too_long, block.programmed.source);
-      problem.values = {{"limit", static_cast<double>(selection_blocks_)}};
-      return diagnostics_.report(std::move(problem));
-    }
+    if (held_.size() >= selection_blocks_)
+      return diagnostics_.report(selection_too_long(block, selection_blocks_));
     held_.push_back(std::move(block));
     return true;
   }

@@ -5,6 +5,7 @@
 
 #include "core/geometry/parallel.h"
 #include "core/trc/joints.h"
+#include "core/trc/selection_limit.h"
 
 namespace trc {
 namespace {
@@ -38,11 +39,8 @@ bool ContourMasking::feed(PathBlock block, std::vector<PathBlock>& out) {
       block.role != Role::passive && block.mode().masking == Masking::on && !block.removes_loops();
   const bool continues = !held_.empty() && is_contour(block) && !block.perpendicular_entry;
   if (continues && masking) {
-    if (held_.size() >= selection_blocks_) {
-      Diagnostic problem = diagnostic(Code::selection_too_long, block.programmed.source);
-      problem.values = {{"limit", static_cast<double>(selection_blocks_)}};
-      return diagnostics_.report(std::move(problem));
-    }
+    if (held_.size() >= selection_blocks_)
+      return diagnostics_.report(selection_too_long(block, selection_blocks_));
     held_.push_back(std::move(block));
     return true;
   }

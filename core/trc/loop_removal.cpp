@@ -7,6 +7,7 @@
 
 #include "core/geometry/along.h"
 #include "core/geometry/distance.h"
+#include "core/trc/selection_limit.h"
 
 namespace trc {
 namespace {
@@ -116,7 +117,7 @@ bool LoopRemoval::feed(PathBlock block, std::vector<PathBlock>& out) {
                                 (block.role == Role::inserted && block.origin != Origin::retract));
   if (belongs && !begins) {
     if (held_.size() >= selection_blocks_)
-      return diagnostics_.report(diagnostic(Code::selection_too_long, block.programmed.source));
+      return diagnostics_.report(selection_too_long(block, selection_blocks_));
     held_.push_back(std::move(block));
     return true;
   }

@@ -359,7 +359,7 @@ TEST(ContourMaskingFunction, DoesNotSwitchKerfMasking) {
 // Whichever rule holds a selection back, the limit it passes is named.
 TEST(SelectionTooLong, NamesItsLimit) {  // 900212
   const std::string contour = "G41 G1 X10\nX20\nX30\nX40\nX50\nG40 X60";
-  for (const char* held_by : {"G238", "G141", ""}) {
+  for (const char* held_by : {"G238", "G141", "G141\n#TRC[REMOVE_MASKED_BLOCKS=1]", ""}) {
     ProgramSessionSetup setup;
     setup.session.compensator.limits.selection_blocks = 3;
     setup.session.compensator.implicit_contour_masking = held_by[0] == '\0';

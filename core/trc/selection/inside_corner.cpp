@@ -6,6 +6,7 @@
 
 #include "core/geometry/distance.h"
 #include "core/trc/corner.h"
+#include "core/trc/selection_limit.h"
 
 namespace trc::selection {
 namespace {
@@ -40,8 +41,7 @@ bool InsideCorner::feed(PathBlock block, std::vector<PathBlock>& out) {
   }
   if (begins || block.role == Role::contour) {
     if (held_.size() >= selection_blocks_)
-      return refuse(Code::selection_too_long, block,
-                    {{"limit", static_cast<double>(selection_blocks_)}});
+      return diagnostics_.report(selection_too_long(block, selection_blocks_));
     held_.push_back(std::move(block));
     return true;
   }
