@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+#include <cstddef>
 #include <optional>
 #include <string>
 
@@ -58,10 +60,12 @@ class Answers {
             Summarize summarize) {
     if (!outbox_.empty() || (!answered_ && !error_)) {
       answered_ = true;
-      const Outbox::Slice slice = outbox_.take(backend_.config.max_message_bytes);
+      const Outbox::Slice slice =
+          outbox_.take(std::min<std::size_t>(most_answer_bytes, backend_.config.max_message_bytes));
       write_slice(slice, layout, response);
       finish_slice(slice, outbox_.empty());
       record_.sent(slice.blocks.size());
+      outbox_.forget_taken();
       const bool more = !outbox_.empty() || error_ || summary_due_;
       return {.write = true, .next = more ? Turn::Next::proceed : Turn::Next::read, .ending = {}};
     }
@@ -74,6 +78,10 @@ class Answers {
   }
 
  private:
+  // An answer on its way is held as a message, beside gRPC's buffers, until the client reads it:
+  // hundreds of clients that do not must not add up to much. Larger ones are hardly faster.
+  static constexpr std::size_t most_answer_bytes = 128U << 10U;
+
   Backend& backend_;
   CallRecord& record_;
   Outbox outbox_;

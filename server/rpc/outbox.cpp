@@ -15,8 +15,8 @@ std::size_t message_bytes(const CompensatedBlock& block) {
          (block.inverse ? inverse : 0);
 }
 
-// Memory that is worth giving back once it is empty.
-constexpr std::size_t large = 1U << 20U;
+// Memory that is worth giving back once it is empty: a client that does not read holds it.
+constexpr std::size_t large = 64U << 10U;
 
 template <class Buffer>
 void empty_out(Buffer& buffer) {
@@ -28,14 +28,12 @@ void empty_out(Buffer& buffer) {
 
 }  // namespace
 
-ProgramOutput& Outbox::content() {
-  if (empty()) {
-    blocks_forgotten_ += std::exchange(next_block_, 0);
-    next_byte_ = 0;
-    empty_out(content_.blocks);
-    empty_out(content_.text);
-  }
-  return content_;
+void Outbox::forget_taken() {
+  if (!empty()) return;
+  blocks_forgotten_ += std::exchange(next_block_, 0);
+  next_byte_ = 0;
+  empty_out(content_.blocks);
+  empty_out(content_.text);
 }
 
 void Outbox::place(std::vector<Diagnostic> diagnostics) {

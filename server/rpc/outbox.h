@@ -28,8 +28,10 @@ class Outbox {
     std::vector<Diagnostic> diagnostics{};  // raised behind the blocks and the text
   };
 
-  // The core appends here. Call once the last slice is no longer needed.
-  [[nodiscard]] ProgramOutput& content();
+  // The core appends here.
+  [[nodiscard]] ProgramOutput& content() { return content_; }
+  // To be called when the last slice is no longer needed: gives back its memory, once all is taken.
+  void forget_taken();
   // Puts diagnostics behind everything there is now.
   void place(std::vector<Diagnostic> diagnostics);
 
