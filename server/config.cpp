@@ -1,21 +1,21 @@
 #include "server/config.h"
 
 #include <toml++/toml.h>
+#include <yaml-cpp/yaml.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <charconv>
 #include <cstdlib>
 #include <fstream>
 #include <istream>
-#include <limits>
 #include <memory>
 #include <sstream>
 #include <string_view>
 
 #include "core/base/version.h"
+#include "server/address.h"
 
 namespace trc::server {
 namespace {
@@ -35,32 +35,71 @@ std::string toml_scalar(const toml::node& node, const std::string& key) {
   throw CLI::ConfigError("'" + key + "' must be a string, an integer, true, false or a list");
 }
 
-// Lets a TOML library read the file, and drops what the environment overrides.
-class TomlFile : public CLI::ConfigTOML {
- public:
-  [[nodiscard]] std::vector<CLI::ConfigItem> from_config(std::istream& input) const override {
-    std::vector<CLI::ConfigItem> settings;
-    try {
-      for (const auto& [key_node, value] : toml::parse(input)) {
-        const std::string key(key_node.str());
-        if (std::getenv(environment_name(key).c_str()) != nullptr) continue;
-        CLI::ConfigItem item;
-        item.name = key;
-        if (const toml::array* list = value.as_array()) {
-          for (const toml::node& entry : *list) item.inputs.push_back(toml_scalar(entry, key));
-        } else {
-          item.inputs.push_back(toml_scalar(value, key));
-        }
-        settings.push_back(std::move(item));
+[[noreturn]] void refuse_file(int line, std::string_view what) {
+  std::ostringstream text;
+  text << "configuration file, line " << line << ": " << what;
+  throw CLI::ConfigError(text.str());
+}
+
+std::vector<CLI::ConfigItem> toml_settings(std::istream& input) {
+  std::vector<CLI::ConfigItem> settings;
+  try {
+    for (const auto& [key_node, value] : toml::parse(input)) {
+      CLI::ConfigItem item;
+      item.name = key_node.str();
+      if (const toml::array* list = value.as_array()) {
+        for (const toml::node& entry : *list) item.inputs.push_back(toml_scalar(entry, item.name));
+      } else {
+        item.inputs.push_back(toml_scalar(value, item.name));
       }
-    } catch (const toml::parse_error& fault) {
-      std::ostringstream text;
-      text << "configuration file, line " << fault.source().begin.line << ": "
-           << fault.description();
-      throw CLI::ConfigError(text.str());
+      settings.push_back(std::move(item));
     }
+  } catch (const toml::parse_error& fault) {
+    refuse_file(static_cast<int>(fault.source().begin.line), fault.description());
+  }
+  return settings;
+}
+
+std::vector<CLI::ConfigItem> yaml_settings(std::istream& input) {
+  std::vector<CLI::ConfigItem> settings;
+  try {
+    const YAML::Node file = YAML::Load(input);
+    if (!file.IsMap() && !file.IsNull()) refuse_file(1, "must hold settings, `name: value`");
+    for (const auto& entry : file) {
+      CLI::ConfigItem item;
+      item.name = entry.first.as<std::string>();
+      const YAML::Node& value = entry.second;
+      if (value.IsSequence()) {
+        for (const YAML::Node& one : value) item.inputs.push_back(one.as<std::string>());
+      } else {
+        item.inputs.push_back(value.as<std::string>());
+      }
+      settings.push_back(std::move(item));
+    }
+  } catch (const YAML::Exception& fault) {
+    refuse_file(fault.mark.line + 1, fault.msg);
+  }
+  return settings;
+}
+
+// Lets a TOML or a YAML library read the file, as its name says, and drops what the environment
+// overrides.
+class ConfigFile : public CLI::ConfigTOML {
+ public:
+  explicit ConfigFile(const CLI::App& app) : app_(app) {}
+
+  [[nodiscard]] std::vector<CLI::ConfigItem> from_config(std::istream& input) const override {
+    const auto name = app_.get_config_ptr()->as<std::string>();
+    const bool yaml = name.ends_with(".yaml") || name.ends_with(".yml");
+    std::vector<CLI::ConfigItem> settings = yaml ? yaml_settings(input) : toml_settings(input);
+    std::erase_if(settings, [](const CLI::ConfigItem& item) {
+      return std::getenv(environment_name(item.name).c_str()) != nullptr;
+    });
     return settings;
   }
+
+ private:
+  const CLI::App& app_;
 };
 
 class Settings {
@@ -102,10 +141,18 @@ void declare(CLI::App& app, Config& config) {
   settings.add("tls-key-file", config.tls_key_file, "PEM private key of the certificate");
   settings.add("tls-client-ca-file", config.tls_client_ca_file,
                "PEM authorities; clients must then show a certificate of one of them");
+  settings
+      .add("tls-allowed-clients", config.tls_allowed_clients,
+           "names of client certificates that are served (common name or alternative name); empty: "
+           "all the authority has signed")
+      ->delimiter(',')
+      ->expected(0, 1024);
   settings.number("tls-refresh-s", config.tls_refresh_s, 1, 86400,
                   "how often the PEM files are read again");
   settings.add("admin-listen", config.admin_listen,
                "HOST:PORT of /metrics, /healthz and /readyz; empty: none");
+  settings.add("health-listen", config.health_listen,
+               "HOST:PORT of grpc.health.v1 alone in plain text, for probes; empty: none");
   settings.toggle("reflection", config.reflection, "serve gRPC reflection");
   settings.number("worker-threads", config.worker_threads, 0, 1024,
                   "threads that compute; 0: one per core");
@@ -149,32 +196,6 @@ void declare(CLI::App& app, Config& config) {
       ->check(CLI::IsMember({"debug", "info", "warning", "error", "off"}));
 }
 
-struct HostPort {
-  std::string host;
-  std::uint16_t port = 0;
-};
-
-std::optional<HostPort> split_host_port(const std::string& address) {
-  const std::size_t colon = address.rfind(':');
-  if (colon == std::string::npos || colon == 0) return std::nullopt;
-  std::string host = address.substr(0, colon);
-  const bool bracketed = host.size() > 2 && host.front() == '[' && host.back() == ']';
-  if (bracketed)
-    host = host.substr(1, host.size() - 2);
-  else if (host.find(':') != std::string::npos)
-    return std::nullopt;
-
-  const std::string_view digits = std::string_view(address).substr(colon + 1);
-  std::uint16_t port = 0;
-  const auto [end, fault] = std::from_chars(digits.data(), digits.data() + digits.size(), port);
-  if (fault != std::errc() || end != digits.data() + digits.size()) return std::nullopt;
-  return HostPort{.host = host, .port = port};
-}
-
-constexpr std::string_view unix_prefix = "unix:";
-// Length of sun_path without its closing zero.
-constexpr std::size_t longest_unix_path = 107;
-
 std::optional<std::string> fault_of_address(const std::string& address) {
   if (address.starts_with(unix_prefix)) {
     const std::size_t length = address.size() - unix_prefix.size();
@@ -201,16 +222,6 @@ std::string one_line(std::string text) {
 
 }  // namespace
 
-bool is_local_address(const std::string& address) {
-  if (address.starts_with(unix_prefix)) return true;
-  const auto parts = split_host_port(address);
-  if (!parts) return false;
-  // A host name may begin with 127 too.
-  const bool numeric = parts->host.find_first_not_of("0123456789.") == std::string::npos;
-  return parts->host == "localhost" || parts->host == "::1" ||
-         (numeric && parts->host.starts_with("127."));
-}
-
 std::optional<std::string> first_fault(const Config& config) {
   if (config.listen.empty()) return "listen: at least one address is needed";
   for (const std::string& address : config.listen)
@@ -218,11 +229,21 @@ std::optional<std::string> first_fault(const Config& config) {
   if (!config.admin_listen.empty() && !split_host_port(config.admin_listen))
     return "admin-listen: '" + config.admin_listen + "' is not HOST:PORT";
 
+  if (!config.health_listen.empty()) {
+    if (!split_host_port(config.health_listen))
+      return "health-listen: '" + config.health_listen + "' is not HOST:PORT";
+    if (!is_local_address(config.health_listen) && !config.insecure)
+      return "health-listen: '" + config.health_listen +
+             "' can be reached by other machines in plain text; allow that with insecure";
+  }
+
   const bool tls = !config.tls_cert_file.empty();
   if (tls != !config.tls_key_file.empty())
     return "tls-cert-file and tls-key-file must be given together";
   if (!tls && !config.tls_client_ca_file.empty())
     return "tls-client-ca-file needs tls-cert-file and tls-key-file";
+  if (!config.tls_allowed_clients.empty() && config.tls_client_ca_file.empty())
+    return "tls-allowed-clients needs tls-client-ca-file";
   for (const auto& [name, path] :
        {std::pair<const char*, const std::string&>{"tls-cert-file", config.tls_cert_file},
         {"tls-key-file", config.tls_key_file},
@@ -246,11 +267,13 @@ CommandLine read_command_line(int argc, const char* const* argv) {
   app.set_version_flag("--version", "trcd " + std::string(version()));
   // The file is read before CLI11 looks at the environment, so its name is looked up here.
   const char* file = std::getenv("TRCD_CONFIG");
-  app.set_config("--config", file != nullptr ? file : "",
-                 "TOML file with the same settings (Env:TRCD_CONFIG)", file != nullptr)
+  app.set_config(
+         "--config", file != nullptr ? file : "",
+         "TOML file, or YAML if named .yaml or .yml, with the same settings (Env:TRCD_CONFIG)",
+         file != nullptr)
       ->configurable(false);
   app.allow_config_extras(CLI::config_extras_mode::error);
-  app.config_formatter(std::make_shared<TomlFile>());
+  app.config_formatter(std::make_shared<ConfigFile>(app));
   bool print = false;
   app.add_flag("--print-config", print, "print the settings in force and exit")
       ->configurable(false);

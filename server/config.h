@@ -8,8 +8,8 @@
 namespace trc::server {
 
 // Every setting of the server, with its unit in the name. The flag `--drain-timeout-s`, the
-// environment variable `TRCD_DRAIN_TIMEOUT_S` and the key `drain-timeout-s` of the TOML file name
-// the same setting; a flag wins over the environment, the environment over the file.
+// environment variable `TRCD_DRAIN_TIMEOUT_S` and the key `drain-timeout-s` of the TOML or YAML
+// file name the same setting; a flag wins over the environment, the environment over the file.
 struct Config {
   // Addresses to serve: HOST:PORT, [IPV6]:PORT or unix:/path. Port 0 takes a free one.
   std::vector<std::string> listen = {"127.0.0.1:50051"};
@@ -21,11 +21,15 @@ struct Config {
   std::string tls_cert_file;
   std::string tls_key_file;
   std::string tls_client_ca_file;
+  // Common or alternative names of client certificates that are served; empty: all.
+  std::vector<std::string> tls_allowed_clients;
   // How often the PEM files are looked at for a new certificate.
   std::uint32_t tls_refresh_s = 10;
 
   // HOST:PORT of /metrics, /healthz and /readyz; empty: none.
   std::string admin_listen;
+  // HOST:PORT of the health service alone, in plain text; empty: none.
+  std::string health_listen;
   bool reflection = true;
 
   // Threads that compute; 0: one per core.
@@ -76,8 +80,5 @@ CommandLine read_command_line(int argc, const char* const* argv);
 
 // The first rule a configuration breaks, as a sentence; empty when it is good.
 std::optional<std::string> first_fault(const Config& config);
-
-// True when an address can be reached from this machine only: a loopback address or a Unix socket.
-bool is_local_address(const std::string& address);
 
 }  // namespace trc::server

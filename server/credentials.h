@@ -4,12 +4,14 @@
 
 #include <memory>
 
-#include "server/config.h"
+#include "server/certificates.h"
 
 namespace trc::server {
 
-// How the server proves who it is at TCP ports: plain text, TLS, or TLS with client certificates.
-// The PEM files are watched: a new certificate holds for new connections without a restart.
-std::shared_ptr<grpc::ServerCredentials> tcp_credentials(const Config& config);
+// Credentials of one listening address: plain text without certificates, else TLS with the
+// certificate in use at the moment of a handshake, and with client certificates where authorities
+// are named. Not to be shared by addresses: each has its own idea of which certificate is new.
+std::shared_ptr<grpc::ServerCredentials> credentials_of(
+    const std::shared_ptr<const Certificates>& certificates);
 
 }  // namespace trc::server

@@ -2,53 +2,104 @@
 #include <pthread.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <chrono>
 #include <csignal>
 #include <cstdio>
+#include <ctime>
 #include <string>
 #include <thread>
 
 #include "core/base/version.h"
 #include "server/config.h"
 #include "server/server.h"
+#include "server/service_manager.h"
 
 namespace {
 
+using trc::server::Log;
 using trc::server::LogLine;
+namespace service_manager = trc::server::service_manager;
 
-// SIGTERM and SIGINT are waited for, not caught: blocked in every thread that is started later.
-sigset_t block_stop_signals() {
+constexpr auto look_interval = std::chrono::seconds(1);
+
+// Signals are waited for, not caught: blocked in every thread that is started later.
+sigset_t block_signals() {
   sigset_t signals;
   sigemptyset(&signals);
   sigaddset(&signals, SIGTERM);
   sigaddset(&signals, SIGINT);
+  sigaddset(&signals, SIGHUP);
   pthread_sigmask(SIG_BLOCK, &signals, nullptr);
   return signals;
 }
 
+const Log& grpc_log() {
+  static const Log log("off");
+  return log;
+}
+
 // gRPC's own messages, a failed handshake say, join the log instead of going to standard error.
 void adopt_grpc_log(const std::string& level) {
-  static const trc::server::Log log(level);
+  grpc_log().set_level(level);
   gpr_set_log_function([](gpr_log_func_args* message) {
     const LogLine line = LogLine("grpc").text("message", message->message);
     if (message->severity == GPR_LOG_SEVERITY_ERROR) {
-      log.warning(line);
+      grpc_log().warning(line);
     } else {
-      log.info(line);
+      grpc_log().info(line);
     }
   });
 }
 
-void wait_for(const sigset_t& signals) {
-  int signal = 0;
-  while (sigwait(&signals, &signal) != 0) {
+// The next signal, or 0 after a while.
+int wait_for(const sigset_t& signals, std::chrono::microseconds longest) {
+  const timespec limit{.tv_sec = static_cast<time_t>(longest.count() / 1'000'000),
+                       .tv_nsec = static_cast<long>(longest.count() % 1'000'000) * 1000};
+  const int signal = sigtimedwait(&signals, nullptr, &limit);
+  return signal > 0 ? signal : 0;
+}
+
+// Log level and certificates; other settings need a restart. A configuration that cannot be read
+// changes nothing.
+void reload(int argc, char** argv, trc::server::Server& server) {
+  service_manager::reloading();
+  const auto& log = server.backend().telemetry.log;
+  const trc::server::CommandLine again = trc::server::read_command_line(argc, argv);
+  if (again.exit) {
+    log.warning(LogLine("reload_refused").text("fault", again.exit->text));
+  } else {
+    log.set_level(again.config.log_level);
+    grpc_log().set_level(again.config.log_level);
+    log.info(LogLine("reloaded").text("log_level", again.config.log_level));
+  }
+  server.reload_certificates();
+  service_manager::ready();
+}
+
+// Serves until a signal says to stop.
+void serve(int argc, char** argv, const sigset_t& signals, trc::server::Server& server) {
+  const auto watchdog = service_manager::watchdog_interval();
+  std::chrono::microseconds interval = look_interval;
+  if (watchdog.count() > 0) interval = std::min(interval, watchdog);
+  for (;;) {
+    const int signal = wait_for(signals, interval);
+    if (signal == SIGTERM || signal == SIGINT) return;
+    if (signal == SIGHUP) reload(argc, argv, server);
+    server.look_after();
+    if (server.is_well()) service_manager::alive();
   }
 }
 
-// Who sends the signal twice does not want to wait for open streams.
+// Who sends the signal twice does not want to wait for open streams. Meanwhile the watchdog is told
+// that draining is no hang.
 void exit_at_next(const sigset_t& signals) {
   std::thread([signals] {
-    wait_for(signals);
-    _exit(1);
+    for (;;) {
+      const int signal = wait_for(signals, look_interval);
+      if (signal == SIGTERM || signal == SIGINT) _exit(1);
+      service_manager::alive();
+    }
   }).detach();
 }
 
@@ -70,7 +121,8 @@ void log_start(trc::server::Server& server) {
           .text("commit", trc::commit())
           .text("listen", addresses)
           .text("ports", ports)
-          .number("admin_port", static_cast<std::uint64_t>(server.admin_port())));
+          .number("admin_port", static_cast<std::uint64_t>(server.admin_port()))
+          .number("health_port", static_cast<std::uint64_t>(server.health_port())));
 }
 
 }  // namespace
@@ -84,17 +136,20 @@ int main(int argc, char** argv) {
     return command_line.exit->code;
   }
 
-  const sigset_t signals = block_stop_signals();
+  const sigset_t signals = block_signals();
   std::signal(SIGPIPE, SIG_IGN);
   adopt_grpc_log(command_line.config.log_level);
-  auto [server, fault] = trc::server::Server::start(command_line.config);
+  auto [server, fault, misconfigured] = trc::server::Server::start(command_line.config);
   if (server == nullptr) {
     std::fprintf(stderr, "trcd: error: %s\n", fault.c_str());
-    return 1;
+    return misconfigured ? 2 : 1;
   }
   log_start(*server);
 
-  wait_for(signals);
+  service_manager::ready();
+
+  serve(argc, argv, signals, *server);
+  service_manager::stopping();
   exit_at_next(signals);
   const auto& log = server->backend().telemetry.log;
   log.info(LogLine("draining").number("streams", std::uint64_t{server->backend().streams.count()}));

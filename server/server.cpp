@@ -4,39 +4,19 @@
 #include <grpcpp/grpcpp.h>
 #include <grpcpp/health_check_service_interface.h>
 #include <grpcpp/resource_quota.h>
-#include <sys/socket.h>
-#include <sys/un.h>
-#include <unistd.h>
 
 #include <chrono>
-#include <cstring>
-#include <string_view>
 #include <utility>
 
 #include "grpc/health/v1/health.pb.h"
+#include "server/address.h"
 #include "server/credentials.h"
 
 namespace trc::server {
 namespace {
 
-constexpr std::string_view unix_prefix = "unix:";
 // gRPC waits for its own end so long; by then no stream is open.
 constexpr auto shutdown_grace = std::chrono::milliseconds(100);
-
-// gRPC replaces a socket file even while another server listens at it, and takes over its clients
-// without a word. So somebody who answers there is a fault.
-bool somebody_listens_at(const std::string& path) {
-  sockaddr_un address{};
-  address.sun_family = AF_UNIX;
-  if (path.size() >= sizeof(address.sun_path)) return false;
-  std::memcpy(address.sun_path, path.c_str(), path.size() + 1);
-  const int probe = socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0);
-  if (probe < 0) return false;
-  const bool answered =
-      connect(probe, reinterpret_cast<const sockaddr*>(&address), sizeof(address)) == 0;
-  close(probe);
-  return answered;
-}
 
 int milliseconds(std::uint32_t seconds) { return static_cast<int>(seconds) * 1000; }
 
@@ -46,8 +26,6 @@ void set_limits(grpc::ServerBuilder& builder, const Config& config) {
   builder.SetResourceQuota(
       grpc::ResourceQuota("trcd").Resize(std::size_t{config.max_grpc_buffer_mib} << 20U));
   const auto set = [&](const char* name, int value) { builder.AddChannelArgument(name, value); };
-  // A second server on a taken port would otherwise start and steal half of the connections.
-  set(GRPC_ARG_ALLOW_REUSEPORT, 0);
   set(GRPC_ARG_MAX_CONCURRENT_STREAMS, static_cast<int>(config.max_streams_per_connection));
   set(GRPC_ARG_KEEPALIVE_TIME_MS, milliseconds(config.keepalive_time_s));
   set(GRPC_ARG_KEEPALIVE_TIMEOUT_MS, milliseconds(config.keepalive_timeout_s));
@@ -61,9 +39,12 @@ void set_limits(grpc::ServerBuilder& builder, const Config& config) {
 
 Server::Start Server::start(const Config& config) {
   ResumeKey key = resume_key(config.resume_key_file);
-  if (!key.fault.empty()) return {.server = nullptr, .fault = std::move(key.fault)};
+  if (!key.fault.empty())
+    return {.server = nullptr, .fault = std::move(key.fault), .misconfigured = true};
   std::unique_ptr<Server> server(new Server(config, std::move(key.key)));
-  std::string fault = server->open(true);
+  std::string fault = server->read_certificates();
+  if (!fault.empty()) return {.server = nullptr, .fault = std::move(fault), .misconfigured = true};
+  fault = server->open(true);
   if (!fault.empty()) return {.server = nullptr, .fault = std::move(fault)};
   return {.server = std::move(server), .fault = {}};
 }
@@ -81,6 +62,19 @@ Server::~Server() {
   stop_grpc();
 }
 
+std::string Server::read_certificates() {
+  const Config& config = backend_.config;
+  if (config.tls_cert_file.empty()) return {};
+  certificates_ = std::make_shared<Certificates>(
+      Certificates::Files{.chain = config.tls_cert_file,
+                          .key = config.tls_key_file,
+                          .client_authorities = config.tls_client_ca_file});
+  std::string fault;
+  if (certificates_->reload(fault) == Certificates::Reload::refused) return fault;
+  backend_.telemetry.metrics.set_certificate_expiry(certificates_->current()->expires_s);
+  return {};
+}
+
 std::string Server::open(bool with_addresses) {
   const Config& config = backend_.config;
   grpc::EnableDefaultHealthCheckService(true);
@@ -93,38 +87,109 @@ std::string Server::open(bool with_addresses) {
   grpc::ServerBuilder builder;
   set_limits(builder, config);
   builder.RegisterService(&service_);
+  grpc::ServerBuilder health_builder;
   if (with_addresses) {
-    ports_.assign(config.listen.size(), 0);
-    for (std::size_t i = 0; i < config.listen.size(); ++i) {
-      const std::string& address = config.listen[i];
-      if (!address.starts_with(unix_prefix)) {
-        builder.AddListeningPort(address, tcp_credentials(config), &ports_[i]);
-        continue;
-      }
-      if (somebody_listens_at(address.substr(unix_prefix.size())))
-        return "cannot listen on " + address + ": another server answers there";
-      builder.AddListeningPort(address, grpc::InsecureServerCredentials());
+    for (const std::string& address : config.listen) {
+      int port = 0;
+      std::string fault = listen(builder, address,
+                                 address.starts_with(unix_prefix) ? nullptr : certificates_, port);
+      if (!fault.empty()) return fault;
+      ports_.push_back(port);
+    }
+    if (!config.health_listen.empty()) {
+      std::string fault = listen(health_builder, config.health_listen, nullptr, health_port_);
+      if (!fault.empty()) return fault;
+    }
+    if (!config.admin_listen.empty()) {
+      admin_ = Admin::open(config.admin_listen, {.metrics = [this] { return exposition(); },
+                                                 .ready = [this] { return ready(); }});
+      if (admin_ == nullptr) return "cannot listen on admin-listen " + config.admin_listen;
     }
   }
   grpc_ = builder.BuildAndStart();
-  if (grpc_ == nullptr) {
-    std::string addresses;
-    for (const std::string& address : config.listen) addresses += " " + address;
-    return "cannot listen on" + addresses + ": an address is in use or not of this machine";
-  }
-
-  if (with_addresses && !config.admin_listen.empty()) {
-    admin_ = Admin::open(config.admin_listen,
-                         {.metrics =
-                              [this] {
-                                backend_.refresh_gauges();
-                                return backend_.telemetry.metrics.exposition();
-                              },
-                          .ready = [this] { return !backend_.streams.draining(); }});
-    if (admin_ == nullptr) return "cannot listen on admin-listen " + config.admin_listen;
-  }
-  grpc_->GetHealthCheckService()->SetServingStatus(v1::TrcService::service_full_name(), true);
+  if (health_port_ > 0) health_ = health_builder.BuildAndStart();
+  if (grpc_ == nullptr || (health_port_ > 0 && health_ == nullptr))
+    return "gRPC did not start; its messages say why";
+  set_serving(true);
+  if (with_addresses) acceptor_.start();
+  started_ = true;
   return {};
+}
+
+// gRPC is given connections, not addresses: see Acceptor.
+std::string Server::listen(grpc::ServerBuilder& builder, const std::string& address,
+                           const std::shared_ptr<const Certificates>& certificates, int& port) {
+  Listener::Opened opened = Listener::open(address);
+  for (Listener& listener : opened.listeners) {
+    port = listener.port();
+    const std::shared_ptr<grpc::experimental::ExternalConnectionAcceptor> entrance =
+        builder.experimental().AddExternalConnectionAcceptor(
+            grpc::ServerBuilder::experimental_type::ExternalConnectionType::FROM_FD,
+            credentials_of(certificates));
+    acceptor_.add(std::move(listener), [entrance](Descriptor connection) {
+      grpc::experimental::ExternalConnectionAcceptor::NewConnectionParameters parameters;
+      parameters.fd = connection.release();
+      entrance->HandleNewConnection(&parameters);
+    });
+  }
+  return opened.fault;
+}
+
+void Server::set_serving(bool serving) {
+  for (grpc::Server* server : {grpc_.get(), health_.get()}) {
+    if (server == nullptr) continue;
+    server->GetHealthCheckService()->SetServingStatus(v1::TrcService::service_full_name(), serving);
+    // The status of all services, which also tells those who watch.
+    server->GetHealthCheckService()->SetServingStatus(serving);
+  }
+}
+
+std::string Server::exposition() {
+  backend_.refresh_gauges();
+  const Acceptor::Counts connections = acceptor_.counts();
+  backend_.telemetry.metrics.set_connections(connections.accepted, connections.refused);
+  return backend_.telemetry.metrics.exposition();
+}
+
+bool Server::ready() const { return started_ && !backend_.streams.draining(); }
+
+void Server::reload_certificates() {
+  if (certificates_ == nullptr) return;
+  std::string fault;
+  const auto& log = backend_.telemetry.log;
+  Metrics& metrics = backend_.telemetry.metrics;
+  switch (certificates_->reload(fault)) {
+    case Certificates::Reload::unchanged:
+      refused_certificates_.clear();
+      return;
+    case Certificates::Reload::taken:
+      refused_certificates_.clear();
+      metrics.count_certificate_reload("taken");
+      metrics.set_certificate_expiry(certificates_->current()->expires_s);
+      log.info(LogLine("certificate_taken")
+                   .number("expires_s",
+                           static_cast<std::uint64_t>(certificates_->current()->expires_s)));
+      return;
+    case Certificates::Reload::refused:
+      // Once a fault, not once a look.
+      if (fault == refused_certificates_) return;
+      refused_certificates_ = fault;
+      metrics.count_certificate_reload("refused");
+      log.warning(LogLine("certificate_refused").text("fault", fault));
+      return;
+  }
+}
+
+void Server::look_after() {
+  const auto now = Clock::now();
+  if (now < next_certificate_look_) return;
+  next_certificate_look_ = now + std::chrono::seconds(backend_.config.tls_refresh_s);
+  reload_certificates();
+}
+
+bool Server::is_well() const {
+  constexpr double longest_round_s = 10;
+  return acceptor_.seconds_since_last_round() < longest_round_s;
 }
 
 std::shared_ptr<grpc::Channel> Server::in_process_channel() {
@@ -132,8 +197,7 @@ std::shared_ptr<grpc::Channel> Server::in_process_channel() {
 }
 
 std::size_t Server::drain() {
-  // The status of all services, which also tells those who watch.
-  grpc_->GetHealthCheckService()->SetServingStatus(false);
+  set_serving(false);
   backend_.streams.drain();
   const auto timeout = std::chrono::seconds(backend_.config.drain_timeout_s);
   std::size_t cut_off = 0;
@@ -144,11 +208,14 @@ std::size_t Server::drain() {
 
 void Server::stop_grpc() {
   admin_.reset();
-  if (grpc_ == nullptr) return;
-  // Shutdown waits for idle clients as long as it is allowed to, so it is allowed little.
-  grpc_->Shutdown(std::chrono::system_clock::now() + shutdown_grace);
-  grpc_->Wait();
-  grpc_.reset();
+  acceptor_.stop();
+  for (std::unique_ptr<grpc::Server>* server : {&grpc_, &health_}) {
+    if (*server == nullptr) continue;
+    // Shutdown waits for idle clients as long as it is allowed to, so it is allowed little.
+    (*server)->Shutdown(std::chrono::system_clock::now() + shutdown_grace);
+    (*server)->Wait();
+    server->reset();
+  }
 }
 
 }  // namespace trc::server

@@ -2,12 +2,16 @@
 
 #include <grpcpp/channel.h>
 #include <grpcpp/server.h>
+#include <grpcpp/server_builder.h>
 
+#include <atomic>
 #include <memory>
 #include <string>
 #include <vector>
 
 #include "server/backend.h"
+#include "server/certificates.h"
+#include "server/listener.h"
 #include "server/service.h"
 #include "server/telemetry/admin.h"
 
@@ -19,6 +23,7 @@ class Server {
   struct Start {
     std::unique_ptr<Server> server;  // null when it cannot serve
     std::string fault;               // then the reason, one line
+    bool misconfigured = false;      // the reason is a setting, and no port was opened
   };
   // Opens every address of the configuration, or none. The configuration must be free of faults.
   static Start start(const Config& config);
@@ -33,7 +38,16 @@ class Server {
   // The ports in the order of `Config::listen`; 0 for a Unix socket.
   [[nodiscard]] const std::vector<int>& ports() const { return ports_; }
   [[nodiscard]] int admin_port() const { return admin_ ? admin_->port() : 0; }
+  [[nodiscard]] int health_port() const { return health_port_; }
   [[nodiscard]] std::shared_ptr<grpc::Channel> in_process_channel();
+
+  // Reads the PEM files again: at once, and in `look_after` when it is time. New connections get
+  // what was taken into use; what cannot be used is logged, counted and left alone.
+  void reload_certificates();
+  // To be called about once a second, by the thread that reloads.
+  void look_after();
+  // Connections are being accepted.
+  [[nodiscard]] bool is_well() const;
 
   // Takes no new streams, lets the open ones finish within the drain timeout, then ends. Health
   // says NOT_SERVING from the first moment. Returns how many streams had to be cut off.
@@ -43,15 +57,30 @@ class Server {
 
  private:
   Server(const Config& config, std::string resume_key);
+  // Empty when there are none or they can be used.
+  std::string read_certificates();
   // Empty when the server runs.
   std::string open(bool with_addresses);
+  std::string listen(grpc::ServerBuilder& builder, const std::string& address,
+                     const std::shared_ptr<const Certificates>& certificates, int& port);
+  void set_serving(bool serving);
+  std::string exposition();
+  [[nodiscard]] bool ready() const;
   void stop_grpc();
 
   Backend backend_;
   TrcService service_{backend_};
+  std::shared_ptr<Certificates> certificates_;
+  std::string refused_certificates_;  // why, the last time
+  Clock::time_point next_certificate_look_{};
   std::unique_ptr<grpc::Server> grpc_;
+  std::unique_ptr<grpc::Server> health_;
   std::unique_ptr<Admin> admin_;
   std::vector<int> ports_;
+  int health_port_ = 0;
+  std::atomic<bool> started_ = false;
+  // Last, so that no connection comes once the others go.
+  Acceptor acceptor_;
 };
 
 }  // namespace trc::server

@@ -2,6 +2,7 @@
 
 #include <memory>
 
+#include "server/rpc/caller.h"
 #include "server/rpc/compensate_path.h"
 #include "server/rpc/compensate_program.h"
 #include "server/rpc/get_server_info.h"
@@ -43,11 +44,14 @@ grpc::ServerWriteReactor<v1::PreviewPathResponse>* TrcService::PreviewPath(
 grpc::ServerUnaryReactor* TrcService::GetServerInfo(grpc::CallbackServerContext* context,
                                                     const v1::GetServerInfoRequest* /*request*/,
                                                     v1::GetServerInfoResponse* response) {
-  CallRecord record(backend_.telemetry, Method::get_server_info, context->peer());
-  describe(backend_.config, *response);
-  record.ended({});
+  CallRecord record(backend_.telemetry, Method::get_server_info, context->peer(),
+                    trace_of(*context));
+  const Ending ending =
+      refuse_caller(*context, backend_.config.tls_allowed_clients).value_or(Ending{});
+  if (ending.status.ok()) describe(backend_.config, *response);
+  record.ended(ending);
   grpc::ServerUnaryReactor* reactor = context->DefaultReactor();
-  reactor->Finish(grpc::Status::OK);
+  reactor->Finish(ending.status);
   return reactor;
 }
 

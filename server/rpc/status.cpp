@@ -22,7 +22,7 @@ struct Row {
   int retry_after_s = 0;  // 0: waiting does not help
 };
 
-constexpr std::array<Row, 19> table{{
+constexpr std::array<Row, 20> table{{
     {Refusal::setup_missing, StatusCode::FAILED_PRECONDITION, "SETUP_MISSING",
      "the first request must carry the setup"},
     {Refusal::setup_repeated, StatusCode::FAILED_PRECONDITION, "SETUP_REPEATED",
@@ -58,6 +58,8 @@ constexpr std::array<Row, 19> table{{
      "the resume token is of another version of the server; begin the path anew"},
     {Refusal::resume_setup_differs, StatusCode::FAILED_PRECONDITION, "RESUME_SETUP_DIFFERS",
      "the setup is not that of the stream which gave the resume token"},
+    {Refusal::client_not_allowed, StatusCode::PERMISSION_DENIED, "CLIENT_NOT_ALLOWED",
+     "the name of the client's certificate is not in the setting tls-allowed-clients"},
     {Refusal::draining, StatusCode::UNAVAILABLE, "SERVER_DRAINING",
      "the server is shutting down and takes no new streams", 1},
     {Refusal::cancelled, StatusCode::CANCELLED, "CANCELLED", "the call was cancelled"},

@@ -29,6 +29,7 @@ enum class Refusal {
   resume_token_invalid,
   resume_token_of_other_version,
   resume_setup_differs,
+  client_not_allowed,
   draining,
   cancelled,
   deadline_exceeded,

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "server/backend.h"
+#include "server/rpc/caller.h"
 #include "server/rpc/stream_context.h"
 #include "server/rpc/stream_work.h"
 #include "server/telemetry/call_record.h"
@@ -35,12 +36,16 @@ class StreamReactor
   using Work = StreamWork<Request, Response>;
 
   StreamReactor(Backend& backend, grpc::CallbackServerContext& context, Method method)
-      : backend_(backend), context_(context), record_(backend.telemetry, method, context.peer()) {}
+      : backend_(backend),
+        context_(context),
+        record_(backend.telemetry, method, context.peer(), trace_of(context)) {}
 
   // Admits the stream or refuses it. The reactor keeps itself alive until OnDone.
   void start(std::unique_ptr<Work> work) {
     self_ = this->shared_from_this();
     work_ = std::move(work);
+    if (const auto refused = refuse_caller(context_, backend_.config.tls_allowed_clients))
+      return finish(*refused);
     OpenStreams::Admission admission = backend_.streams.admit(self_);
     switch (admission.answer) {
       case OpenStreams::Answer::admitted:
@@ -138,6 +143,8 @@ class StreamReactor
     if (cancelled_ || context_.IsCancelled()) return end_with(gone());
     try {
       turn_ = work();
+      // Not held while the answer waits for its reader.
+      request_.Clear();
     } catch (const std::exception& bug) {
       turn_ = end(record_.incident(bug.what()));
     }

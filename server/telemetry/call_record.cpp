@@ -24,11 +24,12 @@ std::string new_incident_id() {
 
 }  // namespace
 
-CallRecord::CallRecord(Telemetry& telemetry, Method method, std::string peer)
+CallRecord::CallRecord(Telemetry& telemetry, Method method, std::string peer, Trace trace)
     : telemetry_(telemetry),
       metrics_(telemetry.metrics.of(method)),
       method_(method),
-      peer_(std::move(peer)) {
+      peer_(std::move(peer)),
+      trace_(std::move(trace)) {
   metrics_.started->Increment();
 }
 
@@ -61,6 +62,7 @@ void CallRecord::ended(const Ending& ending) {
   if (!ending.reason.empty()) line.text("reason", ending.reason);
   if (!ending.status.ok()) line.text("message", ending.status.error_message());
   if (!client_tag_.empty()) line.text("client_tag", client_tag_);
+  add_trace(line);
   line.number("blocks_in", blocks_in_)
       .number("blocks_out", blocks_out_)
       .number("messages_in", messages_in_)
@@ -69,12 +71,17 @@ void CallRecord::ended(const Ending& ending) {
   telemetry_.log.info(line);
 }
 
+void CallRecord::add_trace(LogLine& line) const {
+  line.text("trace_id", trace_.trace_id).text("span_id", trace_.span_id);
+  if (!trace_.parent_id.empty()) line.text("parent_id", trace_.parent_id);
+}
+
 Ending CallRecord::incident(std::string_view what) {
   const std::string id = new_incident_id();
-  telemetry_.log.error(LogLine("incident")
-                           .text("incident_id", id)
-                           .text("method", name_of(method_))
-                           .text("what", what));
+  LogLine line("incident");
+  line.text("incident_id", id).text("method", name_of(method_)).text("what", what);
+  add_trace(line);
+  telemetry_.log.error(line);
   return refuse(Refusal::internal, "incident " + id, {{"incident_id", id}});
 }
 

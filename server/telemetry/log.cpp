@@ -68,8 +68,12 @@ Log::Log(std::string_view level)
                                                std::make_shared<spdlog::sinks::stdout_sink_mt>())) {
   logger_->set_formatter(std::make_unique<spdlog::pattern_formatter>(
       R"({"ts":"%Y-%m-%dT%H:%M:%S.%fZ","level":"%l",%v})", spdlog::pattern_time_type::utc));
-  logger_->set_level(spdlog::level::from_str(std::string(level)));
+  set_level(level);
   logger_->flush_on(spdlog::level::info);
+}
+
+void Log::set_level(std::string_view level) const {
+  logger_->set_level(spdlog::level::from_str(std::string(level)));
 }
 
 void Log::info(const LogLine& line) const { logger_->info("{}", line.str()); }

@@ -39,6 +39,8 @@ class Log {
   // Level: debug, info, warning, error or off.
   explicit Log(std::string_view level);
 
+  void set_level(std::string_view level) const;
+
   void info(const LogLine& line) const;
   void warning(const LogLine& line) const;
   void error(const LogLine& line) const;

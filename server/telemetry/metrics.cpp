@@ -104,6 +104,17 @@ Metrics::Metrics() : registry_(std::make_shared<prometheus::Registry>()) {
   session_memory_ =
       &gauge(registry, "trc_session_memory_bytes", "Memory of the blocks all streams hold back.");
   queue_depth_ = &gauge(registry, "trc_pool_queue_depth", "Streams that wait for a worker.");
+  connections_accepted_ =
+      &counters(registry, "trc_connections_accepted_total", "Connections accepted.").Add({});
+  connections_refused_ = &counters(registry, "trc_connections_refused_total",
+                                   "Connections closed for want of file descriptors.")
+                              .Add({});
+  certificate_expiry_ = &prometheus::BuildGauge()
+                             .Name("trc_tls_certificate_expiry_timestamp_seconds")
+                             .Help("When the certificate in use expires.")
+                             .Register(registry);
+  certificate_reloads_ = &counters(registry, "trc_tls_certificate_reloads_total",
+                                   "Changed PEM files, by whether they were taken into use.");
   prometheus::BuildGauge()
       .Name("trc_build_info")
       .Help("Always 1; the labels name the build.")
@@ -122,6 +133,19 @@ void Metrics::count_handled(Method method, std::string_view grpc_code) {
 
 void Metrics::count_error(std::string_view reason) {
   errors_->Add({{"reason", std::string(reason)}}).Increment();
+}
+
+void Metrics::set_connections(std::uint64_t accepted, std::uint64_t refused) {
+  connections_accepted_->Increment(static_cast<double>(accepted) - connections_accepted_->Value());
+  connections_refused_->Increment(static_cast<double>(refused) - connections_refused_->Value());
+}
+
+void Metrics::set_certificate_expiry(std::int64_t expires_s) {
+  certificate_expiry_->Add({}).Set(static_cast<double>(expires_s));
+}
+
+void Metrics::count_certificate_reload(std::string_view result) {
+  certificate_reloads_->Add({{"result", std::string(result)}}).Increment();
 }
 
 std::string Metrics::exposition() const {

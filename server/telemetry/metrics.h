@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -52,6 +53,13 @@ class Metrics {
   [[nodiscard]] prometheus::Gauge& session_memory() { return *session_memory_; }
   [[nodiscard]] prometheus::Gauge& queue_depth() { return *queue_depth_; }
 
+  // Totals that are counted elsewhere.
+  void set_connections(std::uint64_t accepted, std::uint64_t refused);
+  // Seconds since 1970.
+  void set_certificate_expiry(std::int64_t expires_s);
+  // "taken" or "refused".
+  void count_certificate_reload(std::string_view result);
+
   // The text format of Prometheus.
   [[nodiscard]] std::string exposition() const;
 
@@ -63,6 +71,10 @@ class Metrics {
   prometheus::Gauge* streams_active_ = nullptr;
   prometheus::Gauge* session_memory_ = nullptr;
   prometheus::Gauge* queue_depth_ = nullptr;
+  prometheus::Counter* connections_accepted_ = nullptr;
+  prometheus::Counter* connections_refused_ = nullptr;
+  prometheus::Family<prometheus::Gauge>* certificate_expiry_ = nullptr;
+  prometheus::Family<prometheus::Counter>* certificate_reloads_ = nullptr;
 };
 
 }  // namespace trc::server

@@ -32,9 +32,9 @@ class Environment {
 // A file with the text, deleted at the end.
 class TextFile {
  public:
-  explicit TextFile(const std::string& text)
+  explicit TextFile(const std::string& text, const std::string& ending = ".toml")
       : path_(std::filesystem::temp_directory_path() /
-              ("trcd_config_" + std::to_string(getpid()) + ".toml")) {
+              ("trcd_config_" + std::to_string(getpid()) + ending)) {
     std::ofstream(path_) << text;
   }
   ~TextFile() { std::filesystem::remove(path_); }
@@ -106,10 +106,42 @@ TEST(ServerConfig, FileHoldsListsAndSwitches) {
   EXPECT_EQ(result.config.log_level, "warning");
 }
 
+TEST(ServerConfig, YamlNamesTheSameSettings) {
+  const TextFile file(
+      "# a comment\nlisten: [\"127.0.0.1:0\", \"unix:/run/trcd.sock\"]\nreflection: false\n"
+      "max-streams: 7\n",
+      ".yaml");
+  const CommandLine result = read({"--config", file.path().c_str()});
+  ASSERT_FALSE(result.exit.has_value()) << result.exit->text;
+  EXPECT_EQ(result.config.listen, (std::vector<std::string>{"127.0.0.1:0", "unix:/run/trcd.sock"}));
+  EXPECT_FALSE(result.config.reflection);
+  EXPECT_EQ(result.config.max_streams, 7U);
+}
+
+TEST(ServerConfig, RefusesAFileThatIsNoYaml) {
+  for (const char* text : {"max-streams: 3\n- 4\n", "max-streams: 3\nidle: [\n", "just text\n",
+                           "max-streams: {a: 1}\n"})
+    expect_fault(read({"--config", TextFile(text, ".yml").path().c_str()}),
+                 {"configuration file, line"});
+  expect_fault(read({"--config", TextFile("no-such-setting: 3\n", ".yml").path().c_str()}),
+               {"no-such-setting"});
+}
+
+TEST(ServerConfig, HealthInPlainTextStaysOnThisMachineUnlessAllowed) {
+  expect_fault(read({"--health-listen=0.0.0.0:50052"}), {"health-listen", "insecure"});
+  expect_fault(read({"--health-listen=nowhere"}), {"health-listen"});
+  EXPECT_FALSE(read({"--health-listen=127.0.0.1:50052"}).exit.has_value());
+}
+
+TEST(ServerConfig, AllowedClientsNeedTheirAuthority) {
+  expect_fault(read({"--tls-allowed-clients=mill"}), {"tls-allowed-clients", "tls-client-ca-file"});
+}
+
 TEST(ServerConfig, PrintedConfigurationReadsBackAsTheSame) {
   const CommandLine printed =
       read({"--print-config", "--listen=127.0.0.1:0,unix:/tmp/x.sock", "--max-streams=7",
-            "--reflection=false", "--log-level=error", "--admin-listen=127.0.0.1:9464"});
+            "--reflection=false", "--log-level=error", "--admin-listen=127.0.0.1:9464",
+            "--health-listen=127.0.0.1:0", "--resume-key-file=/run/trcd/key"});
   ASSERT_TRUE(printed.exit.has_value());
   ASSERT_EQ(printed.exit->code, 0) << printed.exit->text;
   const TextFile file(printed.exit->text);

@@ -225,6 +225,37 @@ TEST(Server, StreamsBeyondTheLimitAreRefusedUntilOneEnds) {
   EXPECT_TRUE(run_program(channel, {}, g239_program).status.ok());
 }
 
+// HTTP/2 tells the client how many it may have; its library holds the others back.
+TEST(Server, StreamsBeyondTheLimitOfAConnectionWaitForTheirTurn) {
+  Config config = loopback();
+  config.max_streams_per_connection = 2;
+  const Running running(config);
+  const auto channel = running.channel();
+  Open first(channel);
+  Open second(channel);
+  ASSERT_TRUE(first.accepted() && second.accepted());
+  const auto stub = v1::TrcService::NewStub(channel);
+  v1::GetServerInfoResponse info;
+  grpc::ClientContext waits;
+  waits.set_deadline(std::chrono::system_clock::now() + milliseconds(200));
+  EXPECT_EQ(stub->GetServerInfo(&waits, {}, &info).error_code(), grpc::DEADLINE_EXCEEDED);
+  EXPECT_TRUE(first.finish().ok());
+  grpc::ClientContext gets_in;
+  EXPECT_TRUE(stub->GetServerInfo(&gets_in, {}, &info).ok());
+  EXPECT_TRUE(second.finish().ok());
+}
+
+TEST(Server, RidersBeyondTheLimitAreRefused) {
+  Config config = loopback();
+  config.max_riders = 3;
+  const Running running(config);
+  const Answer answer = run_program(running.channel(), {},
+                                    "G41 V.G.WZ_AKT.R=1 G1 X10 F100\nX20\nM8\nM9\nM8\nM9\nX30\n");
+  EXPECT_EQ(answer.status.error_code(), grpc::INVALID_ARGUMENT);
+  EXPECT_EQ(answer.metadata("code"), "90011");
+  EXPECT_EQ(answer.metadata("limit"), "3");
+}
+
 TEST(Server, CancelledStreamGivesItsPlaceBack) {
   const Running running(loopback());
   Open open(running.channel());
