@@ -1,10 +1,15 @@
 #include "tests/support/process.h"
 
+#include <arpa/inet.h>
 #include <fcntl.h>
+#include <netinet/in.h>
 #include <signal.h>
+#include <sys/resource.h>
+#include <sys/socket.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <array>
 #include <chrono>
 #include <cstdlib>
 #include <filesystem>
@@ -29,12 +34,24 @@ void replace_by_file(int descriptor, const std::string& path, int flags) {
   if (file < 0 || ::dup2(file, descriptor) < 0) ::_exit(126);
 }
 
-pid_t start(const std::vector<std::string>& command, const Streams& streams) {
+struct Surroundings {
+  unsigned most_descriptors = 0;           // 0: as many as this process
+  std::vector<std::string> environment{};  // NAME=VALUE, beside what there is
+};
+
+pid_t start(const std::vector<std::string>& command, const Streams& streams,
+            const Surroundings& surroundings = {}) {
   std::vector<char*> arguments;
   for (const std::string& word : command) arguments.push_back(const_cast<char*>(word.c_str()));
   arguments.push_back(nullptr);
   const pid_t process = ::fork();
   if (process != 0) return process;
+  if (surroundings.most_descriptors > 0) {
+    const rlimit limit{surroundings.most_descriptors, surroundings.most_descriptors};
+    if (::setrlimit(RLIMIT_NOFILE, &limit) != 0) ::_exit(126);
+  }
+  for (const std::string& setting : surroundings.environment)
+    ::putenv(const_cast<char*>(setting.c_str()));
   replace_by_file(STDIN_FILENO, streams.in, O_RDONLY);
   replace_by_file(STDOUT_FILENO, streams.out, O_WRONLY | O_CREAT | O_TRUNC);
   replace_by_file(STDERR_FILENO, streams.err, O_WRONLY | O_CREAT | O_TRUNC);
@@ -95,25 +112,86 @@ Ended run(const std::vector<std::string>& command, const std::string& input) {
   return {.code = code, .out = content_of(streams.out), .err = content_of(streams.err)};
 }
 
-ServerProcess::ServerProcess(const std::vector<std::string>& flags) {
-  std::vector<std::string> command{TRCD_PROGRAM, "--listen", "127.0.0.1:0"};
+std::string http_get(const std::string& address, const std::string& path) {
+  sockaddr_in name{};
+  name.sin_family = AF_INET;
+  name.sin_port = htons(static_cast<in_port_t>(std::stoi(address.substr(address.rfind(':') + 1))));
+  name.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+  const int connection = ::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0);
+  std::string answer;
+  const std::string request = "GET " + path + " HTTP/1.1\r\nHost: localhost\r\n\r\n";
+  if (::connect(connection, reinterpret_cast<const sockaddr*>(&name), sizeof(name)) == 0 &&
+      ::send(connection, request.data(), request.size(), MSG_NOSIGNAL) > 0) {
+    std::array<char, 4096> part{};
+    for (ssize_t size = 0; (size = ::recv(connection, part.data(), part.size(), 0)) > 0;)
+      answer.append(part.data(), static_cast<std::size_t>(size));
+  }
+  ::close(connection);
+  const std::size_t head = answer.find("\r\n\r\n");
+  return head == std::string::npos ? "" : answer.substr(head + 4);
+}
+
+Process::Process(const std::vector<std::string>& command, unsigned most_descriptors,
+                 const std::vector<std::string>& environment)
+    : id_(start(command, {.out = folder_.path("out"), .err = folder_.path("err")},
+                {.most_descriptors = most_descriptors, .environment = environment})) {}
+
+Process::~Process() {
+  if (code_) return;
+  signal(SIGKILL);
+  wait();
+}
+
+void Process::signal(int number) const {
+  if (!code_ && id_ > 0) ::kill(id_, number);
+}
+
+int Process::wait() {
+  if (!code_) code_ = wait_for(id_, std::chrono::seconds(60));
+  return *code_;
+}
+
+std::string Process::out() const { return content_of(folder_.path("out")); }
+std::string Process::err() const { return content_of(folder_.path("err")); }
+
+namespace {
+
+std::vector<std::string> server_command(const std::vector<std::string>& flags,
+                                        const std::string& listen) {
+  std::vector<std::string> command{TRCD_PROGRAM, "--listen", listen};
   command.insert(command.end(), flags.begin(), flags.end());
-  const std::string log = folder_.path("log");
-  process_ = start(command, {.out = log, .err = folder_.path("err")});
-  const std::regex started("\"ports\":\"(\\d+)\"");
+  return command;
+}
+
+}  // namespace
+
+ServerProcess::ServerProcess(const std::vector<std::string>& flags, const std::string& listen,
+                             unsigned most_descriptors, const std::vector<std::string>& environment)
+    : process_(server_command(flags, listen), most_descriptors, environment) {
   const Clock::time_point end = Clock::now() + std::chrono::seconds(30);
   while (address_.empty() && Clock::now() < end) {
-    const std::string text = content_of(log);
-    std::smatch found;
-    if (std::regex_search(text, found, started)) address_ = "127.0.0.1:" + found[1].str();
+    address_ = port_named("ports");
     std::this_thread::sleep_for(std::chrono::milliseconds(10));
   }
 }
 
 ServerProcess::~ServerProcess() {
-  if (process_ <= 0) return;
-  ::kill(process_, SIGTERM);
-  wait_for(process_, std::chrono::seconds(30));
+  process_.signal(SIGTERM);
+  process_.wait();
+}
+
+std::string ServerProcess::port_named(const std::string& field) const {
+  const std::regex pattern("\"" + field + "\":\"?(\\d+)");
+  const std::string text = log();
+  std::smatch found;
+  return std::regex_search(text, found, pattern) ? "127.0.0.1:" + found[1].str() : "";
+}
+
+double ServerProcess::resident_mib() const {
+  std::ifstream status("/proc/" + std::to_string(process_.id()) + "/status");
+  for (std::string line; std::getline(status, line);)
+    if (line.starts_with("VmRSS:")) return std::stod(line.substr(6)) / 1024;
+  return 0;
 }
 
 }  // namespace trc::testing_support

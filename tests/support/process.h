@@ -2,6 +2,7 @@
 
 #include <sys/types.h>
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -35,20 +36,59 @@ class Folder {
 
 [[nodiscard]] std::string content_of(const std::string& path);
 
-// trcd on a free loopback port until this object goes.
+// The body of the answer to GET; empty when there is none.
+[[nodiscard]] std::string http_get(const std::string& address, const std::string& path);
+
+// A program on its way. It is killed with this object.
+class Process {
+ public:
+  // `most_descriptors`: what it may open; 0: as many as this process.
+  explicit Process(const std::vector<std::string>& command, unsigned most_descriptors = 0,
+                   const std::vector<std::string>& environment = {});
+  ~Process();
+  Process(const Process&) = delete;
+  Process& operator=(const Process&) = delete;
+
+  void signal(int number) const;
+  // The exit code; -1 after a minute or by a signal.
+  int wait();
+  // What it has said so far.
+  [[nodiscard]] std::string out() const;
+  [[nodiscard]] std::string err() const;
+  [[nodiscard]] pid_t id() const { return id_; }
+
+ private:
+  Folder folder_;
+  pid_t id_ = -1;
+  std::optional<int> code_;
+};
+
+// trcd at a loopback port, a free one unless another is named, until this object goes: then it is
+// asked to end.
 class ServerProcess {
  public:
-  explicit ServerProcess(const std::vector<std::string>& flags = {});
+  explicit ServerProcess(const std::vector<std::string>& flags = {},
+                         const std::string& listen = "127.0.0.1:0", unsigned most_descriptors = 0,
+                         const std::vector<std::string>& environment = {});
   ~ServerProcess();
   ServerProcess(const ServerProcess&) = delete;
   ServerProcess& operator=(const ServerProcess&) = delete;
 
   // HOST:PORT; empty when it did not start.
   [[nodiscard]] const std::string& address() const { return address_; }
+  // Of --admin-listen and --health-listen.
+  [[nodiscard]] std::string admin() const { return port_named("admin_port"); }
+  [[nodiscard]] std::string health() const { return port_named("health_port"); }
+  [[nodiscard]] std::string log() const { return process_.out(); }
+  void signal(int number) const { process_.signal(number); }
+  int wait() { return process_.wait(); }
+  // Resident memory.
+  [[nodiscard]] double resident_mib() const;
 
  private:
-  Folder folder_;
-  pid_t process_ = -1;
+  [[nodiscard]] std::string port_named(const std::string& field) const;
+
+  Process process_;
   std::string address_;
 };
 

@@ -1,0 +1,376 @@
+// The built server as those who run it see it: certificates, signals, probes, systemd, metrics.
+
+#include <grpcpp/grpcpp.h>
+#include <gtest/gtest.h>
+#include <sys/socket.h>
+#include <sys/un.h>
+#include <unistd.h>
+
+#include <array>
+#include <atomic>
+#include <chrono>
+#include <csignal>
+#include <filesystem>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "grpc/health/v1/health.grpc.pb.h"
+#include "tests/server/calls.h"
+#include "tests/support/process.h"
+
+namespace trc::operation {
+namespace {
+
+using server::Answer;
+using server::eventually;
+using std::chrono::seconds;
+using testing_support::content_of;
+using testing_support::Folder;
+using testing_support::http_get;
+using testing_support::ServerProcess;
+
+// A certificate that is its own authority, made for one test.
+struct MadeCertificate {
+  MadeCertificate(const Folder& folder, const std::string& name) {
+    const std::string cert_file = folder.path(name + ".pem");
+    const std::string key_file = folder.path(name + ".key");
+    const auto made = testing_support::run(
+        {"/usr/bin/openssl", "req", "-x509", "-newkey", "ec", "-pkeyopt", "ec_paramgen_curve:P-256",
+         "-nodes", "-days", "2", "-subj", "/CN=" + name, "-addext",
+         "subjectAltName=IP:127.0.0.1,DNS:localhost", "-keyout", key_file, "-out", cert_file});
+    EXPECT_EQ(made.code, 0) << made.err;
+    cert = content_of(cert_file);
+    key = content_of(key_file);
+  }
+  std::string cert;
+  std::string key;
+};
+
+std::shared_ptr<grpc::Channel> secure_channel(const std::string& address,
+                                              const grpc::SslCredentialsOptions& files) {
+  grpc::ChannelArguments arguments;
+  arguments.SetInt(GRPC_ARG_USE_LOCAL_SUBCHANNEL_POOL, 1);
+  return grpc::CreateCustomChannel(address, grpc::SslCredentials(files), arguments);
+}
+
+Answer call(const std::shared_ptr<grpc::Channel>& channel) {
+  return server::run_program(channel, {}, server::g239_program);
+}
+
+// The pair of files the server reads, replaced as one would on a running machine.
+struct Pair {
+  explicit Pair(const Folder& folder) : folder_(folder) {}
+  void put(const std::string& cert, const std::string& key) const {
+    for (const auto& [name, content] : {std::pair{"cert.pem", cert}, {"key.pem", key}}) {
+      folder_.write(std::string(name) + ".new", content);
+      std::filesystem::rename(folder_.path(std::string(name) + ".new"), folder_.path(name));
+    }
+  }
+  [[nodiscard]] std::vector<std::string> flags() const {
+    return {"--tls-cert-file", folder_.path("cert.pem"),
+            "--tls-key-file",  folder_.path("key.pem"),
+            "--tls-refresh-s", "3600",
+            "--admin-listen",  "127.0.0.1:0"};
+  }
+  const Folder& folder_;
+};
+
+bool has_line(const ServerProcess& server, const std::string& part) {
+  return server.log().find(part) != std::string::npos;
+}
+
+TEST(Certificates, RotateUnderLoadWithoutAFailedStream) {
+  const Folder folder;
+  const MadeCertificate first(folder, "first");
+  const MadeCertificate second(folder, "second");
+  const Pair pair(folder);
+  pair.put(first.cert, first.key);
+  ServerProcess server(pair.flags());
+  grpc::SslCredentialsOptions both;
+  both.pem_root_certs = first.cert + second.cert;
+
+  std::atomic<bool> done = false;
+  std::atomic<int> good = 0;
+  std::atomic<int> bad = 0;
+  std::vector<std::thread> load;
+  for (int i = 0; i < 2; ++i) {
+    load.emplace_back([&] {
+      while (!done) ++(call(secure_channel(server.address(), both)).status.ok() ? good : bad);
+    });
+  }
+  const auto wait_for = [&](int more) {
+    const int until = good + more;
+    return eventually([&] { return good >= until; });
+  };
+  EXPECT_TRUE(wait_for(3));
+  for (int round = 0; round < 4; ++round) {
+    const MadeCertificate& next = round % 2 == 0 ? second : first;
+    pair.put(next.cert, next.key);
+    server.signal(SIGHUP);
+    EXPECT_TRUE(wait_for(3));
+  }
+  done = true;
+  for (std::thread& thread : load) thread.join();
+  EXPECT_EQ(bad, 0);
+  EXPECT_NE(http_get(server.admin(), "/metrics")
+                .find("trc_tls_certificate_reloads_total{result=\"taken\"} 4"),
+            std::string::npos);
+
+  // And it is the last one that counts.
+  grpc::SslCredentialsOptions old;
+  old.pem_root_certs = second.cert;
+  EXPECT_EQ(call(secure_channel(server.address(), old)).status.error_code(), grpc::UNAVAILABLE);
+}
+
+TEST(Certificates, PairThatDoesNotMatchLeavesTheOldOne) {
+  const Folder folder;
+  const MadeCertificate first(folder, "first");
+  const MadeCertificate second(folder, "second");
+  const Pair pair(folder);
+  pair.put(first.cert, first.key);
+  ServerProcess server(pair.flags());
+  grpc::SslCredentialsOptions trusting;
+  trusting.pem_root_certs = first.cert;
+
+  int refusals = 0;
+  for (const auto& [cert, key] : {std::pair{second.cert, first.key},
+                                  {std::string("no certificate"), first.key},
+                                  {first.cert, std::string()}}) {
+    pair.put(cert, key);
+    server.signal(SIGHUP);
+    ++refusals;
+    EXPECT_TRUE(eventually([&] {
+      return http_get(server.admin(), "/metrics")
+                 .find("trc_tls_certificate_reloads_total{result=\"refused\"} " +
+                       std::to_string(refusals)) != std::string::npos;
+    }));
+    EXPECT_TRUE(call(secure_channel(server.address(), trusting)).status.ok());
+  }
+  EXPECT_TRUE(has_line(server, "\"certificate_refused\""));
+  // No secret has reached the log.
+  EXPECT_EQ(server.log().find("PRIVATE"), std::string::npos);
+}
+
+TEST(Certificates, ExpiryIsAMetric) {
+  const Folder folder;
+  const MadeCertificate first(folder, "first");
+  const Pair pair(folder);
+  pair.put(first.cert, first.key);
+  const ServerProcess server(pair.flags());
+  const std::string metrics = http_get(server.admin(), "/metrics");
+  const std::string name = "\ntrc_tls_certificate_expiry_timestamp_seconds ";
+  const std::size_t at = metrics.find(name);
+  ASSERT_NE(at, std::string::npos);
+  const double left =
+      std::stod(metrics.substr(at + name.size())) - static_cast<double>(std::time(nullptr));
+  EXPECT_GT(left, 1.5 * 86400);
+  EXPECT_LT(left, 2.5 * 86400);
+}
+
+TEST(Certificates, OnlyNamedClientsAreServed) {
+  const Folder folder;
+  const MadeCertificate own(folder, "own");
+  const MadeCertificate mill(folder, "mill-7");
+  const MadeCertificate other(folder, "other");
+  const Pair pair(folder);
+  pair.put(own.cert, own.key);
+  std::vector<std::string> flags = pair.flags();
+  for (const std::string& flag :
+       {std::string("--tls-client-ca-file"), folder.write("clients.pem", mill.cert + other.cert),
+        std::string("--tls-allowed-clients"), std::string("mill-7,mill-8")})
+    flags.push_back(flag);
+  const ServerProcess server(flags);
+  const auto as = [&](const MadeCertificate& client) {
+    grpc::SslCredentialsOptions files;
+    files.pem_root_certs = own.cert;
+    files.pem_cert_chain = client.cert;
+    files.pem_private_key = client.key;
+    return secure_channel(server.address(), files);
+  };
+  EXPECT_TRUE(call(as(mill)).status.ok());
+  const Answer refused = call(as(other));
+  EXPECT_EQ(refused.status.error_code(), grpc::PERMISSION_DENIED);
+  EXPECT_EQ(refused.reason(), "CLIENT_NOT_ALLOWED");
+  grpc::ClientContext context;
+  v1::GetServerInfoResponse info;
+  EXPECT_EQ(v1::TrcService::NewStub(as(other))->GetServerInfo(&context, {}, &info).error_code(),
+            grpc::PERMISSION_DENIED);
+}
+
+TEST(Certificates, ThatCannotBeUsedIsSaidBeforeAPortOpens) {
+  const Folder folder;
+  const MadeCertificate first(folder, "first");
+  const MadeCertificate second(folder, "second");
+  const Pair pair(folder);
+  pair.put(first.cert, second.key);
+  std::vector<std::string> command{TRCD_PROGRAM};
+  for (const std::string& flag : pair.flags()) command.push_back(flag);
+  const auto ended = testing_support::run(command);
+  EXPECT_EQ(ended.code, 2);
+  EXPECT_NE(ended.err.find("does not belong to"), std::string::npos) << ended.err;
+}
+
+std::string health_of(const std::string& address) {
+  grpc::ClientContext context;
+  context.set_deadline(std::chrono::system_clock::now() + seconds(20));
+  grpc::health::v1::HealthCheckResponse response;
+  const auto status = grpc::health::v1::Health::NewStub(
+                          grpc::CreateChannel(address, grpc::InsecureChannelCredentials()))
+                          ->Check(&context, {}, &response);
+  return status.ok() ? grpc::health::v1::HealthCheckResponse::ServingStatus_Name(response.status())
+                     : status.error_message();
+}
+
+TEST(Probes, HealthIsServedInPlainTextBesideTls) {
+  const Folder folder;
+  const MadeCertificate own(folder, "own");
+  const Pair pair(folder);
+  pair.put(own.cert, own.key);
+  std::vector<std::string> flags = pair.flags();
+  flags.insert(flags.end(), {"--health-listen", "127.0.0.1:0"});
+  const ServerProcess server(flags);
+  EXPECT_EQ(health_of(server.health()), "SERVING");
+  // And nothing but health.
+  const Answer answer =
+      call(grpc::CreateChannel(server.health(), grpc::InsecureChannelCredentials()));
+  EXPECT_EQ(answer.status.error_code(), grpc::UNIMPLEMENTED);
+}
+
+TEST(Probes, HealthAndReadinessFollowTheDrain) {
+  ServerProcess server({"--admin-listen", "127.0.0.1:0", "--health-listen", "127.0.0.1:0"});
+  EXPECT_EQ(http_get(server.admin(), "/healthz"), "ok\n");
+  EXPECT_EQ(http_get(server.admin(), "/readyz"), "ready\n");
+  // A stream holds the drain up.
+  auto stub = v1::TrcService::NewStub(
+      grpc::CreateChannel(server.address(), grpc::InsecureChannelCredentials()));
+  grpc::ClientContext context;
+  auto stream = stub->CompensatePath(&context);
+  v1::CompensatePathResponse response;
+  ASSERT_TRUE(stream->Write(server::setup_request(v1::PathSetup())) && stream->Read(&response));
+  server.signal(SIGTERM);
+  EXPECT_TRUE(eventually([&] { return http_get(server.admin(), "/readyz") == "draining\n"; }));
+  EXPECT_EQ(http_get(server.admin(), "/healthz"), "ok\n");
+  EXPECT_EQ(health_of(server.health()), "NOT_SERVING");
+  context.TryCancel();
+  stream->Finish();
+  EXPECT_EQ(server.wait(), 0);
+}
+
+TEST(Reload, ChangesTheLogLevelAndNothingElse) {
+  const Folder folder;
+  const std::string config = folder.write("trcd.yaml", "log-level: info\nmax-streams: 7\n");
+  ServerProcess server({"--config", config});
+  const auto channel = grpc::CreateChannel(server.address(), grpc::InsecureChannelCredentials());
+  const auto calls = [&] {
+    const std::string log = server.log();
+    std::size_t count = 0;
+    for (std::size_t at = 0; (at = log.find("\"event\":\"rpc\"", at)) != std::string::npos; ++at)
+      ++count;
+    return count;
+  };
+  ASSERT_TRUE(call(channel).status.ok());
+  ASSERT_TRUE(eventually([&] { return calls() == 1; }));
+
+  folder.write("trcd.yaml", "log-level: nonsense\n");
+  server.signal(SIGHUP);
+  EXPECT_TRUE(eventually([&] { return has_line(server, "\"reload_refused\""); }));
+
+  folder.write("trcd.yaml", "log-level: warning\nmax-streams: 1\n");
+  server.signal(SIGHUP);
+  // The last line at the old level cannot be waited for, as there is none: the calls show it.
+  EXPECT_TRUE(eventually([&] {
+    const std::size_t before = calls();
+    EXPECT_TRUE(call(channel).status.ok());
+    EXPECT_TRUE(call(channel).status.ok());
+    return calls() == before;
+  }));
+}
+
+// The socket of a service manager.
+class Manager {
+ public:
+  explicit Manager(const std::string& path) : socket_(socket(AF_UNIX, SOCK_DGRAM, 0)) {
+    sockaddr_un name{};
+    name.sun_family = AF_UNIX;
+    path.copy(name.sun_path, sizeof(name.sun_path) - 1);
+    EXPECT_EQ(bind(socket_, reinterpret_cast<const sockaddr*>(&name), sizeof(name)), 0);
+  }
+  ~Manager() { close(socket_); }
+  Manager(const Manager&) = delete;
+  Manager& operator=(const Manager&) = delete;
+
+  // Whether such a message comes.
+  bool hears(const std::string& part) {
+    return eventually([&] {
+      std::array<char, 512> message{};
+      for (ssize_t size = 0;
+           (size = recv(socket_, message.data(), message.size(), MSG_DONTWAIT)) > 0;)
+        heard_ += std::string(message.data(), static_cast<std::size_t>(size)) + "\n";
+      const std::size_t at = heard_.find(part);
+      if (at == std::string::npos) return false;
+      heard_.erase(0, at + part.size());
+      return true;
+    });
+  }
+
+ private:
+  int socket_;
+  std::string heard_;
+};
+
+TEST(ServiceManager, IsToldWhatTheServerDoes) {
+  const Folder folder;
+  Manager manager(folder.path("notify"));
+  ServerProcess server({}, "127.0.0.1:0", 0,
+                       {"NOTIFY_SOCKET=" + folder.path("notify"), "WATCHDOG_USEC=400000"});
+  EXPECT_TRUE(manager.hears("READY=1"));
+  EXPECT_TRUE(manager.hears("WATCHDOG=1"));
+  EXPECT_TRUE(manager.hears("WATCHDOG=1"));
+  server.signal(SIGHUP);
+  EXPECT_TRUE(manager.hears("RELOADING=1\nMONOTONIC_USEC="));
+  EXPECT_TRUE(manager.hears("READY=1"));
+  server.signal(SIGTERM);
+  EXPECT_TRUE(manager.hears("STOPPING=1"));
+  EXPECT_EQ(server.wait(), 0);
+}
+
+TEST(Telemetry, TraceGoesOnInLogAndAnswer) {
+  ServerProcess server;
+  grpc::ClientContext context;
+  const std::string trace = "4bf92f3577b34da6a3ce929d0e0e4736";
+  context.AddMetadata("traceparent", "00-" + trace + "-00f067aa0ba902b7-01");
+  v1::GetServerInfoResponse info;
+  ASSERT_TRUE(v1::TrcService::NewStub(
+                  grpc::CreateChannel(server.address(), grpc::InsecureChannelCredentials()))
+                  ->GetServerInfo(&context, {}, &info)
+                  .ok());
+  const auto found = context.GetServerInitialMetadata().find("trace-id");
+  ASSERT_NE(found, context.GetServerInitialMetadata().end());
+  EXPECT_EQ(std::string(found->second.data(), found->second.size()), trace);
+  EXPECT_TRUE(eventually([&] {
+    return has_line(server, "\"trace_id\":\"" + trace + "\"") &&
+           has_line(server, "\"parent_id\":\"00f067aa0ba902b7\"");
+  }));
+}
+
+TEST(Telemetry, MetricsHaveTheirNames) {
+  ServerProcess server({"--admin-listen", "127.0.0.1:0"});
+  ASSERT_TRUE(
+      call(grpc::CreateChannel(server.address(), grpc::InsecureChannelCredentials())).status.ok());
+  const Answer refused = server::run_program(
+      grpc::CreateChannel(server.address(), grpc::InsecureChannelCredentials()), {}, "G999\n");
+  EXPECT_EQ(refused.status.error_code(), grpc::INVALID_ARGUMENT);
+  const std::string page = http_get(server.admin(), "/metrics");
+  for (const char* name :
+       {"grpc_server_started_total{", "grpc_server_handled_total{",
+        "grpc_server_msg_received_total{", "grpc_server_msg_sent_total{",
+        "grpc_server_handling_seconds_count{", "trc_batch_seconds_bucket{", "trc_blocks_total{",
+        "trc_streams_active ", "trc_pool_queue_depth ", "trc_errors_total{",
+        "trc_session_memory_bytes ", "trc_connections_accepted_total ",
+        "trc_connections_refused_total ", "trc_build_info{"})
+    EXPECT_NE(page.find(std::string("\n") + name), std::string::npos) << name;
+}
+
+}  // namespace
+}  // namespace trc::operation
