@@ -1,0 +1,37 @@
+// compensate ADDRESS FILE: the program with TRC resolved on standard output, diagnostics on
+// standard error. A lost server is waited for and the stream resumed, which the library does by
+// itself.
+
+#include <fstream>
+#include <iostream>
+#include <optional>
+#include <sstream>
+
+#include "client/trc/remote_program_session.h"
+
+int main(int argc, char** argv) {
+  if (argc != 3) {
+    std::cerr << "usage: compensate ADDRESS FILE\n";
+    return 2;
+  }
+  std::ostringstream program;
+  program << std::ifstream(argv[2], std::ios::binary).rdbuf();
+
+  std::optional<trc::client::Connection> connection;
+  if (const auto failure = trc::client::Connection::open(argv[1], {}, connection)) {
+    std::cerr << failure->message << '\n';
+    return 2;
+  }
+  trc::client::RemoteProgramSession session(*connection, {});
+  const auto print = [](const trc::client::Answer& answer) {
+    std::cout << answer.text;
+    for (const auto& received : answer.diagnostics)
+      std::cerr << "line " << received.diagnostic.source.line << ": "
+                << static_cast<int>(received.diagnostic.code) << ' ' << received.message << '\n';
+    return true;
+  };
+  session.feed(program.str(), print);
+  if (session.finish(print)) return 0;
+  std::cerr << session.failure()->message << '\n';
+  return 1;
+}
