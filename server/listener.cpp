@@ -194,9 +194,7 @@ void Acceptor::stop() {
   doors_.clear();
 }
 
-Acceptor::Counts Acceptor::counts() const {
-  return {.accepted = accepted_, .refused = refused_, .exhausted = exhausted_};
-}
+Acceptor::Counts Acceptor::counts() const { return {.accepted = accepted_, .refused = refused_}; }
 
 double Acceptor::seconds_since_last_round() const {
   return static_cast<double>(now_ns() - last_round_ns_) * 1e-9;
@@ -233,19 +231,9 @@ bool Acceptor::accept_from(const Door& door) {
       door.take(std::move(connection));
       continue;
     }
-    switch (errno) {
-      case EMFILE:
-      case ENFILE:
-      case ENOBUFS:
-      case ENOMEM:
-        ++exhausted_;
-        return false;
-      case EAGAIN:
-        return true;
-      default:
-        // The peer has gone, or the network had a fault that concerns this connection only.
-        continue;
-    }
+    // The peer has gone, or a signal has come.
+    if (errno == ECONNABORTED || errno == EINTR) continue;
+    return errno == EAGAIN;
   }
 }
 

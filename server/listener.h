@@ -65,8 +65,7 @@ class Acceptor {
 
   struct Counts {
     std::uint64_t accepted = 0;
-    std::uint64_t refused = 0;    // closed for want of descriptors
-    std::uint64_t exhausted = 0;  // times that accept found no descriptor
+    std::uint64_t refused = 0;  // closed for want of descriptors
   };
 
   Acceptor();
@@ -91,7 +90,7 @@ class Acceptor {
   };
 
   void run();
-  // False when there was no descriptor for it.
+  // False when there is something that should be waited for: descriptors or memory.
   bool accept_from(const Door& door);
 
   std::vector<Door> doors_;
@@ -99,7 +98,6 @@ class Acceptor {
   int last_usable_ = 0;
   std::atomic<std::uint64_t> accepted_{0};
   std::atomic<std::uint64_t> refused_{0};
-  std::atomic<std::uint64_t> exhausted_{0};
   std::atomic<std::int64_t> last_round_ns_{0};
   std::thread thread_;
 };

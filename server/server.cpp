@@ -181,6 +181,12 @@ void Server::reload_certificates() {
 }
 
 void Server::look_after() {
+  const std::uint64_t refused = acceptor_.counts().refused;
+  if (refused > refused_connections_) {
+    backend_.telemetry.log.warning(
+        LogLine("connections_refused").number("for_want_of_descriptors", refused));
+    refused_connections_ = refused;
+  }
   const auto now = Clock::now();
   if (now < next_certificate_look_) return;
   next_certificate_look_ = now + std::chrono::seconds(backend_.config.tls_refresh_s);

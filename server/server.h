@@ -5,6 +5,7 @@
 #include <grpcpp/server_builder.h>
 
 #include <atomic>
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <vector>
@@ -78,6 +79,7 @@ class Server {
   std::unique_ptr<Admin> admin_;
   std::vector<int> ports_;
   int health_port_ = 0;
+  std::uint64_t refused_connections_ = 0;  // as logged last
   std::atomic<bool> started_ = false;
   // Last, so that no connection comes once the others go.
   Acceptor acceptor_;

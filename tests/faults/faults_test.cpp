@@ -285,6 +285,8 @@ TEST(Faults, ListenerSurvivesRunningOutOfDescriptors) {
     EXPECT_TRUE(eventually([&] { return serves(server.address()); }));
   }
   EXPECT_GT(metric(server.admin(), "trc_connections_refused_total"), 0);
+  EXPECT_TRUE(eventually(
+      [&] { return server.log().find("\"connections_refused\"") != std::string::npos; }));
 }
 
 TEST(Faults, DribblingClientsDisturbNobody) {
