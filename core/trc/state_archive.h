@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "core/nc/state_archive.h"
 #include "core/trc/compensator.h"
 #include "core/trc/path_block.h"
@@ -18,6 +20,18 @@ void serialize(Archive& archive, PathBlock::Rejoin& rejoin) {
   archive(point, cut_before, cut_after);
 }
 
+// By hand: clang 14 takes a nested struct with default values for one that has no default, and with
+// it the archive's way to fill an optional.
+template <class Archive>
+void serialize_rejoin(Archive& archive, std::optional<PathBlock::Rejoin>& rejoin) {
+  bool given = rejoin.has_value();
+  archive(given);
+  if (!given) return rejoin.reset();
+  auto value = rejoin ? *rejoin : PathBlock::Rejoin{};
+  archive(value);
+  rejoin = value;
+}
+
 template <class Archive>
 void serialize(Archive& archive, PathBlock& block) {
   auto& [programmed, role, origin, perpendicular_entry, perpendicular_exit, at_start, at_end,
@@ -26,8 +40,9 @@ void serialize(Archive& archive, PathBlock& block) {
          riders_after_exit] = block;
   archive(programmed, role, origin, perpendicular_entry, perpendicular_exit, at_start, at_end,
           tangent_at_start, tangent_at_end, offset_start, offset_end, tool_path, tool_start,
-          path_given, cut_at_start, cut_at_end, splittable, masked, rejoin, unreachable, riders,
+          path_given, cut_at_start, cut_at_end, splittable, masked, unreachable, riders,
           riders_after_exit);
+  serialize_rejoin(archive, rejoin);
 }
 
 template <class Archive>

@@ -1,7 +1,8 @@
 #if defined(__SANITIZE_THREAD__)
 
 // The distribution's gRPC is not built for ThreadSanitizer, so the sanitizer does not see how it
-// orders one callback after another, and takes every message handed over for a race. Races between
+// orders one callback after another, and takes every message handed over for a race, and every
+// handshake that goes on in another thread than it began in. Races between
 // our own threads are found all the same: they meet in locks of ours.
 extern "C" const char* __tsan_default_suppressions() {
   return "called_from_lib:libgrpc.so\n"
@@ -11,7 +12,9 @@ extern "C" const char* __tsan_default_suppressions() {
          "race:libgrpc.so\n"
          "race:libgpr.so\n"
          "race:libabsl_\n"
-         "race:google::protobuf\n";
+         "race:google::protobuf\n"
+         "called_from_lib:libssl.so\n"
+         "called_from_lib:libcrypto.so\n";
 }
 
 #endif
