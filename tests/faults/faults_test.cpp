@@ -9,7 +9,6 @@
 
 #include <chrono>
 #include <csignal>
-#include <cstdlib>
 #include <fstream>
 #include <memory>
 #include <string>
@@ -30,8 +29,6 @@ using std::chrono::seconds;
 using testing_support::Folder;
 using testing_support::Process;
 using testing_support::ServerProcess;
-
-bool is_long() { return std::getenv("TRC_TEST_LONG") != nullptr; }
 
 std::string program(int turns, const std::string& head = "") {
   std::string text = head + "N5 G1 G41 V.G.WZ_AKT.R=0.5 X0 Y10 F800\n";
@@ -67,7 +64,7 @@ bool serves(const std::string& address) {
 double metric(const std::string& admin, const std::string& name) {
   const std::string page = testing_support::http_get(admin, "/metrics");
   const std::size_t at = page.find("\n" + name + " ");
-  return at == std::string::npos ? -1 : std::atof(page.c_str() + at + name.size() + 2);
+  return at == std::string::npos ? -1 : std::stod(page.substr(at + name.size() + 2));
 }
 
 class Client {
@@ -369,8 +366,8 @@ class WaitingStream final
 };
 
 TEST(Faults, ThousandsOfStreamsAndTheLimitOfThem) {
-  const int most = is_long() ? 10'000 : 1'000;
-  const int per_connection = most / 10;
+  constexpr int most = 10'000;
+  constexpr int per_connection = most / 10;
   ServerProcess server({"--max-streams", std::to_string(most), "--max-streams-per-connection",
                         std::to_string(per_connection), "--max-grpc-buffer-mib", "1024",
                         "--heartbeat-s", "0"});
