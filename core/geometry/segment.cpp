@@ -50,6 +50,17 @@ double length_of(const Segment& segment) {
 
 double radius_of(const Arc& arc) { return (arc.start - arc.center).norm(); }
 
+Segment refitted(const Arc& arc, const Point& start, const Point& end, double same_point) {
+  const Vector chord = end - start;
+  if (chord.norm() <= same_point) return Line{.start = start, .end = end};
+  const Vector across = left_of(chord).normalized();
+  const Point middle = 0.5 * (start + end);
+  const Point center = middle + (arc.center - middle).dot(across) * across;
+  double sweep = turn_between(start - center, end - center);
+  if (sweep * arc.sweep < 0) sweep += std::copysign(2 * std::numbers::pi, arc.sweep);
+  return Arc{.start = start, .end = end, .center = center, .sweep = sweep};
+}
+
 double turn_between(const Vector& a, const Vector& b) {
   const double turn = std::atan2(cross(a, b), a.dot(b));
   return turn <= -std::numbers::pi ? std::numbers::pi : turn;

@@ -55,6 +55,11 @@ overloaded(Cases...) -> overloaded<Cases...>;
 [[nodiscard]] double length_of(const Segment& segment);
 [[nodiscard]] double radius_of(const Arc& arc);
 
+// An arc of the same sense through two other points; its centre is the old one,
+// projected on their perpendicular bisector. Up to `same_point` mm apart, a line.
+[[nodiscard]] Segment refitted(const Arc& arc, const Point& start, const Point& end,
+                               double same_point);
+
 // The signed turn from a to b in rad, -pi < turn <= pi.
 [[nodiscard]] double turn_between(const Vector& a, const Vector& b);
 

@@ -12,7 +12,7 @@ namespace {
 
 constexpr auto keywords = std::to_array<TrcKeyword>({
     {"CONV_CIR_TO_LIN", 0, 1, 0, true, "arcs too small for the tool become lines (with G141)"},
-    {"KERF_MASKING", 0, 1, 0, true, "points in kerfs the tool cannot enter are moved", "", false},
+    {"KERF_MASKING", 0, 1, 0, true, "points in kerfs the tool cannot enter are moved"},
     {"REVERSE", 0, 1, 0, true, "the side changes at points of reversal without a block"},
     {"IGNORE_CONT_DAMAGE", 0, 1, 0, true, "contour violations do not stop"},
     {"REMOVE_MASKED_BLOCKS", 0, 1, 0, true, "contour loops are removed (with G141)"},

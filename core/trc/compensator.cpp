@@ -4,6 +4,7 @@
 #include "core/trc/contour_masking.h"
 #include "core/trc/contour_violations.h"
 #include "core/trc/convert_circles.h"
+#include "core/trc/kerf_masking.h"
 #include "core/trc/loop_removal.h"
 #include "core/trc/offset.h"
 #include "core/trc/pass.h"
@@ -23,6 +24,7 @@ struct Compensator::Passes {
       : diagnostics(log),
         relevant_blocks(setup, log),
         convert_circles(setup.tolerances),
+        kerf_masking(setup.circular_kerf_masking, setup.tolerances),
         offset(setup.tolerances, log),
         inside_corner(setup.limits.selection_blocks, setup.tolerances, log),
         contour_masking(setup.limits.selection_blocks, setup.tolerances, log),
@@ -38,8 +40,9 @@ struct Compensator::Passes {
     return !diagnostics.stopped()
         && advance(relevant_blocks,     programmed, relevant, input)
         && apply  (convert_circles,     relevant)
-        && apply  (offset,              relevant)
-        && advance(inside_corner,       relevant,   entered,  input)
+        && advance(kerf_masking,        relevant,   reachable, input)
+        && apply  (offset,              reachable)
+        && advance(inside_corner,       reachable,  entered,  input)
         && advance(contour_masking,     entered,    masked,   input)
         && advance(transitions,         masked,     joined,   input)
         && advance(loop_removal,        joined,     simple,   input)
@@ -53,13 +56,14 @@ struct Compensator::Passes {
   // The passes that hold something. The vectors between them are empty when a call has ended.
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(relevant_blocks, inside_corner, contour_masking, transitions, loop_removal, clearance,
-            reporting);
+    archive(relevant_blocks, kerf_masking, inside_corner, contour_masking, transitions,
+            loop_removal, clearance, reporting);
   }
 
   Diagnostics& diagnostics;
   RelevantBlocks relevant_blocks;
   ConvertCircles convert_circles;
+  KerfMasking kerf_masking;
   Offset offset;
   selection::InsideCorner inside_corner;
   ContourMasking contour_masking;
@@ -72,6 +76,7 @@ struct Compensator::Passes {
 
   std::vector<Block> programmed;
   std::vector<PathBlock> relevant;
+  std::vector<PathBlock> reachable;
   std::vector<PathBlock> entered;
   std::vector<PathBlock> masked;
   std::vector<PathBlock> joined;
@@ -108,7 +113,8 @@ void Compensator::load(StateReader& archive) { archive(*passes_); }
 const Summary& Compensator::summary() const { return passes_->reporting.summary(); }
 
 std::size_t Compensator::look_ahead() const {
-  return passes_->relevant_blocks.look_ahead() + passes_->transitions.look_ahead();
+  return passes_->relevant_blocks.look_ahead() + passes_->kerf_masking.look_ahead() +
+         passes_->transitions.look_ahead();
 }
 
 }  // namespace trc

@@ -6,21 +6,22 @@
 
 namespace trc {
 
-bool Offset::apply(PathBlock& block) {
-  if (block.role == Role::passive) return true;
+void give_offsets(PathBlock& block) {
   const Segment& programmed = block.programmed.path;
   block.tangent_at_start = tangent_at_start(programmed);
   block.tangent_at_end = tangent_at_end(programmed);
-  if (block.at_start.active) {
-    if (!keeps_circle(block, block.at_start.shift)) return false;
+  if (block.at_start.active)
     block.offset_start =
         parallel_point(start_of(programmed), block.tangent_at_start, block.at_start.shift);
-  }
-  if (block.at_end.active) {
-    if (!keeps_circle(block, block.at_end.shift)) return false;
+  if (block.at_end.active)
     block.offset_end = parallel_point(end_of(programmed), block.tangent_at_end, block.at_end.shift);
-  }
-  return true;
+}
+
+bool Offset::apply(PathBlock& block) {
+  if (block.role == Role::passive) return true;
+  give_offsets(block);
+  return (!block.at_start.active || keeps_circle(block, block.at_start.shift)) &&
+         (!block.at_end.active || keeps_circle(block, block.at_end.shift));
 }
 
 bool Offset::keeps_circle(PathBlock& block, double shift) {

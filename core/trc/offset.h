@@ -6,6 +6,9 @@
 
 namespace trc {
 
+// Sets tangents, P and Q of the block, whatever becomes of its circle.
+void give_offsets(PathBlock& block);
+
 // Finds the equidistant of each programmed block: its tangents and the
 // perpendicular points Q and P at its ends.
 //

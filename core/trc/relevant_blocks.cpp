@@ -56,7 +56,6 @@ PathBlock first_half_of(PathBlock& block) {
 
 const char* RelevantBlocks::unavailable(const TrcMode& mode) const {
   const bool masking = mode.masking == Masking::on;
-  if (mode.options.kerf_masking) return "KERF_MASKING";
   if (mode.options.inverse) return "INVERSE";
   if (mode.tangential && mode.selection == Selection::perpendicular) return "G05 with G237";
   // A window would bound memory and delay (D-10); a selection held as a whole does not.

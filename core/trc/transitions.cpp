@@ -31,20 +31,6 @@ Segment shortened(const Arc& programmed, const PathBlock& block, const Point& en
       .start = block.tool_start, .end = end, .center = programmed.center, .sweep = sense * left};
 }
 
-// D-20: an arc of the same sense through both points, its centre the programmed
-// one projected on their perpendicular bisector.
-Segment fitted(const Arc& programmed, const Point& start, const Point& end,
-               const Tolerances& tolerances) {
-  const Vector chord = end - start;
-  if (chord.norm() <= tolerances.on_contour) return Line{.start = start, .end = end};
-  const Vector across = left_of(chord).normalized();
-  const Point middle = 0.5 * (start + end);
-  const Point center = middle + (programmed.center - middle).dot(across) * across;
-  double sweep = turn_between(start - center, end - center);
-  if (sweep * programmed.sweep < 0) sweep += std::copysign(2 * pi, programmed.sweep);
-  return Arc{.start = start, .end = end, .center = center, .sweep = sweep};
-}
-
 // Builds the tool path between tool_start and `end`.
 void complete(PathBlock& block, const Point& end, const Tolerances& tolerances) {
   if (block.path_given) return;
@@ -56,7 +42,7 @@ void complete(PathBlock& block, const Point& end, const Tolerances& tolerances) 
   if (arc == nullptr) {
     block.tool_path = Line{.start = block.tool_start, .end = end};
   } else if (is_contour(block) && block.at_start != block.at_end) {
-    block.tool_path = fitted(*arc, block.tool_start, end, tolerances);
+    block.tool_path = refitted(*arc, block.tool_start, end, tolerances.on_contour);  // D-20
   } else {
     block.tool_path = shortened(*arc, block, end, tolerances);
   }

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "core/base/tolerances.h"
+#include "core/trc/path_block.h"
+
+namespace trc {
+
+// KERF_MASKING: raises the bottom of a notch the tool cannot enter (spec 7.1, D-16).
+//
+//     --A     C--        B' lies on the bisector of the notch, as near to B as lets
+//        \B' /           the tool in: of A–B' and B'–C the corners leave a length
+//         \ /            that is not negative. Circles keep their sense, their
+//          B             centre moves as little as it must.
+//
+// The programmed contour itself is changed, before it is offset and also where it is
+// not (SUPPRESS_TRC, D-17). P-CHAN-00284 = 0 is the older method: between two lines,
+// up to 90 degrees, and under G141 without being asked.
+class KerfMasking {
+ public:
+  KerfMasking(bool circular, const Tolerances& tolerances)
+      : circular_(circular), tolerances_(tolerances) {}
+
+  bool feed(PathBlock block, std::vector<PathBlock>& out);
+  bool drain(std::vector<PathBlock>& out);
+  // A corner waits for the block behind it, which tells what the next corner takes.
+  [[nodiscard]] std::size_t look_ahead() const { return 2; }
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(before_, held_);
+  }
+
+ private:
+  [[nodiscard]] bool wanted(const PathBlock& block) const;
+  void let_go(std::vector<PathBlock>& out);
+  // The corner of the two held blocks; `next` follows them, if anything does.
+  void raise_notch(const PathBlock* next);
+
+  bool circular_;
+  Tolerances tolerances_;
+  std::optional<PathBlock> before_;  // the first held block, as far as a corner needs it
+  std::vector<PathBlock> held_;
+};
+
+}  // namespace trc
