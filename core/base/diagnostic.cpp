@@ -196,6 +196,10 @@ constexpr auto rows = std::to_array<CodeRow>({
     {Code::bottleneck, error, "BOTTLENECK",
      "the tool comes closer to another block of the contour than its radius",
      "Use a smaller tool, or correct the contour."},
+    {Code::beyond_window, warning, "BEYOND_WINDOW",
+     "the contour is longer than the window of contour masking, which sees no loop longer than "
+     "itself",
+     "Raise look_ahead_blocks, or set it to 0 for the whole contour."},
 });
 
 static_assert(std::ranges::is_sorted(rows, {}, &CodeRow::code));

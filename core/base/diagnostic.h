@@ -93,6 +93,7 @@ enum class Code : std::int32_t {
   selection_too_long = 900212,
   blocks_masked = 900213,
   bottleneck = 900214,
+  beyond_window = 900215,
 };
 
 struct DiagnosticValue {

@@ -19,14 +19,36 @@ Box bounding_box(const Segment& segment) {
   return box;
 }
 
-BoxTree::BoxTree(const std::vector<Box>& boxes) : count_(boxes.size()) {
-  levels_.push_back(boxes);
-  while (levels_.back().size() > 1) {
-    const std::vector<Box>& below = levels_.back();
-    std::vector<Box> above((below.size() + width - 1) / width);
-    for (std::size_t i = 0; i < below.size(); ++i) above[i / width].extend(below[i]);
-    levels_.push_back(std::move(above));
+void BoxTree::append(const Box& box) {
+  std::size_t node = size();
+  for (std::size_t level = 0;; ++level, node /= width) {
+    if (level == levels_.size()) {
+      // The root has got a neighbour, or there was none yet.
+      levels_.emplace_back();
+      if (level > 0) levels_[level].push_back(levels_[level - 1].front());
+    }
+    std::vector<Box>& boxes = levels_[level];
+    if (node == boxes.size()) {
+      boxes.push_back(box);
+    } else {
+      boxes[node].extend(box);
+    }
+    if (level + 1 == levels_.size() && boxes.size() == 1) return;
   }
+}
+
+void BoxTree::truncate(std::size_t count) {
+  if (count == 0) levels_.clear();
+  for (std::vector<Box>& boxes : levels_) {
+    boxes.resize(count);
+    count = (count + width - 1) / width;
+  }
+}
+
+void BoxTree::drop_before(std::size_t first) {
+  const std::vector<Box> boxes = levels_.empty() ? std::vector<Box>{} : std::move(levels_[0]);
+  levels_.clear();
+  for (std::size_t index = first; index < boxes.size(); ++index) append(boxes[index]);
 }
 
 }  // namespace trc

@@ -14,22 +14,27 @@ using Box = Eigen::AlignedBox2d;
 
 // Which of many boxes are near. The boxes keep their order, which is that of a
 // path: neighbours on the path are neighbours in space, so that the tree needs no
-// sorting. Built in O(n); a query costs O(log n + hits) on contours.
+// sorting and can grow at its end. A query costs O(log n + hits) on contours.
 class BoxTree {
  public:
-  explicit BoxTree(const std::vector<Box>& boxes);
-
   // Indices from first to last; none if last < first.
   struct Range {
     std::size_t first = 1;
     std::size_t last = 0;
   };
 
+  void append(const Box& box);
+  [[nodiscard]] std::size_t size() const { return levels_.empty() ? 0 : levels_[0].size(); }
+  // Forgets all but the first `count` boxes. What they were in stays as large.
+  void truncate(std::size_t count);
+  // The boxes from `first` on, counted anew.
+  void drop_before(std::size_t first);
+
   // Calls visit(index) for every box that meets `area`, in ascending order, those
   // in `skipped` left out.
   template <class Visit>
   void for_each_in(const Box& area, const Range& skipped, Visit visit) const {
-    if (count_ > 0) descend(levels_.size() - 1, 0, area, skipped, visit);
+    if (size() > 0) descend(levels_.size() - 1, 0, area, skipped, visit);
   }
   template <class Visit>
   void for_each_in(const Box& area, Visit visit) const {
@@ -55,7 +60,6 @@ class BoxTree {
       descend(level - 1, child, area, skipped, visit);
   }
 
-  std::size_t count_;
   std::vector<std::vector<Box>> levels_;  // 0: the boxes, last: one root
 };
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 #include "core/geometry/box_tree.h"
@@ -24,7 +25,7 @@ double tool_radius(const PathBlock& block) {
 }
 
 struct Violation {
-  const PathBlock* contour = nullptr;
+  const MotionBlock* contour = nullptr;
   double distance = 0;
   Point place = Point::Zero();
 };
@@ -35,64 +36,92 @@ bool Clearance::feed(PathBlock block, std::vector<PathBlock>& out) {
   // The approach waits too: the tool must not enter what it cannot get through.
   const bool begins = block.role == Role::approach || block.perpendicular_entry;
   const bool belongs = begins || is_contour(block) || block.role == Role::inserted;
-  const bool wanted = belongs && !block.removes_loops() &&
-                      (implicit_ || block.mode().masking == Masking::on || !held_.empty());
-  if (wanted && !begins) {
-    if (held_.size() >= selection_blocks_)
-      return diagnostics_.report(selection_too_long(block, selection_blocks_));
-    held_.push_back(std::move(block));
+  const bool wanted =
+      belongs && !block.removes_loops() &&
+      (implicit_ || block.mode().masking == Masking::on || !held_.empty() || !contour_.empty());
+  if ((begins || !wanted) && !end_selection(out)) return false;
+  if (!wanted) {
+    out.push_back(std::move(block));
     return true;
   }
-  if (!resolve(out)) return false;
-  if (wanted) {
-    held_.push_back(std::move(block));
-  } else {
-    out.push_back(std::move(block));
+  if (held_.size() >= selection_blocks_)
+    return diagnostics_.report(selection_too_long(block, selection_blocks_));
+  if (passes_at_once()) out.push_back(block);
+  hold(std::move(block));
+  return window_ == 0 || examine(false, out);
+}
+
+void Clearance::hold(PathBlock block) {
+  if (is_contour(block)) {
+    boxes_.append(bounding_box(block.programmed.path));
+    contour_.push_back(block.programmed);
   }
+  const std::size_t count = contour_base_ + contour_.size();
+  numbers_.push_back(count > 0 ? count - 1 : 0);
+  held_.push_back(std::move(block));
+}
+
+bool Clearance::end_selection(std::vector<PathBlock>& out) {
+  if (!examine(true, out)) return false;
+  contour_.clear();
+  contour_base_ = 0;
+  boxes_ = BoxTree();
+  violating_ = false;
   return true;
 }
 
-bool Clearance::resolve(std::vector<PathBlock>& out) {
-  std::vector<const PathBlock*> contour;
-  std::vector<Box> boxes;
-  for (const PathBlock& block : held_) {
-    if (!is_contour(block)) continue;
-    contour.push_back(&block);
-    boxes.push_back(bounding_box(block.programmed.path));
+bool Clearance::examine(bool ended, std::vector<PathBlock>& out) {
+  std::size_t examined = 0;
+  const std::size_t end = contour_base_ + contour_.size();
+  while (examined < held_.size() && (ended || numbers_[examined] + window_ < end)) {
+    if (!check(held_[examined], numbers_[examined])) return false;
+    ++examined;
   }
-  const BoxTree tree(boxes);
-  bool violating = false;  // so was the block before: one report for a stretch
-  for (const PathBlock& block : held_) {
-    if (!is_monitored(block)) continue;
-    const double radius = tool_radius(block);
-    const double limit = radius - tolerances_.clearance * std::max(radius, 1.0);
-    Box area = bounding_box(block.tool_path);
-    area.min().array() -= radius;
-    area.max().array() += radius;
-    Violation worst{.distance = limit};
-    tree.for_each_in(area, [&](std::size_t index) {
-      const auto near =
-          nearness(block.tool_path, contour[index]->programmed.path, tolerances_.same_point);
-      if (near.distance < worst.distance)
-        worst = {.contour = contour[index], .distance = near.distance, .place = near.on_first};
-    });
-    const bool violates = worst.contour != nullptr;
-    if (violates && !violating && !report(block, *worst.contour, worst.distance, worst.place))
-      return false;
-    violating = violates;
-  }
-  for (PathBlock& block : held_) out.push_back(std::move(block));
-  held_.clear();
+  const auto gone = static_cast<std::ptrdiff_t>(examined);
+  if (!passes_at_once()) std::move(held_.begin(), held_.begin() + gone, std::back_inserter(out));
+  held_.erase(held_.begin(), held_.begin() + gone);
+  numbers_.erase(numbers_.begin(), numbers_.begin() + gone);
+  if (window_ > 0) forget();
   return true;
 }
 
-bool Clearance::report(const PathBlock& path, const PathBlock& contour, double distance,
+// Drops what no window reaches any more; not one by one, to keep it cheap.
+void Clearance::forget() {
+  if (numbers_.empty() || numbers_.front() <= contour_base_ + 2 * window_ + 64) return;
+  const std::size_t gone = numbers_.front() - window_ - contour_base_;
+  contour_.erase(contour_.begin(), contour_.begin() + static_cast<std::ptrdiff_t>(gone));
+  boxes_.drop_before(gone);
+  contour_base_ += gone;
+}
+
+bool Clearance::check(const PathBlock& block, std::size_t number) {
+  if (!is_monitored(block)) return true;
+  const double radius = tool_radius(block);
+  const double limit = radius - tolerances_.clearance * std::max(radius, 1.0);
+  Box area = bounding_box(block.tool_path);
+  area.min().array() -= radius;
+  area.max().array() += radius;
+  Violation worst{.distance = limit};
+  boxes_.for_each_in(area, [&](std::size_t index) {
+    const std::size_t other = contour_base_ + index;
+    if (window_ > 0 && (other + window_ < number || other > number + window_)) return;
+    const auto near = nearness(block.tool_path, contour_[index].path, tolerances_.same_point);
+    if (near.distance < worst.distance)
+      worst = {.contour = &contour_[index], .distance = near.distance, .place = near.on_first};
+  });
+  const bool violates = worst.contour != nullptr;
+  const bool first = violates && !std::exchange(violating_, violates);
+  violating_ = violates;
+  return !first || report(block, *worst.contour, worst.distance, worst.place);
+}
+
+bool Clearance::report(const PathBlock& path, const MotionBlock& contour, double distance,
                        const Point& place) {
   Diagnostic found = diagnostic(Code::bottleneck, path.programmed.source);
   const bool masking = path.mode().masking == Masking::on;
   if (path.mode().options.ignore_cont_damage || (masking && !implicit_))
     found.severity = Severity::warning;
-  found.values = {{"other_index", static_cast<double>(contour.programmed.source.index)},
+  found.values = {{"other_index", static_cast<double>(contour.source.index)},
                   {"clearance", distance},
                   {"tool_radius", tool_radius(path)}};
   const Position position = from_plane(path.mode().plane, place, path.programmed.normal.to);

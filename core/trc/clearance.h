@@ -5,6 +5,7 @@
 
 #include "core/base/diagnostics.h"
 #include "core/base/tolerances.h"
+#include "core/geometry/box_tree.h"
 #include "core/trc/path_block.h"
 
 namespace trc {
@@ -14,35 +15,55 @@ namespace trc {
 // G141 each is a warning (spec 5.1: loops that still violate stay); with
 // P-CHAN-00219 the first one stops, also under G140 (D-34).
 //
-// Holds such a selection as a whole; all else passes through at once.
+// Holds such a selection as a whole, or looks a window of contour blocks ahead and
+// back (D-10); all else passes through at once.
 class Clearance {
  public:
-  Clearance(bool implicit_contour_masking, std::size_t selection_blocks,
+  // `window` in contour blocks; 0: the whole selection.
+  Clearance(bool implicit_contour_masking, std::size_t window, std::size_t selection_blocks,
             const Tolerances& tolerances, Diagnostics& diagnostics)
       : implicit_(implicit_contour_masking),
+        window_(window),
         selection_blocks_(selection_blocks),
         tolerances_(tolerances),
         diagnostics_(diagnostics) {}
 
   bool feed(PathBlock block, std::vector<PathBlock>& out);
-  bool drain(std::vector<PathBlock>& out) { return resolve(out); }
-  // Of the selections it holds as a whole; nothing else.
-  [[nodiscard]] std::size_t look_ahead() const { return 0; }
+  bool drain(std::vector<PathBlock>& out) { return end_selection(out); }
+  [[nodiscard]] std::size_t look_ahead() const { return window_; }
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(held_);
+    archive(held_, numbers_, contour_, contour_base_, violating_);
+    boxes_ = BoxTree();
+    for (const MotionBlock& block : contour_) boxes_.append(bounding_box(block.path));
   }
 
  private:
-  bool resolve(std::vector<PathBlock>& out);
-  bool report(const PathBlock& path, const PathBlock& contour, double distance, const Point& place);
+  // A warning may come later than the block: it need not wait for its window.
+  [[nodiscard]] bool passes_at_once() const { return window_ > 0 && !implicit_; }
+  void hold(PathBlock block);
+  bool end_selection(std::vector<PathBlock>& out);
+  // Lets go all blocks around which the contour is known.
+  bool examine(bool ended, std::vector<PathBlock>& out);
+  bool check(const PathBlock& block, std::size_t number);
+  void forget();
+  bool report(const PathBlock& path, const MotionBlock& contour, double distance,
+              const Point& place);
 
   bool implicit_;
+  std::size_t window_;
   std::size_t selection_blocks_;
   Tolerances tolerances_;
   Diagnostics& diagnostics_;
   std::vector<PathBlock> held_;
+  std::vector<std::size_t> numbers_;  // of the contour block, or of the one before it
+
+  // The contour, counted from the begin of the selection, as far as a window reaches.
+  std::vector<MotionBlock> contour_;
+  std::size_t contour_base_ = 0;
+  BoxTree boxes_;
+  bool violating_ = false;  // so was the block before: one report for a stretch
 };
 
 }  // namespace trc

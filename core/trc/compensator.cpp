@@ -27,12 +27,14 @@ struct Compensator::Passes {
         kerf_masking(setup.circular_kerf_masking, setup.tolerances),
         offset(setup.tolerances, log),
         inside_corner(setup.limits.selection_blocks, setup.tolerances, log),
-        contour_masking(setup.limits.selection_blocks, setup.tolerances, log),
+        contour_masking(setup.limits.look_ahead_blocks, setup.limits.selection_blocks,
+                        setup.tolerances, log),
         transitions(setup.tolerances, log),
-        loop_removal(setup.limits.selection_blocks, setup.tolerances, log),
+        loop_removal(setup.limits.look_ahead_blocks, setup.limits.selection_blocks,
+                     setup.tolerances, log),
         contour_violations(setup.tolerances, log),
-        clearance(setup.implicit_contour_masking, setup.limits.selection_blocks, setup.tolerances,
-                  log),
+        clearance(setup.implicit_contour_masking, setup.limits.look_ahead_blocks,
+                  setup.limits.selection_blocks, setup.tolerances, log),
         reporting(setup, log) {}
 
   // clang-format off
@@ -114,7 +116,8 @@ const Summary& Compensator::summary() const { return passes_->reporting.summary(
 
 std::size_t Compensator::look_ahead() const {
   return passes_->relevant_blocks.look_ahead() + passes_->kerf_masking.look_ahead() +
-         passes_->transitions.look_ahead();
+         passes_->contour_masking.look_ahead() + passes_->transitions.look_ahead() +
+         passes_->loop_removal.look_ahead() + passes_->clearance.look_ahead();
 }
 
 }  // namespace trc

@@ -1,6 +1,7 @@
 #include "core/trc/contour_masking.h"
 
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 #include "core/geometry/parallel.h"
@@ -42,11 +43,15 @@ bool ContourMasking::feed(PathBlock block, std::vector<PathBlock>& out) {
     if (held_.size() >= selection_blocks_)
       return diagnostics_.report(selection_too_long(block, selection_blocks_));
     held_.push_back(std::move(block));
-    return true;
+    if (window_ == 0) return true;
+    if (!keep(base_ + held_.size() - 1)) return false;
+    return held_.size() <= window_ || let_go(out);
   }
   if (!resolve(block.at_start.active ? &block : nullptr, out)) return false;
   if (masking && block.at_end.active) {
+    // The first block has a start of its own: an approach, or what came before G141.
     held_.push_back(std::move(block));
+    kept_ = {Kept{.index = 0}};
   } else {
     out.push_back(std::move(block));
   }
@@ -55,26 +60,39 @@ bool ContourMasking::feed(PathBlock block, std::vector<PathBlock>& out) {
 
 bool ContourMasking::resolve(const PathBlock* after, std::vector<PathBlock>& out) {
   if (held_.empty()) return true;
-  kept_.clear();
-  // The first block has a start of its own: an approach, or what came before G141.
-  kept_.push_back({.index = 0});
-  for (std::size_t index = 1; index < held_.size(); ++index)
-    if (!keep(index)) return false;
+  if (window_ == 0) {
+    for (std::size_t index = 1; index < held_.size(); ++index)
+      if (!keep(index)) return false;
+  }
   if (!close(after)) return false;
-  report_masked();
+  report_masked(base_, base_ + held_.size());
   for (PathBlock& block : held_) out.push_back(std::move(block));
   held_.clear();
+  base_ = 0;
+  return true;
+}
+
+bool ContourMasking::let_go(std::vector<PathBlock>& out) {
+  // So many masked blocks that the window does not see the end of them.
+  if (kept_.size() == 1) return refuse_to_mask(held_.front());
+  const std::size_t next = kept_[1].index;
+  report_masked(base_, next);
+  const auto gone = static_cast<std::ptrdiff_t>(next - base_);
+  std::move(held_.begin(), held_.begin() + gone, std::back_inserter(out));
+  held_.erase(held_.begin(), held_.begin() + gone);
+  base_ = next;
+  kept_.erase(kept_.begin());
   return true;
 }
 
 // Joins the block to the last kept one, masking kept blocks that do not survive it.
 bool ContourMasking::keep(std::size_t index) {
-  PathBlock& block = held_[index];
-  const bool begins_contour = kept_.size() == 1 && !is_contour(held_[0]);
+  PathBlock& block = held(index);
+  const bool begins_contour = kept_.size() == 1 && !is_contour(held_.front());
   if (block.masked) return !begins_contour || refuse_to_mask(block);
   while (true) {
     const Kept& last = kept_.back();
-    const PathBlock& before = held_[last.index];
+    const PathBlock& before = held(last.index);
     const bool adjacent = last.index + 1 == index;
     const auto meeting = meet(before, block, adjacent);
     if (meeting && survives(last, meeting->cut_before)) {
@@ -145,15 +163,16 @@ std::optional<PathBlock::Rejoin> ContourMasking::join_anew(const PathBlock& befo
 }
 
 bool ContourMasking::survives(const Kept& kept, double cut_at_end) const {
-  const PathBlock& block = held_[kept.index];
+  const PathBlock& block = held(kept.index);
   if (!is_contour(block)) return true;
   const double left = left_of_block(block, kept.cut_at_start, cut_at_end);
   return left * radius_at(block, block.at_end.shift) >= -tolerances_.on_contour;
 }
 
 bool ContourMasking::mask_last_kept() {
-  PathBlock& block = held_[kept_.back().index];
-  const bool first_of_contour = kept_.size() == 1 || (kept_.size() == 2 && !is_contour(held_[0]));
+  PathBlock& block = held(kept_.back().index);
+  const bool first_of_contour =
+      kept_.size() == 1 || (kept_.size() == 2 && !is_contour(held_.front()));
   if (first_of_contour) return refuse_to_mask(block);
   block.masked = true;
   block.rejoin.reset();
@@ -162,18 +181,18 @@ bool ContourMasking::mask_last_kept() {
 }
 
 // One note for each run of masked blocks.
-void ContourMasking::report_masked() {
-  for (std::size_t index = 0; index < held_.size(); ++index) {
-    if (!held_[index].masked) continue;
-    const std::size_t first = index;
-    while (index + 1 < held_.size() && held_[index + 1].masked) ++index;
-    Diagnostic masked = diagnostic(Code::blocks_masked, held_[first].programmed.source);
+void ContourMasking::report_masked(std::size_t first, std::size_t end) {
+  for (std::size_t index = first; index < end; ++index) {
+    if (!held(index).masked) continue;
+    const std::size_t begin = index;
+    while (index + 1 < end && held(index + 1).masked) ++index;
+    Diagnostic masked = diagnostic(Code::blocks_masked, held(begin).programmed.source);
     const auto number = [&](std::size_t at) {
-      return static_cast<double>(held_[at].programmed.source.index);
+      return static_cast<double>(held(at).programmed.source.index);
     };
-    masked.values = {{"first_index", number(first)},
+    masked.values = {{"first_index", number(begin)},
                      {"last_index", number(index)},
-                     {"tool_radius", std::abs(held_[first].at_end.shift)}};
+                     {"tool_radius", std::abs(held(begin).at_end.shift)}};
     diagnostics_.report(std::move(masked));
   }
 }

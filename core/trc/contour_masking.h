@@ -23,21 +23,26 @@ namespace trc {
 // and the last contour block of a selection stay: where they violate, the contour
 // cannot be machined with this radius and the stream stops.
 //
-// Holds a selection under G141 as a whole; all else passes through at once.
+// Holds a selection under G141 as a whole, or, with a window (D-10), so many of its
+// blocks: of those that have left none can be masked any more. All else passes
+// through at once.
 class ContourMasking {
  public:
-  ContourMasking(std::size_t selection_blocks, const Tolerances& tolerances,
+  // `window` in contour blocks; 0: the whole selection.
+  ContourMasking(std::size_t window, std::size_t selection_blocks, const Tolerances& tolerances,
                  Diagnostics& diagnostics)
-      : selection_blocks_(selection_blocks), tolerances_(tolerances), diagnostics_(diagnostics) {}
+      : window_(window),
+        selection_blocks_(selection_blocks),
+        tolerances_(tolerances),
+        diagnostics_(diagnostics) {}
 
   bool feed(PathBlock block, std::vector<PathBlock>& out);
   bool drain(std::vector<PathBlock>& out) { return resolve(nullptr, out); }
-  // Of the selections it holds as a whole; nothing else.
-  [[nodiscard]] std::size_t look_ahead() const { return 0; }
+  [[nodiscard]] std::size_t look_ahead() const { return window_; }
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(held_, kept_);
+    archive(held_, base_, kept_);
   }
 
  private:
@@ -68,15 +73,22 @@ class ContourMasking {
                                                            const PathBlock& after) const;
   [[nodiscard]] bool survives(const Kept& kept, double cut_at_end) const;
   bool mask_last_kept();
-  void report_masked();
+  // The first kept block, and the masked ones behind it.
+  bool let_go(std::vector<PathBlock>& out);
+  void report_masked(std::size_t first, std::size_t end);
   // The first or last block of the contour violates: 90017, 90019 or 90038.
   bool refuse_to_mask(const PathBlock& block);
   bool refuse(Code code, const PathBlock& block);
 
+  [[nodiscard]] PathBlock& held(std::size_t index) { return held_[index - base_]; }
+  [[nodiscard]] const PathBlock& held(std::size_t index) const { return held_[index - base_]; }
+
+  std::size_t window_;
   std::size_t selection_blocks_;
   Tolerances tolerances_;
   Diagnostics& diagnostics_;
   std::vector<PathBlock> held_;
+  std::size_t base_ = 0;  // blocks of the selection that have left
   std::vector<Kept> kept_;
 };
 

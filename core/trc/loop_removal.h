@@ -25,24 +25,34 @@ namespace trc {
 // of the contour stays. Where there is no crossing to go on from, the contour cannot
 // be machined with this radius, and the stream stops (90019, 90038).
 //
-// Holds such a selection as a whole; all else passes through at once.
+// Holds such a selection as a whole, or, with a window of N contour blocks (D-10),
+// looks N blocks ahead and back: the path of a block leaves when the N-th block behind
+// it has come. All else passes through at once.
 class LoopRemoval {
  public:
-  LoopRemoval(std::size_t selection_blocks, const Tolerances& tolerances, Diagnostics& diagnostics)
-      : selection_blocks_(selection_blocks), tolerances_(tolerances), diagnostics_(diagnostics) {}
+  // `window` in contour blocks; 0: the whole selection.
+  LoopRemoval(std::size_t window, std::size_t selection_blocks, const Tolerances& tolerances,
+              Diagnostics& diagnostics)
+      : window_(window),
+        selection_blocks_(selection_blocks),
+        tolerances_(tolerances),
+        diagnostics_(diagnostics),
+        certificate_(tolerances) {}
 
   bool feed(PathBlock block, std::vector<PathBlock>& out);
-  bool drain(std::vector<PathBlock>& out) { return resolve(out); }
-  // Of the selections it holds as a whole; nothing else.
-  [[nodiscard]] std::size_t look_ahead() const { return 0; }
+  bool drain(std::vector<PathBlock>& out) { return end_selection(out); }
+  [[nodiscard]] std::size_t look_ahead() const { return window_; }
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(held_);
+    archive(held_, base_, numbers_, radii_, contour_, contour_base_, apart_, certificate_, pieces_,
+            at_, tolerated_, next_, first_);
+    rebuild_boxes();
   }
 
  private:
-  // A point of the path: how far along which held block.
+  // Blocks of the path are counted from the begin of the selection, contour blocks too.
+  // A point of the path: how far along which block.
   struct Place {
     std::size_t block = 0;
     double along = 0;  // mm from the start of its tool path
@@ -50,70 +60,132 @@ class LoopRemoval {
     bool operator<(const Place& other) const {
       return block != other.block ? block < other.block : along < other.along;
     }
+    template <class Archive>
+    void serialize(Archive& archive) {
+      archive(block, along);
+    }
   };
-  // What is travelled of a held block, with ends shared with its neighbours.
+  // What is travelled of a block, with ends shared with its neighbours.
   struct Piece {
     std::size_t block = 0;
     double from = 0;
     double to = 0;
     Point start = Point::Zero();
     Point end = Point::Zero();
-    bool behind_loop = false;  // a loop was dropped before it
+    bool behind_loop = false;          // a loop was dropped before it
+    Vector arrives = Vector::UnitX();  // the direction of travel into the loop
+
+    template <class Archive>
+    void serialize(Archive& archive) {
+      archive(block, from, to, start, end, behind_loop, arrives);
+    }
+  };
+  // A programmed contour block, which outlives its path.
+  struct ContourBlock {
+    std::size_t block = 0;
+    Segment programmed{};
+    Source source{};
+
+    template <class Archive>
+    void serialize(Archive& archive) {
+      archive(block, programmed, source);
+    }
   };
   // Where the path comes too near to a contour block.
   struct Onset {
     double along = 0;
-    std::size_t obstacle = 0;  // number of the contour block
+    std::size_t obstacle = 0;  // its number
   };
   // Where a loop begins, in which travelled piece, and where it ends.
   struct Exit {
-    std::size_t piece = 0;  // number of pieces kept before it
+    std::size_t piece = 0;  // how many pieces are kept before it
     double leaves = 0;
     Place continues{};
     Point point = Point::Zero();
   };
   enum class Nearness { exact, passable };
+  enum class Step { done, wait, stop };
 
-  bool resolve(std::vector<PathBlock>& out);
-  void survey();
-  bool walk();
-  // The rest of the block has a violation; what is done about it is in pieces_ and
-  // at_. False: nothing can be.
-  bool leave(const Onset& onset);
+  void begin_selection();
+  bool end_selection(std::vector<PathBlock>& out);
+  bool hold(PathBlock block);
+  void note_contour_block(const PathBlock& block);
+  void reconsider(std::size_t number);
+  void rebuild_boxes();
+  void keep_piece();
+  void drop_pieces(std::size_t kept);
+  bool proceed(bool ended, std::vector<PathBlock>& out);
+  void forget();
+
+  // As far as the contour is known well enough; all the way when it has ended.
+  bool walk(bool ended);
+  bool begin_walk(bool ended);
+  // What to do about an onset in the block being walked.
+  Step leave(const Onset& onset, bool ended);
   void jump(const Exit& exit);
   void advance();
 
+  [[nodiscard]] const PathBlock& path(std::size_t block) const { return held_[block - base_]; }
+  [[nodiscard]] const ContourBlock& contour(std::size_t number) const {
+    return contour_[number - contour_base_];
+  }
+  [[nodiscard]] std::size_t end_of_path() const { return base_ + held_.size(); }
+  [[nodiscard]] std::size_t end_of_contour() const { return contour_base_ + contour_.size(); }
+  [[nodiscard]] std::size_t number_of(std::size_t block) const { return numbers_[block - base_]; }
+  [[nodiscard]] double radius_of_tool(std::size_t block) const { return radii_[block - base_]; }
+  // Whether the contour is known `lead` blocks beyond the path block.
+  [[nodiscard]] bool is_known(std::size_t block, std::size_t lead, bool ended) const;
+
+  [[nodiscard]] double part_of(Nearness nearness) const;
   [[nodiscard]] double reach(std::size_t block, Nearness nearness) const;
   [[nodiscard]] std::optional<Onset> onset(std::size_t block, double from, double to,
                                            Nearness nearness) const;
   // The onset that counts, with the loops that do not violate let pass.
-  [[nodiscard]] std::optional<Onset> next_onset() const;
+  [[nodiscard]] std::optional<Onset> next_onset(bool ended);
+  [[nodiscard]] bool clear_ahead(bool ended);
   [[nodiscard]] BoxTree::Range certified(std::size_t block) const;
+  template <class Visit>
+  void for_each_near(const Box& area, const BoxTree::Range& certified, const Visit& visit) const;
   [[nodiscard]] std::optional<Exit> find_exit(const Onset& onset, Nearness nearness) const;
   [[nodiscard]] std::optional<Exit> crossing_in(const Piece& piece, std::size_t number,
                                                 std::size_t first, std::size_t last) const;
   [[nodiscard]] bool violates(const Place& from, const Place& to) const;
 
-  void emit(std::vector<PathBlock>& out);
+  void pass_by(std::size_t end, const Point& place, std::vector<PathBlock>& out);
+  void let_go(const Piece& piece, std::vector<PathBlock>& out);
   void report_masked(std::size_t first, std::size_t last, const Point& place);
   bool refuse(const Onset& onset);
 
+  std::size_t window_;
   std::size_t selection_blocks_;
   Tolerances tolerances_;
   Diagnostics& diagnostics_;
 
+  // The path: approach and transitions included. What lies before base_ has gone.
   std::vector<PathBlock> held_;
-  std::size_t first_ = 0;                    // held block the compensated path begins with
-  std::vector<std::size_t> contour_;         // held contour blocks
-  std::vector<std::size_t> contour_number_;  // of each held block, or of the one before it
-  std::vector<double> radius_;               // tool radius of each held block
-  std::optional<BoxTree> boxes_;             // of the programmed contour
-  std::optional<Certificate> certificate_;
+  std::size_t base_ = 0;
+  std::vector<std::size_t> numbers_;  // of the contour block, or of the one before it
+  std::vector<double> radii_;         // of the tool, mm
 
-  std::vector<Piece> pieces_;
-  Piece at_{};             // the piece being walked
-  Place tolerated_{};      // up to here the path is in a loop that does not violate
-  std::size_t clear_ = 0;  // held blocks before this one are known to be clear
+  // The programmed contour, as far as anything may still come near it.
+  std::vector<ContourBlock> contour_;
+  std::size_t contour_base_ = 0;
+  BoxTree boxes_;
+  bool apart_ = false;  // the next contour block does not meet the last one
+  Certificate certificate_;
+
+  std::vector<Piece> pieces_;  // walked, and still here
+  // Of the pieces, behind those of `gone_` pieces that have left; for a window only.
+  BoxTree piece_boxes_;
+  std::size_t gone_ = 0;
+  Piece at_{};                          // the piece being walked
+  Place tolerated_{};                   // up to here the path is in a loop that does not violate
+  std::size_t next_ = 0;                // the first block that has neither left nor been dropped
+  std::optional<std::size_t> first_{};  // the block with the first compensated point
+
+  // Blocks known to be clear, and how far a group of them has been asked about.
+  std::size_t clear_before_ = 0;
+  std::size_t asked_before_ = 0;
 };
 
 }  // namespace trc

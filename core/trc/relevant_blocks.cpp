@@ -55,12 +55,8 @@ PathBlock first_half_of(PathBlock& block) {
 }  // namespace
 
 const char* RelevantBlocks::unavailable(const TrcMode& mode) const {
-  const bool masking = mode.masking == Masking::on;
   if (mode.options.inverse) return "INVERSE";
   if (mode.tangential && mode.selection == Selection::perpendicular) return "G05 with G237";
-  // A window would bound memory and delay (D-10); a selection held as a whole does not.
-  if (setup_.limits.look_ahead_blocks > 0 && (masking || setup_.implicit_contour_masking))
-    return "look_ahead_blocks";
   return nullptr;
 }
 
@@ -156,6 +152,7 @@ bool RelevantBlocks::classify(PathBlock& block) {
 
 bool RelevantBlocks::begin_selection(PathBlock& block) {
   const TrcMode& mode = block.mode();
+  contour_blocks_ = 0;
   block.at_end = compensation_of(mode);
   if (mode.selection == Selection::perpendicular) {
     block.role = Role::contour;
@@ -178,6 +175,7 @@ bool RelevantBlocks::continue_selection(PathBlock& block) {
   block.at_start = last_;
   block.role = Role::contour;
   block.origin = Origin::programmed;
+  count_for_window(block);
   if (mode.side == last_mode_->side) return true;
   if (mode.options.reverse && reverses(block)) {
     block.at_start = block.at_end;
@@ -187,6 +185,16 @@ bool RelevantBlocks::continue_selection(PathBlock& block) {
   block.origin = Origin::approach;
   if (is_arc(block.programmed.path)) return refuse(Code::circular_side_change_block, block);
   return true;
+}
+
+// What lies beyond the window is not looked for: said once a selection (D-10).
+void RelevantBlocks::count_for_window(const PathBlock& block) {
+  const bool masking = block.mode().masking == Masking::on || setup_.implicit_contour_masking;
+  const std::size_t window = setup_.limits.look_ahead_blocks;
+  if (window == 0 || !masking || ++contour_blocks_ != window + 1) return;
+  Diagnostic warning = diagnostic(Code::beyond_window, block.programmed.source);
+  warning.values = {{"look_ahead_blocks", static_cast<double>(window)}};
+  diagnostics_.report(std::move(warning));
 }
 
 bool RelevantBlocks::end_selection(PathBlock& block) {

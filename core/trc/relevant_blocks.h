@@ -34,7 +34,7 @@ class RelevantBlocks {
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(held_, last_, last_mode_, last_path_, end_mode_);
+    archive(held_, last_, last_mode_, last_path_, end_mode_, contour_blocks_);
   }
 
  private:
@@ -49,6 +49,7 @@ class RelevantBlocks {
   bool continue_selection(PathBlock& block);
   bool end_selection(PathBlock& block);
   [[nodiscard]] bool reverses(const PathBlock& block) const;
+  void count_for_window(const PathBlock& block);
   bool refuse(Code code, const PathBlock& block, std::string detail = {});
 
   // The first function of the mode this build does not have, or nothing.
@@ -63,6 +64,7 @@ class RelevantBlocks {
   Segment last_path_{};
   // The mode the program ended in.
   std::optional<TrcMode> end_mode_;
+  std::size_t contour_blocks_ = 0;  // of the selection, where a window counts them
 };
 
 }  // namespace trc

@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "tests/support/run.h"
@@ -72,6 +73,75 @@ TEST(LoopRemoval, NeverGouges) {
         << text_of(outcome.blocks);
   });
   std::cout << accepted << " accepted, " << refused << " refused\n";
+}
+
+// The longest loop, in contour blocks, that was taken out.
+std::int64_t longest_loop(const Outcome& outcome) {
+  std::int64_t longest = 0;
+  std::int64_t last = 1;
+  for (const CompensatedBlock& block : outcome.blocks) {
+    longest = std::max(longest, block.source.number - last);
+    last = block.source.number;
+  }
+  return longest;
+}
+
+TEST(LoopRemoval, SeesInAWindowWhatTheWholeContourShows) {  // D-10
+  std::size_t compared = 0;
+  for_each_contour(41'000'000, 30, [&](const Contour& contour, const TrcMode& mode, Flavor) {
+    const Outcome whole = compensate(contour, mode);
+    if (whole.stopped) return;
+    const std::int64_t loop = longest_loop(whole);
+    // Where a mitre is crossed, loops that begin inside it have a say as well.
+    const bool mitres = mode.transition == Transition::linear;
+    for (const std::int64_t window : {mitres ? 2 * loop + 2 : loop + 1, loop + 20}) {
+      CompensatorSetup setup;
+      setup.limits.look_ahead_blocks = static_cast<std::size_t>(window);
+      const Outcome seen = compensate(contour, mode, {.compensator = setup});
+      ASSERT_FALSE(seen.stopped) << "window " << window << ": " << message_of(*seen.error());
+      EXPECT_EQ(difference(seen.blocks, whole.blocks, Motion{}, 0), "") << "window " << window;
+      EXPECT_EQ(first_gap(seen.blocks), "");
+      ++compared;
+    }
+  });
+  EXPECT_GT(compared, contours_a_flavor());
+}
+
+// A corner needs three blocks more than the window: the one behind it to be known as
+// relevant, the one behind a notch, the one a transition leads to.
+constexpr std::int64_t blocks_of_a_corner = 4;
+
+TEST(LoopRemoval, LetsABlockGoWhenItsWindowHasCome) {  // D-10
+  std::size_t compared = 0;
+  for_each_contour(42'000'000, 60, [&](const Contour& contour, const TrcMode& mode, Flavor) {
+    for (const bool removing : {true, false}) {
+      TrcMode masking = mode;
+      masking.options.remove_masked_blocks = removing;
+      CompensatorSetup setup;
+      setup.limits.look_ahead_blocks = 5;
+      // How far the path had come, and should have come, behind each block.
+      std::vector<std::pair<std::int64_t, std::int64_t>> progress;
+      const auto watch = [&](std::size_t ordinal, const std::vector<CompensatedBlock>& out) {
+        if (ordinal > contour.blocks.size()) return;
+        std::int64_t reached = 0;
+        for (const CompensatedBlock& block : out) reached = std::max(reached, block.source.number);
+        progress.emplace_back(reached, static_cast<std::int64_t>(ordinal) - 5 - blocks_of_a_corner);
+      };
+      const Outcome outcome = compensate(contour, masking, {.compensator = setup, .watch = watch});
+      if (outcome.stopped) continue;
+      for (const auto& [reached, due] : progress)
+        for (std::size_t at = 0; at + 1 < outcome.blocks.size(); ++at) {
+          const CompensatedBlock& block = outcome.blocks[at];
+          // Without a window of its own a block leaves with the one it is joined to.
+          if (outcome.blocks[at + 1].origin == Origin::masked) continue;
+          EXPECT_FALSE(block.source.number > reached && block.source.number <= due)
+              << (removing ? "removing, " : "masking, ") << "only " << reached << " of " << due
+              << " had left: " << text_of(block);
+        }
+      compared += progress.size();
+    }
+  });
+  EXPECT_GT(compared, contours_a_flavor());
 }
 
 }  // namespace
