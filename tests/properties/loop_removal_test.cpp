@@ -99,7 +99,7 @@ TEST(LoopRemoval, SeesInAWindowWhatTheWholeContourShows) {  // D-10
       setup.limits.look_ahead_blocks = static_cast<std::size_t>(window);
       const Outcome seen = compensate(contour, mode, {.compensator = setup});
       ASSERT_FALSE(seen.stopped) << "window " << window << ": " << message_of(*seen.error());
-      EXPECT_EQ(difference(seen.blocks, whole.blocks, Motion{}, 0), "") << "window " << window;
+      EXPECT_EQ(difference(seen.blocks, whole.blocks, Motion{}, 1e-9), "") << "window " << window;
       EXPECT_EQ(first_gap(seen.blocks), "");
       ++compared;
     }
