@@ -1,5 +1,6 @@
 #include "core/trc/joints.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -130,7 +131,12 @@ JointResult contour_joint(const PathBlock& before, const PathBlock& after, const
       break;
   }
   std::optional<Joint> joint;
-  if (!vanished) joint = inside_joint(corner, tolerances);
+  // Two equidistants that miss each other do not meet where loops are removed: what is
+  // left of the gap is LoopRemoval's to judge.
+  Tolerances meeting = tolerances;
+  if (after.removes_loops())
+    meeting.same_point = tolerances.rounding * std::max(corner.tool_radius(), 1.0);
+  if (!vanished) joint = inside_joint(corner, meeting);
   if (after.removes_loops() &&
       !(joint && reaches(before, joint->cut_before) && reaches(after, joint->cut_after)))
     return JoinedBlocks{.joint = across(corner.before.anchor, corner.after.anchor), .apart = true};

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/geometry/along.h"
+#include "core/geometry/distance.h"
 #include "core/trc/selection_limit.h"
 
 namespace trc {
@@ -196,9 +197,11 @@ void LoopRemoval::note_contour_block(const PathBlock& block) {
     radii_[index] = std::min(radii_[index], std::abs(block.at_start.shift));
   certificate_.append(block, std::exchange(apart_, false));
   boxes_.append(bounding_box(block.programmed.path));
-  contour_.push_back({.block = end_of_path(),
-                      .programmed = block.programmed.path,
-                      .source = block.programmed.source});
+  contour_.push_back(
+      {.block = end_of_path(),
+       .programmed = block.programmed.path,
+       .source = block.programmed.source,
+       .radius = std::max(std::abs(block.at_start.shift), std::abs(block.at_end.shift))});
   if (window_ > 0) reconsider(end_of_contour() - 1);
 }
 
@@ -294,6 +297,7 @@ double LoopRemoval::reach(std::size_t block, Nearness nearness) const {
 
 BoxTree::Range LoopRemoval::certified(std::size_t block) const {
   const std::size_t number = number_of(block);
+  if (path(block).unreachable) return {};
   if (is_contour(path(block)))
     return {certificate_.chain_before(number), certificate_.chain_behind(number)};
   // A transition belongs to the blocks on both sides of the corner.
@@ -322,7 +326,9 @@ std::optional<LoopRemoval::Onset> LoopRemoval::onset(std::size_t block, double f
   const auto compare = [&](std::size_t number) {
     const ContourBlock& obstacle = contour(number);
     const bool visible = window_ == 0 || (number <= own + window_ && own <= number + window_);
-    if (obstacle.block == block || !visible) return;
+    // Only an arc turned inside out comes too near to its own block.
+    const bool own_block = obstacle.block == block && !path(block).unreachable;
+    if (own_block || !visible) return;
     const auto entry =
         first_entry(segment, from, first ? first->along : to, obstacle.programmed, limit);
     if (entry && (!first || *entry < first->along)) first = {*entry, number};
@@ -447,8 +453,10 @@ bool LoopRemoval::violates(const Place& from, const Place& to) const {
     const double begin = block == from.block ? from.along : 0;
     const double end = block == to.block ? std::min(to.along, length) : length;
     const bool whole = block != from.block && block != to.block;
-    if (whole && (travelled.unreachable || runs_backwards(travelled, tolerances_.on_contour)))
-      return true;
+    // The floor of a slot that is passable (D-36) goes backwards by what it lacks.
+    const double backwards = std::max(tolerances_.on_contour,
+                                      tolerances_.passable * std::max(radius_of_tool(block), 1.0));
+    if (whole && (travelled.unreachable || runs_backwards(travelled, backwards))) return true;
     if (onset(block, begin, end, Nearness::passable)) return true;
   }
   return false;
@@ -456,50 +464,84 @@ bool LoopRemoval::violates(const Place& from, const Place& to) const {
 
 std::optional<LoopRemoval::Exit> LoopRemoval::find_exit(const Onset& onset,
                                                         Nearness nearness) const {
-  // What can lie where the obstacle is: its own equidistant or, about one of its ends,
-  // the transitions there and the equidistant of its neighbour.
-  const std::size_t number = onset.obstacle;
-  const std::size_t begin = number > contour_base_ ? contour(number - 1).block : 0;
+  const std::vector<std::size_t> obstacles = obstacles_at(onset, nearness);
+  for (const std::size_t number : obstacles)
+    if (const auto exit = exit_here({onset.along, number}, nearness)) return exit;
+  for (const std::size_t number : obstacles)
+    if (const auto exit = exit_behind({onset.along, number})) return exit;
+  return std::nullopt;
+}
+
+std::vector<std::size_t> LoopRemoval::obstacles_at(const Onset& onset, Nearness nearness) const {
+  std::vector<std::size_t> numbers{onset.obstacle};
+  const Point place = point_along(path(at_.block).tool_path, onset.along);
+  const double limit = reach(at_.block, nearness) + tolerances_.same_point;
+  for_each_near(inflated(Box(place), limit), {}, [&](std::size_t number) {
+    const ContourBlock& other = contour(number);
+    if (number == onset.obstacle || other.block == at_.block) return;
+    if (distance(place, other.programmed) <= limit) numbers.push_back(number);
+  });
+  return numbers;
+}
+
+LoopRemoval::Stretch LoopRemoval::stretch_about(std::size_t obstacle) const {
+  const std::size_t begin = obstacle > contour_base_ ? contour(obstacle - 1).block : 0;
   const std::size_t end =
-      number + 1 < end_of_contour() ? contour(number + 1).block + 1 : end_of_path();
-  const std::size_t first = std::max(begin, at_.block + 1);
+      obstacle + 1 < end_of_contour() ? contour(obstacle + 1).block + 1 : end_of_path();
+  return {std::max(begin, at_.block + 1), end};
+}
+
+std::optional<LoopRemoval::Exit> LoopRemoval::exit_here(const Onset& onset,
+                                                        Nearness nearness) const {
+  const auto [first, end] = stretch_about(onset.obstacle);
   if (first >= end) return std::nullopt;
   Piece piece = at_;
   piece.to = onset.along;
-  if (const auto exit = crossing_in(piece, pieces_.size(), first, end - 1)) return exit;
-  // Side by side there is no crossing to be had, but the distance tells.
+  if (const auto exit = crossing_in(piece, pieces_.size(), onset.obstacle, true)) return exit;
+  // Side by side there is no crossing to be had, but the distance tells. By as much as
+  // the path is moved over it comes nearer to its own block.
   const Point place = point_along(path(at_.block).tool_path, onset.along);
   const double radius = std::max(radius_of_tool(at_.block), 1.0);
+  const double part = nearness == Nearness::exact ? 4 * tolerances_.rounding : tolerances_.passable;
   for (std::size_t block = first; block < end; ++block) {
     const Segment& segment = path(block).tool_path;
     const double along = nearest_along(segment, place);
     const Point point = point_along(segment, along);
-    if (!path(block).unreachable && (point - place).norm() <= 4 * part_of(nearness) * radius)
+    if (!path(block).unreachable && (point - place).norm() <= part * radius)
       return Exit{pieces_.size(), onset.along, {block, along}, point};
   }
-  // The path has crossed a transition that reaches out of the tool radius already.
-  const double farthest =
-      4 * radius_of_tool(at_.block) * (1 + path(at_.block).mode().options.stretch_factor);
-  double back = piece.to - piece.from;
+  return std::nullopt;
+}
+
+std::optional<LoopRemoval::Exit> LoopRemoval::exit_behind(const Onset& onset) const {
+  const ContourBlock& obstacle = contour(onset.obstacle);
+  const double farthest = 4 * obstacle.radius * (1 + path(at_.block).mode().options.stretch_factor);
+  double back = onset.along - at_.from;
+  bool beside = true;
   for (std::size_t kept = pieces_.size(); kept-- > 0 && back <= farthest;) {
-    if (const auto exit = crossing_in(pieces_[kept], kept, first, end - 1)) return exit;
+    beside = beside && !reaches_out(obstacle, pieces_[kept].end);
+    if (const auto exit = crossing_in(pieces_[kept], kept, onset.obstacle, beside)) return exit;
     back += pieces_[kept].to - pieces_[kept].from;
   }
   return std::nullopt;
 }
 
 std::optional<LoopRemoval::Exit> LoopRemoval::crossing_in(const Piece& piece, std::size_t number,
-                                                          std::size_t first,
-                                                          std::size_t last) const {
+                                                          std::size_t obstacle, bool beside) const {
   const double slack = slack_of(tolerances_);
   const Segment& segment = path(piece.block).tool_path;
+  const auto [first, end] = stretch_about(obstacle);
   std::optional<Exit> latest;
-  for (std::size_t block = first; block <= last; ++block) {
+  for (std::size_t block = first; block < end; ++block) {
     if (path(block).unreachable) continue;
     for (const Crossing& crossing : crossings(segment, path(block).tool_path, slack)) {
       if (crossing.along_first < piece.from - slack || crossing.along_first > piece.to + slack)
         continue;
       if (latest && crossing.along_first < latest->leaves - slack) continue;
+      const bool leads_to_it = beside && !reaches_out(contour(obstacle), crossing.point);
+      if (!leads_to_it && !reaches_out(contour(number_of(piece.block)), crossing.point) &&
+          !reaches_out(contour(number_of(block)), crossing.point))
+        continue;
       latest = Exit{number,
                     std::max(crossing.along_first, piece.from),
                     {block, crossing.along_second},
@@ -507,6 +549,10 @@ std::optional<LoopRemoval::Exit> LoopRemoval::crossing_in(const Piece& piece, st
     }
   }
   return latest;
+}
+
+bool LoopRemoval::reaches_out(const ContourBlock& block, const Point& point) const {
+  return distance(point, block.programmed) > block.radius + tolerances_.same_point;
 }
 
 void LoopRemoval::jump(const Exit& exit) {

@@ -85,10 +85,11 @@ class LoopRemoval {
     std::size_t block = 0;
     Segment programmed{};
     Source source{};
+    double radius = 0;  // of the tool, the larger one where it changes, mm
 
     template <class Archive>
     void serialize(Archive& archive) {
-      archive(block, programmed, source);
+      archive(block, programmed, source, radius);
     }
   };
   // Where the path comes too near to a contour block.
@@ -102,6 +103,12 @@ class LoopRemoval {
     double leaves = 0;
     Place continues{};
     Point point = Point::Zero();
+  };
+  // What can lie where an obstacle is, in blocks ahead: its own equidistant or, about
+  // one of its ends, the transitions there and the equidistant of its neighbour.
+  struct Stretch {
+    std::size_t first = 0;
+    std::size_t end = 0;
   };
   enum class Nearness { exact, passable };
   enum class Step { done, wait, stop };
@@ -147,8 +154,22 @@ class LoopRemoval {
   template <class Visit>
   void for_each_near(const Box& area, const BoxTree::Range& certified, const Visit& visit) const;
   [[nodiscard]] std::optional<Exit> find_exit(const Onset& onset, Nearness nearness) const;
+  // The numbers of all contour blocks that are as near there as the one of the
+  // onset: the other block of a corner, blocks on top of each other.
+  [[nodiscard]] std::vector<std::size_t> obstacles_at(const Onset& onset, Nearness nearness) const;
+  [[nodiscard]] Stretch stretch_about(std::size_t obstacle) const;
+  // On the block being walked.
+  [[nodiscard]] std::optional<Exit> exit_here(const Onset& onset, Nearness nearness) const;
+  // Before it, where the path has crossed a transition that reaches out of the tool
+  // radius already.
+  [[nodiscard]] std::optional<Exit> exit_behind(const Onset& onset) const;
+  // The last crossing with what lies where the obstacle is. `beside`: from the piece to
+  // the onset the path is as near to the obstacle as the radius; else only a mitre can
+  // be crossed.
   [[nodiscard]] std::optional<Exit> crossing_in(const Piece& piece, std::size_t number,
-                                                std::size_t first, std::size_t last) const;
+                                                std::size_t obstacle, bool beside) const;
+  // Whether the point is farther than the radius from the contour block.
+  [[nodiscard]] bool reaches_out(const ContourBlock& block, const Point& point) const;
   [[nodiscard]] bool violates(const Place& from, const Place& to) const;
 
   void pass_by(std::size_t end, const Point& place, std::vector<PathBlock>& out);

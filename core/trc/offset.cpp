@@ -1,5 +1,6 @@
 #include "core/trc/offset.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/geometry/parallel.h"
@@ -28,11 +29,12 @@ bool Offset::keeps_circle(PathBlock& block, double shift) {
   const auto* arc = std::get_if<Arc>(&block.programmed.path);
   if (arc == nullptr || block.role != Role::contour) return true;
   const double radius = parallel_radius(*arc, shift);
-  if (radius >= tolerances_.on_contour) return true;
   if (block.removes_loops()) {
-    block.unreachable = true;
+    // However small it is, the equidistant is there and may be the only way on.
+    block.unreachable = radius <= tolerances_.rounding * std::max(std::abs(shift), 1.0);
     return true;
   }
+  if (radius >= tolerances_.on_contour) return true;
   if (block.mode().masking == Masking::on) {
     block.masked = true;
     return true;

@@ -22,7 +22,7 @@ Segment shortened(const Arc& programmed, const PathBlock& block, const Point& en
   const double sense = programmed.sweep > 0 ? 1 : -1;
   double left = std::abs(programmed.sweep) - block.cut_at_start - block.cut_at_end;
   const double radius = (block.tool_start - programmed.center).norm();
-  if (std::abs(left) * radius <= tolerances.on_contour)
+  if (left * radius <= tolerances.same_point && left * radius >= -tolerances.on_contour)
     return Line{.start = block.tool_start, .end = end};
   // A consumed arc keeps its sense and wraps round (90038). Where loops are removed
   // it runs backwards, as a line does: LoopRemoval sees what is left of it.
