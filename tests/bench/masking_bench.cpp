@@ -1,0 +1,107 @@
+#include <benchmark/benchmark.h>
+
+#include <cstdint>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "core/trc/compensator.h"
+#include "tests/bench/workloads.h"
+
+// The core from native blocks to native blocks: G140, and G141 with
+// REMOVE_MASKED_BLOCKS over the whole contour and in a window.
+
+namespace trc::bench {
+namespace {
+
+enum class Way { plain, whole, window };
+
+std::vector<Block> program(const Workload& workload, std::size_t blocks, Way way) {
+  TrcMode off;
+  off.transition = Transition::circular;
+  off.selection = Selection::direct;
+  off.tool_radius = workload.tool_radius;
+  if (way != Way::plain) {
+    off.masking = Masking::on;
+    off.options.remove_masked_blocks = true;
+  }
+  TrcMode on = off;
+  on.side = Side::right;
+  on.selection_number = 1;
+  const auto selected = std::make_shared<const TrcMode>(on);
+  const auto deselected = std::make_shared<const TrcMode>(off);
+
+  const std::vector<Segment> contour = workload.contour(blocks);
+  const Point start = start_of(contour.front());
+  const Point outside = start + 3 * workload.tool_radius * start.normalized();
+  std::vector<Block> program;
+  const auto add = [&](const Segment& path, const std::shared_ptr<const TrcMode>& mode) {
+    program.emplace_back(
+        MotionBlock{.source = {.index = program.size()}, .path = path, .feed = 1000, .mode = mode});
+  };
+  add(Line{.start = outside, .end = start}, selected);
+  for (const Segment& segment : contour) add(segment, selected);
+  add(Line{.start = start, .end = outside}, deselected);
+  return program;
+}
+
+void compensate(benchmark::State& state, const Workload& workload, Way way) {
+  const auto blocks = static_cast<std::size_t>(state.range(0));
+  const std::vector<Block> given = program(workload, blocks, way);
+  const Line first = std::get<Line>(std::get<MotionBlock>(given.front()).path);
+  CompensatorSetup setup;
+  setup.start = {first.start.x(), first.start.y(), 0};
+  if (way == Way::window) setup.limits.look_ahead_blocks = 1000;
+  std::size_t out_blocks = 0;
+  for (auto _ : state) {
+    state.PauseTiming();
+    std::vector<Block> rest = given;
+    state.ResumeTiming();
+    Diagnostics diagnostics;
+    Compensator compensator(setup, diagnostics);
+    std::vector<CompensatedBlock> out;
+    std::vector<Block> batch;
+    bool going = true;
+    out_blocks = 0;
+    for (std::size_t at = 0; at < rest.size() && going; at += 1024) {
+      const std::size_t end = std::min(rest.size(), at + 1024);
+      batch.assign(std::make_move_iterator(rest.begin() + static_cast<std::ptrdiff_t>(at)),
+                   std::make_move_iterator(rest.begin() + static_cast<std::ptrdiff_t>(end)));
+      going = compensator.feed(batch, out);
+      out_blocks += out.size();
+      out.clear();
+    }
+    going = going && compensator.finish(TrcMode{}, out);
+    out_blocks += out.size();
+    if (!going) {
+      state.SkipWithError("the contour was refused");
+      break;
+    }
+  }
+  state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(given.size()));
+  state.counters["blocks_out"] = static_cast<double>(out_blocks);
+}
+
+std::string name_of(const Workload& workload, const char* way) {
+  std::string radius = std::to_string(workload.tool_radius);
+  radius.erase(radius.find_last_not_of("0") + 1);
+  if (radius.back() == '.') radius.pop_back();
+  return workload.name + " R" + radius + " " + way;
+}
+
+const bool registered = [] {
+  for (const Workload& workload : workloads())
+    for (const auto& [way, name] : {std::pair{Way::plain, "G140"}, std::pair{Way::whole, "removed"},
+                                    std::pair{Way::window, "window 1000"}})
+      benchmark::RegisterBenchmark(name_of(workload, name).c_str(), compensate, workload, way)
+          ->Arg(100'000)
+          ->Arg(1'000'000)
+          ->Unit(benchmark::kMillisecond);
+  return true;
+}();
+
+}  // namespace
+}  // namespace trc::bench
+
+BENCHMARK_MAIN();
