@@ -466,9 +466,9 @@ std::optional<LoopRemoval::Exit> LoopRemoval::find_exit(const Onset& onset,
                                                         Nearness nearness) const {
   const std::vector<std::size_t> obstacles = obstacles_at(onset, nearness);
   for (const std::size_t number : obstacles)
-    if (const auto exit = exit_here({onset.along, number}, nearness)) return exit;
+    if (auto exit = exit_here({onset.along, number}, nearness)) return exit;
   for (const std::size_t number : obstacles)
-    if (const auto exit = exit_behind({onset.along, number})) return exit;
+    if (auto exit = exit_behind({onset.along, number})) return exit;
   return std::nullopt;
 }
 
@@ -497,7 +497,7 @@ std::optional<LoopRemoval::Exit> LoopRemoval::exit_here(const Onset& onset,
   if (first >= end) return std::nullopt;
   Piece piece = at_;
   piece.to = onset.along;
-  if (const auto exit = crossing_in(piece, pieces_.size(), onset.obstacle, true)) return exit;
+  if (auto exit = crossing_in(piece, pieces_.size(), onset.obstacle, true)) return exit;
   // Side by side there is no crossing to be had, but the distance tells. By as much as
   // the path is moved over it comes nearer to its own block.
   const Point place = point_along(path(at_.block).tool_path, onset.along);
@@ -520,7 +520,7 @@ std::optional<LoopRemoval::Exit> LoopRemoval::exit_behind(const Onset& onset) co
   bool beside = true;
   for (std::size_t kept = pieces_.size(); kept-- > 0 && back <= farthest;) {
     beside = beside && !reaches_out(obstacle, pieces_[kept].end);
-    if (const auto exit = crossing_in(pieces_[kept], kept, onset.obstacle, beside)) return exit;
+    if (auto exit = crossing_in(pieces_[kept], kept, onset.obstacle, beside)) return exit;
     back += pieces_[kept].to - pieces_[kept].from;
   }
   return std::nullopt;
