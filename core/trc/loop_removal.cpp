@@ -453,10 +453,8 @@ bool LoopRemoval::violates(const Place& from, const Place& to) const {
     const double begin = block == from.block ? from.along : 0;
     const double end = block == to.block ? std::min(to.along, length) : length;
     const bool whole = block != from.block && block != to.block;
-    // The floor of a slot that is passable (D-36) goes backwards by what it lacks.
-    const double backwards = std::max(tolerances_.on_contour,
-                                      tolerances_.passable * std::max(radius_of_tool(block), 1.0));
-    if (whole && (travelled.unreachable || runs_backwards(travelled, backwards))) return true;
+    if (whole && (travelled.unreachable || runs_backwards(travelled, tolerances_.on_contour)))
+      return true;
     if (onset(block, begin, end, Nearness::passable)) return true;
   }
   return false;
