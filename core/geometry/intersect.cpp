@@ -38,13 +38,22 @@ Meetings intersect(const Circle& a, const Circle& b, double same_point) {
   const double nested = std::abs(a.radius - b.radius) - distance;
   if (apart > same_point || nested > same_point) return meetings;
   const Vector axis = between / distance;
+  // From the centre of the smaller circle: what is left of the difference to a large
+  // radius would be lost in its last digits.
+  const bool from_second = b.radius < a.radius;
+  const Circle& small = from_second ? b : a;
+  const Circle& large = from_second ? a : b;
   const double along =
-      0.5 * (distance + (a.radius - b.radius) * ((a.radius + b.radius) / distance));
+      0.5 * (distance + (small.radius - large.radius) * ((small.radius + large.radius) / distance));
   const double half_chord =
-      std::sqrt(std::max(0.0, (a.radius - std::abs(along)) * (a.radius + std::abs(along))));
-  const Point foot = a.center + std::clamp(along, -a.radius, a.radius) * axis;
+      std::sqrt(std::max(0.0, (small.radius - std::abs(along)) * (small.radius + std::abs(along))));
+  if (half_chord == 0) {
+    meetings.add(a.center + std::copysign(a.radius, from_second ? 1 : along) * axis);
+    return meetings;
+  }
+  const Point foot = small.center + (from_second ? -along : along) * axis;
   meetings.add(foot - half_chord * left_of(axis));
-  if (half_chord > 0) meetings.add(foot + half_chord * left_of(axis));
+  meetings.add(foot + half_chord * left_of(axis));
   return meetings;
 }
 
