@@ -64,7 +64,7 @@ class Masking {
     const bool reached = reach_the_end();
     found.tied = tied_;
     found.shallow = shallow_;
-    if (!reached || length_of_way() == 0) return found;
+    if (!reached || goes_nowhere()) return found;
     for (const std::size_t at : way_) {
       const Piece& piece = pieces_[at];
       const Element& element = elements_[piece.element];
@@ -250,10 +250,12 @@ class Masking {
   }
 
   // Round nothing but the first point, which is the last one as well, is no way.
-  [[nodiscard]] Extended length_of_way() const {
+  [[nodiscard]] bool goes_nowhere() const {
+    Extended all = 0;
     Extended sum = 0;
+    for (const Element& element : elements_) all += element.shape.extent;
     for (const std::size_t at : way_) sum += pieces_[at].to - pieces_[at].from;
-    return sum < 1e-7L ? 0 : sum;
+    return sum < 1e-7L && all > 1e-6L;
   }
 
   Extended radius_;
