@@ -108,8 +108,8 @@ void add_compensate(CLI::App& app, Action& action) {
       ->capture_default_str();
   command->add_option("-o,--output", call->output,
                       "File to write; it appears only when all went well. Else standard output");
-  command->add_option("--decimals", call->decimals, "Decimal places of coordinates, 1 to 9")
-      ->check(CLI::Range(1, 9))
+  command->add_option("--decimals", call->decimals, "Decimal places of coordinates, 1 to 8")
+      ->check(CLI::Range(1, 8))
       ->capture_default_str();
   command->footer(settings_help());
   command->callback([call, &action] { action = [call] { return run(*call); }; });

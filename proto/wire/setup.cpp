@@ -198,7 +198,7 @@ ProgramSettings from_proto(const v1::ProgramSetup& message, const FieldPath& pat
   settings.nc_text = outputs.from_proto(message.output(), FieldPath(path, "output"), faults)
                          .value_or(settings.nc_text);
   if (message.has_decimals() &&
-      check_range(message.decimals(), 1, 9, "", FieldPath(path, "decimals"), faults))
+      check_range(message.decimals(), 1, 8, "", FieldPath(path, "decimals"), faults))
     settings.decimals = static_cast<int>(message.decimals());
   settings.file_name = message.file_name();
   if (settings.file_name.size() > 255)

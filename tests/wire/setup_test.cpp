@@ -188,7 +188,7 @@ INSTANTIATE_TEST_SUITE_P(
         RefusedSetup{"ToolTwice", "tools { number: 1 } tools { number: 1 }",
                      "setup.tools[1].number"},
         RefusedSetup{"ToolRadius", "tools { radius: inf }", "setup.tools[0].radius"},
-        RefusedSetup{"Decimals", "decimals: 10", "setup.decimals"},
+        RefusedSetup{"Decimals", "decimals: 9", "setup.decimals"},
         RefusedSetup{"Output", "output: 3", "setup.output"}),
     [](const auto& tested) { return tested.param.name; });
 
