@@ -39,19 +39,26 @@ struct Compensator::Passes {
 
   // clang-format off
   bool step(Input input, std::vector<CompensatedBlock>& out) {
-    return !diagnostics.stopped()
-        && advance(relevant_blocks,     programmed, relevant, input)
+    if (diagnostics.stopped() || !find_path(input)) return false;
+    while (loop_removal.is_leaving())
+      if (!loop_removal.let_go_some(simple) || !finish_path(Input::more, out)) return false;
+    return finish_path(input, out);
+  }
+  bool find_path(Input input) {
+    return advance(relevant_blocks,     programmed, relevant,  input)
         && apply  (convert_circles,     relevant)
         && advance(kerf_masking,        relevant,   reachable, input)
         && apply  (offset,              reachable)
-        && advance(inside_corner,       reachable,  entered,  input)
-        && advance(contour_masking,     entered,    masked,   input)
-        && advance(transitions,         masked,     joined,   input)
-        && advance(loop_removal,        joined,     simple,   input)
-        && apply  (contour_violations,  simple)
-        && advance(clearance,           simple,     checked,  input)
-        && advance(split,               checked,    divided,  input)
-        && advance(reporting,           divided,    out,      input);
+        && advance(inside_corner,       reachable,  entered,   input)
+        && advance(contour_masking,     entered,    masked,    input)
+        && advance(transitions,         masked,     joined,    input)
+        && advance(loop_removal,        joined,     simple,    input);
+  }
+  bool finish_path(Input input, std::vector<CompensatedBlock>& out) {
+    return apply  (contour_violations,  simple)
+        && advance(clearance,           simple,     checked,   input)
+        && advance(split,               checked,    divided,   input)
+        && advance(reporting,           divided,    out,       input);
   }
   // clang-format on
 

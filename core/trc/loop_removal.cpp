@@ -138,24 +138,39 @@ PathBlock circle_without_radius(const Point& place, const Vector& arrives, const
 }  // namespace
 
 bool LoopRemoval::feed(PathBlock block, std::vector<PathBlock>& out) {
+  if (leaving_) {
+    behind_.push_back(std::move(block));
+    return true;
+  }
   const bool enters = block.role == Role::inserted && block.origin == Origin::approach;
   const bool belongs =
       block.removes_loops() && (block.role == Role::approach || enters || is_compensated(block));
   const bool goes_on = is_compensated(block) && !block.perpendicular_entry;
-  if (!belongs || (!goes_on && !contour_.empty())) {
-    if (!end_selection(out)) return false;
+  if (!held_.empty() && (!belongs || (!goes_on && !contour_.empty()))) {
+    behind_.push_back(std::move(block));
+    return end_selection();
   }
   if (!belongs) {
     out.push_back(std::move(block));
     return true;
   }
-  return hold(std::move(block)) && (window_ == 0 || proceed(false, out));
+  return hold(std::move(block)) && (window_ == 0 || proceed(out));
 }
 
-bool LoopRemoval::end_selection(std::vector<PathBlock>& out) {
-  if (!proceed(true, out)) return false;
+bool LoopRemoval::end_selection() {
+  leaving_ = !held_.empty();
+  return walk(true);
+}
+
+bool LoopRemoval::let_go_some(std::vector<PathBlock>& out) {
+  constexpr std::size_t portion = 1024;
+  const std::size_t end = std::min(left_ + portion, pieces_.size());
+  while (left_ < end) let_go(pieces_[left_++], out);
+  if (left_ < pieces_.size()) return true;
   if (next_ < end_of_path()) pass_by(end_of_path(), at_.start, out);
   begin_selection();
+  for (PathBlock& block : std::exchange(behind_, {}))
+    if (!feed(std::move(block), out)) return false;
   return true;
 }
 
@@ -172,14 +187,18 @@ void LoopRemoval::begin_selection() {
   certificate_ = Certificate(tolerances_);
   piece_boxes_ = BoxTree();
   gone_ = 0;
+  largest_radius_ = 0;
   apart_ = false;
   tolerated_ = {};
+  leaving_ = false;
+  left_ = 0;
 }
 
 bool LoopRemoval::hold(PathBlock block) {
   if (held_.size() >= selection_blocks_)
     return diagnostics_.report(selection_too_long(block, selection_blocks_));
   radii_.push_back(std::min(std::abs(block.at_start.shift), std::abs(block.at_end.shift)));
+  largest_radius_ = std::max(largest_radius_, radii_.back());
   if (is_contour(block)) {
     note_contour_block(block);
   } else {
@@ -210,17 +229,17 @@ void LoopRemoval::note_contour_block(const PathBlock& block) {
 void LoopRemoval::reconsider(std::size_t number) {
   const Segment& obstacle = contour(number).programmed;
   const std::size_t chain = certificate_.chain_before(number);
-  const double radius = pieces_.empty() ? 0 : *std::max_element(radii_.begin(), radii_.end());
   std::size_t earliest = pieces_.size();
-  piece_boxes_.for_each_in(inflated(bounding_box(obstacle), radius), [&](std::size_t index) {
-    if (index < gone_ || index - gone_ >= earliest) return;
-    const Piece& piece = pieces_[index - gone_];
-    const std::size_t own = number_of(piece.block);
-    if (own >= chain || own + window_ < number) return;
-    if (first_entry(path(piece.block).tool_path, piece.from, piece.to, obstacle,
-                    reach(piece.block, Nearness::exact)))
-      earliest = index - gone_;
-  });
+  piece_boxes_.for_each_in(inflated(bounding_box(obstacle), largest_radius_),
+                           [&](std::size_t index) {
+                             if (index < gone_ || index - gone_ >= earliest) return;
+                             const Piece& piece = pieces_[index - gone_];
+                             const std::size_t own = number_of(piece.block);
+                             if (own >= chain || own + window_ < number) return;
+                             if (first_entry(path(piece.block).tool_path, piece.from, piece.to,
+                                             obstacle, reach(piece.block, Nearness::exact)))
+                               earliest = index - gone_;
+                           });
   if (earliest == pieces_.size()) return;
   at_ = pieces_[earliest];
   drop_pieces(earliest);
@@ -245,14 +264,14 @@ void LoopRemoval::drop_pieces(std::size_t kept) {
   if (window_ > 0) piece_boxes_.truncate(gone_ + kept);
 }
 
-bool LoopRemoval::proceed(bool ended, std::vector<PathBlock>& out) {
-  if (!walk(ended)) return false;
+bool LoopRemoval::proceed(std::vector<PathBlock>& out) {
+  if (!walk(false)) return false;
   std::size_t due = 0;
-  while (due < pieces_.size() && is_known(pieces_[due].block, window_, ended))
+  while (due < pieces_.size() && is_known(pieces_[due].block, window_, false))
     let_go(pieces_[due++], out);
   pieces_.erase(pieces_.begin(), pieces_.begin() + static_cast<std::ptrdiff_t>(due));
   gone_ += due;
-  if (window_ > 0) forget();
+  forget();
   return true;
 }
 

@@ -40,13 +40,17 @@ class LoopRemoval {
         certificate_(tolerances) {}
 
   bool feed(PathBlock block, std::vector<PathBlock>& out);
-  bool drain(std::vector<PathBlock>& out) { return end_selection(out); }
+  bool drain(std::vector<PathBlock>& /*out*/) { return end_selection(); }
+  // A selection that has ended leaves in portions, so that it does not lie in the vectors
+  // between all passes at once. What is fed meanwhile waits behind it.
+  [[nodiscard]] bool is_leaving() const { return leaving_; }
+  bool let_go_some(std::vector<PathBlock>& out);
   [[nodiscard]] std::size_t look_ahead() const { return window_; }
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(held_, base_, numbers_, radii_, contour_, contour_base_, apart_, certificate_, pieces_,
-            at_, tolerated_, next_, first_);
+    archive(held_, base_, numbers_, radii_, largest_radius_, contour_, contour_base_, apart_,
+            certificate_, pieces_, at_, tolerated_, next_, first_);
     rebuild_boxes();
   }
 
@@ -114,14 +118,14 @@ class LoopRemoval {
   enum class Step { done, wait, stop };
 
   void begin_selection();
-  bool end_selection(std::vector<PathBlock>& out);
+  bool end_selection();
   bool hold(PathBlock block);
   void note_contour_block(const PathBlock& block);
   void reconsider(std::size_t number);
   void rebuild_boxes();
   void keep_piece();
   void drop_pieces(std::size_t kept);
-  bool proceed(bool ended, std::vector<PathBlock>& out);
+  bool proceed(std::vector<PathBlock>& out);
   void forget();
 
   // As far as the contour is known well enough; all the way when it has ended.
@@ -188,6 +192,8 @@ class LoopRemoval {
   std::vector<std::size_t> numbers_;  // of the contour block, or of the one before it
   std::vector<double> radii_;         // of the tool, mm
 
+  double largest_radius_ = 0;
+
   // The programmed contour, as far as anything may still come near it.
   std::vector<ContourBlock> contour_;
   std::size_t contour_base_ = 0;
@@ -203,6 +209,10 @@ class LoopRemoval {
   Place tolerated_{};                   // up to here the path is in a loop that does not violate
   std::size_t next_ = 0;                // the first block that has neither left nor been dropped
   std::optional<std::size_t> first_{};  // the block with the first compensated point
+
+  bool leaving_ = false;
+  std::size_t left_ = 0;  // pieces that have gone
+  std::vector<PathBlock> behind_;
 
   // Blocks known to be clear, and how far a group of them has been asked about.
   std::size_t clear_before_ = 0;

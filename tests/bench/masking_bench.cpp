@@ -75,7 +75,7 @@ void compensate(benchmark::State& state, const Workload& workload, Way way) {
     going = going && compensator.finish(TrcMode{}, out);
     out_blocks += out.size();
     if (!going) {
-      state.SkipWithError("the contour was refused");
+      state.SkipWithError(message_of(diagnostics.pending().back()).c_str());
       break;
     }
   }

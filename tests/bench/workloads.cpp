@@ -16,7 +16,9 @@ Point on_ring(double angle, double radius) {
   return {radius * std::cos(angle), radius * std::sin(angle)};
 }
 
-// From the middle of the first line after the outermost point, where the tool can stand.
+// From the outermost point, where the tool can stand whatever the contour does, and back;
+// a little along the circle through it on both sides, so that it stands square to the
+// first and to the last block.
 std::vector<Segment> closed(const std::vector<Point>& points) {
   const auto outermost = std::max_element(
       points.begin(), points.end(),
@@ -26,11 +28,15 @@ std::vector<Segment> closed(const std::vector<Point>& points) {
   const auto at = [&](std::size_t index) -> const Point& {
     return points[(first + index) % count];
   };
-  const Point middle = 0.5 * (at(0) + at(1));
-  std::vector<Segment> contour{Line{.start = middle, .end = at(1)}};
-  for (std::size_t index = 1; index < count; ++index)
-    contour.emplace_back(Line{.start = at(index), .end = at(index + 1)});
-  contour.emplace_back(Line{.start = at(0), .end = middle});
+  const Point& start = at(0);
+  const Vector along = 1e-3 * left_of(start.normalized());
+  std::vector<Segment> contour{Line{.start = start, .end = start + along}};
+  const auto add = [&](const Point& end) {
+    contour.emplace_back(Line{.start = end_of(contour.back()), .end = end});
+  };
+  for (std::size_t index = 1; index < count; ++index) add(at(index));
+  add(start - along);
+  add(start);
   return contour;
 }
 
