@@ -162,7 +162,7 @@ Outline random_lap(const ShapeRequest& request) {
   for (int i = 1; i <= corners; ++i) {
     const double out = 3 * request.tool_radius * (2 * share() - 1);
     const Point to = i == corners ? outline.start : polar(radius + out, 2 * pi * i / corners);
-    const bool bow = share() < 0.4 && i > 1 && i < corners;
+    const bool bow = share() < 1.0 / 3 && i > 1 && i < corners;
     // A bow of about 40 degrees to the outside.
     const Vector chord = to - from;
     const Point center = from + chord / 2 + left_of(chord) * (1.2 + share());
@@ -186,7 +186,7 @@ constexpr std::array<ShapeMaker, 7> makers{{
     {{"gear", "24 teeth of lines and arcs"}, gear},
     {{"wave", "24 quarter circles and lines, inside corners between them"}, wave},
     {{"spiral", "quarter circles that grow"}, spiral},
-    {{"random", "lines and arcs chosen by the seed"}, random_lap},
+    {{"random", "lines and arcs chosen by the seed, one in three an arc"}, random_lap},
 }};
 
 std::string text_of(double value) {

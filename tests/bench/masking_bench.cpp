@@ -103,5 +103,3 @@ const bool registered = [] {
 
 }  // namespace
 }  // namespace trc::bench
-
-BENCHMARK_MAIN();

@@ -1,0 +1,132 @@
+#include <array>
+#include <stdexcept>
+#include <string>
+
+#include "core/session/program_session.h"
+#include "core/trc/clearance.h"
+#include "core/trc/compensator.h"
+#include "core/trc/contour_masking.h"
+#include "core/trc/contour_violations.h"
+#include "core/trc/convert_circles.h"
+#include "core/trc/kerf_masking.h"
+#include "core/trc/loop_removal.h"
+#include "core/trc/offset.h"
+#include "core/trc/pass.h"
+#include "core/trc/relevant_blocks.h"
+#include "core/trc/reporting.h"
+#include "core/trc/selection/inside_corner.h"
+#include "core/trc/selection/split.h"
+#include "core/trc/transitions.h"
+#include "tests/bench/part.h"
+#include "tests/bench/timed.h"
+
+// The core without text or wire: the whole pipeline, then what each of its passes takes of it.
+// Time a programmed block.
+
+namespace trc::bench {
+namespace {
+
+CompensatorSetup setup() { return {}; }
+
+void require(bool going, Diagnostics& diagnostics) {
+  if (!going) throw std::runtime_error(message_of(diagnostics.take().back()));
+}
+
+void pipeline(benchmark::State& state) {
+  Diagnostics diagnostics;
+  Compensator compensator(setup(), diagnostics);
+  std::vector<CompensatedBlock> out;
+  std::vector<Block> batch = part().approach;
+  require(compensator.feed(batch, out), diagnostics);
+  run_timed(
+      state, Part::blocks_per_lap, [&] { batch = part().lap_blocks; },
+      [&] {
+        out.clear();
+        require(compensator.feed(batch, out), diagnostics);
+      });
+}
+
+// The order of Compensator, a lap at a time instead of a block, with a clock between the passes.
+class Passes {
+ public:
+  static constexpr std::array<const char*, 12> names{
+      "relevant blocks", "convert circles", "kerf masking", "offset",
+      "inside corner",   "contour masking", "transitions",  "loop removal",
+      "violations",      "clearance",       "split",        "reporting"};
+
+  void feed(const std::vector<Block>& blocks) {
+    programmed_ = blocks;
+    next_ = 0;
+    timed([&] { return advance(relevant_blocks_, programmed_, relevant_, Input::more); });
+    timed([&] { return apply(convert_circles_, relevant_); });
+    timed([&] { return advance(kerf_masking_, relevant_, reachable_, Input::more); });
+    timed([&] { return apply(offset_, reachable_); });
+    timed([&] { return advance(inside_corner_, reachable_, entered_, Input::more); });
+    timed([&] { return advance(contour_masking_, entered_, masked_, Input::more); });
+    timed([&] { return advance(transitions_, masked_, joined_, Input::more); });
+    timed([&] { return advance(loop_removal_, joined_, simple_, Input::more); });
+    timed([&] { return apply(contour_violations_, simple_); });
+    timed([&] { return advance(clearance_, simple_, checked_, Input::more); });
+    timed([&] { return advance(split_, checked_, divided_, Input::more); });
+    timed([&] {
+      out_.clear();
+      return advance(reporting_, divided_, out_, Input::more);
+    });
+  }
+
+  // Of the last lap.
+  [[nodiscard]] double seconds(std::size_t pass) const { return seconds_[pass]; }
+
+ private:
+  template <class Work>
+  void timed(Work work) {
+    const double begin = cpu_seconds();
+    const bool going = work();
+    seconds_[next_++] = cpu_seconds() - begin;
+    require(going, diagnostics_);
+  }
+
+  Diagnostics diagnostics_;
+  RelevantBlocks relevant_blocks_{setup(), diagnostics_};
+  ConvertCircles convert_circles_{setup().tolerances};
+  KerfMasking kerf_masking_{true, setup().tolerances};
+  Offset offset_{setup().tolerances, diagnostics_};
+  selection::InsideCorner inside_corner_{setup().limits.selection_blocks, setup().tolerances,
+                                         diagnostics_};
+  ContourMasking contour_masking_{0, setup().limits.selection_blocks, setup().tolerances,
+                                  diagnostics_};
+  Transitions transitions_{setup().tolerances, diagnostics_};
+  LoopRemoval loop_removal_{0, setup().limits.selection_blocks, setup().tolerances, diagnostics_};
+  ContourViolations contour_violations_{setup().tolerances, diagnostics_};
+  Clearance clearance_{false, 0, setup().limits.selection_blocks, setup().tolerances, diagnostics_};
+  selection::Split split_;
+  Reporting reporting_{setup(), diagnostics_};
+
+  std::vector<Block> programmed_;
+  std::vector<PathBlock> relevant_, reachable_, entered_, masked_, joined_, simple_, checked_,
+      divided_;
+  std::vector<CompensatedBlock> out_;
+  std::array<double, names.size()> seconds_{};
+  std::size_t next_ = 0;
+};
+
+void pass(benchmark::State& state, std::size_t number) {
+  Passes passes;
+  passes.feed(part().approach);
+  for (auto _ : state) {
+    passes.feed(part().lap_blocks);
+    state.SetIterationTime(passes.seconds(number));
+  }
+  state.counters["each"] = per_item(Part::blocks_per_lap);
+}
+
+const bool registered = [] {
+  add("core: blocks to blocks", pipeline);
+  for (std::size_t number = 0; number < Passes::names.size(); ++number)
+    add(("pass: " + std::string(Passes::names[number])).c_str(),
+        [number](benchmark::State& state) { pass(state, number); });
+  return true;
+}();
+
+}  // namespace
+}  // namespace trc::bench

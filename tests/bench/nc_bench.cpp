@@ -1,0 +1,162 @@
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+#include "core/nc/interpreter.h"
+#include "core/session/nc_writer.h"
+#include "core/session/program_session.h"
+#include "tests/bench/part.h"
+#include "tests/bench/timed.h"
+
+// NC text: reading it, writing it, and the whole way from text to text in one process. Time a line
+// of the program, each of which is a block.
+
+namespace trc::bench {
+namespace {
+
+void require(bool going) {
+  if (!going) throw std::runtime_error("the sample contour is refused");
+}
+
+void words(benchmark::State& state) {
+  run_timed(
+      state, Part::blocks_per_lap, [] {},
+      [] {
+        std::string_view rest = part().lap;
+        while (!rest.empty()) {
+          const std::size_t end = rest.find('\n');
+          WordReader reader(rest.substr(0, end));
+          for (Word word = reader.next(); word.kind != WordKind::end; word = reader.next())
+            benchmark::DoNotOptimize(word);
+          rest.remove_prefix(end + 1);
+        }
+      });
+}
+
+// Text and blocks of a lap, read again and again.
+class Reading {
+ public:
+  Reading() { require(interpreter_.feed(part().prologue, lines)); }
+
+  void forget() {
+    for (ProgramLine& line : lines) interpreter_.recycle(std::move(line));
+    lines.clear();
+    blocks.clear();
+  }
+  void lap() { require(interpreter_.feed(part().lap, lines)); }
+
+ private:
+  Diagnostics diagnostics_;
+
+ public:
+  std::vector<Block> blocks;
+  std::vector<ProgramLine> lines;
+
+ private:
+  ProgramState state_{{}, {}, diagnostics_, blocks};
+  Interpreter interpreter_{{}, state_, diagnostics_};
+};
+
+void reading(benchmark::State& state) {
+  Reading reading;
+  run_timed(
+      state, Part::blocks_per_lap, [] {},
+      [&] {
+        reading.forget();
+        reading.lap();
+      });
+}
+
+NcWriter::Meaning meaning_of(const Block& block) {
+  const auto& motion = std::get<MotionBlock>(block);
+  return {.gives_block = true, .end = from_plane(Plane::xy, end_of(motion.path), motion.normal.to)};
+}
+
+void writing(benchmark::State& state) {
+  Reading reading;
+  Diagnostics diagnostics;
+  Compensator compensator({}, diagnostics);
+  NcWriter writer({});
+  std::vector<CompensatedBlock> compensated;
+  std::vector<NcWriter::Meaning> meanings;
+  std::string text;
+  const auto prepare = [&] {
+    std::vector<Block> blocks = std::exchange(reading.blocks, {});
+    meanings.clear();
+    for (const Block& block : blocks) meanings.push_back(meaning_of(block));
+    compensated.clear();
+    require(compensator.feed(blocks, compensated));
+    text.clear();
+  };
+  const auto write = [&] {
+    std::size_t motion = 0;
+    for (ProgramLine& line : reading.lines) {
+      NcWriter::Meaning meaning{};
+      if (line.is_motion) meaning = meanings[motion++];
+      writer.take(std::move(line), meaning);
+    }
+    for (const CompensatedBlock& block : compensated) writer.write(block, text);
+  };
+  prepare();
+  write();
+  run_timed(
+      state, Part::blocks_per_lap,
+      [&] {
+        reading.lines = std::move(writer.used_lines());
+        writer.used_lines().clear();
+        reading.forget();
+        reading.lap();
+        prepare();
+      },
+      write);
+}
+
+// Numbers and words alone: every compensated block as a line.
+void motions(benchmark::State& state) {
+  Diagnostics diagnostics;
+  Compensator compensator({}, diagnostics);
+  std::vector<CompensatedBlock> compensated;
+  std::vector<Block> blocks = part().approach;
+  require(compensator.feed(blocks, compensated));
+  blocks = part().lap_blocks;
+  require(compensator.feed(blocks, compensated));
+  const MotionWriter writer(4, "");
+  std::string text;
+  WrittenState written;
+  run_timed(
+      state, compensated.size(), [&] { text.clear(); },
+      [&] {
+        for (const CompensatedBlock& block : compensated) {
+          const Position end = from_plane(Plane::xy, end_of(block.path), 0);
+          if (const Arc* arc = std::get_if<Arc>(&block.path))
+            writer.append_arc(text, *arc, Plane::xy, end, {}, 0, written);
+          else
+            writer.append_line(text, MotionKind::linear, end, {}, 0, written);
+        }
+      });
+}
+
+void program(benchmark::State& state, bool nc_text) {
+  ProgramSession session({.nc_text = nc_text});
+  ProgramOutput out;
+  require(session.feed(part().prologue, out));
+  run_timed(
+      state, Part::blocks_per_lap, [] {},
+      [&] {
+        out.text.clear();
+        out.blocks.clear();
+        require(session.feed(part().lap, out));
+      });
+}
+
+const bool registered = [] {
+  add("nc: words", words);
+  add("nc: reading", reading);
+  add("nc: writing", writing);
+  add("nc: motion words", motions);
+  add("nc: text to blocks", [](benchmark::State& state) { program(state, false); });
+  return add("nc: text to text", [](benchmark::State& state) { program(state, true); });
+}();
+
+}  // namespace
+}  // namespace trc::bench

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <benchmark/benchmark.h>
+
+#include <ctime>
+
+namespace trc::bench {
+
+// CPU time of the calling thread, seconds: what other programs on the machine take is not in it.
+inline double cpu_seconds() {
+  timespec now{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+// CPU time an item where one round works on so many.
+inline benchmark::Counter per_item(std::size_t items) {
+  return {static_cast<double>(items),
+          benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert};
+}
+
+// Runs `prepare`, then `timed`, again and again; only the latter counts. One round works on
+// `items`; the result is the counter `each`.
+template <class Prepare, class Timed>
+void run_timed(benchmark::State& state, std::size_t items, Prepare prepare, Timed timed) {
+  for (auto _ : state) {
+    prepare();
+    const double begin = cpu_seconds();
+    timed();
+    state.SetIterationTime(cpu_seconds() - begin);
+  }
+  state.counters["each"] = per_item(items);
+}
+
+// Registers a benchmark under a name with blanks in it.
+template <class Function>
+bool add(const char* name, Function function) {
+  benchmark::RegisterBenchmark(name, function)->UseManualTime()->Unit(benchmark::kMicrosecond);
+  return true;
+}
+
+}  // namespace trc::bench
