@@ -20,35 +20,28 @@ Box bounding_box(const Segment& segment) {
 }
 
 void BoxTree::append(const Box& box) {
-  std::size_t node = size();
-  for (std::size_t level = 0;; ++level, node /= width) {
-    if (level == levels_.size()) {
-      // The root has got a neighbour, or there was none yet.
-      levels_.emplace_back();
-      if (level > 0) levels_[level].push_back(levels_[level - 1].front());
-    }
-    std::vector<Box>& boxes = levels_[level];
-    if (node == boxes.size()) {
-      boxes.push_back(box);
-    } else {
-      boxes[node].extend(box);
-    }
-    if (level + 1 == levels_.size() && boxes.size() == 1) return;
+  levels_.front().push_back(box);
+  const std::size_t end = levels_.front().end();
+  for (std::size_t level = 1; end % span(level) == 0; ++level) {
+    const NumberedQueue<Box>& below = levels_[level - 1];
+    const std::size_t number = end / span(level) - 1;
+    // Boxes that have been forgotten are not asked for any more.
+    Box about = below.back();
+    for (std::size_t child = std::max(number * width, below.begin()); child < below.end(); ++child)
+      about.extend(below[child]);
+    if (level == levels_.size()) levels_.emplace_back(number);
+    levels_[level].push_back(about);
   }
 }
 
-void BoxTree::truncate(std::size_t count) {
-  if (count == 0) levels_.clear();
-  for (std::vector<Box>& boxes : levels_) {
-    boxes.resize(count);
-    count = (count + width - 1) / width;
-  }
+void BoxTree::truncate(std::size_t number) {
+  for (std::size_t level = 0; level < levels_.size(); ++level)
+    levels_[level].truncate(number / span(level));
 }
 
-void BoxTree::drop_before(std::size_t first) {
-  const std::vector<Box> boxes = levels_.empty() ? std::vector<Box>{} : std::move(levels_[0]);
-  levels_.clear();
-  for (std::size_t index = first; index < boxes.size(); ++index) append(boxes[index]);
+void BoxTree::drop_before(std::size_t number) {
+  for (std::size_t level = 0; level < levels_.size(); ++level)
+    levels_[level].drop_before(std::min(number / span(level), levels_[level].end()));
 }
 
 }  // namespace trc

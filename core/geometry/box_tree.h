@@ -1,9 +1,12 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <algorithm>
+#include <bit>
 #include <cstddef>
 #include <vector>
 
+#include "core/base/numbered_queue.h"
 #include "core/geometry/segment.h"
 
 namespace trc {
@@ -14,27 +17,40 @@ using Box = Eigen::AlignedBox2d;
 
 // Which of many boxes are near. The boxes keep their order, which is that of a
 // path: neighbours on the path are neighbours in space, so that the tree needs no
-// sorting and can grow at its end. A query costs O(log n + hits) on contours.
+// sorting, can grow at its end and be forgotten at its begin. A query costs
+// O(log n + hits) on contours.
+//
+//     [    0 1 2 3     ] [    4 5 6 7     ]        Four boxes in a row have one about
+//     [0] [1] [2] [3]    [4] [5] [6] [7]   [8]     them, four of those too, and so on,
+//                                                  as soon as there are four.
 class BoxTree {
  public:
-  // Indices from first to last; none if last < first.
+  // Numbers from first to last; none if last < first.
   struct Range {
     std::size_t first = 1;
     std::size_t last = 0;
   };
 
-  void append(const Box& box);
-  [[nodiscard]] std::size_t size() const { return levels_.empty() ? 0 : levels_[0].size(); }
-  // Forgets all but the first `count` boxes. What they were in stays as large.
-  void truncate(std::size_t count);
-  // The boxes from `first` on, counted anew.
-  void drop_before(std::size_t first);
+  // The first box will have the number `first`.
+  explicit BoxTree(std::size_t first = 0) { levels_.emplace_back(first); }
 
-  // Calls visit(index) for every box that meets `area`, in ascending order, those
+  void append(const Box& box);
+  // Forgets the boxes from `number` on.
+  void truncate(std::size_t number);
+  // Forgets the boxes before `number`.
+  void drop_before(std::size_t number);
+
+  // Calls visit(number) for every box that meets `area`, in ascending order, those
   // in `skipped` left out.
   template <class Visit>
   void for_each_in(const Box& area, const Range& skipped, Visit visit) const {
-    if (size() > 0) descend(levels_.size() - 1, 0, area, skipped, visit);
+    const NumberedQueue<Box>& boxes = levels_.front();
+    if (skipped.last < skipped.first) {
+      scan(area, boxes.begin(), boxes.end(), visit);
+      return;
+    }
+    scan(area, boxes.begin(), std::min(skipped.first, boxes.end()), visit);
+    scan(area, std::max(skipped.last + 1, boxes.begin()), boxes.end(), visit);
   }
   template <class Visit>
   void for_each_in(const Box& area, Visit visit) const {
@@ -43,24 +59,32 @@ class BoxTree {
 
  private:
   static constexpr std::size_t bits_of_width = 2;
-  static constexpr std::size_t width = 1 << bits_of_width;  // children of a node
+  static constexpr std::size_t width = 1 << bits_of_width;  // boxes under one
 
-  template <class Visit>
-  void descend(std::size_t level, std::size_t node, const Box& area, const Range& skipped,
-               Visit& visit) const {
-    const std::size_t span = std::size_t{1} << (bits_of_width * level);
-    if (node * span >= skipped.first && (node + 1) * span - 1 <= skipped.last) return;
-    if (!levels_[level][node].intersects(area)) return;
-    if (level == 0) {
-      visit(node);
-      return;
-    }
-    const std::size_t end = std::min((node + 1) * width, levels_[level - 1].size());
-    for (std::size_t child = node * width; child < end; ++child)
-      descend(level - 1, child, area, skipped, visit);
+  [[nodiscard]] static std::size_t span(std::size_t level) {
+    return std::size_t{1} << (bits_of_width * level);
   }
 
-  std::vector<std::vector<Box>> levels_;  // 0: the boxes, last: one root
+  // Goes through the largest boxes that cover nothing but first <= number < end, and into
+  // those that are near.
+  template <class Visit>
+  void scan(const Box& area, std::size_t first, std::size_t end, Visit& visit) const {
+    for (std::size_t number = first; number < end;) {
+      const auto zeros = static_cast<std::size_t>(std::countr_zero(number));
+      std::size_t level = std::min(levels_.size() - 1, zeros / bits_of_width);
+      while (number + span(level) > end) --level;
+      while (levels_[level][number / span(level)].intersects(area)) {
+        if (level == 0) {
+          visit(number);
+          break;
+        }
+        --level;
+      }
+      number += span(level);
+    }
+  }
+
+  std::vector<NumberedQueue<Box>> levels_;  // 0: the boxes
 };
 
 }  // namespace trc

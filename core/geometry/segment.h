@@ -6,9 +6,10 @@
 namespace trc {
 
 // A point or direction in the compensation plane, mm. The first axis of the
-// plane is x, the second y (G17: X Y, G18: Z X, G19: Y Z).
-using Point = Eigen::Vector2d;
-using Vector = Eigen::Vector2d;
+// plane is x, the second y (G17: X Y, G18: Z X, G19: Y Z). Not aligned to 16 bytes, which
+// would make every line and arc larger than it is.
+using Point = Eigen::Matrix<double, 2, 1, Eigen::DontAlign>;
+using Vector = Point;
 
 struct Line {
   Point start = Point::Zero();

@@ -12,7 +12,7 @@
 namespace cereal {
 
 template <class Archive>
-void serialize(Archive& archive, Eigen::Vector2d& point) {
+void serialize(Archive& archive, trc::Point& point) {
   archive(point.x(), point.y());
 }
 

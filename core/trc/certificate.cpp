@@ -26,18 +26,16 @@ bool is_left(const PathBlock& block, double same_point) {
 
 void Certificate::begin_chain(std::size_t block, std::size_t last) {
   chain_ = block;
-  last_of_chain_.resize(block - base_, last);
+  while (last_of_chain_.end() < block) last_of_chain_.push_back(last);
   while (!least_.empty() && least_.front().block < block) least_.pop_front();
   while (!greatest_.empty() && greatest_.front().block < block) greatest_.pop_front();
 }
 
 void Certificate::drop_before(std::size_t block) {
-  const auto gone = static_cast<std::ptrdiff_t>(block - base_);
-  first_of_chain_.erase(first_of_chain_.begin(), first_of_chain_.begin() + gone);
+  first_of_chain_.drop_before(block);
   // Chains that go on from dropped blocks may.
   if (chain_ < block) begin_chain(block, size() - 1);
-  last_of_chain_.erase(last_of_chain_.begin(), last_of_chain_.begin() + gone);
-  base_ = block;
+  last_of_chain_.drop_before(block);
 }
 
 void Certificate::append(const PathBlock& block, bool apart) {

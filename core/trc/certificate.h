@@ -2,8 +2,8 @@
 
 #include <cstddef>
 #include <deque>
-#include <vector>
 
+#include "core/base/numbered_queue.h"
 #include "core/base/tolerances.h"
 #include "core/trc/path_block.h"
 
@@ -24,7 +24,7 @@ class Certificate {
   // Appends a contour block; `apart`: its equidistant does not meet that of the
   // block before.
   void append(const PathBlock& block, bool apart);
-  [[nodiscard]] std::size_t size() const { return base_ + first_of_chain_.size(); }
+  [[nodiscard]] std::size_t size() const { return first_of_chain_.end(); }
   // Nobody will ask about blocks before this one any more.
   void drop_before(std::size_t block);
 
@@ -32,12 +32,12 @@ class Certificate {
   [[nodiscard]] std::size_t chain_before(std::size_t block) const { return first_of_chain_[block]; }
   // The last block of the longest certified chain that begins with `block`.
   [[nodiscard]] std::size_t chain_behind(std::size_t block) const {
-    return block < chain_ ? last_of_chain_[block - base_] : size() - 1;
+    return block < chain_ ? last_of_chain_[block] : size() - 1;
   }
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(base_, first_of_chain_, last_of_chain_, chain_, direction_, tangent_, shift_, least_,
+    archive(first_of_chain_, last_of_chain_, chain_, direction_, tangent_, shift_, least_,
             greatest_);
   }
 
@@ -57,9 +57,8 @@ class Certificate {
   void begin_chain(std::size_t block, std::size_t last);
 
   Tolerances tolerances_;
-  std::size_t base_ = 0;
-  std::vector<std::size_t> first_of_chain_;
-  std::vector<std::size_t> last_of_chain_;  // of the blocks before chain_
+  NumberedQueue<std::size_t> first_of_chain_;
+  NumberedQueue<std::size_t> last_of_chain_;  // of the blocks before chain_
 
   // The running chain. Directions are counted on over full turns.
   std::size_t chain_ = 0;

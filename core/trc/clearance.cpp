@@ -32,36 +32,36 @@ struct Violation {
 
 }  // namespace
 
-bool Clearance::feed(PathBlock block, std::vector<PathBlock>& out) {
+bool Clearance::feed(PathBlockPtr block, PathBlocks& out) {
   // The approach waits too: the tool must not enter what it cannot get through.
-  const bool begins = block.role == Role::approach || block.perpendicular_entry;
-  const bool belongs = begins || is_contour(block) || block.role == Role::inserted;
+  const bool begins = block->role == Role::approach || block->perpendicular_entry;
+  const bool belongs = begins || is_contour(*block) || block->role == Role::inserted;
   const bool wanted =
-      belongs && !block.removes_loops() &&
-      (implicit_ || block.mode().masking == Masking::on || !held_.empty() || !contour_.empty());
+      belongs && !block->removes_loops() &&
+      (implicit_ || block->mode().masking == Masking::on || !held_.empty() || !contour_.empty());
   if ((begins || !wanted) && !end_selection(out)) return false;
   if (!wanted) {
     out.push_back(std::move(block));
     return true;
   }
   if (held_.size() >= selection_blocks_)
-    return diagnostics_.report(selection_too_long(block, selection_blocks_));
-  if (passes_at_once()) out.push_back(block);
+    return diagnostics_.report(selection_too_long(*block, selection_blocks_));
+  if (passes_at_once()) out.push_back(std::make_unique<PathBlock>(*block));
   hold(std::move(block));
   return window_ == 0 || examine(false, out);
 }
 
-void Clearance::hold(PathBlock block) {
-  if (is_contour(block)) {
-    boxes_.append(bounding_box(block.programmed.path));
-    contour_.push_back(block.programmed);
+void Clearance::hold(PathBlockPtr block) {
+  if (is_contour(*block)) {
+    boxes_.append(bounding_box(block->programmed.path));
+    contour_.push_back(block->programmed);
   }
   const std::size_t count = contour_base_ + contour_.size();
   numbers_.push_back(count > 0 ? count - 1 : 0);
   held_.push_back(std::move(block));
 }
 
-bool Clearance::end_selection(std::vector<PathBlock>& out) {
+bool Clearance::end_selection(PathBlocks& out) {
   if (!examine(true, out)) return false;
   contour_.clear();
   contour_base_ = 0;
@@ -70,11 +70,11 @@ bool Clearance::end_selection(std::vector<PathBlock>& out) {
   return true;
 }
 
-bool Clearance::examine(bool ended, std::vector<PathBlock>& out) {
+bool Clearance::examine(bool ended, PathBlocks& out) {
   std::size_t examined = 0;
   const std::size_t end = contour_base_ + contour_.size();
   while (examined < held_.size() && (ended || numbers_[examined] + window_ < end)) {
-    if (!check(held_[examined], numbers_[examined])) return false;
+    if (!check(*held_[examined], numbers_[examined])) return false;
     ++examined;
   }
   const auto gone = static_cast<std::ptrdiff_t>(examined);
@@ -90,8 +90,8 @@ void Clearance::forget() {
   if (numbers_.empty() || numbers_.front() <= contour_base_ + 2 * window_ + 64) return;
   const std::size_t gone = numbers_.front() - window_ - contour_base_;
   contour_.erase(contour_.begin(), contour_.begin() + static_cast<std::ptrdiff_t>(gone));
-  boxes_.drop_before(gone);
   contour_base_ += gone;
+  boxes_.drop_before(contour_base_);
 }
 
 bool Clearance::check(const PathBlock& block, std::size_t number) {
@@ -102,12 +102,12 @@ bool Clearance::check(const PathBlock& block, std::size_t number) {
   area.min().array() -= radius;
   area.max().array() += radius;
   Violation worst{.distance = limit};
-  boxes_.for_each_in(area, [&](std::size_t index) {
-    const std::size_t other = contour_base_ + index;
+  boxes_.for_each_in(area, [&](std::size_t other) {
     if (window_ > 0 && (other + window_ < number || other > number + window_)) return;
-    const auto near = nearness(block.tool_path, contour_[index].path, tolerances_.same_point);
+    const MotionBlock& contour = contour_[other - contour_base_];
+    const auto near = nearness(block.tool_path, contour.path, tolerances_.same_point);
     if (near.distance < worst.distance)
-      worst = {.contour = &contour_[index], .distance = near.distance, .place = near.on_first};
+      worst = {.contour = &contour, .distance = near.distance, .place = near.on_first};
   });
   const bool violates = worst.contour != nullptr;
   const bool first = violates && !std::exchange(violating_, violates);

@@ -28,24 +28,24 @@ class Clearance {
         tolerances_(tolerances),
         diagnostics_(diagnostics) {}
 
-  bool feed(PathBlock block, std::vector<PathBlock>& out);
-  bool drain(std::vector<PathBlock>& out) { return end_selection(out); }
+  bool feed(PathBlockPtr block, PathBlocks& out);
+  bool drain(PathBlocks& out) { return end_selection(out); }
   [[nodiscard]] std::size_t look_ahead() const { return window_; }
 
   template <class Archive>
   void serialize(Archive& archive) {
     archive(held_, numbers_, contour_, contour_base_, violating_);
-    boxes_ = BoxTree();
+    boxes_ = BoxTree(contour_base_);
     for (const MotionBlock& block : contour_) boxes_.append(bounding_box(block.path));
   }
 
  private:
   // A warning may come later than the block: it need not wait for its window.
   [[nodiscard]] bool passes_at_once() const { return window_ > 0 && !implicit_; }
-  void hold(PathBlock block);
-  bool end_selection(std::vector<PathBlock>& out);
+  void hold(PathBlockPtr block);
+  bool end_selection(PathBlocks& out);
   // Lets go all blocks around which the contour is known.
-  bool examine(bool ended, std::vector<PathBlock>& out);
+  bool examine(bool ended, PathBlocks& out);
   bool check(const PathBlock& block, std::size_t number);
   void forget();
   bool report(const PathBlock& path, const MotionBlock& contour, double distance,
@@ -56,7 +56,7 @@ class Clearance {
   std::size_t selection_blocks_;
   Tolerances tolerances_;
   Diagnostics& diagnostics_;
-  std::vector<PathBlock> held_;
+  PathBlocks held_;
   std::vector<std::size_t> numbers_;  // of the contour block, or of the one before it
 
   // The contour, counted from the begin of the selection, as far as a window reaches.

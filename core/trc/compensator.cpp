@@ -84,14 +84,14 @@ struct Compensator::Passes {
   Reporting reporting;
 
   std::vector<Block> programmed;
-  std::vector<PathBlock> relevant;
-  std::vector<PathBlock> reachable;
-  std::vector<PathBlock> entered;
-  std::vector<PathBlock> masked;
-  std::vector<PathBlock> joined;
-  std::vector<PathBlock> simple;
-  std::vector<PathBlock> checked;
-  std::vector<PathBlock> divided;
+  PathBlocks relevant;
+  PathBlocks reachable;
+  PathBlocks entered;
+  PathBlocks masked;
+  PathBlocks joined;
+  PathBlocks simple;
+  PathBlocks checked;
+  PathBlocks divided;
 };
 
 Compensator::Compensator(const CompensatorSetup& setup, Diagnostics& diagnostics)

@@ -35,20 +35,20 @@ OffsetCurve start_curve(const PathBlock& block) {
 
 }  // namespace
 
-bool ContourMasking::feed(PathBlock block, std::vector<PathBlock>& out) {
-  const bool masking =
-      block.role != Role::passive && block.mode().masking == Masking::on && !block.removes_loops();
-  const bool continues = !held_.empty() && is_contour(block) && !block.perpendicular_entry;
+bool ContourMasking::feed(PathBlockPtr block, PathBlocks& out) {
+  const bool masking = block->role != Role::passive && block->mode().masking == Masking::on &&
+                       !block->removes_loops();
+  const bool continues = !held_.empty() && is_contour(*block) && !block->perpendicular_entry;
   if (continues && masking) {
     if (held_.size() >= selection_blocks_)
-      return diagnostics_.report(selection_too_long(block, selection_blocks_));
+      return diagnostics_.report(selection_too_long(*block, selection_blocks_));
     held_.push_back(std::move(block));
     if (window_ == 0) return true;
     if (!keep(base_ + held_.size() - 1)) return false;
     return held_.size() <= window_ || let_go(out);
   }
-  if (!resolve(block.at_start.active ? &block : nullptr, out)) return false;
-  if (masking && block.at_end.active) {
+  if (!resolve(block->at_start.active ? block.get() : nullptr, out)) return false;
+  if (masking && block->at_end.active) {
     // The first block has a start of its own: an approach, or what came before G141.
     held_.push_back(std::move(block));
     kept_ = {Kept{.index = 0}};
@@ -58,7 +58,7 @@ bool ContourMasking::feed(PathBlock block, std::vector<PathBlock>& out) {
   return true;
 }
 
-bool ContourMasking::resolve(const PathBlock* after, std::vector<PathBlock>& out) {
+bool ContourMasking::resolve(const PathBlock* after, PathBlocks& out) {
   if (held_.empty()) return true;
   if (window_ == 0) {
     for (std::size_t index = 1; index < held_.size(); ++index)
@@ -66,15 +66,15 @@ bool ContourMasking::resolve(const PathBlock* after, std::vector<PathBlock>& out
   }
   if (!close(after)) return false;
   report_masked(base_, base_ + held_.size());
-  for (PathBlock& block : held_) out.push_back(std::move(block));
+  for (PathBlockPtr& block : held_) out.push_back(std::move(block));
   held_.clear();
   base_ = 0;
   return true;
 }
 
-bool ContourMasking::let_go(std::vector<PathBlock>& out) {
+bool ContourMasking::let_go(PathBlocks& out) {
   // So many masked blocks that the window does not see the end of them.
-  if (kept_.size() == 1) return refuse_to_mask(held_.front());
+  if (kept_.size() == 1) return refuse_to_mask(*held_.front());
   const std::size_t next = kept_[1].index;
   report_masked(base_, next);
   const auto gone = static_cast<std::ptrdiff_t>(next - base_);
@@ -88,7 +88,7 @@ bool ContourMasking::let_go(std::vector<PathBlock>& out) {
 // Joins the block to the last kept one, masking kept blocks that do not survive it.
 bool ContourMasking::keep(std::size_t index) {
   PathBlock& block = held(index);
-  const bool begins_contour = kept_.size() == 1 && !is_contour(held_.front());
+  const bool begins_contour = kept_.size() == 1 && !is_contour(*held_.front());
   if (block.masked) return !begins_contour || refuse_to_mask(block);
   while (true) {
     const Kept& last = kept_.back();
@@ -111,7 +111,7 @@ bool ContourMasking::keep(std::size_t index) {
 
 // The last block must survive its end: nothing lies behind it to join anew.
 bool ContourMasking::close(const PathBlock* after) {
-  PathBlock& last = held_.back();
+  PathBlock& last = *held_.back();
   if (last.masked) return refuse_to_mask(last);
   double cut_at_end = 0;
   if (after != nullptr) {
@@ -172,7 +172,7 @@ bool ContourMasking::survives(const Kept& kept, double cut_at_end) const {
 bool ContourMasking::mask_last_kept() {
   PathBlock& block = held(kept_.back().index);
   const bool first_of_contour =
-      kept_.size() == 1 || (kept_.size() == 2 && !is_contour(held_.front()));
+      kept_.size() == 1 || (kept_.size() == 2 && !is_contour(*held_.front()));
   if (first_of_contour) return refuse_to_mask(block);
   block.masked = true;
   block.rejoin.reset();

@@ -36,8 +36,8 @@ class ContourMasking {
         tolerances_(tolerances),
         diagnostics_(diagnostics) {}
 
-  bool feed(PathBlock block, std::vector<PathBlock>& out);
-  bool drain(std::vector<PathBlock>& out) { return resolve(nullptr, out); }
+  bool feed(PathBlockPtr block, PathBlocks& out);
+  bool drain(PathBlocks& out) { return resolve(nullptr, out); }
   [[nodiscard]] std::size_t look_ahead() const { return window_; }
 
   template <class Archive>
@@ -64,7 +64,7 @@ class ContourMasking {
   };
 
   // Decides over the held blocks; `after` follows them, if anything does.
-  bool resolve(const PathBlock* after, std::vector<PathBlock>& out);
+  bool resolve(const PathBlock* after, PathBlocks& out);
   bool keep(std::size_t index);
   bool close(const PathBlock* after);
   [[nodiscard]] std::optional<Meeting> meet(const PathBlock& before, PathBlock& after,
@@ -74,20 +74,20 @@ class ContourMasking {
   [[nodiscard]] bool survives(const Kept& kept, double cut_at_end) const;
   bool mask_last_kept();
   // The first kept block, and the masked ones behind it.
-  bool let_go(std::vector<PathBlock>& out);
+  bool let_go(PathBlocks& out);
   void report_masked(std::size_t first, std::size_t end);
   // The first or last block of the contour violates: 90017, 90019 or 90038.
   bool refuse_to_mask(const PathBlock& block);
   bool refuse(Code code, const PathBlock& block);
 
-  [[nodiscard]] PathBlock& held(std::size_t index) { return held_[index - base_]; }
-  [[nodiscard]] const PathBlock& held(std::size_t index) const { return held_[index - base_]; }
+  [[nodiscard]] PathBlock& held(std::size_t index) { return *held_[index - base_]; }
+  [[nodiscard]] const PathBlock& held(std::size_t index) const { return *held_[index - base_]; }
 
   std::size_t window_;
   std::size_t selection_blocks_;
   Tolerances tolerances_;
   Diagnostics& diagnostics_;
-  std::vector<PathBlock> held_;
+  PathBlocks held_;
   std::size_t base_ = 0;  // blocks of the selection that have left
   std::vector<Kept> kept_;
 };

@@ -110,17 +110,17 @@ bool KerfMasking::wanted(const PathBlock& block) const {
   return mode.options.kerf_masking || (!circular_ && mode.masking == Masking::on);
 }
 
-bool KerfMasking::feed(PathBlock block, std::vector<PathBlock>& out) {
-  const bool continues = !held_.empty() && block.role != Role::passive && block.at_start.active &&
-                         !block.perpendicular_entry;
+bool KerfMasking::feed(PathBlockPtr block, PathBlocks& out) {
+  const bool continues = !held_.empty() && block->role != Role::passive && block->at_start.active &&
+                         !block->perpendicular_entry;
   if (held_.size() == 2) {
     std::optional<PathBlock> outline;
-    if (continues) outline = outline_of(block);
+    if (continues) outline = outline_of(*block);
     raise_notch(outline ? &*outline : nullptr);
     let_go(out);
   }
   if (!continues) drain(out);
-  if (continues || wanted(block)) {
+  if (continues || wanted(*block)) {
     held_.push_back(std::move(block));
   } else {
     out.push_back(std::move(block));
@@ -128,22 +128,22 @@ bool KerfMasking::feed(PathBlock block, std::vector<PathBlock>& out) {
   return true;
 }
 
-bool KerfMasking::drain(std::vector<PathBlock>& out) {
+bool KerfMasking::drain(PathBlocks& out) {
   if (held_.size() == 2) raise_notch(nullptr);
   while (!held_.empty()) let_go(out);
   before_.reset();
   return true;
 }
 
-void KerfMasking::let_go(std::vector<PathBlock>& out) {
-  before_ = outline_of(held_.front());
+void KerfMasking::let_go(PathBlocks& out) {
+  before_ = outline_of(*held_.front());
   out.push_back(std::move(held_.front()));
   held_.erase(held_.begin());
 }
 
 void KerfMasking::raise_notch(const PathBlock* next) {
-  PathBlock& first = held_[0];
-  PathBlock& second = held_[1];
+  PathBlock& first = *held_[0];
+  PathBlock& second = *held_[1];
   if (!wanted(first) || !wanted(second) || !is_contour(first) || !is_contour(second)) return;
   if (!circular_ && (is_arc(first.programmed.path) || is_arc(second.programmed.path))) return;
   const Notch notch{.before = before_ ? &*before_ : nullptr,

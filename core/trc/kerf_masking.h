@@ -24,8 +24,8 @@ class KerfMasking {
   KerfMasking(bool circular, const Tolerances& tolerances)
       : circular_(circular), tolerances_(tolerances) {}
 
-  bool feed(PathBlock block, std::vector<PathBlock>& out);
-  bool drain(std::vector<PathBlock>& out);
+  bool feed(PathBlockPtr block, PathBlocks& out);
+  bool drain(PathBlocks& out);
   // A corner waits for the block behind it, which tells what the next corner takes.
   [[nodiscard]] std::size_t look_ahead() const { return 2; }
 
@@ -36,14 +36,14 @@ class KerfMasking {
 
  private:
   [[nodiscard]] bool wanted(const PathBlock& block) const;
-  void let_go(std::vector<PathBlock>& out);
+  void let_go(PathBlocks& out);
   // The corner of the two held blocks; `next` follows them, if anything does.
   void raise_notch(const PathBlock* next);
 
   bool circular_;
   Tolerances tolerances_;
   std::optional<PathBlock> before_;  // the first held block, as far as a corner needs it
-  std::vector<PathBlock> held_;
+  PathBlocks held_;
 };
 
 }  // namespace trc

@@ -1,13 +1,16 @@
 #pragma once
 
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <vector>
 
 #include "core/base/diagnostics.h"
+#include "core/base/numbered_queue.h"
 #include "core/base/tolerances.h"
 #include "core/geometry/box_tree.h"
 #include "core/trc/certificate.h"
+#include "core/trc/held_path.h"
 #include "core/trc/path_block.h"
 
 namespace trc {
@@ -39,18 +42,18 @@ class LoopRemoval {
         diagnostics_(diagnostics),
         certificate_(tolerances) {}
 
-  bool feed(PathBlock block, std::vector<PathBlock>& out);
-  bool drain(std::vector<PathBlock>& /*out*/) { return end_selection(); }
+  bool feed(PathBlockPtr block, PathBlocks& out);
+  bool drain(PathBlocks& /*out*/) { return end_selection(); }
   // A selection that has ended leaves in portions, so that it does not lie in the vectors
   // between all passes at once. What is fed meanwhile waits behind it.
   [[nodiscard]] bool is_leaving() const { return leaving_; }
-  bool let_go_some(std::vector<PathBlock>& out);
+  bool let_go_some(PathBlocks& out);
   [[nodiscard]] std::size_t look_ahead() const { return window_; }
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(held_, base_, numbers_, radii_, largest_radius_, contour_, contour_base_, apart_,
-            certificate_, pieces_, at_, tolerated_, next_, first_);
+    archive(entering_, path_, largest_radius_, apart_, certificate_, walking_, pieces_, cuts_, at_,
+            tolerated_, next_);
     rebuild_boxes();
   }
 
@@ -84,16 +87,15 @@ class LoopRemoval {
       archive(block, from, to, start, end, behind_loop, arrives);
     }
   };
-  // A programmed contour block, which outlives its path.
-  struct ContourBlock {
+  // A piece as it is kept: most are whole blocks.
+  struct Kept {
+    static constexpr std::size_t whole = std::numeric_limits<std::size_t>::max();
     std::size_t block = 0;
-    Segment programmed{};
-    Source source{};
-    double radius = 0;  // of the tool, the larger one where it changes, mm
+    std::size_t cut = whole;  // which one of cuts_
 
     template <class Archive>
     void serialize(Archive& archive) {
-      archive(block, programmed, source, radius);
+      archive(block, cut);
     }
   };
   // Where the path comes too near to a contour block.
@@ -103,7 +105,7 @@ class LoopRemoval {
   };
   // Where a loop begins, in which travelled piece, and where it ends.
   struct Exit {
-    std::size_t piece = 0;  // how many pieces are kept before it
+    std::size_t piece = 0;  // its number
     double leaves = 0;
     Place continues{};
     Point point = Point::Zero();
@@ -117,15 +119,16 @@ class LoopRemoval {
   enum class Nearness { exact, passable };
   enum class Step { done, wait, stop };
 
+  bool is_holding() const { return !entering_.empty() || !path_.blocks().empty(); }
   void begin_selection();
   bool end_selection();
-  bool hold(PathBlock block);
+  bool hold(PathBlockPtr block);
   void note_contour_block(const PathBlock& block);
   void reconsider(std::size_t number);
   void rebuild_boxes();
-  void keep_piece();
+  void keep_cut();
   void drop_pieces(std::size_t kept);
-  bool proceed(std::vector<PathBlock>& out);
+  bool proceed(PathBlocks& out);
   void forget();
 
   // As far as the contour is known well enough; all the way when it has ended.
@@ -136,14 +139,16 @@ class LoopRemoval {
   void jump(const Exit& exit);
   void advance();
 
-  [[nodiscard]] const PathBlock& path(std::size_t block) const { return held_[block - base_]; }
-  [[nodiscard]] const ContourBlock& contour(std::size_t number) const {
-    return contour_[number - contour_base_];
+  [[nodiscard]] const HeldPath::Block& path(std::size_t block) const {
+    return path_.blocks()[block];
   }
-  [[nodiscard]] std::size_t end_of_path() const { return base_ + held_.size(); }
-  [[nodiscard]] std::size_t end_of_contour() const { return contour_base_ + contour_.size(); }
-  [[nodiscard]] std::size_t number_of(std::size_t block) const { return numbers_[block - base_]; }
-  [[nodiscard]] double radius_of_tool(std::size_t block) const { return radii_[block - base_]; }
+  [[nodiscard]] const HeldPath::ContourBlock& contour(std::size_t number) const {
+    return path_.contour()[number];
+  }
+  [[nodiscard]] std::size_t end_of_path() const { return path_.blocks().end(); }
+  [[nodiscard]] std::size_t end_of_contour() const { return path_.contour().end(); }
+  [[nodiscard]] std::size_t number_of(std::size_t block) const { return path(block).number; }
+  [[nodiscard]] Piece piece(std::size_t number) const;
   // Whether the contour is known `lead` blocks beyond the path block.
   [[nodiscard]] bool is_known(std::size_t block, std::size_t lead, bool ended) const;
 
@@ -155,8 +160,6 @@ class LoopRemoval {
   [[nodiscard]] std::optional<Onset> next_onset(bool ended);
   [[nodiscard]] bool clear_ahead(bool ended);
   [[nodiscard]] BoxTree::Range certified(std::size_t block) const;
-  template <class Visit>
-  void for_each_near(const Box& area, const BoxTree::Range& certified, const Visit& visit) const;
   [[nodiscard]] std::optional<Exit> find_exit(const Onset& onset, Nearness nearness) const;
   // The numbers of all contour blocks that are as near there as the one of the
   // onset: the other block of a corner, blocks on top of each other.
@@ -173,11 +176,15 @@ class LoopRemoval {
   [[nodiscard]] std::optional<Exit> crossing_in(const Piece& piece, std::size_t number,
                                                 std::size_t obstacle, bool beside) const;
   // Whether the point is farther than the radius from the contour block.
-  [[nodiscard]] bool reaches_out(const ContourBlock& block, const Point& point) const;
+  [[nodiscard]] bool reaches_out(const HeldPath::ContourBlock& block, const Point& point) const;
+  // Nothing is left between the corners of the block: it is travelled backwards.
+  [[nodiscard]] bool runs_backwards(std::size_t block) const;
   [[nodiscard]] bool violates(const Place& from, const Place& to) const;
 
-  void pass_by(std::size_t end, const Point& place, std::vector<PathBlock>& out);
-  void let_go(const Piece& piece, std::vector<PathBlock>& out);
+  void let_go_to(std::size_t end, PathBlocks& out);
+  void let_go(std::size_t number, PathBlocks& out);
+  // The blocks before `end` that are not travelled: a loop, left out at `place`.
+  void pass_by(std::size_t end, const Point& place, PathBlocks& out);
   void report_masked(std::size_t first, std::size_t last, const Point& place);
   bool refuse(const Onset& onset);
 
@@ -186,33 +193,24 @@ class LoopRemoval {
   Tolerances tolerances_;
   Diagnostics& diagnostics_;
 
-  // The path: approach and transitions included. What lies before base_ has gone.
-  std::vector<PathBlock> held_;
-  std::size_t base_ = 0;
-  std::vector<std::size_t> numbers_;  // of the contour block, or of the one before it
-  std::vector<double> radii_;         // of the tool, mm
-
+  PathBlocks entering_;  // the approach, which leaves with the first block of the path
+  HeldPath path_;
   double largest_radius_ = 0;
-
-  // The programmed contour, as far as anything may still come near it.
-  std::vector<ContourBlock> contour_;
-  std::size_t contour_base_ = 0;
-  BoxTree boxes_;
+  BoxTree boxes_;       // of the contour
   bool apart_ = false;  // the next contour block does not meet the last one
   Certificate certificate_;
 
-  std::vector<Piece> pieces_;  // walked, and still here
-  // Of the pieces, behind those of `gone_` pieces that have left; for a window only.
-  BoxTree piece_boxes_;
-  std::size_t gone_ = 0;
-  Piece at_{};                          // the piece being walked
-  Place tolerated_{};                   // up to here the path is in a loop that does not violate
-  std::size_t next_ = 0;                // the first block that has neither left nor been dropped
-  std::optional<std::size_t> first_{};  // the block with the first compensated point
+  // Walked, and still here.
+  NumberedQueue<Kept> pieces_;
+  NumberedQueue<Piece> cuts_;  // those that are not whole blocks
+  BoxTree piece_boxes_;        // for a window only
+  bool walking_ = false;
+  Piece at_{};            // the piece being walked
+  Place tolerated_{};     // up to here the path is in a loop that does not violate
+  std::size_t next_ = 0;  // the first block that has neither left nor been dropped
 
   bool leaving_ = false;
-  std::size_t left_ = 0;  // pieces that have gone
-  std::vector<PathBlock> behind_;
+  PathBlocks behind_;
 
   // Blocks known to be clear, and how far a group of them has been asked about.
   std::size_t clear_before_ = 0;

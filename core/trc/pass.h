@@ -24,9 +24,9 @@ concept Pass = requires(P pass, const P& view, In item, std::vector<Out>& out) {
 };
 
 // A pass that needs no neighbour: it looks at each block once, where it lies.
-template <class P, class Item>
-concept InPlacePass = requires(P pass, Item& item) {
-  { pass.apply(item) } -> std::same_as<bool>;
+template <class P, class Owner>
+concept InPlacePass = requires(P pass, Owner& owner) {
+  { pass.apply(*owner) } -> std::same_as<bool>;
 };
 
 enum class Input { more, ended };
@@ -40,11 +40,11 @@ requires Pass<P, In, Out>
   return input == Input::more || pass.drain(out);
 }
 
-template <class P, class Item>
-requires InPlacePass<P, Item>
-[[nodiscard]] bool apply(P& pass, std::vector<Item>& items) {
-  for (Item& item : items)
-    if (!pass.apply(item)) return false;
+template <class P, class Owner>
+requires InPlacePass<P, Owner>
+[[nodiscard]] bool apply(P& pass, std::vector<Owner>& blocks) {
+  for (Owner& block : blocks)
+    if (!pass.apply(*block)) return false;
   return true;
 }
 

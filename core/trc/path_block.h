@@ -1,9 +1,12 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <vector>
 
+#include "core/base/recycled.h"
 #include "core/geometry/segment.h"
 #include "core/nc/block.h"
 #include "core/trc/compensated_block.h"
@@ -30,7 +33,7 @@ struct Compensation {
 };
 
 // A block on its way, programmed and compensated side by side: every pass can
-// check one against the other.
+// check one against the other. It is large, so the passes hand on its owner.
 struct PathBlock {
   MotionBlock programmed{};
   Role role = Role::uncompensated;
@@ -84,6 +87,19 @@ struct PathBlock {
     return role != Role::passive && mode().masking == Masking::on &&
            mode().options.remove_masked_blocks;
   }
+
+  static void* operator new(std::size_t size);
+  static void operator delete(void* place) noexcept;
 };
+
+inline void* PathBlock::operator new(std::size_t /*size*/) {
+  return Recycled<sizeof(PathBlock)>::take();
+}
+inline void PathBlock::operator delete(void* place) noexcept {
+  Recycled<sizeof(PathBlock)>::give_back(place);
+}
+
+using PathBlockPtr = std::unique_ptr<PathBlock>;
+using PathBlocks = std::vector<PathBlockPtr>;
 
 }  // namespace trc

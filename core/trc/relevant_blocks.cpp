@@ -35,18 +35,18 @@ AxisTravel cut(AxisTravel& travel, double share) {
 
 // Cuts the block after 180 degrees: the radius changes in the first half, the
 // rest runs with the new one around the programmed centre (spec 8, D-20).
-PathBlock first_half_of(PathBlock& block) {
+PathBlockPtr first_half_of(PathBlock& block) {
   Arc& arc = std::get<Arc>(block.programmed.path);
   const double half = std::copysign(std::numbers::pi, arc.sweep);
   const double share = half / arc.sweep;
   const Point middle = 2 * arc.center - arc.start;
-  PathBlock first = block;
-  first.origin = Origin::radius_change;
-  first.programmed.path =
+  auto first = std::make_unique<PathBlock>(block);
+  first->origin = Origin::radius_change;
+  first->programmed.path =
       Arc{.start = arc.start, .end = middle, .center = arc.center, .sweep = half};
-  first.programmed.normal = cut(block.programmed.normal, share);
+  first->programmed.normal = cut(block.programmed.normal, share);
   for (std::size_t axis = 0; axis < block.programmed.tracking.size(); ++axis)
-    first.programmed.tracking[axis] = cut(block.programmed.tracking[axis], share);
+    first->programmed.tracking[axis] = cut(block.programmed.tracking[axis], share);
   arc = Arc{.start = middle, .end = arc.end, .center = arc.center, .sweep = arc.sweep - half};
   block.at_start = block.at_end;
   return first;
@@ -60,7 +60,7 @@ const char* RelevantBlocks::unavailable(const TrcMode& mode) const {
   return nullptr;
 }
 
-bool RelevantBlocks::feed(Block block, std::vector<PathBlock>& out) {
+bool RelevantBlocks::feed(Block block, PathBlocks& out) {
   return std::visit(overloaded{
                         [&](MotionBlock& motion) { return follow(std::move(motion), out); },
                         [&](PassiveBlock& passive) { return seat(std::move(passive), out); },
@@ -68,16 +68,17 @@ bool RelevantBlocks::feed(Block block, std::vector<PathBlock>& out) {
                     block);
 }
 
-bool RelevantBlocks::drain(std::vector<PathBlock>& out) {
+bool RelevantBlocks::drain(PathBlocks& out) {
   return release(end_mode_ ? &*end_mode_ : nullptr, out);
 }
 
-bool RelevantBlocks::seat(PassiveBlock block, std::vector<PathBlock>& out) {
+bool RelevantBlocks::seat(PassiveBlock block, PathBlocks& out) {
   if (!held_) {
-    PathBlock carrier{.role = Role::passive};
-    carrier.programmed.source = block.source;
-    carrier.programmed.mode = block.mode;
-    carrier.riders.push_back(std::move(block));
+    auto carrier = std::make_unique<PathBlock>();
+    carrier->role = Role::passive;
+    carrier->programmed.source = block.source;
+    carrier->programmed.mode = block.mode;
+    carrier->riders.push_back(std::move(block));
     out.push_back(std::move(carrier));
     return true;
   }
@@ -93,17 +94,16 @@ bool RelevantBlocks::seat(PassiveBlock block, std::vector<PathBlock>& out) {
   return true;
 }
 
-bool RelevantBlocks::follow(MotionBlock motion, std::vector<PathBlock>& out) {
+bool RelevantBlocks::follow(MotionBlock motion, PathBlocks& out) {
   if (!release(motion.mode.get(), out)) return false;
-  PathBlock block{.programmed = std::move(motion)};
-  if (!classify(block)) return false;
-  last_ = block.at_end;
-  last_mode_ = block.programmed.mode;
-  last_path_ = block.programmed.path;
-  if (changes_radius_in_a_long_arc(block)) {
-    out.push_back(first_half_of(block));
-  }
-  if (block.at_end.active) {
+  auto block = std::make_unique<PathBlock>();
+  block->programmed = std::move(motion);
+  if (!classify(*block)) return false;
+  last_ = block->at_end;
+  if (last_mode_ != block->programmed.mode) last_mode_ = block->programmed.mode;
+  last_path_ = block->programmed.path;
+  if (changes_radius_in_a_long_arc(*block)) out.push_back(first_half_of(*block));
+  if (block->at_end.active) {
     held_ = std::move(block);
   } else {
     out.push_back(std::move(block));
@@ -111,9 +111,10 @@ bool RelevantBlocks::follow(MotionBlock motion, std::vector<PathBlock>& out) {
   return true;
 }
 
-bool RelevantBlocks::release(const TrcMode* next, std::vector<PathBlock>& out) {
+bool RelevantBlocks::release(const TrcMode* next, PathBlocks& out) {
   if (!held_) return true;
-  PathBlock block = *std::exchange(held_, std::nullopt);
+  PathBlockPtr released = std::move(held_);
+  PathBlock& block = *released;
   const TrcMode& mode = block.mode();
   const bool contour_follows = continues(mode, next) && next->side == mode.side;
   if (block.role == Role::side_change && !contour_follows)
@@ -128,7 +129,7 @@ bool RelevantBlocks::release(const TrcMode* next, std::vector<PathBlock>& out) {
   } else if (next != nullptr && !continues(mode, next) && !leave_selection(block, *next)) {
     return false;
   }
-  out.push_back(std::move(block));
+  out.push_back(std::move(released));
   return true;
 }
 

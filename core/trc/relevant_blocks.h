@@ -24,8 +24,8 @@ class RelevantBlocks {
   RelevantBlocks(const CompensatorSetup& setup, Diagnostics& diagnostics)
       : setup_(setup), diagnostics_(diagnostics) {}
 
-  bool feed(Block block, std::vector<PathBlock>& out);
-  bool drain(std::vector<PathBlock>& out);
+  bool feed(Block block, PathBlocks& out);
+  bool drain(PathBlocks& out);
   [[nodiscard]] std::size_t look_ahead() const { return 1; }
 
   // The program ended in this mode: a G40 that nothing followed still ends the
@@ -38,10 +38,10 @@ class RelevantBlocks {
   }
 
  private:
-  bool seat(PassiveBlock block, std::vector<PathBlock>& out);
-  bool follow(MotionBlock motion, std::vector<PathBlock>& out);
+  bool seat(PassiveBlock block, PathBlocks& out);
+  bool follow(MotionBlock motion, PathBlocks& out);
   // Passes the held block on; `next` is the mode after it, if it is known.
-  bool release(const TrcMode* next, std::vector<PathBlock>& out);
+  bool release(const TrcMode* next, PathBlocks& out);
   bool leave_selection(PathBlock& block, const TrcMode& next);
 
   bool classify(PathBlock& block);
@@ -57,7 +57,7 @@ class RelevantBlocks {
 
   CompensatorSetup setup_;
   Diagnostics& diagnostics_;
-  std::optional<PathBlock> held_;
+  PathBlockPtr held_;
   // What the motion block before left behind.
   Compensation last_{};
   std::shared_ptr<const TrcMode> last_mode_{};

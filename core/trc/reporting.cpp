@@ -28,7 +28,8 @@ Vector direction_at_end(const Segment& segment) {
 
 }  // namespace
 
-bool Reporting::feed(PathBlock block, std::vector<CompensatedBlock>& out) {
+bool Reporting::feed(PathBlockPtr owner, std::vector<CompensatedBlock>& out) {
+  PathBlock& block = *owner;
   if (block.role == Role::passive) {
     let_off(block.riders, out);
     return true;

@@ -22,7 +22,7 @@ class Reporting {
         diagnostics_(diagnostics),
         position_(setup.start) {}
 
-  bool feed(PathBlock block, std::vector<CompensatedBlock>& out);
+  bool feed(PathBlockPtr block, std::vector<CompensatedBlock>& out);
   bool drain(std::vector<CompensatedBlock>& /*out*/) { return true; }
   [[nodiscard]] std::size_t look_ahead() const { return 0; }
 

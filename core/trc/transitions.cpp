@@ -74,9 +74,8 @@ PathBlock insertion_behind(const PathBlock& before, const PathBlock& after) {
   return inserted;
 }
 
-void insert(const Segment& segment, Origin origin, const PathBlock& pattern,
-            std::vector<PathBlock>& out) {
-  PathBlock& inserted = out.emplace_back(pattern);
+void insert(const Segment& segment, Origin origin, const PathBlock& pattern, PathBlocks& out) {
+  PathBlock& inserted = *out.emplace_back(std::make_unique<PathBlock>(pattern));
   inserted.origin = origin;
   inserted.tool_path = segment;
   inserted.programmed.rapid = pattern.programmed.rapid && !is_arc(segment);
@@ -108,38 +107,36 @@ Origin origin_of_insertions(const PathBlock& before, const PathBlock& after) {
 
 }  // namespace
 
-bool Transitions::feed(PathBlock block, std::vector<PathBlock>& out) {
-  if (block.role == Role::passive) {
+bool Transitions::feed(PathBlockPtr block, PathBlocks& out) {
+  if (block->role == Role::passive) {
     out.push_back(std::move(block));
     return true;
   }
-  if (block.masked) {
+  if (block->masked) {
     masked_.push_back(std::move(block));
     return true;
   }
-  const bool continues = held_ && block.at_start.active && !block.perpendicular_entry;
+  const bool continues = held_ && block->at_start.active && !block->perpendicular_entry;
   if (continues) {
-    if (!join(block, out)) return false;
+    if (!join(*block, out)) return false;
   } else {
-    if (held_) leave(&start_of(block.programmed.path), out);
-    enter(block, out);
+    if (held_) leave(&start_of(block->programmed.path), out);
+    enter(*block, out);
   }
-  if (block.at_end.active) {
+  if (block->at_end.active) {
     held_ = std::move(block);
   } else {
-    held_.reset();
     out.push_back(std::move(block));
   }
   return true;
 }
 
-bool Transitions::drain(std::vector<PathBlock>& out) {
+bool Transitions::drain(PathBlocks& out) {
   if (held_) leave(nullptr, out);
-  held_.reset();
   return true;
 }
 
-void Transitions::enter(PathBlock& block, std::vector<PathBlock>& out) const {
+void Transitions::enter(PathBlock& block, PathBlocks& out) const {
   const Point& start = start_of(block.programmed.path);
   if (!block.perpendicular_entry) {
     open(block, start, 0, tolerances_);
@@ -153,40 +150,40 @@ void Transitions::enter(PathBlock& block, std::vector<PathBlock>& out) const {
   insert(Line{.start = start, .end = block.offset_start}, Origin::approach, pattern, out);
 }
 
-void Transitions::leave(const Point* next_start, std::vector<PathBlock>& out) {
+void Transitions::leave(const Point* next_start, PathBlocks& out) {
   PathBlock& block = *held_;
   const bool stays = next_start != nullptr && !block.perpendicular_exit &&
                      (*next_start - block.offset_end).norm() <= tolerances_.same_point;
   const Point end = stays ? *next_start : block.offset_end;
   complete(block, end, tolerances_);
   if (!block.perpendicular_exit) {
-    out.push_back(std::move(block));
+    out.push_back(std::move(held_));
     return;
   }
   std::vector<PassiveBlock> riders = std::move(block.riders_after_exit);
   const Point target = end_of(block.programmed.path);
   const PathBlock pattern = insertion_behind(block, block);
-  out.push_back(std::move(block));
+  out.push_back(std::move(held_));
   insert(Line{.start = end, .end = target}, Origin::retract, pattern, out);
-  out.back().riders = std::move(riders);
+  out.back()->riders = std::move(riders);
 }
 
-void Transitions::join_anew(PathBlock& after, std::vector<PathBlock>& out) {
+void Transitions::join_anew(PathBlock& after, PathBlocks& out) {
   PathBlock& before = *held_;
   const PathBlock::Rejoin& rejoin = *after.rejoin;
   before.cut_at_end = rejoin.cut_before;
   complete(before, rejoin.point, tolerances_);
-  out.push_back(std::move(before));
-  for (PathBlock& masked : masked_) {
-    masked.origin = Origin::masked;
-    masked.tool_path = Line{.start = rejoin.point, .end = rejoin.point};
+  out.push_back(std::move(held_));
+  for (PathBlockPtr& masked : masked_) {
+    masked->origin = Origin::masked;
+    masked->tool_path = Line{.start = rejoin.point, .end = rejoin.point};
     out.push_back(std::move(masked));
   }
   masked_.clear();
   open(after, rejoin.point, rejoin.cut_after, tolerances_);
 }
 
-bool Transitions::join(PathBlock& after, std::vector<PathBlock>& out) {
+bool Transitions::join(PathBlock& after, PathBlocks& out) {
   if (after.rejoin) {
     join_anew(after, out);
     return true;
@@ -215,12 +212,12 @@ bool Transitions::join(PathBlock& after, std::vector<PathBlock>& out) {
   if (radius_changes) change_radius_at_once(corner, after, joint);
   open(after, joint.start, joint.cut_after, tolerances_);
   if (joint.inserted().empty() && !radius_changes) {
-    out.push_back(std::move(before));
+    out.push_back(std::move(held_));
     return true;
   }
   PathBlock pattern = insertion_behind(before, after);
   pattern.unreachable = apart;
-  out.push_back(std::move(before));
+  out.push_back(std::move(held_));
   for (const Segment& segment : joint.inserted()) insert(segment, origin, pattern, out);
   if (radius_changes)
     insert(Line{.start = contour_start, .end = joint.start}, Origin::radius_change, pattern, out);

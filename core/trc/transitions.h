@@ -28,8 +28,8 @@ class Transitions {
   Transitions(const Tolerances& tolerances, Diagnostics& diagnostics)
       : tolerances_(tolerances), diagnostics_(diagnostics) {}
 
-  bool feed(PathBlock block, std::vector<PathBlock>& out);
-  bool drain(std::vector<PathBlock>& out);
+  bool feed(PathBlockPtr block, PathBlocks& out);
+  bool drain(PathBlocks& out);
   [[nodiscard]] std::size_t look_ahead() const { return 1; }
 
   template <class Archive>
@@ -39,22 +39,22 @@ class Transitions {
 
  private:
   // A contour begins, or TRC is off: the block does not continue the held one.
-  void enter(PathBlock& block, std::vector<PathBlock>& out) const;
+  void enter(PathBlock& block, PathBlocks& out) const;
   // The contour ends with the held block. With G239 the next block starts in
   // `next_start`; both must be one point.
-  void leave(const Point* next_start, std::vector<PathBlock>& out);
-  bool join(PathBlock& after, std::vector<PathBlock>& out);
+  void leave(const Point* next_start, PathBlocks& out);
+  bool join(PathBlock& after, PathBlocks& out);
 
   // A joint over masked blocks: they come out without length where it is.
-  void join_anew(PathBlock& after, std::vector<PathBlock>& out);
+  void join_anew(PathBlock& after, PathBlocks& out);
   void change_radius_at_once(const Corner& corner, PathBlock& after, Joint& joint) const;
 
   bool refuse(const JointRefusal& refusal, const PathBlock& after);
 
   Tolerances tolerances_;
   Diagnostics& diagnostics_;
-  std::optional<PathBlock> held_;
-  std::vector<PathBlock> masked_;  // behind the held block
+  PathBlockPtr held_;
+  PathBlocks masked_;  // behind the held block
 };
 
 }  // namespace trc

@@ -32,37 +32,36 @@ bool is_full_circle(const Segment& segment, double same_point) {
 
 }  // namespace
 
-bool InsideCorner::feed(PathBlock block, std::vector<PathBlock>& out) {
+bool InsideCorner::feed(PathBlockPtr block, PathBlocks& out) {
   const bool begins =
-      block.role == Role::approach && block.mode().selection == Selection::inside_corner;
+      block->role == Role::approach && block->mode().selection == Selection::inside_corner;
   if (held_.empty() && !begins) {
     out.push_back(std::move(block));
     return true;
   }
-  if (begins || block.role == Role::contour) {
+  if (begins || block->role == Role::contour) {
     if (held_.size() >= selection_blocks_)
-      return diagnostics_.report(selection_too_long(block, selection_blocks_));
+      return diagnostics_.report(selection_too_long(*block, selection_blocks_));
     held_.push_back(std::move(block));
     return true;
   }
-  if (block.role == Role::side_change) return refuse(Code::side_change_under_inside_corner, block);
-  if (!close(block.role == Role::retract ? &block : nullptr, out)) return false;
+  if (block->role == Role::side_change)
+    return refuse(Code::side_change_under_inside_corner, *block);
+  if (!close(block->role == Role::retract ? block.get() : nullptr, out)) return false;
   out.push_back(std::move(block));
   return true;
 }
 
-bool InsideCorner::drain(std::vector<PathBlock>& out) {
-  return held_.empty() || close(nullptr, out);
-}
+bool InsideCorner::drain(PathBlocks& out) { return held_.empty() || close(nullptr, out); }
 
-bool InsideCorner::close(PathBlock* retract, std::vector<PathBlock>& out) {
-  PathBlock& approach = held_.front();
-  PathBlock& first = held_[1];
-  PathBlock& last = held_.back();
+bool InsideCorner::close(PathBlock* retract, PathBlocks& out) {
+  PathBlock& approach = *held_.front();
+  PathBlock& first = *held_[1];
+  PathBlock& last = *held_.back();
   if (!check_contour(approach, first, last) || !check_start(approach) ||
       !give_points(approach, first, last, retract))
     return false;
-  for (PathBlock& block : held_) out.push_back(std::move(block));
+  for (PathBlockPtr& block : held_) out.push_back(std::move(block));
   held_.clear();
   return true;
 }
@@ -90,7 +89,7 @@ bool InsideCorner::check_start(const PathBlock& approach) {
   const Line way{.start = start, .end = end_of(approach.programmed.path)};
   const double radius = std::abs(approach.at_end.shift);
   for (std::size_t i = 1; i < held_.size(); ++i) {
-    const PathBlock& block = held_[i];
+    const PathBlock& block = *held_[i];
     const double clearance = distance(start, block.programmed.path);
     if (clearance < radius - tolerances_.on_contour)
       return refuse(Code::selection_point_too_near, block,

@@ -25,8 +25,8 @@ class InsideCorner {
   InsideCorner(std::size_t selection_blocks, const Tolerances& tolerances, Diagnostics& diagnostics)
       : selection_blocks_(selection_blocks), tolerances_(tolerances), diagnostics_(diagnostics) {}
 
-  bool feed(PathBlock block, std::vector<PathBlock>& out);
-  bool drain(std::vector<PathBlock>& out);
+  bool feed(PathBlockPtr block, PathBlocks& out);
+  bool drain(PathBlocks& out);
   // Of the selections it holds as a whole; nothing else.
   [[nodiscard]] std::size_t look_ahead() const { return 0; }
 
@@ -37,7 +37,7 @@ class InsideCorner {
 
  private:
   // Ends the held selection; `retract` is null at the end of the program.
-  bool close(PathBlock* retract, std::vector<PathBlock>& out);
+  bool close(PathBlock* retract, PathBlocks& out);
   bool check_contour(const PathBlock& approach, const PathBlock& first, const PathBlock& last);
   bool check_start(const PathBlock& approach);
   bool give_points(PathBlock& approach, const PathBlock& first, PathBlock& last,
@@ -47,7 +47,7 @@ class InsideCorner {
   std::size_t selection_blocks_;
   Tolerances tolerances_;
   Diagnostics& diagnostics_;
-  std::vector<PathBlock> held_;  // the approach and the contour of one selection
+  PathBlocks held_;  // the approach and the contour of one selection
 };
 
 }  // namespace trc::selection

@@ -33,8 +33,10 @@ double between(const AxisTravel& travel, double share) {
 }
 
 // The line from share `from` to share `to`; its far end is exact at 1.
-PathBlock piece(const PathBlock& whole, const Point& start, double from, double to, double feed) {
-  PathBlock part;
+PathBlockPtr piece(const PathBlock& whole, const Point& start, double from, double to,
+                   double feed) {
+  auto owner = std::make_unique<PathBlock>();
+  PathBlock& part = *owner;
   part.programmed = whole.programmed;
   part.role = whole.role;
   part.origin = whole.origin;
@@ -52,22 +54,22 @@ PathBlock piece(const PathBlock& whole, const Point& start, double from, double 
     part.programmed.feed = feed;
     part.programmed.rapid = false;
   }
-  return part;
+  return owner;
 }
 
 }  // namespace
 
-bool Split::feed(PathBlock block, std::vector<PathBlock>& out) {
-  if (!block.splittable) {
+bool Split::feed(PathBlockPtr block, PathBlocks& out) {
+  if (!block->splittable) {
     out.push_back(std::move(block));
     return true;
   }
-  const SplitOption& split = block.mode().options.split;
-  const bool approach = block.role == Role::approach;
+  const SplitOption& split = block->mode().options.split;
+  const bool approach = block->role == Role::approach;
   const bool wanted =
       split.where == SplitOption::Where::combined ||
       split.where == (approach ? SplitOption::Where::pre : SplitOption::Where::post);
-  const double one = wanted ? share_of_one_mm(split, block) : 0;
+  const double one = wanted ? share_of_one_mm(split, *block) : 0;
   // From the contour outwards.
   std::array<Part, 2> parts{Part{split.distance_1 * one, split.feed_1}, Part{}};
   std::size_t count = split.distance_1 > 0 ? 1 : 0;
@@ -91,19 +93,19 @@ bool Split::feed(PathBlock block, std::vector<PathBlock>& out) {
     for (std::size_t i = 0; i < count; ++i) stretches[i] = parts[i];
     stretches[count] = {1 - taken, 0};
   }
-  Point start = start_of(block.tool_path);
+  Point start = start_of(block->tool_path);
   double from = 0;
   for (std::size_t i = 0; i <= count; ++i) {
     const bool last = i == count || (i + 1 == count && stretches[count].share <= 0);
     const double to = last ? 1 : from + stretches[i].share;
     if (stretches[i].share > 0) {
-      out.push_back(piece(block, start, from, to, stretches[i].feed));
-      start = end_of(out.back().tool_path);
+      out.push_back(piece(*block, start, from, to, stretches[i].feed));
+      start = end_of(out.back()->tool_path);
       from = to;
     }
     if (last) break;
   }
-  out.back().riders = std::move(block.riders);
+  out.back()->riders = std::move(block->riders);
   return true;
 }
 

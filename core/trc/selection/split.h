@@ -15,8 +15,8 @@ namespace trc::selection {
 // both fit, only the second is.
 class Split {
  public:
-  bool feed(PathBlock block, std::vector<PathBlock>& out);
-  bool drain(std::vector<PathBlock>& /*out*/) { return true; }
+  bool feed(PathBlockPtr block, PathBlocks& out);
+  bool drain(PathBlocks& /*out*/) { return true; }
   [[nodiscard]] std::size_t look_ahead() const { return 0; }
 };
 

@@ -1,0 +1,97 @@
+#include "core/trc/held_path.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "core/trc/offset.h"
+
+namespace trc {
+
+void HeldPath::append(PathBlock& block) {
+  MotionBlock& programmed = block.programmed;
+  if (block.role == Role::contour) note_contour_block(block);
+  if (!block.riders.empty()) riders_.push_back({blocks_.end(), std::move(block.riders)});
+  const double radius = std::min(std::abs(block.at_start.shift), std::abs(block.at_end.shift));
+  const std::size_t setting = number_of_setting({.mode = std::move(programmed.mode),
+                                                 .feed = programmed.feed,
+                                                 .normal = programmed.normal,
+                                                 .tracking = std::move(programmed.tracking),
+                                                 .at_start = block.at_start,
+                                                 .at_end = block.at_end,
+                                                 .rapid = programmed.rapid,
+                                                 .perpendicular_entry = block.perpendicular_entry,
+                                                 .perpendicular_exit = block.perpendicular_exit,
+                                                 .radius = radius});
+  blocks_.push_back({.path = block.tool_path,
+                     .source = programmed.source,
+                     .cut_at_start = block.cut_at_start,
+                     .cut_at_end = block.cut_at_end,
+                     .number = contour_.end() > 0 ? contour_.end() - 1 : 0,
+                     .setting = setting,
+                     .role = block.role,
+                     .origin = block.origin,
+                     .unreachable = block.unreachable});
+}
+
+std::size_t HeldPath::number_of_setting(Setting wanted) {
+  if (settings_.empty() || settings_.back() != wanted) settings_.push_back(std::move(wanted));
+  return settings_.end() - 1;
+}
+
+void HeldPath::note_contour_block(const PathBlock& block) {
+  const double at_start = std::abs(block.at_start.shift);
+  // What is inserted before a change of radius may be travelled with either.
+  for (std::size_t number = blocks_.end(); number-- > blocks_.begin();) {
+    Block& inserted = blocks_[number];
+    if (inserted.is_contour()) break;
+    Setting changed = settings_[inserted.setting];
+    if (changed.radius <= at_start) continue;
+    changed.radius = at_start;
+    inserted.setting = number_of_setting(std::move(changed));
+  }
+  contour_.push_back({.block = blocks_.end(),
+                      .programmed = block.programmed.path,
+                      .radius = std::max(at_start, std::abs(block.at_end.shift))});
+}
+
+PathBlockPtr HeldPath::restored(std::size_t number) {
+  const Block& held = blocks_[number];
+  const Setting& setting = settings_[held.setting];
+  auto block = std::make_unique<PathBlock>();
+  block->programmed = {.source = held.source,
+                       .normal = setting.normal,
+                       .feed = setting.feed,
+                       .rapid = setting.rapid,
+                       .mode = setting.mode,
+                       .tracking = setting.tracking};
+  block->role = held.role;
+  block->origin = held.origin;
+  block->perpendicular_entry = setting.perpendicular_entry;
+  block->perpendicular_exit = setting.perpendicular_exit;
+  block->at_start = setting.at_start;
+  block->at_end = setting.at_end;
+  block->tool_path = held.path;
+  block->cut_at_start = held.cut_at_start;
+  block->cut_at_end = held.cut_at_end;
+  block->unreachable = held.unreachable;
+  if (held.is_contour()) {
+    block->programmed.path = contour_[held.number].programmed;
+    give_offsets(*block);
+  }
+  while (!riders_.empty() && riders_[riders_.begin()].block <= number) {
+    Riders& riders = riders_[riders_.begin()];
+    if (riders.block == number) block->riders = std::move(riders.blocks);
+    riders_.drop_before(riders_.begin() + 1);
+  }
+  return block;
+}
+
+void HeldPath::forget_before(std::size_t contour_number) {
+  const std::size_t block = contour_[contour_number].block;
+  settings_.drop_before(blocks_[block].setting);
+  blocks_.drop_before(block);
+  contour_.drop_before(contour_number);
+}
+
+}  // namespace trc

@@ -1,0 +1,116 @@
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <vector>
+
+#include "core/base/numbered_queue.h"
+#include "core/trc/path_block.h"
+
+namespace trc {
+
+// The compensated path of a selection as LoopRemoval holds it. Of a block it keeps what
+// the walk asks about, apart from what it has in common with the block before it; a path
+// block is made of it again when it leaves. So a selection of millions of blocks fits
+// into memory, and what is asked about most into the caches.
+//
+// The blocks of the path are counted from the begin of the selection, and so are the
+// programmed contour blocks.
+class HeldPath {
+ public:
+  // A contour block or one inserted between two.
+  struct Block {
+    Segment path{};  // of the tool
+    Source source{};
+    double cut_at_start = 0;
+    double cut_at_end = 0;
+    std::size_t number = 0;  // of the contour block, or of the one before it
+    std::size_t setting = 0;
+    Role role = Role::contour;
+    Origin origin = Origin::programmed;
+    bool unreachable = false;
+
+    [[nodiscard]] bool is_contour() const { return role == Role::contour; }
+    template <class Archive>
+    void serialize(Archive& archive) {
+      archive(path, source, cut_at_start, cut_at_end, number, setting, role, origin, unreachable);
+    }
+  };
+  struct ContourBlock {
+    std::size_t block = 0;  // its path
+    Segment programmed{};
+    double radius = 0;  // of the tool, the larger one where it changes, mm
+
+    template <class Archive>
+    void serialize(Archive& archive) {
+      archive(block, programmed, radius);
+    }
+  };
+
+  // Takes the riders out of the block.
+  void append(PathBlock& block);
+  [[nodiscard]] const NumberedQueue<Block>& blocks() const { return blocks_; }
+  [[nodiscard]] const NumberedQueue<ContourBlock>& contour() const { return contour_; }
+  // Of the tool, the smaller one where it changes, mm.
+  [[nodiscard]] double radius_of_tool(std::size_t block) const { return setting(block).radius; }
+  [[nodiscard]] const TrcMode& mode_of(std::size_t block) const { return *setting(block).mode; }
+  // Across the plane, where the block starts, mm.
+  [[nodiscard]] double height_of(std::size_t block) const { return setting(block).normal.from; }
+
+  // The block as it was, with its riders; each one once, in ascending order.
+  [[nodiscard]] PathBlockPtr restored(std::size_t block);
+
+  // Forgets contour blocks and their path.
+  void forget_before(std::size_t contour_number);
+  // Forgets blocks of the path that nobody asks about any more, nor about the contour there.
+  void forget_path_before(std::size_t block) { blocks_.drop_before(block); }
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(blocks_, contour_, settings_, riders_);
+  }
+
+ private:
+  // What one block after the other has in common.
+  struct Setting {
+    std::shared_ptr<const TrcMode> mode{};
+    double feed = 0;
+    AxisTravel normal{};
+    TrackingTravel tracking{};
+    Compensation at_start{};
+    Compensation at_end{};
+    bool rapid = false;
+    bool perpendicular_entry = false;
+    bool perpendicular_exit = false;
+    double radius = 0;
+
+    bool operator==(const Setting&) const = default;
+    template <class Archive>
+    void serialize(Archive& archive) {
+      archive(mode, feed, normal, tracking, at_start, at_end, rapid, perpendicular_entry,
+              perpendicular_exit, radius);
+    }
+  };
+  struct Riders {
+    std::size_t block = 0;
+    std::vector<PassiveBlock> blocks{};
+
+    template <class Archive>
+    void serialize(Archive& archive) {
+      archive(block, blocks);
+    }
+  };
+
+  [[nodiscard]] const Setting& setting(std::size_t block) const {
+    return settings_[blocks_[block].setting];
+  }
+  [[nodiscard]] std::size_t number_of_setting(Setting wanted);
+  void note_contour_block(const PathBlock& block);
+
+  NumberedQueue<Block> blocks_;
+  NumberedQueue<ContourBlock> contour_;
+  NumberedQueue<Setting> settings_;
+  NumberedQueue<Riders> riders_;
+};
+
+}  // namespace trc

@@ -1,0 +1,82 @@
+#include "core/geometry/box_tree.h"
+
+#include <gtest/gtest.h>
+
+#include <cstddef>
+#include <random>
+#include <vector>
+
+namespace trc {
+namespace {
+
+// What the tree does, done box by box.
+struct PlainBoxes {
+  std::size_t first = 0;
+  std::vector<Box> boxes{};
+
+  [[nodiscard]] std::size_t end() const { return first + boxes.size(); }
+  [[nodiscard]] std::vector<std::size_t> in(const Box& area, const BoxTree::Range& skipped) const {
+    std::vector<std::size_t> found;
+    for (std::size_t i = 0; i < boxes.size(); ++i) {
+      const std::size_t number = first + i;
+      if (number >= skipped.first && number <= skipped.last) continue;
+      if (boxes[i].intersects(area)) found.push_back(number);
+    }
+    return found;
+  }
+};
+
+Box random_box(std::mt19937_64& random, double about) {
+  std::uniform_real_distribution<double> place(-3, 3);
+  std::uniform_real_distribution<double> width(0, 2);
+  const Eigen::Vector2d corner(about + place(random), place(random));
+  return {corner, corner + Eigen::Vector2d(width(random), width(random))};
+}
+
+TEST(BoxTree, FindsWhatASearchBoxByBoxFinds) {
+  constexpr unsigned seed = 20261121;
+  RecordProperty("seed", static_cast<int>(seed));
+  std::mt19937_64 random(seed);
+  const auto below = [&](std::size_t bound) { return random() % bound; };
+  for (int run = 0; run < 60; ++run) {
+    PlainBoxes plain{.first = run % 2 == 0 ? 0 : below(300)};
+    BoxTree tree(plain.first);
+    for (int step = 0; step < 900; ++step) {
+      const std::size_t choice = below(40);
+      if (choice < 30) {
+        plain.boxes.push_back(random_box(random, static_cast<double>(plain.end()) * 0.3));
+        tree.append(plain.boxes.back());
+      } else if (choice == 30 && run % 3 != 0) {
+        const std::size_t end = plain.first + below(plain.boxes.size() + 1);
+        plain.boxes.resize(end - plain.first);
+        tree.truncate(end);
+      } else if (choice == 31 && run % 3 != 1) {
+        const std::size_t gone = below(plain.boxes.size() / 4 + 1);
+        plain.boxes.erase(plain.boxes.begin(),
+                          plain.boxes.begin() + static_cast<std::ptrdiff_t>(gone));
+        plain.first += gone;
+        tree.drop_before(plain.first);
+      }
+      const Box area = random_box(
+          random, static_cast<double>(plain.first + below(plain.boxes.size() + 1)) * 0.3);
+      BoxTree::Range skipped;
+      if (choice % 2 == 0) {
+        skipped.first = plain.first + below(plain.boxes.size() + 1);
+        skipped.last = skipped.first + below(60);
+      }
+      std::vector<std::size_t> found;
+      tree.for_each_in(area, skipped, [&](std::size_t number) { found.push_back(number); });
+      ASSERT_EQ(found, plain.in(area, skipped))
+          << "seed " << seed << " run " << run << " step " << step;
+    }
+  }
+}
+
+TEST(BoxTree, EmptyFindsNothing) {
+  const BoxTree tree;
+  tree.for_each_in(Box(Eigen::Vector2d(-1, -1), Eigen::Vector2d(1, 1)),
+                   [](std::size_t) { FAIL() << "there is no box"; });
+}
+
+}  // namespace
+}  // namespace trc

@@ -1,0 +1,62 @@
+#include "core/base/numbered_queue.h"
+
+#include <gtest/gtest.h>
+
+#include <cstddef>
+#include <memory>
+
+namespace trc {
+namespace {
+
+TEST(NumberedQueue, ElementsKeepTheirNumberAndTheirPlace) {
+  NumberedQueue<std::size_t> queue(1000);
+  for (std::size_t number = 1000; number < 3000; ++number) queue.push_back(7 * number);
+  const std::size_t* place = &queue[2500];
+  queue.drop_before(2400);
+  for (std::size_t number = 3000; number < 5000; ++number) queue.push_back(7 * number);
+  EXPECT_EQ(queue.begin(), 2400U);
+  EXPECT_EQ(queue.end(), 5000U);
+  EXPECT_EQ(&queue[2500], place);
+  for (std::size_t number = 2400; number < 5000; ++number) ASSERT_EQ(queue[number], 7 * number);
+}
+
+TEST(NumberedQueue, GoesOnWhereItWasCutOff) {
+  NumberedQueue<int> queue;
+  for (int i = 0; i < 600; ++i) queue.push_back(i);
+  queue.drop_before(500);
+  queue.truncate(550);
+  EXPECT_EQ(queue.end(), 550U);
+  EXPECT_EQ(queue.push_back(-1), -1);
+  EXPECT_EQ(queue[550], -1);
+  EXPECT_EQ(queue[549], 549);
+  queue.truncate(100);
+  EXPECT_TRUE(queue.empty());
+  EXPECT_EQ(queue.end(), 100U);
+  queue.push_back(8);
+  EXPECT_EQ(queue[100], 8);
+}
+
+TEST(NumberedQueue, LetsGoOfWhatItsElementsHold) {
+  NumberedQueue<std::shared_ptr<int>> queue;
+  const auto shared = std::make_shared<int>(1);
+  for (int i = 0; i < 10; ++i) queue.push_back(shared);
+  queue.drop_before(4);
+  EXPECT_EQ(shared.use_count(), 7);
+  queue.truncate(6);
+  EXPECT_EQ(shared.use_count(), 3);
+}
+
+TEST(NumberedQueue, EmptiedAndFilledAgainManyTimes) {
+  NumberedQueue<std::size_t> queue;
+  for (std::size_t number = 0; number < 10'000; ++number) {
+    queue.push_back(number);
+    if (number % 3 == 2) queue.drop_before(number + 1);
+    if (number % 3 != 2) {
+      ASSERT_EQ(queue[number], number);
+    }
+  }
+  EXPECT_EQ(queue.size(), 1U);
+}
+
+}  // namespace
+}  // namespace trc
