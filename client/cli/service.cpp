@@ -100,8 +100,10 @@ class Reporter {
 }  // namespace
 
 void add_service_options(CLI::App& command, ServiceOptions& options) {
-  auto* server = command.add_option("--server", options.server,
-                                    "Server to ask; without it the work is done in this process");
+  auto* server =
+      command.add_option("--server", options.server,
+                         "Server to ask, or several with commas between; without it the work is "
+                         "done in this process");
   server->type_name("HOST:PORT");
   const auto add_file = [&](const char* name, std::string& path, const char* meaning) {
     command.add_option(name, path, meaning)

@@ -16,7 +16,7 @@ namespace trc::cli {
 
 // Where the service is. Without an address it runs inside this process.
 struct ServiceOptions {
-  std::string server{};  // HOST:PORT, [IPV6]:PORT or unix:/path
+  std::string server{};  // as Connection::open takes it
   std::string tls_ca{};  // PEM files
   std::string tls_cert{};
   std::string tls_key{};

@@ -6,11 +6,14 @@
 #include <sstream>
 #include <utility>
 
+#include "client/trc/target.h"
 #include "grpc/health/v1/health.grpc.pb.h"
 #include "trc/v1/trc_service.grpc.pb.h"
 
 namespace trc::client {
 namespace {
+
+constexpr std::chrono::seconds longest_connect{10};
 
 // Empty for no file.
 std::optional<Failure> read_file(const std::string& path, std::string& content) {
@@ -25,8 +28,10 @@ std::optional<Failure> read_file(const std::string& path, std::string& content) 
       .status = "INVALID_ARGUMENT", .message = "cannot read " + path, .reason = "FILE_UNREADABLE"};
 }
 
-grpc::ChannelArguments channel_arguments(const ConnectionOptions& options) {
+grpc::ChannelArguments channel_arguments(const ConnectionOptions& options,
+                                         const std::string& service_config) {
   grpc::ChannelArguments arguments;
+  if (!service_config.empty()) arguments.SetServiceConfigJSON(service_config);
   const auto set = [&](const char* name, std::chrono::milliseconds value) {
     arguments.SetInt(name, static_cast<int>(value.count()));
   };
@@ -52,7 +57,7 @@ std::optional<Failure> Connection::open(const std::string& address, const TlsFil
                                         std::optional<Connection>& connection,
                                         const ConnectionOptions& options) {
   std::shared_ptr<grpc::ChannelCredentials> credentials = grpc::InsecureChannelCredentials();
-  if (!tls.ca.empty() || !tls.cert.empty() || !tls.key.empty()) {
+  if (tls.any()) {
     if (tls.cert.empty() != tls.key.empty())
       return Failure{.status = "INVALID_ARGUMENT",
                      .message = "a client certificate and its key belong together",
@@ -63,9 +68,24 @@ std::optional<Failure> Connection::open(const std::string& address, const TlsFil
     if (auto failure = read_file(tls.key, files.pem_private_key)) return failure;
     credentials = grpc::SslCredentials(files);
   }
-  connection.emplace(grpc::CreateCustomChannel(address, credentials, channel_arguments(options)),
+  Target target;
+  if (auto failure = target_of(address, tls.any(), target)) return failure;
+  connection.emplace(grpc::CreateCustomChannel(target.uri, credentials,
+                                               channel_arguments(options, target.service_config)),
                      options.resume);
+  connection->can_be_watched_ = true;
   return std::nullopt;
+}
+
+bool Connection::reach() const {
+  if (!can_be_watched_) return false;
+  const auto deadline = after(longest_connect);
+  for (;;) {
+    const grpc_connectivity_state state = channel_->GetState(true);
+    if (state == GRPC_CHANNEL_READY) return true;
+    if (state == GRPC_CHANNEL_TRANSIENT_FAILURE || state == GRPC_CHANNEL_SHUTDOWN) return false;
+    if (!channel_->WaitForStateChange(state, deadline)) return false;
+  }
 }
 
 std::optional<Failure> Connection::server_info(std::chrono::milliseconds timeout,

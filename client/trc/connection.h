@@ -20,6 +20,8 @@ struct TlsFiles {
   std::string ca{};    // of the server; empty with a certificate: the system's
   std::string cert{};  // of the client, together with `key`
   std::string key{};
+
+  [[nodiscard]] bool any() const { return !ca.empty() || !cert.empty() || !key.empty(); }
 };
 
 // How a session goes on after its server or the way to it was lost. What comes out is what an
@@ -42,12 +44,14 @@ struct ConnectionOptions {
   ResumePolicy resume{};
 };
 
-// A way to one server. Cheap to copy; a connection serves any number of sessions
-// and re-establishes itself.
+// A way to a server, or to several that do for each other. Cheap to copy; a connection serves any
+// number of sessions and re-establishes itself.
 class Connection {
  public:
-  // HOST:PORT, [IPV6]:PORT or unix:/path. Fails when a file cannot be read, not
-  // when nobody listens: sessions find that out.
+  // HOST:PORT, [IPV6]:PORT or unix:/path for one server, or a balancer. For several servers IP
+  // addresses and ports with commas between, or dns:///NAME:PORT with a name that stands for all of
+  // them: each session takes the next one that serves, and goes on at another when it is lost.
+  // Fails when an address or a file is wrong, not when nobody listens: sessions find that out.
   [[nodiscard]] static std::optional<Failure> open(const std::string& address, const TlsFiles& tls,
                                                    std::optional<Connection>& connection,
                                                    const ConnectionOptions& options = {});
@@ -57,6 +61,10 @@ class Connection {
 
   [[nodiscard]] const std::shared_ptr<grpc::Channel>& channel() const { return channel_; }
   [[nodiscard]] const ResumePolicy& resume_policy() const { return resume_; }
+
+  // Waits until a server is connected. False when nobody is there, and for a channel that was
+  // given.
+  [[nodiscard]] bool reach() const;
 
   // Version, limits and tables of the server.
   [[nodiscard]] std::optional<Failure> server_info(std::chrono::milliseconds timeout,
@@ -68,6 +76,8 @@ class Connection {
  private:
   std::shared_ptr<grpc::Channel> channel_;
   ResumePolicy resume_;
+  // The state of an in-process channel cannot be asked for.
+  bool can_be_watched_ = false;
 };
 
 }  // namespace trc::client

@@ -66,6 +66,10 @@ bool Failure::stream_lost() const {
   return reason.empty() && (status == "CANCELLED" || status == "INTERNAL" || status == "UNKNOWN");
 }
 
+bool Failure::not_taken() const {
+  return status == "UNAVAILABLE" || (status == "CANCELLED" && reason.empty());
+}
+
 std::optional<Failure> failure_of(const grpc::Status& status) {
   if (status.ok()) return std::nullopt;
   Failure failure{.status = name_of(status.error_code()), .message = status.error_message()};

@@ -28,6 +28,9 @@ struct Failure {
   // The stream was lost, or the server gave it up, and another one may take it
   // over: nothing says that the input or the server has a fault.
   [[nodiscard]] bool stream_lost() const;
+  // Of a stream that no server has accepted: the one it was given to died or stops, another one may
+  // take it.
+  [[nodiscard]] bool not_taken() const;
 };
 
 // Nothing when the status is OK.

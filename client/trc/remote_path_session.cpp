@@ -33,7 +33,7 @@ struct RemotePathSession::Parts {
             [this](auto* context, auto* reactor) {
               stub->async()->CompensatePath(context, reactor);
             },
-            connection.resume_policy()),
+            connection),
         unsent_setup(setup),
         columns(setup.response_layout() == v1::RESPONSE_LAYOUT_COLUMNS) {}
 

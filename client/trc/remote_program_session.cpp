@@ -26,7 +26,7 @@ struct RemoteProgramSession::Parts {
             [this](auto* context, auto* reactor) {
               stub->async()->CompensateProgram(context, reactor);
             },
-            connection.resume_policy()) {}
+            connection) {}
 
   bool send_text(std::string_view text, bool final, const AnswerSink& sink) {
     v1::ProgramText& message = *session.outgoing().mutable_text();

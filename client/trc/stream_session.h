@@ -38,10 +38,11 @@ class StreamSession {
   // Input behind the last request.
   static constexpr std::uint64_t end_of_input = std::numeric_limits<std::uint64_t>::max();
 
-  StreamSession(const Position& start_position, Start start, const ResumePolicy& policy)
+  StreamSession(const Position& start_position, Start start, const Connection& connection)
       : start_(std::move(start)),
-        policy_(policy),
-        clock_(policy),
+        connection_(connection),
+        policy_(connection.resume_policy()),
+        clock_(policy_),
         reader_(start_position),
         reader_at_token_(start_position) {}
 
@@ -53,6 +54,7 @@ class StreamSession {
   bool open(const AnswerSink& sink) {
     setup_ = std::exchange(outgoing_, Request());
     path_setup(setup_).set_want_resume_tokens(policy_.patience > policy_.patience.zero());
+    reached_ = connection_.reach();
     return begin(sink) || recover(sink);
   }
 
@@ -177,10 +179,11 @@ class StreamSession {
     return true;
   }
 
-  // Only what was once accepted: a server that was never there is not waited for. And while all
-  // input since the token is at hand.
+  // A server that was never there is not waited for. And while all input since the token is at
+  // hand.
   [[nodiscard]] bool may_resume() const {
-    if (policy_.patience <= policy_.patience.zero() || !ever_accepted_ || stopped_) return false;
+    if (policy_.patience <= policy_.patience.zero() || stopped_) return false;
+    if (!ever_accepted_) return reached_ && failure_->not_taken();
     if (token_position_ < lost_through_) return false;
     return failure_->stream_lost() ||
            (!accepted_ && failure_->retry_after_seconds && failure_->reason != "INTERNAL");
@@ -281,6 +284,7 @@ class StreamSession {
   }
 
   Start start_;
+  Connection connection_;
   ResumePolicy policy_;
   ResumeClock clock_;
   Request setup_;
@@ -291,6 +295,7 @@ class StreamSession {
   v1::StreamAccepted limits_;
   std::deque<std::uint64_t> unanswered_;  // input positions behind each request
   std::size_t window_ = 1;
+  bool reached_ = false;  // somebody was there at the beginning
   bool accepted_ = false;
   bool ever_accepted_ = false;
   bool stopped_ = false;  // by the caller, or by a response that no server sends

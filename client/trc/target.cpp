@@ -1,0 +1,67 @@
+#include "client/trc/target.h"
+
+#include <arpa/inet.h>
+
+#include <sstream>
+#include <utility>
+
+#include "trc/v1/trc_service.grpc.pb.h"
+
+namespace trc::client {
+namespace {
+
+enum class Family { ipv4, ipv6, name };
+
+// Of HOST:PORT or [IPV6]:PORT.
+Family family_of(const std::string& address) {
+  const auto colon = address.rfind(':');
+  if (colon == std::string::npos) return Family::name;
+  std::string host = address.substr(0, colon);
+  in6_addr number{};
+  if (host.size() > 2 && host.front() == '[' && host.back() == ']') {
+    host = host.substr(1, host.size() - 2);
+    return inet_pton(AF_INET6, host.c_str(), &number) == 1 ? Family::ipv6 : Family::name;
+  }
+  return inet_pton(AF_INET, host.c_str(), &number) == 1 ? Family::ipv4 : Family::name;
+}
+
+Failure refused(std::string message) {
+  return {.status = "INVALID_ARGUMENT", .message = std::move(message), .reason = "ADDRESS_INVALID"};
+}
+
+// Streams go to the servers in turn, but not to one that takes no work: each says so on its own
+// connection.
+std::string in_turn_while_serving() {
+  return R"({"loadBalancingConfig":[{"round_robin":{}}],"healthCheckConfig":{"serviceName":")" +
+         std::string(v1::TrcService::service_full_name()) + R"("}})";
+}
+
+}  // namespace
+
+std::optional<Failure> target_of(const std::string& address, bool tls, Target& target) {
+  if (address.starts_with("dns:")) {
+    target = {.uri = address, .service_config = in_turn_while_serving()};
+    return std::nullopt;
+  }
+  if (address.find(',') == std::string::npos) {
+    target = {.uri = address, .service_config = {}};
+    return std::nullopt;
+  }
+  if (tls)
+    return refused("with TLS give one name that stands for all servers, dns:///NAME:PORT: '" +
+                   address + "' has none their certificates could be checked against");
+  std::istringstream list(address);
+  std::optional<Family> family;
+  for (std::string one; std::getline(list, one, ',');) {
+    const Family found = family_of(one);
+    if (found == Family::name)
+      return refused("in a list of servers '" + one + "' must be an IP address and a port");
+    if (family.value_or(found) != found) return refused("'" + address + "' mixes IPv4 and IPv6");
+    family = found;
+  }
+  target = {.uri = (family == Family::ipv6 ? "ipv6:" : "ipv4:") + address,
+            .service_config = in_turn_while_serving()};
+  return std::nullopt;
+}
+
+}  // namespace trc::client
