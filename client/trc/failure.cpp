@@ -75,8 +75,13 @@ std::optional<Failure> failure_of(const grpc::Status& status) {
   Failure failure{.status = name_of(status.error_code()), .message = status.error_message()};
   google::rpc::Status details;
   // Details that cannot be read take nothing from code and message.
-  if (details.ParseFromString(status.error_details()))
-    for (const google::protobuf::Any& detail : details.details()) read_detail(detail, failure);
+  if (!details.ParseFromString(status.error_details())) return failure;
+  for (const google::protobuf::Any& detail : details.details()) read_detail(detail, failure);
+  // A balancer may reset the stream behind the server's last word, and gRPC reports the reset.
+  if (details.code() != 0) {
+    failure.status = name_of(static_cast<grpc::StatusCode>(details.code()));
+    failure.message = details.message();
+  }
   return failure;
 }
 

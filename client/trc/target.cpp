@@ -2,8 +2,11 @@
 
 #include <arpa/inet.h>
 
+#include <algorithm>
+#include <random>
 #include <sstream>
 #include <utility>
+#include <vector>
 
 #include "trc/v1/trc_service.grpc.pb.h"
 
@@ -51,16 +54,20 @@ std::optional<Failure> target_of(const std::string& address, bool tls, Target& t
     return refused("with TLS give one name that stands for all servers, dns:///NAME:PORT: '" +
                    address + "' has none their certificates could be checked against");
   std::istringstream list(address);
-  std::optional<Family> family;
+  std::vector<std::string> servers;
   for (std::string one; std::getline(list, one, ',');) {
-    const Family found = family_of(one);
-    if (found == Family::name)
+    if (family_of(one) == Family::name)
       return refused("in a list of servers '" + one + "' must be an IP address and a port");
-    if (family.value_or(found) != found) return refused("'" + address + "' mixes IPv4 and IPv6");
-    family = found;
+    if (!servers.empty() && family_of(one) != family_of(servers.front()))
+      return refused("'" + address + "' mixes IPv4 and IPv6");
+    servers.push_back(std::move(one));
   }
-  target = {.uri = (family == Family::ipv6 ? "ipv6:" : "ipv4:") + address,
-            .service_config = in_turn_while_serving()};
+  // The first session takes the server that is connected first, which is mostly the first one: of
+  // clients with one session each the others would see little.
+  std::shuffle(servers.begin(), servers.end(), std::minstd_rand(std::random_device()()));
+  const bool ipv6 = family_of(servers.front()) == Family::ipv6;
+  target = {.uri = ipv6 ? "ipv6:" : "ipv4:", .service_config = in_turn_while_serving()};
+  for (const std::string& one : servers) target.uri += (&one == &servers.front() ? "" : ",") + one;
   return std::nullopt;
 }
 
