@@ -56,6 +56,8 @@ bool InsideCorner::drain(PathBlocks& out) { return held_.empty() || close(nullpt
 
 bool InsideCorner::close(PathBlock* retract, PathBlocks& out) {
   PathBlock& approach = *held_.front();
+  // The program has ended behind the approach.
+  if (held_.size() == 1) return refuse(Code::contour_not_closed, approach);
   PathBlock& first = *held_[1];
   PathBlock& last = *held_.back();
   if (!check_contour(approach, first, last) || !check_start(approach) ||
