@@ -44,8 +44,9 @@ double slack_of(const OffsetCurve& before, const OffsetCurve& after, const Toler
                       (before.circular ? before.circle.radius : 0) +
                       (after.circular ? after.circle.radius : 0);
   const double sine = std::abs(cross(before.tangent, after.tangent));
-  return std::clamp(rounding * size / std::max(sine, tolerances.tangent), tolerances.same_point,
-                    tolerances.on_contour);
+  const double of_place = rounding * size / std::max(sine, tolerances.tangent);
+  // Beside a tool of hundreds of metres one point is wider than `on_contour`.
+  return std::max(std::min(of_place, tolerances.on_contour), tolerances.same_point);
 }
 
 // The crossing of the two tangents; the corner is not a reversal.
