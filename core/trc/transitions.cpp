@@ -144,9 +144,11 @@ void Transitions::enter(PathBlock& block, PathBlocks& out) const {
   }
   open(block, block.offset_start, 0, tolerances_);
   PathBlock pattern = insertion_behind(block, block);
-  pattern.programmed.normal = standing(block.programmed.normal.from);
-  for (std::size_t axis = 0; axis < block.programmed.tracking.size(); ++axis)
-    pattern.programmed.tracking[axis] = standing(block.programmed.tracking[axis].from);
+  // Where the axes are before the block, whatever its riders do behind it.
+  MotionBlock& motion = pattern.programmed;
+  motion.normal = standing(block.programmed.normal.from);
+  motion.tracking = block.programmed.tracking;
+  for (AxisTravel& axis : motion.tracking) axis = standing(axis.from);
   insert(Line{.start = start, .end = block.offset_start}, Origin::approach, pattern, out);
 }
 
