@@ -58,6 +58,8 @@ void move_to(const Standing& target, const PathBlock& dropped, const Point& plac
              PathBlocks& out) {
   const MotionBlock& programmed = dropped.programmed;
   TrackingTravel tracking = programmed.tracking;
+  // Before an axis is programmed for the first time all stand at 0, and are not mentioned.
+  stands.tracking.resize(tracking.size());
   for (std::size_t axis = 0; axis < tracking.size(); ++axis)
     tracking[axis] = {stands.tracking[axis], target.tracking[axis]};
   const AxisTravel normal{.from = stands.normal, .to = target.normal};
@@ -663,7 +665,7 @@ bool LoopRemoval::refuse(const Onset& onset) {
   violation.point = DiagnosticPoint{.x = position[0], .y = position[1], .z = position[2]};
   if (mode.options.ignore_cont_damage) {
     violation.severity = Severity::warning;
-    tolerated_ = {at_.block, length_of(travelled)};
+    advance();
   }
   return diagnostics_.report(std::move(violation));
 }
