@@ -206,11 +206,13 @@ std::string first_gap(const std::vector<CompensatedBlock>& blocks) {
   for (const CompensatedBlock& block : blocks) {
     if (block.origin == Origin::passthrough) continue;
     if (before != nullptr) {
-      bool joined = last_of(before->path) == first_of(block.path) &&
-                    before->normal.to == block.normal.from &&
-                    before->tracking.size() == block.tracking.size();
+      bool joined = from_plane(before->plane, last_of(before->path), before->normal.to) ==
+                        from_plane(block.plane, first_of(block.path), block.normal.from) &&
+                    (before->tracking.empty() || before->tracking.size() == block.tracking.size());
+      // Before an axis is programmed for the first time all stand at 0.
       for (std::size_t axis = 0; joined && axis < block.tracking.size(); ++axis)
-        joined = before->tracking[axis].to == block.tracking[axis].from;
+        joined =
+            (before->tracking.empty() ? 0 : before->tracking[axis].to) == block.tracking[axis].from;
       if (!joined) return text_of(*before) + "\nis not joined to\n" + text_of(block);
     }
     before = &block;
