@@ -1,3 +1,4 @@
+#include <chrono>
 #include <iostream>
 #include <memory>
 
@@ -7,9 +8,15 @@
 namespace trc::cli {
 namespace {
 
-Exit run(const ServiceOptions& options) {
+struct Options {
+  ServiceOptions service{};
+  unsigned timeout_s = 3;
+};
+
+Exit run(const Options& options) {
   bool serving = false;
-  const Exit exit = server_health(options, serving);
+  const Exit exit =
+      server_health(options.service, std::chrono::seconds(options.timeout_s), serving);
   if (exit != Exit::done) return exit;
   std::cout << (serving ? "serving\n" : "not serving\n");
   return serving ? Exit::done : Exit::refused;
@@ -19,8 +26,13 @@ Exit run(const ServiceOptions& options) {
 
 void add_health(CLI::App& app, Action& action) {
   auto* command = app.add_subcommand("health", "Ask a server whether it takes work");
-  auto options = std::make_shared<ServiceOptions>();
-  add_service_options(*command, *options);
+  auto options = std::make_shared<Options>();
+  add_service_options(*command, options->service);
+  command->get_option("--server")->required()->description("Server to ask");
+  // Shorter than what probes of container engines wait, so that the reason is told.
+  command->add_option("--timeout-s", options->timeout_s, "How long to wait for the answer")
+      ->check(CLI::Range(1, 60))
+      ->capture_default_str();
   command->footer("Exit codes: 0 serving, 1 not serving (it is about to stop), 3 not reachable.");
   command->callback([options, &action] { action = [options] { return run(*options); }; });
 }

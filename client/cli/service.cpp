@@ -155,10 +155,10 @@ Exit server_info(const ServiceOptions& options, v1::GetServerInfoResponse& info)
   return failure ? service.explain(*failure, false) : Exit::done;
 }
 
-Exit server_health(const ServiceOptions& options, bool& serving) {
+Exit server_health(const ServiceOptions& options, std::chrono::seconds timeout, bool& serving) {
   const Service service(options);
   if (service.failure()) return service.explain(*service.failure(), false);
-  const auto failure = service.connection().health(longest_question, serving);
+  const auto failure = service.connection().health(timeout, serving);
   return failure ? service.explain(*failure, false) : Exit::done;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <chrono>
 #include <optional>
 #include <string>
 
@@ -39,6 +40,7 @@ struct Outcome {
 
 // Each says on standard error why there is no answer.
 [[nodiscard]] Exit server_info(const ServiceOptions& options, v1::GetServerInfoResponse& info);
-[[nodiscard]] Exit server_health(const ServiceOptions& options, bool& serving);
+[[nodiscard]] Exit server_health(const ServiceOptions& options, std::chrono::seconds timeout,
+                                 bool& serving);
 
 }  // namespace trc::cli

@@ -3,8 +3,13 @@
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
+#include <chrono>
+#include <csignal>
+#include <fstream>
+#include <functional>
 #include <regex>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "tests/support/process.h"
@@ -41,6 +46,15 @@ const std::string violating =
 Ended trc(std::vector<std::string> arguments, const std::string& input = "") {
   arguments.insert(arguments.begin(), TRC_PROGRAM);
   return run(arguments, input);
+}
+
+bool within_seconds(int seconds, const std::function<bool()>& true_now) {
+  const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(seconds);
+  while (!true_now()) {
+    if (std::chrono::steady_clock::now() > end) return false;
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  }
+  return true;
 }
 
 std::vector<std::string> lines_of(const std::string& text) {
@@ -268,6 +282,52 @@ TEST(Server, IsAskedForHealthAndInfo) {
   const Ended info = trc({"info", "--server", server.address()});
   EXPECT_EQ(info.code, 0) << info.err;
   EXPECT_EQ(info.out, trc({"info"}).out);
+}
+
+TEST(Health, NeedsAServerToAsk) { EXPECT_EQ(trc({"health"}).code, 2); }
+
+TEST(Health, DoesNotWaitLongForAServerThatHangs) {
+  const ServerProcess server;
+  ASSERT_NE(server.address(), "");
+  server.signal(SIGSTOP);
+  const auto start = std::chrono::steady_clock::now();
+  const Ended health = trc({"health", "--server", server.address(), "--timeout-s", "1"});
+  const auto took = std::chrono::steady_clock::now() - start;
+  server.signal(SIGCONT);
+  EXPECT_EQ(health.code, 3);
+  EXPECT_EQ(health.out, "");
+  EXPECT_GE(took, std::chrono::seconds(1));
+  EXPECT_LT(took, std::chrono::seconds(8));
+}
+
+TEST(Health, TellsAServerThatIsAboutToStopFromOneThatServes) {
+  ServerProcess server({"--health-listen", "127.0.0.1:0", "--admin-listen", "127.0.0.1:0"});
+  ASSERT_NE(server.health(), "");
+  EXPECT_EQ(trc({"health", "--server", server.health()}).code, 0);
+
+  // A program that does not end, so that the server has something to wait for.
+  const Folder folder;
+  const std::string endless = folder.path("endless.nc");
+  ASSERT_EQ(::mkfifo(endless.c_str(), 0600), 0);
+  Process client({TRC_PROGRAM, "compensate", endless, "--server", server.address()});
+  std::ofstream text(endless);
+  text << demo.substr(0, demo.size() / 2) << std::flush;
+  const auto one_stream = [&] {
+    return http_get(server.admin(), "/metrics").find("\ntrc_streams_active 1\n") !=
+           std::string::npos;
+  };
+  ASSERT_TRUE(within_seconds(20, one_stream));
+
+  server.signal(SIGTERM);
+  Ended health;
+  EXPECT_TRUE(within_seconds(20, [&] {
+    health = trc({"health", "--server", server.health()});
+    return health.code == 1;
+  })) << health.err;
+  EXPECT_EQ(health.out, "not serving\n");
+  text.close();
+  client.wait();
+  EXPECT_EQ(server.wait(), 0);
 }
 
 TEST(Info, PrintsTheTablesOfTheDocumentation) {
