@@ -8,11 +8,11 @@
 #include <openssl/evp.h>
 #include <openssl/hmac.h>
 #include <openssl/rand.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
+#include <cstdlib>
 #include <cstring>
 #include <fstream>
 #include <istream>
@@ -159,10 +159,10 @@ ResumeKey resume_key(const std::string& path) {
   if (path.empty()) return result;
 
   // Written aside and linked into place: of servers that start at the same time one makes the key
-  // and the others read it, never half of it.
-  const std::string draft = path + "." + std::to_string(getpid());
-  const int file =
-      ::open(draft.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, S_IRUSR | S_IWUSR);
+  // and the others read it, never half of it. Process numbers would not tell them apart: in
+  // containers each of them is number 1.
+  std::string draft = path + ".XXXXXX";
+  const int file = ::mkostemp(draft.data(), O_CLOEXEC);
   const bool written = file >= 0 && write(file, result.key.data(), key_bytes) == key_bytes;
   if (file >= 0) close(file);
   const bool linked = written && link(draft.c_str(), path.c_str()) == 0;

@@ -1,6 +1,7 @@
 // Resume tokens and heartbeats as a client of any language sees them.
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <chrono>
 #include <filesystem>
@@ -213,6 +214,16 @@ TEST(ResumeKey, IsMadeForTheOwnerAndKept) {
             std::filesystem::perms::owner_read | std::filesystem::perms::owner_write);
   EXPECT_NE(resume_key({}).key, resume_key({}).key);
   EXPECT_EQ(folder.names().size(), 1U);
+}
+
+// Servers in containers all have the same process number.
+TEST(ResumeKey, IsMadeBesideWhatAnotherServerOfThisNumberBegan) {
+  const Folder folder;
+  const std::string path = folder.path("key");
+  folder.write("key." + std::to_string(::getpid()), "half a k");
+  const ResumeKey made = resume_key(path);
+  EXPECT_EQ(made.fault, "");
+  EXPECT_EQ(testing_support::content_of(path), made.key);
 }
 
 TEST(ResumeKey, ThatCannotBeUsedIsAFaultBeforeAPortOpens) {
