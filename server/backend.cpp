@@ -14,7 +14,9 @@ Backend::Backend(const Config& settings, std::string resume_key)
       resume_tokens(std::move(resume_key), settings.max_resume_token_bytes),
       streams(settings.max_streams, std::chrono::seconds(settings.idle_timeout_s),
               std::chrono::seconds(settings.heartbeat_s)),
-      pool(settings.worker_threads) {}
+      pool(settings.worker_threads) {
+  telemetry.metrics.set_limits(settings.max_streams, memory.most_bytes());
+}
 
 void Backend::refresh_gauges() {
   telemetry.metrics.streams_active().Set(static_cast<double>(streams.count()));

@@ -125,6 +125,14 @@ Metrics::Metrics() : registry_(std::make_shared<prometheus::Registry>()) {
 
 Metrics::~Metrics() = default;
 
+void Metrics::set_limits(std::uint64_t streams, std::uint64_t session_memory_bytes) {
+  gauge(*registry_, "trc_streams_limit", "Open streams there may be.")
+      .Set(static_cast<double>(streams));
+  gauge(*registry_, "trc_session_memory_limit_bytes",
+        "Memory the blocks all streams hold back may take.")
+      .Set(static_cast<double>(session_memory_bytes));
+}
+
 void Metrics::count_handled(Method method, std::string_view grpc_code) {
   Labels labels = labels_of(method);
   labels.emplace("grpc_code", grpc_code);

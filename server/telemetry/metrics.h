@@ -53,6 +53,9 @@ class Metrics {
   [[nodiscard]] prometheus::Gauge& session_memory() { return *session_memory_; }
   [[nodiscard]] prometheus::Gauge& queue_depth() { return *queue_depth_; }
 
+  // Once: what the gauges of streams and memory may rise to.
+  void set_limits(std::uint64_t streams, std::uint64_t session_memory_bytes);
+
   // Totals that are counted elsewhere.
   void set_connections(std::uint64_t accepted, std::uint64_t refused);
   // Seconds since 1970.

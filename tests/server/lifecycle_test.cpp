@@ -357,6 +357,8 @@ TEST(Server, HealthAnswersWhileManyStreamsCompute) {
 TEST(Server, AdminPortTellsMetricsAndReadiness) {
   Config config = loopback();
   config.admin_listen = "127.0.0.1:0";
+  config.max_streams = 77;
+  config.max_session_memory_mib = 3;
   const Running running(config);
   EXPECT_GT(running.server->admin_port(), 0);
   EXPECT_TRUE(run_program(running.channel(), {}, g239_program).status.ok());
@@ -364,7 +366,8 @@ TEST(Server, AdminPortTellsMetricsAndReadiness) {
   const std::string metrics = running.server->backend().telemetry.metrics.exposition();
   for (const char* line : {"grpc_server_started_total{grpc_method=\"CompensateProgram\"",
                            "grpc_server_handled_total{grpc_code=\"OK\"", "trc_streams_active",
-                           "trc_build_info{", "trc_pool_queue_depth", "trc_batch_seconds_count"})
+                           "trc_build_info{", "trc_pool_queue_depth", "trc_batch_seconds_count",
+                           "trc_streams_limit 77\n", "trc_session_memory_limit_bytes 3145728\n"})
     EXPECT_NE(metrics.find(line), std::string::npos) << line << "\n" << metrics;
 }
 
