@@ -1,12 +1,13 @@
 # Sourced by the tests of the deployment. Each of them
-#   - runs from the top of the source tree, as root, with the programs of `./run --build`,
+#   - runs from the top of the source tree, as root, with the programs of `./run --build` (or those in
+#     TRC_DEPLOY_BIN),
 #   - keeps all it makes in $work, or takes it away in a function given to `at_exit`,
 #   - ends with 0 only if everything it says has been seen to hold.
 set -euo pipefail
 cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/../.."
 [ "$(id -u)" -eq 0 ] || { echo "error: the deployment is tested as root" >&2; exit 1; }
 
-bin=$PWD/build/release/bin
+bin=${TRC_DEPLOY_BIN:-$PWD/build/release/bin}
 work=$(mktemp -d "${TMPDIR:-/tmp}/trc_deploy.XXXXXX")
 
 # at_exit COMMAND…: runs when the test ends, however it ends; the last one given runs first.
