@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
-# What further servers bring: blocks of NC text a second through one, two and three servers, by each
-# way to reach them, and what a block costs the servers and the balancer. Writes Markdown.
+# What further servers bring: blocks a second through one, two and three servers, by each way to reach
+# them, and what a block costs servers, balancer and clients. Writes Markdown.
 #
-#   scale_out_bench.sh [SHARE [SECONDS]]
+#   scale_out_bench.sh [SHARE [SECONDS [LAYOUT]]]
 #
 # SHARE is the part of a core each server may use, in per cent (10): so few that this machine has
 # enough for three servers, their balancer and the clients, and more servers can bring more. 0: as
@@ -13,18 +13,14 @@ fi
 . "$(dirname "$(readlink -f "$0")")/lib.sh"
 share=${1:-10}
 seconds=${2:-10}
-streams=6
+layout=${3:-columns}
 ip link set lo up
 mount -t tmpfs tmpfs /run
 mkdir /run/trcd
 export PATH=$bin:$PATH
-groups=/sys/fs/cgroup/cpu/trc_scale_out_$$
-[ "$share" = 0 ] || mkdir "$groups"
-at_exit "rmdir $groups/* $groups"
-
-blocks=5000
-trc generate --shape gear --blocks "$blocks" >"$work/part.nc"
-trc compensate "$work/part.nc" -o "$work/expected.nc"
+groups=
+[ "$share" = 0 ] || groups=$(mktemp -d /sys/fs/cgroup/cpu/trc_scale_out.XXXXXX)
+at_exit "rmdir $groups/[0-9] $groups"
 
 pids=()
 start() { # servers way
@@ -55,7 +51,7 @@ start() { # servers way
 stop() {
   kill -9 "${pids[@]}" $balancer
   wait "${pids[@]}" $balancer 2>/dev/null || true
-  [ "$share" = 0 ] || rmdir "$groups"/*
+  [ "$share" = 0 ] || wait_until 5 rmdir "$groups"/[0-9]
 }
 
 # CPU time of processes so far, in ms.
@@ -68,40 +64,25 @@ used() {
   echo "$sum"
 }
 
-client() {
-  while [ ! -e "$work/enough" ]; do
-    trc compensate "$work/part.nc" --server "$address" -o "$work/out-$1.nc"
-    cmp -s "$work/expected.nc" "$work/out-$1.nc" && echo done >>"$work/done" || echo wrong >>"$work/done"
-  done
-}
+of_report() { sed -n "s/.*\"$1\":\([0-9.]*\).*/\1/p" "$work/report"; }
 
 measure() { # servers way
-  local number clients=() before servers_ms balancer_ms programs
+  local servers_ms balancer_ms
   start "$@"
-  rm -f "$work/enough"
-  : >"$work/done"
-  for number in $(seq $streams); do
-    client "$number" &
-    clients+=($!)
-  done
-  sleep 2
-  before=$(wc -l <"$work/done")
   servers_ms=$(used "${pids[@]}") balancer_ms=$(used $balancer)
-  sleep "$seconds"
-  programs=$(($(wc -l <"$work/done") - before))
+  trc load --server "$address" --layout "$layout" --batch 1024 --blocks 20000 --shape gear \
+    --streams 12 --connections 12 --verify 0.2 --duration "$seconds" --json >"$work/report"
   servers_ms=$(($(used "${pids[@]}") - servers_ms)) balancer_ms=$(($(used $balancer) - balancer_ms))
-  touch "$work/enough"
-  wait "${clients[@]}"
-  ! grep -q wrong "$work/done" || fail "$2: a path was another one"
-  awk -v way="$2" -v n="$1" -v blocks=$((programs * blocks)) -v s="$seconds" -v t="$servers_ms" \
-    -v b="$balancer_ms" 'BEGIN {
-      if (blocks == 0) exit 1
-      printf "| %s | %d | %.0f | %.2f | %.2f |\n", way, n, blocks / s, t * 1e3 / blocks, b * 1e3 / blocks }'
   stop
+  grep -q '"errors":{}.*"differing":0,' "$work/report" || { cat "$work/report"; fail "$2: not all is well"; }
+  awk -v way="$2" -v n="$1" -v blocks="$(of_report blocksIn)" -v s="$seconds" -v t="$servers_ms" \
+    -v b="$balancer_ms" -v own="$(of_report ownNsPerBlock)" 'BEGIN {
+      printf "| %s | %d | %.0f | %.0f | %.0f | %.0f |\n", way, n, blocks / s,
+        t * 1e6 / blocks, b * 1e6 / blocks, own }'
 }
 
-echo "| way | servers | blocks/s | servers, us CPU a block | balancer, us CPU a block |"
-echo "|---|---|---|---|---|"
-for way in in_turn h2 tcp; do
+echo "| way | servers | blocks/s | ns CPU a block: servers | balancer | clients |"
+echo "|---|---|---|---|---|---|"
+for way in ${TRC_WAYS:-in_turn h2 tcp}; do
   for servers in 1 2 3; do measure "$servers" "$way"; done
 done
