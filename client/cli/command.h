@@ -21,6 +21,7 @@ void add_compensate(CLI::App& app, Action& action);
 void add_plot(CLI::App& app, Action& action);
 void add_verify(CLI::App& app, Action& action);
 void add_generate(CLI::App& app, Action& action);
+void add_load(CLI::App& app, Action& action);
 void add_info(CLI::App& app, Action& action);
 void add_health(CLI::App& app, Action& action);
 

@@ -23,6 +23,7 @@ int run(int argc, char** argv) {
   trc::cli::add_plot(app, action);
   trc::cli::add_verify(app, action);
   trc::cli::add_generate(app, action);
+  trc::cli::add_load(app, action);
   trc::cli::add_info(app, action);
   trc::cli::add_health(app, action);
   try {

@@ -25,19 +25,21 @@ std::string_view as_setting(std::string_view field) {
 // The service of one run: a server elsewhere, or one inside this process.
 class Service {
  public:
-  explicit Service(const ServiceOptions& options) : name_(options.server) {
+  explicit Service(const ServiceOptions& options, const client::ConnectionOptions& how = {})
+      : name_(options.server) {
     if (!options.server.empty()) {
       failure_ = client::Connection::open(
           options.server, {.ca = options.tls_ca, .cert = options.tls_cert, .key = options.tls_key},
-          connection_);
+          connection_, how);
       return;
     }
-    own_ = std::make_unique<server::InProcessServer>();
+    own_ = std::make_shared<server::InProcessServer>();
     connection_.emplace(own_->channel());
   }
 
   [[nodiscard]] const std::optional<client::Failure>& failure() const { return failure_; }
   [[nodiscard]] const client::Connection& connection() const { return *connection_; }
+  [[nodiscard]] const std::shared_ptr<server::InProcessServer>& own_server() const { return own_; }
 
   // Says what went wrong and returns how the program ends.
   [[nodiscard]] Exit explain(const client::Failure& failure, bool answered) const {
@@ -71,7 +73,7 @@ class Service {
   }
 
   std::string name_;
-  std::unique_ptr<server::InProcessServer> own_;
+  std::shared_ptr<server::InProcessServer> own_;
   std::optional<client::Connection> connection_;
   std::optional<client::Failure> failure_;
 };
@@ -146,6 +148,20 @@ Outcome compensate_program(const ServiceOptions& options, const v1::ProgramSetup
   if (reporter.refused()) return {.exit = Exit::refused};
   if (!session.failure()) return {.exit = Exit::unreachable};
   return {.exit = service.explain(*session.failure(), answered)};
+}
+
+Exit connect(const ServiceOptions& options, std::size_t count, ServiceConnections& connections,
+             v1::GetServerInfoResponse& info) {
+  if (options.server.empty()) count = 1;
+  for (std::size_t i = 0; i < count; ++i) {
+    const Service service(options, {.separate = true});
+    if (service.failure()) return service.explain(*service.failure(), false);
+    if (const auto failure = service.connection().server_info(longest_question, info))
+      return service.explain(*failure, false);
+    connections.own_server = service.own_server();
+    connections.channels.push_back(service.connection().channel());
+  }
+  return Exit::done;
 }
 
 Exit server_info(const ServiceOptions& options, v1::GetServerInfoResponse& info) {

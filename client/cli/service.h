@@ -2,8 +2,11 @@
 
 #include <CLI/CLI.hpp>
 #include <chrono>
+#include <cstddef>
+#include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "client/cli/command.h"
 #include "client/cli/files.h"
@@ -12,6 +15,10 @@
 #include "proto/wire/path_item.h"
 #include "trc/v1/setup.pb.h"
 #include "trc/v1/trc_service.pb.h"
+
+namespace grpc {
+class Channel;
+}
 
 namespace trc::cli {
 
@@ -37,6 +44,16 @@ struct Outcome {
 [[nodiscard]] Outcome compensate_program(const ServiceOptions& options,
                                          const v1::ProgramSetup& setup, Input& input,
                                          Progress& progress, const AnswerSink& sink);
+
+// Connections for streams of the caller's own.
+struct ServiceConnections {
+  std::vector<std::shared_ptr<grpc::Channel>> channels{};
+  std::shared_ptr<void> own_server{};  // keeps the server of this process, if it is asked
+};
+// Opens `count` connections and asks the server what it is. Without an address there is one, into
+// this process.
+[[nodiscard]] Exit connect(const ServiceOptions& options, std::size_t count,
+                           ServiceConnections& connections, v1::GetServerInfoResponse& info);
 
 // Each says on standard error why there is no answer.
 [[nodiscard]] Exit server_info(const ServiceOptions& options, v1::GetServerInfoResponse& info);

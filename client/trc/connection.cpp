@@ -44,6 +44,7 @@ grpc::ChannelArguments channel_arguments(const ConnectionOptions& options,
   set(GRPC_ARG_INITIAL_RECONNECT_BACKOFF_MS, options.resume.first_wait);
   set(GRPC_ARG_MIN_RECONNECT_BACKOFF_MS, options.resume.longest_wait);
   set(GRPC_ARG_MAX_RECONNECT_BACKOFF_MS, options.resume.longest_wait);
+  if (options.separate) arguments.SetInt(GRPC_ARG_USE_LOCAL_SUBCHANNEL_POOL, 1);
   return arguments;
 }
 

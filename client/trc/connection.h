@@ -42,6 +42,8 @@ struct ConnectionOptions {
   std::chrono::milliseconds keepalive_time{30'000};
   std::chrono::milliseconds keepalive_timeout{10'000};
   ResumePolicy resume{};
+  // Not shared with other connections of this process to the same address.
+  bool separate = false;
 };
 
 // A way to a server, or to several that do for each other. Cheap to copy; a connection serves any

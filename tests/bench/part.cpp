@@ -3,7 +3,7 @@
 #include <stdexcept>
 #include <string_view>
 
-#include "client/cli/shapes.h"
+#include "client/cli/sample_program.h"
 #include "core/nc/interpreter.h"
 
 namespace trc::bench {

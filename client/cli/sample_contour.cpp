@@ -1,4 +1,4 @@
-#include "client/cli/shapes.h"
+#include "client/cli/sample_contour.h"
 
 #include <algorithm>
 #include <array>
@@ -7,15 +7,11 @@
 #include <random>
 
 #include "core/base/tolerances.h"
-#include "core/geometry/segment.h"
-#include "core/nc/number_format.h"
 
 namespace trc::cli {
 namespace {
 
 using std::numbers::pi;
-
-constexpr int decimals = 6;
 
 // A coordinate as the program will show it: the next block starts there.
 double as_written(double mm) {
@@ -27,12 +23,8 @@ Point polar(double radius, double angle) {
   return {as_written(radius * std::cos(angle)), as_written(radius * std::sin(angle))};
 }
 
-// One contour element from the end of the one before it.
-struct Element {
-  Point end = Point::Zero();
-  Point center = Point::Zero();
-  enum class Kind : std::uint8_t { line, clockwise, counter_clockwise } kind = Kind::line;
-};
+using Element = ContourElement;
+using Kind = ContourElement::Kind;
 
 // A contour around the origin, counter-clockwise, the tool outside. It begins on
 // the positive X axis, where the end of a lap and the begin of the next one make
@@ -41,8 +33,6 @@ struct Outline {
   Point start = Point::Zero();
   std::vector<Element> elements{};  // one lap, or all there is
 };
-
-using Kind = Element::Kind;
 
 Outline polygon(const ShapeRequest& request) {
   constexpr int corners = 60;
@@ -189,68 +179,6 @@ constexpr std::array<ShapeMaker, 7> makers{{
     {{"random", "lines and arcs chosen by the seed, one in three an arc"}, random_lap},
 }};
 
-std::string text_of(double value) {
-  std::string text;
-  append_units(text, to_units(value, decimals), decimals);
-  return text;
-}
-
-std::string xy(const Point& point) { return "X" + text_of(point.x()) + " Y" + text_of(point.y()); }
-
-class Writer {
- public:
-  explicit Writer(const TextSink& sink) : sink_(sink) {}
-
-  // Each returns whether more is wanted.
-  bool line(std::string_view words) {
-    begin();
-    text_ += words;
-    return end();
-  }
-
-  bool element(const Element& element, const Point& from) {
-    begin();
-    constexpr std::array<std::string_view, 3> functions{"G01", "G02", "G03"};
-    text_ += functions[static_cast<std::size_t>(element.kind)];
-    word(" X", element.end.x());
-    word(" Y", element.end.y());
-    if (element.kind != Kind::line) {
-      word(" I", element.center.x() - from.x());
-      word(" J", element.center.y() - from.y());
-    }
-    return end();
-  }
-
-  bool flush() {
-    const bool more = sink_(text_);
-    text_.clear();
-    return more;
-  }
-
- private:
-  void begin() {
-    number_ += 10;
-    text_ += 'N';
-    text_ += std::to_string(number_);
-    text_ += ' ';
-  }
-
-  bool end() {
-    text_ += '\n';
-    return text_.size() < piece || flush();
-  }
-
-  void word(std::string_view letter, double mm) {
-    text_ += letter;
-    append_units(text_, to_units(mm, decimals), decimals);
-  }
-
-  static constexpr std::size_t piece = 64U * 1024U;
-  const TextSink& sink_;
-  std::string text_;
-  std::uint64_t number_ = 0;
-};
-
 // The first lap. A contour shorter than a lap ends on its way. A longer one ends
 // where it began: what is left over full laps becomes pieces of its first line,
 // clear of both ends.
@@ -280,29 +208,11 @@ std::vector<Element> first_lap(const ShapeRequest& request, const Outline& outli
   return elements;
 }
 
-void write(const ShapeRequest& request, const Outline& outline, const TextSink& sink) {
-  const double away = 4 * request.tool_radius;
-  Writer writer(sink);
-  writer.line("G17 G90 G162 G139 G25");
-  writer.line("V.G.WZ_AKT.R = " + text_of(request.tool_radius));
-  writer.line("G00 " + xy(outline.start + Vector(away, 0)));
-  writer.line("G42 G01 " + xy(outline.start) + " F1000");
-  Point from = outline.start;
-  for (const Element& element : first_lap(request, outline)) {
-    if (!writer.element(element, from)) return;
-    from = element.end;
-  }
-  const std::size_t lap = outline.elements.size();
-  for (std::uint64_t i = 0; i + lap < request.blocks / lap * lap; ++i) {
-    const Element& element = outline.elements[i % lap];
-    if (!writer.element(element, from)) return;
-    from = element.end;
-  }
-  // Straight away from the middle, clear of the contour.
-  const Vector outward = from.norm() > 0 ? Vector(from.normalized()) : Vector(Vector::UnitX());
-  writer.line("G40 G01 " + xy(from + away * outward));
-  writer.line("M30");
-  writer.flush();
+const ShapeMaker* maker_of(const std::string& shape) {
+  const auto* maker = std::find_if(makers.begin(), makers.end(), [&](const ShapeMaker& candidate) {
+    return candidate.row.name == shape;
+  });
+  return maker == makers.end() ? nullptr : maker;
 }
 
 }  // namespace
@@ -317,19 +227,32 @@ const std::vector<ShapeRow>& shapes() {
   return rows;
 }
 
-std::string generate(const ShapeRequest& request, const TextSink& sink) {
-  const auto maker = std::find_if(makers.begin(), makers.end(), [&](const ShapeMaker& candidate) {
-    return candidate.row.name == request.shape;
-  });
-  if (maker == makers.end()) return "unknown shape " + request.shape;
+std::string fault_of(const ShapeRequest& request) {
+  if (maker_of(request.shape) == nullptr) return "unknown shape " + request.shape;
   if (request.shape == "spiral") {
     const double most = Tolerances{}.largest_coordinate / request.tool_radius - 10;
     if (static_cast<double>(request.blocks) > most)
       return "a spiral of this tool radius has at most " +
              std::to_string(static_cast<std::uint64_t>(std::max(most, 0.0))) + " blocks";
   }
-  write(request, maker->make(request), sink);
   return {};
+}
+
+SampleContour::SampleContour(const ShapeRequest& request)
+    : blocks_(request.blocks), away_(4 * request.tool_radius) {
+  Outline outline = maker_of(request.shape)->make(request);
+  start_ = outline.start;
+  first_lap_ = first_lap(request, outline);
+  lap_ = std::move(outline.elements);
+}
+
+Point SampleContour::approach_from() const { return start_ + Vector(away_, 0); }
+
+Point SampleContour::retract_to() const {
+  const Point& end = blocks_ == 0 ? start_ : (*this)[blocks_ - 1].end;
+  // Straight away from the middle, clear of the contour.
+  const Vector outward = end.norm() > 0 ? Vector(end.normalized()) : Vector(Vector::UnitX());
+  return end + away_ * outward;
 }
 
 }  // namespace trc::cli

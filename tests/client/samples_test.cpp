@@ -1,8 +1,7 @@
-#include "client/cli/shapes.h"
-
 #include <gtest/gtest.h>
 
 #include "client/cli/clearance.h"
+#include "client/cli/sample_program.h"
 #include "core/session/program_session.h"
 
 namespace trc::cli {
