@@ -102,7 +102,7 @@ say "load: $programs programs from 4 clients, all equal to those compensated her
 
 # --- beyond it ----------------------------------------------------------------------------------
 refused='max-session-memory-mib'
-ring 300000 >"$work/huge.nc"
+ring 600000 >"$work/huge.nc"
 ended=0
 "$trc" compensate "$work/huge.nc" --set contour_masking=on --server "$service" -o "$work/huge.out" \
   2>"$work/huge.err" || ended=$?
@@ -144,7 +144,8 @@ sleep 2
 podman kill --signal TERM hardened >/dev/null
 probe_says_no() { ! podman healthcheck run hardened; }
 wait_until 10 probe_says_no || fail "healthy while it drains"
-! "$trc" compensate client/samples/bracket.nc --server "$service" -o "$work/late" 2>/dev/null ||
+# The client would wait for a server that takes it, longer than this one drains.
+! timeout 5 "$trc" compensate client/samples/bracket.nc --server "$service" -o "$work/late" 2>/dev/null ||
   fail "a stream was taken while draining"
 tail -c +201 client/samples/bracket.nc >&9
 exec 9>&-
@@ -159,7 +160,7 @@ say "SIGTERM: probe says no, new streams refused, the open one finished, exit co
 at_exit rm -f oom
 start_server careless 's/--memory 1g --memory-swap 1g/--memory 96m --memory-swap 96m/'
 # The client would look for the lost server for a minute.
-! timeout 20 "$trc" compensate "$work/large.nc" --set contour_masking=on --server "$service" \
+! timeout 20 "$trc" compensate "$work/huge.nc" --set contour_masking=on --server "$service" \
   -o "$work/careless.out" 2>/dev/null || fail "96 MiB were enough: the memory limit does not act"
 [ "$(timeout 30 podman wait careless)" = 137 ] || fail "a server beyond the limit was not killed"
 say "the same server in 96 MiB is killed: the limit is real"

@@ -29,13 +29,13 @@ const text = config.data['trcd.toml'];
 fs.writeFileSync(toml, text);
 const setting = (name) => new RegExp(`^${name} = (.*)$`, 'm').exec(text)?.[1].replace(/[[\]"]/g, '');
 
-// Memory: six times what streams may hold back, gRPC's buffers, and 64 MiB (deploy/README.md).
+// Memory: three times what streams may hold back, gRPC's buffers, and 64 MiB (deploy/README.md).
 const mebibytes = (quantity) => {
   const [, number, unit] = /^(\d+)(Mi|Gi)$/.exec(quantity);
   return Number(number) * (unit === 'Gi' ? 1024 : 1);
 };
 const { requests, limits } = container.resources;
-const needed = 6 * Number(setting('max-session-memory-mib')) + Number(setting('max-grpc-buffer-mib')) + 64;
+const needed = 3 * Number(setting('max-session-memory-mib')) + Number(setting('max-grpc-buffer-mib')) + 64;
 demand(mebibytes(limits.memory) >= needed, `limits.memory ${limits.memory}, trcd.toml needs ${needed} MiB`);
 demand(mebibytes(limits.memory) <= 1.3 * needed, `limits.memory ${limits.memory}, trcd.toml uses ${needed} MiB of it`);
 demand(limits.memory === requests.memory, 'the memory asked for is not the memory allowed');
