@@ -20,8 +20,6 @@ if command -v kubectl >/dev/null; then
       "$bin/trcd" --config "$work/$overlay.toml" --print-config >/dev/null || fail "trcd refuses trcd.toml of $overlay"
     say "$overlay: $counted"
   done
-elif [ "${CI:-}" = true ]; then
-  fail "kubectl is needed to render the overlays"
 else
   say "without kubectl the overlays are not rendered; their files are checked one by one"
   check $(find deploy/kubernetes -name '*.yaml' ! -name kustomization.yaml ! -path '*/overlays/*/outside.yaml' \
