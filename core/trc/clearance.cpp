@@ -62,6 +62,8 @@ void Clearance::hold(PathBlockPtr block) {
 }
 
 bool Clearance::end_selection(PathBlocks& out) {
+  // Where nothing is searched, every block comes by here.
+  if (held_.empty() && contour_.empty()) return true;
   if (!examine(true, out)) return false;
   contour_.clear();
   contour_base_ = 0;

@@ -103,8 +103,7 @@ class Passes {
   Reporting reporting_{setup(), diagnostics_};
 
   std::vector<Block> programmed_;
-  std::vector<PathBlock> relevant_, reachable_, entered_, masked_, joined_, simple_, checked_,
-      divided_;
+  PathBlocks relevant_, reachable_, entered_, masked_, joined_, simple_, checked_, divided_;
   std::vector<CompensatedBlock> out_;
   std::array<double, names.size()> seconds_{};
   std::size_t next_ = 0;

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <benchmark/benchmark.h>
+#include <valgrind/callgrind.h>
 
+#include <cstdlib>
 #include <ctime>
 
 namespace trc::bench {
@@ -26,16 +28,22 @@ void run_timed(benchmark::State& state, std::size_t items, Prepare prepare, Time
   for (auto _ : state) {
     prepare();
     const double begin = cpu_seconds();
+    CALLGRIND_TOGGLE_COLLECT;
     timed();
+    CALLGRIND_TOGGLE_COLLECT;
     state.SetIterationTime(cpu_seconds() - begin);
   }
   state.counters["each"] = per_item(items);
 }
 
-// Registers a benchmark under a name with blanks in it.
+// Registers a benchmark under a name with blanks in it. With TRC_BENCH_ROUNDS in the environment it
+// runs that many rounds, for counting instructions; else for as long as it takes to be sure.
 template <class Function>
 bool add(const char* name, Function function) {
-  benchmark::RegisterBenchmark(name, function)->UseManualTime()->Unit(benchmark::kMicrosecond);
+  auto* benchmark = benchmark::RegisterBenchmark(name, function);
+  benchmark->UseManualTime()->Unit(benchmark::kMicrosecond);
+  if (const char* rounds = std::getenv("TRC_BENCH_ROUNDS"))
+    benchmark->Iterations(std::strtol(rounds, nullptr, 10));
   return true;
 }
 

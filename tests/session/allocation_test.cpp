@@ -1,0 +1,117 @@
+// Counts what a stream takes from the heap once it is on its way: a program of its own, since it
+// replaces the allocation functions.
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <new>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "core/session/program_session.h"
+#include "core/session/session.h"
+
+namespace {
+
+std::size_t allocations = 0;
+
+}  // namespace
+
+void* operator new(std::size_t size) {
+  ++allocations;
+  if (void* memory = std::malloc(size)) return memory;
+  throw std::bad_alloc();
+}
+void operator delete(void* memory) noexcept { std::free(memory); }
+void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
+
+namespace trc {
+namespace {
+
+// A ring of lines and bows with corners to both sides, outside and inside, closed: one lap.
+std::vector<MoveRequest> lap() {
+  constexpr int corners = 120;
+  std::vector<MoveRequest> moves;
+  Point from(300, 0);
+  for (int i = 1; i <= corners; ++i) {
+    const double angle = 2 * std::numbers::pi * i / corners;
+    const double radius = i == corners ? 300 : 300 + 3 * std::sin(7.0 * i);
+    const Point to(radius * std::cos(angle), i == corners ? 0 : radius * std::sin(angle));
+    MoveRequest move{.feed = 1000};
+    move.end = {to.x(), to.y(), std::nullopt};
+    if (i % 3 == 0) {
+      const Vector chord = to - from;
+      const Vector center = chord / 2 + 1.5 * left_of(chord);
+      move.kind = MotionKind::counter_clockwise;
+      move.center = {center.x(), center.y(), std::nullopt};
+    }
+    moves.push_back(move);
+    from = to;
+  }
+  return moves;
+}
+
+SessionSetup setup() {
+  SessionSetup setup;
+  setup.program.mode.tool_radius = 2;
+  setup.program.mode.transition = Transition::circular;
+  setup.program.start = {320, 0, 0};
+  return setup;
+}
+
+TEST(Stream, OfBlocksTakesNothingFromTheHeapOnItsWay) {
+  PathSession session(setup());
+  std::vector<CompensatedBlock> out;
+  ASSERT_TRUE(session.program().select(Side::right, {}));
+  MoveRequest approach{.feed = 1000};
+  approach.end = {300, 0, 0};
+  ASSERT_TRUE(session.program().move(approach));
+  const std::vector<MoveRequest> moves = lap();
+  std::size_t taken = 0;
+  for (int round = 0; round < 4; ++round) {
+    out.clear();
+    const std::size_t before = allocations;
+    for (const MoveRequest& move : moves)
+      ASSERT_TRUE(session.program().move(move) && session.advance(out));
+    taken = allocations - before;
+    if (round == 0) {
+      EXPECT_GT(taken, 5U) << "the count works";
+    }
+    EXPECT_GT(out.size(), moves.size());
+  }
+  EXPECT_EQ(taken, 0U) << "for " << moves.size() << " blocks";
+}
+
+std::string text_of_lap() {
+  std::string text;
+  for (const MoveRequest& move : lap()) {
+    const bool arc = move.kind != MotionKind::linear;
+    text += arc ? "G03" : "G01";
+    text += " X" + std::to_string(*move.end[0]) + " Y" + std::to_string(*move.end[1]);
+    if (arc)
+      text += " I" + std::to_string(*move.center[0]) + " J" + std::to_string(*move.center[1]);
+    text += "\n";
+  }
+  return text;
+}
+
+TEST(Stream, OfTextTakesNothingFromTheHeapOnItsWay) {
+  ProgramSession session({.session = setup()});
+  ProgramOutput out;
+  const std::string text = text_of_lap();
+  ASSERT_TRUE(session.feed("G42 G01 X300 Y0 F1000\n", out));
+  std::size_t taken = 0;
+  // Each line that is used again grows to the longest text it ever held.
+  for (int round = 0; round < 20; ++round) {
+    out.text.clear();
+    const std::size_t before = allocations;
+    ASSERT_TRUE(session.feed(text, out));
+    taken = allocations - before;
+    EXPECT_GT(out.text.size(), text.size() / 2);
+  }
+  EXPECT_EQ(taken, 0U) << "for 120 lines";
+}
+
+}  // namespace
+}  // namespace trc
