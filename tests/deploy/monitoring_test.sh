@@ -8,7 +8,8 @@ rules=deploy/monitoring/alerts.yml
 dashboard=deploy/monitoring/grafana-trcd.json
 
 promtool check rules --lint-fatal "$rules" >/dev/null || fail "promtool does not accept $rules"
-(cd deploy/monitoring && promtool test rules alerts_test.yml) || fail "alerts do not come as they must"
+bash -euo pipefail -c "$(readme_commands Monitoring)" >"$work/said" 2>&1 ||
+  fail "alerts do not come as they must: $(cat "$work/said")"
 for alert in $(sed -n 's/^ *- alert: //p' "$rules"); do
   tested=$(grep -A1 "alertname: $alert\$" deploy/monitoring/alerts_test.yml)
   comes=$(grep -c exp_alerts <<<"$tested" || true)
