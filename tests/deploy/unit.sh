@@ -34,5 +34,5 @@ of_unit() { sed -n "s/^$1=\([0-9]*\).*/\1/p" "$unit"; }
 of_server() { sed -n "s/^$1=\"\?\([0-9]*\)\"\?$/\1/p" "$work/settings"; }
 drain=$(of_server drain-timeout-s) stop=$(of_unit TimeoutStopSec)
 [ "$stop" -gt "$drain" ] || fail "systemd kills after $stop s who may drain for $drain s"
-memory=$((6 * $(of_server max-session-memory-mib) + $(of_server max-grpc-buffer-mib) + 64))
+memory=$((3 * $(of_server max-session-memory-mib) + $(of_server max-grpc-buffer-mib) + 64))
 [ "$(of_unit MemoryMax)" -ge "$memory" ] || fail "MemoryMax is below the $memory MiB of the limits"
