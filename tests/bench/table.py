@@ -52,20 +52,40 @@ def aim(value, bound, text, at_most=True):
     return text if met else f"{text} (missed)"
 
 
+def free_port():
+    with socket.socket() as probe:
+        probe.bind(("127.0.0.1", 0))
+        return probe.getsockname()[1]
+
+
+def wait_for(port, process):
+    """Returns when somebody accepts connections there."""
+    for _ in range(6000):
+        with contextlib.suppress(OSError):
+            socket.create_connection(("127.0.0.1", port)).close()
+            return
+        if process.poll() is not None:
+            break
+        time.sleep(0.005)
+    sys.exit("error: the server does not start")
+
+
 @contextlib.contextmanager
-def serving(*command):
-    """Runs a server at a free loopback port; gives its address and its process."""
-    process = subprocess.Popen(command, stdout=subprocess.PIPE, text=True)
+def serving(program, *flags):
+    """Runs a server at a free loopback port; gives its address."""
+    port = free_port()
+    address = f"127.0.0.1:{port}"
+    process = subprocess.Popen([program, *flags, address])
     try:
-        started = json.loads(process.stdout.readline())
-        yield f"127.0.0.1:{started.get('ports', started.get('port'))}", process
+        wait_for(port, process)
+        yield address
     finally:
         process.terminate()
-        process.communicate()
+        process.wait()
 
 
 def trcd(*flags):
-    return serving(BIN / "trcd", "--listen", "127.0.0.1:0", *flags)
+    return serving(BIN / "trcd", "--log-level", "warning", *flags, "--listen")
 
 
 def echo_server():
@@ -114,10 +134,10 @@ def core(table):
 
 def throughput(table, seconds):
     for layout, bound, rate_aim in (("columns", 150, 5e6), ("blocks", None, 1.8e6)):
-        with echo_server() as (address, _):
+        with echo_server() as address:
             ceiling = load(address, "--duration", seconds,
                            *saturating(layout, "--verify", 0))
-        with trcd("--log-level", "warning") as (address, _):
+        with trcd() as address:
             real = load(address, "--duration", seconds, *saturating(layout))
         ns, echo_ns = real["server"]["nsPerBlock"], ceiling["server"]["nsPerBlock"]
         rate, echo_rate = real["blocksPerSecond"], ceiling["blocksPerSecond"]
@@ -131,7 +151,7 @@ def throughput(table, seconds):
 
 
 def program(table, seconds):
-    with trcd("--log-level", "warning") as (address, _):
+    with trcd() as address:
         report = load(address, "--duration", seconds, *saturating("text"))
     rate = report["blocksPerSecond"]
     table.add("`CompensateProgram`, both sides", "≥ 1.5 million lines/s",
@@ -144,7 +164,7 @@ def scaling(table, seconds):
     cores = os.cpu_count()
     rates = {}
     for threads in (1, cores):
-        with trcd("--log-level", "warning", "--worker-threads", str(threads)) as (address, _):
+        with trcd("--worker-threads", str(threads)) as address:
             rates[threads] = load(address, "--duration", seconds, "--verify", 0,
                                   *saturating("columns"))["blocksPerSecond"]
     table.add(f"4 streams, {cores} worker threads against 1", "more",
@@ -153,7 +173,7 @@ def scaling(table, seconds):
 
 def latency(table, seconds):
     job = ["--blocks", 100, "--batch", 128, *G26]
-    with trcd("--log-level", "warning") as (address, _):
+    with trcd() as address:
         quiet = load(address, "--rate", 20, "--streams", 5, "--duration", seconds, *job)
         full = load(address, "--closed", "--streams", 200, "--duration", seconds, *job)
         rate = 0.6 * full["streamsPerSecond"]
@@ -173,7 +193,7 @@ def latency(table, seconds):
 
 
 def memory(table, blocks):
-    with trcd("--log-level", "warning") as (address, _):
+    with trcd() as address:
         report = load(address, "--closed", "--jobs", 1, "--blocks", blocks, "--batch", 1024,
                       "--duration", 300, "--verify", 0, *G26)
     resident = report["server"]["residentMib"]
@@ -190,10 +210,13 @@ def start(table):
     times = []
     for _ in range(7):
         begin = time.monotonic()
-        with trcd() as (address, _):
-            host, port = address.split(":")
-            socket.create_connection((host, int(port))).close()
-            times.append(1e3 * (time.monotonic() - begin))
+        process = subprocess.Popen([BIN / "trcd", "--listen", "127.0.0.1:0"],
+                                   stdout=subprocess.PIPE, text=True)
+        port = int(json.loads(process.stdout.readline())["ports"])
+        socket.create_connection(("127.0.0.1", port)).close()
+        times.append(1e3 * (time.monotonic() - begin))
+        process.terminate()
+        process.communicate()
     best = sorted(times)[len(times) // 2]
     table.add("Start of `trcd` to SERVING", "≤ 50 ms", aim(best, 50, f"{best:.0f} ms"),
               "median of 7")
@@ -202,7 +225,7 @@ def start(table):
 def starvation(table, blocks):
     """Small jobs beside one huge selection that is masked as a whole."""
     job = ["--rate", 50, "--streams", 50, "--blocks", 100, "--batch", 128, *G26]
-    with trcd("--log-level", "warning", "--max-session-memory-mib", "16384") as (address, _):
+    with trcd("--max-session-memory-mib", "16384") as address:
         alone = load(address, "--duration", 5, *job)
         masked = subprocess.Popen(
             load_command(address, "--jobs", 1, "--blocks", blocks, "--batch", 1024, "--masking",
