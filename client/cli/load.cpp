@@ -200,6 +200,11 @@ void add_job_options(CLI::App& command, Call& call) {
       ->capture_default_str();
   command.add_option("--seed", call.shape.seed, "Which of the random contours")
       ->capture_default_str();
+  command
+      .add_option("--tool-radius", call.shape.tool_radius,
+                  "The contour is made for it, mm; the tool has it unless --set says another")
+      ->check(CLI::Range(0.1, 100.0))
+      ->capture_default_str();
   command.add_option("--blocks", call.shape.blocks, "Contour blocks of a stream")
       ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{100'000'000}))
       ->capture_default_str();
@@ -225,8 +230,8 @@ void add_load(CLI::App& app, Action& action) {
   auto* command =
       app.add_subcommand("load", "Run many generated clients against a server and measure");
   command->footer(
-      "Every stream sends the same contour, made for a tool radius of 5 mm unless --set "
-      "tool_radius says another. An interrupt (^C) ends the run with the report so far.");
+      "Every stream sends the same contour. An interrupt (^C) ends the run with the report so "
+      "far.");
   auto call = std::make_shared<Call>();
   add_service_options(*command, call->service);
   add_load_options(*command, *call);

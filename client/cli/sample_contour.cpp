@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 #include <random>
+#include <utility>
 
 #include "core/base/tolerances.h"
 
@@ -138,6 +139,26 @@ Outline spiral(const ShapeRequest& request) {
   return outline;
 }
 
+// How many lines a wave of the meander has, and how long it is in tool radii.
+constexpr double lines_per_wave = 100;
+constexpr double wave_length = 10;
+
+// Waves two radii high round a ring: their troughs are round enough for the tool.
+Outline meander(const ShapeRequest& request) {
+  constexpr std::uint64_t shortest_lap = 300;
+  const std::uint64_t lines = std::max(request.blocks, shortest_lap);
+  const double waves = std::floor(static_cast<double>(lines) / lines_per_wave);
+  const double middle = waves * wave_length * request.tool_radius / (2 * pi);
+  const auto corner = [&](std::uint64_t number) {
+    const double angle = 2 * pi * static_cast<double>(number) / static_cast<double>(lines);
+    return polar(middle + request.tool_radius * std::cos(waves * angle), angle);
+  };
+  Outline outline{.start = corner(0)};
+  outline.elements.reserve(lines);
+  for (std::uint64_t i = 1; i <= lines; ++i) outline.elements.push_back({.end = corner(i % lines)});
+  return outline;
+}
+
 // A lap of lines and bows at distances from the origin that the seed chooses.
 Outline random_lap(const ShapeRequest& request) {
   constexpr std::uint64_t longest_lap = 1000;
@@ -169,25 +190,21 @@ struct ShapeMaker {
   Outline (*make)(const ShapeRequest&);
 };
 
-constexpr std::array<ShapeMaker, 7> makers{{
+constexpr std::array<ShapeMaker, 8> makers{{
     {{"polygon", "60 equal lines"}, polygon},
     {{"square", "lines and quarter circles, tangential"}, rounded_square},
     {{"star", "8 tips, sharp outside and inside corners"}, star},
     {{"gear", "24 teeth of lines and arcs"}, gear},
     {{"wave", "24 quarter circles and lines, inside corners between them"}, wave},
     {{"spiral", "quarter circles that grow"}, spiral},
+    {{"meander", "a ring of waves of 100 lines each, travelled once"}, meander},
     {{"random", "lines and arcs chosen by the seed, one in three an arc"}, random_lap},
 }};
 
-// The first lap. A contour shorter than a lap ends on its way. A longer one ends
-// where it began: what is left over full laps becomes pieces of its first line,
-// clear of both ends.
+// The first lap of a contour longer than a lap. It ends where it began: what is left over full laps
+// becomes pieces of its first line, clear of both ends.
 std::vector<Element> first_lap(const ShapeRequest& request, const Outline& outline) {
   std::vector<Element> elements = outline.elements;
-  if (request.blocks <= elements.size()) {
-    elements.resize(request.blocks);
-    return elements;
-  }
   const std::uint64_t pieces = request.blocks % outline.elements.size();
   Point from = outline.start;
   for (std::size_t i = 0; i < outline.elements.size(); ++i) {
@@ -229,19 +246,27 @@ const std::vector<ShapeRow>& shapes() {
 
 std::string fault_of(const ShapeRequest& request) {
   if (maker_of(request.shape) == nullptr) return "unknown shape " + request.shape;
-  if (request.shape == "spiral") {
-    const double most = Tolerances{}.largest_coordinate / request.tool_radius - 10;
-    if (static_cast<double>(request.blocks) > most)
-      return "a spiral of this tool radius has at most " +
-             std::to_string(static_cast<std::uint64_t>(std::max(most, 0.0))) + " blocks";
-  }
-  return {};
+  // What grows with its blocks, in radii a block.
+  double growth = 0;
+  if (request.shape == "spiral") growth = 1;
+  if (request.shape == "meander") growth = wave_length / lines_per_wave / (2 * pi);
+  if (growth == 0) return {};
+  const double most = (Tolerances{}.largest_coordinate / request.tool_radius - 10) / growth;
+  if (static_cast<double>(request.blocks) <= most) return {};
+  return "a " + request.shape + " of this tool radius has at most " +
+         std::to_string(static_cast<std::uint64_t>(std::max(most, 0.0))) + " blocks";
 }
 
 SampleContour::SampleContour(const ShapeRequest& request)
     : blocks_(request.blocks), away_(4 * request.tool_radius) {
   Outline outline = maker_of(request.shape)->make(request);
   start_ = outline.start;
+  // One that is shorter than a lap ends on its way.
+  if (blocks_ <= outline.elements.size()) {
+    outline.elements.resize(blocks_);
+    first_lap_ = std::move(outline.elements);
+    return;
+  }
   first_lap_ = first_lap(request, outline);
   lap_ = std::move(outline.elements);
 }

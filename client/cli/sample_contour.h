@@ -24,7 +24,7 @@ struct ShapeRow {
 // The shapes there are.
 [[nodiscard]] const std::vector<ShapeRow>& shapes();
 
-// What is wrong with the request, empty if nothing: an unknown shape or a spiral that would grow
+// What is wrong with the request, empty if nothing: an unknown shape or one that would grow
 // beyond the range of coordinates.
 [[nodiscard]] std::string fault_of(const ShapeRequest& request);
 

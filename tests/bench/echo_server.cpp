@@ -1,8 +1,8 @@
 #include <grpcpp/grpcpp.h>
 
-#include <atomic>
+#include <chrono>
 #include <csignal>
-#include <iostream>
+#include <memory>
 #include <string>
 
 #include "trc/v1/trc_service.grpc.pb.h"
@@ -135,13 +135,11 @@ int serve(const std::string& address) {
   sigaddset(&signals, SIGINT);
   pthread_sigmask(SIG_BLOCK, &signals, nullptr);
   Echo echo;
-  int port = 0;
   grpc::ServerBuilder builder;
-  builder.AddListeningPort(address, grpc::InsecureServerCredentials(), &port);
+  builder.AddListeningPort(address, grpc::InsecureServerCredentials());
   builder.RegisterService(&echo);
   const std::unique_ptr<grpc::Server> server = builder.BuildAndStart();
   if (!server) return 1;
-  std::cout << "{\"port\":" << port << "}" << std::endl;
   int signal = 0;
   sigwait(&signals, &signal);
   server->Shutdown(std::chrono::system_clock::now() + std::chrono::seconds(1));
@@ -151,4 +149,6 @@ int serve(const std::string& address) {
 }  // namespace
 }  // namespace trc::bench
 
-int main(int argc, char** argv) { return trc::bench::serve(argc > 1 ? argv[1] : "127.0.0.1:0"); }
+int main(int argc, char** argv) {
+  return trc::bench::serve(argc > 1 ? argv[1] : "127.0.0.1:50051");
+}

@@ -229,7 +229,8 @@ def starvation(table, blocks):
         alone = load(address, "--duration", 5, *job)
         masked = subprocess.Popen(
             load_command(address, "--jobs", 1, "--blocks", blocks, "--batch", 1024, "--masking",
-                         "--verify", 0, "--duration", 240, *G26),
+                         "--shape", "meander", "--set", "tool_radius=15", "--verify", 0,
+                         "--duration", 240, *G26),
             stdout=subprocess.PIPE, text=True)
         others = subprocess.Popen(load_command(address, "--duration", 300, *job),
                                   stdout=subprocess.PIPE, text=True)

@@ -400,7 +400,8 @@ TEST(Verify, FindsAGougeThatWasIgnored) {
 }
 
 TEST(Verify, FindsNoGougeInGeneratedContours) {
-  for (const char* shape : {"polygon", "square", "star", "gear", "wave", "spiral", "random"}) {
+  for (const char* shape :
+       {"polygon", "square", "star", "gear", "wave", "spiral", "meander", "random"}) {
     SCOPED_TRACE(shape);
     const Ended generated = trc({"generate", "--shape", shape, "--blocks", "700", "--seed", "5"});
     EXPECT_EQ(generated.code, 0) << generated.err;

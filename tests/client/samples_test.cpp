@@ -64,6 +64,7 @@ TEST(Shapes, RefuseWhatTheyDoNotKnowOrCannotHold) {
   const auto ignore = [](std::string_view) { return true; };
   EXPECT_NE(generate({.shape = "cube"}, ignore), "");
   EXPECT_NE(generate({.shape = "spiral", .blocks = 10'000'000}, ignore), "");
+  EXPECT_NE(generate({.shape = "meander", .blocks = 13'000'000}, ignore), "");
 }
 
 }  // namespace

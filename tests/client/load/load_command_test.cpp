@@ -198,6 +198,20 @@ TEST(LoadCommand, MaskingLetsAToolThroughThatIsTooLarge) {
   EXPECT_EQ(report.number("differing"), 0);
 }
 
+TEST(LoadCommand, MakesTheContourForTheToolRadius) {
+  const ServerProcess server;
+  const Words options{"--jobs",     "1",       "--blocks",     "300",
+                      "--duration", "20",      "--set",        "tool_radius=5",
+                      "--shape",    "meander", "--tool-radius"};
+  Words fitting = options;
+  fitting.emplace_back("5");
+  EXPECT_EQ(loaded(server, fitting).number("completed"), 1);
+  // The troughs are five times as narrow.
+  Words tight = options;
+  tight.emplace_back("1");
+  EXPECT_EQ(load(server, tight).code, 1);
+}
+
 TEST(LoadCommand, CountsErrorsByStatus) {
   const ServerProcess server;
   const Ended ended = load(server, {"--jobs", "3", "--blocks", "240", "--duration", "20",
