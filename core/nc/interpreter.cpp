@@ -127,7 +127,8 @@ bool Interpreter::take_line(std::string_view text, std::string_view line_end,
     append_line(byte_order_mark, {}, lines);
     text.remove_prefix(byte_order_mark.size());
   }
-  if (!ended_ && comment_block_ == 0 && is_continued(last_line_of(text))) {
+  const std::string_view last_line = continued_ == 0 ? text : last_line_of(text);
+  if (!ended_ && comment_block_ == 0 && is_continued(last_line)) {
     if (line_end.empty()) return refuse_open_line();
     if (partial_.empty()) partial_.assign(text);
     partial_.erase(0, partial_.size() - text.size());  // the byte order mark

@@ -117,41 +117,64 @@ std::size_t first_bad_byte(std::string_view text, bool control_characters_pass) 
   return std::string_view::npos;
 }
 
+// Moves `at` behind the digits there and appends them to `digits`, which wraps beyond
+// `digits_that_fit`.
+inline void take_digits(const char*& at, const char* end, std::uint64_t& digits) {
+  for (; at != end; ++at) {
+    const auto digit = static_cast<unsigned char>(*at - '0');
+    if (digit > 9) return;
+    digits = digits * 10 + digit;
+  }
+}
+
+// For what 64 bits or one division cannot give.
+double long_number(const char* first, const char* end) {
+  double value = 0;
+  if (std::from_chars(first, end, value, std::chars_format::fixed).ec !=
+      std::errc::result_out_of_range)
+    return value;
+  const char* const point = std::find(first, end, '.');
+  const bool large = std::any_of(first, point, [](char digit) { return digit != '0'; });
+  return large ? std::numeric_limits<double>::infinity() : 0;
+}
+
+// Moves `at` behind the number there; false when there is none. See read_number.
+inline bool take_number(const char*& at, const char* end, double& value, bool& whole) {
+  const char* here = at;
+  const bool negative = here != end && *here == '-';
+  if (here != end && (*here == '-' || *here == '+')) ++here;
+  const char* const first = here;
+
+  std::uint64_t digits = 0;
+  take_digits(here, end, digits);
+  auto size = static_cast<std::size_t>(here - first);
+  std::size_t decimals = 0;
+  whole = here == end || *here != '.';
+  if (!whole) {
+    const char* const point = here++;
+    take_digits(here, end, digits);
+    decimals = static_cast<std::size_t>(here - point) - 1;
+    size += decimals;
+  }
+  if (size == 0) return false;
+  if (size <= digits_that_fit && digits <= largest_exact) {
+    // Signed, which converts in one instruction.
+    value = static_cast<double>(static_cast<std::int64_t>(digits));
+    if (decimals > 0) value /= powers_of_ten[decimals];
+  } else {
+    value = long_number(first, here);
+  }
+  if (negative) value = -value;
+  at = here;
+  return true;
+}
+
 }  // namespace
 
 std::size_t read_number(std::string_view text, double& value, bool& whole) {
-  const char* const begin = text.data();
-  const char* const end = begin + text.size();
-  const char* at = begin;
-  const bool negative = at != end && *at == '-';
-  if (at != end && (*at == '-' || *at == '+')) ++at;
-  const char* const first = at;
-
-  std::uint64_t digits = 0;  // wraps beyond `digits_that_fit`, and is not used then
-  const auto read_digits = [&] {
-    const char* const start = at;
-    for (; at != end && is_digit(*at); ++at)
-      digits = digits * 10 + static_cast<std::uint64_t>(*at - '0');
-    return static_cast<std::size_t>(at - start);
-  };
-  const std::size_t before_point = read_digits();
-  std::size_t decimals = 0;
-  whole = at == end || *at != '.';
-  if (!whole) {
-    ++at;
-    decimals = read_digits();
-  }
-  if (before_point + decimals == 0) return 0;
-  if (before_point + decimals <= digits_that_fit && digits <= largest_exact &&
-      decimals < powers_of_ten.size()) {
-    value = static_cast<double>(digits) / powers_of_ten[decimals];
-  } else if (std::from_chars(first, at, value, std::chars_format::fixed).ec ==
-             std::errc::result_out_of_range) {
-    const bool large = std::any_of(first, first + before_point, [](char d) { return d != '0'; });
-    value = large ? std::numeric_limits<double>::infinity() : 0;
-  }
-  if (negative) value = -value;
-  return static_cast<std::size_t>(at - begin);
+  const char* at = text.data();
+  if (!take_number(at, at + text.size(), value, whole)) return 0;
+  return static_cast<std::size_t>(at - text.data());
 }
 
 std::size_t first_byte_that_is_no_text(std::string_view text) {
@@ -285,9 +308,8 @@ Word WordReader::command() {
 }
 
 inline bool WordReader::number(double& value, bool& whole) {
-  const std::size_t length = read_number({at_, static_cast<std::size_t>(end_ - at_)}, value, whole);
-  at_ += length;
-  return length > 0 && std::abs(value) <= std::numeric_limits<double>::max();
+  return take_number(at_, end_, value, whole) &&
+         std::abs(value) <= std::numeric_limits<double>::max();
 }
 
 // Blanks and one `=` may stand in front of the number.
