@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <bit>
-#include <charconv>
 #include <limits>
 
 namespace trc {
@@ -11,41 +10,55 @@ namespace {
 
 __extension__ using Wide = unsigned __int128;
 
-constexpr std::array<std::int64_t, most_decimals + 1> powers_of_ten{
-    1, 10, 100, 1'000, 10'000, 100'000, 1'000'000, 10'000'000, 100'000'000, 1'000'000'000};
-
 constexpr Wide most_units = std::numeric_limits<std::int64_t>::max();
 
-// An integer part of up to 19 digits, the point, the decimals and a sign.
-constexpr std::size_t longest_number = 32;
+// A blank, a letter, a sign, an integer part of up to 19 digits, the point and the decimals.
+constexpr std::size_t longest_word = 40;
+
+// "00" to "99": digits are made two at a time.
+constexpr auto digit_pairs = [] {
+  std::array<std::array<char, 2>, 100> pairs{};
+  for (std::size_t pair = 0; pair < pairs.size(); ++pair)
+    pairs[pair] = {static_cast<char>('0' + pair / 10), static_cast<char>('0' + pair % 10)};
+  return pairs;
+}();
+
+// These write backwards, in front of `end`, and return where the text begins.
+char* write_pair(std::uint64_t& digits, char* end) {
+  const std::array<char, 2>& pair = digit_pairs[digits % 100];
+  digits /= 100;
+  *--end = pair[1];
+  *--end = pair[0];
+  return end;
+}
+
+char* write_digit(std::uint64_t& digits, char* end) {
+  *--end = static_cast<char>('0' + digits % 10);
+  digits /= 10;
+  return end;
+}
 
 enum class Zeros { trimmed, kept };
 
-void append(std::string& out, std::int64_t units, int decimals, Zeros zeros) {
-  std::array<char, longest_number> text;
-  char* end = text.data();
-  if (units < 0) *end++ = '-';
-  const std::uint64_t magnitude = units < 0 ? std::uint64_t{0} - static_cast<std::uint64_t>(units)
-                                            : static_cast<std::uint64_t>(units);
-  const auto one = static_cast<std::uint64_t>(powers_of_ten[static_cast<std::size_t>(decimals)]);
-  std::uint64_t fraction = magnitude % one;
-  end = std::to_chars(end, text.data() + text.size(), magnitude / one).ptr;
-  if (decimals > 0 && (fraction != 0 || zeros == Zeros::kept)) {
-    *end++ = '.';
-    for (int i = decimals; i-- > 0; fraction /= 10) end[i] = static_cast<char>('0' + fraction % 10);
-    end += decimals;
-    if (zeros == Zeros::trimmed) {
-      while (end[-1] == '0') --end;
-    }
+char* write_number(std::int64_t units, int decimals, Zeros zeros, char* end) {
+  std::uint64_t digits = units < 0 ? std::uint64_t{0} - static_cast<std::uint64_t>(units)
+                                   : static_cast<std::uint64_t>(units);
+  if (zeros == Zeros::trimmed) {
+    for (; decimals > 0 && digits % 10 == 0; --decimals) digits /= 10;
   }
-  out.append(text.data(), end);
+  if (decimals > 0) {
+    if (decimals % 2 != 0) end = write_digit(digits, end);
+    for (int left = decimals / 2; left > 0; --left) end = write_pair(digits, end);
+    *--end = '.';
+  }
+  const bool below_ten = digits < 10;
+  while (digits >= 10) end = write_pair(digits, end);
+  if (below_ten || digits > 0) end = write_digit(digits, end);
+  if (units < 0) *--end = '-';
+  return end;
 }
 
 }  // namespace
-
-std::int64_t units_per_one(int decimals) {
-  return powers_of_ten[static_cast<std::size_t>(decimals)];
-}
 
 std::int64_t to_units(double value, int decimals) {
   // value = mantissa * 2^exponent exactly; the product with the power of ten
@@ -71,16 +84,25 @@ std::int64_t to_units(double value, int decimals) {
   return (bits >> 63) != 0 ? -magnitude : magnitude;
 }
 
-double from_units(std::int64_t units, int decimals) {
-  return static_cast<double>(units) / static_cast<double>(units_per_one(decimals));
-}
-
 void append_units(std::string& out, std::int64_t units, int decimals) {
-  append(out, units, decimals, Zeros::trimmed);
+  std::array<char, longest_word> text;
+  char* const end = text.data() + text.size();
+  out.append(write_number(units, decimals, Zeros::trimmed, end), end);
 }
 
 void append_fixed(std::string& out, double value, int decimals) {
-  append(out, to_units(value, decimals), decimals, Zeros::kept);
+  std::array<char, longest_word> text;
+  char* const end = text.data() + text.size();
+  out.append(write_number(to_units(value, decimals), decimals, Zeros::kept, end), end);
+}
+
+void append_word(std::string& out, char letter, std::int64_t units, int decimals) {
+  std::array<char, longest_word> text;
+  char* const end = text.data() + text.size();
+  char* begin = write_number(units, decimals, Zeros::trimmed, end);
+  *--begin = letter;
+  *--begin = ' ';
+  out.append(begin, end);
 }
 
 }  // namespace trc

@@ -57,13 +57,10 @@ std::array<Arc, 2> halves_of(const Arc& arc) {
 }
 
 MotionWriter::MotionWriter(int decimals, std::string tracking_letters)
-    : decimals_(decimals), tracking_letters_(std::move(tracking_letters)) {}
-
-int MotionWriter::decimals_of(bool inch) const { return inch ? decimals_ + 1 : decimals_; }
-
-double MotionWriter::unit(bool inch) const {
-  return from_units(1, decimals_of(inch)) * (inch ? mm_per_inch : 1);
-}
+    : decimals_(decimals),
+      unit_of_mm_(from_units(1, decimals)),
+      unit_of_inch_(from_units(1, decimals + 1) * mm_per_inch),
+      tracking_letters_(std::move(tracking_letters)) {}
 
 MotionWriter::Written MotionWriter::written(double value, bool inch) const {
   const std::int64_t units = to_units(inch ? value / mm_per_inch : value, decimals_of(inch));
@@ -78,24 +75,12 @@ MotionWriter::Written MotionWriter::written_end(double target, double position, 
   return {.units = step.units, .read = position + step.read};
 }
 
-std::array<MotionWriter::Written, 2> MotionWriter::written_center(const Arc& arc, Plane plane,
-                                                                  const WrittenState& state) const {
-  const Point start = to_plane(plane, state.position);
-  std::array<Written, 2> center;
-  for (int i = 0; i < 2; ++i) {
-    Written& axis = center[static_cast<std::size_t>(i)];
-    if (state.absolute_center) {
-      axis = written(arc.center[i], state.inch);
-    } else {
-      axis = written(arc.center[i] - start[i], state.inch);
-      axis.read += start[i];
-    }
-  }
-  return center;
-}
-
-bool MotionWriter::reaches(double target, double position, bool inch) const {
-  return std::abs(target - position) <= unit(inch) / 2;
+// I, J, K: from the start of the arc, or absolute.
+MotionWriter::Written MotionWriter::written_center(double center, double start,
+                                                   const WrittenState& state) const {
+  if (state.absolute_center) return written(center, state.inch);
+  const Written step = written(center - start, state.inch);
+  return {.units = step.units, .read = step.read + start};
 }
 
 bool MotionWriter::reaches_tracking(std::size_t axis, double target, double position,
@@ -103,17 +88,25 @@ bool MotionWriter::reaches_tracking(std::size_t axis, double target, double posi
   return reaches(target, position, inch && is_linear(tracking_letters_[axis]));
 }
 
-MotionWriter::ArcForm MotionWriter::form_of(const Arc& arc, Plane plane,
+MotionWriter::ArcNumbers MotionWriter::numbers_of(const Arc& arc, Plane plane,
+                                                  const WrittenState& state) const {
+  const Point start = to_plane(plane, state.position);
+  const auto end = [&](double target, double position) {
+    return written_end(target, position, state.inch, state.incremental);
+  };
+  ArcNumbers numbers{.end = {end(arc.end.x(), start.x()), end(arc.end.y(), start.y())},
+                     .center = {written_center(arc.center.x(), start.x(), state),
+                                written_center(arc.center.y(), start.y(), state)}};
+  numbers.form = form_of(arc, numbers, plane, state);
+  return numbers;
+}
+
+MotionWriter::ArcForm MotionWriter::form_of(const Arc& arc, const ArcNumbers& numbers, Plane plane,
                                             const WrittenState& state) const {
   const Tolerances tolerances;
-  const PlaneAxes axes = axes_of(plane);
-  const double first = state.position[axes.first];
-  const double second = state.position[axes.second];
-  const Point start(first, second);
-  const Point end(written_end(arc.end.x(), first, state.inch, state.incremental).read,
-                  written_end(arc.end.y(), second, state.inch, state.incremental).read);
-  const auto written_at = written_center(arc, plane, state);
-  const Point center(written_at[0].read, written_at[1].read);
+  const Point start = to_plane(plane, state.position);
+  const Point end(numbers.end[0].read, numbers.end[1].read);
+  const Point center(numbers.center[0].read, numbers.center[1].read);
 
   const CircleCheck check;
   if ((center - start).norm() <= tolerances.same_point) return ArcForm::line;
@@ -142,26 +135,24 @@ bool MotionWriter::moves(const Position& end, const TrackingTravel& tracking,
   return false;
 }
 
-void MotionWriter::append_word(std::string& out, char letter, std::int64_t units, bool inch) const {
-  out += ' ';
-  out += letter;
-  append_units(out, units, decimals_of(inch));
-}
-
 void MotionWriter::append_axes(std::string& out, AxisSet always, AxisSet never, const Position& end,
-                               const TrackingTravel& tracking, WrittenState& state) const {
-  const auto append_axis = [&](char letter, AxisSet bit, double target, double& position) {
+                               const TrackingTravel& tracking, const KnownNumbers& known,
+                               WrittenState& state) const {
+  const auto append_axis = [&](char letter, AxisSet bit, double target, const Written* number,
+                               double& position) {
     if ((never & bit) != 0) return;
     const bool inch = state.inch && is_linear(letter);
     if ((always & bit) == 0 && reaches(target, position, inch)) return;
-    const Written axis = written_end(target, position, inch, state.incremental);
-    append_word(out, letter, axis.units, inch);
+    const Written axis =
+        number != nullptr ? *number : written_end(target, position, inch, state.incremental);
+    append_word(out, letter, axis.units, decimals_of(inch));
     position = axis.read;
   };
   for (std::size_t axis = 0; axis < end.size(); ++axis)
-    append_axis(main_axis_letters[axis], axis_bit(axis), end[axis], state.position[axis]);
+    append_axis(main_axis_letters[axis], axis_bit(axis), end[axis], known[axis],
+                state.position[axis]);
   for (std::size_t axis = 0; axis < tracking.size(); ++axis)
-    append_axis(tracking_letters_[axis], axis_bit(end.size() + axis), tracking[axis].to,
+    append_axis(tracking_letters_[axis], axis_bit(end.size() + axis), tracking[axis].to, nullptr,
                 state.tracking[axis]);
 }
 
@@ -169,33 +160,32 @@ void MotionWriter::append_line(std::string& out, MotionKind kind, const Position
                                const TrackingTravel& tracking, AxisSet always,
                                WrittenState& state) const {
   out += kind == MotionKind::rapid ? " G00" : " G01";
-  append_axes(out, always, 0, end, tracking, state);
+  append_axes(out, always, 0, end, tracking, {}, state);
   state.motion = kind;
 }
 
-void MotionWriter::append_arc(std::string& out, const Arc& arc, Plane plane, const Position& end,
-                              const TrackingTravel& tracking, AxisSet always,
-                              WrittenState& state) const {
+void MotionWriter::append_arc(std::string& out, const Arc& arc, const ArcNumbers& numbers,
+                              Plane plane, const Position& end, const TrackingTravel& tracking,
+                              AxisSet always, WrittenState& state) const {
   const bool clockwise = arc.sweep < 0;
-  const auto center = written_center(arc, plane, state);
   const PlaneAxes axes = axes_of(plane);
   const AxisSet plane_axes = axis_bit(axes.first) | axis_bit(axes.second);
   // An end that rounds to another place than the start would not close the circle.
   const bool only_center =
-      is_full_circle(arc) &&
-      (written_end(arc.end.x(), state.position[axes.first], state.inch, state.incremental).read !=
-           state.position[axes.first] ||
-       written_end(arc.end.y(), state.position[axes.second], state.inch, state.incremental).read !=
-           state.position[axes.second]);
+      is_full_circle(arc) && (numbers.end[0].read != state.position[axes.first] ||
+                              numbers.end[1].read != state.position[axes.second]);
+  KnownNumbers known{};
+  known[axes.first] = &numbers.end[0];
+  known[axes.second] = &numbers.end[1];
   out += clockwise ? " G02" : " G03";
-  append_axes(out, always | plane_axes, only_center ? plane_axes : 0, end, tracking, state);
+  append_axes(out, always | plane_axes, only_center ? plane_axes : 0, end, tracking, known, state);
   // The letters belong to the machine axes: in G18 the first axis of the plane is Z.
   const bool swapped = axes.first > axes.second;
   const std::array<std::size_t, 2> order =
       swapped ? std::array<std::size_t, 2>{1, 0} : std::array<std::size_t, 2>{0, 1};
   for (const std::size_t i : order)
-    append_word(out, center_letters[i == 0 ? axes.first : axes.second], center[i].units,
-                state.inch);
+    append_word(out, center_letters[i == 0 ? axes.first : axes.second], numbers.center[i].units,
+                decimals_of(state.inch));
   state.motion = clockwise ? MotionKind::clockwise : MotionKind::counter_clockwise;
 }
 
@@ -216,8 +206,7 @@ bool MotionWriter::same_feed(double a, double b, bool inch) const {
 
 void MotionWriter::append_feed(std::string& out, double feed, WrittenState& state) const {
   const WrittenFeed word = written_feed(feed, state.inch);
-  out += " F";
-  append_units(out, word.units, word.decimals);
+  append_word(out, 'F', word.units, word.decimals);
   state.feed = word.read;
 }
 

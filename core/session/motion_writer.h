@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -51,13 +52,26 @@ class MotionWriter {
     line,    // so short that a line is as exact, and rounding would change its sweep
     halves,  // rounding would move its centre or change its sweep: too near to a full circle
   };
-  [[nodiscard]] ArcForm form_of(const Arc& arc, Plane plane, const WrittenState& state) const;
+  // A number as it is written, and what a reader makes of it in mm.
+  struct Written {
+    std::int64_t units = 0;
+    double read = 0;
+  };
+  // The numbers of an arc, in the axes of the plane.
+  struct ArcNumbers {
+    ArcForm form = ArcForm::arc;
+    std::array<Written, 2> end{};
+    std::array<Written, 2> center{};
+  };
+  [[nodiscard]] ArcNumbers numbers_of(const Arc& arc, Plane plane, const WrittenState& state) const;
 
   // Whether a reader would move if it were told to go there.
   [[nodiscard]] bool moves(const Position& end, const TrackingTravel& tracking,
                            const WrittenState& state) const;
   // Whether `position` is `target` to half a unit of the last decimal.
-  [[nodiscard]] bool reaches(double target, double position, bool inch) const;
+  [[nodiscard]] bool reaches(double target, double position, bool inch) const {
+    return std::abs(target - position) <= unit(inch) / 2;
+  }
   [[nodiscard]] bool reaches_tracking(std::size_t axis, double target, double position,
                                       bool inch) const;
 
@@ -65,38 +79,42 @@ class MotionWriter {
   // an arc, both plane axes and the centre. Each word has a blank before it.
   void append_line(std::string& out, MotionKind kind, const Position& end,
                    const TrackingTravel& tracking, AxisSet always, WrittenState& state) const;
-  void append_arc(std::string& out, const Arc& arc, Plane plane, const Position& end,
-                  const TrackingTravel& tracking, AxisSet always, WrittenState& state) const;
+  // `numbers`: of this arc, from this state.
+  void append_arc(std::string& out, const Arc& arc, const ArcNumbers& numbers, Plane plane,
+                  const Position& end, const TrackingTravel& tracking, AxisSet always,
+                  WrittenState& state) const;
 
   // Whether two feeds are written alike, mm/min.
   [[nodiscard]] bool same_feed(double a, double b, bool inch) const;
   void append_feed(std::string& out, double feed, WrittenState& state) const;
 
  private:
-  // A number as it is written, and what a reader makes of it in mm.
-  struct Written {
-    std::int64_t units = 0;
-    double read = 0;
-  };
   [[nodiscard]] Written written(double value, bool inch) const;
   [[nodiscard]] Written written_end(double target, double position, bool inch,
                                     bool incremental) const;
-  [[nodiscard]] std::array<Written, 2> written_center(const Arc& arc, Plane plane,
-                                                      const WrittenState& state) const;
+  [[nodiscard]] Written written_center(double center, double start,
+                                       const WrittenState& state) const;
+  [[nodiscard]] ArcForm form_of(const Arc& arc, const ArcNumbers& numbers, Plane plane,
+                                const WrittenState& state) const;
   struct WrittenFeed {
     std::int64_t units = 0;
     int decimals = 0;
     double read = 0;  // mm/min
   };
   [[nodiscard]] WrittenFeed written_feed(double feed, bool inch) const;
-  [[nodiscard]] int decimals_of(bool inch) const;
-  [[nodiscard]] double unit(bool inch) const;  // of the last decimal, mm
+  [[nodiscard]] int decimals_of(bool inch) const { return inch ? decimals_ + 1 : decimals_; }
+  [[nodiscard]] double unit(bool inch) const { return inch ? unit_of_inch_ : unit_of_mm_; }
 
-  void append_word(std::string& out, char letter, std::int64_t units, bool inch) const;
+  // `known`: the numbers of main axes that have been asked for already.
+  using KnownNumbers = std::array<const Written*, 3>;
   void append_axes(std::string& out, AxisSet always, AxisSet never, const Position& end,
-                   const TrackingTravel& tracking, WrittenState& state) const;
+                   const TrackingTravel& tracking, const KnownNumbers& known,
+                   WrittenState& state) const;
 
   int decimals_;
+  // Of the last decimal, mm.
+  double unit_of_mm_;
+  double unit_of_inch_;
   std::string tracking_letters_;
 };
 

@@ -196,7 +196,7 @@ bool NcWriter::reads_as(const Waiting& own, const CompensatedBlock& block,
 void NcWriter::write_motion(const CompensatedBlock& block, std::string& out) {
   if (own_ != nullptr) enter_modes(*own_);
   const Arc* arc = std::get_if<Arc>(&block.path);
-  if (arc == nullptr) return write_piece(block, block.path, 1, out);
+  if (arc == nullptr) return write_piece(block, block.path, nullptr, 1, out);
   const Plane plane = state_.plane;
   if (block.plane != plane) write_plane(block.plane, out);
   write_arc(block, *arc, 0, 1, out);
@@ -205,9 +205,10 @@ void NcWriter::write_motion(const CompensatedBlock& block, std::string& out) {
 
 void NcWriter::write_arc(const CompensatedBlock& block, const Arc& arc, double from, double to,
                          std::string& out) {
-  switch (motions_.form_of(arc, block.plane, state_)) {
+  const MotionWriter::ArcNumbers numbers = motions_.numbers_of(arc, block.plane, state_);
+  switch (numbers.form) {
     case MotionWriter::ArcForm::arc:
-      return write_piece(block, arc, to, out);
+      return write_piece(block, arc, &numbers, to, out);
     case MotionWriter::ArcForm::halves: {
       const double middle = (from + to) / 2;
       const std::array<Arc, 2> halves = halves_of(arc);
@@ -216,11 +217,12 @@ void NcWriter::write_arc(const CompensatedBlock& block, const Arc& arc, double f
       return;
     }
     case MotionWriter::ArcForm::line:
-      return write_piece(block, Line{.start = arc.start, .end = arc.end}, to, out);
+      return write_piece(block, Line{.start = arc.start, .end = arc.end}, nullptr, to, out);
   }
 }
 
-void NcWriter::write_piece(const CompensatedBlock& block, const Segment& piece, double share,
+void NcWriter::write_piece(const CompensatedBlock& block, const Segment& piece,
+                           const MotionWriter::ArcNumbers* numbers, double share,
                            std::string& out) {
   const auto part_way = [share](const AxisTravel& travel) {
     return share == 1 ? travel.to : travel.from + share * (travel.to - travel.from);
@@ -242,7 +244,7 @@ void NcWriter::write_piece(const CompensatedBlock& block, const Segment& piece, 
   }
   const MotionKind kind = kind_of(block);
   if (arc != nullptr) {
-    motions_.append_arc(words_, *arc, block.plane, end, tracking_, always, state_);
+    motions_.append_arc(words_, *arc, *numbers, block.plane, end, tracking_, always, state_);
   } else {
     motions_.append_line(words_, kind == MotionKind::rapid ? kind : MotionKind::linear, end,
                          tracking_, always, state_);

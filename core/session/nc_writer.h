@@ -98,9 +98,10 @@ class NcWriter {
   void write_motion(const CompensatedBlock& block, std::string& out);
   void write_arc(const CompensatedBlock& block, const Arc& arc, double from, double to,
                  std::string& out);
-  // One line of output: the piece of the block that ends after a share of its way.
-  void write_piece(const CompensatedBlock& block, const Segment& piece, double share,
-                   std::string& out);
+  // One line of output: the piece of the block that ends after a share of its way. `numbers`: of
+  // an arc.
+  void write_piece(const CompensatedBlock& block, const Segment& piece,
+                   const MotionWriter::ArcNumbers* numbers, double share, std::string& out);
   void write_plane(Plane plane, std::string& out);
 
   void begin_words();

@@ -30,7 +30,8 @@ SessionSetup with_common_start(SessionSetup setup) {
 
 NcWriter::Setup writer_setup(const ProgramSessionSetup& setup) {
   const ProgramSetup& program = setup.session.program;
-  NcWriter::Setup writer{.decimals = setup.decimals,
+  // Decimals out of range are refused before anything is written.
+  NcWriter::Setup writer{.decimals = std::clamp(setup.decimals, 0, most_decimals - 1),
                          .start = program.start,
                          .absolute_center = program.absolute_center,
                          .plane = program.mode.plane};

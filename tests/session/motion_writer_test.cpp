@@ -45,7 +45,8 @@ TEST(ArcForm, OrdinaryArcsStayArcs) {
   for (const double sweep : {0.01, 1.0, pi, 4.0, 6.0, 2 * pi})
     for (const double sense : {1.0, -1.0}) {
       const Arc arc = arc_from({12.345678, -3.14159}, 20.123456, 0.7, sense * sweep);
-      EXPECT_EQ(writer.form_of(arc, Plane::xy, at_start(arc, 4)), ArcForm::arc) << sense * sweep;
+      EXPECT_EQ(writer.numbers_of(arc, Plane::xy, at_start(arc, 4)).form, ArcForm::arc)
+          << sense * sweep;
     }
 }
 
@@ -56,7 +57,7 @@ TEST(ArcForm, AlmostFullCircleIsWrittenInHalves) {
   int halves = 0;
   for (double gap = 1e-5; gap < 2e-3; gap *= 1.3) {
     const Arc arc = arc_from({0.12345, 0.54321}, 50, 1.1, 2 * pi - gap / 50);
-    const ArcForm form = writer.form_of(arc, Plane::xy, at_start(arc, 4));
+    const ArcForm form = writer.numbers_of(arc, Plane::xy, at_start(arc, 4)).form;
     EXPECT_NE(form, ArcForm::line);
     if (form == ArcForm::halves) ++halves;
   }
@@ -67,14 +68,14 @@ TEST(ArcForm, ArcWithoutLengthAfterRoundingIsNoCircle) {
   const MotionWriter writer(3, "");
   for (const double radius : {0.3, 5.0, 500.0}) {
     const Arc arc = arc_from({1, 1}, radius, 0.3, 2e-4 / radius);
-    EXPECT_EQ(writer.form_of(arc, Plane::xy, at_start(arc, 3)), ArcForm::line) << radius;
+    EXPECT_EQ(writer.numbers_of(arc, Plane::xy, at_start(arc, 3)).form, ArcForm::line) << radius;
   }
 }
 
 TEST(ArcForm, CircleSmallerThanAUnitIsNoCircle) {
   const MotionWriter writer(2, "");
   const Arc arc = arc_from({1, 1}, 0.002, 0, 2 * pi);
-  EXPECT_EQ(writer.form_of(arc, Plane::xy, at_start(arc, 2)), ArcForm::line);
+  EXPECT_EQ(writer.numbers_of(arc, Plane::xy, at_start(arc, 2)).form, ArcForm::line);
 }
 
 // For arcs of every size against the unit, what is written as an arc is read as that arc.
@@ -96,11 +97,12 @@ TEST(ArcForm, WhatIsAnArcIsReadAsTheSameArc) {
     state.absolute_center = random.chance(0.5);
     state.incremental = random.chance(0.5);
     const MotionWriter writer(places, "");
-    if (writer.form_of(arc, Plane::xy, state) != ArcForm::arc) continue;
+    const MotionWriter::ArcNumbers numbers = writer.numbers_of(arc, Plane::xy, state);
+    if (numbers.form != ArcForm::arc) continue;
     ++arcs;
     const Point start(state.position[0], state.position[1]);
     std::string text;
-    writer.append_arc(text, arc, Plane::xy, {arc.end.x(), arc.end.y(), 0}, {}, 0, state);
+    writer.append_arc(text, arc, numbers, Plane::xy, {arc.end.x(), arc.end.y(), 0}, {}, 0, state);
     const Point end(state.position[0], state.position[1]);
     Point center(std::stod(text.substr(text.find('I') + 1)),
                  std::stod(text.substr(text.find('J') + 1)));
