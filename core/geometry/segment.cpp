@@ -14,14 +14,6 @@ Vector circle_tangent(const Point& point, const Point& center, double sweep) {
 
 }  // namespace
 
-const Point& start_of(const Segment& segment) {
-  return std::visit([](const auto& s) -> const Point& { return s.start; }, segment);
-}
-
-const Point& end_of(const Segment& segment) {
-  return std::visit([](const auto& s) -> const Point& { return s.end; }, segment);
-}
-
 Vector tangent_at_start(const Segment& segment) {
   return std::visit(
       overloaded{
@@ -47,8 +39,6 @@ double length_of(const Segment& segment) {
                     },
                     segment);
 }
-
-double radius_of(const Arc& arc) { return (arc.start - arc.center).norm(); }
 
 Segment refitted(const Arc& arc, const Point& start, const Point& end, double same_point) {
   const Vector chord = end - start;

@@ -46,15 +46,21 @@ overloaded(Cases...) -> overloaded<Cases...>;
 }
 
 [[nodiscard]] inline bool is_arc(const Segment& s) { return std::holds_alternative<Arc>(s); }
-[[nodiscard]] const Point& start_of(const Segment& segment);
-[[nodiscard]] const Point& end_of(const Segment& segment);
+[[nodiscard]] inline const Point& start_of(const Segment& segment) {
+  const auto* arc = std::get_if<Arc>(&segment);
+  return arc != nullptr ? arc->start : std::get<Line>(segment).start;
+}
+[[nodiscard]] inline const Point& end_of(const Segment& segment) {
+  const auto* arc = std::get_if<Arc>(&segment);
+  return arc != nullptr ? arc->end : std::get<Line>(segment).end;
+}
 
 // Unit vectors in travel direction. The segment has a length (D-29).
 [[nodiscard]] Vector tangent_at_start(const Segment& segment);
 [[nodiscard]] Vector tangent_at_end(const Segment& segment);
 
 [[nodiscard]] double length_of(const Segment& segment);
-[[nodiscard]] double radius_of(const Arc& arc);
+[[nodiscard]] inline double radius_of(const Arc& arc) { return (arc.start - arc.center).norm(); }
 
 // An arc of the same sense through two other points; its centre is the old one,
 // projected on their perpendicular bisector. Up to `same_point` mm apart, a line.

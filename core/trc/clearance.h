@@ -30,6 +30,9 @@ class Clearance {
 
   bool feed(PathBlockPtr block, PathBlocks& out);
   bool drain(PathBlocks& out) { return end_selection(out); }
+  [[nodiscard]] bool ignores(const PathBlock& block) const {
+    return held_.empty() && contour_.empty() && !implicit_ && block.mode().masking == Masking::off;
+  }
   [[nodiscard]] std::size_t look_ahead() const { return window_; }
 
   template <class Archive>

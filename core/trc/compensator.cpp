@@ -1,5 +1,7 @@
 #include "core/trc/compensator.h"
 
+#include <span>
+
 #include "core/trc/clearance.h"
 #include "core/trc/contour_masking.h"
 #include "core/trc/contour_violations.h"
@@ -83,7 +85,7 @@ struct Compensator::Passes {
   selection::Split split;
   Reporting reporting;
 
-  std::vector<Block> programmed;
+  std::span<Block> programmed;  // of the caller: one block
   PathBlocks relevant;
   PathBlocks reachable;
   PathBlocks entered;
@@ -104,9 +106,10 @@ Compensator::~Compensator() = default;
 bool Compensator::feed(std::vector<Block>& blocks, std::vector<CompensatedBlock>& out) {
   for (Block& block : blocks) {
     ++passes_->reporting.summary().blocks_in;
-    passes_->programmed.push_back(std::move(block));
+    passes_->programmed = {&block, 1};
     if (!passes_->step(Input::more, out)) break;
   }
+  passes_->programmed = {};
   blocks.clear();
   return !passes_->diagnostics.stopped();
 }

@@ -36,8 +36,7 @@ OffsetCurve start_curve(const PathBlock& block) {
 }  // namespace
 
 bool ContourMasking::feed(PathBlockPtr block, PathBlocks& out) {
-  const bool masking = block->role != Role::passive && block->mode().masking == Masking::on &&
-                       !block->removes_loops();
+  const bool masking = masks(*block);
   const bool continues = !held_.empty() && is_contour(*block) && !block->perpendicular_entry;
   if (continues && masking) {
     if (held_.size() >= selection_blocks_)
@@ -147,7 +146,7 @@ std::optional<PathBlock::Rejoin> ContourMasking::join_anew(const PathBlock& befo
   const OffsetCurve curve_before = end_curve(before);
   const OffsetCurve curve_after = start_curve(after);
   if (const auto joint = nearest_meeting(curve_before, curve_after, tolerances_))
-    return PathBlock::Rejoin{joint->end, joint->cut_before, joint->cut_after};
+    return PathBlock::Rejoin{joint->point, joint->cut_before, joint->cut_after};
   if (curve_before.circular || curve_after.circular) return std::nullopt;
   const Meetings meetings =
       intersect(StraightLine{.point = curve_before.anchor, .direction = curve_before.tangent},

@@ -38,6 +38,9 @@ class ContourMasking {
 
   bool feed(PathBlockPtr block, PathBlocks& out);
   bool drain(PathBlocks& out) { return resolve(nullptr, out); }
+  [[nodiscard]] bool ignores(const PathBlock& block) const {
+    return held_.empty() && !(block.at_end.active && masks(block));
+  }
   [[nodiscard]] std::size_t look_ahead() const { return window_; }
 
   template <class Archive>
@@ -63,6 +66,10 @@ class ContourMasking {
     std::optional<PathBlock::Rejoin> rejoin{};
   };
 
+  [[nodiscard]] static bool masks(const PathBlock& block) {
+    return block.role != Role::passive && block.mode().masking == Masking::on &&
+           !block.removes_loops();
+  }
   // Decides over the held blocks; `after` follows them, if anything does.
   bool resolve(const PathBlock* after, PathBlocks& out);
   bool keep(std::size_t index);

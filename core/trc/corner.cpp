@@ -132,37 +132,32 @@ double cut_after_anchor(const OffsetCurve& curve, const Point& point, double sla
                         : (point - curve.anchor).dot(curve.tangent);
 }
 
-std::optional<Joint> nearest_meeting(const OffsetCurve& before, const OffsetCurve& after,
-                                     const Tolerances& tolerances) {
+std::optional<MeetingPoint> nearest_meeting(const OffsetCurve& before, const OffsetCurve& after,
+                                            const Tolerances& tolerances) {
   const double slack = slack_of(before, after, tolerances);
-  std::optional<Joint> nearest;
+  std::optional<MeetingPoint> nearest;
   double nearest_after = std::numeric_limits<double>::infinity();
   double nearest_before = nearest_after;
   for (const Point& point : meetings_of(before, after, tolerances.same_point)) {
-    const double cut_before = cut_before_anchor(before, point, slack);
     const double cut_after = cut_after_anchor(after, point, slack);
-    const double length_before = length_of_cut(before, cut_before);
     const double length_after = length_of_cut(after, cut_after);
-    if (length_before < -slack || length_after < -slack) continue;
     const bool tied = std::abs(length_after - nearest_after) <= tolerances.same_point;
-    if (tied ? length_before >= nearest_before : length_after >= nearest_after) continue;
+    if (length_after < -slack || (!tied && length_after >= nearest_after)) continue;
+    const double cut_before = cut_before_anchor(before, point, slack);
+    const double length_before = length_of_cut(before, cut_before);
+    if (length_before < -slack || (tied && length_before >= nearest_before)) continue;
     nearest_after = length_after;
     nearest_before = length_before;
-    nearest.emplace();
-    nearest->end = nearest->start = point;
-    nearest->cut_before = cut_before;
-    nearest->cut_after = cut_after;
+    nearest = {.point = point, .cut_before = cut_before, .cut_after = cut_after};
   }
   return nearest;
 }
 
-std::optional<Joint> inside_joint(const Corner& corner, const Tolerances& tolerances) {
+std::optional<MeetingPoint> inside_joint(const Corner& corner, const Tolerances& tolerances) {
   if (corner.before.circular || corner.after.circular)
     return nearest_meeting(corner.before, corner.after, tolerances);
-  Joint joint;
-  joint.end = joint.start = mitre_point(corner);
-  joint.cut_before = joint.cut_after = corner.tool_radius() * std::tan(std::abs(corner.turn) / 2);
-  return joint;
+  const double cut = corner.tool_radius() * std::tan(std::abs(corner.turn) / 2);
+  return MeetingPoint{.point = mitre_point(corner), .cut_before = cut, .cut_after = cut};
 }
 
 Joint outside_joint(const Corner& corner, const TransitionRule& rule,

@@ -63,18 +63,36 @@ enum class CornerKind { tangential, inside, outside };
 // The transition angle beta of spec section 1.12, rad, 0 < beta <= 2 pi.
 [[nodiscard]] double transition_angle(const Corner& corner, const Tolerances& tolerances);
 
+// The point in which two equidistants meet.
+struct MeetingPoint {
+  Point point = Point::Zero();
+  double cut_before = 0;  // as in PathBlock
+  double cut_after = 0;
+};
+
 // What becomes of a corner.
 struct Joint {
+  Joint() = default;
+  explicit Joint(const MeetingPoint& meeting)
+      : end(meeting.point),
+        start(meeting.point),
+        cut_before(meeting.cut_before),
+        cut_after(meeting.cut_after) {}
+
   Point end = Point::Zero();    // of the block before
   Point start = Point::Zero();  // of the block after
   double cut_before = 0;        // as in PathBlock
   double cut_after = 0;
 
   void insert(const Segment& segment) { inserted_[count_++] = segment; }
-  [[nodiscard]] std::span<const Segment> inserted() const { return {inserted_.data(), count_}; }
+  // All of them have a value.
+  [[nodiscard]] std::span<const std::optional<Segment>> inserted() const {
+    return {inserted_.data(), count_};
+  }
 
  private:
-  std::array<Segment, 3> inserted_{};
+  // Optional, so that the joints that insert nothing, most of them, are small to make and to copy.
+  std::array<std::optional<Segment>, 3> inserted_{};
   std::size_t count_ = 0;
 };
 
@@ -89,7 +107,8 @@ struct TransitionRule {
 // Both blocks shortened to the meeting of their equidistants, the nearest one
 // along the block after, then along the block before (D-06). Empty when the
 // equidistants do not meet between the corner and their far ends.
-[[nodiscard]] std::optional<Joint> inside_joint(const Corner& corner, const Tolerances& tolerances);
+[[nodiscard]] std::optional<MeetingPoint> inside_joint(const Corner& corner,
+                                                       const Tolerances& tolerances);
 
 // The table of spec section 4.2 with STRETCH_FACTOR (4.3). Lines are extended,
 // circles get a tangent line.
@@ -108,8 +127,8 @@ struct TransitionRule {
 
 // Where two unbounded curves meet, as far as the corner lets them: the meeting
 // with the smallest cut of `after`, then of `before` (D-06).
-[[nodiscard]] std::optional<Joint> nearest_meeting(const OffsetCurve& before,
-                                                   const OffsetCurve& after,
-                                                   const Tolerances& tolerances);
+[[nodiscard]] std::optional<MeetingPoint> nearest_meeting(const OffsetCurve& before,
+                                                          const OffsetCurve& after,
+                                                          const Tolerances& tolerances);
 
 }  // namespace trc

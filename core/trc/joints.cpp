@@ -130,21 +130,25 @@ JointResult contour_joint(const PathBlock& before, const PathBlock& after, const
     case CornerKind::inside:
       break;
   }
-  std::optional<Joint> joint;
-  // Two equidistants that miss each other do not meet where loops are removed: what is
-  // left of the gap is LoopRemoval's to judge.
-  Tolerances meeting = tolerances;
-  if (after.removes_loops())
-    meeting.same_point = tolerances.rounding * std::max(corner.tool_radius(), 1.0);
-  if (!vanished) joint = inside_joint(corner, meeting);
-  if (after.removes_loops() &&
-      !(joint && reaches(before, joint->cut_before) && reaches(after, joint->cut_after)))
-    return JoinedBlocks{.joint = across(corner.before.anchor, corner.after.anchor), .apart = true};
-  if (joint) {
+  std::optional<MeetingPoint> meeting;
+  if (after.removes_loops()) {
+    // Two equidistants that miss each other do not meet where loops are removed: what is
+    // left of the gap is LoopRemoval's to judge.
+    Tolerances exact = tolerances;
+    exact.same_point = tolerances.rounding * std::max(corner.tool_radius(), 1.0);
+    if (!vanished) meeting = inside_joint(corner, exact);
+    if (!(meeting && reaches(before, meeting->cut_before) && reaches(after, meeting->cut_after)))
+      return JoinedBlocks{.joint = across(corner.before.anchor, corner.after.anchor),
+                          .apart = true};
+  } else if (!vanished) {
+    meeting = inside_joint(corner, tolerances);
+  }
+  if (meeting) {
+    Joint joint(*meeting);
     if (mode.options.gen_cir_block_in_corner)
-      joint->insert(Arc{
-          .start = joint->end, .end = joint->start, .center = joint->end, .sweep = corner.turn});
-    return JoinedBlocks{.joint = *joint};
+      joint.insert(
+          Arc{.start = joint.end, .end = joint.start, .center = joint.end, .sweep = corner.turn});
+    return JoinedBlocks{.joint = joint};
   }
   if (mode.options.ignore_cont_damage)
     return JoinedBlocks{.joint = across(corner.before.anchor, corner.after.anchor)};

@@ -104,12 +104,6 @@ struct Notch {
 
 }  // namespace
 
-bool KerfMasking::wanted(const PathBlock& block) const {
-  if (block.role == Role::passive || !block.at_end.active) return false;
-  const TrcMode& mode = block.mode();
-  return mode.options.kerf_masking || (!circular_ && mode.masking == Masking::on);
-}
-
 bool KerfMasking::feed(PathBlockPtr block, PathBlocks& out) {
   const bool continues = !held_.empty() && block->role != Role::passive && block->at_start.active &&
                          !block->perpendicular_entry;

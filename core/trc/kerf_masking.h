@@ -26,6 +26,9 @@ class KerfMasking {
 
   bool feed(PathBlockPtr block, PathBlocks& out);
   bool drain(PathBlocks& out);
+  [[nodiscard]] bool ignores(const PathBlock& block) const {
+    return held_.empty() && !wanted(block);
+  }
   // A corner waits for the block behind it, which tells what the next corner takes.
   [[nodiscard]] std::size_t look_ahead() const { return 2; }
 
@@ -35,7 +38,11 @@ class KerfMasking {
   }
 
  private:
-  [[nodiscard]] bool wanted(const PathBlock& block) const;
+  [[nodiscard]] bool wanted(const PathBlock& block) const {
+    if (block.role == Role::passive || !block.at_end.active) return false;
+    const TrcMode& mode = block.mode();
+    return mode.options.kerf_masking || (!circular_ && mode.masking == Masking::on);
+  }
   void let_go(PathBlocks& out);
   // The corner of the two held blocks; `next` follows them, if anything does.
   void raise_notch(const PathBlock* next);

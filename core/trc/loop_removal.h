@@ -44,6 +44,9 @@ class LoopRemoval {
 
   bool feed(PathBlockPtr block, PathBlocks& out);
   bool drain(PathBlocks& /*out*/) { return end_selection(); }
+  [[nodiscard]] bool ignores(const PathBlock& block) const {
+    return !is_holding() && !leaving_ && !block.removes_loops();
+  }
   // A selection that has ended leaves in portions, so that it does not lie in the vectors
   // between all passes at once. What is fed meanwhile waits behind it.
   [[nodiscard]] bool is_leaving() const { return leaving_; }

@@ -10,7 +10,7 @@ namespace trc {
 void give_offsets(PathBlock& block) {
   const Segment& programmed = block.programmed.path;
   block.tangent_at_start = tangent_at_start(programmed);
-  block.tangent_at_end = tangent_at_end(programmed);
+  block.tangent_at_end = is_arc(programmed) ? tangent_at_end(programmed) : block.tangent_at_start;
   if (block.at_start.active)
     block.offset_start =
         parallel_point(start_of(programmed), block.tangent_at_start, block.at_start.shift);
@@ -21,8 +21,10 @@ void give_offsets(PathBlock& block) {
 bool Offset::apply(PathBlock& block) {
   if (block.role == Role::passive) return true;
   give_offsets(block);
-  return (!block.at_start.active || keeps_circle(block, block.at_start.shift)) &&
-         (!block.at_end.active || keeps_circle(block, block.at_end.shift));
+  const Compensation& start = block.at_start;
+  const Compensation& end = block.at_end;
+  if (start.active && !keeps_circle(block, start.shift)) return false;
+  return !end.active || end == start || keeps_circle(block, end.shift);
 }
 
 bool Offset::keeps_circle(PathBlock& block, double shift) {

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <algorithm>
 #include <concepts>
 #include <cstddef>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -23,6 +25,13 @@ concept Pass = requires(P pass, const P& view, In item, std::vector<Out>& out) {
   { view.look_ahead() } -> std::same_as<std::size_t>;
 };
 
+// A pass that is seldom at work says which blocks mean nothing to it as it stands: it lets them
+// pass as they are, and holds nothing they would have to wait for.
+template <class P, class Owner>
+concept IdlePass = requires(const P& view, const Owner& owner) {
+  { view.ignores(*owner) } -> std::same_as<bool>;
+};
+
 // A pass that needs no neighbour: it looks at each block once, where it lies.
 template <class P, class Owner>
 concept InPlacePass = requires(P pass, Owner& owner) {
@@ -33,11 +42,38 @@ enum class Input { more, ended };
 
 template <class P, class In, class Out>
 requires Pass<P, In, Out>
-[[nodiscard]] bool advance(P& pass, std::vector<In>& in, std::vector<Out>& out, Input input) {
+[[nodiscard]] bool advance(P& pass, std::span<In> in, std::vector<Out>& out, Input input) {
   for (In& item : in)
     if (!pass.feed(std::move(item), out)) return false;
-  in.clear();
   return input == Input::more || pass.drain(out);
+}
+
+template <class P, class In, class Out>
+requires Pass<P, In, Out>
+[[nodiscard]] bool advance(P& pass, std::vector<In>& in, std::vector<Out>& out, Input input) {
+  const bool goes_on = advance(pass, std::span(in), out, input);
+  in.clear();
+  return goes_on;
+}
+
+template <class P, class Owner>
+[[nodiscard, gnu::noinline]] bool work(P& pass, std::vector<Owner>& in, std::vector<Owner>& out,
+                                       Input input) {
+  const bool goes_on = advance(pass, std::span(in), out, input);
+  in.clear();
+  return goes_on;
+}
+
+// Where the pass ignores all there is, the two vectors change places. What happens else is kept out
+// of the way of this, which happens for nearly every block.
+template <class P, class Owner>
+requires Pass<P, Owner, Owner> && IdlePass<P, Owner>
+[[nodiscard]] bool advance(P& pass, std::vector<Owner>& in, std::vector<Owner>& out, Input input) {
+  bool works = input == Input::ended || !out.empty();
+  for (const Owner& block : in) works = works || !pass.ignores(*block);
+  if (works) return work(pass, in, out, input);
+  in.swap(out);
+  return true;
 }
 
 template <class P, class Owner>

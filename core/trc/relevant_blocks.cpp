@@ -60,7 +60,7 @@ const char* RelevantBlocks::unavailable(const TrcMode& mode) const {
   return nullptr;
 }
 
-bool RelevantBlocks::feed(Block block, PathBlocks& out) {
+bool RelevantBlocks::feed(Block&& block, PathBlocks& out) {
   return std::visit(overloaded{
                         [&](MotionBlock& motion) { return follow(std::move(motion), out); },
                         [&](PassiveBlock& passive) { return seat(std::move(passive), out); },
@@ -72,7 +72,7 @@ bool RelevantBlocks::drain(PathBlocks& out) {
   return release(end_mode_ ? &*end_mode_ : nullptr, out);
 }
 
-bool RelevantBlocks::seat(PassiveBlock block, PathBlocks& out) {
+bool RelevantBlocks::seat(PassiveBlock&& block, PathBlocks& out) {
   if (!held_) {
     auto carrier = std::make_unique<PathBlock>();
     carrier->role = Role::passive;
@@ -94,9 +94,9 @@ bool RelevantBlocks::seat(PassiveBlock block, PathBlocks& out) {
   return true;
 }
 
-bool RelevantBlocks::follow(MotionBlock motion, PathBlocks& out) {
+bool RelevantBlocks::follow(MotionBlock&& motion, PathBlocks& out) {
   if (!release(motion.mode.get(), out)) return false;
-  auto block = std::make_unique<PathBlock>();
+  auto block = std::make_unique_for_overwrite<PathBlock>();
   block->programmed = std::move(motion);
   if (!classify(*block)) return false;
   last_ = block->at_end;

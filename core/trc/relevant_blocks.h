@@ -24,7 +24,7 @@ class RelevantBlocks {
   RelevantBlocks(const CompensatorSetup& setup, Diagnostics& diagnostics)
       : setup_(setup), diagnostics_(diagnostics) {}
 
-  bool feed(Block block, PathBlocks& out);
+  bool feed(Block&& block, PathBlocks& out);
   bool drain(PathBlocks& out);
   [[nodiscard]] std::size_t look_ahead() const { return 1; }
 
@@ -38,8 +38,8 @@ class RelevantBlocks {
   }
 
  private:
-  bool seat(PassiveBlock block, PathBlocks& out);
-  bool follow(MotionBlock motion, PathBlocks& out);
+  bool seat(PassiveBlock&& block, PathBlocks& out);
+  bool follow(MotionBlock&& motion, PathBlocks& out);
   // Passes the held block on; `next` is the mode after it, if it is known.
   bool release(const TrcMode* next, PathBlocks& out);
   bool leave_selection(PathBlock& block, const TrcMode& next);

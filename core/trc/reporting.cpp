@@ -28,7 +28,7 @@ Vector direction_at_end(const Segment& segment) {
 
 }  // namespace
 
-bool Reporting::feed(PathBlockPtr owner, std::vector<CompensatedBlock>& out) {
+bool Reporting::feed(PathBlockPtr&& owner, std::vector<CompensatedBlock>& out) {
   PathBlock& block = *owner;
   if (block.role == Role::passive) {
     let_off(block.riders, out);
@@ -39,7 +39,8 @@ bool Reporting::feed(PathBlockPtr owner, std::vector<CompensatedBlock>& out) {
   check(position_ == from_plane(plane, start_of(block.tool_path), programmed.normal.from),
         "a block starts where the one before ended");
   position_ = from_plane(plane, end_of(block.tool_path), programmed.normal.to);
-  const double factor = feed_factor(block);
+  const bool adapts = block.mode().feed_adaptation == FeedAdaptation::on;
+  const double factor = adapts ? feed_factor(block) : 1;
 
   CompensatedBlock& result = out.emplace_back();
   result.source = programmed.source;
@@ -58,7 +59,7 @@ bool Reporting::feed(PathBlockPtr owner, std::vector<CompensatedBlock>& out) {
   last_direction_ = direction_at_end(result.path);
   if (block.role != Role::inserted) summary_.programmed_length += length_of(programmed.path);
   count(result);
-  let_off(block.riders, out);
+  if (!block.riders.empty()) let_off(block.riders, out);
   return !diagnostics_.stopped();
 }
 
@@ -86,8 +87,7 @@ void Reporting::let_off(std::vector<PassiveBlock>& riders, std::vector<Compensat
 double Reporting::feed_factor(const PathBlock& block) {
   const TrcMode& mode = block.mode();
   const auto* arc = std::get_if<Arc>(&block.tool_path);
-  if (mode.feed_adaptation == FeedAdaptation::off || arc == nullptr || block.programmed.rapid)
-    return 1;
+  if (arc == nullptr || block.programmed.rapid) return 1;
   const double at_center = radius_of(*arc);
   double at_contour = 0;
   if (block.path_given) {
@@ -114,12 +114,15 @@ double Reporting::feed_factor(const PathBlock& block) {
   return std::max(at_center / at_contour, smallest_feed_factor_);
 }
 
-bool Reporting::is_tangential(const PathBlock& block) const {
+bool Reporting::is_tangential(const PathBlock& block) {
   const Vector direction = direction_at_start(block.tool_path);
   const double along = last_direction_.dot(direction);
   if (along <= 0) return false;
-  const double limit = block.mode().options.tangential_limit * std::numbers::pi / 180;
-  return std::abs(cross(last_direction_, direction)) <= std::tan(limit) * along;
+  if (const double limit = block.mode().options.tangential_limit; limit != tangential_limit_) {
+    tangential_limit_ = limit;
+    tangent_of_limit_ = std::tan(limit * std::numbers::pi / 180);
+  }
+  return std::abs(cross(last_direction_, direction)) <= tangent_of_limit_ * along;
 }
 
 void Reporting::count(const CompensatedBlock& block) {

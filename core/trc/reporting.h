@@ -22,7 +22,7 @@ class Reporting {
         diagnostics_(diagnostics),
         position_(setup.start) {}
 
-  bool feed(PathBlockPtr block, std::vector<CompensatedBlock>& out);
+  bool feed(PathBlockPtr&& owner, std::vector<CompensatedBlock>& out);
   bool drain(std::vector<CompensatedBlock>& /*out*/) { return true; }
   [[nodiscard]] std::size_t look_ahead() const { return 0; }
 
@@ -35,9 +35,9 @@ class Reporting {
 
  private:
   void let_off(std::vector<PassiveBlock>& riders, std::vector<CompensatedBlock>& out);
-  // F' / F: what the feed of the tool centre is multiplied by.
+  // F' / F: what the feed of the tool centre is multiplied by under G11.
   double feed_factor(const PathBlock& block);
-  [[nodiscard]] bool is_tangential(const PathBlock& block) const;
+  [[nodiscard]] bool is_tangential(const PathBlock& block);
   void count(const CompensatedBlock& block);
 
   double smallest_feed_factor_;
@@ -46,6 +46,9 @@ class Reporting {
   Diagnostics& diagnostics_;
   Position position_;  // of the tool, machine axes
   Vector last_direction_ = Vector::Zero();
+  // TANGENTIAL_LIMIT of the block before, degrees, and its tangent: it hardly ever changes.
+  double tangential_limit_ = 0;
+  double tangent_of_limit_ = 0;
   Summary summary_;
 };
 

@@ -58,12 +58,14 @@ AxisTravel standing(double position) { return {.from = position, .to = position}
 
 // What all blocks inserted between the two have in common. Third axis and
 // tracking axes stand still in them (D-26), where the riders have left them.
-PathBlock insertion_behind(const PathBlock& before, const PathBlock& after) {
+PathBlockPtr insertion_behind(const PathBlock& before, const PathBlock& after) {
   const MotionBlock& programmed = before.programmed;
   const PassiveBlock* rider = before.riders.empty() ? nullptr : &before.riders.back();
   const TrackingTravel& tracking = rider != nullptr ? rider->tracking : programmed.tracking;
-  PathBlock inserted{.role = Role::inserted, .at_start = before.at_end, .at_end = before.at_end};
-  MotionBlock& motion = inserted.programmed;
+  auto inserted = std::make_unique_for_overwrite<PathBlock>();
+  inserted->role = Role::inserted;
+  inserted->at_start = inserted->at_end = before.at_end;
+  MotionBlock& motion = inserted->programmed;
   motion.source = programmed.source;
   motion.mode = programmed.mode;
   motion.feed = programmed.feed > 0 ? programmed.feed : after.programmed.feed;
@@ -74,11 +76,11 @@ PathBlock insertion_behind(const PathBlock& before, const PathBlock& after) {
   return inserted;
 }
 
-void insert(const Segment& segment, Origin origin, const PathBlock& pattern, PathBlocks& out) {
-  PathBlock& inserted = *out.emplace_back(std::make_unique<PathBlock>(pattern));
-  inserted.origin = origin;
-  inserted.tool_path = segment;
-  inserted.programmed.rapid = pattern.programmed.rapid && !is_arc(segment);
+void insert(const Segment& segment, Origin origin, PathBlockPtr inserted, PathBlocks& out) {
+  inserted->origin = origin;
+  inserted->tool_path = segment;
+  if (is_arc(segment)) inserted->programmed.rapid = false;
+  out.push_back(std::move(inserted));
 }
 
 // Spec 7.2: below 180 degrees, G236 up to 90 degrees.
@@ -143,13 +145,13 @@ void Transitions::enter(PathBlock& block, PathBlocks& out) const {
     return;
   }
   open(block, block.offset_start, 0, tolerances_);
-  PathBlock pattern = insertion_behind(block, block);
+  PathBlockPtr across = insertion_behind(block, block);
   // Where the axes are before the block, whatever its riders do behind it.
-  MotionBlock& motion = pattern.programmed;
+  MotionBlock& motion = across->programmed;
   motion.normal = standing(block.programmed.normal.from);
   motion.tracking = block.programmed.tracking;
   for (AxisTravel& axis : motion.tracking) axis = standing(axis.from);
-  insert(Line{.start = start, .end = block.offset_start}, Origin::approach, pattern, out);
+  insert(Line{.start = start, .end = block.offset_start}, Origin::approach, std::move(across), out);
 }
 
 void Transitions::leave(const Point* next_start, PathBlocks& out) {
@@ -164,9 +166,8 @@ void Transitions::leave(const Point* next_start, PathBlocks& out) {
   }
   std::vector<PassiveBlock> riders = std::move(block.riders_after_exit);
   const Point target = end_of(block.programmed.path);
-  const PathBlock pattern = insertion_behind(block, block);
   out.push_back(std::move(held_));
-  insert(Line{.start = end, .end = target}, Origin::retract, pattern, out);
+  insert(Line{.start = end, .end = target}, Origin::retract, insertion_behind(block, block), out);
   out.back()->riders = std::move(riders);
 }
 
@@ -213,16 +214,16 @@ bool Transitions::join(PathBlock& after, PathBlocks& out) {
   const Point contour_start = joint.start;
   if (radius_changes) change_radius_at_once(corner, after, joint);
   open(after, joint.start, joint.cut_after, tolerances_);
-  if (joint.inserted().empty() && !radius_changes) {
-    out.push_back(std::move(held_));
-    return true;
-  }
-  PathBlock pattern = insertion_behind(before, after);
-  pattern.unreachable = apart;
   out.push_back(std::move(held_));
-  for (const Segment& segment : joint.inserted()) insert(segment, origin, pattern, out);
+  const bool leads_through_contour = apart;
+  const auto insert_here = [&](const Segment& segment, Origin why) {
+    PathBlockPtr inserted = insertion_behind(before, after);
+    inserted->unreachable = leads_through_contour;
+    insert(segment, why, std::move(inserted), out);
+  };
+  for (const auto& segment : joint.inserted()) insert_here(*segment, origin);
   if (radius_changes)
-    insert(Line{.start = contour_start, .end = joint.start}, Origin::radius_change, pattern, out);
+    insert_here(Line{.start = contour_start, .end = joint.start}, Origin::radius_change);
   return true;
 }
 

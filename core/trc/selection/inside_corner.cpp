@@ -33,13 +33,11 @@ bool is_full_circle(const Segment& segment, double same_point) {
 }  // namespace
 
 bool InsideCorner::feed(PathBlockPtr block, PathBlocks& out) {
-  const bool begins =
-      block->role == Role::approach && block->mode().selection == Selection::inside_corner;
-  if (held_.empty() && !begins) {
+  if (ignores(*block)) {
     out.push_back(std::move(block));
     return true;
   }
-  if (begins || block->role == Role::contour) {
+  if (begins(*block) || block->role == Role::contour) {
     if (held_.size() >= selection_blocks_)
       return diagnostics_.report(selection_too_long(*block, selection_blocks_));
     held_.push_back(std::move(block));
@@ -116,7 +114,7 @@ bool InsideCorner::give_points(PathBlock& approach, const PathBlock& first, Path
   if (kind == CornerKind::inside) {
     const auto inside = inside_joint(corner, tolerances_);
     if (!inside) return refuse(Code::line_reversed, last);
-    joint = *inside;
+    joint = Joint(*inside);
   }
   approach.offset_end = joint.start;
   approach.cut_at_end = joint.cut_after;

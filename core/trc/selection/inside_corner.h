@@ -27,6 +27,9 @@ class InsideCorner {
 
   bool feed(PathBlockPtr block, PathBlocks& out);
   bool drain(PathBlocks& out);
+  [[nodiscard]] bool ignores(const PathBlock& block) const {
+    return held_.empty() && !begins(block);
+  }
   // Of the selections it holds as a whole; nothing else.
   [[nodiscard]] std::size_t look_ahead() const { return 0; }
 
@@ -36,6 +39,9 @@ class InsideCorner {
   }
 
  private:
+  [[nodiscard]] static bool begins(const PathBlock& block) {
+    return block.role == Role::approach && block.mode().selection == Selection::inside_corner;
+  }
   // Ends the held selection; `retract` is null at the end of the program.
   bool close(PathBlock* retract, PathBlocks& out);
   bool check_contour(const PathBlock& approach, const PathBlock& first, const PathBlock& last);

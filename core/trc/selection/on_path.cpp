@@ -61,7 +61,8 @@ std::optional<Joint> approach_on_path(const Corner& corner, const Segment& selec
   const double angle = transition_angle(corner, tolerances);
   std::optional<Joint> joint;
   if (angle < pi / 2 - tolerances.tangent) {
-    joint = nearest_meeting(path, corner.after, tolerances);
+    if (const auto meeting = nearest_meeting(path, corner.after, tolerances))
+      joint = Joint(*meeting);
   } else if (const auto leave = departure(path, corner.tool_radius(), End::before, tolerances)) {
     joint.emplace();
     joint->cut_before = leave->cut;
@@ -84,7 +85,8 @@ std::optional<Joint> retract_on_path(const Corner& corner, const Segment& desele
   const double angle = transition_angle(corner, tolerances);
   std::optional<Joint> joint;
   if (angle < pi / 2 - tolerances.tangent) {
-    joint = nearest_meeting(corner.before, path, tolerances);
+    if (const auto meeting = nearest_meeting(corner.before, path, tolerances))
+      joint = Joint(*meeting);
   } else if (const auto arrive = departure(path, corner.tool_radius(), End::after, tolerances)) {
     joint.emplace();
     joint->cut_after = arrive->cut;

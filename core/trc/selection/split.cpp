@@ -60,7 +60,7 @@ PathBlockPtr piece(const PathBlock& whole, const Point& start, double from, doub
 }  // namespace
 
 bool Split::feed(PathBlockPtr block, PathBlocks& out) {
-  if (!block->splittable) {
+  if (ignores(*block)) {
     out.push_back(std::move(block));
     return true;
   }
