@@ -349,13 +349,15 @@ bool ProgramState::move(const MoveRequest& request) {
 void ProgramState::append_motion(const MoveRequest& request, const Segment& path,
                                  const Position& end, TrackingTravel tracking) {
   const std::size_t third = axes_of(mode_.plane).third;
-  blocks_.emplace_back(MotionBlock{.source = request.source,
-                                   .path = path,
-                                   .normal = {.from = position_[third], .to = end[third]},
-                                   .feed = request.feed,
-                                   .rapid = request.kind == MotionKind::rapid,
-                                   .mode = shared_mode(),
-                                   .tracking = std::move(tracking)});
+  // Filled in where it lies: it is large.
+  auto& block = std::get<MotionBlock>(blocks_.emplace_back(std::in_place_type<MotionBlock>));
+  block.source = request.source;
+  block.path = path;
+  block.normal = {.from = position_[third], .to = end[third]};
+  block.feed = request.feed;
+  block.rapid = request.kind == MotionKind::rapid;
+  block.mode = shared_mode();
+  block.tracking = std::move(tracking);
   position_ = from_plane(mode_.plane, trc::end_of(path), end[third]);
   if (mode_.active()) {
     // Only G237 begins with the contour itself.

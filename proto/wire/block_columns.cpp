@@ -96,11 +96,13 @@ bool check_kinds(const Columns& message, const FieldPath& path, FieldFaults& fau
 bool check_lengths(const Columns& message, const FieldPath& path, FieldFaults& faults) {
   const std::size_t before = faults.count();
   const Presence presence(message);
+  std::array<std::size_t, 256> blocks_with{};  // how many have just these bits
+  for (std::size_t i = 0; i < message.kinds().size(); ++i)
+    ++blocks_with[presence.of(i, byte_at(message.kinds(), i))];
   std::array<std::size_t, 8> expected{};
-  for (std::size_t i = 0; i < message.kinds().size(); ++i) {
-    const unsigned bits = presence.of(i, byte_at(message.kinds(), i));
-    for (std::size_t bit = 0; bit < expected.size(); ++bit) expected[bit] += (bits >> bit) & 1U;
-  }
+  for (std::size_t bits = 0; bits < blocks_with.size(); ++bits)
+    for (std::size_t bit = 0; bit < expected.size(); ++bit)
+      if (((bits >> bit) & 1U) != 0) expected[bit] += blocks_with[bits];
   const auto columns = columns_of(message);
   for (std::size_t bit = 0; bit < expected.size(); ++bit)
     if (columns[bit].size != expected[bit])
@@ -116,8 +118,9 @@ template <class List>
 bool check_places(const List& list, unsigned kind, std::string_view name, const Columns& message,
                   const FieldPath& path, FieldFaults& faults) {
   int entry = 0;
-  for (std::size_t i = 0; i < message.kinds().size(); ++i) {
-    if (byte_at(message.kinds(), i) != kind) continue;
+  const std::string& kinds = message.kinds();
+  const auto byte = static_cast<char>(kind);
+  for (std::size_t i = kinds.find(byte); i != std::string::npos; i = kinds.find(byte, i + 1)) {
     if (entry == list.size()) {
       add_fault(FieldPath(path, name),
                 "has " + std::to_string(list.size()) + " entries, kinds names more", faults);

@@ -3,18 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "core/base/tolerances.h"
-
 namespace trc::wire {
-
-bool check_coordinate(double value, const FieldPath& path, FieldFaults& faults) {
-  constexpr double largest = Tolerances{}.largest_coordinate;
-  return check_range(value, -largest, largest, "mm", path, faults);
-}
-
-bool check_feed(double value, const FieldPath& path, FieldFaults& faults) {
-  return check_above(value, 0, 1e9, "mm/min", path, faults);
-}
 
 bool check_text(const std::string& text, const FieldPath& path, FieldFaults& faults) {
   constexpr std::size_t longest = 65536;

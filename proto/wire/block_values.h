@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <string>
 
+#include "core/base/tolerances.h"
 #include "proto/wire/field_fault.h"
 
 namespace trc::wire {
@@ -10,9 +11,14 @@ namespace trc::wire {
 // The ranges that blocks and columns share. Each adds a fault to the named field.
 
 // mm, |value| at most 1e6.
-bool check_coordinate(double value, const FieldPath& path, FieldFaults& faults);
+inline bool check_coordinate(double value, const FieldPath& path, FieldFaults& faults) {
+  constexpr double largest = Tolerances{}.largest_coordinate;
+  return check_range(value, -largest, largest, "mm", path, faults);
+}
 // mm/min, above 0 to 1e9.
-bool check_feed(double value, const FieldPath& path, FieldFaults& faults);
+inline bool check_feed(double value, const FieldPath& path, FieldFaults& faults) {
+  return check_above(value, 0, 1e9, "mm/min", path, faults);
+}
 // At most 65536 bytes without control characters: these would break the lines of
 // an NC output.
 bool check_text(const std::string& text, const FieldPath& path, FieldFaults& faults);

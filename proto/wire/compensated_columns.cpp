@@ -129,6 +129,11 @@ void to_proto(std::span<const CompensatedBlock> blocks, std::uint64_t first_bloc
                              message.mutable_end_z()};
   const PositionColumns centers{message.mutable_center_x(), message.mutable_center_y(),
                                 message.mutable_center_z()};
+  std::string& kinds = *message.mutable_kinds();
+  std::string& all_flags = *message.mutable_flags();
+  std::string& origins = *message.mutable_origins();
+  std::string& planes = *message.mutable_planes();
+  for (std::string* column : {&kinds, &all_flags, &origins, &planes}) column->resize(blocks.size());
   for (std::size_t i = 0; i < blocks.size(); ++i) {
     const CompensatedBlock& block = blocks[i];
     const auto index = static_cast<std::uint32_t>(i);
@@ -163,10 +168,10 @@ void to_proto(std::span<const CompensatedBlock> blocks, std::uint64_t first_bloc
       entry.set_index(index);
       entry.set_text(block.text);
     }
-    message.mutable_kinds()->push_back(static_cast<char>(kind));
-    message.mutable_flags()->push_back(static_cast<char>(flags));
-    message.mutable_origins()->push_back(static_cast<char>(to_proto(block.origin)));
-    message.mutable_planes()->push_back(static_cast<char>(to_proto(block.plane)));
+    kinds[i] = static_cast<char>(kind);
+    all_flags[i] = static_cast<char>(flags);
+    origins[i] = static_cast<char>(to_proto(block.origin));
+    planes[i] = static_cast<char>(to_proto(block.plane));
   }
   collapse_all(message);
 }

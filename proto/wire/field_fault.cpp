@@ -36,24 +36,12 @@ void add_fault(const FieldPath& path, std::string description, FieldFaults& faul
   faults.add({.field = path.text(), .description = std::move(description)});
 }
 
-bool check_range(double value, double low, double high, std::string_view unit,
-                 const FieldPath& path, FieldFaults& faults) {
-  if (value >= low && value <= high) return true;
+void add_range_fault(double value, std::string_view from, double low, double high,
+                     std::string_view unit, const FieldPath& path, FieldFaults& faults) {
   add_fault(path,
-            "is " + number_text(value) + ", allowed is " + number_text(low) + " to " +
-                with_unit(high, unit),
+            "is " + number_text(value) + ", allowed is " + std::string(from) + number_text(low) +
+                " to " + with_unit(high, unit),
             faults);
-  return false;
-}
-
-bool check_above(double value, double low, double high, std::string_view unit,
-                 const FieldPath& path, FieldFaults& faults) {
-  if (value > low && value <= high) return true;
-  add_fault(path,
-            "is " + number_text(value) + ", allowed is above " + number_text(low) + " to " +
-                with_unit(high, unit),
-            faults);
-  return false;
 }
 
 }  // namespace trc::wire

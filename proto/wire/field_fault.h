@@ -54,13 +54,25 @@ class FieldPath {
   bool indexed_ = false;
 };
 
+void add_fault(const FieldPath& path, std::string description, FieldFaults& faults);
+// Of a value that is not in the range; `from` is "" or "above ".
+void add_range_fault(double value, std::string_view from, double low, double high,
+                     std::string_view unit, const FieldPath& path, FieldFaults& faults);
+
 // Each returns whether the value can be taken, else adds a fault that names the
 // value and the range. NaN and infinities are in no range.
-bool check_range(double value, double low, double high, std::string_view unit,
-                 const FieldPath& path, FieldFaults& faults);
+inline bool check_range(double value, double low, double high, std::string_view unit,
+                        const FieldPath& path, FieldFaults& faults) {
+  if (value >= low && value <= high) return true;
+  add_range_fault(value, "", low, high, unit, path, faults);
+  return false;
+}
 // Greater than `low`, at most `high`.
-bool check_above(double value, double low, double high, std::string_view unit,
-                 const FieldPath& path, FieldFaults& faults);
-void add_fault(const FieldPath& path, std::string description, FieldFaults& faults);
+inline bool check_above(double value, double low, double high, std::string_view unit,
+                        const FieldPath& path, FieldFaults& faults) {
+  if (value > low && value <= high) return true;
+  add_range_fault(value, "above ", low, high, unit, path, faults);
+  return false;
+}
 
 }  // namespace trc::wire
