@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "server/backend.h"
+#include "server/rpc/arena_message.h"
 #include "server/rpc/caller.h"
 #include "server/rpc/stream_context.h"
 #include "server/rpc/stream_work.h"
@@ -128,7 +129,7 @@ class StreamReactor
     backend_.pool.submit(*this);
   }
 
-  Request request_;
+  ArenaMessage<Request> request_;
 
  private:
   enum class Phase { working, reading, writing, cancelling, finished };
@@ -144,7 +145,7 @@ class StreamReactor
     try {
       turn_ = work();
       // Not held while the answer waits for its reader.
-      request_.Clear();
+      request_.reset();
     } catch (const std::exception& bug) {
       turn_ = end(record_.incident(bug.what()));
     }
@@ -157,15 +158,16 @@ class StreamReactor
   }
 
   Turn work() {
+    response_.reset_if_large();
     switch (std::exchange(input_, Input::none)) {
       case Input::request:
-        return work_->take(request_, response_);
+        return work_->take(*request_, *response_);
       case Input::ended:
-        return work_->ended(response_);
+        return work_->ended(*response_);
       case Input::none:
         break;
     }
-    return work_->proceed(response_);
+    return work_->proceed(*response_);
   }
 
   // Does what the last turn has asked for, or leaves it to the end of a heartbeat on its way.
@@ -180,7 +182,7 @@ class StreamReactor
       }
       if (beating_) return;
     }
-    if (turn_.write) return this->StartWrite(&response_);
+    if (turn_.write) return this->StartWrite(&*response_);
     switch (turn_.next) {
       case Turn::Next::proceed:
         return backend_.pool.submit(*this);
@@ -248,7 +250,7 @@ class StreamReactor
   OpenStreams::Ticket ticket_;
   std::shared_ptr<StreamReactor> self_;
 
-  Response response_;
+  ArenaMessage<Response> response_;
   Response beat_;
   Input input_ = Input::none;
   Turn turn_;
@@ -277,7 +279,7 @@ class BidiReactor final
 
   void read() override {
     this->await_request();
-    this->StartRead(&this->request_);
+    this->StartRead(&*this->request_);
   }
   void OnReadDone(bool ok) override {
     this->arrived(ok ? Base::Input::request : Base::Input::ended);
@@ -294,7 +296,7 @@ class AnswerReactor final
   AnswerReactor(Backend& backend, grpc::CallbackServerContext& context, Method method,
                 const Request& request)
       : Base(backend, context, method) {
-    this->request_ = request;
+    *this->request_ = request;
   }
 
  private:
