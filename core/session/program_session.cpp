@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <iterator>
 #include <limits>
+#include <span>
 #include <type_traits>
 #include <utility>
 
@@ -89,6 +90,8 @@ struct ProgramSession::Parts {
   bool report_until(std::uint32_t line, ProgramOutput& out);
   // Compensates the blocks of all lines taken.
   bool compensate(ProgramOutput& out);
+  // Gives what was reported since the last time its place: at the end of a line.
+  void place(ProgramOutput& out);
   bool end(ProgramOutput& out);
   void hand_out(ProgramOutput& out);
 
@@ -112,9 +115,10 @@ struct ProgramSession::Parts {
   std::vector<Diagnostic> reported;  // by the reader; the first `reports_taken` are passed on
   std::size_t reports_taken = 0;
   std::size_t blocks_taken = 0;  // of `blocks`: those of the lines taken
-  std::vector<Block> programmed_blocks;
   std::vector<CompensatedBlock> compensated;
-  NcWriter::Meaning meaning{};  // of the last line taken
+  std::size_t placed = 0;        // of the pending diagnostics
+  NcWriter::Meaning meaning{};   // of the last line taken
+  std::uint64_t line_taken = 0;  // its Source::index
   std::uint64_t silent_lines = 0;
   bool ended = false;
 };
@@ -125,17 +129,23 @@ bool ProgramSession::Parts::advance(ProgramOutput& out) {
   bool goes_on = true;
   for (ProgramLine& line : lines) {
     goes_on = goes_on && take(line, out);
+    if (goes_on && diagnostics.pending().size() > placed) {
+      goes_on = compensate(out);
+      place(out);
+    }
     if (!setup.nc_text) interpreter.recycle(std::move(line));
   }
   lines.clear();
   goes_on =
       goes_on && report_until(std::numeric_limits<std::uint32_t>::max(), out) && compensate(out);
+  place(out);
   for (ProgramLine& line : writer.used_lines()) interpreter.recycle(std::move(line));
   writer.used_lines().clear();
   return goes_on;
 }
 
 bool ProgramSession::Parts::take(ProgramLine& line, ProgramOutput& out) {
+  line_taken = line.source.index;
   if (reports_taken < reported.size() && !report_until(line.source.line, out)) return false;
   meaning.gives_block = false;
   meaning.moved = 0;
@@ -178,19 +188,25 @@ bool ProgramSession::Parts::report_until(std::uint32_t line, ProgramOutput& out)
 }
 
 bool ProgramSession::Parts::compensate(ProgramOutput& out) {
-  if (blocks_taken == 0) return true;
-  bool goes_on = true;
-  if (blocks_taken == blocks.size()) {
-    goes_on = compensator.feed(blocks, compensated);
-  } else {
-    const auto end = blocks.begin() + static_cast<std::ptrdiff_t>(blocks_taken);
-    programmed_blocks.assign(std::make_move_iterator(blocks.begin()), std::make_move_iterator(end));
-    blocks.erase(blocks.begin(), end);
-    goes_on = compensator.feed(programmed_blocks, compensated);
+  std::span<Block> taken(blocks.data(), blocks_taken);
+  while (!taken.empty() && !diagnostics.stopped()) {
+    const std::size_t count = compensator.feed_until_report(taken, compensated);
+    const bool line_goes_on = index_of(taken[count - 1]) == line_taken;
+    taken = taken.subspan(count);
+    hand_out(out);
+    if (!line_goes_on) place(out);
   }
+  blocks.erase(blocks.begin(), blocks.begin() + static_cast<std::ptrdiff_t>(blocks_taken));
   blocks_taken = 0;
-  hand_out(out);
-  return goes_on;
+  return !diagnostics.stopped();
+}
+
+void ProgramSession::Parts::place(ProgramOutput& out) {
+  const std::size_t reports = diagnostics.pending().size();
+  if (reports == placed) return;
+  out.places.push_back(
+      {.blocks = out.blocks.size(), .bytes = out.text.size(), .diagnostics = reports});
+  placed = reports;
 }
 
 bool ProgramSession::Parts::end(ProgramOutput& out) {
@@ -218,6 +234,7 @@ ProgramSession::~ProgramSession() = default;
 
 bool ProgramSession::feed(std::string_view text, ProgramOutput& out) {
   Parts& parts = *parts_;
+  parts.placed = parts.diagnostics.pending().size();
   while (!text.empty() && !parts.diagnostics.stopped()) {
     const std::string_view piece = text.substr(0, bytes_per_piece);
     text.remove_prefix(piece.size());
@@ -230,6 +247,7 @@ bool ProgramSession::feed(std::string_view text, ProgramOutput& out) {
 bool ProgramSession::finish(ProgramOutput& out) {
   Parts& parts = *parts_;
   if (parts.diagnostics.stopped()) return false;
+  parts.placed = parts.diagnostics.pending().size();
   parts.interpreter.finish(parts.lines);
   if (!parts.advance(out) || !parts.end(out)) return false;
   if (parts.setup.nc_text) parts.writer.finish(out.text);

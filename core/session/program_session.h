@@ -22,6 +22,14 @@ struct ProgramSessionSetup {
 struct ProgramOutput {
   std::string text{};
   std::vector<CompensatedBlock> blocks{};
+  // Where among them the diagnostics belong: behind all that is certain at the end of the line in
+  // which they were reported. The same places come out however the text is cut.
+  struct Place {
+    std::size_t blocks = 0;
+    std::size_t bytes = 0;
+    std::size_t diagnostics = 0;  // so many of those pending belong here or before
+  };
+  std::vector<Place> places{};
 };
 
 // One NC channel fed with NC text. The text may be cut anywhere, also inside a

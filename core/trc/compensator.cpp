@@ -1,7 +1,5 @@
 #include "core/trc/compensator.h"
 
-#include <span>
-
 #include "core/trc/clearance.h"
 #include "core/trc/contour_masking.h"
 #include "core/trc/contour_violations.h"
@@ -18,6 +16,13 @@
 #include "core/trc/transitions.h"
 
 namespace trc {
+namespace {
+
+std::uint64_t index_of(const Block& block) {
+  return std::visit([](const auto& given) { return given.source.index; }, block);
+}
+
+}  // namespace
 
 // The passes and the blocks on their way between them; each vector is named
 // after what its blocks have become.
@@ -104,14 +109,31 @@ Compensator::~Compensator() = default;
 // One block at a time through all passes: the order of diagnostics and what has
 // come out before a stop must not depend on how the caller batches.
 bool Compensator::feed(std::vector<Block>& blocks, std::vector<CompensatedBlock>& out) {
-  for (Block& block : blocks) {
-    ++passes_->reporting.summary().blocks_in;
-    passes_->programmed = {&block, 1};
-    if (!passes_->step(Input::more, out)) break;
-  }
-  passes_->programmed = {};
+  for (Block& block : blocks)
+    if (!take(block, out)) break;
   blocks.clear();
   return !passes_->diagnostics.stopped();
+}
+
+std::size_t Compensator::feed_until_report(std::span<Block> blocks,
+                                           std::vector<CompensatedBlock>& out) {
+  const std::vector<Diagnostic>& reports = passes_->diagnostics.pending();
+  const std::size_t reports_before = reports.size();
+  std::uint64_t line = 0;
+  for (std::size_t i = 0; i < blocks.size(); ++i) {
+    const bool in_next_line = index_of(blocks[i]) != std::exchange(line, index_of(blocks[i]));
+    if (in_next_line && reports.size() > reports_before) return i;
+    if (!take(blocks[i], out)) break;
+  }
+  return blocks.size();
+}
+
+bool Compensator::take(Block& block, std::vector<CompensatedBlock>& out) {
+  ++passes_->reporting.summary().blocks_in;
+  passes_->programmed = {&block, 1};
+  const bool goes_on = passes_->step(Input::more, out);
+  passes_->programmed = {};
+  return goes_on;
 }
 
 bool Compensator::finish(const TrcMode& at_end, std::vector<CompensatedBlock>& out) {

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "core/base/diagnostics.h"
@@ -55,6 +56,9 @@ class Compensator {
   // Takes all of `blocks` (left empty) and appends what has become certain.
   // Returns false once the stream must stop.
   bool feed(std::vector<Block>& blocks, std::vector<CompensatedBlock>& out);
+  // The same, but no farther than to the end of the program line (Source::index) in which something
+  // was reported. Returns how many blocks were taken.
+  std::size_t feed_until_report(std::span<Block> blocks, std::vector<CompensatedBlock>& out);
   // No more blocks: appends all that was held back. `at_end` is the mode the
   // program ended in: a G40 nothing followed still ends the contour.
   bool finish(const TrcMode& at_end, std::vector<CompensatedBlock>& out);
@@ -67,6 +71,8 @@ class Compensator {
   [[nodiscard]] std::size_t look_ahead() const;
 
  private:
+  bool take(Block& block, std::vector<CompensatedBlock>& out);
+
   struct Passes;
   std::unique_ptr<Passes> passes_;
 };

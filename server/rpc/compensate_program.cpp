@@ -7,6 +7,12 @@
 #include "server/rpc/setup.h"
 
 namespace trc::server {
+namespace {
+
+// After so much text it is asked whether the client is still there.
+constexpr std::size_t bytes_per_piece = 16U << 10U;
+
+}  // namespace
 
 CompensateProgram::Run::Run(const StreamContext& stream, const wire::PathSettings& settings,
                             const ProgramSessionSetup& setup)
@@ -71,13 +77,12 @@ void CompensateProgram::feed(const v1::ProgramText& chunk) {
   run_->bytes_in += chunk.text().size();
 
   const Meter::Running running(run_->meter);
-  // Line by line, so that a diagnostic gets its place in the output however the text was cut.
   std::string_view text = chunk.text();
   bool goes_on = true;
   while (goes_on && !text.empty()) {
-    const std::size_t length = std::min(text.find('\n'), text.size() - 1) + 1;
-    goes_on = give(text.substr(0, length));
-    text.remove_prefix(length);
+    const std::string_view piece = text.substr(0, bytes_per_piece);
+    goes_on = give(piece);
+    text.remove_prefix(piece.size());
   }
   if (goes_on && chunk.final()) finish();
 

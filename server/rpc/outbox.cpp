@@ -1,6 +1,7 @@
 #include "server/rpc/outbox.h"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 namespace trc::server {
@@ -37,10 +38,21 @@ void Outbox::forget_taken() {
 }
 
 void Outbox::place(std::vector<Diagnostic> diagnostics) {
-  if (diagnostics.empty()) return;
-  placed_.push_back({.block = content_.blocks.size(),
-                     .byte = content_.text.size(),
-                     .diagnostics = std::move(diagnostics)});
+  std::size_t placed = 0;
+  const auto place_through = [&](const ProgramOutput::Place& place) {
+    if (place.diagnostics <= placed) return;
+    const auto all = std::make_move_iterator(diagnostics.begin());
+    placed_.push_back({.block = place.blocks,
+                       .byte = place.bytes,
+                       .diagnostics = {all + static_cast<std::ptrdiff_t>(placed),
+                                       all + static_cast<std::ptrdiff_t>(place.diagnostics)}});
+    placed = place.diagnostics;
+  };
+  for (const ProgramOutput::Place& place : content_.places) place_through(place);
+  content_.places.clear();
+  place_through({.blocks = content_.blocks.size(),
+                 .bytes = content_.text.size(),
+                 .diagnostics = diagnostics.size()});
 }
 
 bool Outbox::empty() const {

@@ -17,8 +17,8 @@ namespace trc::server {
 // message.
 //
 // Diagnostics keep their place among the blocks: behind those that were certain when they were
-// raised. The place does not depend on how the input was batched, as long as `place` is called
-// after every item of it.
+// raised. The place does not depend on how the input was batched: NC text gives the places itself,
+// for blocks `place` is called after every item.
 class Outbox {
  public:
   struct Slice {
@@ -32,7 +32,7 @@ class Outbox {
   [[nodiscard]] ProgramOutput& content() { return content_; }
   // To be called when the last slice is no longer needed: gives back its memory, once all is taken.
   void forget_taken();
-  // Puts diagnostics behind everything there is now.
+  // Puts diagnostics where the content says they belong, else behind everything there is now.
   void place(std::vector<Diagnostic> diagnostics);
 
   [[nodiscard]] bool empty() const;
