@@ -122,7 +122,7 @@ class LoopRemoval {
   enum class Nearness { exact, passable };
   enum class Step { done, wait, stop };
 
-  bool is_holding() const { return !entering_.empty() || !path_.blocks().empty(); }
+  [[nodiscard]] bool is_holding() const { return !entering_.empty() || !path_.blocks().empty(); }
   void begin_selection();
   bool end_selection();
   bool hold(PathBlockPtr block);
