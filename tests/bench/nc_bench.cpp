@@ -129,7 +129,8 @@ void motions(benchmark::State& state) {
         for (const CompensatedBlock& block : compensated) {
           const Position end = from_plane(Plane::xy, end_of(block.path), 0);
           if (const Arc* arc = std::get_if<Arc>(&block.path))
-            writer.append_arc(text, *arc, Plane::xy, end, {}, 0, written);
+            writer.append_arc(text, *arc, writer.numbers_of(*arc, Plane::xy, written), Plane::xy,
+                              end, {}, 0, written);
           else
             writer.append_line(text, MotionKind::linear, end, {}, 0, written);
         }
