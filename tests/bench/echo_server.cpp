@@ -38,20 +38,28 @@ void echo(const v1::BlockColumns& in, v1::CompensatedColumns& out) {
   for (int i = 0; i < blocks; ++i) out.add_source_index(static_cast<std::uint32_t>(i));
 }
 
+void echo(const v1::Position& in, v1::Position& out) {
+  out.set_x(in.x());
+  out.set_y(in.y());
+  out.set_z(0);
+}
+
+// Keeps the memory of the message, as far as the kind of its geometry stays.
 void echo(const v1::Block& in, v1::CompensatedBlock& out) {
-  out.Clear();
   out.set_source_index(1);
   out.set_origin(v1::CompensatedBlock::PROGRAMMED);
   if (in.has_linear()) {
-    *out.mutable_start() = in.linear().end();
-    *out.mutable_line()->mutable_end() = in.linear().end();
+    echo(in.linear().end(), *out.mutable_start());
+    echo(in.linear().end(), *out.mutable_line()->mutable_end());
     out.set_feed(in.linear().feed());
   } else if (in.has_circular()) {
-    *out.mutable_start() = in.circular().end();
-    *out.mutable_arc()->mutable_end() = in.circular().end();
-    *out.mutable_arc()->mutable_center() = in.circular().center();
+    echo(in.circular().end(), *out.mutable_start());
+    echo(in.circular().end(), *out.mutable_arc()->mutable_end());
+    echo(in.circular().center(), *out.mutable_arc()->mutable_center());
     out.mutable_arc()->set_sweep(1);
     out.set_feed(in.circular().feed());
+  } else {
+    out.Clear();
   }
 }
 
