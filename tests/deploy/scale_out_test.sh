@@ -7,6 +7,8 @@ if [ -z "${TRC_SCALE_OUT_INSIDE:-}" ]; then
   TRC_SCALE_OUT_INSIDE=yes exec unshare --net --mount --pid --fork --kill-child --mount-proc "$0"
 fi
 . "$(dirname "$(readlink -f "$0")")/lib.sh"
+# Who still writes into $work goes before it does.
+at_exit 'kill -9 $(jobs -p); wait'
 ip link set lo up
 mount -t tmpfs tmpfs /run
 export PATH=$bin:$PATH
@@ -26,6 +28,7 @@ pid_at() { ss -ltnpH "sport = :$1" | sed -n 's/.*pid=\([0-9]*\),.*/\1/p' | head 
 signal_balancer() {
   wait_until 10 test -s /run/trcd/haproxy.pid && kill "-$1" "$(cat /run/trcd/haproxy.pid)"
 }
+ended() { ! kill -0 "$1"; }
 gone() { [ -z "$(pid_at "$1")" ]; }
 stop_all() {
   local port
@@ -97,7 +100,7 @@ balancer() { # way, number of servers
 }
 
 under_load() { # way
-  local way=$1 address=127.0.0.1:50050 clients=() number on_dead
+  local way=$1 address=127.0.0.1:50050 clients=() number on_dead drained
   stop_all
   rm -f "$work"/enough "$work"/passages "$work"/trcd-*.log
   server 1
@@ -124,12 +127,14 @@ under_load() { # way
   say "$way: killed with $on_dead streams, and back"
 
   wait_until 20 busy 2
-  kill -TERM "$(pid_at 50052)"
-  wait_until 45 gone 50052 || fail "$way: does not end"
+  drained=$(pid_at 50052)
+  kill -TERM "$drained"
+  # Its last word comes after it has closed its port.
+  wait_until 45 ended "$drained" || fail "$way: does not end"
   grep '"event":"draining"' "$work/trcd-2.log" | grep -v '"streams":0' >/dev/null ||
     fail "$way: drained without a stream"
   grep '"event":"stopped"' "$work/trcd-2.log" | grep '"streams_cut_off":0' >/dev/null ||
-    fail "$way: streams were cut off"
+    { tail -n 3 "$work/trcd-2.log"; fail "$way: streams were cut off"; }
   server 2
   wait_until 30 busy 2 || fail "$way: the drained server is not used again"
   say "$way: drained, and back"
