@@ -1,6 +1,6 @@
 # Fails when a folder includes what it must not know. Run: cmake -D ROOT=<source tree> -P layers.cmake
 #
-#   base <- geometry <- nc <- trc <- session <- wire <- server, client
+#   base <- geometry <- nc <- trc <- verify <- session <- wire <- server, client
 #
 # Quoted includes name a file from the top of the source tree. What a folder may include is one
 # regular expression for these and one for the headers in angle brackets, the standard library's
@@ -27,7 +27,7 @@ endfunction()
 
 set(known "core/base/.*")
 layer(core/base "${known}" "cereal/.*")
-foreach(folder geometry nc trc session)
+foreach(folder geometry nc trc verify session)
   string(APPEND known "|core/${folder}/.*")
   layer(core/${folder} "${known}" "Eigen/.*")
 endforeach()

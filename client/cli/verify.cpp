@@ -1,13 +1,13 @@
 #include <iostream>
 #include <memory>
 
-#include "client/cli/clearance.h"
 #include "client/cli/command.h"
 #include "client/cli/files.h"
 #include "client/cli/program_options.h"
 #include "client/cli/program_paths.h"
 #include "core/base/tolerances.h"
 #include "core/nc/number_format.h"
+#include "core/verify/clearance.h"
 
 namespace trc::cli {
 namespace {
@@ -25,7 +25,7 @@ std::string block_name(const Source& source) {
          (name.empty() ? "" : ")");
 }
 
-std::string worst_line(const Clearance& worst) {
+std::string worst_line(const verify::Clearance& worst) {
   return "smallest clearance " + mm(worst.distance) + " mm of " + mm(worst.required) + " mm at X" +
          mm(worst.place[0]) + " Y" + mm(worst.place[1]) + " Z" + mm(worst.place[2]) + ", path of " +
          block_name(worst.path) + " beside contour block " + block_name(worst.contour);
@@ -40,7 +40,8 @@ Exit run(const ProgramOptions& options) {
   if (paths.exit != Exit::done) return paths.exit;
 
   const double allowed = Tolerances{}.on_contour;
-  const ClearanceReport report = measure_clearance(paths.programmed, paths.compensated, allowed);
+  const verify::ClearanceReport report =
+      verify::measure_clearance(paths.programmed, paths.compensated, allowed);
   if (!report.worst) {
     std::cout << "nothing to verify: no compensated contour\n";
     return Exit::done;

@@ -200,6 +200,10 @@ constexpr auto rows = std::to_array<CodeRow>({
      "the contour is longer than the window of contour masking, which sees no loop longer than "
      "itself",
      "Raise look_ahead_blocks, or set it to 0 for the whole contour."},
+    {Code::clearance_violated, error, "CLEARANCE_VIOLATED",
+     "measured anew, the compensated path comes nearer to the contour than the tool radius",
+     "Do not machine it. Use a smaller tool or correct the contour, or let G141 with "
+     "REMOVE_MASKED_BLOCKS take the loops out."},
 });
 
 static_assert(std::ranges::is_sorted(rows, {}, &CodeRow::code));

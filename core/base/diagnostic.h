@@ -94,6 +94,7 @@ enum class Code : std::int32_t {
   blocks_masked = 900213,
   bottleneck = 900214,
   beyond_window = 900215,
+  clearance_violated = 900216,
 };
 
 struct DiagnosticValue {

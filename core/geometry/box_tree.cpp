@@ -1,20 +1,28 @@
 #include "core/geometry/box_tree.h"
 
 #include <algorithm>
-
-#include "core/geometry/distance.h"
+#include <cmath>
+#include <numbers>
+#include <utility>
 
 namespace trc {
 
 Box bounding_box(const Segment& segment) {
   Box box(start_of(segment));
   box.extend(end_of(segment));
-  if (const auto* arc = std::get_if<Arc>(&segment)) {
-    const double radius = radius_of(*arc);
-    for (const Vector& axis : {Vector(1, 0), Vector(0, 1), Vector(-1, 0), Vector(0, -1)}) {
-      const Point extreme = arc->center + radius * axis;
-      if (covers(*arc, extreme)) box.extend(extreme);
-    }
+  const auto* arc = std::get_if<Arc>(&segment);
+  if (arc == nullptr) return box;
+  // Counter-clockwise from `first` to `last`.
+  Vector first = arc->start - arc->center;
+  Vector last = arc->end - arc->center;
+  if (arc->sweep < 0) std::swap(first, last);
+  const bool more_than_half = std::abs(arc->sweep) > std::numbers::pi;
+  const double radius = first.norm();
+  for (const Vector& axis : {Vector(1, 0), Vector(0, 1), Vector(-1, 0), Vector(0, -1)}) {
+    const bool behind_first = cross(first, axis) >= 0;
+    const bool before_last = cross(axis, last) >= 0;
+    const bool passed = more_than_half ? behind_first || before_last : behind_first && before_last;
+    if (passed) box.extend(arc->center + radius * axis);
   }
   return box;
 }

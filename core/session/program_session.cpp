@@ -73,7 +73,8 @@ struct ProgramSession::Parts {
         program(setup.session.program, setup.session.compensator.tolerances, read_diagnostics,
                 blocks),
         interpreter({.longest_line = setup.longest_line}, program, read_diagnostics),
-        compensator(with_common_start(setup.session).compensator, diagnostics),
+        compensator(with_common_start(setup.session).compensator, setup.session.verify,
+                    diagnostics),
         writer(writer_setup(setup)),
         meaning{.end = setup.session.program.start} {
     if (setup.decimals >= 0 && setup.decimals < most_decimals) return;
@@ -108,7 +109,7 @@ struct ProgramSession::Parts {
   std::vector<Block> blocks;
   ProgramState program;
   Interpreter interpreter;
-  Compensator compensator;
+  VerifiedCompensator compensator;
   NcWriter writer;
 
   std::vector<ProgramLine> lines;
@@ -259,6 +260,9 @@ void ProgramSession::load(StateReader& archive) { archive(*parts_); }
 
 Diagnostics& ProgramSession::diagnostics() { return parts_->diagnostics; }
 const Summary& ProgramSession::summary() const { return parts_->compensator.summary(); }
+const verify::ClearanceReport* ProgramSession::clearance() const {
+  return parts_->compensator.clearance();
+}
 std::uint64_t ProgramSession::lines_read() const { return parts_->interpreter.lines_read(); }
 
 }  // namespace trc

@@ -56,6 +56,8 @@ class ProgramSession {
 
   [[nodiscard]] Diagnostics& diagnostics();
   [[nodiscard]] const Summary& summary() const;
+  // Null unless the setup asks for it.
+  [[nodiscard]] const verify::ClearanceReport* clearance() const;
   [[nodiscard]] std::uint64_t lines_read() const;
 
  private:

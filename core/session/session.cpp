@@ -16,7 +16,7 @@ CompensatorSetup compensator_setup(const SessionSetup& setup) {
 
 PathSession::PathSession(const SessionSetup& setup)
     : program_(setup.program, setup.compensator.tolerances, diagnostics_, blocks_),
-      compensator_(compensator_setup(setup), diagnostics_) {}
+      compensator_(compensator_setup(setup), setup.verify, diagnostics_) {}
 
 bool PathSession::advance(std::vector<CompensatedBlock>& out) {
   return compensator_.feed(blocks_, out);

@@ -7,6 +7,7 @@
 
 #include "core/base/diagnostics.h"
 #include "core/nc/program_state.h"
+#include "core/session/verified_compensator.h"
 #include "core/trc/compensator.h"
 
 namespace trc {
@@ -14,6 +15,7 @@ namespace trc {
 struct SessionSetup {
   ProgramSetup program{};
   CompensatorSetup compensator{};
+  bool verify = false;  // measure the path against the contour as it comes out
 };
 
 // One NC channel fed with motion blocks: no network, no text. Not thread-safe;
@@ -41,12 +43,16 @@ class PathSession {
 
   [[nodiscard]] Diagnostics& diagnostics() { return diagnostics_; }
   [[nodiscard]] const Summary& summary() const { return compensator_.summary(); }
+  // Null unless the setup asks for it.
+  [[nodiscard]] const verify::ClearanceReport* clearance() const {
+    return compensator_.clearance();
+  }
 
  private:
   Diagnostics diagnostics_;
   std::vector<Block> blocks_;
   ProgramState program_;
-  Compensator compensator_;
+  VerifiedCompensator compensator_;
 };
 
 }  // namespace trc

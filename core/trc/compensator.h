@@ -39,9 +39,8 @@ struct Summary {
   std::uint64_t blocks_in = 0;  // relevant and passive blocks
   std::uint64_t blocks_out = 0;
   std::array<std::uint64_t, origin_count> blocks_by_origin{};
-  double programmed_length = 0;                // mm, in the plane
-  double compensated_length = 0;               // mm, in the plane
-  std::optional<double> smallest_clearance{};  // mm, where it was computed
+  double programmed_length = 0;   // mm, in the plane
+  double compensated_length = 0;  // mm, in the plane
 };
 
 // Programmed blocks in, compensated blocks out. The order of the passes is the

@@ -149,6 +149,11 @@ bool LoopRemoval::feed(PathBlockPtr block, PathBlocks& out) {
   return hold(std::move(block)) && (window_ == 0 || proceed(out));
 }
 
+bool LoopRemoval::drain(PathBlocks& /*out*/) {
+  ended_ = true;
+  return leaving_ || end_selection();
+}
+
 bool LoopRemoval::end_selection() {
   leaving_ = is_holding();
   return walk(true);
@@ -165,7 +170,7 @@ bool LoopRemoval::let_go_some(PathBlocks& out) {
   begin_selection();
   for (PathBlockPtr& block : std::exchange(behind_, {}))
     if (!feed(std::move(block), out)) return false;
-  return true;
+  return !ended_ || leaving_ || end_selection();
 }
 
 void LoopRemoval::begin_selection() {

@@ -43,7 +43,7 @@ class LoopRemoval {
         certificate_(tolerances) {}
 
   bool feed(PathBlockPtr block, PathBlocks& out);
-  bool drain(PathBlocks& /*out*/) { return end_selection(); }
+  bool drain(PathBlocks& out);
   [[nodiscard]] bool ignores(const PathBlock& block) const {
     return !is_holding() && !leaving_ && !block.removes_loops();
   }
@@ -214,6 +214,7 @@ class LoopRemoval {
 
   bool leaving_ = false;
   PathBlocks behind_;
+  bool ended_ = false;  // nothing comes behind that
 
   // Blocks known to be clear, and how far a group of them has been asked about.
   std::size_t clear_before_ = 0;

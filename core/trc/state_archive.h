@@ -45,12 +45,19 @@ void serialize(Archive& archive, PathBlock& block) {
   serialize_rejoin(archive, rejoin);
 }
 
+// What is recovered from the path is not needed again.
+template <class Archive>
+void serialize(Archive& archive, CompensatedBlock& block) {
+  auto& [source, origin, plane, rapid, tangential, path, normal, feed, tracking, text, inverse] =
+      block;
+  archive(source, origin, plane, rapid, tangential, path, normal, feed, tracking, text);
+  inverse.reset();
+}
+
 template <class Archive>
 void serialize(Archive& archive, Summary& summary) {
-  auto& [blocks_in, blocks_out, blocks_by_origin, programmed_length, compensated_length,
-         smallest_clearance] = summary;
-  archive(blocks_in, blocks_out, blocks_by_origin, programmed_length, compensated_length,
-          smallest_clearance);
+  auto& [blocks_in, blocks_out, blocks_by_origin, programmed_length, compensated_length] = summary;
+  archive(blocks_in, blocks_out, blocks_by_origin, programmed_length, compensated_length);
 }
 
 }  // namespace trc

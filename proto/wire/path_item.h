@@ -3,6 +3,7 @@
 #include <cstdint>
 
 #include "core/trc/compensator.h"
+#include "core/verify/clearance.h"
 #include "trc/v1/path_item.pb.h"
 
 namespace trc::wire {
@@ -10,6 +11,7 @@ namespace trc::wire {
 // What a finished stream of blocks did.
 struct PathSummary {
   Summary summary{};
+  verify::ClearanceReport clearance{};  // empty unless the setup asks for it
   std::uint64_t notes = 0;
   std::uint64_t warnings = 0;
   double wall_time_seconds = 0;

@@ -182,6 +182,7 @@ PathSettings from_proto(const v1::PathSetup& message, const FieldPath& path, Fie
       layouts.from_proto(message.response_layout(), FieldPath(path, "response_layout"), faults)
           .value_or(settings.response_layout);
   settings.session.compensator.inverse_path = message.include_inverse_path();
+  settings.session.verify = message.verify();
   settings.want_resume_tokens = message.want_resume_tokens();
   settings.resume_token = message.resume_token();
   settings.client_tag = message.client_tag();
@@ -241,6 +242,7 @@ void to_proto(const PathSettings& settings, v1::PathSetup& message) {
   if (settings.response_layout != Layout::blocks)
     message.set_response_layout(layouts.to_proto(settings.response_layout));
   message.set_include_inverse_path(compensator.inverse_path);
+  message.set_verify(settings.session.verify);
   message.set_client_tag(settings.client_tag);
   message.set_want_resume_tokens(settings.want_resume_tokens);
   message.set_resume_token(settings.resume_token);

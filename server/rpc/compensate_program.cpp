@@ -123,11 +123,10 @@ Turn CompensateProgram::proceed(v1::CompensateProgramResponse& response) {
         if (last && want_tokens_) *response.mutable_resume_token() = resume_token();
       },
       [&] {
-        const wire::ProgramSummary summary{
-            .path = run_->meter.summary(run_->session.summary(), run_->session.diagnostics()),
-            .lines_in = run_->session.lines_read(),
-            .bytes_in = run_->bytes_in,
-            .bytes_out = run_->bytes_out};
+        const wire::ProgramSummary summary{.path = run_->meter.summary(run_->session),
+                                           .lines_in = run_->session.lines_read(),
+                                           .bytes_in = run_->bytes_in,
+                                           .bytes_out = run_->bytes_out};
         wire::to_proto(summary, *response.mutable_summary());
       });
 }

@@ -34,7 +34,7 @@ bool Meter::holds(const Summary& so_far, std::size_t outbox_bytes) {
   return share_.resize(held * held_block_bytes + outbox_bytes);
 }
 
-wire::PathSummary Meter::summary(const Summary& core, const Diagnostics& diagnostics) const {
+wire::PathSummary Meter::summary_of(const Summary& core, const Diagnostics& diagnostics) const {
   const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - started_;
   return {.summary = core,
           .notes = diagnostics.count(Severity::note),

@@ -34,8 +34,12 @@ class Meter {
   // may.
   bool holds(const Summary& so_far, std::size_t outbox_bytes);
 
-  [[nodiscard]] wire::PathSummary summary(const Summary& core,
-                                          const Diagnostics& diagnostics) const;
+  template <class Session>
+  [[nodiscard]] wire::PathSummary summary(Session& session) const {
+    wire::PathSummary summary = summary_of(session.summary(), session.diagnostics());
+    if (const auto* clearance = session.clearance()) summary.clearance = *clearance;
+    return summary;
+  }
 
   // Times count from where a stream goes on.
   template <class Archive>
@@ -44,6 +48,9 @@ class Meter {
   }
 
  private:
+  [[nodiscard]] wire::PathSummary summary_of(const Summary& core,
+                                             const Diagnostics& diagnostics) const;
+
   MemoryBudget::Share share_;
   std::uint64_t look_ahead_blocks_;
   std::uint64_t blocks_in_ = 0;

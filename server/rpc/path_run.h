@@ -29,8 +29,7 @@ class PathRun {
   template <class Response, class FinishSlice>
   Turn answer(Response& response, FinishSlice finish_slice) {
     return answers_.next(layout_, response, finish_slice, [&] {
-      wire::to_proto(meter_.summary(session_.summary(), session_.diagnostics()),
-                     *response.mutable_summary());
+      wire::to_proto(meter_.summary(session_), *response.mutable_summary());
     });
   }
 

@@ -1,8 +1,8 @@
 #include <gtest/gtest.h>
 
-#include "client/cli/clearance.h"
 #include "client/cli/sample_program.h"
 #include "core/session/program_session.h"
+#include "core/verify/clearance.h"
 
 namespace trc::cli {
 namespace {

@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstddef>
+#include <numbers>
 #include <random>
 #include <vector>
 
@@ -69,6 +71,26 @@ TEST(BoxTree, FindsWhatASearchBoxByBoxFinds) {
       ASSERT_EQ(found, plain.in(area, skipped))
           << "seed " << seed << " run " << run << " step " << step;
     }
+  }
+}
+
+TEST(BoundingBox, HoldsAllOfAnArcAndNothingMore) {
+  constexpr unsigned seed = 7;
+  RecordProperty("seed", static_cast<int>(seed));
+  std::mt19937_64 random(seed);
+  std::uniform_real_distribution<double> angle(-std::numbers::pi, std::numbers::pi);
+  const auto at = [](double direction) {
+    return Point(3 + 2 * std::cos(direction), -1 + 2 * std::sin(direction));
+  };
+  for (int run = 0; run < 2000; ++run) {
+    const double from = run % 5 == 0 ? 0.5 * std::numbers::pi * (run % 4) : angle(random);
+    const double sweep = run % 7 == 0 ? 2 * std::numbers::pi : 2 * angle(random);
+    const Box box = bounding_box(
+        Arc{.start = at(from), .end = at(from + sweep), .center = {3, -1}, .sweep = sweep});
+    Box sampled;
+    for (int i = 0; i <= 2000; ++i) sampled.extend(at(from + sweep * i / 2000));
+    ASSERT_LE((box.min() - sampled.min()).cwiseAbs().maxCoeff(), 1e-5) << "run " << run;
+    ASSERT_LE((box.max() - sampled.max()).cwiseAbs().maxCoeff(), 1e-5) << "run " << run;
   }
 }
 

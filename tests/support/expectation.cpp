@@ -184,6 +184,8 @@ ProgramSessionSetup read_setup(std::string_view program) {
       for (double& coordinate : setup.session.program.start) coordinate = words.number();
     } else if (key == "look_ahead") {
       setup.session.compensator.limits.look_ahead_blocks = static_cast<std::size_t>(words.number());
+    } else if (key == "verify") {
+      setup.session.verify = true;
     } else if (key == "implicit_masking") {
       setup.session.compensator.implicit_contour_masking = true;
     } else {

@@ -75,7 +75,13 @@ TEST(SummaryMessage, ReadsBackEveryField) {
     core.blocks_by_origin[origin] = origin + 1;
   core.programmed_length = 100.5;
   core.compensated_length = 99.5;
-  core.smallest_clearance = 9.75;
+  sent.path.clearance = {.worst = verify::Clearance{.distance = 9.75,
+                                                    .required = 10,
+                                                    .place = {1, 2, 3},
+                                                    .path = {.index = 4, .number = 50},
+                                                    .contour = {.index = 6}},
+                         .checked = 7,
+                         .gouging = 8};
   v1::ProgramSummary message;
   to_proto(sent, message);
   const ProgramSummary read = from_proto(message);
@@ -84,7 +90,14 @@ TEST(SummaryMessage, ReadsBackEveryField) {
   EXPECT_EQ(read.path.summary.blocks_by_origin, core.blocks_by_origin);
   EXPECT_EQ(read.path.summary.programmed_length, 100.5);
   EXPECT_EQ(read.path.summary.compensated_length, 99.5);
-  EXPECT_EQ(read.path.summary.smallest_clearance, 9.75);
+  ASSERT_TRUE(read.path.clearance.worst);
+  EXPECT_EQ(read.path.clearance.worst->distance, 9.75);
+  EXPECT_EQ(read.path.clearance.worst->required, 10);
+  EXPECT_EQ(read.path.clearance.worst->place, (Position{1, 2, 3}));
+  EXPECT_EQ(read.path.clearance.worst->path, (Source{.index = 4, .number = 50}));
+  EXPECT_EQ(read.path.clearance.worst->contour, (Source{.index = 6}));
+  EXPECT_EQ(read.path.clearance.checked, 7U);
+  EXPECT_EQ(read.path.clearance.gouging, 8U);
   EXPECT_EQ(read.path.notes, 1U);
   EXPECT_EQ(read.path.warnings, 2U);
   EXPECT_EQ(read.path.wall_time_seconds, 0.5);

@@ -2,7 +2,7 @@
 
 #include "core/geometry/segment.h"
 
-namespace trc::cli {
+namespace trc::verify {
 
 // The point of the segment that is nearest to `point`.
 [[nodiscard]] Point nearest_point(const Segment& segment, const Point& point);
@@ -18,4 +18,4 @@ struct Gap {
 // The unit travel direction at a point of the segment.
 [[nodiscard]] Vector direction_at(const Segment& segment, const Point& point);
 
-}  // namespace trc::cli
+}  // namespace trc::verify

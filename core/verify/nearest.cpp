@@ -1,11 +1,11 @@
-#include "client/cli/nearest.h"
+#include "core/verify/nearest.h"
 
 #include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
 
-namespace trc::cli {
+namespace trc::verify {
 namespace {
 
 constexpr double full_turn = 2 * std::numbers::pi;
@@ -116,4 +116,4 @@ Vector direction_at(const Segment& segment, const Point& point) {
       segment);
 }
 
-}  // namespace trc::cli
+}  // namespace trc::verify

@@ -1,4 +1,4 @@
-#include "client/cli/clearance.h"
+#include "core/verify/clearance.h"
 
 #include <gtest/gtest.h>
 
@@ -10,10 +10,10 @@
 #include <random>
 #include <vector>
 
-#include "client/cli/nearest.h"
-#include "client/plot/outline.h"
+#include "core/verify/nearest.h"
+#include "core/verify/shape.h"
 
-namespace trc::cli {
+namespace trc::verify {
 namespace {
 
 using std::numbers::pi;
@@ -43,7 +43,7 @@ CompensatedBlock path_block(std::uint64_t index, Segment path, Origin origin = O
 std::vector<Point> points_of(const Segment& segment, int samples) {
   std::vector<Point> points;
   for (int i = 0; i <= samples; ++i)
-    points.push_back(plot::place_at(segment, static_cast<double>(i) / samples).point);
+    points.push_back(place_at(segment, static_cast<double>(i) / samples).point);
   return points;
 }
 
@@ -88,7 +88,7 @@ TEST(Gap, AgreesWithManyPointsOnRandomSegments) {
     const Segment b = chance.segment();
     const Gap gap = gap_between(a, b);
     const double sampled = sampled_gap(a, b, samples);
-    const double step = (plot::extent_of(a) + plot::extent_of(b)) / samples;
+    const double step = (extent_of(a) + extent_of(b)) / samples;
     EXPECT_LE(gap.distance, sampled + 1e-9) << i;
     EXPECT_GE(gap.distance, sampled - step) << i;
     EXPECT_NEAR(gap_between(b, a).distance, gap.distance, 1e-9) << i;
@@ -223,4 +223,4 @@ TEST(Clearance, LeavesApproachAndRetractOut) {
 }
 
 }  // namespace
-}  // namespace trc::cli
+}  // namespace trc::verify

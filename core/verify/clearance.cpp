@@ -1,17 +1,15 @@
-#include "client/cli/clearance.h"
+#include "core/verify/clearance.h"
 
 #include <algorithm>
 #include <cmath>
 #include <unordered_map>
 #include <vector>
 
-#include "client/cli/nearest.h"
-#include "client/plot/outline.h"
+#include "core/verify/nearest.h"
+#include "core/verify/shape.h"
 
-namespace trc::cli {
+namespace trc::verify {
 namespace {
-
-using plot::Bounds;
 
 // Contour blocks of one selection in path order, with a tree of rectangles over
 // them: neighbours in the program are neighbours in the plane.
@@ -75,8 +73,8 @@ struct Plan {
 // Whether the second motion goes back on the way the first one came.
 bool reverses(const Segment& before, const Segment& after) {
   constexpr double same_way = 1e-4;  // rad
-  const Vector in = plot::place_at(before, 1).direction;
-  const Vector out = plot::place_at(after, 0).direction;
+  const Vector in = place_at(before, 1).direction;
+  const Vector out = place_at(after, 0).direction;
   return in.dot(out) < 0 && std::abs(cross(in, out)) < same_way;
 }
 
@@ -94,8 +92,7 @@ Plan plan_of(std::span<const Block> programmed) {
   const MotionBlock* before = nullptr;
   for (const Block& block : programmed) {
     const auto* motion = std::get_if<MotionBlock>(&block);
-    if (!motion || !motion->mode || !motion->mode->active() || !plot::is_finite(motion->path))
-      continue;
+    if (!motion || !motion->mode || !motion->mode->active() || !is_finite(motion->path)) continue;
     const TrcMode& mode = *motion->mode;
     const bool same = before && before->mode->selection_number == mode.selection_number;
     double required = mode.options.suppress_trc ? 0 : mode.tool_radius;
@@ -134,7 +131,7 @@ bool is_checked(Origin origin) {
 // the program asks for.
 bool on_programmed_side(const CompensatedBlock& block, const MotionBlock& contour) {
   if (!(contour.mode->tool_radius > 0) || contour.mode->options.suppress_trc) return true;
-  const Point middle = plot::place_at(block.path, 0.5).point;
+  const Point middle = place_at(block.path, 0.5).point;
   const Point foot = nearest_point(contour.path, middle);
   const double left = cross(direction_at(contour.path, foot), middle - foot);
   return contour.mode->side == Side::left ? left >= 0 : left <= 0;
@@ -147,7 +144,7 @@ ClearanceReport measure_clearance(std::span<const Block> programmed,
   const Plan plan = plan_of(programmed);
   ClearanceReport report;
   for (const CompensatedBlock& block : path) {
-    if (!is_checked(block.origin) || !plot::is_finite(block.path)) continue;
+    if (!is_checked(block.origin) || !is_finite(block.path)) continue;
     const auto own = plan.blocks.find(block.source.index);
     if (own == plan.blocks.end()) continue;
     const auto contour = plan.contours.find(own->second.block->mode->selection_number);
@@ -167,7 +164,8 @@ ClearanceReport measure_clearance(std::span<const Block> programmed,
                .required = required,
                .place = from_plane(block.plane, point, block.normal.to),
                .path = block.source,
-               .contour = source};
+               .contour = source,
+               .accepted = own->second.block->mode->options.ignore_cont_damage};
     };
     Bounds bounds;
     bounds.add(block.path);
@@ -180,15 +178,18 @@ ClearanceReport measure_clearance(std::span<const Block> programmed,
       note(gap.distance, required, gap.on_a, near.source);
     });
     if (block.origin == Origin::programmed && !on_programmed_side(block, *own->second.block)) {
-      const Point middle = plot::place_at(block.path, 0.5).point;
+      const Point middle = place_at(block.path, 0.5).point;
       const Point foot = nearest_point(own->second.block->path, middle);
       note(-(middle - foot).norm(), own_required, middle, block.source);
     }
     if (!worst) continue;
-    if (worst->margin() < -allowed) ++report.gouging;
+    if (worst->margin() < -allowed) {
+      ++report.gouging;
+      if (worst->accepted) ++report.accepted;
+    }
     if (!report.worst || worst->margin() < report.worst->margin()) report.worst = worst;
   }
   return report;
 }
 
-}  // namespace trc::cli
+}  // namespace trc::verify

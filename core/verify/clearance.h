@@ -8,7 +8,7 @@
 #include "core/nc/block.h"
 #include "core/trc/compensated_block.h"
 
-namespace trc::cli {
+namespace trc::verify {
 
 // How near one block of the path comes to the contour.
 struct Clearance {
@@ -17,6 +17,7 @@ struct Clearance {
   Position place{};     // on the path, machine axes, mm
   Source path{};
   Source contour{};
+  bool accepted = false;  // IGNORE_CONT_DAMAGE holds there
 
   [[nodiscard]] double margin() const { return distance - required; }
 };
@@ -25,6 +26,7 @@ struct ClearanceReport {
   std::optional<Clearance> worst{};  // the smallest margin; empty: nothing to check
   std::uint64_t checked = 0;         // blocks of the path
   std::uint64_t gouging = 0;         // of these, with a margin below -`allowed`
+  std::uint64_t accepted = 0;        // of these, under IGNORE_CONT_DAMAGE
 };
 
 // Measures every block of the compensated path between approach and retract
@@ -37,4 +39,4 @@ struct ClearanceReport {
                                                 std::span<const CompensatedBlock> path,
                                                 double allowed);
 
-}  // namespace trc::cli
+}  // namespace trc::verify

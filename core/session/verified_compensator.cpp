@@ -1,0 +1,64 @@
+#include "core/session/verified_compensator.h"
+
+#include <cstdint>
+#include <span>
+#include <variant>
+
+#include "core/verify/state_archive.h"
+
+namespace trc {
+
+VerifiedCompensator::VerifiedCompensator(const CompensatorSetup& setup, bool verify,
+                                         Diagnostics& diagnostics)
+    : compensator_(setup, diagnostics), diagnostics_(diagnostics) {
+  if (verify) verification_.emplace(setup.tolerances.on_contour, diagnostics);
+}
+
+// Block by block, as the compensator does: what has come out before a stop must not
+// depend on how the caller batches.
+bool VerifiedCompensator::feed(std::vector<Block>& blocks, std::vector<CompensatedBlock>& out) {
+  if (!verification_) return compensator_.feed(blocks, out);
+  for (Block& block : blocks)
+    if (!take(block, out)) break;
+  blocks.clear();
+  return !diagnostics_.stopped();
+}
+
+std::size_t VerifiedCompensator::feed_until_report(std::span<Block> blocks,
+                                                   std::vector<CompensatedBlock>& out) {
+  if (!verification_) return compensator_.feed_until_report(blocks, out);
+  const auto line_of = [](const Block& block) {
+    return std::visit([](const auto& given) { return given.source.index; }, block);
+  };
+  const std::uint64_t line = line_of(blocks.front());
+  std::size_t count = 0;
+  while (count < blocks.size() && line_of(blocks[count]) == line)
+    if (!take(blocks[count++], out)) return blocks.size();
+  return count;
+}
+
+bool VerifiedCompensator::take(Block& block, std::vector<CompensatedBlock>& out) {
+  verification_->programmed(block);
+  const std::size_t before = out.size();
+  compensator_.feed_until_report({&block, 1}, out);
+  return !diagnostics_.stopped() && verification_->compensated(std::span(out).subspan(before));
+}
+
+bool VerifiedCompensator::finish(const TrcMode& at_end, std::vector<CompensatedBlock>& out) {
+  const std::size_t before = out.size();
+  if (!compensator_.finish(at_end, out)) return false;
+  return !verification_ ||
+         (verification_->compensated(std::span(out).subspan(before)) && verification_->finish());
+}
+
+void VerifiedCompensator::save(StateWriter& archive) const {
+  archive(compensator_);
+  if (verification_) archive(*verification_);
+}
+
+void VerifiedCompensator::load(StateReader& archive) {
+  archive(compensator_);
+  if (verification_) archive(*verification_);
+}
+
+}  // namespace trc

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "core/trc/compensator.h"
+#include "core/verify/verification.h"
+
+namespace trc {
+
+// A compensator whose path is measured on its way out, where that is asked for.
+class VerifiedCompensator {
+ public:
+  VerifiedCompensator(const CompensatorSetup& setup, bool verify, Diagnostics& diagnostics);
+
+  // As of Compensator.
+  bool feed(std::vector<Block>& blocks, std::vector<CompensatedBlock>& out);
+  std::size_t feed_until_report(std::span<Block> blocks, std::vector<CompensatedBlock>& out);
+  bool finish(const TrcMode& at_end, std::vector<CompensatedBlock>& out);
+
+  void save(StateWriter& archive) const;
+  void load(StateReader& archive);
+
+  [[nodiscard]] const Summary& summary() const { return compensator_.summary(); }
+  // Of the selections measured so far; null where it was not asked for.
+  [[nodiscard]] const verify::ClearanceReport* clearance() const {
+    return verification_ ? &verification_->report() : nullptr;
+  }
+
+ private:
+  // Of one block, measured.
+  bool take(Block& block, std::vector<CompensatedBlock>& out);
+
+  Compensator compensator_;
+  Diagnostics& diagnostics_;
+  std::optional<verify::Verification> verification_;
+};
+
+}  // namespace trc

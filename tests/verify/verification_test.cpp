@@ -1,0 +1,138 @@
+#include "core/verify/verification.h"
+
+#include <gtest/gtest.h>
+
+#include <cstddef>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "core/session/program_session.h"
+
+namespace trc::verify {
+namespace {
+
+// A bottleneck of 15 mm, which G140 does not see (spec 5): two selections, the second one sound.
+constexpr const char* neck =
+    "N10 G00 X-60 Y-80 F1000\n"
+    "N20 V.G.WZ_AKT.R = 10\n"
+    "N30 G41 G01 X-60 Y-40\n"
+    "N40 X0\nN50 Y0\nN60 X50\nN70 Y-10\nN80 X90\nN90 Y25\nN100 X0\nN110 Y15\nN120 X-60\n"
+    "N130 G40 X-90 Y50\n";
+constexpr const char* step =
+    "N10 G00 X0 Y-30 F1000\n"
+    "N20 V.G.WZ_AKT.R = 10\n"
+    "N30 G42 G01 X0 Y0\nN40 X50\nN50 Y50\nN60 G40 X100\n"
+    "N70 G41 X100 Y100\nN80 X200\nN90 Y200\nN100 G40 X0 Y300\nM30\n";
+
+struct Outcome {
+  bool goes_on = true;
+  std::vector<CompensatedBlock> path{};
+  std::vector<Diagnostic> diagnostics{};
+  ClearanceReport clearance{};
+};
+
+Outcome verified(const std::string& text, std::size_t piece, bool verify = true) {
+  ProgramSessionSetup setup{.nc_text = false};
+  setup.session.verify = verify;
+  ProgramSession session(setup);
+  Outcome outcome;
+  ProgramOutput out;
+  for (std::size_t at = 0; at < text.size() && outcome.goes_on; at += piece)
+    outcome.goes_on = session.feed(std::string_view(text).substr(at, piece), out);
+  outcome.goes_on = outcome.goes_on && session.finish(out);
+  outcome.path = std::move(out.blocks);
+  outcome.diagnostics = session.diagnostics().take();
+  if (const auto* clearance = session.clearance()) outcome.clearance = *clearance;
+  return outcome;
+}
+
+TEST(Verification, SaysHowNearThePathComes) {
+  const Outcome outcome = verified(step, 1000);
+  ASSERT_TRUE(outcome.goes_on);
+  ASSERT_TRUE(outcome.clearance.worst);
+  EXPECT_NEAR(outcome.clearance.worst->distance, 10, 1e-9);
+  EXPECT_EQ(outcome.clearance.worst->required, 10);
+  EXPECT_EQ(outcome.clearance.gouging, 0U);
+  EXPECT_GE(outcome.clearance.checked, 4U);
+}
+
+TEST(Verification, NotAskedForMeasuresNothing) {
+  ProgramSession session(ProgramSessionSetup{});
+  EXPECT_EQ(session.clearance(), nullptr);
+}
+
+TEST(Verification, StopsAtAPathThatComesTooNear) {
+  const Outcome outcome = verified(neck, 1000);
+  EXPECT_FALSE(outcome.goes_on);
+  ASSERT_EQ(outcome.diagnostics.size(), 1U);
+  const Diagnostic& gouge = outcome.diagnostics[0];
+  EXPECT_EQ(gouge.code, Code::clearance_violated);
+  EXPECT_EQ(gouge.severity, Severity::error);
+  ASSERT_TRUE(gouge.point);
+  ASSERT_TRUE(outcome.clearance.worst);
+  EXPECT_LT(outcome.clearance.worst->distance, 10);
+  EXPECT_EQ(gouge.values[0].value, outcome.clearance.worst->distance);
+  EXPECT_TRUE(verified(neck, 1000, false).goes_on);
+}
+
+TEST(Verification, IgnoredContourDamageIsAWarning) {
+  const Outcome outcome = verified(std::string("#TRC [IGNORE_CONT_DAMAGE=1]\n") + neck, 1000);
+  EXPECT_TRUE(outcome.goes_on);
+  ASSERT_FALSE(outcome.diagnostics.empty());
+  EXPECT_EQ(outcome.diagnostics.back().code, Code::clearance_violated);
+  EXPECT_EQ(outcome.diagnostics.back().severity, Severity::warning);
+  EXPECT_EQ(outcome.clearance.gouging, outcome.clearance.accepted);
+}
+
+TEST(Verification, DoesNotDependOnHowTheTextIsCut) {
+  for (const char* program : {neck, step}) {
+    const Outcome whole = verified(program, 10'000);
+    for (const std::size_t piece : {1, 7, 40}) {
+      const Outcome cut = verified(program, piece);
+      ASSERT_EQ(cut.path.size(), whole.path.size()) << "pieces of " << piece;
+      EXPECT_EQ(cut.diagnostics.size(), whole.diagnostics.size());
+      EXPECT_EQ(cut.clearance.checked, whole.clearance.checked);
+      EXPECT_EQ(cut.clearance.gouging, whole.clearance.gouging);
+    }
+  }
+}
+
+TEST(Verification, ChangesNothingOfThePath) {
+  const Outcome plain = verified(step, 1000, false);
+  const Outcome checked = verified(step, 1000);
+  ASSERT_EQ(plain.path.size(), checked.path.size());
+  for (std::size_t i = 0; i < plain.path.size(); ++i)
+    EXPECT_EQ(plain.path[i].path, checked.path[i].path);
+}
+
+// A path handed over that is not the one of the contour: what a fault of the compensation would
+// look like.
+TEST(Verification, FindsAPathThatWasMovedByAMicrometreOrTwo) {
+  TrcMode mode;
+  mode.side = Side::left;
+  mode.tool_radius = 10;
+  mode.selection_number = 1;
+  const auto on = std::make_shared<const TrcMode>(mode);
+  const Line approach{.start = {-10, 0}, .end = {0, 0}};
+  const Line contour{.start = {0, 0}, .end = {100, 0}};
+  for (const double moved : {0.0, 2e-3}) {
+    Diagnostics diagnostics;
+    Verification verification(1e-3, diagnostics);
+    verification.programmed(MotionBlock{.source = {.index = 0}, .path = approach, .mode = on});
+    verification.programmed(MotionBlock{.source = {.index = 1}, .path = contour, .mode = on});
+    const std::vector<CompensatedBlock> path{
+        {.source = {.index = 1},
+         .origin = Origin::programmed,
+         .path = Line{.start = {0, 10 - moved}, .end = {100, 10 - moved}}}};
+    EXPECT_TRUE(verification.compensated(path));
+    EXPECT_EQ(verification.finish(), moved == 0);
+    ASSERT_TRUE(verification.report().worst);
+    EXPECT_NEAR(verification.report().worst->margin(), -moved, 1e-12);
+  }
+}
+
+}  // namespace
+}  // namespace trc::verify
