@@ -16,6 +16,13 @@ std::size_t message_bytes(const CompensatedBlock& block) {
          (block.inverse ? inverse : 0);
 }
 
+// The same for a diagnostic, whose message and remedy are written out.
+std::size_t message_bytes(const Diagnostic& diagnostic) {
+  constexpr std::size_t sentences = 400;
+  constexpr std::size_t per_value = 40;
+  return sentences + diagnostic.detail.size() + per_value * diagnostic.values.size();
+}
+
 // Memory that is worth giving back once it is empty: a client that does not read holds it.
 constexpr std::size_t large = 64U << 10U;
 
@@ -81,11 +88,21 @@ Outbox::Slice Outbox::take(std::size_t most_bytes) {
   slice.text = std::string_view(content_.text).substr(next_byte_, stop - next_byte_);
   next_byte_ = stop;
 
-  if (!placed_.empty() && next_block_ == end_block && next_byte_ == end_byte) {
-    slice.diagnostics = std::move(placed_.front().diagnostics);
-    placed_.pop_front();
-  }
+  bytes += slice.text.size();
+  if (!placed_.empty() && next_block_ == end_block && next_byte_ == end_byte)
+    take_diagnostics(bytes, most_bytes, slice);
   return slice;
+}
+
+void Outbox::take_diagnostics(std::size_t bytes, std::size_t most_bytes, Slice& slice) {
+  std::vector<Diagnostic>& diagnostics = placed_.front().diagnostics;
+  while (next_diagnostic_ < diagnostics.size() && (bytes == 0 || bytes < most_bytes)) {
+    bytes += message_bytes(diagnostics[next_diagnostic_]);
+    slice.diagnostics.push_back(std::move(diagnostics[next_diagnostic_++]));
+  }
+  if (next_diagnostic_ < diagnostics.size()) return;
+  next_diagnostic_ = 0;
+  placed_.pop_front();
 }
 
 std::size_t Outbox::held_bytes() const {

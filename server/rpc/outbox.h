@@ -52,10 +52,14 @@ class Outbox {
     std::vector<Diagnostic> diagnostics{};
   };
 
+  // Those behind what has been taken, as many as fit beside so many bytes.
+  void take_diagnostics(std::size_t bytes, std::size_t most_bytes, Slice& slice);
+
   ProgramOutput content_;
   std::deque<Placed> placed_;
   std::size_t next_block_ = 0;
   std::size_t next_byte_ = 0;
+  std::size_t next_diagnostic_ = 0;  // of the first placed ones
   std::uint64_t blocks_forgotten_ = 0;
 };
 

@@ -238,7 +238,9 @@ def starvation(table, blocks):
         others.send_signal(signal.SIGINT)
         beside = json.loads(others.communicate()[0])
     masked_report = json.loads(report)
-    end = "" if masked_report["completed"] == 1 else ", not finished in time"
+    end = ""
+    if masked_report["completed"] != 1:
+        end = ", " + (" ".join(masked_report["errors"]) or "not finished in time")
     table.add(f"Streams of 100 blocks beside one masked selection of {blocks / 1e6:g} million",
               "not starved",
               f"p99 {beside['streamMs']['p99']:.1f} ms, max {beside['streamMs']['max']:.1f} ms",

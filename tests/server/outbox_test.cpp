@@ -30,6 +30,37 @@ TEST(Outbox, LeavesInSlicesThatFitAMessage) {
   EXPECT_GT(slices, 10);
 }
 
+// A masked selection has a note for every loop, all behind one block.
+TEST(Outbox, DiagnosticsLeaveInSlicesThatFitAMessage) {
+  Outbox outbox;
+  outbox.content().blocks.push_back(block(0));
+  std::vector<Diagnostic> notes(1000);
+  for (std::uint64_t i = 0; i < notes.size(); ++i) notes[i].source.index = i;
+  outbox.place(std::move(notes));
+  std::uint64_t next = 0;
+  int slices = 0;
+  while (!outbox.empty()) {
+    const Outbox::Slice slice = outbox.take(20'000);
+    EXPECT_EQ(slice.blocks.size(), slices == 0 ? 1U : 0U);
+    ASSERT_FALSE(slice.diagnostics.empty());
+    EXPECT_LE(slice.diagnostics.size(), 20'000 / 200U);
+    for (const Diagnostic& got : slice.diagnostics) EXPECT_EQ(got.source.index, next++);
+    ++slices;
+  }
+  EXPECT_EQ(next, 1000U);
+  EXPECT_GT(slices, 9);
+}
+
+TEST(Outbox, OneDiagnosticAlwaysLeavesHoweverLarge) {
+  Outbox outbox;
+  Diagnostic large;
+  large.detail.assign(60'000, 'x');
+  outbox.place({large, large});
+  EXPECT_EQ(outbox.take(1000).diagnostics.size(), 1U);
+  EXPECT_EQ(outbox.take(1000).diagnostics.size(), 1U);
+  EXPECT_TRUE(outbox.empty());
+}
+
 TEST(Outbox, CountsBlocksOverAllRequests) {
   Outbox outbox;
   outbox.content().blocks.assign(3, block(0));
