@@ -178,6 +178,8 @@ bool RelevantBlocks::continue_selection(PathBlock& block) {
   block.origin = Origin::programmed;
   count_for_window(block);
   if (mode.side == last_mode_->side) return true;
+  // Both sides of such a block lie on a contour: there is no free end to begin the arc of G05 at.
+  if (mode.tangential) return refuse(Code::not_available, block, "G05 with a change of side");
   if (mode.options.reverse && reverses(block)) {
     block.at_start = block.at_end;
     return true;
