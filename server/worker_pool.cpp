@@ -1,13 +1,32 @@
 #include "server/worker_pool.h"
 
 #include <algorithm>
+#include <chrono>
+#include <ctime>
 
 namespace trc::server {
+namespace {
 
-WorkerPool::WorkerPool(unsigned threads) {
-  const unsigned count = threads > 0 ? threads : std::max(1U, std::thread::hardware_concurrency());
-  threads_.reserve(count);
-  for (unsigned i = 0; i < count; ++i) threads_.emplace_back([this] { run(); });
+// Of this thread. What it has to wait for a core does not count: on a crowded machine short turns
+// would give way too.
+std::chrono::nanoseconds time_computed() {
+  std::timespec time{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+  return std::chrono::seconds(time.tv_sec) + std::chrono::nanoseconds(time.tv_nsec);
+}
+
+// When the turn of this thread began, or went on.
+thread_local std::chrono::nanoseconds began{};
+
+// Several turns of batches: giving way costs two changes of thread.
+constexpr std::chrono::milliseconds share_of_time{5};
+
+}  // namespace
+
+WorkerPool::WorkerPool(unsigned places)
+    : places_(places > 0 ? places : std::max(1U, std::thread::hardware_concurrency())) {
+  threads_.reserve(places_);
+  for (std::size_t i = 0; i < places_; ++i) threads_.emplace_back([this] { run(); });
 }
 
 WorkerPool::~WorkerPool() {
@@ -15,16 +34,35 @@ WorkerPool::~WorkerPool() {
     const std::lock_guard lock(mutex_);
     stopping_ = true;
   }
-  submitted_.notify_all();
+  changed_.notify_all();
   for (std::thread& thread : threads_) thread.join();
 }
 
 void WorkerPool::submit(Job& job) {
   {
     const std::lock_guard lock(mutex_);
-    queue_.push_back(&job);
+    queue_.push_back({.job = &job});
   }
-  submitted_.notify_one();
+  changed_.notify_one();
+}
+
+void WorkerPool::give_way() {
+  if (time_computed() - began < share_of_time) return;
+  {
+    std::unique_lock lock(mutex_);
+    if (queue_.empty() || stopping_ || standing_ == most_standing) return;
+    Standing standing;
+    queue_.push_back({.standing = &standing});
+    --taken_;
+    ++standing_;
+    if (idle_ < places_ - taken_)
+      threads_.emplace_back([this] { run(); });
+    else
+      changed_.notify_one();
+    standing.changed.wait(lock, [&] { return standing.goes_on; });
+    --standing_;
+  }
+  began = time_computed();
 }
 
 std::size_t WorkerPool::queue_depth() const {
@@ -32,16 +70,35 @@ std::size_t WorkerPool::queue_depth() const {
   return queue_.size();
 }
 
+std::size_t WorkerPool::thread_count() const {
+  const std::lock_guard lock(mutex_);
+  return threads_.size();
+}
+
 void WorkerPool::run() {
   std::unique_lock lock(mutex_);
   while (true) {
-    submitted_.wait(lock, [this] { return stopping_ || !queue_.empty(); });
-    if (queue_.empty()) return;
-    Job* job = queue_.front();
+    ++idle_;
+    changed_.wait(lock, [this] { return queue_.empty() ? stopping_ : taken_ < places_; });
+    --idle_;
+    if (queue_.empty()) {
+      // Whoever has waited for a place must look again.
+      changed_.notify_all();
+      return;
+    }
+    const Waiting next = queue_.front();
     queue_.pop_front();
+    ++taken_;
+    if (next.standing != nullptr) {
+      next.standing->goes_on = true;
+      next.standing->changed.notify_one();
+      continue;
+    }
     lock.unlock();
-    job->turn();
+    began = time_computed();
+    next.job->turn();
     lock.lock();
+    --taken_;
   }
 }
 

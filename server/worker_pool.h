@@ -15,7 +15,8 @@ namespace trc::server {
 //
 // Jobs wait in one queue and get one turn each: a stream with much to do goes to the back after
 // every batch, so that streams share the threads evenly. A stream has at most one job in the queue,
-// so the limit of streams bounds the queue too.
+// so the limit of streams bounds the queue too. A batch that ends a selection of millions of blocks
+// makes a turn of seconds, which gives way in between.
 class WorkerPool {
  public:
   class Job {
@@ -27,8 +28,8 @@ class WorkerPool {
     ~Job() = default;
   };
 
-  // Threads: 0 stands for one per core.
-  explicit WorkerPool(unsigned threads);
+  // How many turns go on at once: 0 stands for one per core.
+  explicit WorkerPool(unsigned places);
   // Gives the waiting jobs their turn, then joins the threads.
   ~WorkerPool();
   WorkerPool(const WorkerPool&) = delete;
@@ -37,15 +38,39 @@ class WorkerPool {
   // The job must live until its turn is over.
   void submit(Job& job);
 
+  // To be called again and again in a turn that may take long. Once it has computed for
+  // some milliseconds and others wait, the turn goes to the back of the queue: it stands still, and
+  // another thread takes its place.
+  void give_way();
+
   [[nodiscard]] std::size_t queue_depth() const;
-  [[nodiscard]] std::size_t thread_count() const { return threads_.size(); }
+  // The threads there are: one for each place, and one for each turn that has ever stood still at
+  // the same time as others.
+  [[nodiscard]] std::size_t thread_count() const;
 
  private:
+  // A turn that stands still.
+  struct Standing {
+    std::condition_variable changed{};
+    bool goes_on = false;
+  };
+  // One of the two.
+  struct Waiting {
+    Job* job = nullptr;
+    Standing* standing = nullptr;
+  };
+  // A turn beyond so many does not stand still, but keeps its place: threads are not for nothing.
+  static constexpr std::size_t most_standing = 64;
+
   void run();
 
   mutable std::mutex mutex_;
-  std::condition_variable submitted_;
-  std::deque<Job*> queue_;
+  std::condition_variable changed_;
+  std::deque<Waiting> queue_;
+  const std::size_t places_;
+  std::size_t taken_ = 0;     // places
+  std::size_t idle_ = 0;      // threads
+  std::size_t standing_ = 0;  // turns
   bool stopping_ = false;
   std::vector<std::thread> threads_;
 };

@@ -76,6 +76,7 @@ bool Clearance::examine(bool ended, PathBlocks& out) {
   std::size_t examined = 0;
   const std::size_t end = contour_base_ + contour_.size();
   while (examined < held_.size() && (ended || numbers_[examined] + window_ < end)) {
+    checkpoint_.pass();
     if (!check(*held_[examined], numbers_[examined])) return false;
     ++examined;
   }

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "core/base/checkpoint.h"
 #include "core/base/diagnostics.h"
 #include "core/base/tolerances.h"
 #include "core/geometry/box_tree.h"
@@ -21,12 +22,13 @@ class Clearance {
  public:
   // `window` in contour blocks; 0: the whole selection.
   Clearance(bool implicit_contour_masking, std::size_t window, std::size_t selection_blocks,
-            const Tolerances& tolerances, Diagnostics& diagnostics)
+            const Tolerances& tolerances, Diagnostics& diagnostics, Checkpoint& checkpoint)
       : implicit_(implicit_contour_masking),
         window_(window),
         selection_blocks_(selection_blocks),
         tolerances_(tolerances),
-        diagnostics_(diagnostics) {}
+        diagnostics_(diagnostics),
+        checkpoint_(checkpoint) {}
 
   bool feed(PathBlockPtr block, PathBlocks& out);
   bool drain(PathBlocks& out) { return end_selection(out); }
@@ -59,6 +61,7 @@ class Clearance {
   std::size_t selection_blocks_;
   Tolerances tolerances_;
   Diagnostics& diagnostics_;
+  Checkpoint& checkpoint_;
   PathBlocks held_;
   std::vector<std::size_t> numbers_;  // of the contour block, or of the one before it
 

@@ -29,19 +29,20 @@ std::uint64_t index_of(const Block& block) {
 struct Compensator::Passes {
   Passes(const CompensatorSetup& setup, Diagnostics& log)
       : diagnostics(log),
+        checkpoint(setup.interrupt),
         relevant_blocks(setup, log),
         convert_circles(setup.tolerances),
         kerf_masking(setup.circular_kerf_masking, setup.tolerances),
         offset(setup.tolerances, log),
-        inside_corner(setup.limits.selection_blocks, setup.tolerances, log),
+        inside_corner(setup.limits.selection_blocks, setup.tolerances, log, checkpoint),
         contour_masking(setup.limits.look_ahead_blocks, setup.limits.selection_blocks,
-                        setup.tolerances, log),
+                        setup.tolerances, log, checkpoint),
         transitions(setup.tolerances, log),
         loop_removal(setup.limits.look_ahead_blocks, setup.limits.selection_blocks,
-                     setup.tolerances, log),
+                     setup.tolerances, log, checkpoint),
         contour_violations(setup.tolerances, log),
         clearance(setup.implicit_contour_masking, setup.limits.look_ahead_blocks,
-                  setup.limits.selection_blocks, setup.tolerances, log),
+                  setup.limits.selection_blocks, setup.tolerances, log, checkpoint),
         reporting(setup, log) {}
 
   // clang-format off
@@ -76,7 +77,13 @@ struct Compensator::Passes {
             loop_removal, clearance, reporting);
   }
 
+  template <class P, class In, class Out>
+  bool advance(P& pass, In& in, Out& out, Input input) {
+    return trc::advance(pass, in, out, input, checkpoint);
+  }
+
   Diagnostics& diagnostics;
+  Checkpoint checkpoint;
   RelevantBlocks relevant_blocks;
   ConvertCircles convert_circles;
   KerfMasking kerf_masking;

@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "core/base/checkpoint.h"
 #include "core/base/diagnostics.h"
 #include "core/base/state.h"
 #include "core/base/tolerances.h"
@@ -32,6 +33,7 @@ struct CompensatorSetup {
   bool circular_kerf_masking = true;      // P-CHAN-00284
   double smallest_feed_factor = 0.01;     // D-31
   bool inverse_path = false;              // CompensatedBlock::inverse
+  Checkpoint::Interrupt interrupt{};      // of long work
 };
 
 // What a finished session did.

@@ -60,8 +60,10 @@ bool ContourMasking::feed(PathBlockPtr block, PathBlocks& out) {
 bool ContourMasking::resolve(const PathBlock* after, PathBlocks& out) {
   if (held_.empty()) return true;
   if (window_ == 0) {
-    for (std::size_t index = 1; index < held_.size(); ++index)
+    for (std::size_t index = 1; index < held_.size(); ++index) {
+      checkpoint_.pass();
       if (!keep(index)) return false;
+    }
   }
   if (!close(after)) return false;
   report_masked(base_, base_ + held_.size());

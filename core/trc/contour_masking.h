@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "core/base/checkpoint.h"
 #include "core/base/diagnostics.h"
 #include "core/base/tolerances.h"
 #include "core/trc/corner.h"
@@ -30,11 +31,12 @@ class ContourMasking {
  public:
   // `window` in contour blocks; 0: the whole selection.
   ContourMasking(std::size_t window, std::size_t selection_blocks, const Tolerances& tolerances,
-                 Diagnostics& diagnostics)
+                 Diagnostics& diagnostics, Checkpoint& checkpoint)
       : window_(window),
         selection_blocks_(selection_blocks),
         tolerances_(tolerances),
-        diagnostics_(diagnostics) {}
+        diagnostics_(diagnostics),
+        checkpoint_(checkpoint) {}
 
   bool feed(PathBlockPtr block, PathBlocks& out);
   bool drain(PathBlocks& out) { return resolve(nullptr, out); }
@@ -94,6 +96,7 @@ class ContourMasking {
   std::size_t selection_blocks_;
   Tolerances tolerances_;
   Diagnostics& diagnostics_;
+  Checkpoint& checkpoint_;
   PathBlocks held_;
   std::size_t base_ = 0;  // blocks of the selection that have left
   std::vector<Kept> kept_;

@@ -321,6 +321,7 @@ std::optional<LoopRemoval::Onset> LoopRemoval::onset(std::size_t block, double f
   const std::size_t own = number_of(block);
   std::optional<Onset> first;
   const auto compare = [&](std::size_t number) {
+    checkpoint_.pass();
     const HeldPath::ContourBlock& obstacle = contour(number);
     const bool visible = window_ == 0 || (number <= own + window_ && own <= number + window_);
     // Only an arc turned inside out comes too near to its own block.
@@ -370,6 +371,7 @@ std::optional<LoopRemoval::Onset> LoopRemoval::next_onset(bool ended) {
 bool LoopRemoval::walk(bool ended) {
   if (!walking_ && !begin_walk(ended)) return false;
   while (walking_ && at_.block < end_of_path() && is_known(at_.block, 1, ended)) {
+    checkpoint_.pass();
     const auto found = next_onset(ended);
     if (!found) {
       advance();
@@ -539,6 +541,7 @@ std::optional<LoopRemoval::Exit> LoopRemoval::exit_behind(const Onset& onset) co
 
 std::optional<LoopRemoval::Exit> LoopRemoval::crossing_in(const Piece& piece, std::size_t number,
                                                           std::size_t obstacle, bool beside) const {
+  checkpoint_.pass();
   const double slack = slack_of(tolerances_);
   const Segment& segment = path(piece.block).path;
   const auto [first, end] = stretch_about(obstacle);

@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "core/base/checkpoint.h"
 #include "core/base/diagnostics.h"
 #include "core/base/numbered_queue.h"
 #include "core/base/tolerances.h"
@@ -35,11 +36,12 @@ class LoopRemoval {
  public:
   // `window` in contour blocks; 0: the whole selection.
   LoopRemoval(std::size_t window, std::size_t selection_blocks, const Tolerances& tolerances,
-              Diagnostics& diagnostics)
+              Diagnostics& diagnostics, Checkpoint& checkpoint)
       : window_(window),
         selection_blocks_(selection_blocks),
         tolerances_(tolerances),
         diagnostics_(diagnostics),
+        checkpoint_(checkpoint),
         certificate_(tolerances) {}
 
   bool feed(PathBlockPtr block, PathBlocks& out);
@@ -195,6 +197,7 @@ class LoopRemoval {
   std::size_t selection_blocks_;
   Tolerances tolerances_;
   Diagnostics& diagnostics_;
+  Checkpoint& checkpoint_;
 
   PathBlocks entering_;  // the approach, which leaves with the first block of the path
   HeldPath path_;

@@ -7,6 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "core/base/checkpoint.h"
+
 namespace trc {
 
 // A pass reads one stream of blocks and writes another.
@@ -42,24 +44,28 @@ enum class Input { more, ended };
 
 template <class P, class In, class Out>
 requires Pass<P, In, Out>
-[[nodiscard]] bool advance(P& pass, std::span<In> in, std::vector<Out>& out, Input input) {
-  for (In& item : in)
+[[nodiscard]] bool advance(P& pass, std::span<In> in, std::vector<Out>& out, Input input,
+                           Checkpoint& checkpoint) {
+  for (In& item : in) {
+    checkpoint.pass();
     if (!pass.feed(std::move(item), out)) return false;
+  }
   return input == Input::more || pass.drain(out);
 }
 
 template <class P, class In, class Out>
 requires Pass<P, In, Out>
-[[nodiscard]] bool advance(P& pass, std::vector<In>& in, std::vector<Out>& out, Input input) {
-  const bool goes_on = advance(pass, std::span(in), out, input);
+[[nodiscard]] bool advance(P& pass, std::vector<In>& in, std::vector<Out>& out, Input input,
+                           Checkpoint& checkpoint) {
+  const bool goes_on = advance(pass, std::span(in), out, input, checkpoint);
   in.clear();
   return goes_on;
 }
 
 template <class P, class Owner>
 [[nodiscard, gnu::noinline]] bool work(P& pass, std::vector<Owner>& in, std::vector<Owner>& out,
-                                       Input input) {
-  const bool goes_on = advance(pass, std::span(in), out, input);
+                                       Input input, Checkpoint& checkpoint) {
+  const bool goes_on = advance(pass, std::span(in), out, input, checkpoint);
   in.clear();
   return goes_on;
 }
@@ -68,10 +74,11 @@ template <class P, class Owner>
 // of the way of this, which happens for nearly every block.
 template <class P, class Owner>
 requires Pass<P, Owner, Owner> && IdlePass<P, Owner>
-[[nodiscard]] bool advance(P& pass, std::vector<Owner>& in, std::vector<Owner>& out, Input input) {
+[[nodiscard]] bool advance(P& pass, std::vector<Owner>& in, std::vector<Owner>& out, Input input,
+                           Checkpoint& checkpoint) {
   bool works = input == Input::ended || !out.empty();
   for (const Owner& block : in) works = works || !pass.ignores(*block);
-  if (works) return work(pass, in, out, input);
+  if (works) return work(pass, in, out, input, checkpoint);
   in.swap(out);
   return true;
 }

@@ -41,7 +41,7 @@ Turn CompensateProgram::set_up(const v1::ProgramSetup& message,
   if (auto refused = read_setup(message, config, settings)) return end(*refused);
   stream_.record.set_client_tag(settings.path.client_tag);
   run_.emplace(stream_, settings.path,
-               ProgramSessionSetup{.session = settings.path.session,
+               ProgramSessionSetup{.session = stream_.interruptible(settings.path.session),
                                    .nc_text = settings.nc_text,
                                    .decimals = settings.decimals,
                                    .longest_line = config.max_line_bytes});

@@ -9,7 +9,7 @@ namespace trc::server {
 PathRun::PathRun(const StreamContext& stream, const wire::PathSettings& settings)
     : stream_(stream),
       layout_(settings.response_layout),
-      session_(settings.session),
+      session_(stream.interruptible(settings.session)),
       reader_(settings.session.program.tracking_axes.size()),
       answers_(stream.backend, stream.record),
       meter_(stream.backend.memory, settings.session.compensator.limits) {}

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <grpcpp/grpcpp.h>
+#include <malloc.h>
 
 #include <atomic>
 #include <chrono>
@@ -125,7 +126,6 @@ class StreamReactor
       phase_ = Phase::working;
     }
     input_ = input;
-    if (input == Input::ended && context_.IsCancelled()) return end_with(gone());
     backend_.pool.submit(*this);
   }
 
@@ -141,15 +141,32 @@ class StreamReactor
   }
 
   void turn() noexcept final {
-    if (cancelled_ || context_.IsCancelled()) return end_with(gone());
+    if (cancelled_ || context_.IsCancelled()) return abandon();
     try {
       turn_ = work();
       // Not held while the answer waits for its reader.
       request_.reset();
+    } catch (const Abandoned&) {
+      return abandon();
     } catch (const std::exception& bug) {
       turn_ = end(record_.incident(bug.what()));
     }
+    if (turn_.next == Turn::Next::finish) let_go_of_work();
     conclude();
+  }
+
+  // Here in the pool: a session may hold so much that a reaction should not have to free it.
+  void let_go_of_work() {
+    constexpr std::uint64_t large = 32U << 20U;
+    const std::uint64_t held = backend_.memory.used_bytes();
+    work_.reset();
+    // The heap keeps what lies between small blocks that are still in use.
+    if (held > backend_.memory.used_bytes() + large) malloc_trim(0);
+  }
+
+  void abandon() {
+    let_go_of_work();
+    end_with(gone());
   }
 
   void end_with(Ending ending) {
@@ -211,8 +228,9 @@ class StreamReactor
         turn_.write = false;
       }
     }
-    if (!ok) return end_with(gone());
-    conclude();
+    if (ok) return conclude();
+    cancelled_ = true;
+    backend_.pool.submit(*this);
   }
 
   void OnCancel() final { cancelled_ = true; }

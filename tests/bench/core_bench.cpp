@@ -57,20 +57,22 @@ class Passes {
   void feed(const std::vector<Block>& blocks) {
     programmed_ = blocks;
     next_ = 0;
-    timed([&] { return advance(relevant_blocks_, programmed_, relevant_, Input::more); });
+    timed([&] {
+      return advance(relevant_blocks_, programmed_, relevant_, Input::more, checkpoint_);
+    });
     timed([&] { return apply(convert_circles_, relevant_); });
-    timed([&] { return advance(kerf_masking_, relevant_, reachable_, Input::more); });
+    timed([&] { return advance(kerf_masking_, relevant_, reachable_, Input::more, checkpoint_); });
     timed([&] { return apply(offset_, reachable_); });
-    timed([&] { return advance(inside_corner_, reachable_, entered_, Input::more); });
-    timed([&] { return advance(contour_masking_, entered_, masked_, Input::more); });
-    timed([&] { return advance(transitions_, masked_, joined_, Input::more); });
-    timed([&] { return advance(loop_removal_, joined_, simple_, Input::more); });
+    timed([&] { return advance(inside_corner_, reachable_, entered_, Input::more, checkpoint_); });
+    timed([&] { return advance(contour_masking_, entered_, masked_, Input::more, checkpoint_); });
+    timed([&] { return advance(transitions_, masked_, joined_, Input::more, checkpoint_); });
+    timed([&] { return advance(loop_removal_, joined_, simple_, Input::more, checkpoint_); });
     timed([&] { return apply(contour_violations_, simple_); });
-    timed([&] { return advance(clearance_, simple_, checked_, Input::more); });
-    timed([&] { return advance(split_, checked_, divided_, Input::more); });
+    timed([&] { return advance(clearance_, simple_, checked_, Input::more, checkpoint_); });
+    timed([&] { return advance(split_, checked_, divided_, Input::more, checkpoint_); });
     timed([&] {
       out_.clear();
-      return advance(reporting_, divided_, out_, Input::more);
+      return advance(reporting_, divided_, out_, Input::more, checkpoint_);
     });
   }
 
@@ -87,18 +89,21 @@ class Passes {
   }
 
   Diagnostics diagnostics_;
+  Checkpoint checkpoint_{{}};
   RelevantBlocks relevant_blocks_{setup(), diagnostics_};
   ConvertCircles convert_circles_{setup().tolerances};
   KerfMasking kerf_masking_{true, setup().tolerances};
   Offset offset_{setup().tolerances, diagnostics_};
   selection::InsideCorner inside_corner_{setup().limits.selection_blocks, setup().tolerances,
-                                         diagnostics_};
+                                         diagnostics_, checkpoint_};
   ContourMasking contour_masking_{0, setup().limits.selection_blocks, setup().tolerances,
-                                  diagnostics_};
+                                  diagnostics_, checkpoint_};
   Transitions transitions_{setup().tolerances, diagnostics_};
-  LoopRemoval loop_removal_{0, setup().limits.selection_blocks, setup().tolerances, diagnostics_};
+  LoopRemoval loop_removal_{0, setup().limits.selection_blocks, setup().tolerances, diagnostics_,
+                            checkpoint_};
   ContourViolations contour_violations_{setup().tolerances, diagnostics_};
-  Clearance clearance_{false, 0, setup().limits.selection_blocks, setup().tolerances, diagnostics_};
+  Clearance clearance_{
+      false, 0, setup().limits.selection_blocks, setup().tolerances, diagnostics_, checkpoint_};
   selection::Split split_;
   Reporting reporting_{setup(), diagnostics_};
 

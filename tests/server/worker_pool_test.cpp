@@ -3,10 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <chrono>
 #include <functional>
 #include <future>
 #include <mutex>
 #include <string>
+#include <thread>
 
 namespace trc::server {
 namespace {
@@ -76,6 +78,64 @@ TEST(WorkerPool, OneLongStreamDoesNotHoldUpAShortOne) {
     while (pool.queue_depth() > 0) std::this_thread::yield();
   }
   EXPECT_EQ(order.find('s'), 1U);
+}
+
+// Turns without an end hold every place, and all others still get theirs.
+TEST(WorkerPool, LongTurnsGiveWay) {
+  constexpr unsigned places = 2;
+  std::atomic<bool> done = false;
+  std::atomic<unsigned> computing = 0;
+  std::atomic<unsigned> most_computing = 0;
+  WorkerPool* shared = nullptr;
+  const auto compute = [&] {
+    const unsigned now = ++computing;
+    if (now > most_computing) most_computing = now;
+    const auto end = std::chrono::steady_clock::now() + std::chrono::microseconds(100);
+    while (std::chrono::steady_clock::now() < end) {
+    }
+    --computing;
+  };
+  const auto endless = [&] {
+    while (!done) {
+      compute();
+      shared->give_way();
+    }
+  };
+  Task first(endless);
+  Task second(endless);
+  Task third(endless);
+  {
+    WorkerPool pool(places);
+    shared = &pool;
+    for (Task* task : {&first, &second, &third}) pool.submit(*task);
+    for (int round = 0; round < 20; ++round) {
+      std::promise<void> served;
+      Task small([&] {
+        compute();
+        served.set_value();
+      });
+      pool.submit(small);
+      EXPECT_EQ(served.get_future().wait_for(std::chrono::seconds(10)), std::future_status::ready);
+    }
+    done = true;
+  }
+  EXPECT_LE(most_computing, places);
+}
+
+TEST(WorkerPool, KeepsItsThreadsForWhenTheyAreNeeded) {
+  std::atomic<int> turns = 0;
+  WorkerPool pool(1);
+  Task task([&] {
+    const auto end = std::chrono::steady_clock::now() + std::chrono::milliseconds(20);
+    while (std::chrono::steady_clock::now() < end) pool.give_way();
+    ++turns;
+  });
+  for (int round = 0; round < 5; ++round) {
+    pool.submit(task);
+    pool.submit(task);
+    while (turns < 2 * (round + 1)) std::this_thread::yield();
+  }
+  EXPECT_LE(pool.thread_count(), 3U);
 }
 
 }  // namespace

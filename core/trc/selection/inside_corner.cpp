@@ -89,6 +89,7 @@ bool InsideCorner::check_start(const PathBlock& approach) {
   const Line way{.start = start, .end = end_of(approach.programmed.path)};
   const double radius = std::abs(approach.at_end.shift);
   for (std::size_t i = 1; i < held_.size(); ++i) {
+    checkpoint_.pass();
     const PathBlock& block = *held_[i];
     const double clearance = distance(start, block.programmed.path);
     if (clearance < radius - tolerances_.on_contour)

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "core/base/checkpoint.h"
 #include "core/base/diagnostics.h"
 #include "core/base/tolerances.h"
 #include "core/trc/path_block.h"
@@ -22,8 +23,12 @@ namespace trc::selection {
 // pass through at once.
 class InsideCorner {
  public:
-  InsideCorner(std::size_t selection_blocks, const Tolerances& tolerances, Diagnostics& diagnostics)
-      : selection_blocks_(selection_blocks), tolerances_(tolerances), diagnostics_(diagnostics) {}
+  InsideCorner(std::size_t selection_blocks, const Tolerances& tolerances, Diagnostics& diagnostics,
+               Checkpoint& checkpoint)
+      : selection_blocks_(selection_blocks),
+        tolerances_(tolerances),
+        diagnostics_(diagnostics),
+        checkpoint_(checkpoint) {}
 
   bool feed(PathBlockPtr block, PathBlocks& out);
   bool drain(PathBlocks& out);
@@ -53,6 +58,7 @@ class InsideCorner {
   std::size_t selection_blocks_;
   Tolerances tolerances_;
   Diagnostics& diagnostics_;
+  Checkpoint& checkpoint_;
   PathBlocks held_;  // the approach and the contour of one selection
 };
 

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <functional>
+#include <utility>
+
+namespace trc {
+
+// Where long work passes by again and again, so that it can be interrupted: the end of a selection
+// may set free millions of blocks in one call.
+class Checkpoint {
+ public:
+  // Is called every now and then. May take its time, and may throw, which abandons the session:
+  // nothing but its destruction may follow.
+  using Interrupt = std::function<void()>;
+
+  explicit Checkpoint(Interrupt interrupt) : interrupt_(std::move(interrupt)) {}
+  Checkpoint(const Checkpoint&) = delete;
+  Checkpoint& operator=(const Checkpoint&) = delete;
+
+  // To be called for every block, or more often.
+  void pass() {
+    if (--left_ > 0) return;
+    left_ = steps;
+    if (interrupt_) interrupt_();
+  }
+
+ private:
+  static constexpr unsigned steps = 256;  // far less than a millisecond
+
+  Interrupt interrupt_;
+  unsigned left_ = steps;
+};
+
+}  // namespace trc
