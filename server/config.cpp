@@ -137,6 +137,8 @@ void declare(CLI::App& app, Config& config) {
       ->default_str(config.listen.front());
   settings.toggle("insecure", config.insecure,
                   "allow plain text on an address other machines can reach");
+  settings.toggle("insecure-health", config.insecure_health,
+                  "allow it for health-listen alone, which tells health and nothing else");
   settings.add("tls-cert-file", config.tls_cert_file, "PEM certificate chain; switches TLS on");
   settings.add("tls-key-file", config.tls_key_file, "PEM private key of the certificate");
   settings.add("tls-client-ca-file", config.tls_client_ca_file,
@@ -232,9 +234,9 @@ std::optional<std::string> first_fault(const Config& config) {
   if (!config.health_listen.empty()) {
     if (!split_host_port(config.health_listen))
       return "health-listen: '" + config.health_listen + "' is not HOST:PORT";
-    if (!is_local_address(config.health_listen) && !config.insecure)
+    if (!is_local_address(config.health_listen) && !config.insecure_health && !config.insecure)
       return "health-listen: '" + config.health_listen +
-             "' can be reached by other machines in plain text; allow that with insecure";
+             "' can be reached by other machines in plain text; allow that with insecure-health";
   }
 
   const bool tls = !config.tls_cert_file.empty();

@@ -15,6 +15,8 @@ struct Config {
   std::vector<std::string> listen = {"127.0.0.1:50051"};
   // Allows plain text on an address other machines can reach.
   bool insecure = false;
+  // The same for the health port alone.
+  bool insecure_health = false;
 
   // PEM files. A certificate switches TLS on for TCP; the client CA makes client certificates
   // mandatory.

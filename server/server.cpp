@@ -20,11 +20,14 @@ constexpr auto shutdown_grace = std::chrono::milliseconds(100);
 
 int milliseconds(std::uint32_t seconds) { return static_cast<int>(seconds) * 1000; }
 
-void set_limits(grpc::ServerBuilder& builder, const Config& config) {
+// Probes need next to nothing, and what they use is not what streams may use: a full server still
+// tells its health.
+constexpr std::uint32_t health_buffer_mib = 8;
+
+void set_limits(grpc::ServerBuilder& builder, const Config& config, std::uint32_t buffer_mib) {
   builder.SetMaxReceiveMessageSize(static_cast<int>(config.max_message_bytes));
   builder.SetMaxSendMessageSize(-1);
-  builder.SetResourceQuota(
-      grpc::ResourceQuota("trcd").Resize(std::size_t{config.max_grpc_buffer_mib} << 20U));
+  builder.SetResourceQuota(grpc::ResourceQuota().Resize(std::size_t{buffer_mib} << 20U));
   const auto set = [&](const char* name, int value) { builder.AddChannelArgument(name, value); };
   set(GRPC_ARG_MAX_CONCURRENT_STREAMS, static_cast<int>(config.max_streams_per_connection));
   set(GRPC_ARG_KEEPALIVE_TIME_MS, milliseconds(config.keepalive_time_s));
@@ -85,9 +88,10 @@ std::string Server::open(bool with_addresses) {
   }
 
   grpc::ServerBuilder builder;
-  set_limits(builder, config);
+  set_limits(builder, config, config.max_grpc_buffer_mib);
   builder.RegisterService(&service_);
   grpc::ServerBuilder health_builder;
+  set_limits(health_builder, config, health_buffer_mib);
   if (with_addresses) {
     for (const std::string& address : config.listen) {
       int port = 0;

@@ -2,6 +2,7 @@
 # The manifests, judged without a cluster: against the schemas of Kubernetes, against each other, and
 # their configuration by trcd itself.
 . "$(dirname "$(readlink -f "$0")")/lib.sh"
+. tests/deploy/tls.sh
 
 command -v npm >/dev/null || fail "npm is needed for the schemas"
 installed=.ci/schemas/node_modules/.package-lock.json
@@ -9,6 +10,7 @@ installed=.ci/schemas/node_modules/.package-lock.json
   fail "npm: $(tail -3 "$work/npm.log")"
 check() { node tests/deploy/kubernetes_schema.mjs "$@"; }
 
+make_certificates "$work/tls"
 if command -v kubectl >/dev/null; then
   for overlay in edge cluster; do
     kubectl kustomize deploy/kubernetes/overlays/$overlay >"$work/$overlay.yaml" || fail "$overlay cannot be rendered"
@@ -16,8 +18,11 @@ if command -v kubectl >/dev/null; then
     node tests/deploy/kubernetes_consistency.mjs "$work/$overlay.yaml" "$work/$overlay.toml" ||
       fail "$overlay contradicts itself"
     # The files named there are in the cluster only.
-    TRCD_TLS_CERT_FILE='' TRCD_TLS_KEY_FILE='' TRCD_TLS_CLIENT_CA_FILE='' \
+    TRCD_TLS_CERT_FILE=$work/tls/server.pem TRCD_TLS_KEY_FILE=$work/tls/server.key TRCD_TLS_CLIENT_CA_FILE=$work/tls/ca.pem \
       "$bin/trcd" --config "$work/$overlay.toml" --print-config >/dev/null || fail "trcd refuses trcd.toml of $overlay"
+    ! TRCD_TLS_CERT_FILE='' TRCD_TLS_KEY_FILE='' TRCD_TLS_CLIENT_CA_FILE='' \
+      "$bin/trcd" --config "$work/$overlay.toml" --print-config >/dev/null 2>&1 ||
+      fail "without certificates trcd.toml of $overlay serves plain text"
     say "$overlay: $counted"
   done
 else

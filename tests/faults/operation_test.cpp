@@ -211,13 +211,15 @@ TEST(Certificates, ThatCannotBeUsedIsSaidBeforeAPortOpens) {
   EXPECT_NE(ended.err.find("does not belong to"), std::string::npos) << ended.err;
 }
 
-std::string health_of(const std::string& address) {
+std::string health_of(const std::string& address, const std::string& service = "") {
   grpc::ClientContext context;
   context.set_deadline(std::chrono::system_clock::now() + seconds(20));
+  grpc::health::v1::HealthCheckRequest request;
+  request.set_service(service);
   grpc::health::v1::HealthCheckResponse response;
   const auto status = grpc::health::v1::Health::NewStub(
                           grpc::CreateChannel(address, grpc::InsecureChannelCredentials()))
-                          ->Check(&context, {}, &response);
+                          ->Check(&context, request, &response);
   return status.ok() ? grpc::health::v1::HealthCheckResponse::ServingStatus_Name(response.status())
                      : status.error_message();
 }
@@ -235,6 +237,15 @@ TEST(Probes, HealthIsServedInPlainTextBesideTls) {
   const Answer answer =
       call(grpc::CreateChannel(server.health(), grpc::InsecureChannelCredentials()));
   EXPECT_EQ(answer.status.error_code(), grpc::UNIMPLEMENTED);
+}
+
+TEST(Probes, HealthOpenToOtherMachinesKeepsTheLimits) {
+  const ServerProcess server(
+      {"--health-listen", "0.0.0.0:0", "--insecure-health", "--max-message-bytes", "4096"});
+  EXPECT_EQ(health_of(server.health()), "SERVING");
+  EXPECT_EQ(health_of(server.health(), "trc.v1.TrcService"), "SERVING");
+  EXPECT_NE(health_of(server.health(), std::string(5000, 'x')).find("larger than max"),
+            std::string::npos);
 }
 
 TEST(Probes, HealthAndReadinessFollowTheDrain) {

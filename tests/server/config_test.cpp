@@ -128,9 +128,13 @@ TEST(ServerConfig, RefusesAFileThatIsNoYaml) {
 }
 
 TEST(ServerConfig, HealthInPlainTextStaysOnThisMachineUnlessAllowed) {
-  expect_fault(read({"--health-listen=0.0.0.0:50052"}), {"health-listen", "insecure"});
+  expect_fault(read({"--health-listen=0.0.0.0:50052"}), {"health-listen", "insecure-health"});
   expect_fault(read({"--health-listen=nowhere"}), {"health-listen"});
   EXPECT_FALSE(read({"--health-listen=127.0.0.1:50052"}).exit.has_value());
+  EXPECT_FALSE(read({"--health-listen=0.0.0.0:50052", "--insecure-health"}).exit.has_value());
+  EXPECT_FALSE(read({"--health-listen=0.0.0.0:50052", "--insecure"}).exit.has_value());
+  // It opens no other port.
+  expect_fault(read({"--listen=0.0.0.0:50051", "--insecure-health"}), {"listen", "insecure"});
 }
 
 TEST(ServerConfig, AllowedClientsNeedTheirAuthority) {
