@@ -21,8 +21,9 @@ sed -e 's/^  bind :50051 proto h2/  # &/' -e 's/^  # \(bind :50051 ssl\)/  \1/' 
   -e "s#^  server trcd-1 .*#  server trcd-1 $backend#; /^  server trcd-2/d" \
   deploy/compose/haproxy.cfg >"$work/haproxy.cfg"
 grep -q "^  bind 127.0.0.1:$port ssl" "$work/haproxy.cfg" || fail "there is no line for TLS in haproxy.cfg"
-haproxy -c -f "$work/haproxy.cfg" >"$work/said" 2>&1 || fail "haproxy.cfg: $(cat "$work/said")"
-haproxy -W -db -f "$work/haproxy.cfg" >"$work/haproxy.log" 2>&1 &
+files=(-f deploy/haproxy/defaults.cfg -f "$work/haproxy.cfg")
+haproxy -c "${files[@]}" >"$work/said" 2>&1 || fail "haproxy.cfg: $(cat "$work/said")"
+haproxy -W -db "${files[@]}" >"$work/haproxy.log" 2>&1 &
 balancer=$!
 at_exit kill $balancer
 in_use() { curl -sf "http://127.0.0.1:$((port + 1))/metrics" | grep -x "haproxy_backend_active_servers{proxy=\"trcd\"} $1" >/dev/null; }
