@@ -2,8 +2,8 @@
 # containers and settings lie in $work, and the image of this source tree.
 #
 # No registry is asked. In place of the official Debian image stands one made from Debian packages,
-# under the same name. Both images are kept in build/deploy and made again when they are old or the
-# source has changed.
+# under the same name. Images are kept in build/deploy and made again when they are old or the source
+# has changed.
 
 export CONTAINERS_CONF=$work/containers.conf
 export CONTAINERS_STORAGE_CONF=$work/storage.conf
@@ -78,24 +78,28 @@ load_base() {
   podman import --quiet "$kept/base.tar" "$base" >/dev/null
 }
 
-# The same for equal sources, whatever their times.
+# source_hash SECTION: the same for equal sources and the same commands, whatever their times.
 source_hash() {
+  { readme_commands "$1"; contents_of_sources; } | sha256sum | cut -c1-16
+}
+contents_of_sources() {
   find .ci/install .ci/packages .cmake .dockerignore CMakeLists.txt CMakePresets.json LICENSE \
     core proto server client deploy/container deploy/debian -type f ! -path '*/node_modules/*' -print0 |
-    sort -z | xargs -0 sha256sum | sha256sum | cut -c1-16
+    sort -z | xargs -0 sha256sum
 }
 
-# load_image: the image of this source tree, built with the commands of deploy/README.md.
+# load_image [SECTION NAME]: an image of this source tree, built with the commands of deploy/README.md
+# under SECTION, which call it NAME; the one for this machine without arguments.
 load_image() {
-  local archive
-  archive=$kept/trcd-$(source_hash).tar
+  local section=${1:-Container} name=${2:-$image} archive
+  archive=$kept/$section-$(source_hash "$section").tar
   if [ ! -s "$archive" ]; then
     load_base
-    say "building the image"
-    eval "$(readme_commands Container)" >"$work/build.log" 2>&1 </dev/null ||
+    say "building $name"
+    eval "$(readme_commands "$section")" >"$work/build.log" 2>&1 </dev/null ||
       { tail -30 "$work/build.log" >&2; fail "the image does not build"; }
-    rm -f "$kept"/trcd-*.tar
-    podman save --quiet --format docker-archive -o "$archive" "$image"
+    rm -f "$kept/$section"-*.tar
+    podman save --quiet --format docker-archive -o "$archive" "$name"
   else
     podman load --quiet --input "$archive" >/dev/null
   fi

@@ -15,7 +15,7 @@ failed=()
 for test in "${tests[@]}"; do
   echo "== $test"
   start=$SECONDS
-  if timeout --kill-after=60 "${TRC_DEPLOY_SECONDS:-1800}" "./$test" </dev/null; then
+  if timeout --kill-after=60 "${TRC_DEPLOY_SECONDS:-3600}" "./$test" </dev/null; then
     echo "== $test passed, $((SECONDS - start)) s"
   else
     echo "== $test FAILED, $((SECONDS - start)) s"
