@@ -42,7 +42,8 @@ end_engine() {
   podman rm --all --force --time 1
   podman network prune --force
   podman unmount --all
-  umount "$work/storage/overlay"
+  # With what a build that was killed has left mounted.
+  umount --recursive "$work/storage/overlay"
 }
 at_exit end_engine
 

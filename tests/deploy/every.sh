@@ -11,11 +11,22 @@ for name in "$@"; do
 done
 [ $# -gt 0 ] || tests=(*_test.sh)
 
+# `timeout` makes a process group of its own, which no ^C reaches.
+running=
+stop() {
+  trap - INT TERM
+  [ -z "$running" ] || { kill "$running"; wait "$running" || true; }
+  exit 1
+}
+trap stop INT TERM
+
 failed=()
 for test in "${tests[@]}"; do
   echo "== $test"
   start=$SECONDS
-  if timeout --kill-after=60 "${TRC_DEPLOY_SECONDS:-3600}" "./$test" </dev/null; then
+  timeout --kill-after=60 "${TRC_DEPLOY_SECONDS:-3600}" "./$test" </dev/null &
+  running=$!
+  if wait "$running"; then
     echo "== $test passed, $((SECONDS - start)) s"
   else
     echo "== $test FAILED, $((SECONDS - start)) s"
