@@ -38,9 +38,8 @@ for name in trcd-1 trcd-2 haproxy prometheus; do
   [ "$(awk '/^Uid/ { print $2 }' "/proc/$pid/status")" != 0 ] || fail "$name runs as root"
   awk '$5 == "/" { exit $6 !~ /(^|,)ro(,|$)/ }' "/proc/$pid/mountinfo" || fail "the root of $name can be written to"
 done
-limit=/sys/fs/cgroup/memory$(sed -n 's/^[0-9]*:memory://p' \
-  "/proc/$(podman inspect --format '{{.State.Pid}}' "$(container trcd-1)")/cgroup")/memory.limit_in_bytes
-[ "$(cat "$limit")" = $((1 << 30)) ] || fail "trcd-1 has no memory limit"
+first_pid=$(podman inspect --format '{{.State.Pid}}' "$(container trcd-1)")
+[ "$(memory_of "$first_pid" limit)" = $((1 << 30)) ] || fail "trcd-1 has no memory limit"
 
 # A program that is sent half, and its other half later.
 "$trc" compensate "$sample" -o "$work/expected" || fail "$sample is refused"

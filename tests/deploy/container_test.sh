@@ -67,8 +67,7 @@ done
 [ "$(status NoNewPrivs)" = 1 ] || fail "new privileges are allowed"
 [ "$(status Seccomp)" = 2 ] || fail "no system call filter"
 awk '$5 == "/" { exit $6 !~ /(^|,)ro(,|$)/ }' "/proc/$pid/mountinfo" || fail "the root can be written to"
-memory_group=/sys/fs/cgroup/memory$(sed -n 's/^[0-9]*:memory://p' "/proc/$pid/cgroup")
-[ "$(cat "$memory_group/memory.limit_in_bytes")" = $((1 << 30)) ] || fail "no memory limit"
+[ "$(memory_of "$pid" limit)" = $((1 << 30)) ] || fail "no memory limit"
 ! podman exec hardened sh -c true 2>/dev/null || fail "a shell runs in the container"
 podman healthcheck run hardened >/dev/null 2>&1 || fail "unhealthy while it serves"
 say "hardened: user, capabilities, filter, read-only root, memory limit as seen in /proc"
@@ -97,7 +96,7 @@ for worker in 1 2 3 4; do
 done
 for worker in "${workers[@]}"; do wait "$worker" || fail "under load a program fails or differs"; done
 programs=$(awk "{ sum += \$1 } END { print sum }" "$work"/load.?)
-peak() { echo $(($(cat "$memory_group/memory.max_usage_in_bytes") >> 20)); }
+peak() { echo $(($(memory_of "$pid" peak) >> 20)); }
 say "load: $programs programs from 4 clients, all equal to those compensated here; peak $(peak) of 1024 MiB"
 
 # --- beyond it ----------------------------------------------------------------------------------

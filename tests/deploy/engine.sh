@@ -105,3 +105,16 @@ load_image() {
     podman load --quiet --input "$archive" >/dev/null
   fi
 }
+
+# memory_of PROCESS limit|peak: of its cgroup, in bytes; under cgroup v1 and v2.
+memory_of() {
+  local group file
+  group=$(sed -n 's/^[0-9]*:memory://p' "/proc/$1/cgroup")
+  if [ -n "$group" ]; then
+    [ "$2" = limit ] && file=memory.limit_in_bytes || file=memory.max_usage_in_bytes
+    cat "/sys/fs/cgroup/memory$group/$file"
+  else
+    [ "$2" = limit ] && file=memory.max || file=memory.peak
+    cat "/sys/fs/cgroup$(sed -n 's/^0:://p' "/proc/$1/cgroup")/$file"
+  fi
+}

@@ -2,7 +2,8 @@
 #   - runs from the top of the source tree, as root, with the programs of `./run --build` (or those in
 #     TRC_DEPLOY_BIN),
 #   - keeps all it makes in $work, or takes it away in a function given to `at_exit`,
-#   - ends with 0 only if everything it says has been seen to hold.
+#   - ends with 0 only if everything it says has been seen to hold, and with 77 if this machine cannot
+#     show it.
 set -euo pipefail
 cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/../.."
 [ "$(id -u)" -eq 0 ] || { echo "error: the deployment is tested as root" >&2; exit 1; }
@@ -25,6 +26,11 @@ trap 'exit 1' INT TERM
 fail() {
   echo "error: $*" >&2
   exit 1
+}
+
+skip() {
+  echo "not run: $*" >&2
+  exit 77
 }
 
 say() { printf '%4d s  %s\n' "$SECONDS" "$*"; }

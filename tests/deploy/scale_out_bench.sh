@@ -18,9 +18,22 @@ ip link set lo up
 mount -t tmpfs tmpfs /run
 mkdir /run/trcd
 export PATH=$bin:$PATH
-groups=
-[ "$share" = 0 ] || groups=$(mktemp -d /sys/fs/cgroup/cpu/trc_scale_out.XXXXXX)
-at_exit "rmdir $groups/[0-9] $groups"
+# One cgroup a server, of version 1 or 2.
+groups=/sys/fs/cgroup/${work##*/}
+[ ! -d /sys/fs/cgroup/cpu ] || groups=/sys/fs/cgroup/cpu/${work##*/}
+at_exit "rmdir $groups.[0-9]"
+at_exit 'kill -9 $(jobs -p); wait'
+hold_to_share() { # number, process
+  local group=$groups.$1 period=20000
+  mkdir "$group"
+  if [ -e "$group/cpu.max" ]; then
+    echo "$((share * period / 100)) $period" >"$group/cpu.max"
+  else
+    echo $period >"$group/cpu.cfs_period_us"
+    echo $((share * period / 100)) >"$group/cpu.cfs_quota_us"
+  fi
+  echo "$2" >"$group/cgroup.procs"
+}
 
 pids=()
 start() { # servers way
@@ -29,12 +42,7 @@ start() { # servers way
   for number in $(seq "$1"); do
     trcd --listen "127.0.0.1:$((50050 + number))" --resume-key-file /run/trcd/key >/dev/null &
     pids+=($!)
-    [ "$share" = 0 ] || {
-      mkdir "$groups/$number"
-      echo 20000 >"$groups/$number/cpu.cfs_period_us"
-      echo $((share * 200)) >"$groups/$number/cpu.cfs_quota_us"
-      echo $! >"$groups/$number/cgroup.procs"
-    }
+    [ "$share" = 0 ] || hold_to_share "$number" $!
   done
   balancer=
   case $2 in
@@ -51,7 +59,7 @@ start() { # servers way
 stop() {
   kill -9 "${pids[@]}" $balancer
   wait "${pids[@]}" $balancer 2>/dev/null || true
-  [ "$share" = 0 ] || wait_until 5 rmdir "$groups"/[0-9]
+  [ "$share" = 0 ] || wait_until 5 rmdir "$groups".[0-9]
 }
 
 # CPU time of processes so far, in ms.
