@@ -40,10 +40,13 @@ demand(mebibytes(limits.memory) >= needed, `limits.memory ${limits.memory}, trcd
 demand(mebibytes(limits.memory) <= 1.3 * needed, `limits.memory ${limits.memory}, trcd.toml uses ${needed} MiB of it`);
 demand(limits.memory === requests.memory, 'the memory asked for is not the memory allowed');
 
-// Ports.
+// Ports. What the image sets for itself as a variable must be an argument here: it wins over a file.
+const argument = (name) => container.args.find((one) => one.startsWith(`--${name}=`))?.split('=')[1];
 const port = (name) => container.ports.find((one) => one.name === name)?.containerPort;
-for (const [name, key] of [['grpc', 'listen'], ['health', 'health-listen'], ['metrics', 'admin-listen']])
-  demand(setting(key)?.endsWith(`:${port(name)}`), `${key} ${setting(key)} is not port ${name}, ${port(name)}`);
+for (const [name, key, address] of [['grpc', 'listen', setting('listen')], ['metrics', 'admin-listen', setting('admin-listen')],
+  ['health', 'health-listen', argument('health-listen')]])
+  demand(address === `0.0.0.0:${port(name)}`, `${key} ${address} is not port ${name}, ${port(name)}`);
+demand(setting('health-listen') === undefined, 'health-listen in trcd.toml has no effect in the image');
 for (const probe of [container.startupProbe, container.readinessProbe])
   demand(probe.grpc.port === port('health'), 'a gRPC probe asks another port than that of health');
 demand(container.livenessProbe.httpGet.path === '/healthz', 'a server that drains would be killed');

@@ -19,7 +19,7 @@ if kubectl kustomize deploy/kubernetes/overlays/edge >/dev/null 2>&1; then
       fail "$overlay contradicts itself"
     # The files named there are in the cluster only.
     TRCD_TLS_CERT_FILE=$work/tls/server.pem TRCD_TLS_KEY_FILE=$work/tls/server.key TRCD_TLS_CLIENT_CA_FILE=$work/tls/ca.pem \
-      "$bin/trcd" --config "$work/$overlay.toml" --print-config >/dev/null || fail "trcd refuses trcd.toml of $overlay"
+      "$bin/trcd" --config "$work/$overlay.toml" --health-listen 0.0.0.0:50052 --print-config >/dev/null || fail "trcd refuses trcd.toml of $overlay"
     ! TRCD_TLS_CERT_FILE='' TRCD_TLS_KEY_FILE='' TRCD_TLS_CLIENT_CA_FILE='' \
       "$bin/trcd" --config "$work/$overlay.toml" --print-config >/dev/null 2>&1 ||
       fail "without certificates trcd.toml of $overlay serves plain text"

@@ -36,8 +36,7 @@ case "$1 $2" in
     done ;;
   "rollout status")
     for attempt in $(seq 60); do
-      pid=$(podman inspect --format '{{.State.Pid}}' trcd-pod-0-trcd)
-      ! nsenter --net --target "$pid" "$TRC" health --server 127.0.0.1:50052 2>/dev/null || exit 0
+      ! "$TRC" health --server "$(pod_address):50052" 2>/dev/null || exit 0
       sleep 1
     done
     exit 1 ;;
@@ -46,7 +45,11 @@ esac
 TEXT
 chmod +x "$work/path/kubectl"
 REAL_KUBECTL=$(command -v kubectl)
+# From the network of the pod: its engine maps neighbouring ports of a pod wrongly.
+in_pod() { nsenter --net --target "$(podman inspect --format '{{.State.Pid}}' trcd-pod-0-trcd)" "$@"; }
+pod_address() { in_pod ip -4 -oneline address show dev eth0 | sed 's/.* inet \([0-9.]*\).*/\1/'; }
 export WORK=$work REAL_KUBECTL TRC=$trc
+export -f in_pod pod_address
 
 # play OVERLAY: with the commands of the page.
 play() {
@@ -56,9 +59,6 @@ play() {
     >"$work/shown" 2>"$work/said" ||
     fail "the commands of the page: $(cat "$work/shown" "$work/said" | tail -n 20; podman logs trcd-pod-0-trcd 2>&1 | tail -n 3)"
 }
-
-# From the network of the pod: its engine maps neighbouring ports of a pod wrongly.
-in_pod() { nsenter --net --target "$(podman inspect --format '{{.State.Pid}}' trcd-pod-0-trcd)" "$@"; }
 
 serves() {
   in_pod "$trc" compensate "$sample" --server "$service" --tls-ca "$work/tls/ca.pem" \
@@ -72,10 +72,10 @@ check_running() { # overlay, memory limit in MiB
   ! in_pod "$trc" health --server "$service" --tls-ca "$work/tls/ca.pem" 2>/dev/null ||
     fail "$1: served without a client certificate"
   ! in_pod "$trc" health --server "$service" 2>/dev/null || fail "$1: served in plain text"
-  # What kubelet asks.
-  in_pod "$trc" health --server 127.0.0.1:50052 >/dev/null || fail "$1: the probes' port does not answer"
-  in_pod curl -sf http://127.0.0.1:9464/healthz >/dev/null || fail "$1: not alive"
-  in_pod curl -sf http://127.0.0.1:9464/metrics | grep '^trc_streams_active ' >/dev/null ||
+  # What kubelet and Prometheus ask, from outside of the pod as they do.
+  "$trc" health --server "$(pod_address):50052" >/dev/null || fail "$1: the probes' port does not answer"
+  curl -sf "http://$(pod_address):9464/healthz" >/dev/null || fail "$1: not alive"
+  curl -sf "http://$(pod_address):9464/metrics" | grep '^trc_streams_active ' >/dev/null ||
     fail "$1: the metric the autoscaler goes by is not exported"
 
   pid=$(podman inspect --format '{{.State.Pid}}' trcd-pod-0-trcd)
