@@ -24,11 +24,6 @@ constexpr std::size_t bytes_per_piece = 8 * 1024;
 constexpr std::uint64_t silent_lines_per_release = 256;
 constexpr std::size_t most_silent_bytes = 16 * 1024 * 1024;
 
-SessionSetup with_common_start(SessionSetup setup) {
-  setup.compensator.start = setup.program.start;
-  return setup;
-}
-
 NcWriter::Setup writer_setup(const ProgramSessionSetup& setup) {
   const ProgramSetup& program = setup.session.program;
   // Decimals out of range are refused before anything is written.
@@ -73,8 +68,7 @@ struct ProgramSession::Parts {
         program(setup.session.program, setup.session.compensator.tolerances, read_diagnostics,
                 blocks),
         interpreter({.longest_line = setup.longest_line}, program, read_diagnostics),
-        compensator(with_common_start(setup.session).compensator, setup.session.verify,
-                    diagnostics),
+        compensator(compensator_setup(), setup.session.verify, diagnostics),
         writer(writer_setup(setup)),
         meaning{.end = setup.session.program.start} {
     if (setup.decimals >= 0 && setup.decimals < most_decimals) return;
@@ -82,6 +76,8 @@ struct ProgramSession::Parts {
     invalid.values = {{"decimals", static_cast<double>(setup.decimals)}};
     diagnostics.report(std::move(invalid));
   }
+
+  CompensatorSetup compensator_setup();
 
   // Compensates what has been read. Returns whether the stream goes on.
   bool advance(ProgramOutput& out);
@@ -94,7 +90,7 @@ struct ProgramSession::Parts {
   // Gives what was reported since the last time its place: at the end of a line.
   void place(ProgramOutput& out);
   bool end(ProgramOutput& out);
-  void hand_out(ProgramOutput& out);
+  void hand_out(std::vector<CompensatedBlock>& given);
 
   // All lines read have been taken when a call has ended.
   template <class Archive>
@@ -117,12 +113,20 @@ struct ProgramSession::Parts {
   std::size_t reports_taken = 0;
   std::size_t blocks_taken = 0;  // of `blocks`: those of the lines taken
   std::vector<CompensatedBlock> compensated;
-  std::size_t placed = 0;        // of the pending diagnostics
-  NcWriter::Meaning meaning{};   // of the last line taken
-  std::uint64_t line_taken = 0;  // its Source::index
+  ProgramOutput* output = nullptr;  // of the call
+  std::size_t placed = 0;           // of the pending diagnostics
+  NcWriter::Meaning meaning{};      // of the last line taken
+  std::uint64_t line_taken = 0;     // its Source::index
   std::uint64_t silent_lines = 0;
   bool ended = false;
 };
+
+CompensatorSetup ProgramSession::Parts::compensator_setup() {
+  CompensatorSetup result = setup.session.compensator;
+  result.start = setup.session.program.start;
+  result.take_portion = [this](std::vector<CompensatedBlock>& given) { hand_out(given); };
+  return result;
+}
 
 bool ProgramSession::Parts::advance(ProgramOutput& out) {
   reported = read_diagnostics.take();
@@ -194,7 +198,7 @@ bool ProgramSession::Parts::compensate(ProgramOutput& out) {
     const std::size_t count = compensator.feed_until_report(taken, compensated);
     const bool line_goes_on = index_of(taken[count - 1]) == line_taken;
     taken = taken.subspan(count);
-    hand_out(out);
+    hand_out(compensated);
     if (!line_goes_on) place(out);
   }
   blocks.erase(blocks.begin(), blocks.begin() + static_cast<std::ptrdiff_t>(blocks_taken));
@@ -214,18 +218,18 @@ bool ProgramSession::Parts::end(ProgramOutput& out) {
   if (std::exchange(ended, true)) return true;
   if (!compensate(out)) return false;
   const bool goes_on = compensator.finish(program.mode(), compensated);
-  hand_out(out);
+  hand_out(compensated);
   return goes_on;
 }
 
-void ProgramSession::Parts::hand_out(ProgramOutput& out) {
+void ProgramSession::Parts::hand_out(std::vector<CompensatedBlock>& given) {
   if (setup.nc_text) {
-    for (const CompensatedBlock& block : compensated) writer.write(block, out.text);
+    for (const CompensatedBlock& block : given) writer.write(block, output->text);
   } else {
-    out.blocks.insert(out.blocks.end(), std::make_move_iterator(compensated.begin()),
-                      std::make_move_iterator(compensated.end()));
+    output->blocks.insert(output->blocks.end(), std::make_move_iterator(given.begin()),
+                          std::make_move_iterator(given.end()));
   }
-  compensated.clear();
+  given.clear();
 }
 
 ProgramSession::ProgramSession(const ProgramSessionSetup& setup)
@@ -235,6 +239,7 @@ ProgramSession::~ProgramSession() = default;
 
 bool ProgramSession::feed(std::string_view text, ProgramOutput& out) {
   Parts& parts = *parts_;
+  parts.output = &out;
   parts.placed = parts.diagnostics.pending().size();
   while (!text.empty() && !parts.diagnostics.stopped()) {
     const std::string_view piece = text.substr(0, bytes_per_piece);
@@ -248,6 +253,7 @@ bool ProgramSession::feed(std::string_view text, ProgramOutput& out) {
 bool ProgramSession::finish(ProgramOutput& out) {
   Parts& parts = *parts_;
   if (parts.diagnostics.stopped()) return false;
+  parts.output = &out;
   parts.placed = parts.diagnostics.pending().size();
   parts.interpreter.finish(parts.lines);
   if (!parts.advance(out) || !parts.end(out)) return false;

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <variant>
 
 #include "core/verify/state_archive.h"
@@ -10,8 +11,18 @@ namespace trc {
 
 VerifiedCompensator::VerifiedCompensator(const CompensatorSetup& setup, bool verify,
                                          Diagnostics& diagnostics)
-    : compensator_(setup, diagnostics), diagnostics_(diagnostics) {
+    : compensator_(measuring(setup, verify), diagnostics), diagnostics_(diagnostics) {
   if (verify) verification_.emplace(setup.tolerances.on_contour, diagnostics);
+}
+
+CompensatorSetup VerifiedCompensator::measuring(CompensatorSetup setup, bool verify) {
+  if (!verify || !setup.take_portion) return setup;
+  setup.take_portion = [this, take = std::move(setup.take_portion)](auto& out) {
+    measure(out);
+    take(out);
+    measured_ = out.size();
+  };
+  return setup;
 }
 
 // Block by block, as the compensator does: what has come out before a stop must not
@@ -39,16 +50,21 @@ std::size_t VerifiedCompensator::feed_until_report(std::span<Block> blocks,
 
 bool VerifiedCompensator::take(Block& block, std::vector<CompensatedBlock>& out) {
   verification_->programmed(block);
-  const std::size_t before = out.size();
+  measured_ = out.size();
   compensator_.feed_until_report({&block, 1}, out);
-  return !diagnostics_.stopped() && verification_->compensated(std::span(out).subspan(before));
+  return !diagnostics_.stopped() && measure(out);
+}
+
+bool VerifiedCompensator::measure(const std::vector<CompensatedBlock>& out) {
+  const auto fresh = std::span(out).subspan(measured_);
+  measured_ = out.size();
+  return verification_->compensated(fresh);
 }
 
 bool VerifiedCompensator::finish(const TrcMode& at_end, std::vector<CompensatedBlock>& out) {
-  const std::size_t before = out.size();
+  measured_ = out.size();
   if (!compensator_.finish(at_end, out)) return false;
-  return !verification_ ||
-         (verification_->compensated(std::span(out).subspan(before)) && verification_->finish());
+  return !verification_ || (measure(out) && verification_->finish());
 }
 
 void VerifiedCompensator::save(StateWriter& archive) const {

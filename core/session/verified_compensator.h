@@ -14,6 +14,8 @@ namespace trc {
 class VerifiedCompensator {
  public:
   VerifiedCompensator(const CompensatorSetup& setup, bool verify, Diagnostics& diagnostics);
+  VerifiedCompensator(const VerifiedCompensator&) = delete;
+  VerifiedCompensator& operator=(const VerifiedCompensator&) = delete;
 
   // As of Compensator.
   bool feed(std::vector<Block>& blocks, std::vector<CompensatedBlock>& out);
@@ -30,12 +32,16 @@ class VerifiedCompensator {
   }
 
  private:
+  [[nodiscard]] CompensatorSetup measuring(CompensatorSetup setup, bool verify);
   // Of one block, measured.
   bool take(Block& block, std::vector<CompensatedBlock>& out);
+  // What is new in `out`.
+  bool measure(const std::vector<CompensatedBlock>& out);
 
   Compensator compensator_;
   Diagnostics& diagnostics_;
   std::optional<verify::Verification> verification_;
+  std::size_t measured_ = 0;  // of `out`
 };
 
 }  // namespace trc

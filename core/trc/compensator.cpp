@@ -30,6 +30,7 @@ struct Compensator::Passes {
   Passes(const CompensatorSetup& setup, Diagnostics& log)
       : diagnostics(log),
         checkpoint(setup.interrupt),
+        take_portion(setup.take_portion),
         relevant_blocks(setup, log),
         convert_circles(setup.tolerances),
         kerf_masking(setup.circular_kerf_masking, setup.tolerances),
@@ -48,8 +49,10 @@ struct Compensator::Passes {
   // clang-format off
   bool step(Input input, std::vector<CompensatedBlock>& out) {
     if (diagnostics.stopped() || !find_path(input)) return false;
-    while (loop_removal.is_leaving())
+    while (loop_removal.is_leaving()) {
       if (!loop_removal.let_go_some(simple) || !finish_path(Input::more, out)) return false;
+      if (out.size() >= portion && take_portion) take_portion(out);
+    }
     return finish_path(input, out);
   }
   bool find_path(Input input) {
@@ -82,8 +85,11 @@ struct Compensator::Passes {
     return trc::advance(pass, in, out, input, checkpoint);
   }
 
+  static constexpr std::size_t portion = 1024;
+
   Diagnostics& diagnostics;
   Checkpoint checkpoint;
+  TakePortion take_portion;
   RelevantBlocks relevant_blocks;
   ConvertCircles convert_circles;
   KerfMasking kerf_masking;

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -25,6 +26,10 @@ struct Limits {
   std::size_t selection_blocks = 20'000'000;
 };
 
+// Takes what has come out so far, and clears it: the end of a selection sets free all of its path
+// in one call, which would be as large as the selection otherwise. Without it all stays there.
+using TakePortion = std::function<void(std::vector<CompensatedBlock>&)>;
+
 struct CompensatorSetup {
   Position start{};  // of the tool before the first block, mm
   Limits limits{};
@@ -34,6 +39,7 @@ struct CompensatorSetup {
   double smallest_feed_factor = 0.01;     // D-31
   bool inverse_path = false;              // CompensatedBlock::inverse
   Checkpoint::Interrupt interrupt{};      // of long work
+  TakePortion take_portion{};
 };
 
 // What a finished session did.

@@ -88,10 +88,13 @@ PathBlockPtr HeldPath::restored(std::size_t number) {
 }
 
 void HeldPath::forget_before(std::size_t contour_number) {
-  const std::size_t block = contour_[contour_number].block;
+  forget_path_before(contour_[contour_number].block);
+}
+
+void HeldPath::forget_path_before(std::size_t block) {
   settings_.drop_before(blocks_[block].setting);
+  contour_.drop_before(blocks_[block].number);
   blocks_.drop_before(block);
-  contour_.drop_before(contour_number);
 }
 
 }  // namespace trc

@@ -62,8 +62,8 @@ class HeldPath {
 
   // Forgets contour blocks and their path.
   void forget_before(std::size_t contour_number);
-  // Forgets blocks of the path that nobody asks about any more, nor about the contour there.
-  void forget_path_before(std::size_t block) { blocks_.drop_before(block); }
+  // Forgets blocks of the path, and of the contour what only they needed.
+  void forget_path_before(std::size_t block);
 
   template <class Archive>
   void serialize(Archive& archive) {

@@ -156,11 +156,16 @@ bool LoopRemoval::drain(PathBlocks& /*out*/) {
 
 bool LoopRemoval::end_selection() {
   leaving_ = is_holding();
-  return walk(true);
+  if (!walk(true)) return false;
+  // Nothing is near anything any more.
+  boxes_ = BoxTree();
+  piece_boxes_ = BoxTree();
+  certificate_ = Certificate(tolerances_);
+  return true;
 }
 
 bool LoopRemoval::let_go_some(PathBlocks& out) {
-  constexpr std::size_t portion = 1024;
+  constexpr std::size_t portion = 32;  // whose storage is the same for each
   let_go_to(std::min(pieces_.begin() + portion, pieces_.end()), out);
   if (!pieces_.empty()) {
     path_.forget_path_before(next_);

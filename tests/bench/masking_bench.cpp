@@ -54,6 +54,11 @@ void compensate(benchmark::State& state, const Workload& workload, Way way) {
   setup.start = {first.start.x(), first.start.y(), 0};
   if (way == Way::window) setup.limits.look_ahead_blocks = 1000;
   std::size_t out_blocks = 0;
+  const auto take = [&](std::vector<CompensatedBlock>& out) {
+    out_blocks += out.size();
+    out.clear();
+  };
+  setup.take_portion = take;
   for (auto _ : state) {
     state.PauseTiming();
     std::vector<Block> rest = given;
@@ -69,11 +74,10 @@ void compensate(benchmark::State& state, const Workload& workload, Way way) {
       batch.assign(std::make_move_iterator(rest.begin() + static_cast<std::ptrdiff_t>(at)),
                    std::make_move_iterator(rest.begin() + static_cast<std::ptrdiff_t>(end)));
       going = compensator.feed(batch, out);
-      out_blocks += out.size();
-      out.clear();
+      take(out);
     }
     going = going && compensator.finish(TrcMode{}, out);
-    out_blocks += out.size();
+    take(out);
     if (!going) {
       state.SkipWithError(message_of(diagnostics.pending().back()).c_str());
       break;

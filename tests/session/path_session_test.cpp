@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "core/session/session.h"
 #include "core/trc/listing.h"
 
@@ -49,6 +51,51 @@ TEST(PathSession, BlocksComeOutWhenTheyAreCertain) {
             "3 programmed line 30 10 3 -> 60 10 3\n"
             "5 retract line 60 10 3 -> 90 0 3\n");
   EXPECT_EQ(session.summary().blocks_in, 4U);
+}
+
+// A long staircase whose end sets free some thousand blocks at once, in the motion behind it or at
+// the end of the program.
+bool compensate_staircase(SessionSetup setup, bool deselected, std::vector<CompensatedBlock>& out) {
+  constexpr std::uint64_t steps = 3000;
+  setup.program.mode.tool_radius = 0.3;
+  setup.program.mode.masking = Masking::on;
+  setup.program.mode.options.remove_masked_blocks = true;
+  PathSession session(setup);
+  ProgramState& program = session.program();
+  std::uint64_t index = 0;
+  bool going = program.select(Side::left, {.index = index++});
+  for (std::uint64_t step = 0; step < steps && going; ++step) {
+    const auto at = static_cast<double>(step);
+    going = program.move(line_to(index++, at + 1, at)) &&
+            program.move(line_to(index++, at + 1, at + 1)) && session.advance(out);
+  }
+  if (deselected)
+    going = going && program.deselect({.index = index++}) &&
+            program.move(line_to(index++, 0, 2.0 * steps)) && session.advance(out);
+  return going && session.finish({.index = index}, out);
+}
+
+TEST(PathSession, TheEndOfALongSelectionCanBeTakenInPortions) {
+  for (const bool verify : {false, true})
+    for (const bool deselected : {false, true}) {
+      SessionSetup setup{.verify = verify};
+      std::vector<CompensatedBlock> whole;
+      ASSERT_TRUE(compensate_staircase(setup, deselected, whole));
+      ASSERT_GT(whole.size(), 5000U);
+
+      std::vector<CompensatedBlock> taken;
+      std::size_t largest = 0;
+      setup.compensator.take_portion = [&](std::vector<CompensatedBlock>& out) {
+        largest = std::max(largest, out.size());
+        taken.insert(taken.end(), out.begin(), out.end());
+        out.clear();
+      };
+      std::vector<CompensatedBlock> rest;
+      ASSERT_TRUE(compensate_staircase(setup, deselected, rest));
+      EXPECT_LT(std::max(largest, rest.size()), 1200U);
+      taken.insert(taken.end(), rest.begin(), rest.end());
+      EXPECT_EQ(listed(taken), listed(whole)) << "verify " << verify;
+    }
 }
 
 TEST(PathSession, NothingComesOutAfterAnError) {
