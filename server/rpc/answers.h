@@ -60,8 +60,8 @@ class Answers {
             Summarize summarize) {
     if (!outbox_.empty() || (!answered_ && !error_)) {
       answered_ = true;
-      const Outbox::Slice slice =
-          outbox_.take(std::min<std::size_t>(most_answer_bytes, backend_.config.max_message_bytes));
+      const Outbox::Slice slice = outbox_.take(
+          std::min<std::size_t>(most_answer_bytes(layout), backend_.config.max_message_bytes));
       write_slice(slice, layout, response);
       finish_slice(slice, outbox_.empty());
       record_.sent(slice.blocks.size());
@@ -79,8 +79,11 @@ class Answers {
 
  private:
   // An answer on its way is held as a message, beside gRPC's buffers, until the client reads it:
-  // hundreds of clients that do not must not add up to much. Larger ones are hardly faster.
-  static constexpr std::size_t most_answer_bytes = 128U << 10U;
+  // hundreds of clients that do not must not add up to much. Larger ones are hardly faster. Blocks
+  // as messages take twice as much there as in columns.
+  static constexpr std::size_t most_answer_bytes(wire::Layout layout) {
+    return (layout == wire::Layout::columns ? 128U : 64U) << 10U;
+  }
 
   Backend& backend_;
   CallRecord& record_;
