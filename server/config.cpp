@@ -92,6 +92,9 @@ class ConfigFile : public CLI::ConfigTOML {
     const auto name = app_.get_config_ptr()->as<std::string>();
     const bool yaml = name.ends_with(".yaml") || name.ends_with(".yml");
     std::vector<CLI::ConfigItem> settings = yaml ? yaml_settings(input) : toml_settings(input);
+    for (const CLI::ConfigItem& item : settings)
+      if (app_.get_option_no_throw("--" + item.name) == nullptr)
+        throw CLI::ConfigError("configuration file: there is no setting '" + item.name + "'");
     std::erase_if(settings, [](const CLI::ConfigItem& item) {
       return std::getenv(environment_name(item.name).c_str()) != nullptr;
     });
