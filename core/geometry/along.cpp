@@ -84,10 +84,14 @@ class Track {
 // Places on a track in ascending order.
 class Places {
  public:
-  Places(const Track& track, double from, double to) : track_(track), from_(from), to_(to) {}
+  Places(const Track& track, double from, double to, const Point& middle)
+      : track_(track), from_(from), to_(to), middle_(middle) {}
 
   void add(const Meetings& meetings) {
+    const double reach = 0.5 * (to_ - from_);
     for (const Point& point : meetings) {
+      // Farther off than the way there is long: no need for an angle.
+      if ((point - middle_).squaredNorm() > 1.01 * reach * reach) continue;
       const double way = track_.way_to(point, 0);
       if (way > from_ && way < to_) places_[count_++] = way;
     }
@@ -102,6 +106,7 @@ class Places {
   const Track& track_;
   double from_;
   double to_;
+  Point middle_;
   std::array<double, 8> places_{};  // two shapes along the obstacle, two at its ends
   std::size_t count_ = 0;
 };
@@ -155,9 +160,10 @@ Segment stretch_of(const Segment& segment, double from, double to, const Point& 
 std::optional<double> first_entry(const Segment& path, double from, double to,
                                   const Segment& obstacle, double reach) {
   const Track track(path);
-  const double middle = 0.5 * (from + to);
-  if (distance(track.at(middle), obstacle) >= reach + (to - middle)) return std::nullopt;
-  Places places(track, from, to);
+  const double half = 0.5 * (to - from);
+  const Point middle = track.at(from + half);
+  if (distance(middle, obstacle) >= reach + half) return std::nullopt;
+  Places places(track, from, to, middle);
   add_outline(obstacle, reach, track, places);
   const std::size_t count = places.sorted();
   double begin = from;

@@ -15,6 +15,13 @@ using Box = Eigen::AlignedBox2d;
 
 [[nodiscard]] Box bounding_box(const Segment& segment);
 
+// 0 where they overlap or touch, mm^2.
+[[nodiscard]] inline double squared_distance(const Box& a, const Box& b) {
+  const double x = std::max({a.min().x() - b.max().x(), b.min().x() - a.max().x(), 0.0});
+  const double y = std::max({a.min().y() - b.max().y(), b.min().y() - a.max().y(), 0.0});
+  return x * x + y * y;
+}
+
 // Which of many boxes are near. The boxes keep their order, which is that of a
 // path: neighbours on the path are neighbours in space, so that the tree needs no
 // sorting, can grow at its end and be forgotten at its begin. A query costs
@@ -40,21 +47,26 @@ class BoxTree {
   // Forgets the boxes before `number`.
   void drop_before(std::size_t number);
 
-  // Calls visit(number) for every box that meets `area`, in ascending order, those
-  // in `skipped` left out.
+  [[nodiscard]] const Box& operator[](std::size_t number) const { return levels_.front()[number]; }
+
+  // Calls visit(number) for every box not farther than `reach` mm from `area`, in
+  // ascending order, those in `skipped` left out.
   template <class Visit>
-  void for_each_in(const Box& area, const Range& skipped, Visit visit) const {
+  void for_each_near(const Box& area, double reach, const Range& skipped, Visit visit) const {
     const NumberedQueue<Box>& boxes = levels_.front();
+    const auto is_near = [&](const Box& box) {
+      return squared_distance(box, area) <= reach * reach;
+    };
     if (skipped.last < skipped.first) {
-      scan(area, boxes.begin(), boxes.end(), visit);
+      scan(is_near, boxes.begin(), boxes.end(), visit);
       return;
     }
-    scan(area, boxes.begin(), std::min(skipped.first, boxes.end()), visit);
-    scan(area, std::max(skipped.last + 1, boxes.begin()), boxes.end(), visit);
+    scan(is_near, boxes.begin(), std::min(skipped.first, boxes.end()), visit);
+    scan(is_near, std::max(skipped.last + 1, boxes.begin()), boxes.end(), visit);
   }
   template <class Visit>
-  void for_each_in(const Box& area, Visit visit) const {
-    for_each_in(area, Range{}, visit);
+  void for_each_near(const Box& area, double reach, Visit visit) const {
+    for_each_near(area, reach, Range{}, visit);
   }
 
  private:
@@ -67,13 +79,13 @@ class BoxTree {
 
   // Goes through the largest boxes that cover nothing but first <= number < end, and into
   // those that are near.
-  template <class Visit>
-  void scan(const Box& area, std::size_t first, std::size_t end, Visit& visit) const {
+  template <class IsNear, class Visit>
+  void scan(const IsNear& is_near, std::size_t first, std::size_t end, Visit& visit) const {
     for (std::size_t number = first; number < end;) {
       const auto zeros = static_cast<std::size_t>(std::countr_zero(number));
       std::size_t level = std::min(levels_.size() - 1, zeros / bits_of_width);
       while (number + span(level) > end) --level;
-      while (levels_[level][number / span(level)].intersects(area)) {
+      while (is_near(levels_[level][number / span(level)])) {
         if (level == 0) {
           visit(number);
           break;

@@ -109,10 +109,20 @@ Nearness nearness(const Segment& first, const Segment& second, double same_point
   return nearest;
 }
 
+// By signs alone, without angles: the ends divide the circle into a smaller and a larger arc.
 bool covers(const Arc& arc, const Point& point) {
-  double angle = turn_between(arc.start - arc.center, point - arc.center);
-  if (angle * arc.sweep < 0) angle += std::copysign(2 * std::numbers::pi, arc.sweep);
-  return std::abs(angle) <= std::abs(arc.sweep);
+  const Vector to_start = arc.start - arc.center;
+  const Vector to_end = arc.end - arc.center;
+  const Vector way = point - arc.center;
+  const double sense = std::copysign(1.0, arc.sweep);
+  const double behind_start = sense * cross(to_start, way);
+  const double before_end = sense * cross(way, to_end);
+  // What lies opposite of a thin sector is on the right side of both of its edges too.
+  const bool thin = to_start.dot(to_end) > 0;
+  const bool opposite = thin && way.dot(to_start + to_end) < 0;
+  if (std::abs(arc.sweep) <= std::numbers::pi)
+    return behind_start >= 0 && before_end >= 0 && !opposite;
+  return behind_start >= 0 || before_end >= 0 || opposite;
 }
 
 bool meet(const Line& line, const Segment& segment, double same_point) {

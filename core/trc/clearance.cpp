@@ -101,11 +101,8 @@ bool Clearance::check(const PathBlock& block, std::size_t number) {
   if (!is_monitored(block)) return true;
   const double radius = tool_radius(block);
   const double limit = radius - tolerances_.clearance * std::max(radius, 1.0);
-  Box area = bounding_box(block.tool_path);
-  area.min().array() -= radius;
-  area.max().array() += radius;
   Violation worst{.distance = limit};
-  boxes_.for_each_in(area, [&](std::size_t other) {
+  boxes_.for_each_near(bounding_box(block.tool_path), limit, [&](std::size_t other) {
     if (window_ > 0 && (other + window_ < number || other > number + window_)) return;
     const MotionBlock& contour = contour_[other - contour_base_];
     const auto near = nearness(block.tool_path, contour.path, tolerances_.same_point);

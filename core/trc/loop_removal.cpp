@@ -21,12 +21,6 @@ bool is_compensated(const PathBlock& block) {
 // Where places along a block count as one.
 double slack_of(const Tolerances& tolerances) { return 0.01 * tolerances.same_point; }
 
-Box inflated(Box box, double by) {
-  box.min().array() -= by;
-  box.max().array() += by;
-  return box;
-}
-
 // Where the axes out of the plane stand.
 struct Standing {
   double normal = 0;
@@ -193,7 +187,8 @@ void LoopRemoval::begin_selection() {
   tolerated_ = {};
   next_ = 0;
   leaving_ = false;
-  clear_before_ = asked_before_ = 0;
+  surveyed_ = {};
+  near_.clear();
 }
 
 bool LoopRemoval::hold(PathBlockPtr block) {
@@ -226,16 +221,16 @@ void LoopRemoval::reconsider(std::size_t number) {
   const Segment& obstacle = contour(number).programmed;
   const std::size_t chain = certificate_.chain_before(number);
   std::size_t earliest = pieces_.end();
-  piece_boxes_.for_each_in(inflated(bounding_box(obstacle), largest_radius_),
-                           [&](std::size_t index) {
-                             if (index >= earliest) return;
-                             const Piece walked = piece(index);
-                             const std::size_t own = number_of(walked.block);
-                             if (own >= chain || own + window_ < number) return;
-                             if (first_entry(path(walked.block).path, walked.from, walked.to,
-                                             obstacle, reach(walked.block, Nearness::exact)))
-                               earliest = index;
-                           });
+  const auto compare = [&](std::size_t index) {
+    if (index >= earliest) return;
+    const Piece walked = piece(index);
+    const std::size_t own = number_of(walked.block);
+    if (own >= chain || own + window_ < number) return;
+    if (first_entry(path(walked.block).path, walked.from, walked.to, obstacle,
+                    reach(walked.block, Nearness::exact)))
+      earliest = index;
+  };
+  piece_boxes_.for_each_near(bounding_box(obstacle), largest_radius_, compare);
   if (earliest == pieces_.end()) return;
   at_ = piece(earliest);
   drop_pieces(earliest);
@@ -318,51 +313,95 @@ BoxTree::Range LoopRemoval::certified(std::size_t block) const {
   return {certificate_.chain_before(behind), certificate_.chain_behind(number)};
 }
 
+void LoopRemoval::find_neighbours(std::size_t block, double limit) const {
+  const Box area = bounding_box(path(block).path);
+  const BoxTree::Range skipped = certified(block);
+  const std::size_t own = number_of(block);
+  neighbours_.clear();
+  const auto add = [&](std::size_t number) {
+    checkpoint_.pass();
+    const bool visible = window_ == 0 || (number <= own + window_ && own <= number + window_);
+    // Only an arc turned inside out comes too near to its own block.
+    const bool own_block = contour(number).block == block && !path(block).unreachable;
+    if (visible && !own_block) neighbours_.push_back(number);
+  };
+  if (block < surveyed_.first || block >= surveyed_.end) {
+    boxes_.for_each_near(area, limit, skipped, add);
+    return;
+  }
+  for (const auto& [number, box] : near_) {
+    if (squared_distance(box, area) > limit * limit) continue;
+    if (number < skipped.first || number > skipped.last) add(number);
+  }
+}
+
 std::optional<LoopRemoval::Onset> LoopRemoval::onset(std::size_t block, double from, double to,
                                                      Nearness nearness) const {
   const double limit = reach(block, nearness);
   if (!(from < to) || limit <= 0) return std::nullopt;
+  find_neighbours(block, limit);
   const Segment& segment = path(block).path;
-  const std::size_t own = number_of(block);
   std::optional<Onset> first;
   const auto compare = [&](std::size_t number) {
-    checkpoint_.pass();
-    const HeldPath::ContourBlock& obstacle = contour(number);
-    const bool visible = window_ == 0 || (number <= own + window_ && own <= number + window_);
-    // Only an arc turned inside out comes too near to its own block.
-    const bool own_block = obstacle.block == block && !path(block).unreachable;
-    if (own_block || !visible) return;
-    const auto entry =
-        first_entry(segment, from, first ? first->along : to, obstacle.programmed, limit);
-    if (entry && (!first || *entry < first->along)) first = {*entry, number};
+    const auto entry = first_entry(segment, from, to, contour(number).programmed, limit);
+    if (!entry) return false;
+    first = {*entry, number};
+    to = *entry;
+    return true;
   };
-  boxes_.for_each_in(inflated(bounding_box(segment), limit), certified(block), compare);
+  // What is nearest halfway is run into before that: with less and less of the block at stake
+  // most of the others are out of question.
+  constexpr std::size_t few = 4;
+  while (neighbours_.size() > few && from < to) {
+    const std::optional<std::size_t> nearest = drop_those_off(segment, from, to, limit);
+    if (!nearest || !compare(*nearest)) break;
+  }
+  for (const std::size_t number : neighbours_) compare(number);
   return first;
 }
 
-// Asks for many blocks at once: mostly nothing is near.
-bool LoopRemoval::clear_ahead(bool ended) {
+std::optional<std::size_t> LoopRemoval::drop_those_off(const Segment& segment, double from,
+                                                       double to, double limit) const {
+  const double half = 0.5 * (to - from);
+  const Point middle = point_along(segment, from + half);
+  std::optional<std::size_t> nearest;
+  double least = limit;
+  std::erase_if(neighbours_, [&](std::size_t number) {
+    const double apart = distance(middle, contour(number).programmed);
+    if (apart < least) {
+      nearest = number;
+      least = apart;
+    }
+    return apart >= limit + half;
+  });
+  return nearest;
+}
+
+// Asks for many blocks at once: they have nearly the same neighbours, and mostly none.
+void LoopRemoval::survey() {
   constexpr std::size_t group = 32;
-  if (!ended) return false;
-  if (at_.block < asked_before_) return at_.block < clear_before_;
-  asked_before_ = std::min(at_.block + group, end_of_path());
+  surveyed_ = {at_.block, std::min(at_.block + group, end_of_path())};
+  near_.clear();
   Box area;
   double radius = 0;
   BoxTree::Range common{0, end_of_contour()};
-  for (std::size_t block = at_.block; block < asked_before_; ++block) {
+  for (std::size_t block = surveyed_.first; block < surveyed_.end; ++block) {
     area.extend(bounding_box(path(block).path));
     radius = std::max(radius, path_.radius_of_tool(block));
     const BoxTree::Range own = certified(block);
     common = {std::max(common.first, own.first), std::min(common.last, own.last)};
   }
-  bool clear = true;
-  boxes_.for_each_in(inflated(area, radius), common, [&](std::size_t) { clear = false; });
-  if (clear) clear_before_ = asked_before_;
-  return clear;
+  boxes_.for_each_near(area, radius, common, [&](std::size_t number) {
+    near_.push_back({number, boxes_[number]});
+  });
 }
 
 std::optional<LoopRemoval::Onset> LoopRemoval::next_onset(bool ended) {
-  if (clear_ahead(ended)) return std::nullopt;
+  // Before the end of the contour new neighbours come with every block.
+  if (ended) {
+    if (at_.block < surveyed_.first || at_.block >= surveyed_.end) survey();
+    if (near_.empty()) return std::nullopt;
+  }
   const double length = length_of(path(at_.block).path);
   double from = at_.from;
   if (tolerated_.block >= at_.block) {
@@ -491,7 +530,7 @@ std::vector<std::size_t> LoopRemoval::obstacles_at(const Onset& onset, Nearness 
   std::vector<std::size_t> numbers{onset.obstacle};
   const Point place = point_along(path(at_.block).path, onset.along);
   const double limit = reach(at_.block, nearness) + tolerances_.same_point;
-  boxes_.for_each_in(inflated(Box(place), limit), [&](std::size_t number) {
+  boxes_.for_each_near(Box(place), limit, [&](std::size_t number) {
     const HeldPath::ContourBlock& other = contour(number);
     if (number == onset.obstacle || other.block == at_.block) return;
     if (distance(place, other.programmed) <= limit) numbers.push_back(number);

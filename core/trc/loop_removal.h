@@ -121,6 +121,10 @@ class LoopRemoval {
     std::size_t first = 0;
     std::size_t end = 0;
   };
+  struct Neighbour {
+    std::size_t number = 0;
+    Box box{};
+  };
   enum class Nearness { exact, passable };
   enum class Step { done, wait, stop };
 
@@ -159,11 +163,17 @@ class LoopRemoval {
 
   [[nodiscard]] double part_of(Nearness nearness) const;
   [[nodiscard]] double reach(std::size_t block, Nearness nearness) const;
+  // All contour blocks it may come nearer to than `limit`: neighbours_.
+  void find_neighbours(std::size_t block, double limit) const;
+  // Drops those of them that are not within the limit anywhere between two places. Returns the
+  // nearest one to their middle, where it is nearer than the limit.
+  std::optional<std::size_t> drop_those_off(const Segment& segment, double from, double to,
+                                            double limit) const;
   [[nodiscard]] std::optional<Onset> onset(std::size_t block, double from, double to,
                                            Nearness nearness) const;
   // The onset that counts, with the loops that do not violate let pass.
   [[nodiscard]] std::optional<Onset> next_onset(bool ended);
-  [[nodiscard]] bool clear_ahead(bool ended);
+  void survey();
   [[nodiscard]] BoxTree::Range certified(std::size_t block) const;
   [[nodiscard]] std::optional<Exit> find_exit(const Onset& onset, Nearness nearness) const;
   // The numbers of all contour blocks that are as near there as the one of the
@@ -219,9 +229,10 @@ class LoopRemoval {
   PathBlocks behind_;
   bool ended_ = false;  // nothing comes behind that
 
-  // Blocks known to be clear, and how far a group of them has been asked about.
-  std::size_t clear_before_ = 0;
-  std::size_t asked_before_ = 0;
+  // A stretch of the path, and all contour blocks that may be near one of its blocks.
+  Stretch surveyed_{};
+  std::vector<Neighbour> near_;
+  mutable std::vector<std::size_t> neighbours_;  // a member for its memory's sake
 };
 
 }  // namespace trc

@@ -17,12 +17,13 @@ struct PlainBoxes {
   std::vector<Box> boxes{};
 
   [[nodiscard]] std::size_t end() const { return first + boxes.size(); }
-  [[nodiscard]] std::vector<std::size_t> in(const Box& area, const BoxTree::Range& skipped) const {
+  [[nodiscard]] std::vector<std::size_t> near(const Box& area, double reach,
+                                              const BoxTree::Range& skipped) const {
     std::vector<std::size_t> found;
     for (std::size_t i = 0; i < boxes.size(); ++i) {
       const std::size_t number = first + i;
       if (number >= skipped.first && number <= skipped.last) continue;
-      if (boxes[i].intersects(area)) found.push_back(number);
+      if (boxes[i].exteriorDistance(area) <= reach) found.push_back(number);
     }
     return found;
   }
@@ -67,8 +68,10 @@ TEST(BoxTree, FindsWhatASearchBoxByBoxFinds) {
         skipped.last = skipped.first + below(60);
       }
       std::vector<std::size_t> found;
-      tree.for_each_in(area, skipped, [&](std::size_t number) { found.push_back(number); });
-      ASSERT_EQ(found, plain.in(area, skipped))
+      const double reach = std::uniform_real_distribution<double>(0, 2)(random);
+      tree.for_each_near(area, reach, skipped,
+                         [&](std::size_t number) { found.push_back(number); });
+      ASSERT_EQ(found, plain.near(area, reach, skipped))
           << "seed " << seed << " run " << run << " step " << step;
     }
   }
@@ -96,8 +99,8 @@ TEST(BoundingBox, HoldsAllOfAnArcAndNothingMore) {
 
 TEST(BoxTree, EmptyFindsNothing) {
   const BoxTree tree;
-  tree.for_each_in(Box(Eigen::Vector2d(-1, -1), Eigen::Vector2d(1, 1)),
-                   [](std::size_t) { FAIL() << "there is no box"; });
+  tree.for_each_near(Box(Eigen::Vector2d(-1, -1), Eigen::Vector2d(1, 1)), 1,
+                     [](std::size_t) { FAIL() << "there is no box"; });
 }
 
 }  // namespace
