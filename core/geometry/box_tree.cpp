@@ -2,10 +2,21 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <utility>
 
 namespace trc {
+namespace {
+
+float rounded_down(double value) {
+  const auto nearest = static_cast<float>(value);
+  return static_cast<double>(nearest) <= value
+             ? nearest
+             : std::nextafter(nearest, -std::numeric_limits<float>::infinity());
+}
+
+}  // namespace
 
 Box bounding_box(const Segment& segment) {
   Box box(start_of(segment));
@@ -28,13 +39,15 @@ Box bounding_box(const Segment& segment) {
 }
 
 void BoxTree::append(const Box& box) {
-  levels_.front().push_back(box);
+  levels_.front().push_back(
+      {Eigen::Vector2f(rounded_down(box.min().x()), rounded_down(box.min().y())),
+       Eigen::Vector2f(-rounded_down(-box.max().x()), -rounded_down(-box.max().y()))});
   const std::size_t end = levels_.front().end();
   for (std::size_t level = 1; end % span(level) == 0; ++level) {
-    const NumberedQueue<Box>& below = levels_[level - 1];
+    const NumberedQueue<Kept>& below = levels_[level - 1];
     const std::size_t number = end / span(level) - 1;
     // Boxes that have been forgotten are not asked for any more.
-    Box about = below.back();
+    Kept about = below.back();
     for (std::size_t child = std::max(number * width, below.begin()); child < below.end(); ++child)
       about.extend(below[child]);
     if (level == levels_.size()) levels_.emplace_back(number);

@@ -47,15 +47,18 @@ class BoxTree {
   // Forgets the boxes before `number`.
   void drop_before(std::size_t number);
 
-  [[nodiscard]] const Box& operator[](std::size_t number) const { return levels_.front()[number]; }
+  // A box; what is kept of it may be larger by the rounding of a float.
+  [[nodiscard]] Box operator[](std::size_t number) const {
+    return widened(levels_.front()[number]);
+  }
 
   // Calls visit(number) for every box not farther than `reach` mm from `area`, in
   // ascending order, those in `skipped` left out.
   template <class Visit>
   void for_each_near(const Box& area, double reach, const Range& skipped, Visit visit) const {
-    const NumberedQueue<Box>& boxes = levels_.front();
-    const auto is_near = [&](const Box& box) {
-      return squared_distance(box, area) <= reach * reach;
+    const NumberedQueue<Kept>& boxes = levels_.front();
+    const auto is_near = [&](const Kept& box) {
+      return squared_distance(widened(box), area) <= reach * reach;
     };
     if (skipped.last < skipped.first) {
       scan(is_near, boxes.begin(), boxes.end(), visit);
@@ -70,6 +73,13 @@ class BoxTree {
   }
 
  private:
+  // There are many of them.
+  using Kept = Eigen::AlignedBox2f;
+
+  static Box widened(const Kept& box) {
+    return {box.min().cast<double>(), box.max().cast<double>()};
+  }
+
   static constexpr std::size_t bits_of_width = 2;
   static constexpr std::size_t width = 1 << bits_of_width;  // boxes under one
 
@@ -96,7 +106,7 @@ class BoxTree {
     }
   }
 
-  std::vector<NumberedQueue<Box>> levels_;  // 0: the boxes
+  std::vector<NumberedQueue<Kept>> levels_;  // 0: the boxes
 };
 
 }  // namespace trc

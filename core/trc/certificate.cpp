@@ -26,7 +26,8 @@ bool is_left(const PathBlock& block, double same_point) {
 
 void Certificate::begin_chain(std::size_t block, std::size_t last) {
   chain_ = block;
-  while (last_of_chain_.end() < block) last_of_chain_.push_back(last);
+  while (last_of_chain_.end() < block)
+    last_of_chain_.push_back(static_cast<HeldPath::Number>(last));
   while (!least_.empty() && least_.front().block < block) least_.pop_front();
   while (!greatest_.empty() && greatest_.front().block < block) greatest_.pop_front();
 }
@@ -53,7 +54,7 @@ void Certificate::append(const PathBlock& block, bool apart) {
       !is_left(block, tolerances_.same_point) || std::abs(at_end - at_start) >= widest;
   if (alone) {
     begin_chain(index, before);
-    first_of_chain_.push_back(index);
+    first_of_chain_.push_back(static_cast<HeldPath::Number>(index));
     begin_chain(index + 1, index);
     return;
   }
@@ -66,7 +67,7 @@ void Certificate::append(const PathBlock& block, bool apart) {
   greatest_.push_back(greatest);
   while (greatest_.front().direction - least_.front().direction >= widest)
     begin_chain(chain_ + 1, before);
-  first_of_chain_.push_back(chain_);
+  first_of_chain_.push_back(static_cast<HeldPath::Number>(chain_));
 }
 
 }  // namespace trc

@@ -5,6 +5,7 @@
 
 #include "core/base/numbered_queue.h"
 #include "core/base/tolerances.h"
+#include "core/trc/held_path.h"
 #include "core/trc/path_block.h"
 
 namespace trc {
@@ -57,8 +58,8 @@ class Certificate {
   void begin_chain(std::size_t block, std::size_t last);
 
   Tolerances tolerances_;
-  NumberedQueue<std::size_t> first_of_chain_;
-  NumberedQueue<std::size_t> last_of_chain_;  // of the blocks before chain_
+  NumberedQueue<HeldPath::Number> first_of_chain_;
+  NumberedQueue<HeldPath::Number> last_of_chain_;  // of the blocks before chain_
 
   // The running chain. Directions are counted on over full turns.
   std::size_t chain_ = 0;

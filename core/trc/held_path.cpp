@@ -13,30 +13,33 @@ void HeldPath::append(PathBlock& block) {
   if (block.role == Role::contour) note_contour_block(block);
   if (!block.riders.empty()) riders_.push_back({blocks_.end(), std::move(block.riders)});
   const double radius = std::min(std::abs(block.at_start.shift), std::abs(block.at_end.shift));
-  const std::size_t setting = number_of_setting({.mode = std::move(programmed.mode),
-                                                 .feed = programmed.feed,
-                                                 .normal = programmed.normal,
-                                                 .tracking = std::move(programmed.tracking),
-                                                 .at_start = block.at_start,
-                                                 .at_end = block.at_end,
-                                                 .rapid = programmed.rapid,
-                                                 .perpendicular_entry = block.perpendicular_entry,
-                                                 .perpendicular_exit = block.perpendicular_exit,
-                                                 .radius = radius});
+  const Number setting = number_of_setting({.mode = std::move(programmed.mode),
+                                            .feed = programmed.feed,
+                                            .normal = programmed.normal,
+                                            .tracking = std::move(programmed.tracking),
+                                            .at_start = block.at_start,
+                                            .at_end = block.at_end,
+                                            .rapid = programmed.rapid,
+                                            .perpendicular_entry = block.perpendicular_entry,
+                                            .perpendicular_exit = block.perpendicular_exit,
+                                            .radius = radius});
+  const std::size_t number = contour_.end() > 0 ? contour_.end() - 1 : 0;
   blocks_.push_back({.path = block.tool_path,
-                     .source = programmed.source,
                      .cut_at_start = block.cut_at_start,
                      .cut_at_end = block.cut_at_end,
-                     .number = contour_.end() > 0 ? contour_.end() - 1 : 0,
+                     .index = programmed.source.index,
+                     .n_word = programmed.source.number,
+                     .line = programmed.source.line,
+                     .number = static_cast<Number>(number),
                      .setting = setting,
                      .role = block.role,
                      .origin = block.origin,
                      .unreachable = block.unreachable});
 }
 
-std::size_t HeldPath::number_of_setting(Setting wanted) {
+HeldPath::Number HeldPath::number_of_setting(Setting wanted) {
   if (settings_.empty() || settings_.back() != wanted) settings_.push_back(std::move(wanted));
-  return settings_.end() - 1;
+  return static_cast<Number>(settings_.end() - 1);
 }
 
 void HeldPath::note_contour_block(const PathBlock& block) {
@@ -50,16 +53,15 @@ void HeldPath::note_contour_block(const PathBlock& block) {
     changed.radius = at_start;
     inserted.setting = number_of_setting(std::move(changed));
   }
-  contour_.push_back({.block = blocks_.end(),
-                      .programmed = block.programmed.path,
-                      .radius = std::max(at_start, std::abs(block.at_end.shift))});
+  contour_.push_back(
+      {.programmed = block.programmed.path, .block = static_cast<Number>(blocks_.end())});
 }
 
 PathBlockPtr HeldPath::restored(std::size_t number) {
   const Block& held = blocks_[number];
   const Setting& setting = settings_[held.setting];
   auto block = std::make_unique<PathBlock>();
-  block->programmed = {.source = held.source,
+  block->programmed = {.source = held.source(),
                        .normal = setting.normal,
                        .feed = setting.feed,
                        .rapid = setting.rapid,

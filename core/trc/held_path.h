@@ -1,6 +1,10 @@
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <cstdint>
+#include <limits>
 #include <memory>
 #include <vector>
 
@@ -18,32 +22,39 @@ namespace trc {
 // programmed contour blocks.
 class HeldPath {
  public:
+  // There are many: numbers are as narrow as they can be.
+  using Number = std::uint32_t;
+  static constexpr std::size_t most_blocks = std::numeric_limits<Number>::max();
+
   // A contour block or one inserted between two.
   struct Block {
     Segment path{};  // of the tool
-    Source source{};
     double cut_at_start = 0;
     double cut_at_end = 0;
-    std::size_t number = 0;  // of the contour block, or of the one before it
-    std::size_t setting = 0;
+    std::uint64_t index = 0;  // index, n_word and line: its Source
+    std::int64_t n_word = 0;
+    std::uint32_t line = 0;
+    Number number = 0;  // of the contour block, or of the one before it
+    Number setting = 0;
     Role role = Role::contour;
     Origin origin = Origin::programmed;
     bool unreachable = false;
 
     [[nodiscard]] bool is_contour() const { return role == Role::contour; }
+    [[nodiscard]] Source source() const { return {index, n_word, line}; }
     template <class Archive>
     void serialize(Archive& archive) {
-      archive(path, source, cut_at_start, cut_at_end, number, setting, role, origin, unreachable);
+      archive(path, cut_at_start, cut_at_end, index, n_word, line, number, setting, role, origin,
+              unreachable);
     }
   };
   struct ContourBlock {
-    std::size_t block = 0;  // its path
     Segment programmed{};
-    double radius = 0;  // of the tool, the larger one where it changes, mm
+    Number block = 0;  // its path
 
     template <class Archive>
     void serialize(Archive& archive) {
-      archive(block, programmed, radius);
+      archive(programmed, block);
     }
   };
 
@@ -53,6 +64,11 @@ class HeldPath {
   [[nodiscard]] const NumberedQueue<ContourBlock>& contour() const { return contour_; }
   // Of the tool, the smaller one where it changes, mm.
   [[nodiscard]] double radius_of_tool(std::size_t block) const { return setting(block).radius; }
+  // Of a contour block, the larger one where it changes, mm.
+  [[nodiscard]] double largest_radius(const ContourBlock& contour) const {
+    const Setting& its = setting(contour.block);
+    return std::max(std::abs(its.at_start.shift), std::abs(its.at_end.shift));
+  }
   [[nodiscard]] const TrcMode& mode_of(std::size_t block) const { return *setting(block).mode; }
   // Across the plane, where the block starts, mm.
   [[nodiscard]] double height_of(std::size_t block) const { return setting(block).normal.from; }
@@ -104,7 +120,7 @@ class HeldPath {
   [[nodiscard]] const Setting& setting(std::size_t block) const {
     return settings_[blocks_[block].setting];
   }
-  [[nodiscard]] std::size_t number_of_setting(Setting wanted);
+  [[nodiscard]] Number number_of_setting(Setting wanted);
   void note_contour_block(const PathBlock& block);
 
   NumberedQueue<Block> blocks_;

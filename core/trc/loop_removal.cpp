@@ -192,7 +192,8 @@ void LoopRemoval::begin_selection() {
 }
 
 bool LoopRemoval::hold(PathBlockPtr block) {
-  if (path_.blocks().size() >= selection_blocks_)
+  const std::size_t most = path_.blocks().end() < HeldPath::most_blocks / 4 ? selection_blocks_ : 0;
+  if (path_.blocks().size() >= most)
     return diagnostics_.report(selection_too_long(*block, selection_blocks_));
   if (!is_compensated(*block)) {
     entering_.push_back(std::move(block));
@@ -256,7 +257,8 @@ LoopRemoval::Piece LoopRemoval::piece(std::size_t number) const {
 }
 
 void LoopRemoval::keep_cut() {
-  pieces_.push_back({at_.block, cuts_.end()});
+  pieces_.push_back(
+      {static_cast<HeldPath::Number>(at_.block), static_cast<HeldPath::Number>(cuts_.end())});
   cuts_.push_back(at_);
   if (window_ > 0) piece_boxes_.append(bounding_box(path(at_.block).path));
 }
@@ -446,7 +448,7 @@ bool LoopRemoval::begin_walk(bool ended) {
 void LoopRemoval::advance() {
   const Segment& segment = path(at_.block).path;
   if (at_.from == 0 && !at_.behind_loop && at_.start == start_of(segment)) {
-    pieces_.push_back({.block = at_.block});
+    pieces_.push_back({.block = static_cast<HeldPath::Number>(at_.block)});
     if (window_ > 0) piece_boxes_.append(bounding_box(segment));
   } else {
     at_.to = length_of(segment);
@@ -571,7 +573,7 @@ std::optional<LoopRemoval::Exit> LoopRemoval::exit_here(const Onset& onset,
 std::optional<LoopRemoval::Exit> LoopRemoval::exit_behind(const Onset& onset) const {
   const HeldPath::ContourBlock& obstacle = contour(onset.obstacle);
   const double farthest =
-      4 * obstacle.radius * (1 + path_.mode_of(at_.block).options.stretch_factor);
+      4 * path_.largest_radius(obstacle) * (1 + path_.mode_of(at_.block).options.stretch_factor);
   double back = onset.along - at_.from;
   bool beside = true;
   for (std::size_t number = pieces_.end(); number-- > pieces_.begin() && back <= farthest;) {
@@ -610,7 +612,7 @@ std::optional<LoopRemoval::Exit> LoopRemoval::crossing_in(const Piece& piece, st
 }
 
 bool LoopRemoval::reaches_out(const HeldPath::ContourBlock& block, const Point& point) const {
-  return distance(point, block.programmed) > block.radius + tolerances_.same_point;
+  return distance(point, block.programmed) > path_.largest_radius(block) + tolerances_.same_point;
 }
 
 void LoopRemoval::jump(const Exit& exit) {
@@ -693,10 +695,10 @@ void LoopRemoval::report_masked(std::size_t first, std::size_t last, const Point
   while (first <= last && !path(first).is_contour()) ++first;
   while (last > first && !path(last).is_contour()) --last;
   if (first > last) return;
-  const Source& masked = path(first).source;
+  const Source masked = path(first).source();
   Diagnostic note = diagnostic(Code::blocks_masked, masked);
   note.values = {{"first_index", static_cast<double>(masked.index)},
-                 {"last_index", static_cast<double>(path(last).source.index)},
+                 {"last_index", static_cast<double>(path(last).index)},
                  {"tool_radius", path_.radius_of_tool(first)}};
   const Position position = from_plane(path_.mode_of(first).plane, place, path_.height_of(first));
   note.point = DiagnosticPoint{.x = position[0], .y = position[1], .z = position[2]};
@@ -708,8 +710,8 @@ bool LoopRemoval::refuse(const Onset& onset) {
   const TrcMode& mode = path_.mode_of(at_.block);
   const Segment& travelled = path(at_.block).path;
   Diagnostic violation = diagnostic(
-      is_arc(own.programmed) ? Code::arc_wrapped : Code::line_reversed, path(own.block).source);
-  const Source& other = path(contour(onset.obstacle).block).source;
+      is_arc(own.programmed) ? Code::arc_wrapped : Code::line_reversed, path(own.block).source());
+  const Source other = path(contour(onset.obstacle).block).source();
   violation.values = {{"other_index", static_cast<double>(other.index)},
                       {"tool_radius", path_.radius_of_tool(at_.block)}};
   const Position position =

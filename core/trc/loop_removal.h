@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstddef>
-#include <limits>
 #include <optional>
 #include <vector>
 
@@ -94,9 +93,9 @@ class LoopRemoval {
   };
   // A piece as it is kept: most are whole blocks.
   struct Kept {
-    static constexpr std::size_t whole = std::numeric_limits<std::size_t>::max();
-    std::size_t block = 0;
-    std::size_t cut = whole;  // which one of cuts_
+    static constexpr HeldPath::Number whole = HeldPath::most_blocks;
+    HeldPath::Number block = 0;
+    HeldPath::Number cut = whole;  // which one of cuts_
 
     template <class Archive>
     void serialize(Archive& archive) {

@@ -1,4 +1,5 @@
 #include <benchmark/benchmark.h>
+#include <malloc.h>
 
 #include <cstdint>
 #include <memory>
@@ -46,6 +47,11 @@ std::vector<Block> program(const Workload& workload, std::size_t blocks, Way way
   return program;
 }
 
+std::size_t bytes_in_use() {
+  const struct mallinfo2 heap = mallinfo2();
+  return heap.uordblks + heap.hblkhd;
+}
+
 void compensate(benchmark::State& state, const Workload& workload, Way way) {
   const auto blocks = static_cast<std::size_t>(state.range(0));
   const std::vector<Block> given = program(workload, blocks, way);
@@ -58,10 +64,13 @@ void compensate(benchmark::State& state, const Workload& workload, Way way) {
     out_blocks += out.size();
     out.clear();
   };
+  std::size_t bytes_before = 0;
+  std::size_t bytes_held = 0;  // when the last batch is still to come
   setup.take_portion = take;
   for (auto _ : state) {
     state.PauseTiming();
     std::vector<Block> rest = given;
+    bytes_before = bytes_in_use();
     state.ResumeTiming();
     Diagnostics diagnostics;
     Compensator compensator(setup, diagnostics);
@@ -73,6 +82,7 @@ void compensate(benchmark::State& state, const Workload& workload, Way way) {
       const std::size_t end = std::min(rest.size(), at + 1024);
       batch.assign(std::make_move_iterator(rest.begin() + static_cast<std::ptrdiff_t>(at)),
                    std::make_move_iterator(rest.begin() + static_cast<std::ptrdiff_t>(end)));
+      if (end == rest.size()) bytes_held = bytes_in_use() - bytes_before;
       going = compensator.feed(batch, out);
       take(out);
     }
@@ -85,6 +95,7 @@ void compensate(benchmark::State& state, const Workload& workload, Way way) {
   }
   state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(given.size()));
   state.counters["blocks_out"] = static_cast<double>(out_blocks);
+  state.counters["bytes_a_block"] = static_cast<double>(bytes_held) / static_cast<double>(blocks);
 }
 
 std::string name_of(const Workload& workload, const char* way) {

@@ -29,11 +29,25 @@ struct PlainBoxes {
   }
 };
 
+// In steps that a float can hold: no box is rounded.
+double in_steps(double value) { return std::round(64 * value) / 64; }
+
 Box random_box(std::mt19937_64& random, double about) {
   std::uniform_real_distribution<double> place(-3, 3);
   std::uniform_real_distribution<double> width(0, 2);
-  const Eigen::Vector2d corner(about + place(random), place(random));
-  return {corner, corner + Eigen::Vector2d(width(random), width(random))};
+  const Eigen::Vector2d corner(in_steps(about + place(random)), in_steps(place(random)));
+  return {corner, corner + Eigen::Vector2d(in_steps(width(random)), in_steps(width(random)))};
+}
+
+TEST(BoxTree, ForgetsNothingOfABoxByRounding) {
+  for (const double where : {0.1, -0.1, 1234.5678, -9999.999}) {
+    const Box box(Eigen::Vector2d(where, -where), Eigen::Vector2d(where + 1e-9, 1e-9 - where));
+    BoxTree tree;
+    tree.append(box);
+    EXPECT_TRUE(tree[0].contains(box)) << where;
+    EXPECT_LT(squared_distance(tree[0], box), 1e-3);
+    EXPECT_LT(tree[0].sizes().maxCoeff(), 1e-3);
+  }
 }
 
 TEST(BoxTree, FindsWhatASearchBoxByBoxFinds) {
