@@ -24,8 +24,7 @@ std::uint64_t index_of(const Block& block) {
 
 }  // namespace
 
-// The passes and the blocks on their way between them; each vector is named
-// after what its blocks have become.
+// The passes and the blocks on their way between them.
 struct Compensator::Passes {
   Passes(const CompensatorSetup& setup, Diagnostics& log)
       : diagnostics(log),
@@ -50,39 +49,34 @@ struct Compensator::Passes {
   bool step(Input input, std::vector<CompensatedBlock>& out) {
     if (diagnostics.stopped() || !find_path(input)) return false;
     while (loop_removal.is_leaving()) {
-      if (!loop_removal.let_go_some(simple) || !finish_path(Input::more, out)) return false;
+      if (!loop_removal.let_go_some(path.blocks) || !finish_path(Input::more, out)) return false;
       if (out.size() >= portion && take_portion) take_portion(out);
     }
     return finish_path(input, out);
   }
   bool find_path(Input input) {
-    return advance(relevant_blocks,     programmed, relevant,  input)
-        && apply  (convert_circles,     relevant)
-        && advance(kerf_masking,        relevant,   reachable, input)
-        && apply  (offset,              reachable)
-        && advance(inside_corner,       reachable,  entered,   input)
-        && advance(contour_masking,     entered,    masked,    input)
-        && advance(transitions,         masked,     joined,    input)
-        && advance(loop_removal,        joined,     simple,    input);
+    return advance(relevant_blocks,    programmed,  path.blocks, input, checkpoint)
+        && apply  (convert_circles,    path.blocks)
+        && advance(kerf_masking,       path,        input, checkpoint)
+        && apply  (offset,             path.blocks)
+        && advance(inside_corner,      path,        input, checkpoint)
+        && advance(contour_masking,    path,        input, checkpoint)
+        && advance(transitions,        path,        input, checkpoint)
+        && advance(loop_removal,       path,        input, checkpoint);
   }
   bool finish_path(Input input, std::vector<CompensatedBlock>& out) {
-    return apply  (contour_violations,  simple)
-        && advance(clearance,           simple,     checked,   input)
-        && advance(split,               checked,    divided,   input)
-        && advance(reporting,           divided,    out,       input);
+    return apply  (contour_violations, path.blocks)
+        && advance(clearance,          path,        input, checkpoint)
+        && advance(split,              path,        input, checkpoint)
+        && advance(reporting,          path.blocks, out,   input, checkpoint);
   }
   // clang-format on
 
-  // The passes that hold something. The vectors between them are empty when a call has ended.
+  // The passes that hold something. Nothing lies between them when a call has ended.
   template <class Archive>
   void serialize(Archive& archive) {
     archive(relevant_blocks, kerf_masking, inside_corner, contour_masking, transitions,
             loop_removal, clearance, reporting);
-  }
-
-  template <class P, class In, class Out>
-  bool advance(P& pass, In& in, Out& out, Input input) {
-    return trc::advance(pass, in, out, input, checkpoint);
   }
 
   static constexpr std::size_t portion = 1024;
@@ -104,14 +98,7 @@ struct Compensator::Passes {
   Reporting reporting;
 
   std::span<Block> programmed;  // of the caller: one block
-  PathBlocks relevant;
-  PathBlocks reachable;
-  PathBlocks entered;
-  PathBlocks masked;
-  PathBlocks joined;
-  PathBlocks simple;
-  PathBlocks checked;
-  PathBlocks divided;
+  OnTheWay<PathBlockPtr> path;
 };
 
 Compensator::Compensator(const CompensatorSetup& setup, Diagnostics& diagnostics)

@@ -62,25 +62,31 @@ requires Pass<P, In, Out>
   return goes_on;
 }
 
+// The blocks between two passes of one kind of blocks: each takes them out and puts what it makes
+// of them in their place.
+template <class Owner>
+struct OnTheWay {
+  std::vector<Owner> blocks{};
+  std::vector<Owner> taken{};  // by the pass at work; empty else
+};
+
 template <class P, class Owner>
-[[nodiscard, gnu::noinline]] bool work(P& pass, std::vector<Owner>& in, std::vector<Owner>& out,
-                                       Input input, Checkpoint& checkpoint) {
-  const bool goes_on = advance(pass, std::span(in), out, input, checkpoint);
-  in.clear();
-  return goes_on;
+[[nodiscard, gnu::noinline]] bool work(P& pass, OnTheWay<Owner>& way, Input input,
+                                       Checkpoint& checkpoint) {
+  way.taken.swap(way.blocks);
+  return advance(pass, way.taken, way.blocks, input, checkpoint);
 }
 
-// Where the pass ignores all there is, the two vectors change places. What happens else is kept out
-// of the way of this, which happens for nearly every block.
+// What an idle pass ignores stays where it is, as nearly every block does; what happens else is
+// kept out of the way of that.
 template <class P, class Owner>
-requires Pass<P, Owner, Owner> && IdlePass<P, Owner>
-[[nodiscard]] bool advance(P& pass, std::vector<Owner>& in, std::vector<Owner>& out, Input input,
-                           Checkpoint& checkpoint) {
-  bool works = input == Input::ended || !out.empty();
-  for (const Owner& block : in) works = works || !pass.ignores(*block);
-  if (works) return work(pass, in, out, input, checkpoint);
-  in.swap(out);
-  return true;
+requires Pass<P, Owner, Owner>
+[[nodiscard]] inline bool advance(P& pass, OnTheWay<Owner>& way, Input input,
+                                  Checkpoint& checkpoint) {
+  bool works = input == Input::ended || !IdlePass<P, Owner>;
+  if constexpr (IdlePass<P, Owner>)
+    for (const Owner& block : way.blocks) works = works || !pass.ignores(*block);
+  return !works || work(pass, way, input, checkpoint);
 }
 
 template <class P, class Owner>

@@ -109,7 +109,7 @@ Origin origin_of_insertions(const PathBlock& before, const PathBlock& after) {
 
 }  // namespace
 
-bool Transitions::feed(PathBlockPtr block, PathBlocks& out) {
+bool Transitions::feed(PathBlockPtr&& block, PathBlocks& out) {
   if (block->role == Role::passive) {
     out.push_back(std::move(block));
     return true;

@@ -28,7 +28,7 @@ class Transitions {
   Transitions(const Tolerances& tolerances, Diagnostics& diagnostics)
       : tolerances_(tolerances), diagnostics_(diagnostics) {}
 
-  bool feed(PathBlockPtr block, PathBlocks& out);
+  bool feed(PathBlockPtr&& block, PathBlocks& out);
   bool drain(PathBlocks& out);
   [[nodiscard]] std::size_t look_ahead() const { return 1; }
 

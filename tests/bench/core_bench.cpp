@@ -58,21 +58,21 @@ class Passes {
     programmed_ = blocks;
     next_ = 0;
     timed([&] {
-      return advance(relevant_blocks_, programmed_, relevant_, Input::more, checkpoint_);
+      return advance(relevant_blocks_, programmed_, path_.blocks, Input::more, checkpoint_);
     });
-    timed([&] { return apply(convert_circles_, relevant_); });
-    timed([&] { return advance(kerf_masking_, relevant_, reachable_, Input::more, checkpoint_); });
-    timed([&] { return apply(offset_, reachable_); });
-    timed([&] { return advance(inside_corner_, reachable_, entered_, Input::more, checkpoint_); });
-    timed([&] { return advance(contour_masking_, entered_, masked_, Input::more, checkpoint_); });
-    timed([&] { return advance(transitions_, masked_, joined_, Input::more, checkpoint_); });
-    timed([&] { return advance(loop_removal_, joined_, simple_, Input::more, checkpoint_); });
-    timed([&] { return apply(contour_violations_, simple_); });
-    timed([&] { return advance(clearance_, simple_, checked_, Input::more, checkpoint_); });
-    timed([&] { return advance(split_, checked_, divided_, Input::more, checkpoint_); });
+    timed([&] { return apply(convert_circles_, path_.blocks); });
+    timed([&] { return advance(kerf_masking_, path_, Input::more, checkpoint_); });
+    timed([&] { return apply(offset_, path_.blocks); });
+    timed([&] { return advance(inside_corner_, path_, Input::more, checkpoint_); });
+    timed([&] { return advance(contour_masking_, path_, Input::more, checkpoint_); });
+    timed([&] { return advance(transitions_, path_, Input::more, checkpoint_); });
+    timed([&] { return advance(loop_removal_, path_, Input::more, checkpoint_); });
+    timed([&] { return apply(contour_violations_, path_.blocks); });
+    timed([&] { return advance(clearance_, path_, Input::more, checkpoint_); });
+    timed([&] { return advance(split_, path_, Input::more, checkpoint_); });
     timed([&] {
       out_.clear();
-      return advance(reporting_, divided_, out_, Input::more, checkpoint_);
+      return advance(reporting_, path_.blocks, out_, Input::more, checkpoint_);
     });
   }
 
@@ -108,7 +108,7 @@ class Passes {
   Reporting reporting_{setup(), diagnostics_};
 
   std::vector<Block> programmed_;
-  PathBlocks relevant_, reachable_, entered_, masked_, joined_, simple_, checked_, divided_;
+  OnTheWay<PathBlockPtr> path_;
   std::vector<CompensatedBlock> out_;
   std::array<double, names.size()> seconds_{};
   std::size_t next_ = 0;
