@@ -49,6 +49,33 @@ double slack_of(const OffsetCurve& before, const OffsetCurve& after, const Toler
   return std::max(std::min(of_place, tolerances.on_contour), tolerances.same_point);
 }
 
+// An angle as small as the tolerance is its own sine.
+bool is_parallel(const Corner& corner, const Tolerances& tolerances) {
+  return std::abs(corner.sine_of_turn()) <= tolerances.tangent * std::abs(corner.cosine_of_turn());
+}
+bool goes_straight_on(const Corner& corner, const Tolerances& tolerances) {
+  return corner.cosine_of_turn() > 0 && is_parallel(corner, tolerances);
+}
+bool goes_back(const Corner& corner, const Tolerances& tolerances) {
+  return corner.cosine_of_turn() < 0 && is_parallel(corner, tolerances);
+}
+
+bool leaves_slit(const Segment& before, const Segment& after, double shift,
+                 const Tolerances& tolerances) {
+  double opening = 0;  // curvature by which the second block leaves the first to its right
+  double reach = std::numeric_limits<double>::infinity();
+  for (const Segment* segment : {&before, &after}) {
+    reach = std::min(reach, length_of(*segment));
+    if (const auto* arc = std::get_if<Arc>(segment)) {
+      const double radius = radius_of(*arc);
+      opening += arc->sweep > 0 ? 1 / radius : -1 / radius;
+      reach = std::min(reach, radius);
+    }
+  }
+  const double gap = 0.5 * std::abs(opening) * reach * reach;
+  return opening * shift < 0 && gap > 10 * tolerances.on_contour;
+}
+
 // The crossing of the two tangents; the corner is not a reversal.
 Point mitre_point(const Corner& corner) {
   const Vector& before = corner.before.tangent;
@@ -70,37 +97,24 @@ OffsetCurve offset_curve(const Segment& programmed, const Vector& tangent, const
   return curve;
 }
 
-bool reverses_into_slit(const Segment& before, const Segment& after, double turn, double shift,
+bool reverses_into_slit(const Corner& corner, const Segment& before, const Segment& after,
                         const Tolerances& tolerances) {
-  if (std::abs(turn) < pi - tolerances.tangent) return false;
-  double opening = 0;  // curvature by which the second block leaves the first to its right
-  double reach = std::numeric_limits<double>::infinity();
-  for (const Segment* segment : {&before, &after}) {
-    reach = std::min(reach, length_of(*segment));
-    if (const auto* arc = std::get_if<Arc>(segment)) {
-      const double radius = radius_of(*arc);
-      opening += arc->sweep > 0 ? 1 / radius : -1 / radius;
-      reach = std::min(reach, radius);
-    }
-  }
-  const double gap = 0.5 * std::abs(opening) * reach * reach;
-  return opening * shift < 0 && gap > 10 * tolerances.on_contour;
+  return goes_back(corner, tolerances) && leaves_slit(before, after, corner.shift, tolerances);
 }
 
 CornerKind kind_of(const Corner& corner, const Tolerances& tolerances) {
-  const double turn = std::abs(corner.turn);
-  if (turn <= tolerances.tangent) return CornerKind::tangential;
+  if (goes_straight_on(corner, tolerances)) return CornerKind::tangential;
   if ((corner.after.anchor - corner.before.anchor).norm() <= tolerances.same_point)
     return CornerKind::tangential;
-  if (turn >= pi - tolerances.tangent)
-    return corner.slit ? CornerKind::inside : CornerKind::outside;
-  return corner.turn * corner.shift > 0 ? CornerKind::inside : CornerKind::outside;
+  if (goes_back(corner, tolerances)) return corner.slit ? CornerKind::inside : CornerKind::outside;
+  return corner.sine_of_turn() * corner.shift > 0 ? CornerKind::inside : CornerKind::outside;
 }
 
 double outside_sweep(const Corner& corner) {
   // A reversal may have fallen on either side of 180 degrees.
-  const bool away = corner.turn * corner.shift < 0;
-  return away ? corner.turn : corner.turn - std::copysign(2 * pi, corner.turn);
+  const double turn = corner.turn();
+  const bool away = turn * corner.shift < 0;
+  return away ? turn : turn - std::copysign(2 * pi, turn);
 }
 
 double transition_angle(const Corner& corner, const Tolerances& tolerances) {
@@ -108,7 +122,7 @@ double transition_angle(const Corner& corner, const Tolerances& tolerances) {
     case CornerKind::tangential:
       return pi;
     case CornerKind::inside:
-      return pi - std::abs(corner.turn);
+      return pi - std::abs(corner.turn());
     case CornerKind::outside:
       break;
   }
@@ -156,7 +170,7 @@ std::optional<MeetingPoint> nearest_meeting(const OffsetCurve& before, const Off
 std::optional<MeetingPoint> inside_joint(const Corner& corner, const Tolerances& tolerances) {
   if (corner.before.circular || corner.after.circular)
     return nearest_meeting(corner.before, corner.after, tolerances);
-  const double cut = corner.tool_radius() * std::tan(std::abs(corner.turn) / 2);
+  const double cut = corner.tool_radius() * std::tan(std::abs(corner.turn()) / 2);
   return MeetingPoint{.point = mitre_point(corner), .cut_before = cut, .cut_after = cut};
 }
 

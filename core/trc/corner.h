@@ -35,22 +35,26 @@ struct Corner {
   Point programmed = Point::Zero();
   OffsetCurve before{};
   OffsetCurve after{};
-  double turn = 0;   // rad, -pi < turn <= pi, counter-clockwise positive
   double shift = 0;  // in force on both sides of the corner
   // An exact reversal that encloses the tool: the block after bends back over the
   // one before on the tool side.
   bool slit = false;
 
   [[nodiscard]] double tool_radius() const { return std::abs(shift); }
+  // rad, -pi < turn <= pi, counter-clockwise positive. What only asks for its sign, or whether the
+  // path goes straight on or straight back, asks the tangents: an angle is dear.
+  [[nodiscard]] double turn() const { return turn_between(before.tangent, after.tangent); }
+  [[nodiscard]] double sine_of_turn() const { return cross(before.tangent, after.tangent); }
+  [[nodiscard]] double cosine_of_turn() const { return before.tangent.dot(after.tangent); }
 };
 
 enum class CornerKind { tangential, inside, outside };
 
-// Whether two blocks that reverse exactly in one point leave a slit between them
-// on the side of the shift, not a tip: their curvatures decide. A gap that stays
+// Whether the corner is an exact reversal of these two blocks that leaves a slit between
+// them on the side of the shift, not a tip: their curvatures decide. A gap that stays
 // below ten times the contour tolerance is the same way back.
-[[nodiscard]] bool reverses_into_slit(const Segment& before, const Segment& after, double turn,
-                                      double shift, const Tolerances& tolerances);
+[[nodiscard]] bool reverses_into_slit(const Corner& corner, const Segment& before,
+                                      const Segment& after, const Tolerances& tolerances);
 
 // An exact reversal is an outside corner of 360 degrees (D-05), or, where it
 // leaves a slit, an inside corner of none.

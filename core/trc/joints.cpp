@@ -147,7 +147,7 @@ JointResult contour_joint(const PathBlock& before, const PathBlock& after, const
     Joint joint(*meeting);
     if (mode.options.gen_cir_block_in_corner)
       joint.insert(
-          Arc{.start = joint.end, .end = joint.start, .center = joint.end, .sweep = corner.turn});
+          Arc{.start = joint.end, .end = joint.start, .center = joint.end, .sweep = corner.turn()});
     return JoinedBlocks{.joint = joint};
   }
   if (mode.options.ignore_cont_damage)
@@ -165,9 +165,6 @@ Corner corner_between(const PathBlock& before, const PathBlock& after,
                       const Tolerances& tolerances) {
   Corner corner{.programmed = end_of(before.programmed.path)};
   corner.shift = before.at_end.shift;
-  corner.turn = turn_between(before.tangent_at_end, after.tangent_at_start);
-  corner.slit = reverses_into_slit(before.programmed.path, after.programmed.path, corner.turn,
-                                   corner.shift, tolerances);
   // Off the contour the blocks count as straight: their own shape has no offset.
   corner.before = is_contour(before) ? offset_curve(before.programmed.path, before.tangent_at_end,
                                                     before.offset_end, corner.shift)
@@ -175,6 +172,8 @@ Corner corner_between(const PathBlock& before, const PathBlock& after,
   corner.after = is_contour(after) ? offset_curve(after.programmed.path, after.tangent_at_start,
                                                   after.offset_start, corner.shift)
                                    : straight(after.offset_start, after.tangent_at_start);
+  corner.slit =
+      reverses_into_slit(corner, before.programmed.path, after.programmed.path, tolerances);
   return corner;
 }
 

@@ -16,13 +16,11 @@ constexpr double degrees = 180 / std::numbers::pi;
 Corner closing_corner(const PathBlock& last, const PathBlock& first, const Tolerances& tolerances) {
   Corner corner{.programmed = start_of(first.programmed.path)};
   corner.shift = first.at_start.shift;
-  corner.turn = turn_between(last.tangent_at_end, first.tangent_at_start);
-  corner.slit = reverses_into_slit(last.programmed.path, first.programmed.path, corner.turn,
-                                   corner.shift, tolerances);
   corner.before =
       offset_curve(last.programmed.path, last.tangent_at_end, last.offset_end, corner.shift);
   corner.after =
       offset_curve(first.programmed.path, first.tangent_at_start, first.offset_start, corner.shift);
+  corner.slit = reverses_into_slit(corner, last.programmed.path, first.programmed.path, tolerances);
   return corner;
 }
 
@@ -75,7 +73,7 @@ bool InsideCorner::check_contour(const PathBlock& approach, const PathBlock& fir
   const Corner corner = closing_corner(last, first, tolerances_);
   if (kind_of(corner, tolerances_) != CornerKind::outside) return true;
   Corner start = corner;
-  start.turn = turn_between(approach.tangent_at_end, first.tangent_at_start);
+  start.before.tangent = approach.tangent_at_end;
   start.before.anchor = approach.offset_end;
   if (kind_of(start, tolerances_) != CornerKind::outside) return true;
   return refuse(Code::inside_corner_angle_too_large, approach,
