@@ -5,7 +5,6 @@
 #include <charconv>
 #include <cmath>
 #include <limits>
-#include <utility>
 
 namespace trc {
 namespace {
@@ -200,8 +199,8 @@ bool is_continued(std::string_view line) {
   return true;
 }
 
-Word WordReader::fail(Code code, const char* at, std::string detail) {
-  fault_ = {.code = code, .begin = place_of(at), .detail = std::move(detail)};
+Word WordReader::fail(Code code, const char* at, std::string_view detail) {
+  fault_ = {.code = code, .begin = place_of(at), .detail = std::string(detail)};
   return {.kind = WordKind::fault, .begin = fault_.begin, .end = fault_.begin};
 }
 
@@ -263,13 +262,13 @@ Word WordReader::other_sign() {
   }
   if (*at_ == '$') return fail(Code::nc_unsupported, at_, "$, a control statement");
   if (*at_ == '/') return fail(Code::nc_unsupported, at_, "/, a block to skip on demand");
-  return fail(Code::nc_syntax, at_, std::string(at_, length));
+  return fail(Code::nc_syntax, at_, {at_, length});
 }
 
 Word WordReader::number_alone() {
   Word word{.kind = WordKind::number, .begin = place_of(at_)};
   const char* const begin = at_;
-  if (!number(word.value, word.whole)) return fail(Code::nc_number, begin, {*begin});
+  if (!number(word.value, word.whole)) return fail(Code::nc_number, begin, {begin, 1});
   word.end = place_of(at_);
   return word;
 }
@@ -332,7 +331,7 @@ Word WordReader::address() {
   if (peek() != '=') return word;
   ++at_;
   if (!skip_blanks() || !number(word.argument, word.whole))
-    return fail(Code::nc_number, at_, {word.letter});
+    return fail(Code::nc_number, at_, {&word.letter, 1});
   word.has_argument = true;
   word.end = place_of(at_);
   return word;
@@ -346,7 +345,7 @@ Word WordReader::no_number(const Word& word) {
   if (sign == '[' || sign == 'P' || variable || name)
     return fail(Code::nc_unsupported, begin,
                 std::string(begin, at_ + 1).append(", an expression or a name"));
-  return fail(Code::nc_number, begin, {word.letter});
+  return fail(Code::nc_number, begin, {&word.letter, 1});
 }
 
 Word WordReader::variable() {

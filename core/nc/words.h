@@ -62,7 +62,8 @@ class WordReader {
   [[nodiscard]] Word variable();
   [[nodiscard]] Word other_sign();
   [[nodiscard]] bool number(double& value, bool& whole);
-  [[nodiscard]] Word fail(Code code, const char* at, std::string detail);
+  // A view, so that no string is on the way of the words that are right.
+  [[nodiscard]] Word fail(Code code, const char* at, std::string_view detail);
   [[nodiscard]] Word no_number(const Word& word);
   [[nodiscard]] Word no_text(const char* begin, std::size_t bad);
   [[nodiscard]] std::uint32_t place_of(const char* at) const {

@@ -28,7 +28,10 @@ bool ContourViolations::apply(PathBlock& block) {
 bool ContourViolations::check_line(const PathBlock& block) {
   const Vector travelled = end_of(block.tool_path) - start_of(block.tool_path);
   const double along = travelled.dot(block.tangent_at_end);
-  if (along >= -tolerances_.on_contour) return true;
+  return along >= -tolerances_.on_contour || report_reversed(block, along);
+}
+
+bool ContourViolations::report_reversed(const PathBlock& block, double along) {
   Diagnostic violation = diagnostic(Code::line_reversed, block.programmed.source);
   violation.values = {{"programmed_length", length_of(block.programmed.path)},
                       {"compensated_length", along},
@@ -39,8 +42,11 @@ bool ContourViolations::check_line(const PathBlock& block) {
 bool ContourViolations::check_arc(const PathBlock& block, const Arc& programmed) {
   const double sweep = std::abs(programmed.sweep);
   const double left = sweep - block.cut_at_start - block.cut_at_end;
-  if (left * parallel_radius(programmed, block.at_end.shift) >= -tolerances_.on_contour)
-    return true;
+  return left * parallel_radius(programmed, block.at_end.shift) >= -tolerances_.on_contour ||
+         report_wrapped(block, left, sweep);
+}
+
+bool ContourViolations::report_wrapped(const PathBlock& block, double left, double sweep) {
   Diagnostic violation = diagnostic(Code::arc_wrapped, block.programmed.source);
   violation.values = {{"corrected_sweep", (left + 2 * std::numbers::pi) * degrees},
                       {"largest_sweep", sweep * degrees},
@@ -52,10 +58,14 @@ bool ContourViolations::check_range(const PathBlock& block) {
   const double limit = tolerances_.largest_coordinate;
   const auto* arc = std::get_if<Arc>(&block.tool_path);
   const bool end_fits = within(end_of(block.tool_path), limit);
-  if (end_fits && (arc == nullptr || within(arc->center, limit))) return true;
-  Diagnostic problem = diagnostic(
-      end_fits ? Code::center_out_of_range : Code::end_point_out_of_range, block.programmed.source);
-  problem.values = {{"largest_coordinate", limit}};
+  if (!end_fits) return report_out_of_range(block, Code::end_point_out_of_range);
+  return arc == nullptr || within(arc->center, limit) ||
+         report_out_of_range(block, Code::center_out_of_range);
+}
+
+bool ContourViolations::report_out_of_range(const PathBlock& block, Code code) {
+  Diagnostic problem = diagnostic(code, block.programmed.source);
+  problem.values = {{"largest_coordinate", tolerances_.largest_coordinate}};
   return diagnostics_.report(std::move(problem));
 }
 

@@ -24,6 +24,9 @@ class ContourViolations {
   bool check_line(const PathBlock& block);
   bool check_arc(const PathBlock& block, const Arc& programmed);
   bool check_range(const PathBlock& block);
+  bool report_reversed(const PathBlock& block, double along);
+  bool report_wrapped(const PathBlock& block, double left, double sweep);
+  bool report_out_of_range(const PathBlock& block, Code code);
   bool report(Diagnostic violation, const PathBlock& block);
 
   Tolerances tolerances_;

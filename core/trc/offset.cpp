@@ -41,8 +41,13 @@ bool Offset::keeps_circle(PathBlock& block, double shift) {
     block.masked = true;
     return true;
   }
+  return report_not_smaller(block, *arc, shift);
+}
+
+bool Offset::report_not_smaller(const PathBlock& block, const Arc& arc, double shift) {
+  const double radius = parallel_radius(arc, shift);
   Diagnostic violation = diagnostic(Code::tool_not_smaller_than_arc, block.programmed.source);
-  violation.values = {{"contour_radius", radius_of(*arc)},
+  violation.values = {{"contour_radius", radius_of(arc)},
                       {"tool_radius", std::abs(shift)},
                       {"difference", radius},
                       {"smallest_difference", tolerances_.on_contour}};

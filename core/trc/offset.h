@@ -26,6 +26,7 @@ class Offset {
 
  private:
   bool keeps_circle(PathBlock& block, double shift);
+  bool report_not_smaller(const PathBlock& block, const Arc& arc, double shift);
 
   Tolerances tolerances_;
   Diagnostics& diagnostics_;
