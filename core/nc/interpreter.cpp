@@ -167,9 +167,10 @@ ProgramLine& Interpreter::append_line(std::string_view text, std::string_view li
 
 void Interpreter::recycle(ProgramLine&& line) {
   if (spare_.size() == spare_lines || line.text.capacity() > longest_spare_line) return;
-  ProgramLine used{.text = std::move(line.text), .words = std::move(line.words)};
-  used.words.clear();
-  spare_.push_back(std::move(used));
+  ProgramLine& spare = spare_.emplace_back();
+  spare.text = std::move(line.text);
+  spare.words = std::move(line.words);
+  spare.words.clear();
 }
 
 bool Interpreter::finish(std::vector<ProgramLine>& lines) {

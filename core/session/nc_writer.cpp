@@ -57,17 +57,14 @@ void NcWriter::take(ProgramLine&& line, const Meaning& meaning) {
   }
   std::uint32_t roles = 0;
   for (const WordRange& word : line.words) roles |= bit(word.role);
-  waiting_.push_back({std::move(line), meaning, roles});
+  Waiting& waiting = waiting_.emplace_back();
+  waiting.line = std::move(line);
+  waiting.meaning = meaning;
+  waiting.roles = roles;
 }
 
 void NcWriter::drop_first() {
-  Waiting& waiting = waiting_[first_++];
-  if (waiting.meaning.gives_block) --waiting_for_blocks_;
-  used_.push_back(std::move(waiting.line));
-  // Half of the queue at a time, so that a line is moved once on average.
-  if (first_ * 2 < waiting_.size()) return;
-  waiting_.erase(waiting_.begin(), waiting_.begin() + static_cast<std::ptrdiff_t>(first_));
-  first_ = 0;
+  if (waiting_[first_++].meaning.gives_block) --waiting_for_blocks_;
 }
 
 void NcWriter::write_lines_before(const Source& source, std::string& out) {

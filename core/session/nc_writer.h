@@ -58,8 +58,14 @@ class NcWriter {
 
   // Bytes held since the last line that gives a block.
   [[nodiscard]] std::size_t silent_bytes() const { return silent_bytes_; }
-  // Lines no longer needed; the caller takes them away.
-  [[nodiscard]] std::vector<ProgramLine>& used_lines() { return used_; }
+  // Lets go of the lines that have come out: `taker` may use their memory again. Until then they
+  // are kept.
+  template <class Taker>
+  void let_go_lines(Taker taker) {
+    for (std::size_t i = 0; i < first_; ++i) taker(std::move(waiting_[i].line));
+    waiting_.erase(waiting_.begin(), waiting_.begin() + static_cast<std::ptrdiff_t>(first_));
+    first_ = 0;
+  }
 
   template <class Archive>
   void serialize(Archive& archive) {
@@ -124,7 +130,7 @@ class NcWriter {
   WrittenState after_;              // of the line being judged
   bool feed_is_programmed_ = true;  // the last F word is one of the program
 
-  // Lines that have not come out: those from `first_` on.
+  // Lines that have not come out are those from `first_` on.
   std::vector<Waiting> waiting_;
   std::size_t first_ = 0;
   std::size_t waiting_for_blocks_ = 0;
@@ -132,8 +138,6 @@ class NcWriter {
   // The line whose motion was last written anew: what stops behind the motion is
   // still to come.
   std::uint64_t rewritten_index_ = std::numeric_limits<std::uint64_t>::max();
-  std::vector<ProgramLine> used_;
-
   const Waiting* own_ = nullptr;      // the line of the block being written, until it has come out
   std::string words_;                 // of the line being written, a blank before each
   std::string last_comment_;          // behind them: what begins with `;` ends the line

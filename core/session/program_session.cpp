@@ -144,8 +144,7 @@ bool ProgramSession::Parts::advance(ProgramOutput& out) {
   goes_on =
       goes_on && report_until(std::numeric_limits<std::uint32_t>::max(), out) && compensate(out);
   place(out);
-  for (ProgramLine& line : writer.used_lines()) interpreter.recycle(std::move(line));
-  writer.used_lines().clear();
+  writer.let_go_lines([this](ProgramLine&& line) { interpreter.recycle(std::move(line)); });
   return goes_on;
 }
 

@@ -102,8 +102,8 @@ void writing(benchmark::State& state) {
   run_timed(
       state, Part::blocks_per_lap,
       [&] {
-        reading.lines = std::move(writer.used_lines());
-        writer.used_lines().clear();
+        reading.lines.clear();
+        writer.let_go_lines([&](ProgramLine&& line) { reading.lines.push_back(std::move(line)); });
         reading.forget();
         reading.lap();
         prepare();
