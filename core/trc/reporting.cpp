@@ -36,7 +36,8 @@ bool Reporting::feed(PathBlockPtr&& owner, std::vector<CompensatedBlock>& out) {
   }
   MotionBlock& programmed = block.programmed;
   const Plane plane = block.mode().plane;
-  check(position_ == from_plane(plane, start_of(block.tool_path), programmed.normal.from),
+  check(to_plane(plane, position_) == start_of(block.tool_path) &&
+            position_[axes_of(plane).third] == programmed.normal.from,
         "a block starts where the one before ended");
   position_ = from_plane(plane, end_of(block.tool_path), programmed.normal.to);
   const bool adapts = block.mode().feed_adaptation == FeedAdaptation::on;
@@ -71,7 +72,7 @@ void Reporting::let_off(std::vector<PassiveBlock>& riders, std::vector<Compensat
     result.origin = rider.text.empty() || rider.moves ? Origin::uncompensated : Origin::passthrough;
     result.rapid = rider.rapid;
     const Point place = to_plane(result.plane, position_);
-    check(position_ == from_plane(result.plane, place, rider.normal.from),
+    check(position_[axes_of(result.plane).third] == rider.normal.from,
           "a rider starts where its block ended");
     result.path = Line{.start = place, .end = place};
     result.normal = rider.normal;
