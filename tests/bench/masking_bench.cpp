@@ -84,6 +84,7 @@ void compensate(benchmark::State& state, const Workload& workload, Way way) {
                    std::make_move_iterator(rest.begin() + static_cast<std::ptrdiff_t>(end)));
       if (end == rest.size()) bytes_held = bytes_in_use() - bytes_before;
       going = compensator.feed(batch, out);
+      if (going) diagnostics.take();
       take(out);
     }
     going = going && compensator.finish(TrcMode{}, out);
