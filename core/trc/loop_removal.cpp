@@ -572,8 +572,13 @@ std::optional<LoopRemoval::Exit> LoopRemoval::exit_here(const Onset& onset,
 
 std::optional<LoopRemoval::Exit> LoopRemoval::exit_behind(const Onset& onset) const {
   const HeldPath::ContourBlock& obstacle = contour(onset.obstacle);
-  const double farthest =
-      4 * path_.largest_radius(obstacle) * (1 + path_.mode_of(at_.block).options.stretch_factor);
+  // Only a mitre reaches farther out than the tool.
+  const auto reach_in_radii = [&](std::size_t block) {
+    const TrcMode& mode = path_.mode_of(block);
+    return mode.transition == Transition::linear ? mode.options.stretch_factor : 1;
+  };
+  const double farthest = 4 * path_.largest_radius(obstacle) *
+                          (1 + std::max(reach_in_radii(at_.block), reach_in_radii(obstacle.block)));
   double back = onset.along - at_.from;
   bool beside = true;
   for (std::size_t number = pieces_.end(); number-- > pieces_.begin() && back <= farthest;) {
