@@ -131,6 +131,10 @@ void log_start(trc::server::Server& server) {
 void share_heap() {
   const unsigned threads = std::max(2U, std::thread::hardware_concurrency());
   mallopt(M_ARENA_MAX, static_cast<int>(threads));
+  // A batch is some hundred kilobytes, come and gone: the pages of the next one are those of the
+  // last.
+  mallopt(M_MMAP_THRESHOLD, 4 << 20);
+  mallopt(M_TRIM_THRESHOLD, 8 << 20);
 }
 
 }  // namespace
