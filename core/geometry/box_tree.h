@@ -92,7 +92,8 @@ class BoxTree {
   template <class IsNear, class Visit>
   void scan(const IsNear& is_near, std::size_t first, std::size_t end, Visit& visit) const {
     for (std::size_t number = first; number < end;) {
-      const auto zeros = static_cast<std::size_t>(std::countr_zero(number));
+      // 0 is divisible by any power; no tree is that high.
+      const auto zeros = static_cast<std::size_t>(std::min(std::countr_zero(number), 62));
       std::size_t level = std::min(levels_.size() - 1, zeros / bits_of_width);
       while (number + span(level) > end) --level;
       while (is_near(levels_[level][number / span(level)])) {
