@@ -521,8 +521,16 @@ bool LoopRemoval::violates(const Place& from, const Place& to) const {
 std::optional<LoopRemoval::Exit> LoopRemoval::find_exit(const Onset& onset,
                                                         Nearness nearness) const {
   const std::vector<std::size_t> obstacles = obstacles_at(onset, nearness);
-  for (const std::size_t number : obstacles)
-    if (auto exit = exit_here({onset.along, number}, nearness)) return exit;
+  // Where the path is in one point again and again, all continuations but the first may leave out
+  // what is legal.
+  std::optional<Exit> first;
+  for (const std::size_t number : obstacles) {
+    const auto exit = exit_here({onset.along, number}, nearness);
+    if (!exit) continue;
+    const bool same = first && (exit->point - first->point).norm() <= slack_of(tolerances_);
+    if (!first || (same && exit->continues < first->continues)) first = exit;
+  }
+  if (first) return first;
   for (const std::size_t number : obstacles)
     if (auto exit = exit_behind({onset.along, number})) return exit;
   return std::nullopt;
