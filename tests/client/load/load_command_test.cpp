@@ -78,8 +78,8 @@ TEST(LoadCommand, ReportsWhatItMeasured) {
   EXPECT_GT(report.number("blocksOut"), 0.9 * report.number("blocksIn"));
   EXPECT_GT(report.number("bytesSentPerBlock"), 20);
   EXPECT_GT(report.number("bytesReceivedPerBlock"), 20);
-  // Six batches a stream.
-  EXPECT_GE(report.number("batchMs.count"), 6 * report.number("streamMs.count"));
+  // Six batches a stream; those of the three last streams may be answered when the time is over.
+  EXPECT_GE(report.number("batchMs.count"), 6 * (report.number("streamMs.count") - 3));
   for (const std::string what : {"firstOutputMs", "batchMs", "streamMs"}) {
     EXPECT_GT(report.number(what + ".p50"), 0) << what;
     EXPECT_LE(report.number(what + ".p50"), report.number(what + ".p99")) << what;
