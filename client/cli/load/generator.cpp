@@ -117,7 +117,7 @@ std::shared_ptr<Stream> Generator::make_stream(Clock::time_point intended) {
 }
 
 void Generator::begin(const std::shared_ptr<Stream>& stream) {
-  if (stream) stream->start(*stubs_[stream->orders().number % stubs_.size()]);
+  stream->start(*stubs_[stream->orders().number % stubs_.size()]);
 }
 
 void Generator::offer(Clock::time_point intended) {
@@ -178,7 +178,7 @@ void Generator::ended(Stream& stream, const grpc::Status& status) {
     // Under the lock: without a next one the waiting thread may destroy this object.
     changed_.notify_all();
   }
-  begin(next);
+  if (next) begin(next);
 }
 
 void Generator::count_ended(const Stream& stream, const grpc::Status& status) {
