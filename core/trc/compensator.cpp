@@ -50,7 +50,9 @@ struct Compensator::Passes {
     if (diagnostics.stopped() || !find_path(input)) return false;
     while (loop_removal.is_leaving()) {
       if (!loop_removal.let_go_some(path.blocks) || !finish_path(Input::more, out)) return false;
-      if (out.size() >= portion && take_portion) take_portion(out);
+      if (out.size() < portion || !take_portion) continue;
+      take_portion(out);
+      if (diagnostics.stopped()) return false;  // by a verification of what it has taken
     }
     return finish_path(input, out);
   }
