@@ -83,10 +83,13 @@ void insert(const Segment& segment, Origin origin, PathBlockPtr inserted, PathBl
   out.push_back(std::move(inserted));
 }
 
-// Spec 7.2: below 180 degrees, G236 up to 90 degrees.
-bool may_split(const Corner& corner, const TrcMode& mode, Selection selection,
+// Spec 7.2: lines only, below 180 degrees, G236 up to 90 degrees.
+bool may_split(const Corner& corner, const PathBlock& block, Selection selection,
                const Tolerances& tolerances) {
-  if (mode.options.split.where == SplitOption::Where::off || mode.tangential) return false;
+  const TrcMode& mode = block.mode();
+  if (mode.options.split.where == SplitOption::Where::off || mode.tangential ||
+      is_arc(block.programmed.path))
+    return false;
   const double angle = transition_angle(corner, tolerances);
   switch (selection) {
     case Selection::direct:
@@ -202,9 +205,9 @@ bool Transitions::join(PathBlock& after, PathBlocks& out) {
     block.path_given = true;
   }
   before.splittable = before.role == Role::approach &&
-                      may_split(corner, before.mode(), before.mode().selection, tolerances_);
+                      may_split(corner, before, before.mode().selection, tolerances_);
   after.splittable = after.role == Role::retract &&
-                     may_split(corner, after.mode(), after.mode().deselection, tolerances_);
+                     may_split(corner, after, after.mode().deselection, tolerances_);
   before.cut_at_end = joint.cut_before;
   complete(before, joint.end, tolerances_);
   const Origin origin = origin_of_insertions(before, after);
