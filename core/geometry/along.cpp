@@ -16,16 +16,16 @@ constexpr double full_turn = 2 * std::numbers::pi;
 class Track {
  public:
   explicit Track(const Segment& segment) {
+    start_ = start_of(segment);
     if (const auto* arc = std::get_if<Arc>(&segment)) {
-      circular_ = true;
-      counter_clockwise_ = arc->sweep > 0;
-      start_ = arc->start;
       circle_ = {.center = arc->center, .radius = radius_of(*arc)};
+      // Without radius it stands in one point, as a line without length does.
+      circular_ = circle_.radius > 0;
+      counter_clockwise_ = arc->sweep > 0;
       length_ = std::abs(arc->sweep) * circle_.radius;
       return;
     }
     const auto& line = std::get<Line>(segment);
-    start_ = line.start;
     const Vector way = line.end - line.start;
     length_ = way.norm();
     direction_ = length_ > 0 ? Vector(way / length_) : Vector::UnitX();

@@ -100,6 +100,12 @@ void shorten(PathBlock& block, double from, double to, const Point& start, const
 }
 
 // A joint behind a loop is an inside corner like any other: GEN_CIR_BLOCK_IN_CORNER.
+// It turns on the spot: where it begins, the block before it ends.
+bool has_no_radius(const Segment& segment) {
+  const auto* arc = std::get_if<Arc>(&segment);
+  return arc != nullptr && arc->start == arc->center;
+}
+
 PathBlockPtr circle_without_radius(const Point& place, const Vector& arrives,
                                    const PathBlock& after, double along) {
   const Standing stands = standing_before(after);
@@ -447,6 +453,11 @@ bool LoopRemoval::begin_walk(bool ended) {
 // To the end of the block and on to the next one.
 void LoopRemoval::advance() {
   const Segment& segment = path(at_.block).path;
+  // The corner behind a loop gets a circle of its own, for the whole turn.
+  if (at_.behind_loop && has_no_radius(segment)) {
+    ++at_.block;
+    return;
+  }
   if (at_.from == 0 && !at_.behind_loop && at_.start == start_of(segment)) {
     pieces_.push_back({.block = static_cast<HeldPath::Number>(at_.block)});
     if (window_ > 0) piece_boxes_.append(bounding_box(segment));
@@ -603,10 +614,11 @@ std::optional<LoopRemoval::Exit> LoopRemoval::crossing_in(const Piece& piece, st
   checkpoint_.pass();
   const double slack = slack_of(tolerances_);
   const Segment& segment = path(piece.block).path;
+  if (has_no_radius(segment)) return std::nullopt;
   const auto [first, end] = stretch_about(obstacle);
   std::optional<Exit> latest;
   for (std::size_t block = first; block < end; ++block) {
-    if (path(block).unreachable) continue;
+    if (path(block).unreachable || has_no_radius(path(block).path)) continue;
     for (const Crossing& crossing : crossings(segment, path(block).path, slack)) {
       if (crossing.along_first < piece.from - slack || crossing.along_first > piece.to + slack)
         continue;
