@@ -102,6 +102,13 @@ struct Notch {
   }
 };
 
+// With G239 the program has gone on from the end of the compensated path, which therefore must not
+// be turned any more.
+bool begins_in_end_of_path(const PathBlock& next, const PathBlock& last) {
+  return next.role != Role::passive && next.mode().deselection == Selection::without_block &&
+         !last.mode().options.suppress_trc;
+}
+
 }  // namespace
 
 bool KerfMasking::feed(PathBlockPtr block, PathBlocks& out) {
@@ -110,7 +117,8 @@ bool KerfMasking::feed(PathBlockPtr block, PathBlocks& out) {
   if (held_.size() == 2) {
     std::optional<PathBlock> outline;
     if (continues) outline = outline_of(*block);
-    raise_notch(outline ? &*outline : nullptr);
+    if (continues || !begins_in_end_of_path(*block, *held_.back()))
+      raise_notch(outline ? &*outline : nullptr);
     let_go(out);
   }
   if (!continues) drain(out);
