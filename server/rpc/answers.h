@@ -78,9 +78,9 @@ class Answers {
   }
 
  private:
-  // An answer on its way is held as a message, beside gRPC's buffers, until the client reads it:
-  // hundreds of clients that do not must not add up to much. Larger ones are hardly faster. Blocks
-  // as messages take twice as much there as in columns.
+  // An answer on its way lies in gRPC's buffers until the client reads it: hundreds of clients that
+  // do not must not add up to much. Larger ones are hardly faster. Blocks as messages take twice as
+  // much memory as in columns while they are written.
   static constexpr std::size_t most_answer_bytes(wire::Layout layout) {
     return (layout == wire::Layout::columns ? 128U : 64U) << 10U;
   }

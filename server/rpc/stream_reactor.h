@@ -5,6 +5,7 @@
 
 #include <atomic>
 #include <chrono>
+#include <cstdint>
 #include <exception>
 #include <memory>
 #include <mutex>
@@ -98,7 +99,7 @@ class StreamReactor
     if constexpr (requires { beat_.mutable_heartbeat(); }) {
       {
         const std::lock_guard lock(mutex_);
-        if (!accepted_ || beating_ || written_at_ > since) return;
+        if (answers_written_ == 0 || beating_ || written_at_ > since) return;
         if (phase_ != Phase::reading && phase_ != Phase::working) return;
         beating_ = true;
       }
@@ -199,7 +200,7 @@ class StreamReactor
       }
       if (beating_) return;
     }
-    if (turn_.write) return this->StartWrite(&*response_);
+    if (turn_.write) return write();
     switch (turn_.next) {
       case Turn::Next::proceed:
         return backend_.pool.submit(*this);
@@ -211,11 +212,23 @@ class StreamReactor
     }
   }
 
+  // gRPC has made bytes of the answer when StartWrite returns, so that it need not be held as a
+  // message as well until the client reads it. The first answer gRPC may still have to look at: it
+  // can come before the handler has returned. Whoever goes on behind the write waits for the mutex.
+  void write() {
+    const std::shared_ptr<StreamReactor> alive = self_;
+    const std::uint64_t before = answers_written_;
+    this->StartWrite(&*response_);
+    const std::lock_guard lock(mutex_);
+    if (before > 0 && answers_written_ == before) response_.reset_if_large();
+  }
+
   void OnWriteDone(bool ok) final {
     {
       const std::lock_guard lock(mutex_);
       const bool was_beat = std::exchange(beating_, false);
       written_at_ = Clock::now();
+      if (!was_beat) ++answers_written_;
       if (phase_ == Phase::cancelling) {
         written_while_cancelling_ = true;
         return;
@@ -223,10 +236,7 @@ class StreamReactor
       // After a beat that failed the call is over, which the read or the turn finds out.
       if (was_beat && phase_ != Phase::writing) return;
       phase_ = Phase::working;
-      if (!was_beat) {
-        accepted_ = true;
-        turn_.write = false;
-      }
+      if (!was_beat) turn_.write = false;
     }
     if (ok) return conclude();
     cancelled_ = true;
@@ -278,7 +288,7 @@ class StreamReactor
   Phase phase_ = Phase::working;
   Clock::time_point phase_since_ = Clock::now();
   Clock::time_point written_at_ = Clock::now();
-  bool accepted_ = false;  // the first answer is out
+  std::uint64_t answers_written_ = 0;
   bool beating_ = false;
   bool stalled_ = false;
   bool written_while_cancelling_ = false;
