@@ -4,41 +4,6 @@
 #include <numbers>
 
 namespace trc {
-namespace {
-
-// The tangent of a circle at a point, in the sense of travel.
-Vector circle_tangent(const Point& point, const Point& center, double sweep) {
-  const Vector radial = (point - center).normalized();
-  return sweep > 0 ? left_of(radial) : Vector(-left_of(radial));
-}
-
-}  // namespace
-
-Vector tangent_at_start(const Segment& segment) {
-  return std::visit(
-      overloaded{
-          [](const Line& line) -> Vector { return (line.end - line.start).normalized(); },
-          [](const Arc& arc) { return circle_tangent(arc.start, arc.center, arc.sweep); },
-      },
-      segment);
-}
-
-Vector tangent_at_end(const Segment& segment) {
-  return std::visit(
-      overloaded{
-          [](const Line& line) -> Vector { return (line.end - line.start).normalized(); },
-          [](const Arc& arc) { return circle_tangent(arc.end, arc.center, arc.sweep); },
-      },
-      segment);
-}
-
-double length_of(const Segment& segment) {
-  return std::visit(overloaded{
-                        [](const Line& line) { return (line.end - line.start).norm(); },
-                        [](const Arc& arc) { return std::abs(arc.sweep) * radius_of(arc); },
-                    },
-                    segment);
-}
 
 Segment refitted(const Arc& arc, const Point& start, const Point& end, double same_point) {
   const Vector chord = end - start;

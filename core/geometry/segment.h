@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cmath>
 #include <variant>
 
 namespace trc {
@@ -56,11 +57,25 @@ overloaded(Cases...) -> overloaded<Cases...>;
 }
 
 // Unit vectors in travel direction. The segment has a length (D-29).
-[[nodiscard]] Vector tangent_at_start(const Segment& segment);
-[[nodiscard]] Vector tangent_at_end(const Segment& segment);
+[[nodiscard]] inline Vector tangent_at(const Point& point, const Arc& arc) {
+  const Vector radial = (point - arc.center).normalized();
+  return arc.sweep > 0 ? left_of(radial) : Vector(-left_of(radial));
+}
+[[nodiscard]] inline Vector tangent_at_start(const Segment& segment) {
+  if (const auto* arc = std::get_if<Arc>(&segment)) return tangent_at(arc->start, *arc);
+  const Line& line = std::get<Line>(segment);
+  return (line.end - line.start).normalized();
+}
+[[nodiscard]] inline Vector tangent_at_end(const Segment& segment) {
+  if (const auto* arc = std::get_if<Arc>(&segment)) return tangent_at(arc->end, *arc);
+  return tangent_at_start(segment);
+}
 
-[[nodiscard]] double length_of(const Segment& segment);
 [[nodiscard]] inline double radius_of(const Arc& arc) { return (arc.start - arc.center).norm(); }
+[[nodiscard]] inline double length_of(const Segment& segment) {
+  if (const auto* arc = std::get_if<Arc>(&segment)) return std::abs(arc->sweep) * radius_of(*arc);
+  return (end_of(segment) - start_of(segment)).norm();
+}
 
 // An arc of the same sense through two other points; its centre is the old one,
 // projected on their perpendicular bisector. Up to `same_point` mm apart, a line.

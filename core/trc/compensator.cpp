@@ -2,6 +2,7 @@
 
 #include "core/trc/clearance.h"
 #include "core/trc/contour_masking.h"
+#include "core/trc/contour_run.h"
 #include "core/trc/contour_violations.h"
 #include "core/trc/convert_circles.h"
 #include "core/trc/kerf_masking.h"
@@ -43,7 +44,8 @@ struct Compensator::Passes {
         contour_violations(setup.tolerances, log),
         clearance(setup.implicit_contour_masking, setup.limits.look_ahead_blocks,
                   setup.limits.selection_blocks, setup.tolerances, log, checkpoint),
-        reporting(setup, log) {}
+        reporting(setup, log),
+        contour_run(setup.inverse_path, setup.tolerances, reporting) {}
 
   // clang-format off
   bool step(Input input, std::vector<CompensatedBlock>& out) {
@@ -81,6 +83,23 @@ struct Compensator::Passes {
             loop_removal, clearance, reporting);
   }
 
+  // Takes blocks from the front the short way, as far as that goes: ContourRun. Returns how many.
+  std::size_t run(std::span<Block> blocks, std::vector<CompensatedBlock>& out) {
+    constexpr std::size_t worthwhile = 3;
+    PathBlock* held = relevant_blocks.held();
+    PathBlock* open = transitions.open_block();
+    if (blocks.size() < worthwhile || held == nullptr || open == nullptr) return 0;
+    if (!contour_run.may_begin(*open, *held) || !idle_for(*held)) return 0;
+    const std::size_t count = contour_run.take(*open, *held, blocks, out);
+    if (count > 0) relevant_blocks.go_on_from_held();
+    return count;
+  }
+  [[nodiscard]] bool idle_for(const PathBlock& block) const {
+    return !diagnostics.stopped() && kerf_masking.ignores(block) && inside_corner.ignores(block) &&
+           contour_masking.ignores(block) && loop_removal.ignores(block) &&
+           clearance.ignores(block);
+  }
+
   static constexpr std::size_t portion = 1024;
 
   Diagnostics& diagnostics;
@@ -98,6 +117,7 @@ struct Compensator::Passes {
   Clearance clearance;
   selection::Split split;
   Reporting reporting;
+  ContourRun contour_run;
 
   std::span<Block> programmed;  // of the caller: one block
   OnTheWay<PathBlockPtr> path;
@@ -111,8 +131,8 @@ Compensator::~Compensator() = default;
 // One block at a time through all passes: the order of diagnostics and what has
 // come out before a stop must not depend on how the caller batches.
 bool Compensator::feed(std::vector<Block>& blocks, std::vector<CompensatedBlock>& out) {
-  for (Block& block : blocks)
-    if (!take(block, out)) break;
+  std::span<Block> left(blocks);
+  while (!left.empty() && !passes_->diagnostics.stopped()) left = left.subspan(take(left, out));
   blocks.clear();
   return !passes_->diagnostics.stopped();
 }
@@ -121,21 +141,26 @@ std::size_t Compensator::feed_until_report(std::span<Block> blocks,
                                            std::vector<CompensatedBlock>& out) {
   const std::vector<Diagnostic>& reports = passes_->diagnostics.pending();
   const std::size_t reports_before = reports.size();
-  std::uint64_t line = 0;
-  for (std::size_t i = 0; i < blocks.size(); ++i) {
-    const bool in_next_line = index_of(blocks[i]) != std::exchange(line, index_of(blocks[i]));
-    if (in_next_line && reports.size() > reports_before) return i;
-    if (!take(blocks[i], out)) break;
+  std::size_t taken = 0;
+  while (taken < blocks.size() && !passes_->diagnostics.stopped()) {
+    const bool reported = reports.size() > reports_before;
+    if (reported && index_of(blocks[taken]) != index_of(blocks[taken - 1])) return taken;
+    taken += take(blocks.subspan(taken, reported ? 1 : blocks.size() - taken), out);
   }
   return blocks.size();
 }
 
-bool Compensator::take(Block& block, std::vector<CompensatedBlock>& out) {
-  ++passes_->reporting.summary().blocks_in;
-  passes_->programmed = {&block, 1};
-  const bool goes_on = passes_->step(Input::more, out);
+std::size_t Compensator::take(std::span<Block> blocks, std::vector<CompensatedBlock>& out) {
+  Summary& summary = passes_->reporting.summary();
+  if (const std::size_t count = passes_->run(blocks, out); count > 0) {
+    summary.blocks_in += count;
+    return count;
+  }
+  ++summary.blocks_in;
+  passes_->programmed = blocks.first(1);
+  passes_->step(Input::more, out);
   passes_->programmed = {};
-  return goes_on;
+  return 1;
 }
 
 bool Compensator::finish(const TrcMode& at_end, std::vector<CompensatedBlock>& out) {

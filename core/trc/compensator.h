@@ -78,7 +78,8 @@ class Compensator {
   [[nodiscard]] std::size_t look_ahead() const;
 
  private:
-  bool take(Block& block, std::vector<CompensatedBlock>& out);
+  // Takes the first block, or as many as nothing can be reported of. Returns how many.
+  std::size_t take(std::span<Block> blocks, std::vector<CompensatedBlock>& out);
 
   struct Passes;
   std::unique_ptr<Passes> passes_;

@@ -16,6 +16,14 @@ bool within(const Point& point, double limit) {
 
 }  // namespace
 
+std::optional<Code> out_of_range(const Segment& path, const Tolerances& tolerances) {
+  const double limit = tolerances.largest_coordinate;
+  if (!within(end_of(path), limit)) return Code::end_point_out_of_range;
+  const auto* arc = std::get_if<Arc>(&path);
+  if (arc != nullptr && !within(arc->center, limit)) return Code::center_out_of_range;
+  return std::nullopt;
+}
+
 bool ContourViolations::apply(PathBlock& block) {
   if (block.role == Role::passive || block.role == Role::uncompensated) return true;
   if (block.role == Role::contour && !block.masked) {
@@ -27,8 +35,8 @@ bool ContourViolations::apply(PathBlock& block) {
 
 bool ContourViolations::check_line(const PathBlock& block) {
   const Vector travelled = end_of(block.tool_path) - start_of(block.tool_path);
-  const double along = travelled.dot(block.tangent_at_end);
-  return along >= -tolerances_.on_contour || report_reversed(block, along);
+  return !runs_back(travelled, block.tangent_at_end, tolerances_) ||
+         report_reversed(block, travelled.dot(block.tangent_at_end));
 }
 
 bool ContourViolations::report_reversed(const PathBlock& block, double along) {
@@ -42,7 +50,7 @@ bool ContourViolations::report_reversed(const PathBlock& block, double along) {
 bool ContourViolations::check_arc(const PathBlock& block, const Arc& programmed) {
   const double sweep = std::abs(programmed.sweep);
   const double left = sweep - block.cut_at_start - block.cut_at_end;
-  return left * parallel_radius(programmed, block.at_end.shift) >= -tolerances_.on_contour ||
+  return !is_consumed(left, parallel_radius(programmed, block.at_end.shift), tolerances_) ||
          report_wrapped(block, left, sweep);
 }
 
@@ -55,12 +63,8 @@ bool ContourViolations::report_wrapped(const PathBlock& block, double left, doub
 }
 
 bool ContourViolations::check_range(const PathBlock& block) {
-  const double limit = tolerances_.largest_coordinate;
-  const auto* arc = std::get_if<Arc>(&block.tool_path);
-  const bool end_fits = within(end_of(block.tool_path), limit);
-  if (!end_fits) return report_out_of_range(block, Code::end_point_out_of_range);
-  return arc == nullptr || within(arc->center, limit) ||
-         report_out_of_range(block, Code::center_out_of_range);
+  const std::optional<Code> problem = out_of_range(block.tool_path, tolerances_);
+  return !problem || report_out_of_range(block, *problem);
 }
 
 bool ContourViolations::report_out_of_range(const PathBlock& block, Code code) {

@@ -1,10 +1,24 @@
 #pragma once
 
+#include <optional>
+
 #include "core/base/diagnostics.h"
 #include "core/base/tolerances.h"
 #include "core/trc/path_block.h"
 
 namespace trc {
+
+// What is a contour violation, mm and rad as in PathBlock. A line that runs against its tangent:
+[[nodiscard]] inline bool runs_back(const Vector& travelled, const Vector& tangent,
+                                    const Tolerances& tolerances) {
+  return travelled.dot(tangent) < -tolerances.on_contour;
+}
+// An arc of whose equidistant with this radius the corners leave less than nothing:
+[[nodiscard]] inline bool is_consumed(double left, double radius, const Tolerances& tolerances) {
+  return left * radius < -tolerances.on_contour;
+}
+// The first coordinate of the path that no control takes (90133, 90134), or nothing.
+[[nodiscard]] std::optional<Code> out_of_range(const Segment& path, const Tolerances& tolerances);
 
 // Finds contour violations: a compensated line that runs against the programmed
 // one (90019), an arc that has been consumed and wraps round (90038). G140 stops

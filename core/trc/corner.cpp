@@ -5,8 +5,6 @@
 #include <limits>
 #include <numbers>
 
-#include "core/geometry/parallel.h"
-
 namespace trc {
 namespace {
 
@@ -49,17 +47,6 @@ double slack_of(const OffsetCurve& before, const OffsetCurve& after, const Toler
   return std::max(std::min(of_place, tolerances.on_contour), tolerances.same_point);
 }
 
-// An angle as small as the tolerance is its own sine.
-bool is_parallel(const Corner& corner, const Tolerances& tolerances) {
-  return std::abs(corner.sine_of_turn()) <= tolerances.tangent * std::abs(corner.cosine_of_turn());
-}
-bool goes_straight_on(const Corner& corner, const Tolerances& tolerances) {
-  return corner.cosine_of_turn() > 0 && is_parallel(corner, tolerances);
-}
-bool goes_back(const Corner& corner, const Tolerances& tolerances) {
-  return corner.cosine_of_turn() < 0 && is_parallel(corner, tolerances);
-}
-
 bool leaves_slit(const Segment& before, const Segment& after, double shift,
                  const Tolerances& tolerances) {
   double opening = 0;  // curvature by which the second block leaves the first to its right
@@ -76,6 +63,13 @@ bool leaves_slit(const Segment& before, const Segment& after, double shift,
   return opening * shift < 0 && gap > 10 * tolerances.on_contour;
 }
 
+// Of the absolute value; from sine and cosine, of which one is always exact enough.
+double tangent_of_half_turn(const Corner& corner) {
+  const double sine = std::abs(corner.sine_of_turn());
+  const double cosine = corner.cosine_of_turn();
+  return cosine > 0 ? sine / (1 + cosine) : (1 - cosine) / sine;
+}
+
 // The crossing of the two tangents; the corner is not a reversal.
 Point mitre_point(const Corner& corner) {
   const Vector& before = corner.before.tangent;
@@ -86,27 +80,17 @@ Point mitre_point(const Corner& corner) {
 
 }  // namespace
 
-OffsetCurve offset_curve(const Segment& programmed, const Vector& tangent, const Point& anchor,
-                         double shift) {
-  OffsetCurve curve{.anchor = anchor, .tangent = tangent};
-  if (const auto* arc = std::get_if<Arc>(&programmed)) {
-    curve.circular = true;
-    curve.counter_clockwise = arc->sweep > 0;
-    curve.circle = {.center = arc->center, .radius = parallel_radius(*arc, shift)};
-  }
-  return curve;
-}
-
 bool reverses_into_slit(const Corner& corner, const Segment& before, const Segment& after,
                         const Tolerances& tolerances) {
-  return goes_back(corner, tolerances) && leaves_slit(before, after, corner.shift, tolerances);
+  return is_reversal(corner, tolerances) && leaves_slit(before, after, corner.shift, tolerances);
 }
 
 CornerKind kind_of(const Corner& corner, const Tolerances& tolerances) {
-  if (goes_straight_on(corner, tolerances)) return CornerKind::tangential;
-  if ((corner.after.anchor - corner.before.anchor).norm() <= tolerances.same_point)
-    return CornerKind::tangential;
-  if (goes_back(corner, tolerances)) return corner.slit ? CornerKind::inside : CornerKind::outside;
+  const bool parallel = is_parallel(corner, tolerances);
+  if (parallel && corner.cosine_of_turn() > 0) return CornerKind::tangential;
+  const double gap = (corner.after.anchor - corner.before.anchor).squaredNorm();
+  if (gap <= tolerances.same_point * tolerances.same_point) return CornerKind::tangential;
+  if (parallel) return corner.slit ? CornerKind::inside : CornerKind::outside;
   return corner.sine_of_turn() * corner.shift > 0 ? CornerKind::inside : CornerKind::outside;
 }
 
@@ -170,7 +154,7 @@ std::optional<MeetingPoint> nearest_meeting(const OffsetCurve& before, const Off
 std::optional<MeetingPoint> inside_joint(const Corner& corner, const Tolerances& tolerances) {
   if (corner.before.circular || corner.after.circular)
     return nearest_meeting(corner.before, corner.after, tolerances);
-  const double cut = corner.tool_radius() * std::tan(std::abs(corner.turn()) / 2);
+  const double cut = corner.tool_radius() * tangent_of_half_turn(corner);
   return MeetingPoint{.point = mitre_point(corner), .cut_before = cut, .cut_after = cut};
 }
 

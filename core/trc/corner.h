@@ -8,6 +8,7 @@
 
 #include "core/base/tolerances.h"
 #include "core/geometry/intersect.h"
+#include "core/geometry/parallel.h"
 #include "core/geometry/segment.h"
 #include "core/nc/trc_mode.h"
 
@@ -27,8 +28,16 @@ struct OffsetCurve {
 };
 
 // `shift` as in Compensation.
-[[nodiscard]] OffsetCurve offset_curve(const Segment& programmed, const Vector& tangent,
-                                       const Point& anchor, double shift);
+[[nodiscard]] inline OffsetCurve offset_curve(const Segment& programmed, const Vector& tangent,
+                                              const Point& anchor, double shift) {
+  OffsetCurve curve{.anchor = anchor, .tangent = tangent};
+  if (const auto* arc = std::get_if<Arc>(&programmed)) {
+    curve.circular = true;
+    curve.counter_clockwise = arc->sweep > 0;
+    curve.circle = {.center = arc->center, .radius = parallel_radius(*arc, shift)};
+  }
+  return curve;
+}
 
 // Two blocks meeting in the programmed point E.
 struct Corner {
@@ -55,6 +64,15 @@ enum class CornerKind { tangential, inside, outside };
 // below ten times the contour tolerance is the same way back.
 [[nodiscard]] bool reverses_into_slit(const Corner& corner, const Segment& before,
                                       const Segment& after, const Tolerances& tolerances);
+
+// Whether the path goes straight on or straight back there: an angle as small as the tolerance is
+// its own sine.
+[[nodiscard]] inline bool is_parallel(const Corner& corner, const Tolerances& tolerances) {
+  return std::abs(corner.sine_of_turn()) <= tolerances.tangent * std::abs(corner.cosine_of_turn());
+}
+[[nodiscard]] inline bool is_reversal(const Corner& corner, const Tolerances& tolerances) {
+  return corner.cosine_of_turn() < 0 && is_parallel(corner, tolerances);
+}
 
 // An exact reversal is an outside corner of 360 degrees (D-05), or, where it
 // leaves a slit, an inside corner of none.

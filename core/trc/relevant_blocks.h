@@ -28,6 +28,11 @@ class RelevantBlocks {
   bool drain(PathBlocks& out);
   [[nodiscard]] std::size_t look_ahead() const { return 1; }
 
+  // The block held back, if there is one. ContourRun puts a later one of the same mode in its
+  // place.
+  [[nodiscard]] PathBlock* held() { return held_.get(); }
+  void go_on_from_held() { last_path_ = held_->programmed.path; }
+
   // The program ended in this mode: a G40 that nothing followed still ends the
   // contour. Called before drain.
   void end_in(const TrcMode& mode) { end_mode_ = mode; }

@@ -11,19 +11,24 @@
 namespace trc {
 namespace {
 
-// Directions of travel at the ends, any length; cheaper than unit tangents.
-Vector direction_at_start(const Segment& segment) {
-  const auto* arc = std::get_if<Arc>(&segment);
-  if (arc == nullptr) return end_of(segment) - start_of(segment);
-  const Vector left = left_of(arc->start - arc->center);
-  return arc->sweep > 0 ? left : Vector(-left);
-}
+// What a planner asks of a segment. The directions of travel at its ends have any length.
+struct Travel {
+  Vector begins = Vector::Zero();
+  Vector ends = Vector::Zero();
+  double length = 0;
+};
 
-Vector direction_at_end(const Segment& segment) {
+Travel travel_of(const Segment& segment) {
   const auto* arc = std::get_if<Arc>(&segment);
-  if (arc == nullptr) return end_of(segment) - start_of(segment);
-  const Vector left = left_of(arc->end - arc->center);
-  return arc->sweep > 0 ? left : Vector(-left);
+  if (arc == nullptr) {
+    const Vector way = end_of(segment) - start_of(segment);
+    return {.begins = way, .ends = way, .length = way.norm()};
+  }
+  const double sense = arc->sweep > 0 ? 1 : -1;
+  const Vector out = arc->start - arc->center;
+  return {.begins = sense * left_of(out),
+          .ends = sense * left_of(arc->end - arc->center),
+          .length = std::abs(arc->sweep) * out.norm()};
 }
 
 }  // namespace
@@ -35,33 +40,40 @@ bool Reporting::feed(PathBlockPtr&& owner, std::vector<CompensatedBlock>& out) {
     return true;
   }
   MotionBlock& programmed = block.programmed;
-  const Plane plane = block.mode().plane;
-  check(to_plane(plane, position_) == start_of(block.tool_path) &&
-            position_[axes_of(plane).third] == programmed.normal.from,
-        "a block starts where the one before ended");
-  position_ = from_plane(plane, end_of(block.tool_path), programmed.normal.to);
   const bool adapts = block.mode().feed_adaptation == FeedAdaptation::on;
   const double factor = adapts ? feed_factor(block) : 1;
-
-  CompensatedBlock& result = out.emplace_back();
-  result.source = programmed.source;
-  result.origin = block.origin;
-  result.plane = plane;
-  result.rapid = programmed.rapid && !is_arc(block.tool_path);
-  result.tangential = is_tangential(block);
-  result.path = block.tool_path;
-  result.normal = programmed.normal;
+  CompensatedBlock& result = put_out(programmed, block.mode(), block.origin, block.tool_path, out);
   result.feed = std::min(programmed.feed * factor, tolerances_.largest_feed);
-  result.tracking = std::move(programmed.tracking);
   if (inverse_path_) {
     if (auto recovered = inverse_path(block, tolerances_.same_point))
       result.inverse = std::make_shared<const Segment>(*recovered);
   }
-  last_direction_ = direction_at_end(result.path);
   if (block.role != Role::inserted) summary_.programmed_length += length_of(programmed.path);
-  count(result);
   if (!block.riders.empty()) let_off(block.riders, out);
   return !diagnostics_.stopped();
+}
+
+CompensatedBlock& Reporting::put_out(MotionBlock& programmed, const TrcMode& mode, Origin origin,
+                                     const Segment& tool_path, std::vector<CompensatedBlock>& out) {
+  const Plane plane = mode.plane;
+  check(to_plane(plane, position_) == start_of(tool_path) &&
+            position_[axes_of(plane).third] == programmed.normal.from,
+        "a block starts where the one before ended");
+  position_ = from_plane(plane, end_of(tool_path), programmed.normal.to);
+  const Travel travel = travel_of(tool_path);
+  CompensatedBlock& result = out.emplace_back();
+  result.source = programmed.source;
+  result.origin = origin;
+  result.plane = plane;
+  result.rapid = programmed.rapid && !is_arc(tool_path);
+  result.tangential = goes_straight_on(travel.begins, mode);
+  result.path = tool_path;
+  result.normal = programmed.normal;
+  result.feed = std::min(programmed.feed, tolerances_.largest_feed);
+  result.tracking = std::move(programmed.tracking);
+  last_direction_ = travel.ends;
+  count(result, travel.length);
+  return result;
 }
 
 void Reporting::let_off(std::vector<PassiveBlock>& riders, std::vector<CompensatedBlock>& out) {
@@ -80,7 +92,7 @@ void Reporting::let_off(std::vector<PassiveBlock>& riders, std::vector<Compensat
     result.tracking = std::move(rider.tracking);
     result.text = std::move(rider.text);
     position_ = from_plane(result.plane, place, rider.normal.to);
-    count(result);
+    count(result, 0);
   }
   riders.clear();
 }
@@ -115,21 +127,20 @@ double Reporting::feed_factor(const PathBlock& block) {
   return std::max(at_center / at_contour, smallest_feed_factor_);
 }
 
-bool Reporting::is_tangential(const PathBlock& block) {
-  const Vector direction = direction_at_start(block.tool_path);
+bool Reporting::goes_straight_on(const Vector& direction, const TrcMode& mode) {
   const double along = last_direction_.dot(direction);
   if (along <= 0) return false;
-  if (const double limit = block.mode().options.tangential_limit; limit != tangential_limit_) {
+  if (const double limit = mode.options.tangential_limit; limit != tangential_limit_) {
     tangential_limit_ = limit;
     tangent_of_limit_ = std::tan(limit * std::numbers::pi / 180);
   }
   return std::abs(cross(last_direction_, direction)) <= tangent_of_limit_ * along;
 }
 
-void Reporting::count(const CompensatedBlock& block) {
+void Reporting::count(const CompensatedBlock& block, double length) {
   ++summary_.blocks_out;
   ++summary_.blocks_by_origin[static_cast<std::size_t>(block.origin)];
-  summary_.compensated_length += length_of(block.path);
+  summary_.compensated_length += length;
 }
 
 }  // namespace trc

@@ -24,6 +24,9 @@ class Reporting {
 
   bool feed(PathBlockPtr&& owner, std::vector<CompensatedBlock>& out);
   bool drain(std::vector<CompensatedBlock>& /*out*/) { return true; }
+  // One block of the path, programmed under the mode. Takes its tracking axes out of it.
+  CompensatedBlock& put_out(MotionBlock& programmed, const TrcMode& mode, Origin origin,
+                            const Segment& tool_path, std::vector<CompensatedBlock>& out);
   [[nodiscard]] std::size_t look_ahead() const { return 0; }
 
   [[nodiscard]] Summary& summary() { return summary_; }
@@ -37,8 +40,8 @@ class Reporting {
   void let_off(std::vector<PassiveBlock>& riders, std::vector<CompensatedBlock>& out);
   // F' / F: what the feed of the tool centre is multiplied by under G11.
   double feed_factor(const PathBlock& block);
-  [[nodiscard]] bool is_tangential(const PathBlock& block);
-  void count(const CompensatedBlock& block);
+  [[nodiscard]] bool goes_straight_on(const Vector& direction, const TrcMode& mode);
+  void count(const CompensatedBlock& block, double length);
 
   double smallest_feed_factor_;
   bool inverse_path_;

@@ -6,6 +6,7 @@
 
 #include "core/geometry/parallel.h"
 #include "core/trc/joints.h"
+#include "core/trc/tool_path.h"
 
 namespace trc {
 namespace {
@@ -13,23 +14,6 @@ namespace {
 constexpr double pi = std::numbers::pi;
 
 bool is_contour(const PathBlock& block) { return block.role == Role::contour; }
-
-// An arc shortened by what its two corners take off. The sweep is adjusted, not
-// recomputed: for an almost full circle the angle between the new ends cannot
-// tell 2 pi from 0.
-Segment shortened(const Arc& programmed, const PathBlock& block, const Point& end,
-                  const Tolerances& tolerances) {
-  const double sense = programmed.sweep > 0 ? 1 : -1;
-  double left = std::abs(programmed.sweep) - block.cut_at_start - block.cut_at_end;
-  const double radius = (block.tool_start - programmed.center).norm();
-  if (left * radius <= tolerances.same_point && left * radius >= -tolerances.on_contour)
-    return Line{.start = block.tool_start, .end = end};
-  // A consumed arc keeps its sense and wraps round (90038). Where loops are removed
-  // it runs backwards, as a line does: LoopRemoval sees what is left of it.
-  if (left < 0 && !block.removes_loops()) left += 2 * pi;
-  return Arc{
-      .start = block.tool_start, .end = end, .center = programmed.center, .sweep = sense * left};
-}
 
 // Builds the tool path between tool_start and `end`.
 void complete(PathBlock& block, const Point& end, const Tolerances& tolerances) {
@@ -44,7 +28,9 @@ void complete(PathBlock& block, const Point& end, const Tolerances& tolerances) 
   } else if (is_contour(block) && block.at_start != block.at_end) {
     block.tool_path = refitted(*arc, block.tool_start, end, tolerances.on_contour);  // D-20
   } else {
-    block.tool_path = shortened(*arc, block, end, tolerances);
+    const double left = left_of_block(block, block.cut_at_start, block.cut_at_end);
+    block.tool_path =
+        shortened(*arc, block.tool_start, end, left, block.removes_loops(), tolerances);
   }
 }
 
@@ -54,25 +40,19 @@ void open(PathBlock& block, const Point& start, double cut, const Tolerances& to
   if (!block.at_end.active) complete(block, end_of(block.programmed.path), tolerances);
 }
 
-AxisTravel standing(double position) { return {.from = position, .to = position}; }
-
-// What all blocks inserted between the two have in common. Third axis and
-// tracking axes stand still in them (D-26), where the riders have left them.
+// Behind its riders, if the block has any.
 PathBlockPtr insertion_behind(const PathBlock& before, const PathBlock& after) {
-  const MotionBlock& programmed = before.programmed;
-  const PassiveBlock* rider = before.riders.empty() ? nullptr : &before.riders.back();
-  const TrackingTravel& tracking = rider != nullptr ? rider->tracking : programmed.tracking;
   auto inserted = std::make_unique_for_overwrite<PathBlock>();
   inserted->role = Role::inserted;
   inserted->at_start = inserted->at_end = before.at_end;
-  MotionBlock& motion = inserted->programmed;
-  motion.source = programmed.source;
-  motion.mode = programmed.mode;
-  motion.feed = programmed.feed > 0 ? programmed.feed : after.programmed.feed;
-  motion.rapid = programmed.rapid && after.programmed.rapid;
-  motion.normal = standing((rider != nullptr ? rider->normal : programmed.normal).to);
-  motion.tracking.reserve(tracking.size());
-  for (const AxisTravel& axis : tracking) motion.tracking.push_back(standing(axis.to));
+  inserted->programmed = insertion_behind(before.programmed, after.programmed);
+  inserted->programmed.mode = before.programmed.mode;
+  if (before.riders.empty()) return inserted;
+  const PassiveBlock& rider = before.riders.back();
+  inserted->programmed.normal = standing(rider.normal.to);
+  inserted->programmed.tracking.clear();
+  for (const AxisTravel& axis : rider.tracking)
+    inserted->programmed.tracking.push_back(standing(axis.to));
   return inserted;
 }
 

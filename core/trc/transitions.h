@@ -31,6 +31,8 @@ class Transitions {
   bool feed(PathBlockPtr&& block, PathBlocks& out);
   bool drain(PathBlocks& out);
   [[nodiscard]] std::size_t look_ahead() const { return 1; }
+  // The block whose end is still open, if nothing waits behind it. ContourRun goes on from it.
+  [[nodiscard]] PathBlock* open_block() { return masked_.empty() ? held_.get() : nullptr; }
 
   template <class Archive>
   void serialize(Archive& archive) {

@@ -360,6 +360,31 @@ TEST_P(EveryContour, IsTheSameInEveryBatching) {
   });
 }
 
+// Single blocks go through all passes; several at once take the short way (ContourRun) wherever
+// nothing is about them: up to a violation, a text and what each batch leaves.
+TEST_P(EveryContour, IsTheSameTheShortWay) {
+  constexpr std::size_t long_ones = 40;
+  const auto flavor_seed = (101 + static_cast<std::uint64_t>(GetParam())) * 1'000'000;
+  for (std::uint64_t seed = flavor_seed; seed < flavor_seed + contours_per_flavor(); ++seed) {
+    Random random(seed);
+    Sample tested{.mode = random_mode(random)};
+    const auto& make = seed % 8 == 0 ? random_clean_contour : random_contour;
+    tested.contour = make(random, GetParam(), tested.mode, long_ones);
+    Feeding feeding = full_feeding();
+    feeding.texts = [](std::size_t ordinal) {
+      return std::vector<std::string>(ordinal % 17 == 11 ? 1 : 0, "M7");
+    };
+    const Outcome single = compensate(tested.contour, tested.mode, feeding);
+    for (const std::size_t batch : {0, 4, 7}) {
+      feeding.batch = batch;
+      const Outcome batched = compensate(tested.contour, tested.mode, feeding);
+      ASSERT_TRUE(same(batched, single)) << story(seed, tested) << "batch of " << batch << '\n'
+                                         << text_of(batched.blocks) << "single blocks\n"
+                                         << text_of(single.blocks);
+    }
+  }
+}
+
 TEST_P(EveryContour, HoldsAtMostTwoRelevantBlocks) {
   for_each_contour([](const Sample& tested) {
     Feeding feeding;
