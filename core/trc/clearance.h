@@ -32,8 +32,10 @@ class Clearance {
 
   bool feed(PathBlockPtr block, PathBlocks& out);
   bool drain(PathBlocks& out) { return end_selection(out); }
+  [[nodiscard]] bool is_empty() const { return held_.empty() && contour_.empty(); }
   [[nodiscard]] bool ignores(const PathBlock& block) const {
-    return held_.empty() && contour_.empty() && !implicit_ && block.mode().masking == Masking::off;
+    return is_empty() &&
+           (block.removes_loops() || (!implicit_ && block.mode().masking == Masking::off));
   }
   [[nodiscard]] std::size_t look_ahead() const { return window_; }
 

@@ -45,18 +45,26 @@ struct Compensator::Passes {
         clearance(setup.implicit_contour_masking, setup.limits.look_ahead_blocks,
                   setup.limits.selection_blocks, setup.tolerances, log, checkpoint),
         reporting(setup, log),
-        contour_run(setup.inverse_path, setup.tolerances, reporting) {}
+        contour_run(setup.inverse_path, setup.tolerances, loop_removal, reporting) {}
 
   // clang-format off
   bool step(Input input, std::vector<CompensatedBlock>& out) {
     if (diagnostics.stopped() || !find_path(input)) return false;
     while (loop_removal.is_leaving()) {
-      if (!loop_removal.let_go_some(path.blocks) || !finish_path(Input::more, out)) return false;
+      if (!let_go(out)) return false;
       if (out.size() < portion || !take_portion) continue;
       take_portion(out);
       if (diagnostics.stopped()) return false;  // by a verification of what it has taken
     }
     return finish_path(input, out);
+  }
+  // Blocks that leave a selection as they came go straight into the result; where one does not, a
+  // few go through the passes.
+  bool let_go(std::vector<CompensatedBlock>& out) {
+    if (!path.blocks.empty() || !clearance.is_empty() || !loop_removal.let_go_next(leaving))
+      return loop_removal.let_go_some(path.blocks) && finish_path(Input::more, out);
+    checkpoint.pass();
+    return contour_violations.apply(leaving) && reporting.feed(leaving, out);
   }
   bool find_path(Input input) {
     return advance(relevant_blocks,    programmed,  path.blocks, input, checkpoint)
@@ -89,15 +97,16 @@ struct Compensator::Passes {
     PathBlock* held = relevant_blocks.held();
     PathBlock* open = transitions.open_block();
     if (blocks.size() < worthwhile || held == nullptr || open == nullptr) return 0;
-    if (!contour_run.may_begin(*open, *held) || !idle_for(*held)) return 0;
+    if (diagnostics.stopped() || !contour_run.may_begin(*open, *held) || !idle_for(*held)) return 0;
     const std::size_t count = contour_run.take(*open, *held, blocks, out);
     if (count > 0) relevant_blocks.go_on_from_held();
     return count;
   }
   [[nodiscard]] bool idle_for(const PathBlock& block) const {
-    return !diagnostics.stopped() && kerf_masking.ignores(block) && inside_corner.ignores(block) &&
-           contour_masking.ignores(block) && loop_removal.ignores(block) &&
-           clearance.ignores(block);
+    return kerf_masking.ignores(block) && inside_corner.ignores(block) &&
+           contour_masking.ignores(block) &&
+           (loop_removal.takes_contour() ||
+            (loop_removal.ignores(block) && clearance.ignores(block)));
   }
 
   static constexpr std::size_t portion = 1024;
@@ -121,6 +130,7 @@ struct Compensator::Passes {
 
   std::span<Block> programmed;  // of the caller: one block
   OnTheWay<PathBlockPtr> path;
+  PathBlock leaving;  // a place for one after the other
 };
 
 Compensator::Compensator(const CompensatorSetup& setup, Diagnostics& diagnostics)

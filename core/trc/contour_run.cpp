@@ -1,23 +1,26 @@
 #include "core/trc/contour_run.h"
 
+#include <algorithm>
 #include <cmath>
-#include <optional>
 #include <utility>
 #include <variant>
 
 #include "core/geometry/parallel.h"
 #include "core/trc/contour_violations.h"
+#include "core/trc/joints.h"
 #include "core/trc/tool_path.h"
 
 namespace trc {
 namespace {
 
-bool is_plain(const TrcMode& mode) {
+bool is_plain(const TrcMode& mode, bool removes_loops) {
   const TrcOptions& options = mode.options;
-  return mode.masking == Masking::off && mode.feed_adaptation == FeedAdaptation::off &&
-         !options.kerf_masking && !options.ignore_cont_damage &&
-         !options.ext_angle_block_intersection && !options.gen_cir_block_in_corner &&
-         !options.inverse;
+  if (options.kerf_masking || options.conv_cir_to_lin || options.ext_angle_block_intersection ||
+      options.gen_cir_block_in_corner || options.inverse)
+    return false;
+  return removes_loops ||
+         (mode.masking == Masking::off && mode.feed_adaptation == FeedAdaptation::off &&
+          !options.ignore_cont_damage);
 }
 
 // In the middle of a contour, under one compensation, and nothing else.
@@ -28,17 +31,33 @@ bool is_plain(const PathBlock& block) {
          !block.unreachable && block.riders.empty() && block.riders_after_exit.empty();
 }
 
+// A place for blocks of a run to be held from.
+void make_ready(PathBlock& place, Role role, Origin origin, const PathBlock& held) {
+  place.role = role;
+  place.origin = origin;
+  place.at_start = place.at_end = held.at_end;
+  if (place.programmed.mode != held.programmed.mode) place.programmed.mode = held.programmed.mode;
+}
+
 }  // namespace
 
 bool ContourRun::may_begin(const PathBlock& open, const PathBlock& held) const {
-  return !inverse_path_ && is_plain(open) && is_plain(held) && open.at_end == held.at_end &&
-         open.programmed.mode == held.programmed.mode && is_plain(held.mode());
+  const bool removes_loops = loop_removal_.takes_contour();
+  return (removes_loops || !inverse_path_) && held.removes_loops() == removes_loops &&
+         is_plain(open) && is_plain(held) && open.at_end == held.at_end &&
+         open.programmed.mode == held.programmed.mode && is_plain(held.mode(), removes_loops);
 }
 
 std::size_t ContourRun::take(PathBlock& open, PathBlock& held, std::span<Block> blocks,
                              std::vector<CompensatedBlock>& out) {
   mode_ = held.programmed.mode.get();
   shift_ = held.at_end.shift;
+  going_ = true;
+  removes_loops_ = held.removes_loops();
+  if (removes_loops_) {
+    make_ready(contour_block_, Role::contour, Origin::programmed, held);
+    make_ready(inserted_, Role::inserted, Origin::transition, held);
+  }
   Step step = offset(open.programmed);
   step.tool_start = open.tool_start;
   step.cut_at_start = open.cut_at_start;
@@ -46,9 +65,9 @@ std::size_t ContourRun::take(PathBlock& open, PathBlock& held, std::span<Block> 
   std::size_t count = 0;
   for (Block& block : blocks) {
     auto* motion = std::get_if<MotionBlock>(&block);
-    if (motion == nullptr || motion->mode.get() != mode_) break;
+    if (motion == nullptr || motion->mode.get() != mode_ || !going_) break;
     Step next = offset(*last);
-    if (!exists(next) || !join(step, next, out)) break;
+    if (vanishes(next) || !join(step, next, out)) break;
     step = next;
     last = motion;
     ++count;
@@ -61,6 +80,7 @@ std::size_t ContourRun::take(PathBlock& open, PathBlock& held, std::span<Block> 
   open.offset_end = step.at_end.anchor;
   open.tool_start = step.tool_start;
   open.cut_at_start = step.cut_at_start;
+  open.unreachable = step.unreachable;
   held.programmed = std::move(*last);
   return count;
 }
@@ -74,36 +94,102 @@ ContourRun::Step ContourRun::offset(MotionBlock& programmed) const {
   step.at_end = step.at_start;
   if (step.at_end.circular) step.at_end.tangent = tangent_at_end(path);
   step.at_end.anchor = parallel_point(end_of(path), step.at_end.tangent, shift_);
+  step.unreachable = removes_loops_ && is_unreachable(step);
   return step;
 }
 
-// Else 90017.
-bool ContourRun::exists(const Step& step) const {
-  return !step.at_start.circular || step.at_start.circle.radius >= tolerances_.on_contour;
+bool ContourRun::is_unreachable(const Step& step) const {
+  return step.at_start.circular &&
+         step.at_start.circle.radius <= tolerances_.rounding * std::max(std::abs(shift_), 1.0);
+}
+
+// 90017, where no loops are removed.
+bool ContourRun::vanishes(const Step& step) const {
+  return !removes_loops_ && step.at_start.circular &&
+         step.at_start.circle.radius < tolerances_.on_contour;
 }
 
 bool ContourRun::join(Step& before, Step& after, std::vector<CompensatedBlock>& out) {
+  const std::optional<Joined> result = joined(before, after);
+  if (!result) return false;
+  const Joint& joint = result->joint;
+  const std::optional<Segment> path = tool_path(before, joint);
+  if (!path) return false;
+  after.tool_start = joint.start;
+  after.cut_at_start = joint.cut_after;
+  if (removes_loops_) {
+    hold(before, after, *result, *path);
+    return true;
+  }
+  for (const auto& inserted : joint.inserted())
+    if (out_of_range(*inserted, tolerances_)) return false;
+  put_out(before, after, *result, *path, out);
+  return true;
+}
+
+// The rules between contour blocks (spec 4.2) as joint_between() has them for such blocks.
+std::optional<ContourRun::Joined> ContourRun::joined(const Step& before, const Step& after) const {
   const Corner corner{.programmed = end_of(before.programmed->path),
                       .before = before.at_end,
                       .after = after.at_start,
                       .shift = shift_};
-  const std::optional<Joint> joint = joint_of(corner);
-  if (!joint) return false;
-  const std::optional<Segment> path = tool_path(before, *joint);
-  if (!path) return false;
-  for (const auto& inserted : joint->inserted())
-    if (out_of_range(*inserted, tolerances_)) return false;
+  // Which kind of corner that is takes more than the corner.
+  if (is_reversal(corner, tolerances_)) return std::nullopt;
+  switch (kind_of(corner, tolerances_)) {
+    case CornerKind::tangential:
+      return Joined{.joint = tangential_joint(corner)};
+    case CornerKind::outside:
+      return Joined{.joint = outside_joint(corner,
+                                           {.transition = mode_->transition,
+                                            .stretch_factor = mode_->options.stretch_factor},
+                                           tolerances_)};
+    case CornerKind::inside:
+      break;
+  }
+  return joined_inside(before, after, corner);
+}
 
-  after.tool_start = joint->start;
-  after.cut_at_start = joint->cut_after;
+std::optional<ContourRun::Joined> ContourRun::joined_inside(const Step& before, const Step& after,
+                                                            const Corner& corner) const {
+  if (!removes_loops_) {
+    if (const auto meeting = inside_joint(corner, tolerances_))
+      return Joined{.joint = Joint(*meeting)};
+    return std::nullopt;
+  }
+  const bool vanished = before.unreachable || after.unreachable;
+  const auto meeting = vanished ? std::nullopt : inside_joint_to_all_digits(corner, tolerances_);
+  if (meeting && extent_of(before.programmed->path) >= meeting->cut_before &&
+      extent_of(after.programmed->path) >= meeting->cut_after)
+    return Joined{.joint = Joint(*meeting)};
+  return Joined{.joint = joint_across(corner.before.anchor, corner.after.anchor), .apart = true};
+}
+
+// Nothing where it is a contour violation.
+std::optional<Segment> ContourRun::tool_path(const Step& step, const Joint& joint) const {
+  const auto* arc = std::get_if<Arc>(&step.programmed->path);
+  std::optional<Segment> path;
+  if (arc == nullptr) {
+    if (!removes_loops_ && runs_back(joint.end - step.tool_start, step.at_end.tangent, tolerances_))
+      return path;
+    path = Line{.start = step.tool_start, .end = joint.end};
+  } else {
+    const double left = std::abs(arc->sweep) - step.cut_at_start - joint.cut_before;
+    if (!removes_loops_ && is_consumed(left, step.at_end.circle.radius, tolerances_)) return path;
+    path = shortened(*arc, step.tool_start, joint.end, left, removes_loops_, tolerances_);
+  }
+  if (!removes_loops_ && out_of_range(*path, tolerances_)) path.reset();
+  return path;
+}
+
+void ContourRun::put_out(const Step& before, const Step& after, const Joined& joined,
+                         const Segment& path, std::vector<CompensatedBlock>& out) {
   MotionBlock& programmed = *before.programmed;
   reporting_.summary().programmed_length += length_of(programmed.path);
-  if (joint->inserted().empty()) {
-    reporting_.put_out(programmed, *mode_, Origin::programmed, *path, out);
+  if (const auto inserted = joined.joint.inserted(); inserted.empty()) {
+    reporting_.put_out(programmed, *mode_, Origin::programmed, path, out);
   } else {
-    put_out_with(joint->inserted(), *path, programmed, *after.programmed, out);
+    put_out_with(inserted, path, programmed, *after.programmed, out);
   }
-  return true;
 }
 
 void ContourRun::put_out_with(std::span<const std::optional<Segment>> inserted, const Segment& path,
@@ -119,40 +205,30 @@ void ContourRun::put_out_with(std::span<const std::optional<Segment>> inserted, 
   }
 }
 
-// The rules between contour blocks (spec 4.2) as joint_between() has them for such blocks.
-std::optional<Joint> ContourRun::joint_of(const Corner& corner) const {
-  // Which kind of corner that is takes more than the corner.
-  if (is_reversal(corner, tolerances_)) return std::nullopt;
-  switch (kind_of(corner, tolerances_)) {
-    case CornerKind::tangential:
-      return tangential_joint(corner);
-    case CornerKind::outside:
-      return outside_joint(
-          corner,
-          {.transition = mode_->transition, .stretch_factor = mode_->options.stretch_factor},
-          tolerances_);
-    case CornerKind::inside:
-      break;
+void ContourRun::hold(const Step& before, const Step& after, const Joined& joined,
+                      const Segment& path) {
+  MotionBlock& programmed = *before.programmed;
+  const auto give = [this](PathBlock& block, MotionBlock&& motion, const Segment& tool_path) {
+    std::swap(motion.mode, block.programmed.mode);  // one share of it does for all
+    block.programmed = std::move(motion);
+    block.tool_path = tool_path;
+    going_ = going_ && loop_removal_.hold(block);
+  };
+  const auto inserted = joined.joint.inserted();
+  MotionBlock insertion;
+  if (!inserted.empty()) insertion = insertion_behind(programmed, *after.programmed);
+  contour_block_.tangent_at_start = before.at_start.tangent;
+  contour_block_.tangent_at_end = before.at_end.tangent;
+  contour_block_.cut_at_start = before.cut_at_start;
+  contour_block_.cut_at_end = joined.joint.cut_before;
+  contour_block_.unreachable = before.unreachable;
+  give(contour_block_, std::move(programmed), path);
+  inserted_.unreachable = joined.apart;
+  for (const auto& segment : inserted) {
+    MotionBlock motion = insertion;
+    if (is_arc(*segment)) motion.rapid = false;
+    give(inserted_, std::move(motion), *segment);
   }
-  const std::optional<MeetingPoint> meeting = inside_joint(corner, tolerances_);
-  if (!meeting) return std::nullopt;
-  return Joint(*meeting);
-}
-
-// Nothing where it is a contour violation.
-std::optional<Segment> ContourRun::tool_path(const Step& step, const Joint& joint) const {
-  const auto* arc = std::get_if<Arc>(&step.programmed->path);
-  std::optional<Segment> path;
-  if (arc == nullptr) {
-    if (runs_back(joint.end - step.tool_start, step.at_end.tangent, tolerances_)) return path;
-    path = Line{.start = step.tool_start, .end = joint.end};
-  } else {
-    const double left = std::abs(arc->sweep) - step.cut_at_start - joint.cut_before;
-    if (is_consumed(left, step.at_end.circle.radius, tolerances_)) return path;
-    path = shortened(*arc, step.tool_start, joint.end, left, false, tolerances_);
-  }
-  if (out_of_range(*path, tolerances_)) path.reset();
-  return path;
 }
 
 }  // namespace trc

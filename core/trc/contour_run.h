@@ -9,25 +9,32 @@
 #include "core/nc/block.h"
 #include "core/trc/compensated_block.h"
 #include "core/trc/corner.h"
+#include "core/trc/loop_removal.h"
 #include "core/trc/path_block.h"
 #include "core/trc/reporting.h"
 
 namespace trc {
 
 // The short way for what nearly all blocks of a program are: motion in the middle of a contour, of
-// one mode and with nothing about it. Only Offset, Transitions and Reporting make anything of
-// such blocks, so they go from the corner straight into the result, without becoming path blocks.
+// one mode and with nothing about it. Only Offset, Transitions and Reporting, or LoopRemoval, make
+// anything of such blocks, so they go from the corner straight to the last two, without becoming
+// path blocks.
 //
 // What comes out, and when, is bit for bit what the passes put out. It asks the same geometry
 // the same questions; whatever is to be reported, or takes more than a rule for two blocks, it
 // leaves to them: it stops before such a block, as if it had never been there.
 class ContourRun {
  public:
-  ContourRun(bool inverse_path, const Tolerances& tolerances, Reporting& reporting)
-      : inverse_path_(inverse_path), tolerances_(tolerances), reporting_(reporting) {}
+  ContourRun(bool inverse_path, const Tolerances& tolerances, LoopRemoval& loop_removal,
+             Reporting& reporting)
+      : inverse_path_(inverse_path),
+        tolerances_(tolerances),
+        loop_removal_(loop_removal),
+        reporting_(reporting) {}
 
   // Whether a run may begin behind these two blocks: `open` has its start, but not yet its end,
-  // `held` has neither. No pass behind Transitions holds or wants them.
+  // `held` has neither. No pass behind Transitions holds or wants them, but LoopRemoval where it
+  // holds the contour before them.
   [[nodiscard]] bool may_begin(const PathBlock& open, const PathBlock& held) const;
   // Takes blocks from the front of `blocks`, which then stand in `open` and `held`, and puts out
   // what lay before them. Returns how many.
@@ -40,27 +47,44 @@ class ContourRun {
     MotionBlock* programmed = nullptr;
     OffsetCurve at_start{};
     OffsetCurve at_end{};
+    bool unreachable = false;  // as in PathBlock
     Point tool_start = Point::Zero();
     double cut_at_start = 0;  // as in PathBlock
   };
+  struct Joined {
+    Joint joint{};
+    bool apart = false;  // as in JoinedBlocks
+  };
 
   [[nodiscard]] Step offset(MotionBlock& programmed) const;
+  [[nodiscard]] bool vanishes(const Step& step) const;
+  [[nodiscard]] bool is_unreachable(const Step& step) const;
   // Puts out `before` and what is inserted behind it. Returns false, and does nothing, where the
   // passes have to do it.
   bool join(Step& before, Step& after, std::vector<CompensatedBlock>& out);
+  [[nodiscard]] std::optional<Joined> joined(const Step& before, const Step& after) const;
+  [[nodiscard]] std::optional<Joined> joined_inside(const Step& before, const Step& after,
+                                                    const Corner& corner) const;
+  [[nodiscard]] std::optional<Segment> tool_path(const Step& step, const Joint& joint) const;
+
+  void put_out(const Step& before, const Step& after, const Joined& joined, const Segment& path,
+               std::vector<CompensatedBlock>& out);
   void put_out_with(std::span<const std::optional<Segment>> inserted, const Segment& path,
                     MotionBlock& programmed, const MotionBlock& after,
                     std::vector<CompensatedBlock>& out);
-  [[nodiscard]] bool exists(const Step& step) const;
-  [[nodiscard]] std::optional<Joint> joint_of(const Corner& corner) const;
-  [[nodiscard]] std::optional<Segment> tool_path(const Step& step, const Joint& joint) const;
+  void hold(const Step& before, const Step& after, const Joined& joined, const Segment& path);
 
   bool inverse_path_;
   Tolerances tolerances_;
+  LoopRemoval& loop_removal_;
   Reporting& reporting_;
   // Of the run.
   const TrcMode* mode_ = nullptr;
   double shift_ = 0;  // as in Compensation
+  bool removes_loops_ = false;
+  bool going_ = true;
+  PathBlock contour_block_{};  // as LoopRemoval wants them; places for one after the other
+  PathBlock inserted_{};
 };
 
 }  // namespace trc

@@ -120,6 +120,14 @@ Joint tangential_joint(const Corner& corner) {
   return joint;
 }
 
+Joint joint_across(const Point& end, const Point& start) {
+  Joint joint;
+  joint.end = end;
+  joint.start = start;
+  joint.insert(Line{.start = end, .end = start});
+  return joint;
+}
+
 double cut_before_anchor(const OffsetCurve& curve, const Point& point, double slack) {
   return curve.circular ? travelled(curve, point, curve.anchor, slack)
                         : (curve.anchor - point).dot(curve.tangent);
@@ -156,6 +164,13 @@ std::optional<MeetingPoint> inside_joint(const Corner& corner, const Tolerances&
     return nearest_meeting(corner.before, corner.after, tolerances);
   const double cut = corner.tool_radius() * tangent_of_half_turn(corner);
   return MeetingPoint{.point = mitre_point(corner), .cut_before = cut, .cut_after = cut};
+}
+
+std::optional<MeetingPoint> inside_joint_to_all_digits(const Corner& corner,
+                                                       const Tolerances& tolerances) {
+  Tolerances exact = tolerances;
+  exact.same_point = tolerances.rounding * std::max(corner.tool_radius(), 1.0);
+  return inside_joint(corner, exact);
 }
 
 Joint outside_joint(const Corner& corner, const TransitionRule& rule,

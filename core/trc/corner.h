@@ -126,11 +126,18 @@ struct TransitionRule {
 // Both blocks reach their full end in one point.
 [[nodiscard]] Joint tangential_joint(const Corner& corner);
 
+// A line from the end of one block to the start of the other.
+[[nodiscard]] Joint joint_across(const Point& end, const Point& start);
+
 // Both blocks shortened to the meeting of their equidistants, the nearest one
 // along the block after, then along the block before (D-06). Empty when the
 // equidistants do not meet between the corner and their far ends.
 [[nodiscard]] std::optional<MeetingPoint> inside_joint(const Corner& corner,
                                                        const Tolerances& tolerances);
+// The same where loops are removed. Two equidistants that miss each other, be it by less than
+// Tolerances::same_point, do not meet then: what is left of the gap is LoopRemoval's to judge.
+[[nodiscard]] std::optional<MeetingPoint> inside_joint_to_all_digits(const Corner& corner,
+                                                                     const Tolerances& tolerances);
 
 // The table of spec section 4.2 with STRETCH_FACTOR (4.3). Lines are extended,
 // circles get a tangent line.

@@ -58,7 +58,7 @@ class HeldPath {
     }
   };
 
-  // Takes the riders out of the block.
+  // Takes riders and tracking axes out of the block.
   void append(PathBlock& block);
   [[nodiscard]] const NumberedQueue<Block>& blocks() const { return blocks_; }
   [[nodiscard]] const NumberedQueue<ContourBlock>& contour() const { return contour_; }
@@ -73,8 +73,10 @@ class HeldPath {
   // Across the plane, where the block starts, mm.
   [[nodiscard]] double height_of(std::size_t block) const { return setting(block).normal.from; }
 
-  // The block as it was, with its riders; each one once, in ascending order.
-  [[nodiscard]] PathBlockPtr restored(std::size_t block);
+  // Makes `block` what it was, with its riders; each one once, in ascending order. It is new, or
+  // one that has been restored before.
+  void restore(std::size_t number, PathBlock& block);
+  [[nodiscard]] PathBlockPtr restored(std::size_t number);
 
   // Forgets contour blocks and their path.
   void forget_before(std::size_t contour_number);
@@ -100,7 +102,6 @@ class HeldPath {
     bool perpendicular_exit = false;
     double radius = 0;
 
-    bool operator==(const Setting&) const = default;
     template <class Archive>
     void serialize(Archive& archive) {
       archive(mode, feed, normal, tracking, at_start, at_end, rapid, perpendicular_entry,
@@ -120,7 +121,8 @@ class HeldPath {
   [[nodiscard]] const Setting& setting(std::size_t block) const {
     return settings_[blocks_[block].setting];
   }
-  [[nodiscard]] Number number_of_setting(Setting wanted);
+  // That of the last block, where it is the same.
+  [[nodiscard]] Number setting_of(PathBlock& block);
   void note_contour_block(const PathBlock& block);
 
   NumberedQueue<Block> blocks_;

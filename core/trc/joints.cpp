@@ -31,15 +31,6 @@ Joint outside(const Corner& corner, const TrcMode& mode, const Tolerances& toler
       tolerances);
 }
 
-// A line between the contour and its equidistant (G237).
-Joint across(const Point& from, const Point& to) {
-  Joint joint;
-  joint.end = from;
-  joint.start = to;
-  joint.insert(Line{.start = from, .end = to});
-  return joint;
-}
-
 JointResult on_path(const std::optional<Joint>& joint, bool of_after, const Corner& corner) {
   if (joint) return JoinedBlocks{.joint = *joint};
   return JointRefusal{
@@ -66,7 +57,7 @@ JointResult approach(const PathBlock& before, const PathBlock& after, const Corn
                                       mode.options.g236_lin, tolerances),
           false, corner);
     case Selection::perpendicular:
-      return JoinedBlocks{.joint = across(corner.programmed, corner.after.anchor)};
+      return JoinedBlocks{.joint = joint_across(corner.programmed, corner.after.anchor)};
     case Selection::inside_corner: {
       Joint joint;
       joint.end = joint.start = before.offset_end;
@@ -101,7 +92,7 @@ JointResult retract(const PathBlock& after, Selection mode, const Corner& corner
                                      after.mode().options.g236_lin, tolerances),
           true, corner);
     case Selection::perpendicular:
-      return JoinedBlocks{.joint = across(corner.before.anchor, corner.programmed)};
+      return JoinedBlocks{.joint = joint_across(corner.before.anchor, corner.programmed)};
     case Selection::inside_corner: {
       Joint joint;
       joint.end = joint.start = after.offset_start;
@@ -132,13 +123,9 @@ JointResult contour_joint(const PathBlock& before, const PathBlock& after, const
   }
   std::optional<MeetingPoint> meeting;
   if (after.removes_loops()) {
-    // Two equidistants that miss each other do not meet where loops are removed: what is
-    // left of the gap is LoopRemoval's to judge.
-    Tolerances exact = tolerances;
-    exact.same_point = tolerances.rounding * std::max(corner.tool_radius(), 1.0);
-    if (!vanished) meeting = inside_joint(corner, exact);
+    if (!vanished) meeting = inside_joint_to_all_digits(corner, tolerances);
     if (!(meeting && reaches(before, meeting->cut_before) && reaches(after, meeting->cut_after)))
-      return JoinedBlocks{.joint = across(corner.before.anchor, corner.after.anchor),
+      return JoinedBlocks{.joint = joint_across(corner.before.anchor, corner.after.anchor),
                           .apart = true};
   } else if (!vanished) {
     meeting = inside_joint(corner, tolerances);
@@ -151,7 +138,7 @@ JointResult contour_joint(const PathBlock& before, const PathBlock& after, const
     return JoinedBlocks{.joint = joint};
   }
   if (mode.options.ignore_cont_damage)
-    return JoinedBlocks{.joint = across(corner.before.anchor, corner.after.anchor)};
+    return JoinedBlocks{.joint = joint_across(corner.before.anchor, corner.after.anchor)};
   const bool line_before = !corner.before.circular;
   const bool line = line_before || !corner.after.circular;
   return JointRefusal{.code = line ? Code::line_reversed : Code::arc_wrapped,
@@ -191,9 +178,7 @@ JointResult joint_between(const PathBlock& before, const PathBlock& after, const
 }
 
 double left_of_block(const PathBlock& block, double cut_at_start, double cut_at_end) {
-  const auto* arc = std::get_if<Arc>(&block.programmed.path);
-  const double extent = arc != nullptr ? std::abs(arc->sweep) : length_of(block.programmed.path);
-  return extent - cut_at_start - cut_at_end;
+  return extent_of(block.programmed.path) - cut_at_start - cut_at_end;
 }
 
 }  // namespace trc

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <optional>
 #include <variant>
 
@@ -37,6 +38,12 @@ using JointResult = std::variant<JoinedBlocks, JointRefusal>;
 // between contour blocks, the rules of the selection modes at both ends.
 [[nodiscard]] JointResult joint_between(const PathBlock& before, const PathBlock& after,
                                         const Corner& corner, const Tolerances& tolerances);
+
+// What corners cut from: mm of a line, rad of an arc.
+[[nodiscard]] inline double extent_of(const Segment& programmed) {
+  const auto* arc = std::get_if<Arc>(&programmed);
+  return arc != nullptr ? std::abs(arc->sweep) : length_of(programmed);
+}
 
 // What two corners leave of the equidistant of a block: mm of a line, rad of an
 // arc, as the cuts. Negative: the block would run backwards.

@@ -146,7 +146,11 @@ bool LoopRemoval::feed(PathBlockPtr block, PathBlocks& out) {
     out.push_back(std::move(block));
     return true;
   }
-  return hold(std::move(block)) && (window_ == 0 || proceed(out));
+  if (!is_compensated(*block)) {
+    entering_.push_back(std::move(block));
+    return true;
+  }
+  return hold(*block) && (window_ == 0 || proceed(out));
 }
 
 bool LoopRemoval::drain(PathBlocks& /*out*/) {
@@ -178,6 +182,18 @@ bool LoopRemoval::let_go_some(PathBlocks& out) {
   return !ended_ || leaving_ || end_selection();
 }
 
+bool LoopRemoval::let_go_next(PathBlock& block) {
+  if (!entering_.empty() || pieces_.empty()) return false;
+  const auto& [at, cut] = pieces_[pieces_.begin()];
+  if (cut != Kept::whole || at != next_) return false;
+  path_.restore(at, block);
+  next_ = at + 1;
+  pieces_.drop_before(pieces_.begin() + 1);
+  constexpr std::size_t now_and_then = 32;
+  if (at % now_and_then == 0) path_.forget_path_before(at);
+  return true;
+}
+
 void LoopRemoval::begin_selection() {
   entering_.clear();
   path_ = HeldPath();
@@ -197,21 +213,21 @@ void LoopRemoval::begin_selection() {
   near_.clear();
 }
 
-bool LoopRemoval::hold(PathBlockPtr block) {
+bool LoopRemoval::has_room_for(const PathBlock& block) {
   const std::size_t most = path_.blocks().end() < HeldPath::most_blocks / 4 ? selection_blocks_ : 0;
-  if (path_.blocks().size() >= most)
-    return diagnostics_.report(selection_too_long(*block, selection_blocks_));
-  if (!is_compensated(*block)) {
-    entering_.push_back(std::move(block));
-    return true;
-  }
+  return path_.blocks().size() < most ||
+         diagnostics_.report(selection_too_long(block, selection_blocks_));
+}
+
+bool LoopRemoval::hold(PathBlock& block) {
+  if (!has_room_for(block)) return false;
   largest_radius_ =
-      std::max({largest_radius_, std::abs(block->at_start.shift), std::abs(block->at_end.shift)});
-  path_.append(*block);
-  if (block->role == Role::contour) {
-    note_contour_block(*block);
+      std::max({largest_radius_, std::abs(block.at_start.shift), std::abs(block.at_end.shift)});
+  path_.append(block);
+  if (block.role == Role::contour) {
+    note_contour_block(block);
   } else {
-    apart_ = apart_ || block->unreachable;
+    apart_ = apart_ || block.unreachable;
   }
   return true;
 }

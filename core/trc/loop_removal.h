@@ -52,6 +52,17 @@ class LoopRemoval {
   // between all passes at once. What is fed meanwhile waits behind it.
   [[nodiscard]] bool is_leaving() const { return leaving_; }
   bool let_go_some(PathBlocks& out);
+  // The same for the next block alone, if it leaves as it came: with nothing before it and nothing
+  // about it. `block` is as in HeldPath::restore.
+  bool let_go_next(PathBlock& block);
+
+  // The middle of a contour is being held as a whole: ContourRun may give it more of it.
+  [[nodiscard]] bool takes_contour() const {
+    return window_ == 0 && !leaving_ && end_of_contour() > 0;
+  }
+  // A contour block or a transition. Returns false once the stream must stop.
+  bool hold(PathBlock& block);
+
   [[nodiscard]] std::size_t look_ahead() const { return window_; }
 
   template <class Archive>
@@ -130,7 +141,7 @@ class LoopRemoval {
   [[nodiscard]] bool is_holding() const { return !entering_.empty() || !path_.blocks().empty(); }
   void begin_selection();
   bool end_selection();
-  bool hold(PathBlockPtr block);
+  [[nodiscard]] bool has_room_for(const PathBlock& block);
   void note_contour_block(const PathBlock& block);
   void reconsider(std::size_t number);
   void rebuild_boxes();

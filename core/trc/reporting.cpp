@@ -33,8 +33,7 @@ Travel travel_of(const Segment& segment) {
 
 }  // namespace
 
-bool Reporting::feed(PathBlockPtr&& owner, std::vector<CompensatedBlock>& out) {
-  PathBlock& block = *owner;
+bool Reporting::feed(PathBlock& block, std::vector<CompensatedBlock>& out) {
   if (block.role == Role::passive) {
     let_off(block.riders, out);
     return true;

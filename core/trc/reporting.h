@@ -22,7 +22,8 @@ class Reporting {
         diagnostics_(diagnostics),
         position_(setup.start) {}
 
-  bool feed(PathBlockPtr&& owner, std::vector<CompensatedBlock>& out);
+  bool feed(PathBlockPtr&& owner, std::vector<CompensatedBlock>& out) { return feed(*owner, out); }
+  bool feed(PathBlock& block, std::vector<CompensatedBlock>& out);
   bool drain(std::vector<CompensatedBlock>& /*out*/) { return true; }
   // One block of the path, programmed under the mode. Takes its tracking axes out of it.
   CompensatedBlock& put_out(MotionBlock& programmed, const TrcMode& mode, Origin origin,
