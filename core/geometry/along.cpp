@@ -162,10 +162,12 @@ std::optional<double> first_entry(const Segment& path, double from, double to,
   const Track track(path);
   const double half = 0.5 * (to - from);
   const Point middle = track.at(from + half);
-  if (distance(middle, obstacle) >= reach + half) return std::nullopt;
+  const double apart = distance(middle, obstacle);
+  if (apart >= reach + half) return std::nullopt;
   Places places(track, from, to, middle);
   add_outline(obstacle, reach, track, places);
   const std::size_t count = places.sorted();
+  if (count == 0) return apart < reach && from < to ? std::optional(from) : std::nullopt;
   double begin = from;
   for (std::size_t i = 0; i <= count; ++i) {
     const double end = i < count ? places[i] : to;

@@ -9,11 +9,12 @@
 namespace trc {
 namespace {
 
+// By at most two units in the last place too far.
 float rounded_down(double value) {
+  constexpr float least = std::numeric_limits<float>::min();
   const auto nearest = static_cast<float>(value);
-  return static_cast<double>(nearest) <= value
-             ? nearest
-             : std::nextafter(nearest, -std::numeric_limits<float>::infinity());
+  const float unit = std::abs(nearest) * std::numeric_limits<float>::epsilon() + least;
+  return static_cast<double>(nearest) <= value ? nearest : nearest - unit;
 }
 
 }  // namespace

@@ -10,20 +10,6 @@
 namespace trc {
 namespace {
 
-double distance_to_line(const Point& point, const Line& line) {
-  const Vector along = line.end - line.start;
-  const double squared = along.squaredNorm();
-  if (squared == 0) return (point - line.start).norm();
-  const double part = std::clamp((point - line.start).dot(along) / squared, 0.0, 1.0);
-  return (point - (line.start + part * along)).norm();
-}
-
-double distance_to_arc(const Point& point, const Arc& arc) {
-  const double to_ends = std::min((point - arc.start).norm(), (point - arc.end).norm());
-  if (!covers(arc, point)) return to_ends;
-  return std::min(to_ends, std::abs((point - arc.center).norm() - radius_of(arc)));
-}
-
 // The point of the segment that is nearest to `point`.
 Point nearest_on(const Segment& segment, const Point& point) {
   if (const auto* line = std::get_if<Line>(&segment)) {
@@ -62,17 +48,15 @@ Meetings meetings_of(const Segment& first, const Segment& second, double same_po
 }
 
 bool on_line(const Point& point, const Line& line, double same_point) {
-  return distance_to_line(point, line) <= same_point;
+  return distance(point, line) <= same_point;
 }
 
 }  // namespace
 
-double distance(const Point& point, const Segment& segment) {
-  return std::visit(overloaded{
-                        [&](const Line& line) { return distance_to_line(point, line); },
-                        [&](const Arc& arc) { return distance_to_arc(point, arc); },
-                    },
-                    segment);
+double distance(const Point& point, const Arc& arc) {
+  const double to_ends = std::min((point - arc.start).norm(), (point - arc.end).norm());
+  if (!covers(arc, point)) return to_ends;
+  return std::min(to_ends, std::abs((point - arc.center).norm() - radius_of(arc)));
 }
 
 // The distance of two curves is taken where they meet, at an end of one of them,
@@ -132,8 +116,7 @@ bool meet(const Line& line, const Segment& segment, double same_point) {
   if (const auto* arc = std::get_if<Arc>(&segment)) {
     const Circle circle{.center = arc->center, .radius = radius_of(*arc)};
     for (const Point& point : intersect(straight, circle, same_point))
-      if (on_line(point, line, same_point) && distance_to_arc(point, *arc) <= same_point)
-        return true;
+      if (on_line(point, line, same_point) && distance(point, *arc) <= same_point) return true;
     return false;
   }
   const auto& other = std::get<Line>(segment);

@@ -1,11 +1,24 @@
 #pragma once
 
+#include <algorithm>
+
 #include "core/geometry/segment.h"
 
 namespace trc {
 
 // The shortest distance from the point to the bounded segment, mm.
-[[nodiscard]] double distance(const Point& point, const Segment& segment);
+[[nodiscard]] inline double distance(const Point& point, const Line& line) {
+  const Vector along = line.end - line.start;
+  const double squared = along.squaredNorm();
+  if (squared == 0) return (point - line.start).norm();
+  const double part = std::clamp((point - line.start).dot(along) / squared, 0.0, 1.0);
+  return (point - (line.start + part * along)).norm();
+}
+[[nodiscard]] double distance(const Point& point, const Arc& arc);
+[[nodiscard]] inline double distance(const Point& point, const Segment& segment) {
+  const auto* arc = std::get_if<Arc>(&segment);
+  return arc != nullptr ? distance(point, *arc) : distance(point, std::get<Line>(segment));
+}
 
 // Whether the sweep of the arc covers the direction from its centre to `point`.
 [[nodiscard]] bool covers(const Arc& arc, const Point& point);

@@ -196,7 +196,8 @@ void ContourRun::put_out_with(std::span<const std::optional<Segment>> inserted, 
                               MotionBlock& programmed, const MotionBlock& after,
                               std::vector<CompensatedBlock>& out) {
   // Before its tracking axes go with the block.
-  MotionBlock insertion = insertion_behind(programmed, after);
+  MotionBlock insertion;
+  insert_behind(programmed, after, insertion);
   reporting_.put_out(programmed, *mode_, Origin::programmed, path, out);
   for (const auto& segment : inserted) {
     const TrackingTravel tracking = insertion.tracking;
@@ -208,26 +209,29 @@ void ContourRun::put_out_with(std::span<const std::optional<Segment>> inserted, 
 void ContourRun::hold(const Step& before, const Step& after, const Joined& joined,
                       const Segment& path) {
   MotionBlock& programmed = *before.programmed;
-  const auto give = [this](PathBlock& block, MotionBlock&& motion, const Segment& tool_path) {
-    std::swap(motion.mode, block.programmed.mode);  // one share of it does for all
-    block.programmed = std::move(motion);
-    block.tool_path = tool_path;
-    going_ = going_ && loop_removal_.hold(block);
-  };
   const auto inserted = joined.joint.inserted();
-  MotionBlock insertion;
-  if (!inserted.empty()) insertion = insertion_behind(programmed, *after.programmed);
+  if (!inserted.empty()) insert_behind(programmed, *after.programmed, inserted_.programmed);
   contour_block_.tangent_at_start = before.at_start.tangent;
   contour_block_.tangent_at_end = before.at_end.tangent;
   contour_block_.cut_at_start = before.cut_at_start;
   contour_block_.cut_at_end = joined.joint.cut_before;
   contour_block_.unreachable = before.unreachable;
-  give(contour_block_, std::move(programmed), path);
+  contour_block_.tool_path = path;
+  // All but the mode, of which one share does for the run.
+  MotionBlock& motion = contour_block_.programmed;
+  motion.source = programmed.source;
+  motion.path = programmed.path;
+  motion.normal = programmed.normal;
+  motion.feed = programmed.feed;
+  motion.rapid = programmed.rapid;
+  motion.tracking = std::move(programmed.tracking);
+  going_ = loop_removal_.hold(contour_block_);
   inserted_.unreachable = joined.apart;
+  const bool rapid = inserted_.programmed.rapid;
   for (const auto& segment : inserted) {
-    MotionBlock motion = insertion;
-    if (is_arc(*segment)) motion.rapid = false;
-    give(inserted_, std::move(motion), *segment);
+    inserted_.programmed.rapid = rapid && !is_arc(*segment);
+    inserted_.tool_path = *segment;
+    going_ = going_ && loop_removal_.hold(inserted_);
   }
 }
 

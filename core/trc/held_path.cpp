@@ -26,8 +26,8 @@ void HeldPath::append(PathBlock& block) {
                      .unreachable = block.unreachable});
 }
 
-HeldPath::Number HeldPath::setting_of(PathBlock& block) {
-  MotionBlock& programmed = block.programmed;
+HeldPath::Number HeldPath::setting_of(const PathBlock& block) {
+  const MotionBlock& programmed = block.programmed;
   const double radius = std::min(std::abs(block.at_start.shift), std::abs(block.at_end.shift));
   const auto is_that_of = [&](const Setting& setting) {
     return setting.mode == programmed.mode && setting.feed == programmed.feed &&
@@ -41,7 +41,7 @@ HeldPath::Number HeldPath::setting_of(PathBlock& block) {
     settings_.push_back({.mode = programmed.mode,
                          .feed = programmed.feed,
                          .normal = programmed.normal,
-                         .tracking = std::move(programmed.tracking),
+                         .tracking = programmed.tracking,
                          .at_start = block.at_start,
                          .at_end = block.at_end,
                          .rapid = programmed.rapid,
@@ -57,8 +57,8 @@ void HeldPath::note_contour_block(const PathBlock& block) {
   for (std::size_t number = blocks_.end(); number-- > blocks_.begin();) {
     Block& inserted = blocks_[number];
     if (inserted.is_contour()) break;
+    if (settings_[inserted.setting].radius <= at_start) continue;
     Setting changed = settings_[inserted.setting];
-    if (changed.radius <= at_start) continue;
     changed.radius = at_start;
     settings_.push_back(std::move(changed));
     inserted.setting = static_cast<Number>(settings_.end() - 1);

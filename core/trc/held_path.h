@@ -58,7 +58,7 @@ class HeldPath {
     }
   };
 
-  // Takes riders and tracking axes out of the block.
+  // Takes the riders out of the block.
   void append(PathBlock& block);
   [[nodiscard]] const NumberedQueue<Block>& blocks() const { return blocks_; }
   [[nodiscard]] const NumberedQueue<ContourBlock>& contour() const { return contour_; }
@@ -122,7 +122,7 @@ class HeldPath {
     return settings_[blocks_[block].setting];
   }
   // That of the last block, where it is the same.
-  [[nodiscard]] Number setting_of(PathBlock& block);
+  [[nodiscard]] Number setting_of(const PathBlock& block);
   void note_contour_block(const PathBlock& block);
 
   NumberedQueue<Block> blocks_;

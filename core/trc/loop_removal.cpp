@@ -6,6 +6,7 @@
 
 #include "core/geometry/along.h"
 #include "core/geometry/distance.h"
+#include "core/trc/removed_loop.h"
 #include "core/trc/selection_limit.h"
 
 namespace trc {
@@ -21,110 +22,10 @@ bool is_compensated(const PathBlock& block) {
 // Where places along a block count as one.
 double slack_of(const Tolerances& tolerances) { return 0.01 * tolerances.same_point; }
 
-// Where the axes out of the plane stand.
-struct Standing {
-  double normal = 0;
-  std::vector<double> tracking{};
-};
-
-Standing standing(const AxisTravel& normal, const TrackingTravel& tracking,
-                  double AxisTravel::*end) {
-  Standing place{.normal = normal.*end};
-  for (const AxisTravel& axis : tracking) place.tracking.push_back(axis.*end);
-  return place;
-}
-
-// Where the block itself leaves the axes, and where its riders do.
-Standing standing_behind(const PathBlock& block) {
-  return standing(block.programmed.normal, block.programmed.tracking, &AxisTravel::to);
-}
-Standing standing_after(const PathBlock& block) {
-  if (block.riders.empty()) return standing_behind(block);
-  const PassiveBlock& last = block.riders.back();
-  return standing(last.normal, last.tracking, &AxisTravel::to);
-}
-Standing standing_before(const PathBlock& block) {
-  return standing(block.programmed.normal, block.programmed.tracking, &AxisTravel::from);
-}
-
-// One motion out of the plane, where the axes are not yet where they have to be.
-void move_to(const Standing& target, const PathBlock& dropped, const Point& place, Standing& stands,
-             PathBlocks& out) {
-  const MotionBlock& programmed = dropped.programmed;
-  TrackingTravel tracking = programmed.tracking;
-  // Before an axis is programmed for the first time all stand at 0, and are not mentioned.
-  stands.tracking.resize(tracking.size());
-  for (std::size_t axis = 0; axis < tracking.size(); ++axis)
-    tracking[axis] = {stands.tracking[axis], target.tracking[axis]};
-  const AxisTravel normal{.from = stands.normal, .to = target.normal};
-  const auto moves = [](const AxisTravel& axis) { return axis.moves(); };
-  if (!normal.moves() && std::none_of(tracking.begin(), tracking.end(), moves)) return;
-  stands = target;
-  PathBlock& carrier = *out.emplace_back(std::make_unique<PathBlock>());
-  carrier.role = Role::contour;
-  carrier.origin = Origin::masked;
-  carrier.masked = true;
-  carrier.programmed = {.source = programmed.source,
-                        .path = Line{.start = place, .end = place},
-                        .normal = normal,
-                        .feed = programmed.feed,
-                        .rapid = programmed.rapid,
-                        .mode = programmed.mode,
-                        .tracking = std::move(tracking)};
-  carrier.at_start = carrier.at_end = dropped.at_end;
-  carrier.tool_path = carrier.programmed.path;
-}
-
-// Its riders keep their order among what the dropped blocks move out of the plane.
-// Without riders the travel of the block is left to the next one.
-bool drop(PathBlock& dropped, const Point& place, Standing& stands, PathBlocks& out) {
-  if (dropped.riders.empty()) return false;
-  move_to(standing_behind(dropped), dropped, place, stands, out);
-  stands = standing_after(dropped);
-  PathBlock& carrier = *out.emplace_back(std::make_unique<PathBlock>());
-  carrier.role = Role::passive;
-  carrier.programmed.source = dropped.programmed.source;
-  carrier.programmed.mode = dropped.programmed.mode;
-  carrier.riders = std::move(dropped.riders);
-  return true;
-}
-
-// Cuts the block to what is travelled of it.
-void shorten(PathBlock& block, double from, double to, const Point& start, const Point& end) {
-  const double length = length_of(block.tool_path);
-  const auto* arc = std::get_if<Arc>(&block.tool_path);
-  const double scale = arc != nullptr && is_arc(block.programmed.path) ? radius_of(*arc) : 1;
-  block.cut_at_start += from / scale;
-  block.cut_at_end += (length - to) / scale;
-  block.tool_path = stretch_of(block.tool_path, from, to, start, end);
-}
-
-// A joint behind a loop is an inside corner like any other: GEN_CIR_BLOCK_IN_CORNER.
 // It turns on the spot: where it begins, the block before it ends.
 bool has_no_radius(const Segment& segment) {
   const auto* arc = std::get_if<Arc>(&segment);
   return arc != nullptr && arc->start == arc->center;
-}
-
-PathBlockPtr circle_without_radius(const Point& place, const Vector& arrives,
-                                   const PathBlock& after, double along) {
-  const Standing stands = standing_before(after);
-  auto owner = std::make_unique<PathBlock>();
-  PathBlock& circle = *owner;
-  circle.role = Role::inserted;
-  circle.origin = Origin::transition;
-  circle.at_start = circle.at_end = after.at_start;
-  circle.programmed.source = after.programmed.source;
-  circle.programmed.mode = after.programmed.mode;
-  circle.programmed.feed = after.programmed.feed;
-  circle.programmed.normal = {.from = stands.normal, .to = stands.normal};
-  for (const double axis : stands.tracking)
-    circle.programmed.tracking.push_back({.from = axis, .to = axis});
-  circle.tool_path = Arc{.start = place,
-                         .end = place,
-                         .center = place,
-                         .sweep = turn_between(arrives, tangent_along(after.tool_path, along))};
-  return owner;
 }
 
 }  // namespace
@@ -692,15 +593,10 @@ void LoopRemoval::jump(const Exit& exit) {
 
 void LoopRemoval::pass_by(std::size_t end, const Point& place, PathBlocks& out) {
   report_masked(next_, end - 1, place);
-  std::optional<Standing> stands;
-  PathBlockPtr waiting;  // its travel out of the plane is still to be made
-  for (; next_ < end; ++next_) {
-    if (!path(next_).is_contour()) continue;
-    PathBlockPtr dropped = path_.restored(next_);
-    if (!stands) stands = standing_before(*dropped);
-    waiting = drop(*dropped, place, *stands, out) ? nullptr : std::move(dropped);
-  }
-  if (waiting) move_to(standing_behind(*waiting), *waiting, place, *stands, out);
+  DroppedBlocks dropped(place, out);
+  for (; next_ < end; ++next_)
+    if (path(next_).is_contour()) dropped.add(path_.restored(next_));
+  dropped.finish();
 }
 
 void LoopRemoval::let_go_to(std::size_t end, PathBlocks& out) {
@@ -723,7 +619,7 @@ void LoopRemoval::let_go(std::size_t number, PathBlocks& out) {
   next_ = at + 1;
   PathBlockPtr block = path_.restored(at);
   if (piece.behind_loop && block->mode().options.gen_cir_block_in_corner)
-    out.push_back(circle_without_radius(piece.start, piece.arrives, *block, piece.from));
+    out.push_back(circle_behind_loop(piece.start, piece.arrives, *block, piece.from));
   const bool whole = piece.from == 0 && piece.to == length_of(block->tool_path) &&
                      piece.start == start_of(block->tool_path) &&
                      piece.end == end_of(block->tool_path);

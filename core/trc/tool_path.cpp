@@ -18,15 +18,13 @@ Segment shortened(const Arc& programmed, const Point& start, const Point& end, d
              .sweep = programmed.sweep > 0 ? left : -left};
 }
 
-MotionBlock insertion_behind(const MotionBlock& before, const MotionBlock& after) {
-  MotionBlock inserted{.source = before.source,
-                       .normal = standing(before.normal.to),
-                       .feed = before.feed > 0 ? before.feed : after.feed,
-                       .rapid = before.rapid && after.rapid};
-  if (before.tracking.empty()) return inserted;
-  inserted.tracking.reserve(before.tracking.size());
+void insert_behind(const MotionBlock& before, const MotionBlock& after, MotionBlock& inserted) {
+  inserted.source = before.source;
+  inserted.normal = standing(before.normal.to);
+  inserted.feed = before.feed > 0 ? before.feed : after.feed;
+  inserted.rapid = before.rapid && after.rapid;
+  inserted.tracking.clear();
   for (const AxisTravel& axis : before.tracking) inserted.tracking.push_back(standing(axis.to));
-  return inserted;
 }
 
 }  // namespace trc

@@ -13,9 +13,9 @@ namespace trc {
 [[nodiscard]] Segment shortened(const Arc& programmed, const Point& start, const Point& end,
                                 double left, bool may_run_back, const Tolerances& tolerances);
 
-// What all blocks inserted behind a block have in common. Third axis and tracking axes
-// stand still in them, where the block leaves them (D-26).
-[[nodiscard]] MotionBlock insertion_behind(const MotionBlock& before, const MotionBlock& after);
+// Gives `inserted` what all blocks inserted behind a block have in common; not the mode. Third
+// axis and tracking axes stand still in them, where the block leaves them (D-26).
+void insert_behind(const MotionBlock& before, const MotionBlock& after, MotionBlock& inserted);
 
 [[nodiscard]] inline AxisTravel standing(double position) {
   return {.from = position, .to = position};

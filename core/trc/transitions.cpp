@@ -45,7 +45,7 @@ PathBlockPtr insertion_behind(const PathBlock& before, const PathBlock& after) {
   auto inserted = std::make_unique_for_overwrite<PathBlock>();
   inserted->role = Role::inserted;
   inserted->at_start = inserted->at_end = before.at_end;
-  inserted->programmed = insertion_behind(before.programmed, after.programmed);
+  insert_behind(before.programmed, after.programmed, inserted->programmed);
   inserted->programmed.mode = before.programmed.mode;
   if (before.riders.empty()) return inserted;
   const PassiveBlock& rider = before.riders.back();

@@ -26,5 +26,31 @@ TEST(SelectionsInARow, NoneIsLostWithTheEndOfTheProgram) {
   }
 }
 
+// A selection behind it may be long and leave in portions: none may follow what says that the path
+// before it is wrong.
+TEST(SelectionsInARow, NothingFollowsOneWhoseVerificationFails) {
+  std::string program =
+      "N10 G00 X-60 Y-80 F1000\nN20 V.G.WZ_AKT.R = 10\nN30 G41 G01 X-60 Y-40\nN40 X0\nN50 Y0\n"
+      "N60 X50\nN70 Y-10\nN80 X90\nN90 Y25\nN100 X50\nN110 Y15\nN120 X5\nN130 Y75\nN140 X-60\n"
+      "N150 G40 Y95\n"
+      "#TRC [REMOVE_MASKED_BLOCKS=1]\nG141\nN160 G41 X-100 Y200\n";
+  constexpr int blocks = 5000;
+  for (int i = 1; i <= blocks; ++i)
+    program += "N" + std::to_string(1000 + i) + " X" + std::to_string(100 * i) + " Y" +
+               std::to_string(200 + 30 * (i % 2)) + "\n";
+  program += "N170 G40 X" + std::to_string(100 * blocks) + " Y400\nM30\n";
+  const ProgramRun unmeasured = to_blocks(program);
+  ASSERT_TRUE(unmeasured.completed) << unmeasured.reports();
+  ASSERT_GT(unmeasured.blocks.size(), static_cast<std::size_t>(blocks));
+
+  ProgramSessionSetup setup;
+  setup.session.verify = true;
+  const ProgramRun measured = to_blocks(program, setup);
+  EXPECT_FALSE(measured.completed);
+  EXPECT_NE(measured.reports().find("900216"), std::string::npos) << measured.reports();
+  constexpr std::size_t one_portion = 1024;
+  EXPECT_LT(measured.blocks.size(), one_portion);
+}
+
 }  // namespace
 }  // namespace trc::testing

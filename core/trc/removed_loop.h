@@ -1,0 +1,50 @@
+#pragma once
+
+#include <vector>
+
+#include "core/trc/path_block.h"
+
+namespace trc {
+
+// What comes out in place of a loop that LoopRemoval takes out of the path, all at the point it is
+// left out at: riders in their order, and what the blocks dropped would have moved out of the
+// plane.
+class DroppedBlocks {
+ public:
+  DroppedBlocks(const Point& place, PathBlocks& out) : place_(place), out_(out) {}
+
+  // The next contour block of the loop.
+  void add(PathBlockPtr block);
+  // There are no more.
+  void finish();
+
+ private:
+  // Where the axes out of the plane stand.
+  struct Standing {
+    double normal = 0;
+    std::vector<double> tracking{};
+  };
+
+  static Standing standing(const AxisTravel& normal, const TrackingTravel& tracking,
+                           double AxisTravel::*end);
+  static Standing standing_behind(const PathBlock& block);
+  static Standing standing_after(const PathBlock& block);
+  // One motion, where they are not yet where the block leaves them.
+  void move_behind(const PathBlock& block);
+
+  Point place_;
+  PathBlocks& out_;
+  Standing stands_{};
+  bool begun_ = false;
+  PathBlockPtr waiting_{};  // its travel is still to be made: one motion does for many blocks
+};
+
+// Cuts a block next to a loop to what is travelled of it, mm along its tool path.
+void shorten(PathBlock& block, double from, double to, const Point& start, const Point& end);
+
+// GEN_CIR_BLOCK_IN_CORNER: a joint behind a loop is an inside corner like any other. `arrives` is
+// the direction of travel into it, `along` where on `after` it is.
+[[nodiscard]] PathBlockPtr circle_behind_loop(const Point& place, const Vector& arrives,
+                                              const PathBlock& after, double along);
+
+}  // namespace trc
