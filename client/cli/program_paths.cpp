@@ -19,6 +19,7 @@ class ContourReader {
 
   void feed(std::string_view text) {
     reading_ = reading_ && interpreter_.feed(text, lines_);
+    for (LinePointer& line : lines_) interpreter_.recycle(std::move(line));
     lines_.clear();
   }
 
@@ -32,7 +33,7 @@ class ContourReader {
   std::vector<Block> blocks_;
   ProgramState state_;
   Interpreter interpreter_;
-  std::vector<ProgramLine> lines_;
+  std::vector<LinePointer> lines_;
   bool reading_ = true;
 };
 

@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "core/nc/block_words.h"
-#include "core/nc/number_format.h"
 
 namespace trc {
 namespace {
@@ -21,15 +20,14 @@ std::string_view without_blanks_in_front(std::string_view text) {
 
 bool is_line_end(char byte) { return byte == '\n' || byte == '\r'; }
 
-constexpr std::uint32_t bit(WordRole role) { return 1U << static_cast<unsigned>(role); }
+// Few lines get past this.
+bool may_be_continued(std::string_view line) {
+  return !line.empty() && (line.back() == '\\' || line.back() == ' ' || line.back() == '\t');
+}
 
 std::string_view last_line_of(std::string_view text) {
   const std::size_t line_end = text.find_last_of("\r\n");
   return line_end == std::string_view::npos ? text : text.substr(line_end + 1);
-}
-
-void scale(std::optional<double>& value, double factor) {
-  if (value) *value *= factor;
 }
 
 Side side_of(int g_number) {
@@ -76,7 +74,7 @@ Interpreter::Interpreter(const ReaderLimits& limits, ProgramState& state, Diagno
   }
 }
 
-bool Interpreter::feed(std::string_view text, std::vector<ProgramLine>& lines) {
+bool Interpreter::feed(std::string_view text, std::vector<LinePointer>& lines) {
   if (diagnostics_.stopped()) return false;
   if (carriage_return_ && !text.empty()) {
     carriage_return_ = false;
@@ -118,17 +116,17 @@ bool Interpreter::feed(std::string_view text, std::vector<ProgramLine>& lines) {
 
 // Takes the rest of a line, with its end; what came before of it is in partial_.
 bool Interpreter::take_line(std::string_view text, std::string_view line_end,
-                            std::vector<ProgramLine>& lines) {
+                            std::vector<LinePointer>& lines) {
   if (!partial_.empty()) {
     partial_.append(text);
     text = partial_;
   }
   if (lines_read_ == 0 && continued_ == 0 && text.starts_with(byte_order_mark)) {
-    append_line(byte_order_mark, {}, lines);
+    enter_modes(append_line(byte_order_mark, {}, lines));
     text.remove_prefix(byte_order_mark.size());
   }
   const std::string_view last_line = continued_ == 0 ? text : last_line_of(text);
-  if (!ended_ && comment_block_ == 0 && is_continued(last_line)) {
+  if (!ended_ && comment_block_ == 0 && may_be_continued(last_line) && is_continued(last_line)) {
     if (line_end.empty()) return refuse_open_line();
     if (partial_.empty()) partial_.assign(text);
     partial_.erase(0, partial_.size() - text.size());  // the byte order mark
@@ -140,40 +138,44 @@ bool Interpreter::take_line(std::string_view text, std::string_view line_end,
   lines_read_ += 1 + std::exchange(continued_, 0U);
   partial_.clear();
   const bool goes_on = read_line(line);
+  enter_modes(line);
+  return goes_on;
+}
+
+ProgramLine& Interpreter::append_line(std::string_view text, std::string_view line_end,
+                                      std::vector<LinePointer>& lines) {
+  if (spare_.empty()) {
+    lines.emplace_back(std::make_unique<ProgramLine>())->words.reserve(usual_words);
+  } else {
+    lines.push_back(std::move(spare_.back()));
+    spare_.pop_back();
+  }
+  ProgramLine& line = *lines.back();
+  line.text.assign(text);
+  line.line_end = line_end;
+  line.source = {.index = blocks_read_, .line = static_cast<std::uint32_t>(lines_read_ + 1)};
+  line.words.clear();
+  line.roles = 0;
+  line.has_words = line.is_motion = line.has_technology = line.has_trc_words = false;
+  line.ends_program = false;
+  return line;
+}
+
+void Interpreter::enter_modes(ProgramLine& line) const {
   line.motion = motion_;
   line.incremental = incremental_;
   line.inch = inch_;
   line.absolute_center = absolute_center_;
   line.plane = state_.mode().plane;
   line.feed = feed_mode_ == 94 ? feed_ : 0;
-  return goes_on;
 }
 
-ProgramLine& Interpreter::append_line(std::string_view text, std::string_view line_end,
-                                      std::vector<ProgramLine>& lines) {
-  if (spare_.empty()) {
-    lines.emplace_back().words.reserve(usual_words);
-  } else {
-    lines.push_back(std::move(spare_.back()));
-    spare_.pop_back();
-  }
-  ProgramLine& line = lines.back();
-  line.text.assign(text);
-  line.line_end = line_end;
-  line.source = {.index = blocks_read_, .line = static_cast<std::uint32_t>(lines_read_ + 1)};
-  line.motion = motion_;
-  return line;
+void Interpreter::recycle(LinePointer line) {
+  if (spare_.size() == spare_lines || line->text.capacity() > longest_spare_line) return;
+  spare_.push_back(std::move(line));
 }
 
-void Interpreter::recycle(ProgramLine&& line) {
-  if (spare_.size() == spare_lines || line.text.capacity() > longest_spare_line) return;
-  ProgramLine& spare = spare_.emplace_back();
-  spare.text = std::move(line.text);
-  spare.words = std::move(line.words);
-  spare.words.clear();
-}
-
-bool Interpreter::finish(std::vector<ProgramLine>& lines) {
+bool Interpreter::finish(std::vector<LinePointer>& lines) {
   if (diagnostics_.stopped()) return false;
   if (carriage_return_) {
     carriage_return_ = false;
@@ -237,6 +239,8 @@ void Interpreter::place(const ProgramLine& line, std::uint32_t begin) {
 }
 
 bool Interpreter::read_line(ProgramLine& line) {
+  if (PlainMotion plain; is_plain(line, plain)) return apply(line, plain);
+  line.words.clear();
   const std::string_view text = without_blanks_in_front(line.text);
   const bool is_name = text.starts_with('%');
   if (!ended_ && comment_block_ == 0 && !is_name) return text.empty() || read_block(line);
@@ -262,22 +266,35 @@ bool Interpreter::read_line(ProgramLine& line) {
 bool Interpreter::read_block(ProgramLine& line) {
   BlockWords block;
   if (!read_words(line, block)) return false;
-  const auto is_comment = [](const WordRange& word) { return word.role == WordRole::comment; };
-  if (std::ranges::all_of(line.words, is_comment)) return true;
+  if ((line.roles & ~bit(WordRole::comment)) == 0) return true;
   line.has_words = true;
   ++blocks_read_;
   return check_block(line, block) && apply(line, block);
 }
 
+// Whether the line can be read in one pass, with nothing to refuse before its motion.
+bool Interpreter::is_plain(ProgramLine& line, PlainMotion& plain) const {
+  return !ended_ && comment_block_ == 0 && feed_mode_ == 94 && plain.read(line.text, line.words) &&
+         (!plain.has_feed() || state_.is_feed(plain.feed() * length_unit()));
+}
+
+bool Interpreter::apply(ProgramLine& line, const PlainMotion& plain) {
+  line.source.number = plain.number();
+  line.roles = plain.roles();
+  line.has_words = true;
+  ++blocks_read_;
+  if (plain.has_function()) motion_ = plain.motion();
+  if (plain.has_feed()) feed_ = plain.feed() * length_unit();
+  state_.place(plain.first_coordinate() + 1);
+  MoveRequest request;
+  plain.enter(request);
+  return move(line, request);
+}
+
 bool Interpreter::apply(ProgramLine& line, BlockWords& block) {
-  block.move.source = line.source;
-  std::uint32_t roles = 0;
-  for (const WordRange& word : line.words) roles |= bit(word.role);
-  line.has_trc_words = (roles & bit(WordRole::trc)) != 0;
-  line.has_technology = (roles & (bit(WordRole::technology) | bit(WordRole::stop))) != 0;
-  const auto pass = [&](WordRole role) {
-    return (roles & bit(role)) == 0 || pass_words(line, role);
-  };
+  line.has_trc_words = line.has(WordRole::trc);
+  line.has_technology = line.has(WordRole::technology) || line.has(WordRole::stop);
+  const auto pass = [&](WordRole role) { return !line.has(role) || pass_words(line, role); };
   const bool goes_on = apply_modes(line, block) && apply_trc(line, block) &&
                        pass(WordRole::technology) && apply_motion(line, block) &&
                        pass(WordRole::stop);
@@ -295,7 +312,7 @@ bool Interpreter::apply_modes(const ProgramLine& line, const BlockWords& block) 
   if (block.has(unit)) inch_ = block.of(unit).is(70);
   if (block.has(dimension)) incremental_ = block.of(dimension).is(91);
   if (block.has(feed_mode)) feed_mode_ = block.of(feed_mode).function->number;
-  if (block.feed) feed_ = block.feed->value * (inch_ ? mm_per_inch : 1);
+  if (block.feed) feed_ = block.feed->value * length_unit();
   if (block.has(circle_center)) {
     absolute_center_ = block.of(circle_center).is(161);
     state_.set_absolute_center(absolute_center_);
@@ -317,7 +334,6 @@ bool Interpreter::apply_trc(const ProgramLine& line, const BlockWords& block) {
   const Source& source = line.source;
   const auto at = [&](std::uint32_t begin) { return place(line, begin), true; };
   const auto has = [&](GGroup group) { return block.has(group) && at(block.of(group).begin); };
-  const double length_unit = inch_ ? mm_per_inch : 1;
 
   if (has(transition) &&
       !state_.set_transition(
@@ -333,13 +349,13 @@ bool Interpreter::apply_trc(const ProgramLine& line, const BlockWords& block) {
   if (block.options && at(block.command) && !state_.set_options(*block.options, source))
     return false;
   if (block.tangfeed && at(block.command) &&
-      !state_.set_tangfeed_minimum(*block.tangfeed * length_unit, source))
+      !state_.set_tangfeed_minimum(*block.tangfeed * length_unit(), source))
     return false;
   if (has(selection) &&
       !state_.set_selection(selection_of(block.of(selection).function->number), source))
     return false;
   if (block.tool_radius && at(block.tool_radius->begin) &&
-      !state_.set_tool_radius(block.tool_radius->value * length_unit, source))
+      !state_.set_tool_radius(block.tool_radius->value * length_unit(), source))
     return false;
   if (block.tool && at(block.tool->begin) &&
       !state_.set_tool(static_cast<std::int64_t>(block.tool->value), source))
@@ -363,23 +379,34 @@ bool Interpreter::apply_motion(ProgramLine& line, BlockWords& block) {
                             .detail = std::string("G")
                                           .append(std::to_string(feed_mode_))
                                           .append(adapted ? " with G11" : " while TRC is active")});
-  MoveRequest& move = block.move;
-  move.kind = motion_;
-  move.incremental = incremental_;
-  move.feed = per_minute ? feed_ : 0;
-  if (inch_) {
-    for (auto& coordinate : move.end) scale(coordinate, mm_per_inch);
-    for (auto& coordinate : move.center) scale(coordinate, mm_per_inch);
-    scale(move.radius, mm_per_inch);
-    // U V W are linear axes, A B C turn: degrees have no inch.
-    const auto& names = state_.setup().tracking_axes;
-    for (std::size_t axis = 0; axis < move.tracking.size(); ++axis)
-      if (!names[axis].empty() &&
-          std::string_view("UVWXYZ").find(names[axis][0]) != std::string_view::npos)
-        scale(move.tracking[axis], mm_per_inch);
-  }
+  return move(line, block.move);
+}
+
+// The words of `request` are those of the line; the rest is in force.
+bool Interpreter::move(ProgramLine& line, MoveRequest& request) {
+  request.source = line.source;
+  request.kind = motion_;
+  request.incremental = incremental_;
+  request.feed = feed_mode_ == 94 ? feed_ : 0;
+  if (inch_) scale(request);
   line.is_motion = true;
-  return state_.move(move);
+  return state_.move(request);
+}
+
+// From inch to mm.
+void Interpreter::scale(MoveRequest& request) const {
+  const auto scale = [](std::optional<double>& value) {
+    if (value) *value *= mm_per_inch;
+  };
+  for (auto& coordinate : request.end) scale(coordinate);
+  for (auto& coordinate : request.center) scale(coordinate);
+  scale(request.radius);
+  // U V W are linear axes, A B C turn: degrees have no inch.
+  const auto& names = state_.setup().tracking_axes;
+  for (std::size_t axis = 0; axis < request.tracking.size(); ++axis)
+    if (!names[axis].empty() &&
+        std::string_view("UVWXYZ").find(names[axis][0]) != std::string_view::npos)
+      scale(request.tracking[axis]);
 }
 
 // The words of one role as one text, in their order.

@@ -8,6 +8,8 @@
 #include <vector>
 
 #include "core/base/diagnostics.h"
+#include "core/nc/number_format.h"
+#include "core/nc/plain_motion.h"
 #include "core/nc/program_line.h"
 #include "core/nc/program_state.h"
 #include "core/nc/words.h"
@@ -45,13 +47,13 @@ class Interpreter {
 
   // Appends to `lines` every line that is complete. Returns whether the stream
   // goes on.
-  bool feed(std::string_view text, std::vector<ProgramLine>& lines);
+  bool feed(std::string_view text, std::vector<LinePointer>& lines);
   // End of the text: reads a last line without line end and ends the program in
   // `state`, unless M02 or M30 has done so.
-  bool finish(std::vector<ProgramLine>& lines);
+  bool finish(std::vector<LinePointer>& lines);
 
   // Takes a line that is no longer needed, so that its memory serves a later one.
-  void recycle(ProgramLine&& line);
+  void recycle(LinePointer line);
 
   // Physical lines read so far.
   [[nodiscard]] std::uint64_t lines_read() const { return lines_read_; }
@@ -65,12 +67,14 @@ class Interpreter {
  private:
   struct BlockWords;
 
-  bool take_line(std::string_view text, std::string_view line_end, std::vector<ProgramLine>& lines);
+  bool take_line(std::string_view text, std::string_view line_end, std::vector<LinePointer>& lines);
   ProgramLine& append_line(std::string_view text, std::string_view line_end,
-                           std::vector<ProgramLine>& lines);
+                           std::vector<LinePointer>& lines);
+  void enter_modes(ProgramLine& line) const;
   bool read_line(ProgramLine& line);
   bool read_comment_block(ProgramLine& line);
   bool read_block(ProgramLine& line);
+  [[nodiscard]] bool is_plain(ProgramLine& line, PlainMotion& plain) const;
 
   bool read_words(ProgramLine& line, BlockWords& block);
   bool read_g_function(const Word& word, ProgramLine& line, BlockWords& block);
@@ -80,10 +84,13 @@ class Interpreter {
   bool read_command(const Word& word, ProgramLine& line, BlockWords& block);
   bool check_block(ProgramLine& line, const BlockWords& block);
 
+  bool apply(ProgramLine& line, const PlainMotion& plain);
   bool apply(ProgramLine& line, BlockWords& block);
   bool apply_modes(const ProgramLine& line, const BlockWords& block);
   bool apply_trc(const ProgramLine& line, const BlockWords& block);
   bool apply_motion(ProgramLine& line, BlockWords& block);
+  bool move(ProgramLine& line, MoveRequest& request);
+  void scale(MoveRequest& request) const;
   bool pass_words(const ProgramLine& line, WordRole role);
 
   bool refuse(const ProgramLine& line, const TextFault& fault);
@@ -91,6 +98,7 @@ class Interpreter {
   bool refuse_long_line();
   bool refuse_open_line();
   void place(const ProgramLine& line, std::uint32_t begin);
+  [[nodiscard]] double length_unit() const { return inch_ ? mm_per_inch : 1; }
 
   ReaderLimits limits_;
   ProgramState& state_;
@@ -102,7 +110,7 @@ class Interpreter {
   std::string partial_{};
   std::uint32_t continued_ = 0;   // line ends within partial_
   bool carriage_return_ = false;  // partial_ is complete, a line feed may follow
-  std::vector<ProgramLine> spare_{};
+  std::vector<LinePointer> spare_{};
   std::uint64_t lines_read_ = 0;
   std::uint64_t blocks_read_ = 0;
   std::uint32_t comment_block_ = 0;  // line of #COMMENT BEGIN; 0: not in one

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <cmath>
 #include <string>
 
 #include "core/nc/block_words.h"
@@ -8,12 +7,6 @@
 
 namespace trc {
 namespace {
-
-constexpr double largest_number = 1e15;  // of N, T, D: whole and exact in a double
-
-bool is_whole(double value) {
-  return value >= 0 && value <= largest_number && value == std::floor(value);
-}
 
 char upper(char letter) {
   return letter >= 'a' && letter <= 'z' ? static_cast<char>(letter - 'a' + 'A') : letter;
@@ -65,6 +58,7 @@ Code twice_code(GGroup group) {
 
 void add(ProgramLine& line, const Word& word, WordRole role) {
   line.words.push_back({.begin = word.begin, .end = word.end, .role = role});
+  line.roles |= bit(role);
 }
 
 // The words behind `#`, upper case, joined by one blank: at most two.
@@ -318,10 +312,12 @@ bool Interpreter::check_block(ProgramLine& line, const BlockWords& block) {
     return refuse(line, TextFault{.code = Code::nc_number,
                                   .begin = block.feed->begin,
                                   .detail = "F, more than 0 and at most 1000000000 mm/min"});
+  line.roles = 0;
   for (WordRange& range : line.words) {
     const bool no_position = range.role == WordRole::coordinate && (preset || block.has(dwell));
     const bool no_feed = range.role == WordRole::feed && feed != 94;
     if (no_position || no_feed) range.role = WordRole::technology;
+    line.roles |= bit(range.role);
   }
   return true;
 }

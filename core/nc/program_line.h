@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -26,6 +27,11 @@ enum class WordRole : std::uint8_t {
                // all blocks that the motion becomes
   comment,     // ( … ) and ; …, with the signs
 };
+
+// For sets of roles: a bit each.
+[[nodiscard]] constexpr std::uint32_t bit(WordRole role) {
+  return std::uint32_t{1} << static_cast<unsigned>(role);
+}
 
 // Bytes [begin, end) of ProgramLine::text, without the blanks around. Ranges of
 // a line are in order and do not overlap; between them are blanks, tabs and
@@ -53,6 +59,7 @@ struct ProgramLine {
   std::string text{};
   std::string_view line_end{};  // "\n", "\r\n", "\r"; empty at the end of the text
   std::vector<WordRange> words{};
+  std::uint32_t roles = 0;  // of the words, a bit each
 
   bool has_words = false;  // counts in Source::index; false: name, comment, blank, after the end
   // The line gave exactly one block of motion with this Source (of any length; a
@@ -72,9 +79,14 @@ struct ProgramLine {
   Plane plane = Plane::xy;
   double feed = 0;  // mm/min; 0: none programmed yet, or not per minute (G93, G95)
 
+  [[nodiscard]] bool has(WordRole role) const { return (roles & bit(role)) != 0; }
   [[nodiscard]] std::string_view word(const WordRange& range) const {
     return std::string_view(text).substr(range.begin, range.end - range.begin);
   }
 };
+
+// Lines stay where they are on their way from the reader to the writer and back, with the memory
+// their text takes.
+using LinePointer = std::unique_ptr<ProgramLine>;
 
 }  // namespace trc

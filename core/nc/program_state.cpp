@@ -60,10 +60,7 @@ TrcMode& ProgramState::change_mode() {
   return mode_;
 }
 
-const std::shared_ptr<const TrcMode>& ProgramState::shared_mode() {
-  if (!shared_mode_) shared_mode_ = std::make_shared<const TrcMode>(mode_);
-  return shared_mode_;
-}
+void ProgramState::share_mode() { shared_mode_ = std::make_shared<const TrcMode>(mode_); }
 
 void ProgramState::update_side() {
   TrcMode& mode = change_mode();
@@ -156,10 +153,6 @@ bool ProgramState::set_feed_adaptation(FeedAdaptation adaptation, const Source&)
   return true;
 }
 
-bool ProgramState::is_feed(double feed) const {
-  return feed > 0 && feed <= tolerances_.largest_feed;
-}
-
 bool ProgramState::set_tangfeed_minimum(double radius, const Source& source) {
   if (radius < 0)
     return report(source, Code::negative_tangfeed_minimum, "RMIN", {{"radius", radius}});
@@ -220,24 +213,32 @@ bool ProgramState::set_options(const TrcOptions& options, const Source& source) 
                 {{"value", options.stretch_factor}});
 }
 
-std::optional<ProgramState::Refusal> ProgramState::end_of(const MoveRequest& request,
-                                                          Position& end) {
+bool ProgramState::find_end(const MoveRequest& request, Position& end) const {
   end = target_;
+  bool all_in_range = true;
   for (std::size_t axis = 0; axis < end.size(); ++axis) {
     if (!request.end[axis]) continue;
-    const double value = *request.end[axis] + (request.incremental ? target_[axis] : 0);
+    end[axis] = end_on(axis, request);
+    all_in_range &=
+        in_range(end[axis], -tolerances_.largest_coordinate, tolerances_.largest_coordinate);
+  }
+  return all_in_range;
+}
+
+ProgramState::Refusal ProgramState::end_out_of_range(const MoveRequest& request) const {
+  for (std::size_t axis = 0; axis < request.end.size(); ++axis) {
+    if (!request.end[axis]) continue;
+    const double value = end_on(axis, request);
     if (!in_range(value, -tolerances_.largest_coordinate, tolerances_.largest_coordinate))
-      return Refusal{
-          .code = std::isfinite(value) ? Code::end_point_out_of_range : Code::field_invalid,
-          .detail = axis_words[axis],
-          .values = {{"coordinate", value}, {"largest", tolerances_.largest_coordinate}}};
-    end[axis] = value;
+      return {.code = std::isfinite(value) ? Code::end_point_out_of_range : Code::field_invalid,
+              .detail = axis_words[axis],
+              .values = {{"coordinate", value}, {"largest", tolerances_.largest_coordinate}}};
   }
   return {};
 }
 
 std::optional<ProgramState::Refusal> ProgramState::unknown_start(const MoveRequest& request) const {
-  if (known_[0] && known_[1] && known_[2]) return {};
+  if (all_known()) return {};
   const PlaneAxes axes = axes_of(mode_.plane);
   const bool in_plane =
       request.end[axes.first] || request.end[axes.second] || is_circle(request.kind);
@@ -252,8 +253,8 @@ std::optional<ProgramState::Refusal> ProgramState::unknown_start(const MoveReque
   return {};
 }
 
-std::variant<Segment, ProgramState::Refusal> ProgramState::circle(const MoveRequest& request,
-                                                                  const Position& end) const {
+std::optional<ProgramState::Refusal> ProgramState::circle(const MoveRequest& request,
+                                                          const Position& end, Arc& arc) const {
   const PlaneAxes axes = axes_of(mode_.plane);
   if (request.center[axes.third])
     return Refusal{.code = Code::nc_unsupported, .detail = center_words[axes.third]};
@@ -286,12 +287,17 @@ std::variant<Segment, ProgramState::Refusal> ProgramState::circle(const MoveRequ
   }
   if (CircleFault* fault = std::get_if<CircleFault>(&result))
     return Refusal{.code = fault->code, .values = std::move(fault->values)};
-  const Arc& arc = std::get<Arc>(result);
+  arc = std::get<Arc>(result);
   if (too_large(arc.center)) return Refusal{.code = Code::center_out_of_range};
-  return arc;
+  return {};
 }
 
 bool ProgramState::move_tracking(const MoveRequest& request, TrackingTravel& travel) {
+  if (tracking_.empty() && request.tracking.empty()) return true;
+  return travel_on_tracking_axes(request, travel);
+}
+
+bool ProgramState::travel_on_tracking_axes(const MoveRequest& request, TrackingTravel& travel) {
   const bool programmed =
       std::ranges::any_of(request.tracking, [](const auto& value) { return value.has_value(); });
   if (tracking_.empty() && !programmed) return true;
@@ -313,57 +319,67 @@ bool ProgramState::move_tracking(const MoveRequest& request, TrackingTravel& tra
 }
 
 bool ProgramState::move(const MoveRequest& request) {
-  Position end{};
-  if (auto refusal = end_of(request, end)) return refuse(request.source, std::move(*refusal));
-  if (auto refusal = unknown_start(request)) return refuse(request.source, std::move(*refusal));
+  Position end;
+  if (!find_end(request, end)) return refuse(request.source, end_out_of_range(request));
+  if (!all_known())
+    if (auto refusal = unknown_start(request)) return refuse(request.source, std::move(*refusal));
   if (request.feed != 0 && !is_feed(request.feed))
     return report(request.source, Code::field_invalid, "feed", {{"feed", request.feed}});
+  return is_circle(request.kind) ? move_on_circle(request, end) : move_straight(request, end);
+}
 
-  Segment path;
-  if (is_circle(request.kind)) {
-    auto made = circle(request, end);
-    if (Refusal* refusal = std::get_if<Refusal>(&made))
-      return refuse(request.source, std::move(*refusal));
-    path = std::get<Segment>(made);
-  } else {
-    if (request.radius || request.center[0] || request.center[1] || request.center[2])
-      return report(request.source, Code::nc_unsupported, "a circle word in a straight motion");
-    path = Line{.start = to_plane(mode_.plane, position_), .end = to_plane(mode_.plane, end)};
-  }
+bool ProgramState::move_on_circle(const MoveRequest& request, const Position& end) {
+  Arc arc;
+  if (auto refusal = circle(request, end, arc)) return refuse(request.source, std::move(*refusal));
   TrackingTravel tracking;
   if (!move_tracking(request, tracking)) return false;
+  enter_target(request, end);
+  append_motion(request, arc, end, std::move(tracking));
+  return true;
+}
 
-  for (std::size_t axis = 0; axis < known_.size(); ++axis)
-    if (request.end[axis]) known_[axis] = true;
-  const Line* line = std::get_if<Line>(&path);
-  target_ = end;
-  if (line != nullptr && (line->end - line->start).norm() <= tolerances_.same_point) {
+bool ProgramState::move_straight(const MoveRequest& request, const Position& end) {
+  if (request.radius || request.center[0] || request.center[1] || request.center[2])
+    return report(request.source, Code::nc_unsupported, "a circle word in a straight motion");
+  TrackingTravel tracking;
+  if (!move_tracking(request, tracking)) return false;
+  enter_target(request, end);
+  const Line line{.start = to_plane(mode_.plane, position_), .end = to_plane(mode_.plane, end)};
+  if ((line.end - line.start).norm() > tolerances_.same_point) {
+    append_motion(request, line, end, std::move(tracking));
+  } else {
     const bool tracking_moves = std::ranges::any_of(tracking, &AxisTravel::moves);
     append_passive(request, end, std::move(tracking), tracking_moves);
-  } else {
-    append_motion(request, path, end, std::move(tracking));
   }
   return true;
 }
 
-void ProgramState::append_motion(const MoveRequest& request, const Segment& path,
-                                 const Position& end, TrackingTravel tracking) {
+void ProgramState::enter_target(const MoveRequest& request, const Position& end) {
+  for (std::size_t axis = 0; axis < known_.size(); ++axis)
+    known_[axis] |= request.end[axis].has_value();
+  target_ = end;
+}
+
+template <class Shape>
+void ProgramState::append_motion(const MoveRequest& request, const Shape& path, const Position& end,
+                                 TrackingTravel&& tracking) {
   const std::size_t third = axes_of(mode_.plane).third;
+  const std::shared_ptr<const TrcMode>& mode = shared_mode();
   // Filled in where it lies: it is large.
-  auto& block = std::get<MotionBlock>(blocks_.emplace_back(std::in_place_type<MotionBlock>));
+  auto& block = *std::get_if<MotionBlock>(&blocks_.emplace_back(std::in_place_type<MotionBlock>));
   block.source = request.source;
-  block.path = path;
+  block.path.template emplace<Shape>(path);
   block.normal = {.from = position_[third], .to = end[third]};
   block.feed = request.feed;
   block.rapid = request.kind == MotionKind::rapid;
-  block.mode = shared_mode();
+  block.mode = mode;
   block.tracking = std::move(tracking);
-  position_ = from_plane(mode_.plane, trc::end_of(path), end[third]);
+  position_ = from_plane(mode_.plane, path.end, end[third]);
   if (mode_.active()) {
     // Only G237 begins with the contour itself.
     if (in_plane_blocks_++ == 0) has_approach_ = mode_.selection != Selection::perpendicular;
     last_path_ = path;
-    if (last_mode_ != shared_mode()) last_mode_ = shared_mode();
+    if (last_mode_ != mode) last_mode_ = mode;
   } else {
     retract_pending_ = false;
     just_deselected_ = false;

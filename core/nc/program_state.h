@@ -7,7 +7,6 @@
 #include <memory>
 #include <optional>
 #include <string>
-#include <variant>
 #include <vector>
 
 #include "core/base/diagnostics.h"
@@ -109,7 +108,9 @@ class ProgramState {
   // Where the last block ended, mm.
   [[nodiscard]] const Position& position() const { return position_; }
   // Whether this is a feed, mm/min: 0 is none.
-  [[nodiscard]] bool is_feed(double feed) const;
+  [[nodiscard]] bool is_feed(double feed) const {
+    return feed > 0 && feed <= tolerances_.largest_feed;
+  }
   [[nodiscard]] const ProgramSetup& setup() const { return setup_; }
   // TRC is active, or its retract motion is still to come.
   [[nodiscard]] bool contour_open() const { return mode_.active() || retract_pending_; }
@@ -141,16 +142,32 @@ class ProgramState {
   // Every change of the mode goes through here, so that blocks given out keep
   // the mode they were programmed under.
   TrcMode& change_mode();
-  const std::shared_ptr<const TrcMode>& shared_mode();
+  const std::shared_ptr<const TrcMode>& shared_mode() {
+    if (!shared_mode_) share_mode();
+    return shared_mode_;
+  }
+  void share_mode();
   void update_side();
 
-  [[nodiscard]] std::optional<Refusal> end_of(const MoveRequest& request, Position& end);
+  // Where the request ends on an axis that it names.
+  [[nodiscard]] double end_on(std::size_t axis, const MoveRequest& request) const {
+    return *request.end[axis] + (request.incremental ? target_[axis] : 0);
+  }
+  // Whether that is in range on all of them.
+  [[nodiscard]] bool find_end(const MoveRequest& request, Position& end) const;
+  [[nodiscard]] Refusal end_out_of_range(const MoveRequest& request) const;
+  [[nodiscard]] bool all_known() const { return known_[0] && known_[1] && known_[2]; }
   [[nodiscard]] std::optional<Refusal> unknown_start(const MoveRequest& request) const;
-  [[nodiscard]] std::variant<Segment, Refusal> circle(const MoveRequest& request,
-                                                      const Position& end) const;
+  bool move_straight(const MoveRequest& request, const Position& end);
+  bool move_on_circle(const MoveRequest& request, const Position& end);
+  [[nodiscard]] std::optional<Refusal> circle(const MoveRequest& request, const Position& end,
+                                              Arc& arc) const;
   bool move_tracking(const MoveRequest& request, TrackingTravel& travel);
-  void append_motion(const MoveRequest& request, const Segment& path, const Position& end,
-                     TrackingTravel tracking);
+  bool travel_on_tracking_axes(const MoveRequest& request, TrackingTravel& travel);
+  void enter_target(const MoveRequest& request, const Position& end);
+  template <class Shape>
+  void append_motion(const MoveRequest& request, const Shape& path, const Position& end,
+                     TrackingTravel&& tracking);
   void append_passive(const MoveRequest& request, const Position& end, TrackingTravel tracking,
                       bool tracking_moves);
   [[nodiscard]] Point last_equidistant_point() const;

@@ -94,11 +94,11 @@ void serialize(Archive& archive, WordRange& word) {
 
 template <class Archive>
 void serialize(Archive& archive, ProgramLine& line) {
-  auto& [source, text, line_end, words, has_words, is_motion, has_technology, has_trc_words,
+  auto& [source, text, line_end, words, roles, has_words, is_motion, has_technology, has_trc_words,
          ends_program, motion, incremental, inch, absolute_center, plane, feed] = line;
   archive(source, text);
   serialize_line_end(archive, line_end);
-  archive(words, has_words, is_motion, has_technology, has_trc_words, ends_program, motion,
+  archive(words, roles, has_words, is_motion, has_technology, has_trc_words, ends_program, motion,
           incremental, inch, absolute_center, plane, feed);
 }
 

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <limits>
 
+#include "core/nc/decimal.h"
+
 namespace trc {
 namespace {
 
@@ -70,15 +72,6 @@ std::size_t end_of_line(std::string_view text, std::size_t begin) {
   return end == std::string_view::npos ? text.size() : end;
 }
 
-// Powers of ten that a double holds exactly.
-constexpr std::array<double, 23> powers_of_ten{1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
-                                               1e8,  1e9,  1e10, 1e11, 1e12, 1e13, 1e14, 1e15,
-                                               1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
-
-// Whole numbers up to here are exact too, so that one division rounds correctly.
-constexpr std::uint64_t largest_exact = std::uint64_t{1} << 53;
-constexpr std::size_t digits_that_fit = 19;  // in 64 bits
-
 // How many bytes the UTF-8 character at the start of `text` takes; 0: it is none.
 std::size_t utf8_character(std::string_view text) {
   const auto byte = [&](std::size_t at) {
@@ -116,18 +109,9 @@ std::size_t first_bad_byte(std::string_view text, bool control_characters_pass) 
   return std::string_view::npos;
 }
 
-// Moves `at` behind the digits there and appends them to `digits`, which wraps beyond
-// `digits_that_fit`.
-inline void take_digits(const char*& at, const char* end, std::uint64_t& digits) {
-  for (; at != end; ++at) {
-    const auto digit = static_cast<unsigned char>(*at - '0');
-    if (digit > 9) return;
-    digits = digits * 10 + digit;
-  }
-}
+}  // namespace
 
-// For what 64 bits or one division cannot give.
-double long_number(const char* first, const char* end) {
+double decimal::long_number(const char* first, const char* end) {
   double value = 0;
   if (std::from_chars(first, end, value, std::chars_format::fixed).ec !=
       std::errc::result_out_of_range)
@@ -137,42 +121,9 @@ double long_number(const char* first, const char* end) {
   return large ? std::numeric_limits<double>::infinity() : 0;
 }
 
-// Moves `at` behind the number there; false when there is none. See read_number.
-inline bool take_number(const char*& at, const char* end, double& value, bool& whole) {
-  const char* here = at;
-  const bool negative = here != end && *here == '-';
-  if (here != end && (*here == '-' || *here == '+')) ++here;
-  const char* const first = here;
-
-  std::uint64_t digits = 0;
-  take_digits(here, end, digits);
-  auto size = static_cast<std::size_t>(here - first);
-  std::size_t decimals = 0;
-  whole = here == end || *here != '.';
-  if (!whole) {
-    const char* const point = here++;
-    take_digits(here, end, digits);
-    decimals = static_cast<std::size_t>(here - point) - 1;
-    size += decimals;
-  }
-  if (size == 0) return false;
-  if (size <= digits_that_fit && digits <= largest_exact) {
-    // Signed, which converts in one instruction.
-    value = static_cast<double>(static_cast<std::int64_t>(digits));
-    if (decimals > 0) value /= powers_of_ten[decimals];
-  } else {
-    value = long_number(first, here);
-  }
-  if (negative) value = -value;
-  at = here;
-  return true;
-}
-
-}  // namespace
-
 std::size_t read_number(std::string_view text, double& value, bool& whole) {
   const char* at = text.data();
-  if (!take_number(at, at + text.size(), value, whole)) return 0;
+  if (!take_number(text, at, value, whole)) return 0;
   return static_cast<std::size_t>(at - text.data());
 }
 
@@ -307,7 +258,7 @@ Word WordReader::command() {
 }
 
 inline bool WordReader::number(double& value, bool& whole) {
-  return take_number(at_, end_, value, whole) &&
+  return take_number(line_, at_, value, whole) &&
          std::abs(value) <= std::numeric_limits<double>::max();
 }
 

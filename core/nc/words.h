@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -76,6 +77,12 @@ class WordReader {
   const char* end_;
   TextFault fault_{};
 };
+
+// Whether N, T or D can have this number: whole and exact in a double.
+inline constexpr double largest_whole = 1e15;
+[[nodiscard]] inline bool is_whole(double value) {
+  return value >= 0 && value <= largest_whole && value == std::floor(value);
+}
 
 // A decimal number at the start of `text`: sign, digits, point. Returns how many
 // bytes it takes; 0 when there is none. Correctly rounded. Infinite when it is

@@ -10,8 +10,6 @@ namespace {
 
 constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
 
-constexpr std::uint32_t bit(WordRole role) { return std::uint32_t{1} << static_cast<int>(role); }
-
 // What is left of a line besides its N word when its motion is gone.
 constexpr std::uint32_t roles_without_motion =
     bit(WordRole::mode) | bit(WordRole::feed) | bit(WordRole::technology) | bit(WordRole::comment);
@@ -48,19 +46,16 @@ NcWriter::NcWriter(const Setup& setup)
   state_.tracking.resize(setup.tracking_letters.size());
 }
 
-void NcWriter::take(ProgramLine&& line, const Meaning& meaning) {
+void NcWriter::take(LinePointer line, const Meaning& meaning) {
   if (meaning.gives_block) {
     ++waiting_for_blocks_;
     silent_bytes_ = 0;
   } else {
-    silent_bytes_ += sizeof(Waiting) + line.text.size();
+    silent_bytes_ += sizeof(Waiting) + sizeof(ProgramLine) + line->text.size();
   }
-  std::uint32_t roles = 0;
-  for (const WordRange& word : line.words) roles |= bit(word.role);
   Waiting& waiting = waiting_.emplace_back();
   waiting.line = std::move(line);
   waiting.meaning = meaning;
-  waiting.roles = roles;
 }
 
 void NcWriter::drop_first() {
@@ -69,7 +64,7 @@ void NcWriter::drop_first() {
 
 void NcWriter::write_lines_before(const Source& source, std::string& out) {
   while (first_ < waiting_.size()) {
-    const ProgramLine& line = waiting_[first_].line;
+    const ProgramLine& line = *waiting_[first_].line;
     if (line.source.index > source.index) return;
     if (line.source.index == source.index && line.has_words) return;
     write_without_motion(waiting_[first_], out);
@@ -92,7 +87,7 @@ void NcWriter::finish(std::string& out) {
 void NcWriter::write(const CompensatedBlock& block, std::string& out) {
   write_lines_before(block.source, out);
   const bool has_own =
-      first_ < waiting_.size() && waiting_[first_].line.source.index == block.source.index;
+      first_ < waiting_.size() && waiting_[first_].line->source.index == block.source.index;
   own_ = has_own ? &waiting_[first_] : nullptr;
   if (block.origin == Origin::passthrough) {
     // The technology of a motion line comes with the motion, that of the program
@@ -102,13 +97,13 @@ void NcWriter::write(const CompensatedBlock& block, std::string& out) {
       if (block.source.index == rewritten_index_) write_text(block.text, line_end_, out);
       return;
     }
-    if (own_->line.is_motion || own_->line.ends_program) return;
+    if (own_->line->is_motion || own_->line->ends_program) return;
     write_without_motion(*own_, out);
     drop_first();
     return;
   }
   if (!has_own || !copy_motion(*own_, block, out)) write_motion(block, out);
-  if (own_ != nullptr && (own_->roles & roles_without_motion) != 0) {
+  if (own_ != nullptr && (own_->line->roles & roles_without_motion) != 0) {
     write_without_motion(*own_, out);
     own_ = nullptr;
   }
@@ -116,7 +111,7 @@ void NcWriter::write(const CompensatedBlock& block, std::string& out) {
 }
 
 void NcWriter::write_without_motion(const Waiting& own, std::string& out) {
-  const ProgramLine& line = own.line;
+  const ProgramLine& line = *own.line;
   if (!line.has_trc_words && !line.is_motion) {
     write_text(line.text, line.line_end, out);
   } else {
@@ -131,17 +126,18 @@ void NcWriter::write_without_motion(const Waiting& own, std::string& out) {
     if (has_more_than_number) write_words(line.line_end, out);
   }
   enter_modes(own);
-  if (own.has(WordRole::feed)) enter_feed(line);
-  if (own.has(WordRole::motion) && !line.is_motion) state_.motion = line.motion;
+  if (own.line->has(WordRole::feed)) enter_feed(line);
+  if (own.line->has(WordRole::motion) && !line.is_motion) state_.motion = line.motion;
 }
 
 bool NcWriter::copy_motion(const Waiting& own, const CompensatedBlock& block, std::string& out) {
-  const ProgramLine& line = own.line;
+  const ProgramLine& line = *own.line;
   if (block.origin != Origin::uncompensated || line.has_trc_words || !line.is_motion) return false;
   if (line.motion != kind_of(block)) return false;
-  if (!own.has(WordRole::motion) && line.motion != state_.motion) return false;
+  if (!own.line->has(WordRole::motion) && line.motion != state_.motion) return false;
   if (is_arc(block.path) && line.plane != block.plane) return false;
-  if (!block.rapid && block.feed > 0 && !own.has(WordRole::feed) && !has_feed(block)) return false;
+  if (!block.rapid && block.feed > 0 && !own.line->has(WordRole::feed) && !has_feed(block))
+    return false;
   after_.position = state_.position;
   after_.tracking = state_.tracking;
   if (!reads_as(own, block, after_)) return false;
@@ -149,7 +145,7 @@ bool NcWriter::copy_motion(const Waiting& own, const CompensatedBlock& block, st
   enter_modes(own);
   state_.position = after_.position;
   state_.tracking = after_.tracking;
-  if (own.has(WordRole::feed)) enter_feed(line);
+  if (own.line->has(WordRole::feed)) enter_feed(line);
   state_.motion = line.motion;
   write_text(line.text, line.line_end, out);
   own_ = nullptr;
@@ -158,7 +154,7 @@ bool NcWriter::copy_motion(const Waiting& own, const CompensatedBlock& block, st
 
 bool NcWriter::reads_as(const Waiting& own, const CompensatedBlock& block,
                         WrittenState& after) const {
-  const ProgramLine& line = own.line;
+  const ProgramLine& line = *own.line;
   const AxisSet named = axes_named_in(line);
   const AxisSet in_plane = plane_axes(block.plane);
   const bool flat = moves_in_plane(block);
@@ -236,8 +232,8 @@ void NcWriter::write_piece(const CompensatedBlock& block, const Segment& piece,
 
   begin_words();
   if (own_ != nullptr) {
-    for (const WordRange& word : own_->line.words)
-      if (word.role == WordRole::number || word.role == WordRole::mode) append(own_->line, word);
+    for (const WordRange& word : own_->line->words)
+      if (word.role == WordRole::number || word.role == WordRole::mode) append(*own_->line, word);
   }
   const MotionKind kind = kind_of(block);
   if (arc != nullptr) {
@@ -247,8 +243,8 @@ void NcWriter::write_piece(const CompensatedBlock& block, const Segment& piece,
                          tracking_, always, state_);
   }
   append_feed_and_rest(block);
-  write_words(own_ != nullptr ? own_->line.line_end : line_end_, out);
-  if (own_ != nullptr) rewritten_index_ = own_->line.source.index;
+  write_words(own_ != nullptr ? own_->line->line_end : line_end_, out);
+  if (own_ != nullptr) rewritten_index_ = own_->line->source.index;
   own_ = nullptr;
 }
 
@@ -257,7 +253,7 @@ void NcWriter::write_piece(const CompensatedBlock& block, const Segment& piece,
 // point only the line says.
 AxisSet NcWriter::axes_to_keep(const Waiting& own, const CompensatedBlock& block,
                                const Position& end) const {
-  AxisSet kept = axes_named_in(own.line) & ~own.meaning.moved;
+  AxisSet kept = axes_named_in(*own.line) & ~own.meaning.moved;
   for (std::size_t axis = 0; axis < end.size(); ++axis) {
     if ((plane_axes(block.plane) & axis_bit(axis)) == 0) continue;
     // Under TRC the line names the programmed place, not that of the tool.
@@ -270,10 +266,10 @@ AxisSet NcWriter::axes_to_keep(const Waiting& own, const CompensatedBlock& block
 
 void NcWriter::append_feed_and_rest(const CompensatedBlock& block) {
   const bool needs_feed = !block.rapid && block.feed > 0;
-  if (needs_feed && !(own_ != nullptr && own_->has(WordRole::feed)) && !has_feed(block))
+  if (needs_feed && !(own_ != nullptr && own_->line->has(WordRole::feed)) && !has_feed(block))
     append_feed(block.feed);
   if (own_ == nullptr) return;
-  const ProgramLine& line = own_->line;
+  const ProgramLine& line = *own_->line;
   for (const WordRange& word : line.words) {
     if (word.role == WordRole::technology || word.role == WordRole::comment) {
       append(line, word);
@@ -291,7 +287,7 @@ void NcWriter::append_feed_and_rest(const CompensatedBlock& block) {
 // With a feed word that the program has written itself its reader has the feed
 // of the program, also where that is per revolution and means nothing here.
 bool NcWriter::has_feed(const CompensatedBlock& block) const {
-  if (feed_is_programmed_ && own_ != nullptr && own_->line.feed == block.feed) return true;
+  if (feed_is_programmed_ && own_ != nullptr && own_->line->feed == block.feed) return true;
   return motions_.same_feed(state_.feed, block.feed, state_.inch);
 }
 
@@ -345,11 +341,11 @@ void NcWriter::write_text(std::string_view text, std::string_view line_end, std:
 }
 
 void NcWriter::enter_modes(const Waiting& own) {
-  if (!own.has(WordRole::mode)) return;
-  state_.incremental = own.line.incremental;
-  state_.inch = own.line.inch;
-  state_.absolute_center = own.line.absolute_center;
-  state_.plane = own.line.plane;
+  if (!own.line->has(WordRole::mode)) return;
+  state_.incremental = own.line->incremental;
+  state_.inch = own.line->inch;
+  state_.absolute_center = own.line->absolute_center;
+  state_.plane = own.line->plane;
 }
 
 AxisSet NcWriter::axes_named_in(const ProgramLine& line) const {

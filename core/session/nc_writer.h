@@ -48,7 +48,7 @@ class NcWriter {
     }
   };
   // The next line of the program.
-  void take(ProgramLine&& line, const Meaning& meaning);
+  void take(LinePointer line, const Meaning& meaning);
   // The next block of the path: appends the text that has become certain.
   void write(const CompensatedBlock& block, std::string& out);
   // Appends the waiting lines if none of them gives a block.
@@ -76,17 +76,12 @@ class NcWriter {
 
  private:
   struct Waiting {
-    ProgramLine line{};
+    LinePointer line{};
     Meaning meaning{};
-    std::uint32_t roles = 0;  // of its words, a bit each
 
     template <class Archive>
     void serialize(Archive& archive) {
-      archive(line, meaning, roles);
-    }
-
-    [[nodiscard]] bool has(WordRole role) const {
-      return (roles >> static_cast<int>(role) & 1) != 0;
+      archive(line, meaning);
     }
   };
 

@@ -81,7 +81,7 @@ struct ProgramSession::Parts {
 
   // Compensates what has been read. Returns whether the stream goes on.
   bool advance(ProgramOutput& out);
-  bool take(ProgramLine& line, ProgramOutput& out);
+  bool take(LinePointer& given, ProgramOutput& out);
   bool release_silent_lines(const Source& source, ProgramOutput& out);
   // Reports what reading found up to this line, behind the blocks before it.
   bool report_until(std::uint32_t line, ProgramOutput& out);
@@ -108,7 +108,7 @@ struct ProgramSession::Parts {
   VerifiedCompensator compensator;
   NcWriter writer;
 
-  std::vector<ProgramLine> lines;
+  std::vector<LinePointer> lines;
   std::vector<Diagnostic> reported;  // by the reader; the first `reports_taken` are passed on
   std::size_t reports_taken = 0;
   std::size_t blocks_taken = 0;  // of `blocks`: those of the lines taken
@@ -132,7 +132,7 @@ bool ProgramSession::Parts::advance(ProgramOutput& out) {
   reported = read_diagnostics.take();
   reports_taken = 0;
   bool goes_on = true;
-  for (ProgramLine& line : lines) {
+  for (LinePointer& line : lines) {
     goes_on = goes_on && take(line, out);
     if (goes_on && diagnostics.pending().size() > placed) {
       goes_on = compensate(out);
@@ -144,11 +144,12 @@ bool ProgramSession::Parts::advance(ProgramOutput& out) {
   goes_on =
       goes_on && report_until(std::numeric_limits<std::uint32_t>::max(), out) && compensate(out);
   place(out);
-  writer.let_go_lines([this](ProgramLine&& line) { interpreter.recycle(std::move(line)); });
+  writer.let_go_lines([this](LinePointer line) { interpreter.recycle(std::move(line)); });
   return goes_on;
 }
 
-bool ProgramSession::Parts::take(ProgramLine& line, ProgramOutput& out) {
+bool ProgramSession::Parts::take(LinePointer& given, ProgramOutput& out) {
+  const ProgramLine& line = *given;
   line_taken = line.source.index;
   if (reports_taken < reported.size() && !report_until(line.source.line, out)) return false;
   meaning.gives_block = false;
@@ -159,7 +160,7 @@ bool ProgramSession::Parts::take(ProgramLine& line, ProgramOutput& out) {
   const bool ends_program = line.ends_program;
   if (setup.nc_text) {
     const Source source = line.source;
-    writer.take(std::move(line), meaning);
+    writer.take(std::move(given), meaning);
     silent_lines = meaning.gives_block ? 0 : silent_lines + 1;
     if (silent_lines >= silent_lines_per_release && !release_silent_lines(source, out))
       return false;

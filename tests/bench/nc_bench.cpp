@@ -39,7 +39,7 @@ class Reading {
   Reading() { require(interpreter_.feed(part().prologue, lines)); }
 
   void forget() {
-    for (ProgramLine& line : lines) interpreter_.recycle(std::move(line));
+    for (LinePointer& line : lines) interpreter_.recycle(std::move(line));
     lines.clear();
     blocks.clear();
   }
@@ -50,7 +50,7 @@ class Reading {
 
  public:
   std::vector<Block> blocks;
-  std::vector<ProgramLine> lines;
+  std::vector<LinePointer> lines;
 
  private:
   ProgramState state_{{}, {}, diagnostics_, blocks};
@@ -90,9 +90,9 @@ void writing(benchmark::State& state) {
   };
   const auto write = [&] {
     std::size_t motion = 0;
-    for (ProgramLine& line : reading.lines) {
+    for (LinePointer& line : reading.lines) {
       NcWriter::Meaning meaning{};
-      if (line.is_motion) meaning = meanings[motion++];
+      if (line->is_motion) meaning = meanings[motion++];
       writer.take(std::move(line), meaning);
     }
     for (const CompensatedBlock& block : compensated) writer.write(block, text);
@@ -103,7 +103,7 @@ void writing(benchmark::State& state) {
       state, Part::blocks_per_lap,
       [&] {
         reading.lines.clear();
-        writer.let_go_lines([&](ProgramLine&& line) { reading.lines.push_back(std::move(line)); });
+        writer.let_go_lines([&](LinePointer line) { reading.lines.push_back(std::move(line)); });
         reading.forget();
         reading.lap();
         prepare();

@@ -40,7 +40,7 @@ Part make_part() {
 
   Diagnostics diagnostics;
   std::vector<Block> blocks;
-  std::vector<ProgramLine> lines;
+  std::vector<LinePointer> lines;
   ProgramState state({}, {}, diagnostics, blocks);
   Interpreter interpreter({}, state, diagnostics);
   interpreter.feed(part.prologue, lines);

@@ -36,7 +36,7 @@ TEST(Reader, TakesNothingFromTheHeapForLinesLikeThoseBefore) {
   }
   Diagnostics diagnostics;
   std::vector<Block> blocks;
-  std::vector<ProgramLine> lines;
+  std::vector<LinePointer> lines;
   ProgramState state({}, {}, diagnostics, blocks);
   Interpreter interpreter({}, state, diagnostics);
   std::size_t taken = 0;
@@ -44,7 +44,7 @@ TEST(Reader, TakesNothingFromTheHeapForLinesLikeThoseBefore) {
     const std::size_t before = allocations;
     ASSERT_TRUE(interpreter.feed(text, lines));
     EXPECT_EQ(blocks.size(), 400U);
-    for (ProgramLine& line : lines) interpreter.recycle(std::move(line));
+    for (LinePointer& line : lines) interpreter.recycle(std::move(line));
     lines.clear();
     blocks.clear();
     taken = allocations - before;

@@ -131,7 +131,7 @@ TEST(Junk, AChangedProgramNeverCrashes) {
 TEST(LongLines, AreRefusedBeforeTheyAreStored) {
   Diagnostics diagnostics;
   std::vector<Block> blocks;
-  std::vector<ProgramLine> lines;
+  std::vector<LinePointer> lines;
   ProgramState state({}, {}, diagnostics, blocks);
   Interpreter interpreter({}, state, diagnostics);
   const std::string piece(1000, 'X');

@@ -57,11 +57,13 @@ inline Reading read(std::string_view text, const ProgramSetup& setup = {}, std::
   Diagnostics diagnostics;
   ProgramState state(setup, {}, diagnostics, reading.blocks);
   Interpreter interpreter(limits, state, diagnostics);
+  std::vector<LinePointer> lines;
   bool goes_on = true;
   const std::size_t step = piece == 0 ? std::max<std::size_t>(text.size(), 1) : piece;
   for (std::size_t at = 0; at < text.size() && goes_on; at += step)
-    goes_on = interpreter.feed(text.substr(at, step), reading.lines);
-  if (goes_on) interpreter.finish(reading.lines);
+    goes_on = interpreter.feed(text.substr(at, step), lines);
+  if (goes_on) interpreter.finish(lines);
+  for (LinePointer& line : lines) reading.lines.push_back(std::move(*line));
   reading.stopped = diagnostics.stopped();
   reading.diagnostics = diagnostics.take();
   return reading;

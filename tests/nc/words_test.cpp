@@ -5,6 +5,7 @@
 #include <charconv>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <random>
 #include <string>
 #include <vector>
@@ -172,6 +173,44 @@ TEST(Numbers, AreRoundedAsTheStandardLibraryRoundsThem) {
     ASSERT_EQ(read_number(text, value, whole), text.size()) << text;
     ASSERT_EQ(value, expected) << text;
     ASSERT_FALSE(whole);
+  }
+}
+
+// Digits are read eight bytes at a time: whatever stands around them must not matter.
+TEST(Numbers, EndWithTheFirstByteThatIsNoDigit) {
+  constexpr unsigned seed = 20241;
+  SCOPED_TRACE(seed);
+  std::mt19937_64 random(seed);
+  const auto below = [&](std::size_t count) { return random() % count; };
+  const int numbers = std::getenv("TRC_TEST_LONG") != nullptr ? 5'000'000 : 100'000;
+  for (int i = 0; i < numbers; ++i) {
+    std::string number;
+    for (std::size_t digits = below(11); digits > 0; --digits)
+      number += static_cast<char>('0' + below(10));
+    const bool has_point = below(3) > 0;
+    if (has_point) number += '.';
+    for (std::size_t digits = has_point ? below(11) : 0; digits > 0; --digits)
+      number += static_cast<char>('0' + below(10));
+    if (number.empty()) number = "7";
+    const bool is_number = number != ".";
+
+    std::string behind;
+    for (std::size_t bytes = below(12); bytes > 0; --bytes) behind += static_cast<char>(below(256));
+    const auto goes_on = [&](char byte) {
+      return (byte >= '0' && byte <= '9') || (byte == '.' && !has_point);
+    };
+    while (!behind.empty() && goes_on(behind.front())) behind.erase(0, 1);
+
+    const std::string text = number + behind;
+    double value = -1;
+    bool whole = false;
+    ASSERT_EQ(read_number(text, value, whole), is_number ? number.size() : 0) << text;
+    if (!is_number) continue;
+    double expected = 0;
+    std::from_chars(number.data(), number.data() + number.size(), expected,
+                    std::chars_format::fixed);
+    ASSERT_EQ(value, expected) << text;
+    ASSERT_EQ(whole, !has_point) << text;
   }
 }
 
