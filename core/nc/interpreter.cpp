@@ -18,7 +18,30 @@ std::string_view without_blanks_in_front(std::string_view text) {
   return text;
 }
 
+constexpr std::string_view center_letters = "IJKR";
+
+char upper(char letter) {
+  return letter >= 'a' && letter <= 'z' ? static_cast<char>(letter - 'a' + 'A') : letter;
+}
+
 bool is_line_end(char byte) { return byte == '\n' || byte == '\r'; }
+
+// Enters which roles and axes there are.
+void sum_up_words(ProgramLine& line) {
+  line.roles = 0;
+  line.names_other_axes = false;
+  line.main_axes = 0;
+  for (const WordRange& word : line.words) {
+    line.roles |= bit(word.role);
+    if (word.role != WordRole::coordinate) continue;
+    const char letter = upper(line.text[word.begin]);
+    if (letter >= 'X' && letter <= 'Z') {
+      line.main_axes |= static_cast<std::uint8_t>(1U << (letter - 'X'));
+    } else if (center_letters.find(letter) == std::string_view::npos) {
+      line.names_other_axes = true;
+    }
+  }
+}
 
 // Few lines get past this.
 bool may_be_continued(std::string_view line) {
@@ -156,7 +179,9 @@ ProgramLine& Interpreter::append_line(std::string_view text, std::string_view li
   line.source = {.index = blocks_read_, .line = static_cast<std::uint32_t>(lines_read_ + 1)};
   line.words.clear();
   line.roles = 0;
-  line.has_words = line.is_motion = line.has_technology = line.has_trc_words = false;
+  line.names_other_axes = false;
+  line.main_axes = 0;
+  line.has_words = line.is_motion = line.has_trc_words = false;
   line.ends_program = false;
   return line;
 }
@@ -265,11 +290,15 @@ bool Interpreter::read_line(ProgramLine& line) {
 
 bool Interpreter::read_block(ProgramLine& line) {
   BlockWords block;
-  if (!read_words(line, block)) return false;
+  const bool readable = read_words(line, block);
+  sum_up_words(line);
+  if (!readable) return false;
   if ((line.roles & ~bit(WordRole::comment)) == 0) return true;
   line.has_words = true;
   ++blocks_read_;
-  return check_block(line, block) && apply(line, block);
+  if (!check_block(line, block)) return false;
+  sum_up_words(line);
+  return apply(line, block);
 }
 
 // Whether the line can be read in one pass, with nothing to refuse before its motion.
@@ -281,6 +310,7 @@ bool Interpreter::is_plain(ProgramLine& line, PlainMotion& plain) const {
 bool Interpreter::apply(ProgramLine& line, const PlainMotion& plain) {
   line.source.number = plain.number();
   line.roles = plain.roles();
+  line.main_axes = plain.main_axes();
   line.has_words = true;
   ++blocks_read_;
   if (plain.has_function()) motion_ = plain.motion();
@@ -293,7 +323,6 @@ bool Interpreter::apply(ProgramLine& line, const PlainMotion& plain) {
 
 bool Interpreter::apply(ProgramLine& line, BlockWords& block) {
   line.has_trc_words = line.has(WordRole::trc);
-  line.has_technology = line.has(WordRole::technology) || line.has(WordRole::stop);
   const auto pass = [&](WordRole role) { return !line.has(role) || pass_words(line, role); };
   const bool goes_on = apply_modes(line, block) && apply_trc(line, block) &&
                        pass(WordRole::technology) && apply_motion(line, block) &&

@@ -58,7 +58,6 @@ Code twice_code(GGroup group) {
 
 void add(ProgramLine& line, const Word& word, WordRole role) {
   line.words.push_back({.begin = word.begin, .end = word.end, .role = role});
-  line.roles |= bit(role);
 }
 
 // The words behind `#`, upper case, joined by one blank: at most two.
@@ -312,12 +311,10 @@ bool Interpreter::check_block(ProgramLine& line, const BlockWords& block) {
     return refuse(line, TextFault{.code = Code::nc_number,
                                   .begin = block.feed->begin,
                                   .detail = "F, more than 0 and at most 1000000000 mm/min"});
-  line.roles = 0;
   for (WordRange& range : line.words) {
     const bool no_position = range.role == WordRole::coordinate && (preset || block.has(dwell));
     const bool no_feed = range.role == WordRole::feed && feed != 94;
     if (no_position || no_feed) range.role = WordRole::technology;
-    line.roles |= bit(range.role);
   }
   return true;
 }

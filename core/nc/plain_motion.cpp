@@ -17,7 +17,7 @@ constexpr std::array<std::uint8_t, 256> PlainMotion::use_of_sign = [] {
   std::array<std::uint8_t, 256> uses{};
   uses.fill(none);
   const auto enter = [&](char letter, std::size_t use) {
-    const auto upper = static_cast<std::size_t>(letter);
+    const std::size_t upper = static_cast<unsigned char>(letter);
     uses[upper] = uses[upper - 'A' + 'a'] = static_cast<std::uint8_t>(use);
   };
   for (const int axis : {0, 1, 2}) {
@@ -81,8 +81,8 @@ void PlainMotion::enter(MoveRequest& request) const {
   if (has(radius)) request.radius = values_[radius];
 }
 
-std::uint32_t PlainMotion::roles() const {
-  std::uint32_t roles = bit(WordRole::coordinate);
+RoleSet PlainMotion::roles() const {
+  RoleSet roles = bit(WordRole::coordinate);
   for (const Use use : {feed_word, block_number, function})
     if (has(use)) roles |= bit(role_of[use]);
   return roles;

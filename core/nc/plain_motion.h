@@ -33,8 +33,10 @@ class PlainMotion {
   void enter(MoveRequest& request) const;
   // Byte of the line where the first of them stands.
   [[nodiscard]] std::uint32_t first_coordinate() const { return first_coordinate_; }
-  // A bit for each role that its words have.
-  [[nodiscard]] std::uint32_t roles() const;
+  // Of the words.
+  [[nodiscard]] RoleSet roles() const;
+  // X Y Z, a bit each.
+  [[nodiscard]] std::uint8_t main_axes() const { return seen_ & 0x7; }
 
  private:
   // What a word is for. Three axes and three words for the centre stand side by side.

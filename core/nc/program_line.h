@@ -29,8 +29,9 @@ enum class WordRole : std::uint8_t {
 };
 
 // For sets of roles: a bit each.
-[[nodiscard]] constexpr std::uint32_t bit(WordRole role) {
-  return std::uint32_t{1} << static_cast<unsigned>(role);
+using RoleSet = std::uint16_t;
+[[nodiscard]] constexpr RoleSet bit(WordRole role) {
+  return static_cast<RoleSet>(1U << static_cast<unsigned>(role));
 }
 
 // Bytes [begin, end) of ProgramLine::text, without the blanks around. Ranges of
@@ -59,15 +60,14 @@ struct ProgramLine {
   std::string text{};
   std::string_view line_end{};  // "\n", "\r\n", "\r"; empty at the end of the text
   std::vector<WordRange> words{};
-  std::uint32_t roles = 0;  // of the words, a bit each
+  RoleSet roles = 0;              // of the words
+  bool names_other_axes = false;  // a coordinate is neither X Y Z nor I J K R
+  std::uint8_t main_axes = 0;     // X Y Z among the coordinates, a bit each
 
   bool has_words = false;  // counts in Source::index; false: name, comment, blank, after the end
   // The line gave exactly one block of motion with this Source (of any length; a
   // PassiveBlock with empty text when nothing moves in the plane).
   bool is_motion = false;
-  // The technology words of the line came as PassiveBlocks with this Source and
-  // their text, in front of the motion; those of role `stop` behind it.
-  bool has_technology = false;
   bool has_trc_words = false;
   bool ends_program = false;  // M02, M30
 

@@ -34,6 +34,28 @@ Point middle_of(const Arc& arc) {
   return arc.center + std::cos(arc.sweep / 2) * radial + std::sin(arc.sweep / 2) * left_of(radial);
 }
 
+// " X30": a blank, the address letter and the number, in room for `room_of_word` bytes.
+constexpr std::size_t room_of_word = 2 + room_of_units;
+char* write_word(char* at, char letter, std::int64_t units, int decimals) {
+  *at++ = ' ';
+  *at++ = letter;
+  return write_units(at, units, decimals);
+}
+
+// " G01"
+char* write_function(char* at, char digit) {
+  constexpr std::array<char, 3> begin{' ', 'G', '0'};
+  at = std::ranges::copy(begin, at).out;
+  *at++ = digit;
+  return at;
+}
+
+// For the words of one motion: a function, three axes and two words for the centre, and the
+// tracking axes.
+char* room_of_motion(TextBuffer& out, const TrackingTravel& tracking) {
+  return out.room((6 + tracking.size()) * room_of_word);
+}
+
 bool is_full_circle(const Arc& arc) { return arc.start == arc.end; }
 
 bool is_same_arc(const Arc& read, const Arc& arc, double unit) {
@@ -45,6 +67,60 @@ bool is_same_arc(const Arc& read, const Arc& arc, double unit) {
   if (std::abs(arc.sweep) > std::numbers::pi)
     return shift + std::abs(radius_of(read) - radius) <= long_arc_units * unit;
   return std::abs((middle_of(read) - arc.center).norm() - radius) <= short_arc_units * unit;
+}
+
+// What a reader makes of the numbers of an arc.
+struct ReadArc {
+  Point start = Point::Zero();
+  Point end = Point::Zero();
+  Point center = Point::Zero();
+};
+
+double size_of(const Vector& v) { return std::abs(v.x()) + std::abs(v.y()); }
+
+// Whether the reader surely runs the same arc. True only where form_of says `arc` too, which asks
+// arc_about, is_same_arc and for the radii: here the arc is compared without any angle. Every limit
+// is a tenth below that of form_of, so that rounding on the two ways, and a sweep that is not quite
+// that of its points, cannot matter.
+bool is_surely_read_alike(const ReadArc& read, const Arc& arc, double unit) {
+  constexpr CircleCheck check;
+  constexpr Tolerances tolerances;
+  const double sweep = std::abs(arc.sweep);
+  constexpr double full_turn = 2 * std::numbers::pi;
+  if (sweep < 2 * sweep_change || sweep > full_turn - 2 * sweep_change) return false;
+
+  // As arc_about does it: the centre goes to the perpendicular bisector of start and end.
+  const Vector chord = read.end - read.start;
+  const double length = chord.norm();
+  if (length < 100 * tolerances.same_point) return false;
+  const Vector along = chord / length;
+  const Point middle = (read.start + read.end) / 2;
+  const double height = left_of(along).dot(read.center - middle);
+  const double shift = std::abs(along.dot(read.center - middle));
+  const double radius = std::sqrt(height * height + length * length / 4);
+  if (shift > 0.9 * check.largest_shift) return false;
+  // The radii at start and end, whose sum is at least twice the one in between, differ by no more
+  // than shift * length / radius, and are no smaller than radius - shift.
+  if (shift * length >
+      0.9 * radius *
+          std::min(check.largest_radius_difference, check.largest_radius_factor * (radius - shift)))
+    return false;
+
+  // The directions from the centre to start and end turn by no more than the arc's points move,
+  // divided by the radius; the factor covers the difference between arc and chord as well.
+  const Point center = middle + height * left_of(along);
+  const double true_radius = radius_of(arc);
+  const double moved = (center - arc.center).norm();
+  if (size_of(read.start - arc.start) + size_of(read.end - arc.end) + 2 * moved >
+      0.8 * sweep_change * true_radius)
+    return false;
+
+  constexpr double limit = 0.9 * short_arc_units;
+  if (moved + std::abs(radius - true_radius) <= limit * unit) return true;
+  if (sweep > std::numbers::pi - sweep_change) return false;
+  // Counter-clockwise it bulges to the right of its chord.
+  const Point summit = center - std::copysign(radius, arc.sweep) * left_of(along);
+  return std::abs((summit - arc.center).norm() - true_radius) <= limit * unit;
 }
 
 }  // namespace
@@ -61,19 +137,6 @@ MotionWriter::MotionWriter(int decimals, std::string tracking_letters)
       unit_of_mm_(from_units(1, decimals)),
       unit_of_inch_(from_units(1, decimals + 1) * mm_per_inch),
       tracking_letters_(std::move(tracking_letters)) {}
-
-MotionWriter::Written MotionWriter::written(double value, bool inch) const {
-  const std::int64_t units = to_units(inch ? value / mm_per_inch : value, decimals_of(inch));
-  const double number = from_units(units, decimals_of(inch));
-  return {.units = units, .read = inch ? number * mm_per_inch : number};
-}
-
-MotionWriter::Written MotionWriter::written_end(double target, double position, bool inch,
-                                                bool incremental) const {
-  if (!incremental) return written(target, inch);
-  const Written step = written(target - position, inch);
-  return {.units = step.units, .read = position + step.read};
-}
 
 // I, J, K: from the start of the arc, or absolute.
 MotionWriter::Written MotionWriter::written_center(double center, double start,
@@ -97,7 +160,11 @@ MotionWriter::ArcNumbers MotionWriter::numbers_of(const Arc& arc, Plane plane,
   ArcNumbers numbers{.end = {end(arc.end.x(), start.x()), end(arc.end.y(), start.y())},
                      .center = {written_center(arc.center.x(), start.x(), state),
                                 written_center(arc.center.y(), start.y(), state)}};
-  numbers.form = form_of(arc, numbers, plane, state);
+  const ReadArc read{.start = start,
+                     .end = {numbers.end[0].read, numbers.end[1].read},
+                     .center = {numbers.center[0].read, numbers.center[1].read}};
+  if (!is_surely_read_alike(read, arc, unit(state.inch)))
+    numbers.form = form_of(arc, numbers, plane, state);
   return numbers;
 }
 
@@ -135,36 +202,39 @@ bool MotionWriter::moves(const Position& end, const TrackingTravel& tracking,
   return false;
 }
 
-void MotionWriter::append_axes(std::string& out, AxisSet always, AxisSet never, const Position& end,
+char* MotionWriter::write_axes(char* at, AxisSet always, AxisSet never, const Position& end,
                                const TrackingTravel& tracking, const KnownNumbers& known,
                                WrittenState& state) const {
-  const auto append_axis = [&](char letter, AxisSet bit, double target, const Written* number,
-                               double& position) {
+  const auto write_axis = [&](char letter, AxisSet bit, double target, bool inch,
+                              const Written* number, double& position) {
     if ((never & bit) != 0) return;
-    const bool inch = state.inch && is_linear(letter);
     if ((always & bit) == 0 && reaches(target, position, inch)) return;
     const Written axis =
         number != nullptr ? *number : written_end(target, position, inch, state.incremental);
-    append_word(out, letter, axis.units, decimals_of(inch));
+    at = write_word(at, letter, axis.units, decimals_of(inch));
     position = axis.read;
   };
   for (std::size_t axis = 0; axis < end.size(); ++axis)
-    append_axis(main_axis_letters[axis], axis_bit(axis), end[axis], known[axis],
-                state.position[axis]);
-  for (std::size_t axis = 0; axis < tracking.size(); ++axis)
-    append_axis(tracking_letters_[axis], axis_bit(end.size() + axis), tracking[axis].to, nullptr,
-                state.tracking[axis]);
+    write_axis(main_axis_letters[axis], axis_bit(axis), end[axis], state.inch, known[axis],
+               state.position[axis]);
+  for (std::size_t axis = 0; axis < tracking.size(); ++axis) {
+    const char letter = tracking_letters_[axis];
+    write_axis(letter, axis_bit(end.size() + axis), tracking[axis].to,
+               state.inch && is_linear(letter), nullptr, state.tracking[axis]);
+  }
+  return at;
 }
 
-void MotionWriter::append_line(std::string& out, MotionKind kind, const Position& end,
+void MotionWriter::append_line(TextBuffer& out, MotionKind kind, const Position& end,
                                const TrackingTravel& tracking, AxisSet always,
                                WrittenState& state) const {
-  out += kind == MotionKind::rapid ? " G00" : " G01";
-  append_axes(out, always, 0, end, tracking, {}, state);
+  char* at = room_of_motion(out, tracking);
+  at = write_function(at, kind == MotionKind::rapid ? '0' : '1');
+  out.end_at(write_axes(at, always, 0, end, tracking, {}, state));
   state.motion = kind;
 }
 
-void MotionWriter::append_arc(std::string& out, const Arc& arc, const ArcNumbers& numbers,
+void MotionWriter::append_arc(TextBuffer& out, const Arc& arc, const ArcNumbers& numbers,
                               Plane plane, const Position& end, const TrackingTravel& tracking,
                               AxisSet always, WrittenState& state) const {
   const bool clockwise = arc.sweep < 0;
@@ -177,15 +247,20 @@ void MotionWriter::append_arc(std::string& out, const Arc& arc, const ArcNumbers
   KnownNumbers known{};
   known[axes.first] = &numbers.end[0];
   known[axes.second] = &numbers.end[1];
-  out += clockwise ? " G02" : " G03";
-  append_axes(out, always | plane_axes, only_center ? plane_axes : 0, end, tracking, known, state);
+  char* at = room_of_motion(out, tracking);
+  at = write_function(at, clockwise ? '2' : '3');
+  at = write_axes(at, always | plane_axes, only_center ? plane_axes : 0, end, tracking, known,
+                  state);
+  const auto write_center = [&](std::size_t axis, std::size_t number) {
+    at =
+        write_word(at, center_letters[axis], numbers.center[number].units, decimals_of(state.inch));
+  };
   // The letters belong to the machine axes: in G18 the first axis of the plane is Z.
   const bool swapped = axes.first > axes.second;
-  const std::array<std::size_t, 2> order =
-      swapped ? std::array<std::size_t, 2>{1, 0} : std::array<std::size_t, 2>{0, 1};
-  for (const std::size_t i : order)
-    append_word(out, center_letters[i == 0 ? axes.first : axes.second], numbers.center[i].units,
-                decimals_of(state.inch));
+  if (swapped) write_center(axes.second, 1);
+  write_center(axes.first, 0);
+  if (!swapped) write_center(axes.second, 1);
+  out.end_at(at);
   state.motion = clockwise ? MotionKind::clockwise : MotionKind::counter_clockwise;
 }
 
@@ -204,9 +279,9 @@ bool MotionWriter::same_feed(double a, double b, bool inch) const {
   return a == b || written_feed(a, inch).read == written_feed(b, inch).read;
 }
 
-void MotionWriter::append_feed(std::string& out, double feed, WrittenState& state) const {
+void MotionWriter::append_feed(TextBuffer& out, double feed, WrittenState& state) const {
   const WrittenFeed word = written_feed(feed, state.inch);
-  append_word(out, 'F', word.units, word.decimals);
+  out.end_at(write_word(out.room(room_of_word), 'F', word.units, word.decimals));
   state.feed = word.read;
 }
 

@@ -6,7 +6,9 @@
 #include <string>
 #include <vector>
 
+#include "core/nc/number_format.h"
 #include "core/nc/program_line.h"
+#include "core/nc/text_buffer.h"
 #include "core/trc/compensated_block.h"
 
 namespace trc {
@@ -64,6 +66,10 @@ class MotionWriter {
     std::array<Written, 2> center{};
   };
   [[nodiscard]] ArcNumbers numbers_of(const Arc& arc, Plane plane, const WrittenState& state) const;
+  // The form, from the arc that a reader makes of the numbers. numbers_of gets there by a shorter
+  // way where it can.
+  [[nodiscard]] ArcForm form_of(const Arc& arc, const ArcNumbers& numbers, Plane plane,
+                                const WrittenState& state) const;
 
   // Whether a reader would move if it were told to go there.
   [[nodiscard]] bool moves(const Position& end, const TrackingTravel& tracking,
@@ -77,25 +83,31 @@ class MotionWriter {
 
   // Append the motion function, the axes that move or are in `always` and, for
   // an arc, both plane axes and the centre. Each word has a blank before it.
-  void append_line(std::string& out, MotionKind kind, const Position& end,
+  void append_line(TextBuffer& out, MotionKind kind, const Position& end,
                    const TrackingTravel& tracking, AxisSet always, WrittenState& state) const;
   // `numbers`: of this arc, from this state.
-  void append_arc(std::string& out, const Arc& arc, const ArcNumbers& numbers, Plane plane,
+  void append_arc(TextBuffer& out, const Arc& arc, const ArcNumbers& numbers, Plane plane,
                   const Position& end, const TrackingTravel& tracking, AxisSet always,
                   WrittenState& state) const;
 
   // Whether two feeds are written alike, mm/min.
   [[nodiscard]] bool same_feed(double a, double b, bool inch) const;
-  void append_feed(std::string& out, double feed, WrittenState& state) const;
+  void append_feed(TextBuffer& out, double feed, WrittenState& state) const;
 
  private:
-  [[nodiscard]] Written written(double value, bool inch) const;
+  [[nodiscard]] Written written(double value, bool inch) const {
+    const std::int64_t units = to_units(inch ? value / mm_per_inch : value, decimals_of(inch));
+    const double number = from_units(units, decimals_of(inch));
+    return {.units = units, .read = inch ? number * mm_per_inch : number};
+  }
   [[nodiscard]] Written written_end(double target, double position, bool inch,
-                                    bool incremental) const;
+                                    bool incremental) const {
+    if (!incremental) return written(target, inch);
+    const Written step = written(target - position, inch);
+    return {.units = step.units, .read = position + step.read};
+  }
   [[nodiscard]] Written written_center(double center, double start,
                                        const WrittenState& state) const;
-  [[nodiscard]] ArcForm form_of(const Arc& arc, const ArcNumbers& numbers, Plane plane,
-                                const WrittenState& state) const;
   struct WrittenFeed {
     std::int64_t units = 0;
     int decimals = 0;
@@ -107,9 +119,9 @@ class MotionWriter {
 
   // `known`: the numbers of main axes that have been asked for already.
   using KnownNumbers = std::array<const Written*, 3>;
-  void append_axes(std::string& out, AxisSet always, AxisSet never, const Position& end,
-                   const TrackingTravel& tracking, const KnownNumbers& known,
-                   WrittenState& state) const;
+  [[nodiscard]] char* write_axes(char* at, AxisSet always, AxisSet never, const Position& end,
+                                 const TrackingTravel& tracking, const KnownNumbers& known,
+                                 WrittenState& state) const;
 
   int decimals_;
   // Of the last decimal, mm.

@@ -11,8 +11,13 @@ namespace {
 constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
 
 // What is left of a line besides its N word when its motion is gone.
-constexpr std::uint32_t roles_without_motion =
+constexpr RoleSet roles_without_motion =
     bit(WordRole::mode) | bit(WordRole::feed) | bit(WordRole::technology) | bit(WordRole::comment);
+
+// Of a line that is written anew, in front of the words of its motion and behind them.
+constexpr RoleSet roles_in_front = bit(WordRole::number) | bit(WordRole::mode);
+constexpr RoleSet roles_behind =
+    bit(WordRole::technology) | bit(WordRole::comment) | bit(WordRole::feed);
 
 char upper(char letter) {
   return letter >= 'a' && letter <= 'z' ? static_cast<char>(letter - 'a' + 'A') : letter;
@@ -39,7 +44,9 @@ AxisSet plane_axes(Plane plane) {
 }  // namespace
 
 NcWriter::NcWriter(const Setup& setup)
-    : motions_(setup.decimals, setup.tracking_letters), tracking_letters_(setup.tracking_letters) {
+    : motions_(setup.decimals, setup.tracking_letters),
+      tracking_letters_(setup.tracking_letters),
+      center_letters_are_axes_(setup.tracking_letters.find_first_of("IJKR") != std::string::npos) {
   state_.absolute_center = setup.absolute_center;
   state_.plane = setup.plane;
   state_.position = setup.start;
@@ -63,10 +70,7 @@ void NcWriter::drop_first() {
 }
 
 void NcWriter::write_lines_before(const Source& source, std::string& out) {
-  while (first_ < waiting_.size()) {
-    const ProgramLine& line = *waiting_[first_].line;
-    if (line.source.index > source.index) return;
-    if (line.source.index == source.index && line.has_words) return;
+  while (first_ < waiting_.size() && comes_before(waiting_[first_], source)) {
     write_without_motion(waiting_[first_], out);
     drop_first();
   }
@@ -85,7 +89,8 @@ void NcWriter::finish(std::string& out) {
 }
 
 void NcWriter::write(const CompensatedBlock& block, std::string& out) {
-  write_lines_before(block.source, out);
+  if (first_ < waiting_.size() && comes_before(waiting_[first_], block.source))
+    write_lines_before(block.source, out);
   const bool has_own =
       first_ < waiting_.size() && waiting_[first_].line->source.index == block.source.index;
   own_ = has_own ? &waiting_[first_] : nullptr;
@@ -102,7 +107,8 @@ void NcWriter::write(const CompensatedBlock& block, std::string& out) {
     drop_first();
     return;
   }
-  if (!has_own || !copy_motion(*own_, block, out)) write_motion(block, out);
+  const bool may_be_copied = has_own && block.origin == Origin::uncompensated;
+  if (!may_be_copied || !copy_motion(*own_, block, out)) write_motion(block, out);
   if (own_ != nullptr && (own_->line->roles & roles_without_motion) != 0) {
     write_without_motion(*own_, out);
     own_ = nullptr;
@@ -132,7 +138,7 @@ void NcWriter::write_without_motion(const Waiting& own, std::string& out) {
 
 bool NcWriter::copy_motion(const Waiting& own, const CompensatedBlock& block, std::string& out) {
   const ProgramLine& line = *own.line;
-  if (block.origin != Origin::uncompensated || line.has_trc_words || !line.is_motion) return false;
+  if (line.has_trc_words || !line.is_motion) return false;
   if (line.motion != kind_of(block)) return false;
   if (!own.line->has(WordRole::motion) && line.motion != state_.motion) return false;
   if (is_arc(block.path) && line.plane != block.plane) return false;
@@ -221,26 +227,29 @@ void NcWriter::write_piece(const CompensatedBlock& block, const Segment& piece,
     return share == 1 ? travel.to : travel.from + share * (travel.to - travel.from);
   };
   const Position end = from_plane(block.plane, end_of(piece), part_way(block.normal));
-  tracking_.assign(block.tracking.begin(), block.tracking.end());
-  for (AxisTravel& travel : tracking_) travel.to = part_way(travel);
+  if (share != 1) {
+    tracking_ = block.tracking;
+    for (AxisTravel& travel : tracking_) travel.to = part_way(travel);
+  }
+  const TrackingTravel& tracking = share == 1 ? block.tracking : tracking_;
   const bool in_plane = moves_in_plane(block);
   AxisSet always = in_plane ? plane_axes(block.plane) : 0;
   if (own_ != nullptr) always |= axes_to_keep(*own_, block, end);
   const Arc* arc = std::get_if<Arc>(&piece);
   const bool must_be_written = (always & (in_plane ? ~plane_axes(block.plane) : ~AxisSet{0})) != 0;
-  if (arc == nullptr && !must_be_written && !motions_.moves(end, tracking_, state_)) return;
+  if (arc == nullptr && !must_be_written && !motions_.moves(end, tracking, state_)) return;
 
   begin_words();
-  if (own_ != nullptr) {
+  if (own_ != nullptr && (own_->line->roles & roles_in_front) != 0) {
     for (const WordRange& word : own_->line->words)
       if (word.role == WordRole::number || word.role == WordRole::mode) append(*own_->line, word);
   }
   const MotionKind kind = kind_of(block);
   if (arc != nullptr) {
-    motions_.append_arc(words_, *arc, *numbers, block.plane, end, tracking_, always, state_);
+    motions_.append_arc(words_, *arc, *numbers, block.plane, end, tracking, always, state_);
   } else {
     motions_.append_line(words_, kind == MotionKind::rapid ? kind : MotionKind::linear, end,
-                         tracking_, always, state_);
+                         tracking, always, state_);
   }
   append_feed_and_rest(block);
   write_words(own_ != nullptr ? own_->line->line_end : line_end_, out);
@@ -250,16 +259,14 @@ void NcWriter::write_piece(const CompensatedBlock& block, const Segment& piece,
 
 // The words of the line for axes that need not move by our count. They stay:
 // where the machine is at the start of the program or after a shift of the zero
-// point only the line says.
+// point only the line says. Under TRC the line names the programmed place, not that of the tool.
 AxisSet NcWriter::axes_to_keep(const Waiting& own, const CompensatedBlock& block,
                                const Position& end) const {
   AxisSet kept = axes_named_in(*own.line) & ~own.meaning.moved;
+  if (block.origin != Origin::uncompensated) return kept & ~plane_axes(block.plane);
   for (std::size_t axis = 0; axis < end.size(); ++axis) {
     if ((plane_axes(block.plane) & axis_bit(axis)) == 0) continue;
-    // Under TRC the line names the programmed place, not that of the tool.
-    const bool is_there = block.origin == Origin::uncompensated &&
-                          motions_.reaches(end[axis], own.meaning.end[axis], state_.inch);
-    if (!is_there) kept &= ~axis_bit(axis);
+    if (!motions_.reaches(end[axis], own.meaning.end[axis], state_.inch)) kept &= ~axis_bit(axis);
   }
   return kept;
 }
@@ -268,7 +275,7 @@ void NcWriter::append_feed_and_rest(const CompensatedBlock& block) {
   const bool needs_feed = !block.rapid && block.feed > 0;
   if (needs_feed && !(own_ != nullptr && own_->line->has(WordRole::feed)) && !has_feed(block))
     append_feed(block.feed);
-  if (own_ == nullptr) return;
+  if (own_ == nullptr || (own_->line->roles & roles_behind) == 0) return;
   const ProgramLine& line = *own_->line;
   for (const WordRange& word : line.words) {
     if (word.role == WordRole::technology || word.role == WordRole::comment) {
@@ -303,14 +310,9 @@ void NcWriter::enter_feed(const ProgramLine& line) {
 
 void NcWriter::write_plane(Plane plane, std::string& out) {
   begin_words();
-  words_ += plane == Plane::xy ? " G17" : plane == Plane::zx ? " G18" : " G19";
+  words_.append(plane == Plane::xy ? " G17" : plane == Plane::zx ? " G18" : " G19");
   write_words(line_end_, out);
   state_.plane = plane;
-}
-
-void NcWriter::begin_words() {
-  words_.clear();
-  last_comment_.clear();
 }
 
 // In a continued block words may stand behind a `;` comment, and each line may
@@ -321,16 +323,26 @@ void NcWriter::append(const ProgramLine& line, const WordRange& word) {
     if (&*first != &word) return;
   }
   const bool ends_line = word.role == WordRole::comment && line.text[word.begin] == ';';
-  ((ends_line ? last_comment_ : words_) += ' ') += line.word(word);
+  TextBuffer& words = ends_line ? last_comment_ : words_;
+  words.append(' ');
+  words.append(line.word(word));
 }
 
 void NcWriter::write_words(std::string_view line_end, std::string& out) {
-  words_ += last_comment_;
-  write_text(std::string_view(words_).substr(1), line_end, out);
+  if (!last_comment_.empty()) words_.append(last_comment_.view());
+  if (line_end.empty()) return write_text(words_.view().substr(1), line_end, out);
+  end_line_before(out);
+  if (line_end.size() == 1) {
+    words_.append(line_end.front());
+  } else {
+    words_.append(line_end);
+  }
+  out += words_.view().substr(1);
+  line_end_ = line_end;
 }
 
 void NcWriter::write_text(std::string_view text, std::string_view line_end, std::string& out) {
-  if (std::exchange(line_end_missing_, false)) out += line_end_;
+  end_line_before(out);
   out += text;
   out += line_end;
   if (!line_end.empty()) {
@@ -348,7 +360,7 @@ void NcWriter::enter_modes(const Waiting& own) {
   state_.plane = own.line->plane;
 }
 
-AxisSet NcWriter::axes_named_in(const ProgramLine& line) const {
+AxisSet NcWriter::all_axes_named_in(const ProgramLine& line) const {
   AxisSet named = 0;
   for (const WordRange& word : line.words) {
     if (word.role != WordRole::coordinate) continue;

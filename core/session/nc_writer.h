@@ -5,6 +5,7 @@
 #include <limits>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "core/nc/program_line.h"
@@ -86,6 +87,10 @@ class NcWriter {
   };
 
   void drop_first();
+  [[nodiscard]] bool comes_before(const Waiting& waiting, const Source& source) const {
+    const Source& own = waiting.line->source;
+    return own.index < source.index || (own.index == source.index && !waiting.line->has_words);
+  }
   void write_lines_before(const Source& source, std::string& out);
 
   // The line without its motion and TRC words; as it is when it has neither.
@@ -105,7 +110,10 @@ class NcWriter {
                    const MotionWriter::ArcNumbers* numbers, double share, std::string& out);
   void write_plane(Plane plane, std::string& out);
 
-  void begin_words();
+  void begin_words() {
+    words_.clear();
+    last_comment_.clear();
+  }
   void append(const ProgramLine& line, const WordRange& word);
   void append_feed_and_rest(const CompensatedBlock& block);
   void append_feed(double feed);
@@ -114,13 +122,21 @@ class NcWriter {
   [[nodiscard]] bool has_feed(const CompensatedBlock& block) const;
   void write_words(std::string_view line_end, std::string& out);
   void write_text(std::string_view text, std::string_view line_end, std::string& out);
+  void end_line_before(std::string& out) {
+    if (std::exchange(line_end_missing_, false)) out += line_end_;
+  }
   void enter_modes(const Waiting& own);
   [[nodiscard]] AxisSet axes_to_keep(const Waiting& own, const CompensatedBlock& block,
                                      const Position& end) const;
-  [[nodiscard]] AxisSet axes_named_in(const ProgramLine& line) const;
+  [[nodiscard]] AxisSet axes_named_in(const ProgramLine& line) const {
+    return line.names_other_axes || center_letters_are_axes_ ? all_axes_named_in(line)
+                                                             : AxisSet{line.main_axes};
+  }
+  [[nodiscard]] AxisSet all_axes_named_in(const ProgramLine& line) const;
 
   MotionWriter motions_;
   std::string tracking_letters_;
+  bool center_letters_are_axes_;  // I J K R among them
   WrittenState state_;
   WrittenState after_;              // of the line being judged
   bool feed_is_programmed_ = true;  // the last F word is one of the program
@@ -134,8 +150,8 @@ class NcWriter {
   // still to come.
   std::uint64_t rewritten_index_ = std::numeric_limits<std::uint64_t>::max();
   const Waiting* own_ = nullptr;      // the line of the block being written, until it has come out
-  std::string words_;                 // of the line being written, a blank before each
-  std::string last_comment_;          // behind them: what begins with `;` ends the line
+  TextBuffer words_;                  // of the line being written, a blank before each
+  TextBuffer last_comment_;           // behind them: what begins with `;` ends the line
   TrackingTravel tracking_{};         // of the piece being written
   std::string_view line_end_ = "\n";  // of the lines TRC inserts: that of the line before
   bool line_end_missing_ = false;     // the text so far ends with a line without

@@ -121,7 +121,7 @@ void motions(benchmark::State& state) {
   blocks = part().lap_blocks;
   require(compensator.feed(blocks, compensated));
   const MotionWriter writer(4, "");
-  std::string text;
+  TextBuffer text;
   WrittenState written;
   run_timed(
       state, compensated.size(), [&] { text.clear(); },

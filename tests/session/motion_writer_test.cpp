@@ -5,7 +5,9 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
+#include <cstdlib>
 #include <numbers>
 
 #include "core/nc/circle.h"
@@ -78,6 +80,37 @@ TEST(ArcForm, CircleSmallerThanAUnitIsNoCircle) {
   EXPECT_EQ(writer.numbers_of(arc, Plane::xy, at_start(arc, 2)).form, ArcForm::line);
 }
 
+// Also where neither the sweep nor the centre are what the numbers were made for.
+TEST(ArcForm, IsFoundTheShortWayToo) {
+  constexpr std::uint64_t seed = 8;
+  support::Random random(seed);
+  const int arcs = std::getenv("TRC_TEST_LONG") != nullptr ? 20'000'000 : 300'000;
+  std::array<int, 3> forms{};
+  for (int i = 0; i < arcs; ++i) {
+    const auto places = static_cast<int>(random.below(7));
+    const double unit = from_units(1, places);
+    const double radius = unit * std::pow(10, random.between(-1, 7));
+    double sweep =
+        random.chance(0.5) ? random.between(0.001, 2 * pi) : std::pow(10, random.between(-7, 0));
+    if (random.chance(0.3)) sweep = 2 * pi - sweep;
+    if (sweep <= 0) continue;
+    if (random.chance(0.5)) sweep = -sweep;
+    const Arc arc = arc_from({random.between(-100, 100), random.between(-100, 100)}, radius,
+                             random.between(0, 2 * pi), sweep);
+    WrittenState state = at_start(arc, places);
+    for (double& position : state.position)
+      if (random.chance(0.2)) position += random.between(-3, 3) * unit;
+    state.absolute_center = random.chance(0.5);
+    state.inch = random.chance(0.2);
+    const MotionWriter writer(places, "");
+    const MotionWriter::ArcNumbers numbers = writer.numbers_of(arc, Plane::xy, state);
+    ASSERT_EQ(numbers.form, writer.form_of(arc, numbers, Plane::xy, state))
+        << "seed " << seed << ", step " << i;
+    ++forms[static_cast<std::size_t>(numbers.form)];
+  }
+  for (const int form : forms) EXPECT_GT(form, arcs / 100);
+}
+
 // For arcs of every size against the unit, what is written as an arc is read as that arc.
 TEST(ArcForm, WhatIsAnArcIsReadAsTheSameArc) {
   support::Random random(7);
@@ -101,8 +134,9 @@ TEST(ArcForm, WhatIsAnArcIsReadAsTheSameArc) {
     if (numbers.form != ArcForm::arc) continue;
     ++arcs;
     const Point start(state.position[0], state.position[1]);
-    std::string text;
-    writer.append_arc(text, arc, numbers, Plane::xy, {arc.end.x(), arc.end.y(), 0}, {}, 0, state);
+    TextBuffer words;
+    writer.append_arc(words, arc, numbers, Plane::xy, {arc.end.x(), arc.end.y(), 0}, {}, 0, state);
+    const std::string text(words.view());
     const Point end(state.position[0], state.position[1]);
     Point center(std::stod(text.substr(text.find('I') + 1)),
                  std::stod(text.substr(text.find('J') + 1)));
@@ -142,10 +176,10 @@ TEST(Halves, ShareTheirJointAndTheSweep) {
 TEST(MotionWords, RotaryAxesHaveNoInch) {
   const MotionWriter writer(4, "AU");
   WrittenState state{.inch = true, .tracking = {0, 0}};
-  std::string text;
+  TextBuffer text;
   writer.append_line(text, MotionKind::linear, {25.4, 0, 0},
                      {{.from = 0, .to = 30}, {.from = 0, .to = 50.8}}, 0, state);
-  EXPECT_EQ(text, " G01 X1 A30 U2");
+  EXPECT_EQ(text.view(), " G01 X1 A30 U2");
   EXPECT_EQ(state.position[0], 25.4);
   EXPECT_EQ(state.tracking[0], 30);
   EXPECT_EQ(state.tracking[1], 50.8);
@@ -154,10 +188,10 @@ TEST(MotionWords, RotaryAxesHaveNoInch) {
 std::string feed_word(double feed, int decimals, bool inch = false) {
   WrittenState state;
   state.inch = inch;
-  std::string text;
+  TextBuffer text;
   MotionWriter(decimals, "").append_feed(text, feed, state);
-  EXPECT_NEAR(state.feed, feed, feed / 1000) << text;
-  return text;
+  EXPECT_NEAR(state.feed, feed, feed / 1000) << text.view();
+  return std::string(text.view());
 }
 
 TEST(Feed, IsWrittenToAThousandthWithAnyNumberOfDecimals) {
@@ -172,10 +206,10 @@ TEST(Feed, IsWrittenToAThousandthWithAnyNumberOfDecimals) {
 }
 
 TEST(Feed, IsNeverWrittenAsNone) {
-  std::string text;
+  TextBuffer text;
   WrittenState state;
   MotionWriter(4, "").append_feed(text, 1e-15, state);
-  EXPECT_EQ(text, " F0.000000001");
+  EXPECT_EQ(text.view(), " F0.000000001");
   EXPECT_FALSE(MotionWriter(0, "").same_feed(0.2, 0.3, false));
 }
 

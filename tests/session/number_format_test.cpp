@@ -86,6 +86,55 @@ TEST(NumberFormat, RoundsAsTheCLibraryDoes) {
   }
 }
 
+int numbers() { return std::getenv("TRC_TEST_LONG") != nullptr ? 20'000'000 : 200'000; }
+
+// A number whose last decimal is as near to a tie as may be, or any.
+double near_tie(support::Random& random, int places) {
+  const double size = std::pow(10, random.between(0, 14 - places));
+  double value = random.between(-size, size);
+  if (random.chance(0.2)) return value;
+  const auto unit = static_cast<double>(units_per_one(places));
+  value = (std::floor(value * unit) + 0.5) / unit;
+  for (auto steps = random.below(4); steps > 0; --steps)
+    value = std::nextafter(value, random.chance(0.5) ? 1e300 : -1e300);
+  return value;
+}
+
+TEST(NumberFormat, TheShortWayToUnitsIsExact) {
+  constexpr std::uint64_t seed = 21;
+  support::Random random(seed);
+  for (int i = 0; i < numbers(); ++i) {
+    const auto places = static_cast<int>(random.below(most_decimals + 1));
+    const double value = near_tie(random, places);
+    ASSERT_EQ(to_units(value, places), to_units_exactly(value, places))
+        << value << " seed " << seed << ", step " << i;
+  }
+}
+
+TEST(NumberFormat, UnitsAreWrittenAsTheCLibraryWritesThem) {
+  constexpr std::uint64_t seed = 22;
+  support::Random random(seed);
+  for (int i = 0; i < numbers(); ++i) {
+    const auto places = static_cast<int>(random.below(most_decimals + 1));
+    auto units = static_cast<std::int64_t>(std::pow(10, random.between(0, 18.9)));
+    // Zeros at the end, as programs have them.
+    for (auto zeros = random.below(12); zeros > 0; --zeros) units = units / 10;
+    for (auto zeros = random.below(8); zeros > 0 && units < 1'000'000'000; --zeros) units *= 10;
+    if (random.chance(0.5)) units = -units;
+    const auto one = units_per_one(places);
+    char text[64];
+    std::snprintf(text, sizeof text, "%s%lld", units < 0 ? "-" : "",
+                  static_cast<long long>(std::abs(units / one)));
+    std::string expected = text;
+    if (const auto fraction = std::abs(units % one); fraction != 0) {
+      std::snprintf(text, sizeof text, ".%0*lld", places, static_cast<long long>(fraction));
+      expected += text;
+      expected.erase(expected.find_last_not_of('0') + 1);
+    }
+    ASSERT_EQ(trimmed(units, places), expected) << "seed " << seed << ", step " << i;
+  }
+}
+
 TEST(NumberFormat, ExtremesStayInRange) {
   const auto largest = std::numeric_limits<std::int64_t>::max();
   for (const double value :

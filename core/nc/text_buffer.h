@@ -1,0 +1,41 @@
+#pragma once
+
+#include <cstddef>
+#include <cstring>
+#include <string_view>
+#include <vector>
+
+namespace trc {
+
+// Text that is put together word by word: room for a word is asked for once, then it is written in
+// place.
+class TextBuffer {
+ public:
+  void clear() { size_ = 0; }
+  [[nodiscard]] bool empty() const { return size_ == 0; }
+  [[nodiscard]] std::string_view view() const { return {bytes_.data(), size_}; }
+
+  // Where the text ends now, with room for so many bytes behind.
+  [[nodiscard]] char* room(std::size_t size) {
+    if (bytes_.size() - size_ < size) bytes_.resize(2 * bytes_.size() + size);
+    return bytes_.data() + size_;
+  }
+  // The text ends here, in the room.
+  void end_at(const char* end) { size_ = static_cast<std::size_t>(end - bytes_.data()); }
+
+  void append(std::string_view text) {
+    char* const at = room(text.size());
+    std::memcpy(at, text.data(), text.size());
+    end_at(at + text.size());
+  }
+  void append(char sign) {
+    *room(1) = sign;
+    ++size_;
+  }
+
+ private:
+  std::vector<char> bytes_;  // more of them than the text has
+  std::size_t size_ = 0;
+};
+
+}  // namespace trc

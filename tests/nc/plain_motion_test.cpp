@@ -1,0 +1,198 @@
+#include "core/nc/plain_motion.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cstdlib>
+#include <string>
+#include <vector>
+
+#include "tests/nc/reading.h"
+#include "tests/support/random.h"
+
+// Lines that are nothing but a motion are read in one pass. A comment behind such a line makes it
+// one for the general reader: both must make the same of it.
+
+namespace trc::testing {
+namespace {
+
+bool is_plain(std::string_view line) {
+  PlainMotion plain;
+  std::vector<WordRange> words;
+  return plain.read(line, words);
+}
+
+TEST(PlainMotion, IsALineOfMotionWordsInAnyOrderAndSpelling) {
+  EXPECT_TRUE(is_plain("N10 G01 X1.5 Y-2"));
+  EXPECT_TRUE(is_plain("x1y2g3i.5j0.f100n7"));
+  EXPECT_TRUE(is_plain("\tG2 X1 R5 "));
+  EXPECT_TRUE(is_plain("Z5"));
+}
+
+TEST(PlainMotion, IsNoLineWithAnythingElse) {
+  for (const std::string line : {"",
+                                 "  ",
+                                 "N10",
+                                 "G01",
+                                 "F100",
+                                 "G01 X1 (c)",
+                                 "G01 X1 ;c",
+                                 "G01 X1 M8",
+                                 "G17 X1",
+                                 "G41 X1",
+                                 "X1 A5",
+                                 "X 1",
+                                 "X=1",
+                                 "X1=2",
+                                 "X1 X2",
+                                 "G1 G1 X1",
+                                 "G1.0 X1",
+                                 "G4 X1",
+                                 "G-1 X1",
+                                 "N1.5 X1",
+                                 "N-1 X1",
+                                 "X1 F0",
+                                 "X1 F-5",
+                                 "X",
+                                 "X-",
+                                 "X.",
+                                 "X1e5",
+                                 "X1 \\",
+                                 "%X1",
+                                 "/X1",
+                                 "#X1",
+                                 "X1\r",
+                                 "X1 Y\xc3\xa4",
+                                 "N10000000000000000 X1"})
+    EXPECT_FALSE(is_plain(line)) << line;
+  EXPECT_FALSE(is_plain("X" + std::string(400, '9'))) << "no double is as large";
+  EXPECT_FALSE(is_plain(std::string("X1\0", 3)));
+}
+
+class LineMaker {
+ public:
+  explicit LineMaker(std::uint64_t seed) : random_(seed) {}
+
+  std::string line(int number) {
+    std::vector<std::string> words;
+    if (random_.chance(0.8)) words.push_back((half() ? "G0" : "G") + one_of("0123"));
+    for (const char axis : {'X', 'Y', 'Z'})
+      if (random_.chance(axis == 'Z' ? 0.1 : 0.8)) words.push_back(axis + value());
+    for (const char center : {'I', 'J', 'K', 'R'})
+      if (random_.chance(center <= 'J' ? 0.3 : 0.03)) words.push_back(center + value());
+    if (random_.chance(0.2)) words.push_back("F" + std::to_string(random_.below(2000)));
+    if (half()) words.insert(words.begin(), "N" + std::to_string(number));
+    if (random_.chance(0.2))
+      for (std::size_t i = words.size(); i > 1; --i)
+        std::swap(words[i - 1], words[random_.below(i)]);
+    const std::string blank = random_.chance(0.8) ? " " : "";
+    std::string text;
+    for (const std::string& word : words) text += word + blank;
+    if (!text.empty() && random_.chance(0.1)) garble(text);
+    return text;
+  }
+
+  bool half() { return random_.chance(0.5); }
+  std::string one_of(std::string_view letters) {
+    return std::string(1, letters[random_.below(letters.size())]);
+  }
+
+ private:
+  std::string value() {
+    static constexpr std::array rare{"0", "-0",       "+3.", ".5",       "-.",
+                                     "",  "00012.50", "1e3", "999999999"};
+    if (random_.chance(0.1)) return rare[random_.below(rare.size())];
+    std::array<char, 60> text{};
+    const auto decimals = static_cast<int>(random_.below(random_.chance(0.1) ? 20 : 7));
+    std::snprintf(text.data(), text.size(), "%.*f", decimals, random_.between(-500, 500));
+    return text.data();
+  }
+
+  void garble(std::string& text) {
+    const std::size_t at = random_.below(text.size());
+    const std::string sign = one_of("XYGNIJ=.-+ \t)#$/%\"A1\xc3\x01\xe4");
+    if (half()) {
+      text.replace(at, 1, sign);
+    } else {
+      text.insert(at, sign);
+    }
+  }
+
+  support::Random random_;
+};
+
+void expect_same_line(const ProgramLine& plain, const ProgramLine& general) {
+  std::vector<WordRange> words = general.words;
+  std::erase_if(words, [](const WordRange& word) { return word.role == WordRole::comment; });
+  EXPECT_EQ(plain.words, words);
+  EXPECT_EQ(plain.roles, general.roles & ~bit(WordRole::comment));
+  EXPECT_EQ(plain.main_axes, general.main_axes);
+  EXPECT_EQ(plain.names_other_axes, general.names_other_axes);
+  EXPECT_EQ(plain.source, general.source);
+  EXPECT_EQ(plain.has_words, general.has_words);
+  EXPECT_EQ(plain.is_motion, general.is_motion);
+  EXPECT_EQ(plain.motion, general.motion);
+  EXPECT_EQ(plain.feed, general.feed);
+}
+
+void expect_same_block(const Block& plain, const Block& general) {
+  ASSERT_EQ(plain.index(), general.index());
+  std::visit(
+      [&](const auto& block) {
+        const auto& other = std::get<std::decay_t<decltype(block)>>(general);
+        EXPECT_EQ(block.source, other.source);
+        EXPECT_EQ(block.normal, other.normal);
+        EXPECT_EQ(block.feed, other.feed);
+        EXPECT_EQ(block.rapid, other.rapid);
+        EXPECT_EQ(*block.mode, *other.mode);
+        if constexpr (std::is_same_v<std::decay_t<decltype(block)>, MotionBlock>) {
+          EXPECT_EQ(block.path, other.path);
+        } else {
+          EXPECT_EQ(block.text, other.text);
+        }
+      },
+      plain);
+}
+
+TEST(PlainMotion, IsReadAsTheGeneralReaderReadsIt) {
+  constexpr std::array heads{"",
+                             "G70\n",
+                             "G91\n",
+                             "G161\n",
+                             "G95 F1\n",
+                             "G54\n",
+                             "V.G.WZ_AKT.R=1\nG01 F100 X0\nG41 X10\n"};
+  const std::uint64_t programs = std::getenv("TRC_TEST_LONG") != nullptr ? 1'000'000 : 20'000;
+  std::uint64_t plain_lines = 0;
+  for (std::uint64_t seed = 1; seed <= programs && !HasFailure(); ++seed) {
+    LineMaker maker(seed);
+    std::string plain_text = heads[seed % heads.size()];
+    std::string general_text = plain_text;
+    for (int number = 0; number < 5; ++number) {
+      const std::string line = maker.line(number);
+      plain_lines += is_plain(line) ? 1 : 0;
+      plain_text += line + "\n";
+      general_text += line + "(c)\n";
+    }
+    SCOPED_TRACE("seed " + std::to_string(seed) + "\n" + plain_text);
+    const Reading plain = read(plain_text);
+    const Reading general = read(general_text);
+    EXPECT_EQ(plain.stopped, general.stopped);
+    ASSERT_EQ(plain.diagnostics.size(), general.diagnostics.size());
+    for (std::size_t i = 0; i < plain.diagnostics.size(); ++i) {
+      EXPECT_EQ(place_and_code(plain.diagnostics[i]), place_and_code(general.diagnostics[i]));
+      EXPECT_EQ(message_of(plain.diagnostics[i]), message_of(general.diagnostics[i]));
+    }
+    ASSERT_EQ(plain.lines.size(), general.lines.size());
+    const std::size_t whole_lines = plain.lines.size() - (plain.stopped ? 1 : 0);
+    for (std::size_t i = 0; i < whole_lines; ++i)
+      expect_same_line(plain.lines[i], general.lines[i]);
+    ASSERT_EQ(plain.blocks.size(), general.blocks.size());
+    for (std::size_t i = 0; i < plain.blocks.size(); ++i)
+      expect_same_block(plain.blocks[i], general.blocks[i]);
+  }
+  EXPECT_GT(plain_lines, 2 * programs) << "the lines try what they are for";
+}
+
+}  // namespace
+}  // namespace trc::testing
