@@ -43,3 +43,12 @@ if(TRC_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
     add_compile_options(-fpch-preprocess)
   endif()
 endif()
+
+# GCC sets structs of some hundred bytes to zero with `rep stos`, which takes longer to begin than
+# plain stores take to end: a tenth of the time of a block. Other compilers do without.
+include(CheckCXXCompilerFlag)
+set(zero_by_stores -mmemset-strategy=vector_loop:512:noalign,libcall:-1:noalign)
+check_cxx_compiler_flag(${zero_by_stores} TRC_ZERO_BY_STORES)
+if(TRC_ZERO_BY_STORES)
+  add_compile_options("$<$<CONFIG:Release>:${zero_by_stores}>")
+endif()

@@ -114,7 +114,7 @@ struct Joint {
 
  private:
   // Optional, so that the joints that insert nothing, most of them, are small to make and to copy.
-  std::array<std::optional<Segment>, 3> inserted_{};
+  std::array<std::optional<Segment>, 3> inserted_;
   std::size_t count_ = 0;
 };
 
