@@ -6,12 +6,6 @@
 #include "core/nc/words.h"
 
 namespace trc {
-namespace {
-
-constexpr std::array<MotionKind, 4> motions{MotionKind::rapid, MotionKind::linear,
-                                            MotionKind::clockwise, MotionKind::counter_clockwise};
-
-}  // namespace
 
 constexpr std::array<std::uint8_t, 256> PlainMotion::use_of_sign = [] {
   std::array<std::uint8_t, 256> uses{};
@@ -67,25 +61,6 @@ bool PlainMotion::is_possible(std::uint32_t whole_words) const {
   if (has(function) && !is_whole_up_to(function, motions.size() - 1)) return false;
   if (has(block_number) && !is_whole_up_to(block_number, largest_whole)) return false;
   return !has(feed_word) || values_[feed_word] > 0;
-}
-
-MotionKind PlainMotion::motion() const {
-  return motions[static_cast<std::size_t>(values_[function])];
-}
-
-void PlainMotion::enter(MoveRequest& request) const {
-  for (std::size_t axis = 0; axis < request.end.size(); ++axis) {
-    if (has(end_point + axis)) request.end[axis] = values_[end_point + axis];
-    if (has(center + axis)) request.center[axis] = values_[center + axis];
-  }
-  if (has(radius)) request.radius = values_[radius];
-}
-
-RoleSet PlainMotion::roles() const {
-  RoleSet roles = bit(WordRole::coordinate);
-  for (const Use use : {feed_word, block_number, function})
-    if (has(use)) roles |= bit(role_of[use]);
-  return roles;
 }
 
 }  // namespace trc

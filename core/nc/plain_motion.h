@@ -22,7 +22,9 @@ class PlainMotion {
   [[nodiscard]] bool read(std::string_view line, std::vector<WordRange>& words);
 
   [[nodiscard]] bool has_function() const { return has(function); }
-  [[nodiscard]] MotionKind motion() const;
+  [[nodiscard]] MotionKind motion() const {
+    return motions[static_cast<std::size_t>(values_[function])];
+  }
   [[nodiscard]] bool has_feed() const { return has(feed_word); }
   [[nodiscard]] double feed() const { return values_[feed_word]; }
   // N, or Source::no_number.
@@ -30,11 +32,22 @@ class PlainMotion {
     return has(block_number) ? static_cast<std::int64_t>(values_[block_number]) : Source::no_number;
   }
   // Enters the coordinates into an empty request.
-  void enter(MoveRequest& request) const;
+  void enter(MoveRequest& request) const {
+    for (std::size_t axis = 0; axis < request.end.size(); ++axis) {
+      if (has(end_point + axis)) request.end[axis] = values_[end_point + axis];
+      if (has(center + axis)) request.center[axis] = values_[center + axis];
+    }
+    if (has(radius)) request.radius = values_[radius];
+  }
   // Byte of the line where the first of them stands.
   [[nodiscard]] std::uint32_t first_coordinate() const { return first_coordinate_; }
   // Of the words.
-  [[nodiscard]] RoleSet roles() const;
+  [[nodiscard]] RoleSet roles() const {
+    RoleSet roles = bit(WordRole::coordinate);
+    for (const Use use : {feed_word, block_number, function})
+      if (has(use)) roles |= bit(role_of[use]);
+    return roles;
+  }
   // X Y Z, a bit each.
   [[nodiscard]] std::uint8_t main_axes() const { return seen_ & 0x7; }
 
@@ -55,6 +68,8 @@ class PlainMotion {
       WordRole::coordinate, WordRole::coordinate, WordRole::coordinate, WordRole::coordinate,
       WordRole::coordinate, WordRole::coordinate, WordRole::coordinate, WordRole::feed,
       WordRole::number,     WordRole::motion};
+  static constexpr std::array<MotionKind, 4> motions{
+      MotionKind::rapid, MotionKind::linear, MotionKind::clockwise, MotionKind::counter_clockwise};
   static constexpr std::uint32_t coordinates = (1U << feed_word) - 1;
   static const std::array<std::uint8_t, 256> use_of_sign;
 

@@ -60,9 +60,7 @@ void NcWriter::take(LinePointer line, const Meaning& meaning) {
   } else {
     silent_bytes_ += sizeof(Waiting) + sizeof(ProgramLine) + line->text.size();
   }
-  Waiting& waiting = waiting_.emplace_back();
-  waiting.line = std::move(line);
-  waiting.meaning = meaning;
+  waiting_.push_back({.line = std::move(line), .meaning = meaning});
 }
 
 void NcWriter::drop_first() {
@@ -318,7 +316,7 @@ void NcWriter::write_plane(Plane plane, std::string& out) {
 // In a continued block words may stand behind a `;` comment, and each line may
 // have an N word: the first one is that of the block.
 void NcWriter::append(const ProgramLine& line, const WordRange& word) {
-  if (word.role == WordRole::number) {
+  if (word.role == WordRole::number && &word != &line.words.front()) {
     const auto first = std::ranges::find(line.words, WordRole::number, &WordRange::role);
     if (&*first != &word) return;
   }

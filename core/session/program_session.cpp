@@ -54,7 +54,8 @@ void add(const Block& block, NcWriter::Meaning& meaning) {
 }
 
 std::uint64_t index_of(const Block& block) {
-  return std::visit([](const auto& given) { return given.source.index; }, block);
+  const auto* motion = std::get_if<MotionBlock>(&block);
+  return motion != nullptr ? motion->source.index : std::get<PassiveBlock>(block).source.index;
 }
 
 }  // namespace
