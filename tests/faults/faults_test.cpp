@@ -144,12 +144,14 @@ TEST(Faults, DrainLosesNothing) {
   const Folder folder;
   const std::string text = program(1500);
   const std::string file = folder.write("program.nc", text);
-  ServerProcess server;
+  ServerProcess server({"--admin-listen", "127.0.0.1:0"});
   std::vector<std::unique_ptr<Client>> clients;
   for (int i = 0; i < 4; ++i)
     clients.push_back(
         std::make_unique<Client>(folder, "out" + std::to_string(i), server.address(), file, 20));
   for (auto& client : clients) ASSERT_TRUE(eventually([&] { return client->has_begun(); }));
+  // A client has begun before the server knows of it.
+  ASSERT_TRUE(eventually([&] { return metric(server.admin(), "trc_streams_active") == 4; }));
   server.signal(SIGTERM);
   for (auto& client : clients) {
     EXPECT_EQ(client->process().wait(), 0) << client->process().err();
