@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/session/program_output.h"
 #include "core/session/session.h"
 
 namespace trc {
@@ -16,20 +17,6 @@ struct ProgramSessionSetup {
   bool nc_text = true;                   // output as NC text; false: compensated blocks
   int decimals = 4;                      // of coordinates in NC text, mm; one more for inch
   std::size_t longest_line = 64 * 1024;  // bytes; 900006 beyond
-};
-
-// What one call produced: `text` or `blocks`, as the setup asks.
-struct ProgramOutput {
-  std::string text{};
-  std::vector<CompensatedBlock> blocks{};
-  // Where among them the diagnostics belong: behind all that is certain at the end of the line in
-  // which they were reported. The same places come out however the text is cut.
-  struct Place {
-    std::size_t blocks = 0;
-    std::size_t bytes = 0;
-    std::size_t diagnostics = 0;  // so many of those pending belong here or before
-  };
-  std::vector<Place> places{};
 };
 
 // One NC channel fed with NC text. The text may be cut anywhere, also inside a

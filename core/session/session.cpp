@@ -1,5 +1,10 @@
 #include "core/session/session.h"
 
+#include <algorithm>
+#include <limits>
+#include <utility>
+#include <variant>
+
 #include "core/trc/state_archive.h"
 
 namespace trc {
@@ -12,14 +17,62 @@ CompensatorSetup compensator_setup(const SessionSetup& setup) {
   return result;
 }
 
+std::uint64_t index_of(const Block& block) {
+  return std::visit([](const auto& given) { return given.source.index; }, block);
+}
+
 }  // namespace
 
 PathSession::PathSession(const SessionSetup& setup)
-    : program_(setup.program, setup.compensator.tolerances, diagnostics_, blocks_),
+    : program_(setup.program, setup.compensator.tolerances, read_diagnostics_, blocks_),
       compensator_(compensator_setup(setup), setup.verify, diagnostics_) {}
 
+bool PathSession::advance(ProgramOutput& out) {
+  placed_ = diagnostics_.pending().size();
+  std::span<Block> left(blocks_);
+  for (Diagnostic& found : read_diagnostics_.take()) {
+    const std::uint64_t index = found.source.index;
+    compensate_before(index, left, out);
+    if (!diagnostics_.report(std::move(found))) break;
+    compensate_before(index + 1, left, out);
+    place(out);
+  }
+  compensate_before(std::numeric_limits<std::uint64_t>::max(), left, out);
+  place(out);
+  blocks_.clear();
+  return !diagnostics_.stopped();
+}
+
 bool PathSession::advance(std::vector<CompensatedBlock>& out) {
-  return compensator_.feed(blocks_, out);
+  output_.blocks.swap(out);
+  const bool goes_on = advance(output_);
+  output_.blocks.swap(out);
+  output_.places.clear();
+  return goes_on;
+}
+
+void PathSession::compensate_before(std::uint64_t index, std::span<Block>& left,
+                                    ProgramOutput& out) {
+  while (!diagnostics_.stopped() && !left.empty() && index_of(left.front()) < index) {
+    const auto behind = std::partition_point(
+        left.begin(), left.end(), [&](const Block& block) { return index_of(block) < index; });
+    const auto due = left.first(static_cast<std::size_t>(behind - left.begin()));
+    left = left.subspan(compensator_.feed_until_report(due, out.blocks));
+    place(out);
+  }
+}
+
+void PathSession::place(ProgramOutput& out) {
+  const std::size_t reports = diagnostics_.pending().size();
+  if (reports == placed_) return;
+  out.places.push_back(
+      {.blocks = out.blocks.size(), .bytes = out.text.size(), .diagnostics = reports});
+  placed_ = reports;
+}
+
+Diagnostics& PathSession::diagnostics() {
+  for (Diagnostic& found : read_diagnostics_.take()) diagnostics_.report(std::move(found));
+  return diagnostics_;
 }
 
 void PathSession::save(StateWriter& archive) const {
@@ -28,8 +81,8 @@ void PathSession::save(StateWriter& archive) const {
 void PathSession::load(StateReader& archive) { archive(diagnostics_, program_, compensator_); }
 
 bool PathSession::finish(const Source& end, std::vector<CompensatedBlock>& out) {
-  return program_.end(end) && compensator_.feed(blocks_, out) &&
-         compensator_.finish(program_.mode(), out);
+  program_.end(end);
+  return advance(out) && compensator_.finish(program_.mode(), out);
 }
 
 }  // namespace trc

@@ -1,12 +1,15 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "core/base/diagnostics.h"
 #include "core/nc/program_state.h"
+#include "core/session/program_output.h"
 #include "core/session/verified_compensator.h"
 #include "core/trc/compensator.h"
 
@@ -29,8 +32,10 @@ class PathSession {
   // Moves, commands and passthrough are given here, in path order.
   [[nodiscard]] ProgramState& program() { return program_; }
 
-  // Compensates everything given since the last call and appends what has
-  // become certain. Returns false once the stream must stop.
+  // Compensates everything given since the last call and appends what has become certain, with
+  // the places of diagnostics among it: they do not depend on how much is given between two calls.
+  // Returns false once the stream must stop.
+  bool advance(ProgramOutput& out);
   bool advance(std::vector<CompensatedBlock>& out);
   // Ends the program (D-27) and appends all that was held back.
   bool finish(const Source& end, std::vector<CompensatedBlock>& out);
@@ -41,7 +46,9 @@ class PathSession {
   // Goes on there; nothing may have been given before. Throws when it is no such state.
   void load(StateReader& archive);
 
-  [[nodiscard]] Diagnostics& diagnostics() { return diagnostics_; }
+  // What advance() and finish() have reported, and behind it what was found in what they have not
+  // seen yet.
+  [[nodiscard]] Diagnostics& diagnostics();
   [[nodiscard]] const Summary& summary() const { return compensator_.summary(); }
   // Null unless the setup asks for it.
   [[nodiscard]] const verify::ClearanceReport* clearance() const {
@@ -49,7 +56,14 @@ class PathSession {
   }
 
  private:
+  void compensate_before(std::uint64_t index, std::span<Block>& left, ProgramOutput& out);
+  void place(ProgramOutput& out);
+
   Diagnostics diagnostics_;
+  // What is found in the program waits here until the blocks before it are compensated.
+  Diagnostics read_diagnostics_;
+  std::size_t placed_ = 0;  // of the pending diagnostics
+  ProgramOutput output_;    // of a caller who does not ask for places
   std::vector<Block> blocks_;
   ProgramState program_;
   VerifiedCompensator compensator_;

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core/base/diagnostic.h"
-#include "core/session/program_session.h"
+#include "core/session/program_output.h"
 
 namespace trc::server {
 
@@ -17,8 +17,7 @@ namespace trc::server {
 // message.
 //
 // Diagnostics keep their place among the blocks: behind those that were certain when they were
-// raised. The place does not depend on how the input was batched: NC text gives the places itself,
-// for blocks `place` is called after every item.
+// raised. The place does not depend on how the input was batched: sessions give it.
 class Outbox {
  public:
   struct Slice {

@@ -46,7 +46,8 @@ void PathRun::read(const Batch& batch) {
   wire::FieldFaults faults;
   reader_.read(
       batch, [&](const wire::PathInput& input) { return give(input); }, faults);
-  if (!faults.empty()) answers_.end_with(refuse(faults));
+  if (answers_.failed()) return;
+  if (advance() && !faults.empty()) answers_.end_with(refuse(faults));
   if (!meter_.holds(session_.summary(), answers_.outbox().held_bytes()))
     answers_.end_with(refuse(Refusal::memory_limit));
 }
@@ -62,10 +63,14 @@ bool PathRun::give(const wire::PathInput& input) {
     answers_.end_with(refuse(Refusal::cancelled));
     return false;
   }
-  // Compensated item by item, so that a diagnostic gets its place among the blocks whatever the
-  // batching.
-  const bool goes_on = wire::apply(input, session_.program()) &&
-                       session_.advance(answers_.outbox().content().blocks);
+  // So many items at once: few enough to lie in the caches still.
+  constexpr std::size_t group = 256;
+  if (!wire::apply(input, session_.program())) return false;
+  return ++items_ % group != 0 || advance();
+}
+
+bool PathRun::advance() {
+  const bool goes_on = session_.advance(answers_.outbox().content());
   answers_.place(session_.diagnostics());
   return goes_on;
 }

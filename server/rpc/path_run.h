@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -49,6 +50,8 @@ class PathRun {
   template <class Batch>
   void read(const Batch& batch);
   bool give(const wire::PathInput& input);
+  // Compensates what was given.
+  bool advance();
 
   StreamContext stream_;
   wire::Layout layout_;
@@ -56,6 +59,7 @@ class PathRun {
   wire::BlockReader reader_;
   Answers answers_;
   Meter meter_;
+  std::size_t items_ = 0;
   bool finished_ = false;
 };
 

@@ -1,6 +1,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <string>
+#include <vector>
 
 #include "core/session/session.h"
 #include "core/trc/listing.h"
@@ -106,9 +108,46 @@ TEST(PathSession, NothingComesOutAfterAnError) {
   ASSERT_TRUE(session.program().move(line_to(0, 5, 0)));
   EXPECT_FALSE(session.program().move(line_to(1, 2e6, 0)));
   EXPECT_FALSE(session.advance(out));
+  EXPECT_EQ(out.size(), 1U);  // what was given before it, as if given alone
   EXPECT_FALSE(session.finish({.index = 2}, out));
-  EXPECT_TRUE(out.empty());
+  EXPECT_EQ(out.size(), 1U);
   EXPECT_EQ(session.diagnostics().take().at(0).code, Code::end_point_out_of_range);
+}
+
+// Blocks on both sides of a message of the reader, and one of the compensation before it.
+TEST(PathSession, DiagnosticsHaveTheSamePlacesHoweverMuchIsGivenAtOnce) {
+  SessionSetup setup;
+  setup.program.mode.tool_radius = 10;
+  const auto places_with = [&](std::uint64_t group) {
+    PathSession session(setup);
+    ProgramState& program = session.program();
+    ProgramOutput out;
+    std::vector<std::string> places;
+    for (std::uint64_t index = 0; index < 40; ++index) {
+      const auto x = static_cast<double>(10 * index);
+      // A selection that has no contour, and a feed nobody can drive.
+      if (index == 7) program.select(Side::left, {.index = index});
+      if (index == 8) program.select(Side::off, {.index = index});
+      MoveRequest move = line_to(index, x, index % 2 == 0 ? 0 : 5);
+      if (index == 30) move.feed = -1;
+      const bool goes_on = program.move(move);
+      if (goes_on && (index + 1) % group != 0) continue;
+      const std::size_t placed = out.places.size();
+      session.advance(out);
+      const std::vector<Diagnostic> reported = session.diagnostics().take();
+      for (std::size_t i = placed; i < out.places.size(); ++i)
+        places.push_back(std::to_string(out.places[i].blocks));
+      for (const Diagnostic& each : reported)
+        places.push_back(std::to_string(static_cast<int>(each.code)) + " at " +
+                         std::to_string(each.source.index));
+      if (!goes_on) break;
+    }
+    std::sort(places.begin(), places.end());
+    return ::testing::PrintToString(places) + std::to_string(out.blocks.size());
+  };
+  const std::string alone = places_with(1);
+  EXPECT_NE(alone.find("30"), std::string::npos) << alone;
+  for (const std::uint64_t group : {2, 5, 9, 16, 40}) EXPECT_EQ(places_with(group), alone) << group;
 }
 
 }  // namespace
