@@ -90,8 +90,9 @@ TEST(Load, ClosedLoopShowsAStallToThoseUnderWayAlone) {
   plan.streams = 2;
   const Outcome outcome = run_against(server, {.plan = plan, .blocks = 10});
   EXPECT_EQ(outcome.tally.stream.count(), 100U);
-  EXPECT_GT(outcome.tally.stream.max(), milliseconds(380));
-  EXPECT_LT(outcome.tally.stream.at(0.9), milliseconds(380));
+  // Either side of half of it: a stream may have begun after the stall on a slow machine.
+  EXPECT_GT(outcome.tally.stream.max(), milliseconds(200));
+  EXPECT_LT(outcome.tally.stream.at(0.9), milliseconds(200));
 }
 
 // Nothing is left out because it did not end in time.
