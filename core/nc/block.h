@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <variant>
@@ -50,5 +51,11 @@ struct PassiveBlock {
 };
 
 using Block = std::variant<MotionBlock, PassiveBlock>;
+
+// Source::index of the block.
+[[nodiscard]] inline std::uint64_t index_of(const Block& block) {
+  const auto* motion = std::get_if<MotionBlock>(&block);
+  return motion != nullptr ? motion->source.index : std::get<PassiveBlock>(block).source.index;
+}
 
 }  // namespace trc

@@ -53,11 +53,6 @@ void add(const Block& block, NcWriter::Meaning& meaning) {
       block);
 }
 
-std::uint64_t index_of(const Block& block) {
-  const auto* motion = std::get_if<MotionBlock>(&block);
-  return motion != nullptr ? motion->source.index : std::get<PassiveBlock>(block).source.index;
-}
-
 }  // namespace
 
 // Reading runs ahead of compensation by up to one piece of text. What it reports

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <limits>
 #include <utility>
-#include <variant>
 
 #include "core/trc/state_archive.h"
 
@@ -15,10 +14,6 @@ CompensatorSetup compensator_setup(const SessionSetup& setup) {
   CompensatorSetup result = setup.compensator;
   result.start = setup.program.start;
   return result;
-}
-
-std::uint64_t index_of(const Block& block) {
-  return std::visit([](const auto& given) { return given.source.index; }, block);
 }
 
 }  // namespace

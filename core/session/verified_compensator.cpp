@@ -3,7 +3,6 @@
 #include <cstdint>
 #include <span>
 #include <utility>
-#include <variant>
 
 #include "core/verify/state_archive.h"
 
@@ -38,12 +37,9 @@ bool VerifiedCompensator::feed(std::vector<Block>& blocks, std::vector<Compensat
 std::size_t VerifiedCompensator::feed_until_report(std::span<Block> blocks,
                                                    std::vector<CompensatedBlock>& out) {
   if (!verification_) return compensator_.feed_until_report(blocks, out);
-  const auto line_of = [](const Block& block) {
-    return std::visit([](const auto& given) { return given.source.index; }, block);
-  };
-  const std::uint64_t line = line_of(blocks.front());
+  const std::uint64_t line = index_of(blocks.front());
   std::size_t count = 0;
-  while (count < blocks.size() && line_of(blocks[count]) == line)
+  while (count < blocks.size() && index_of(blocks[count]) == line)
     if (!take(blocks[count++], out)) return blocks.size();
   return count;
 }

@@ -17,13 +17,6 @@
 #include "core/trc/transitions.h"
 
 namespace trc {
-namespace {
-
-std::uint64_t index_of(const Block& block) {
-  return std::visit([](const auto& given) { return given.source.index; }, block);
-}
-
-}  // namespace
 
 // The passes and the blocks on their way between them.
 struct Compensator::Passes {

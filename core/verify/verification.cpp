@@ -8,8 +8,6 @@
 namespace trc::verify {
 namespace {
 
-std::uint64_t index_of(const Block& motion) { return std::get<MotionBlock>(motion).source.index; }
-
 Diagnostic gouge(const ClearanceReport& found) {
   const Clearance& worst = *found.worst;
   Diagnostic problem = diagnostic(Code::clearance_violated, worst.path);
