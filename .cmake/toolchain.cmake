@@ -21,6 +21,10 @@ endif()
 # The same answer on every machine: no fused multiply-add behind our back.
 add_compile_options(-ffp-contract=off)
 
+# Nobody replaces a function of ours at load time: what one file has may be inlined within it,
+# position independent or not.
+add_compile_options(-fno-semantic-interposition)
+
 if(TRC_SANITIZE)
   add_compile_options(-fsanitize=${TRC_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
   add_link_options(-fsanitize=${TRC_SANITIZE})

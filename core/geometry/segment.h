@@ -61,10 +61,12 @@ overloaded(Cases...) -> overloaded<Cases...>;
   const Vector radial = (point - arc.center).normalized();
   return arc.sweep > 0 ? left_of(radial) : Vector(-left_of(radial));
 }
+[[nodiscard]] inline Vector tangent_of(const Line& line) {
+  return (line.end - line.start).normalized();
+}
 [[nodiscard]] inline Vector tangent_at_start(const Segment& segment) {
   if (const auto* arc = std::get_if<Arc>(&segment)) return tangent_at(arc->start, *arc);
-  const Line& line = std::get<Line>(segment);
-  return (line.end - line.start).normalized();
+  return tangent_of(std::get<Line>(segment));
 }
 [[nodiscard]] inline Vector tangent_at_end(const Segment& segment) {
   if (const auto* arc = std::get_if<Arc>(&segment)) return tangent_at(arc->end, *arc);
@@ -72,9 +74,13 @@ overloaded(Cases...) -> overloaded<Cases...>;
 }
 
 [[nodiscard]] inline double radius_of(const Arc& arc) { return (arc.start - arc.center).norm(); }
+[[nodiscard]] inline double length_of(const Line& line) { return (line.end - line.start).norm(); }
+[[nodiscard]] inline double length_of(const Arc& arc) {
+  return std::abs(arc.sweep) * radius_of(arc);
+}
 [[nodiscard]] inline double length_of(const Segment& segment) {
-  if (const auto* arc = std::get_if<Arc>(&segment)) return std::abs(arc->sweep) * radius_of(*arc);
-  return (end_of(segment) - start_of(segment)).norm();
+  if (const auto* arc = std::get_if<Arc>(&segment)) return length_of(*arc);
+  return length_of(std::get<Line>(segment));
 }
 
 // An arc of the same sense through two other points; its centre is the old one,

@@ -1,13 +1,14 @@
 #include "core/trc/contour_run.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 #include <variant>
 
 #include "core/geometry/parallel.h"
 #include "core/trc/contour_violations.h"
-#include "core/trc/joints.h"
+#include "core/trc/offset.h"
 #include "core/trc/tool_path.h"
 
 namespace trc {
@@ -50,173 +51,180 @@ bool ContourRun::may_begin(const PathBlock& open, const PathBlock& held) const {
 
 std::size_t ContourRun::take(PathBlock& open, PathBlock& held, std::span<Block> blocks,
                              std::vector<CompensatedBlock>& out) {
-  mode_ = held.programmed.mode.get();
-  shift_ = held.at_end.shift;
-  going_ = true;
-  removes_loops_ = held.removes_loops();
-  if (removes_loops_) {
-    make_ready(contour_block_, Role::contour, Origin::programmed, held);
-    make_ready(inserted_, Role::inserted, Origin::transition, held);
-  }
-  Step step = offset(open.programmed);
-  step.tool_start = open.tool_start;
-  step.cut_at_start = open.cut_at_start;
+  begin(held);
+  std::array<Corner, 2> corners;
+  std::array<Step, 2> steps;
+  for (Corner& corner : corners) corner.shift = shift_;
+  Corner* corner = corners.data();
+  Corner* next_corner = &corners[1];
+  Step* before = steps.data();
+  Step* after = &steps[1];
+  offset(open.programmed, *before, *next_corner, *corner);
+  before->tool_start = open.tool_start;
+  before->cut_at_start = open.cut_at_start;
   MotionBlock* last = &held.programmed;
   std::size_t count = 0;
   for (Block& block : blocks) {
     auto* motion = std::get_if<MotionBlock>(&block);
     if (motion == nullptr || motion->mode.get() != mode_ || !going_) break;
-    Step next = offset(*last);
-    if (vanishes(next) || !join(step, next, out)) break;
-    step = next;
+    offset(*last, *after, *corner, *next_corner);
+    if (vanishes(corner->after) || !join(*corner, *before, *after, out)) break;
+    std::swap(before, after);
+    std::swap(corner, next_corner);
     last = motion;
     ++count;
   }
   if (count == 0) return 0;
-  open.programmed = std::move(*step.programmed);
-  open.tangent_at_start = step.at_start.tangent;
-  open.tangent_at_end = step.at_end.tangent;
-  open.offset_start = step.at_start.anchor;
-  open.offset_end = step.at_end.anchor;
-  open.tool_start = step.tool_start;
-  open.cut_at_start = step.cut_at_start;
-  open.unreachable = step.unreachable;
+  open.programmed = std::move(*before->programmed);
+  give_offsets(open);
+  open.tool_start = before->tool_start;
+  open.cut_at_start = before->cut_at_start;
+  open.unreachable = before->unreachable;
   held.programmed = std::move(*last);
   return count;
 }
 
-ContourRun::Step ContourRun::offset(MotionBlock& programmed) const {
-  const Segment& path = programmed.path;
-  Step step{.programmed = &programmed};
-  const Vector tangent = tangent_at_start(path);
-  step.at_start =
-      offset_curve(path, tangent, parallel_point(start_of(path), tangent, shift_), shift_);
-  step.at_end = step.at_start;
-  if (step.at_end.circular) step.at_end.tangent = tangent_at_end(path);
-  step.at_end.anchor = parallel_point(end_of(path), step.at_end.tangent, shift_);
-  step.unreachable = removes_loops_ && is_unreachable(step);
-  return step;
+void ContourRun::begin(const PathBlock& held) {
+  mode_ = held.programmed.mode.get();
+  shift_ = held.at_end.shift;
+  going_ = true;
+  removes_loops_ = held.removes_loops();
+  if (!removes_loops_) return;
+  exact_ = to_all_digits(tolerances_, std::abs(shift_));
+  make_ready(contour_block_, Role::contour, Origin::programmed, held);
+  make_ready(inserted_, Role::inserted, Origin::transition, held);
 }
 
-bool ContourRun::is_unreachable(const Step& step) const {
-  return step.at_start.circular &&
-         step.at_start.circle.radius <= tolerances_.rounding * std::max(std::abs(shift_), 1.0);
+void ContourRun::offset(MotionBlock& programmed, Step& step, Corner& begin, Corner& end) const {
+  OffsetCurve& first = begin.after;
+  OffsetCurve& last = end.before;
+  step.programmed = &programmed;
+  if (const auto* arc = std::get_if<Arc>(&programmed.path)) {
+    const Vector start_tangent = tangent_at(arc->start, *arc);
+    const Vector end_tangent = tangent_at(arc->end, *arc);
+    first = offset_curve(*arc, start_tangent, parallel_point(arc->start, start_tangent, shift_),
+                         shift_);
+    last = offset_curve(*arc, end_tangent, parallel_point(arc->end, end_tangent, shift_), shift_);
+    end.programmed = arc->end;
+    step.length = length_of(*arc);
+    step.extent = std::abs(arc->sweep);
+    step.unreachable = removes_loops_ && first.circle.radius <=
+                                             tolerances_.rounding * std::max(std::abs(shift_), 1.0);
+  } else {
+    const Line& line = std::get<Line>(programmed.path);
+    const Vector tangent = tangent_of(line);
+    first = {.anchor = parallel_point(line.start, tangent, shift_), .tangent = tangent};
+    last = {.anchor = parallel_point(line.end, tangent, shift_), .tangent = tangent};
+    end.programmed = line.end;
+    step.length = step.extent = length_of(line);
+    step.unreachable = false;
+  }
+  step.tangent_at_start = first.tangent;
 }
 
 // 90017, where no loops are removed.
-bool ContourRun::vanishes(const Step& step) const {
-  return !removes_loops_ && step.at_start.circular &&
-         step.at_start.circle.radius < tolerances_.on_contour;
+bool ContourRun::vanishes(const OffsetCurve& equidistant) const {
+  return !removes_loops_ && equidistant.circular &&
+         equidistant.circle.radius < tolerances_.on_contour;
 }
 
-bool ContourRun::join(Step& before, Step& after, std::vector<CompensatedBlock>& out) {
-  const std::optional<Joined> result = joined(before, after);
-  if (!result) return false;
-  const Joint& joint = result->joint;
-  const std::optional<Segment> path = tool_path(before, joint);
-  if (!path) return false;
+// The rules between contour blocks (spec 4.2) as joint_between() has them for such blocks. In one
+// piece: what is done from here on takes less than to call it step by step.
+[[gnu::flatten]] bool ContourRun::join(const Corner& corner, const Step& before, Step& after,
+                                       std::vector<CompensatedBlock>& out) {
+  // Which kind of corner that is takes more than the corner.
+  if (is_reversal(corner, tolerances_)) return false;
+  switch (kind_of(corner, tolerances_)) {
+    case CornerKind::tangential:
+      return leave(corner, tangential_joint(corner), false, before, after, out);
+    case CornerKind::outside:
+      return leave(corner,
+                   outside_joint(corner,
+                                 {.transition = mode_->transition,
+                                  .stretch_factor = mode_->options.stretch_factor},
+                                 tolerances_),
+                   false, before, after, out);
+    case CornerKind::inside:
+      break;
+  }
+  return join_inside(corner, before, after, out);
+}
+
+bool ContourRun::join_inside(const Corner& corner, const Step& before, Step& after,
+                             std::vector<CompensatedBlock>& out) {
+  const bool vanished = before.unreachable || after.unreachable;
+  const auto meeting =
+      vanished ? std::nullopt : inside_joint(corner, removes_loops_ ? exact_ : tolerances_);
+  if (meeting && (!removes_loops_ ||
+                  (before.extent >= meeting->cut_before && after.extent >= meeting->cut_after)))
+    return leave(corner, Joint(*meeting), false, before, after, out);
+  return removes_loops_ && leave(corner, joint_across(corner.before.anchor, corner.after.anchor),
+                                 true, before, after, out);
+}
+
+bool ContourRun::leave(const Corner& corner, const Joint& joint, bool apart, const Step& before,
+                       Step& after, std::vector<CompensatedBlock>& out) {
   after.tool_start = joint.start;
   after.cut_at_start = joint.cut_after;
   if (removes_loops_) {
-    hold(before, after, *result, *path);
+    hold(corner, joint, apart, before, after);
     return true;
   }
   for (const auto& inserted : joint.inserted())
     if (out_of_range(*inserted, tolerances_)) return false;
-  put_out(before, after, *result, *path, out);
-  return true;
+  return put_out(corner, joint, before, after, out);
 }
 
-// The rules between contour blocks (spec 4.2) as joint_between() has them for such blocks.
-std::optional<ContourRun::Joined> ContourRun::joined(const Step& before, const Step& after) const {
-  const Corner corner{.programmed = end_of(before.programmed->path),
-                      .before = before.at_end,
-                      .after = after.at_start,
-                      .shift = shift_};
-  // Which kind of corner that is takes more than the corner.
-  if (is_reversal(corner, tolerances_)) return std::nullopt;
-  switch (kind_of(corner, tolerances_)) {
-    case CornerKind::tangential:
-      return Joined{.joint = tangential_joint(corner)};
-    case CornerKind::outside:
-      return Joined{.joint = outside_joint(corner,
-                                           {.transition = mode_->transition,
-                                            .stretch_factor = mode_->options.stretch_factor},
-                                           tolerances_)};
-    case CornerKind::inside:
-      break;
+// Does nothing where the block is a contour violation.
+bool ContourRun::put_out(const Corner& corner, const Joint& joint, const Step& before,
+                         const Step& after, std::vector<CompensatedBlock>& out) {
+  if (const auto* arc = std::get_if<Arc>(&before.programmed->path)) {
+    const double left = before.extent - before.cut_at_start - joint.cut_before;
+    if (is_consumed(left, corner.before.circle.radius, tolerances_)) return false;
+    return put_out(shortened(*arc, before.tool_start, joint.end, left, false, tolerances_), joint,
+                   before, after, out);
   }
-  return joined_inside(before, after, corner);
+  const Line path{.start = before.tool_start, .end = joint.end};
+  return !runs_back(path.end - path.start, corner.before.tangent, tolerances_) &&
+         put_out(path, joint, before, after, out);
 }
 
-std::optional<ContourRun::Joined> ContourRun::joined_inside(const Step& before, const Step& after,
-                                                            const Corner& corner) const {
-  if (!removes_loops_) {
-    if (const auto meeting = inside_joint(corner, tolerances_))
-      return Joined{.joint = Joint(*meeting)};
-    return std::nullopt;
-  }
-  const bool vanished = before.unreachable || after.unreachable;
-  const auto meeting = vanished ? std::nullopt : inside_joint_to_all_digits(corner, tolerances_);
-  if (meeting && extent_of(before.programmed->path) >= meeting->cut_before &&
-      extent_of(after.programmed->path) >= meeting->cut_after)
-    return Joined{.joint = Joint(*meeting)};
-  return Joined{.joint = joint_across(corner.before.anchor, corner.after.anchor), .apart = true};
-}
-
-// Nothing where it is a contour violation.
-std::optional<Segment> ContourRun::tool_path(const Step& step, const Joint& joint) const {
-  const auto* arc = std::get_if<Arc>(&step.programmed->path);
-  std::optional<Segment> path;
-  if (arc == nullptr) {
-    if (!removes_loops_ && runs_back(joint.end - step.tool_start, step.at_end.tangent, tolerances_))
-      return path;
-    path = Line{.start = step.tool_start, .end = joint.end};
-  } else {
-    const double left = std::abs(arc->sweep) - step.cut_at_start - joint.cut_before;
-    if (!removes_loops_ && is_consumed(left, step.at_end.circle.radius, tolerances_)) return path;
-    path = shortened(*arc, step.tool_start, joint.end, left, removes_loops_, tolerances_);
-  }
-  if (!removes_loops_ && out_of_range(*path, tolerances_)) path.reset();
-  return path;
-}
-
-void ContourRun::put_out(const Step& before, const Step& after, const Joined& joined,
-                         const Segment& path, std::vector<CompensatedBlock>& out) {
+template <class Path>
+bool ContourRun::put_out(const Path& path, const Joint& joint, const Step& before,
+                         const Step& after, std::vector<CompensatedBlock>& out) {
+  if (out_of_range(path, tolerances_)) return false;
   MotionBlock& programmed = *before.programmed;
-  reporting_.summary().programmed_length += length_of(programmed.path);
-  if (const auto inserted = joined.joint.inserted(); inserted.empty()) {
-    reporting_.put_out(programmed, *mode_, Origin::programmed, path, out);
-  } else {
-    put_out_with(inserted, path, programmed, *after.programmed, out);
-  }
-}
-
-void ContourRun::put_out_with(std::span<const std::optional<Segment>> inserted, const Segment& path,
-                              MotionBlock& programmed, const MotionBlock& after,
-                              std::vector<CompensatedBlock>& out) {
+  reporting_.summary().programmed_length += before.length;
+  const auto inserted = joint.inserted();
+  MotionBlock& insertion = inserted_.programmed;
   // Before its tracking axes go with the block.
-  MotionBlock insertion;
-  insert_behind(programmed, after, insertion);
+  if (!inserted.empty()) insert_behind(programmed, *after.programmed, insertion);
   reporting_.put_out(programmed, *mode_, Origin::programmed, path, out);
   for (const auto& segment : inserted) {
     const TrackingTravel tracking = insertion.tracking;
     reporting_.put_out(insertion, *mode_, Origin::transition, *segment, out);
     insertion.tracking = tracking;
   }
+  return true;
 }
 
-void ContourRun::hold(const Step& before, const Step& after, const Joined& joined,
-                      const Segment& path) {
+void ContourRun::hold(const Corner& corner, const Joint& joint, bool apart, const Step& before,
+                      const Step& after) {
   MotionBlock& programmed = *before.programmed;
-  const auto inserted = joined.joint.inserted();
+  const auto inserted = joint.inserted();
   if (!inserted.empty()) insert_behind(programmed, *after.programmed, inserted_.programmed);
-  contour_block_.tangent_at_start = before.at_start.tangent;
-  contour_block_.tangent_at_end = before.at_end.tangent;
+  contour_block_.tangent_at_start = before.tangent_at_start;
+  contour_block_.tangent_at_end = corner.before.tangent;
   contour_block_.cut_at_start = before.cut_at_start;
-  contour_block_.cut_at_end = joined.joint.cut_before;
+  contour_block_.cut_at_end = joint.cut_before;
   contour_block_.unreachable = before.unreachable;
-  contour_block_.tool_path = path;
+  if (const auto* arc = std::get_if<Arc>(&programmed.path)) {
+    const double left = before.extent - before.cut_at_start - joint.cut_before;
+    contour_block_.tool_path =
+        shortened(*arc, before.tool_start, joint.end, left, true, tolerances_);
+  } else {
+    contour_block_.tool_path = Line{.start = before.tool_start, .end = joint.end};
+  }
   // All but the mode, of which one share does for the run.
   MotionBlock& motion = contour_block_.programmed;
   motion.source = programmed.source;
@@ -226,7 +234,7 @@ void ContourRun::hold(const Step& before, const Step& after, const Joined& joine
   motion.rapid = programmed.rapid;
   motion.tracking = std::move(programmed.tracking);
   going_ = loop_removal_.hold(contour_block_);
-  inserted_.unreachable = joined.apart;
+  inserted_.unreachable = apart;
   const bool rapid = inserted_.programmed.rapid;
   for (const auto& segment : inserted) {
     inserted_.programmed.rapid = rapid && !is_arc(*segment);

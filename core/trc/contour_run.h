@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstddef>
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -42,37 +41,38 @@ class ContourRun {
                    std::vector<CompensatedBlock>& out);
 
  private:
-  // A block with its equidistant.
+  // A block between its two corners.
   struct Step {
     MotionBlock* programmed = nullptr;
-    OffsetCurve at_start{};
-    OffsetCurve at_end{};
+    double length = 0;         // of the programmed path
+    double extent = 0;         // of the programmed path, as extent_of()
     bool unreachable = false;  // as in PathBlock
+    Vector tangent_at_start = Vector::UnitX();
     Point tool_start = Point::Zero();
     double cut_at_start = 0;  // as in PathBlock
   };
-  struct Joined {
-    Joint joint{};
-    bool apart = false;  // as in JoinedBlocks
-  };
 
-  [[nodiscard]] Step offset(MotionBlock& programmed) const;
-  [[nodiscard]] bool vanishes(const Step& step) const;
-  [[nodiscard]] bool is_unreachable(const Step& step) const;
-  // Puts out `before` and what is inserted behind it. Returns false, and does nothing, where the
-  // passes have to do it.
-  bool join(Step& before, Step& after, std::vector<CompensatedBlock>& out);
-  [[nodiscard]] std::optional<Joined> joined(const Step& before, const Step& after) const;
-  [[nodiscard]] std::optional<Joined> joined_inside(const Step& before, const Step& after,
-                                                    const Corner& corner) const;
-  [[nodiscard]] std::optional<Segment> tool_path(const Step& step, const Joint& joint) const;
+  void begin(const PathBlock& held);
+  // Sets the equidistant of a block: behind the corner it begins at, before the one it ends at.
+  void offset(MotionBlock& programmed, Step& step, Corner& begin, Corner& end) const;
+  [[nodiscard]] bool vanishes(const OffsetCurve& equidistant) const;
 
-  void put_out(const Step& before, const Step& after, const Joined& joined, const Segment& path,
+  // Puts out the block before the corner and what is inserted behind it. Returns false, and does
+  // nothing, where the passes have to do it.
+  bool join(const Corner& corner, const Step& before, Step& after,
+            std::vector<CompensatedBlock>& out);
+  bool join_inside(const Corner& corner, const Step& before, Step& after,
+                   std::vector<CompensatedBlock>& out);
+  // The same once it is known what becomes of the corner. `apart` as in JoinedBlocks.
+  bool leave(const Corner& corner, const Joint& joint, bool apart, const Step& before, Step& after,
+             std::vector<CompensatedBlock>& out);
+  bool put_out(const Corner& corner, const Joint& joint, const Step& before, const Step& after,
                std::vector<CompensatedBlock>& out);
-  void put_out_with(std::span<const std::optional<Segment>> inserted, const Segment& path,
-                    MotionBlock& programmed, const MotionBlock& after,
-                    std::vector<CompensatedBlock>& out);
-  void hold(const Step& before, const Step& after, const Joined& joined, const Segment& path);
+  template <class Path>
+  bool put_out(const Path& path, const Joint& joint, const Step& before, const Step& after,
+               std::vector<CompensatedBlock>& out);
+  void hold(const Corner& corner, const Joint& joint, bool apart, const Step& before,
+            const Step& after);
 
   bool inverse_path_;
   Tolerances tolerances_;
@@ -82,6 +82,7 @@ class ContourRun {
   const TrcMode* mode_ = nullptr;
   double shift_ = 0;  // as in Compensation
   bool removes_loops_ = false;
+  Tolerances exact_{};  // for the meetings of a contour whose loops are removed
   bool going_ = true;
   PathBlock contour_block_{};  // as LoopRemoval wants them; places for one after the other
   PathBlock inserted_{};

@@ -10,19 +10,7 @@ namespace {
 
 constexpr double degrees = 180 / std::numbers::pi;
 
-bool within(const Point& point, double limit) {
-  return std::abs(point.x()) <= limit && std::abs(point.y()) <= limit;
-}
-
 }  // namespace
-
-std::optional<Code> out_of_range(const Segment& path, const Tolerances& tolerances) {
-  const double limit = tolerances.largest_coordinate;
-  if (!within(end_of(path), limit)) return Code::end_point_out_of_range;
-  const auto* arc = std::get_if<Arc>(&path);
-  if (arc != nullptr && !within(arc->center, limit)) return Code::center_out_of_range;
-  return std::nullopt;
-}
 
 bool ContourViolations::apply(PathBlock& block) {
   if (block.role == Role::passive || block.role == Role::uncompensated) return true;

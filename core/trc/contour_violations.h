@@ -1,12 +1,19 @@
 #pragma once
 
+#include <cmath>
 #include <optional>
+#include <variant>
 
 #include "core/base/diagnostics.h"
 #include "core/base/tolerances.h"
 #include "core/trc/path_block.h"
 
 namespace trc {
+
+// Neither coordinate is larger than the limit, mm.
+[[nodiscard]] inline bool is_within(const Point& point, double limit) {
+  return std::abs(point.x()) <= limit && std::abs(point.y()) <= limit;
+}
 
 // What is a contour violation, mm and rad as in PathBlock. A line that runs against its tangent:
 [[nodiscard]] inline bool runs_back(const Vector& travelled, const Vector& tangent,
@@ -18,7 +25,24 @@ namespace trc {
   return left * radius < -tolerances.on_contour;
 }
 // The first coordinate of the path that no control takes (90133, 90134), or nothing.
-[[nodiscard]] std::optional<Code> out_of_range(const Segment& path, const Tolerances& tolerances);
+[[nodiscard]] inline std::optional<Code> out_of_range(const Line& path,
+                                                      const Tolerances& tolerances) {
+  if (!is_within(path.end, tolerances.largest_coordinate)) return Code::end_point_out_of_range;
+  return std::nullopt;
+}
+[[nodiscard]] inline std::optional<Code> out_of_range(const Arc& path,
+                                                      const Tolerances& tolerances) {
+  const double limit = tolerances.largest_coordinate;
+  if (!is_within(path.end, limit)) return Code::end_point_out_of_range;
+  if (!is_within(path.center, limit)) return Code::center_out_of_range;
+  return std::nullopt;
+}
+[[nodiscard]] inline std::optional<Code> out_of_range(const Segment& path,
+                                                      const Tolerances& tolerances) {
+  const auto* arc = std::get_if<Arc>(&path);
+  return arc != nullptr ? out_of_range(*arc, tolerances)
+                        : out_of_range(std::get<Line>(path), tolerances);
+}
 
 // Finds contour violations: a compensated line that runs against the programmed
 // one (90019), an arc that has been consumed and wraps round (90038). G140 stops

@@ -63,35 +63,11 @@ bool leaves_slit(const Segment& before, const Segment& after, double shift,
   return opening * shift < 0 && gap > 10 * tolerances.on_contour;
 }
 
-// Of the absolute value; from sine and cosine, of which one is always exact enough.
-double tangent_of_half_turn(const Corner& corner) {
-  const double sine = std::abs(corner.sine_of_turn());
-  const double cosine = corner.cosine_of_turn();
-  return cosine > 0 ? sine / (1 + cosine) : (1 - cosine) / sine;
-}
-
-// The crossing of the two tangents; the corner is not a reversal.
-Point mitre_point(const Corner& corner) {
-  const Vector& before = corner.before.tangent;
-  const Vector& after = corner.after.tangent;
-  const double scale = corner.shift / (1 + before.dot(after));
-  return corner.programmed + scale * (left_of(before) + left_of(after));
-}
-
 }  // namespace
 
 bool reverses_into_slit(const Corner& corner, const Segment& before, const Segment& after,
                         const Tolerances& tolerances) {
   return is_reversal(corner, tolerances) && leaves_slit(before, after, corner.shift, tolerances);
-}
-
-CornerKind kind_of(const Corner& corner, const Tolerances& tolerances) {
-  const bool parallel = is_parallel(corner, tolerances);
-  if (parallel && corner.cosine_of_turn() > 0) return CornerKind::tangential;
-  const double gap = (corner.after.anchor - corner.before.anchor).squaredNorm();
-  if (gap <= tolerances.same_point * tolerances.same_point) return CornerKind::tangential;
-  if (parallel) return corner.slit ? CornerKind::inside : CornerKind::outside;
-  return corner.sine_of_turn() * corner.shift > 0 ? CornerKind::inside : CornerKind::outside;
 }
 
 double outside_sweep(const Corner& corner) {
@@ -145,6 +121,8 @@ std::optional<MeetingPoint> nearest_meeting(const OffsetCurve& before, const Off
   double nearest_after = std::numeric_limits<double>::infinity();
   double nearest_before = nearest_after;
   for (const Point& point : meetings_of(before, after, tolerances.same_point)) {
+    // On a line the place is had for nothing, on a circle it costs an angle.
+    if (!before.circular && cut_before_anchor(before, point, slack) < -slack) continue;
     const double cut_after = cut_after_anchor(after, point, slack);
     const double length_after = length_of_cut(after, cut_after);
     const bool tied = std::abs(length_after - nearest_after) <= tolerances.same_point;
@@ -157,20 +135,6 @@ std::optional<MeetingPoint> nearest_meeting(const OffsetCurve& before, const Off
     nearest = {.point = point, .cut_before = cut_before, .cut_after = cut_after};
   }
   return nearest;
-}
-
-std::optional<MeetingPoint> inside_joint(const Corner& corner, const Tolerances& tolerances) {
-  if (corner.before.circular || corner.after.circular)
-    return nearest_meeting(corner.before, corner.after, tolerances);
-  const double cut = corner.tool_radius() * tangent_of_half_turn(corner);
-  return MeetingPoint{.point = mitre_point(corner), .cut_before = cut, .cut_after = cut};
-}
-
-std::optional<MeetingPoint> inside_joint_to_all_digits(const Corner& corner,
-                                                       const Tolerances& tolerances) {
-  Tolerances exact = tolerances;
-  exact.same_point = tolerances.rounding * std::max(corner.tool_radius(), 1.0);
-  return inside_joint(corner, exact);
 }
 
 Joint outside_joint(const Corner& corner, const TransitionRule& rule,

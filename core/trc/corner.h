@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -28,15 +29,19 @@ struct OffsetCurve {
 };
 
 // `shift` as in Compensation.
+[[nodiscard]] inline OffsetCurve offset_curve(const Arc& programmed, const Vector& tangent,
+                                              const Point& anchor, double shift) {
+  return {.anchor = anchor,
+          .tangent = tangent,
+          .circular = true,
+          .counter_clockwise = programmed.sweep > 0,
+          .circle = {.center = programmed.center, .radius = parallel_radius(programmed, shift)}};
+}
 [[nodiscard]] inline OffsetCurve offset_curve(const Segment& programmed, const Vector& tangent,
                                               const Point& anchor, double shift) {
-  OffsetCurve curve{.anchor = anchor, .tangent = tangent};
-  if (const auto* arc = std::get_if<Arc>(&programmed)) {
-    curve.circular = true;
-    curve.counter_clockwise = arc->sweep > 0;
-    curve.circle = {.center = arc->center, .radius = parallel_radius(*arc, shift)};
-  }
-  return curve;
+  if (const auto* arc = std::get_if<Arc>(&programmed))
+    return offset_curve(*arc, tangent, anchor, shift);
+  return {.anchor = anchor, .tangent = tangent};
 }
 
 // Two blocks meeting in the programmed point E.
@@ -76,7 +81,14 @@ enum class CornerKind { tangential, inside, outside };
 
 // An exact reversal is an outside corner of 360 degrees (D-05), or, where it
 // leaves a slit, an inside corner of none.
-[[nodiscard]] CornerKind kind_of(const Corner& corner, const Tolerances& tolerances);
+[[nodiscard]] inline CornerKind kind_of(const Corner& corner, const Tolerances& tolerances) {
+  const bool parallel = is_parallel(corner, tolerances);
+  if (parallel && corner.cosine_of_turn() > 0) return CornerKind::tangential;
+  const double gap = (corner.after.anchor - corner.before.anchor).squaredNorm();
+  if (gap <= tolerances.same_point * tolerances.same_point) return CornerKind::tangential;
+  if (parallel) return corner.slit ? CornerKind::inside : CornerKind::outside;
+  return corner.sine_of_turn() * corner.shift > 0 ? CornerKind::inside : CornerKind::outside;
+}
 
 // How far the tool swings around an outside corner: |sweep| = beta - 180 degrees,
 // negative clockwise (G41), positive counter-clockwise (G42).
@@ -129,16 +141,6 @@ struct TransitionRule {
 // A line from the end of one block to the start of the other.
 [[nodiscard]] Joint joint_across(const Point& end, const Point& start);
 
-// Both blocks shortened to the meeting of their equidistants, the nearest one
-// along the block after, then along the block before (D-06). Empty when the
-// equidistants do not meet between the corner and their far ends.
-[[nodiscard]] std::optional<MeetingPoint> inside_joint(const Corner& corner,
-                                                       const Tolerances& tolerances);
-// The same where loops are removed. Two equidistants that miss each other, be it by less than
-// Tolerances::same_point, do not meet then: what is left of the gap is LoopRemoval's to judge.
-[[nodiscard]] std::optional<MeetingPoint> inside_joint_to_all_digits(const Corner& corner,
-                                                                     const Tolerances& tolerances);
-
 // The table of spec section 4.2 with STRETCH_FACTOR (4.3). Lines are extended,
 // circles get a tangent line.
 [[nodiscard]] Joint outside_joint(const Corner& corner, const TransitionRule& rule,
@@ -159,5 +161,40 @@ struct TransitionRule {
 [[nodiscard]] std::optional<MeetingPoint> nearest_meeting(const OffsetCurve& before,
                                                           const OffsetCurve& after,
                                                           const Tolerances& tolerances);
+
+// The tangent of half the turn, whichever its sign; from sine and cosine, of which one is always
+// exact enough.
+[[nodiscard]] inline double tangent_of_half_turn(const Corner& corner) {
+  const double sine = std::abs(corner.sine_of_turn());
+  const double cosine = corner.cosine_of_turn();
+  return cosine > 0 ? sine / (1 + cosine) : (1 - cosine) / sine;
+}
+
+// The crossing of the two tangents; the corner is not a reversal.
+[[nodiscard]] inline Point mitre_point(const Corner& corner) {
+  const Vector& before = corner.before.tangent;
+  const Vector& after = corner.after.tangent;
+  const double scale = corner.shift / (1 + before.dot(after));
+  return corner.programmed + scale * (left_of(before) + left_of(after));
+}
+
+// Both blocks shortened to the meeting of their equidistants, the nearest one
+// along the block after, then along the block before (D-06). Empty when the
+// equidistants do not meet between the corner and their far ends.
+[[nodiscard]] inline std::optional<MeetingPoint> inside_joint(const Corner& corner,
+                                                              const Tolerances& tolerances) {
+  if (corner.before.circular || corner.after.circular)
+    return nearest_meeting(corner.before, corner.after, tolerances);
+  const double cut = corner.tool_radius() * tangent_of_half_turn(corner);
+  return MeetingPoint{.point = mitre_point(corner), .cut_before = cut, .cut_after = cut};
+}
+
+// What inside_joint() is asked with where loops are removed. Two equidistants that miss each other,
+// be it by less than Tolerances::same_point, do not meet then: what is left of the gap is
+// LoopRemoval's to judge.
+[[nodiscard]] inline Tolerances to_all_digits(Tolerances tolerances, double tool_radius) {
+  tolerances.same_point = tolerances.rounding * std::max(tool_radius, 1.0);
+  return tolerances;
+}
 
 }  // namespace trc

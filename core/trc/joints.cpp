@@ -123,7 +123,7 @@ JointResult contour_joint(const PathBlock& before, const PathBlock& after, const
   }
   std::optional<MeetingPoint> meeting;
   if (after.removes_loops()) {
-    if (!vanished) meeting = inside_joint_to_all_digits(corner, tolerances);
+    if (!vanished) meeting = inside_joint(corner, to_all_digits(tolerances, corner.tool_radius()));
     if (!(meeting && reaches(before, meeting->cut_before) && reaches(after, meeting->cut_after)))
       return JoinedBlocks{.joint = joint_across(corner.before.anchor, corner.after.anchor),
                           .apart = true};

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <type_traits>
 #include <utility>
 
 #include "core/base/check.h"
@@ -18,17 +19,17 @@ struct Travel {
   double length = 0;
 };
 
-Travel travel_of(const Segment& segment) {
-  const auto* arc = std::get_if<Arc>(&segment);
-  if (arc == nullptr) {
-    const Vector way = end_of(segment) - start_of(segment);
-    return {.begins = way, .ends = way, .length = way.norm()};
-  }
-  const double sense = arc->sweep > 0 ? 1 : -1;
-  const Vector out = arc->start - arc->center;
+Travel travel_of(const Line& line) {
+  const Vector way = line.end - line.start;
+  return {.begins = way, .ends = way, .length = way.norm()};
+}
+
+Travel travel_of(const Arc& arc) {
+  const double sense = arc.sweep > 0 ? 1 : -1;
+  const Vector out = arc.start - arc.center;
   return {.begins = sense * left_of(out),
-          .ends = sense * left_of(arc->end - arc->center),
-          .length = std::abs(arc->sweep) * out.norm()};
+          .ends = sense * left_of(arc.end - arc.center),
+          .length = std::abs(arc.sweep) * out.norm()};
 }
 
 }  // namespace
@@ -52,27 +53,47 @@ bool Reporting::feed(PathBlock& block, std::vector<CompensatedBlock>& out) {
   return !diagnostics_.stopped();
 }
 
-CompensatedBlock& Reporting::put_out(MotionBlock& programmed, const TrcMode& mode, Origin origin,
-                                     const Segment& tool_path, std::vector<CompensatedBlock>& out) {
-  const Plane plane = mode.plane;
-  check(to_plane(plane, position_) == start_of(tool_path) &&
-            position_[axes_of(plane).third] == programmed.normal.from,
+template <class Path>
+CompensatedBlock& Reporting::put_out_along(const Path& tool_path, MotionBlock& programmed,
+                                           const TrcMode& mode, Origin origin,
+                                           std::vector<CompensatedBlock>& out) {
+  const PlaneAxes axes = axes_of(mode.plane);
+  check(position_[axes.first] == tool_path.start.x() &&
+            position_[axes.second] == tool_path.start.y() &&
+            position_[axes.third] == programmed.normal.from,
         "a block starts where the one before ended");
-  position_ = from_plane(plane, end_of(tool_path), programmed.normal.to);
+  position_[axes.first] = tool_path.end.x();
+  position_[axes.second] = tool_path.end.y();
+  position_[axes.third] = programmed.normal.to;
   const Travel travel = travel_of(tool_path);
   CompensatedBlock& result = out.emplace_back();
   result.source = programmed.source;
   result.origin = origin;
-  result.plane = plane;
-  result.rapid = programmed.rapid && !is_arc(tool_path);
+  result.plane = mode.plane;
+  result.rapid = programmed.rapid && std::is_same_v<Path, Line>;
   result.tangential = goes_straight_on(travel.begins, mode);
-  result.path = tool_path;
+  result.path.emplace<Path>(tool_path);
   result.normal = programmed.normal;
   result.feed = std::min(programmed.feed, tolerances_.largest_feed);
-  result.tracking = std::move(programmed.tracking);
+  if (!programmed.tracking.empty()) result.tracking = std::move(programmed.tracking);
   last_direction_ = travel.ends;
-  count(result, travel.length);
+  count(origin, travel.length);
   return result;
+}
+
+CompensatedBlock& Reporting::put_out(MotionBlock& programmed, const TrcMode& mode, Origin origin,
+                                     const Line& tool_path, std::vector<CompensatedBlock>& out) {
+  return put_out_along(tool_path, programmed, mode, origin, out);
+}
+CompensatedBlock& Reporting::put_out(MotionBlock& programmed, const TrcMode& mode, Origin origin,
+                                     const Arc& tool_path, std::vector<CompensatedBlock>& out) {
+  return put_out_along(tool_path, programmed, mode, origin, out);
+}
+CompensatedBlock& Reporting::put_out(MotionBlock& programmed, const TrcMode& mode, Origin origin,
+                                     const Segment& tool_path, std::vector<CompensatedBlock>& out) {
+  const auto* arc = std::get_if<Arc>(&tool_path);
+  return arc != nullptr ? put_out(programmed, mode, origin, *arc, out)
+                        : put_out(programmed, mode, origin, std::get<Line>(tool_path), out);
 }
 
 void Reporting::let_off(std::vector<PassiveBlock>& riders, std::vector<CompensatedBlock>& out) {
@@ -91,7 +112,7 @@ void Reporting::let_off(std::vector<PassiveBlock>& riders, std::vector<Compensat
     result.tracking = std::move(rider.tracking);
     result.text = std::move(rider.text);
     position_ = from_plane(result.plane, place, rider.normal.to);
-    count(result, 0);
+    count(result.origin, 0);
   }
   riders.clear();
 }
@@ -136,9 +157,9 @@ bool Reporting::goes_straight_on(const Vector& direction, const TrcMode& mode) {
   return std::abs(cross(last_direction_, direction)) <= tangent_of_limit_ * along;
 }
 
-void Reporting::count(const CompensatedBlock& block, double length) {
+void Reporting::count(Origin origin, double length) {
   ++summary_.blocks_out;
-  ++summary_.blocks_by_origin[static_cast<std::size_t>(block.origin)];
+  ++summary_.blocks_by_origin[static_cast<std::size_t>(origin)];
   summary_.compensated_length += length;
 }
 

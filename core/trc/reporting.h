@@ -27,6 +27,10 @@ class Reporting {
   bool drain(std::vector<CompensatedBlock>& /*out*/) { return true; }
   // One block of the path, programmed under the mode. Takes its tracking axes out of it.
   CompensatedBlock& put_out(MotionBlock& programmed, const TrcMode& mode, Origin origin,
+                            const Line& tool_path, std::vector<CompensatedBlock>& out);
+  CompensatedBlock& put_out(MotionBlock& programmed, const TrcMode& mode, Origin origin,
+                            const Arc& tool_path, std::vector<CompensatedBlock>& out);
+  CompensatedBlock& put_out(MotionBlock& programmed, const TrcMode& mode, Origin origin,
                             const Segment& tool_path, std::vector<CompensatedBlock>& out);
   [[nodiscard]] std::size_t look_ahead() const { return 0; }
 
@@ -38,11 +42,15 @@ class Reporting {
   }
 
  private:
+  template <class Path>
+  CompensatedBlock& put_out_along(const Path& tool_path, MotionBlock& programmed,
+                                  const TrcMode& mode, Origin origin,
+                                  std::vector<CompensatedBlock>& out);
   void let_off(std::vector<PassiveBlock>& riders, std::vector<CompensatedBlock>& out);
   // F' / F: what the feed of the tool centre is multiplied by under G11.
   double feed_factor(const PathBlock& block);
   [[nodiscard]] bool goes_straight_on(const Vector& direction, const TrcMode& mode);
-  void count(const CompensatedBlock& block, double length);
+  void count(Origin origin, double length);
 
   double smallest_feed_factor_;
   bool inverse_path_;
