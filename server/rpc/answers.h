@@ -61,7 +61,7 @@ class Answers {
     if (!outbox_.empty() || (!answered_ && !error_)) {
       answered_ = true;
       const Outbox::Slice slice = outbox_.take(
-          std::min<std::size_t>(most_answer_bytes(layout), backend_.config.max_message_bytes));
+          layout, std::min<std::size_t>(most_answer_bytes, backend_.config.max_message_bytes));
       write_slice(slice, layout, response);
       finish_slice(slice, outbox_.empty());
       record_.sent(slice.blocks.size());
@@ -79,11 +79,9 @@ class Answers {
 
  private:
   // An answer on its way lies in gRPC's buffers until the client reads it: hundreds of clients that
-  // do not must not add up to much. Larger ones are hardly faster. Blocks as messages take twice as
-  // much memory as in columns while they are written.
-  static constexpr std::size_t most_answer_bytes(wire::Layout layout) {
-    return (layout == wire::Layout::columns ? 128U : 64U) << 10U;
-  }
+  // do not must not add up to much. What 1024 blocks become fits; every further answer would
+  // take the stream through gRPC's threads and back once more.
+  static constexpr std::size_t most_answer_bytes = 192U << 10U;
 
   Backend& backend_;
   CallRecord& record_;

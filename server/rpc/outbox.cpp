@@ -4,19 +4,12 @@
 #include <iterator>
 #include <utility>
 
+#include "proto/wire/message_size.h"
+
 namespace trc::server {
 namespace {
 
-// What one block may take in a message of either layout.
-std::size_t message_bytes(const CompensatedBlock& block) {
-  constexpr std::size_t without_extras = 220;
-  constexpr std::size_t inverse = 130;
-  constexpr std::size_t per_axis = 20;
-  return without_extras + per_axis * block.tracking.size() + block.text.size() +
-         (block.inverse ? inverse : 0);
-}
-
-// The same for a diagnostic, whose message and remedy are written out.
+// What a diagnostic may take in a message: its sentence and remedy are written out.
 std::size_t message_bytes(const Diagnostic& diagnostic) {
   constexpr std::size_t sentences = 400;
   constexpr std::size_t per_value = 40;
@@ -67,7 +60,7 @@ bool Outbox::empty() const {
          next_byte_ == content_.text.size();
 }
 
-Outbox::Slice Outbox::take(std::size_t most_bytes) {
+Outbox::Slice Outbox::take(wire::Layout layout, std::size_t most_bytes) {
   const std::size_t end_block = placed_.empty() ? content_.blocks.size() : placed_.front().block;
   const std::size_t end_byte = placed_.empty() ? content_.text.size() : placed_.front().byte;
 
@@ -75,7 +68,7 @@ Outbox::Slice Outbox::take(std::size_t most_bytes) {
   std::size_t bytes = 0;
   std::size_t last = next_block_;
   while (last < end_block && (last == next_block_ || bytes < most_bytes))
-    bytes += message_bytes(content_.blocks[last++]);
+    bytes += wire::most_bytes(content_.blocks[last++], layout);
   slice.blocks = std::span(content_.blocks).subspan(next_block_, last - next_block_);
   next_block_ = last;
 
@@ -106,7 +99,8 @@ void Outbox::take_diagnostics(std::size_t bytes, std::size_t most_bytes, Slice& 
 }
 
 std::size_t Outbox::held_bytes() const {
-  return content_.blocks.capacity() * sizeof(CompensatedBlock) + content_.text.capacity();
+  // Not what is reserved: memory that was never written to is none.
+  return content_.blocks.size() * sizeof(CompensatedBlock) + content_.text.size();
 }
 
 }  // namespace trc::server

@@ -9,6 +9,7 @@
 
 #include "core/base/diagnostic.h"
 #include "core/session/program_output.h"
+#include "proto/wire/setup.h"
 
 namespace trc::server {
 
@@ -38,11 +39,12 @@ class Outbox {
   // How many blocks were taken so far, and that a resumed path goes on behind them.
   [[nodiscard]] std::uint64_t blocks_taken() const { return blocks_forgotten_ + next_block_; }
   void go_on_behind(std::uint64_t blocks) { blocks_forgotten_ = blocks; }
-  // The next slice of about `most_bytes` as a message, at least one block or line. Valid until the
-  // content changes.
-  [[nodiscard]] Slice take(std::size_t most_bytes);
+  // The next slice of about `most_bytes` as a message of this layout, at least one block or line.
+  // Valid until the content changes.
+  [[nodiscard]] Slice take(wire::Layout layout, std::size_t most_bytes);
 
   [[nodiscard]] std::size_t held_bytes() const;
+  [[nodiscard]] std::size_t blocks_waiting() const { return content_.blocks.size() - next_block_; }
 
  private:
   struct Placed {

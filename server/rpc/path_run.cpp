@@ -33,9 +33,9 @@ void PathRun::feed_batch(const Batch& batch, const char* field, std::int64_t blo
     return answers_.end_with(
         refuse(Refusal::batch_too_large, {},
                {{"max_blocks_per_batch", std::to_string(most)}, {"got", std::to_string(blocks)}}));
-  // About as many come out, which would be moved again and again while their number grows.
+  // Corners give transition blocks too. All would be moved again and again while their number grows.
   std::vector<CompensatedBlock>& ready = answers_.outbox().content().blocks;
-  ready.reserve(ready.size() + static_cast<std::size_t>(blocks + blocks / 8));
+  ready.reserve(ready.size() + static_cast<std::size_t>(2 * blocks));
   read(batch);
   if (batch.final()) finish();
 }

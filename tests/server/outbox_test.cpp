@@ -7,6 +7,8 @@
 namespace trc::server {
 namespace {
 
+using wire::Layout;
+
 CompensatedBlock block(std::uint64_t index) {
   CompensatedBlock made;
   made.source.index = index;
@@ -19,10 +21,10 @@ TEST(Outbox, LeavesInSlicesThatFitAMessage) {
   std::uint64_t next = 0;
   int slices = 0;
   while (!outbox.empty()) {
-    const Outbox::Slice slice = outbox.take(10'000);
+    const Outbox::Slice slice = outbox.take(Layout::blocks, 9'000);
     EXPECT_EQ(slice.first_block, next);
     ASSERT_FALSE(slice.blocks.empty());
-    EXPECT_LE(slice.blocks.size(), 10'000 / 200U);
+    EXPECT_LE(slice.blocks.size(), 9'000 / 90U);
     for (const CompensatedBlock& got : slice.blocks) EXPECT_EQ(got.source.index, next++);
     ++slices;
   }
@@ -40,7 +42,7 @@ TEST(Outbox, DiagnosticsLeaveInSlicesThatFitAMessage) {
   std::uint64_t next = 0;
   int slices = 0;
   while (!outbox.empty()) {
-    const Outbox::Slice slice = outbox.take(20'000);
+    const Outbox::Slice slice = outbox.take(Layout::blocks, 20'000);
     EXPECT_EQ(slice.blocks.size(), slices == 0 ? 1U : 0U);
     ASSERT_FALSE(slice.diagnostics.empty());
     EXPECT_LE(slice.diagnostics.size(), 20'000 / 200U);
@@ -56,18 +58,18 @@ TEST(Outbox, OneDiagnosticAlwaysLeavesHoweverLarge) {
   Diagnostic large;
   large.detail.assign(60'000, 'x');
   outbox.place({large, large});
-  EXPECT_EQ(outbox.take(1000).diagnostics.size(), 1U);
-  EXPECT_EQ(outbox.take(1000).diagnostics.size(), 1U);
+  EXPECT_EQ(outbox.take(Layout::blocks, 1000).diagnostics.size(), 1U);
+  EXPECT_EQ(outbox.take(Layout::blocks, 1000).diagnostics.size(), 1U);
   EXPECT_TRUE(outbox.empty());
 }
 
 TEST(Outbox, CountsBlocksOverAllRequests) {
   Outbox outbox;
   outbox.content().blocks.assign(3, block(0));
-  EXPECT_EQ(outbox.take(1'000'000).first_block, 0U);
+  EXPECT_EQ(outbox.take(Layout::blocks, 1'000'000).first_block, 0U);
   outbox.forget_taken();
   outbox.content().blocks.assign(2, block(0));
-  const Outbox::Slice slice = outbox.take(1'000'000);
+  const Outbox::Slice slice = outbox.take(Layout::blocks, 1'000'000);
   EXPECT_EQ(slice.first_block, 3U);
   EXPECT_EQ(slice.blocks.size(), 2U);
   EXPECT_TRUE(outbox.empty());
@@ -78,8 +80,8 @@ TEST(Outbox, OneBlockAlwaysLeavesHoweverLarge) {
   CompensatedBlock large = block(0);
   large.text.assign(60'000, 'M');
   outbox.content().blocks.assign(2, large);
-  EXPECT_EQ(outbox.take(1000).blocks.size(), 1U);
-  EXPECT_EQ(outbox.take(1000).blocks.size(), 1U);
+  EXPECT_EQ(outbox.take(Layout::blocks, 1000).blocks.size(), 1U);
+  EXPECT_EQ(outbox.take(Layout::blocks, 1000).blocks.size(), 1U);
   EXPECT_TRUE(outbox.empty());
 }
 
@@ -90,7 +92,7 @@ TEST(Outbox, TextLeavesInWholeLines) {
   outbox.content().text = text;
   std::string joined;
   while (!outbox.empty()) {
-    const Outbox::Slice slice = outbox.take(64);
+    const Outbox::Slice slice = outbox.take(Layout::blocks, 64);
     ASSERT_FALSE(slice.text.empty());
     EXPECT_EQ(slice.text.back(), '\n');
     EXPECT_LT(slice.text.size(), 64U + 16U);
@@ -106,11 +108,11 @@ TEST(Outbox, DiagnosticsComeBehindWhatWasCertainBefore) {
   outbox.content().blocks.push_back(block(1));
   outbox.place({});
 
-  const Outbox::Slice first = outbox.take(1'000'000);
+  const Outbox::Slice first = outbox.take(Layout::blocks, 1'000'000);
   EXPECT_EQ(first.blocks.size(), 2U);
   ASSERT_EQ(first.diagnostics.size(), 1U);
   EXPECT_EQ(first.diagnostics.front().code, Code::stretch_factor_out_of_range);
-  const Outbox::Slice second = outbox.take(1'000'000);
+  const Outbox::Slice second = outbox.take(Layout::blocks, 1'000'000);
   EXPECT_EQ(second.blocks.size(), 1U);
   EXPECT_TRUE(second.diagnostics.empty());
   EXPECT_TRUE(outbox.empty());
@@ -120,7 +122,7 @@ TEST(Outbox, ADiagnosticAloneIsASliceToo) {
   Outbox outbox;
   outbox.place({diagnostic(Code::program_empty, {})});
   EXPECT_FALSE(outbox.empty());
-  EXPECT_EQ(outbox.take(1000).diagnostics.size(), 1U);
+  EXPECT_EQ(outbox.take(Layout::blocks, 1000).diagnostics.size(), 1U);
   EXPECT_TRUE(outbox.empty());
 }
 

@@ -5,6 +5,8 @@
 
 #include <string>
 
+#include "proto/wire/options.h"
+
 namespace trc::wire {
 namespace {
 
