@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <ctime>
+#include <optional>
 
 namespace trc::server {
 namespace {
@@ -15,8 +16,8 @@ std::chrono::nanoseconds time_computed() {
   return std::chrono::seconds(time.tv_sec) + std::chrono::nanoseconds(time.tv_nsec);
 }
 
-// When the turn of this thread began, or went on.
-thread_local std::chrono::nanoseconds began{};
+// When the turn of this thread began, or went on; none in a thread of somebody else.
+thread_local std::optional<std::chrono::nanoseconds> began;
 
 // Several turns of batches: giving way costs two changes of thread.
 constexpr std::chrono::milliseconds share_of_time{5};
@@ -47,7 +48,7 @@ void WorkerPool::submit(Job& job) {
 }
 
 void WorkerPool::give_way() {
-  if (time_computed() - began < share_of_time) return;
+  if (!began || time_computed() - *began < share_of_time) return;
   {
     std::unique_lock lock(mutex_);
     if (queue_.empty() || stopping_ || standing_ == most_standing) return;

@@ -40,7 +40,7 @@ class WorkerPool {
 
   // To be called again and again in a turn that may take long. Once it has computed for
   // some milliseconds and others wait, the turn goes to the back of the queue: it stands still, and
-  // another thread takes its place.
+  // another thread takes its place. Does nothing in a thread that is not of the pool.
   void give_way();
 
   [[nodiscard]] std::size_t queue_depth() const;

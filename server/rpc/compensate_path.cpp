@@ -57,4 +57,14 @@ Turn CompensatePath::ended(v1::CompensatePathResponse& /*response*/) {
   return end(run_->finished() ? Ending{} : refuse(Refusal::contour_incomplete));
 }
 
+// A token is opened, and read: not soon done.
+bool CompensatePath::is_short(const v1::CompensatePathRequest* request) const {
+  if (!run_) return request == nullptr || request->setup().resume_token().empty();
+  if (want_tokens_) return false;
+  if (request == nullptr) return run_->is_soon_done(0);
+  return run_->is_soon_done(request->has_columns()
+                                ? request->columns().kinds().size()
+                                : static_cast<std::uint64_t>(request->batch().blocks_size()));
+}
+
 }  // namespace trc::server

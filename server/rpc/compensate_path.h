@@ -18,6 +18,7 @@ class CompensatePath final
             v1::CompensatePathResponse& response) override;
   Turn proceed(v1::CompensatePathResponse& response) override;
   Turn ended(v1::CompensatePathResponse& response) override;
+  [[nodiscard]] bool is_short(const v1::CompensatePathRequest* request) const override;
 
  private:
   Turn set_up(const v1::PathSetup& message, v1::CompensatePathResponse& response);

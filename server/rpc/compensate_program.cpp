@@ -11,6 +11,8 @@ namespace {
 
 // After so much text it is asked whether the client is still there.
 constexpr std::size_t bytes_per_piece = 16U << 10U;
+// A few lines, or blocks.
+constexpr std::size_t few_bytes = 16U << 10U;
 
 }  // namespace
 
@@ -19,7 +21,13 @@ CompensateProgram::Run::Run(const StreamContext& stream, const wire::PathSetting
     : layout(settings.response_layout),
       session(setup),
       answers(stream.backend, stream.record),
-      meter(stream.backend.memory, settings.session.compensator.limits) {}
+      meter(stream.backend.memory, settings.session.compensator.limits),
+      verifies(settings.session.verify) {}
+
+bool CompensateProgram::Run::is_soon_done(std::uint64_t lines) const {
+  return !verifies && meter.holds_few() && lines <= Meter::few_blocks &&
+         answers.outbox().held_bytes() <= few_bytes;
+}
 
 Turn CompensateProgram::take(const v1::CompensateProgramRequest& request,
                              v1::CompensateProgramResponse& response) {
@@ -150,6 +158,13 @@ std::optional<Ending> CompensateProgram::resume(std::string_view token) {
 Turn CompensateProgram::ended(v1::CompensateProgramResponse& /*response*/) {
   if (!run_) return end(refuse(Refusal::setup_missing, {}, {{"field", "setup"}}));
   return end(run_->finished ? Ending{} : refuse(Refusal::contour_incomplete));
+}
+
+bool CompensateProgram::is_short(const v1::CompensateProgramRequest* request) const {
+  if (!run_) return request == nullptr || request->setup().path().resume_token().empty();
+  constexpr std::size_t bytes_per_line = 16;
+  const std::size_t bytes = request == nullptr ? 0 : request->text().text().size();
+  return !want_tokens_ && run_->is_soon_done(bytes / bytes_per_line);
 }
 
 }  // namespace trc::server

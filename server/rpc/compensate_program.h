@@ -24,6 +24,7 @@ class CompensateProgram final
             v1::CompensateProgramResponse& response) override;
   Turn proceed(v1::CompensateProgramResponse& response) override;
   Turn ended(v1::CompensateProgramResponse& response) override;
+  [[nodiscard]] bool is_short(const v1::CompensateProgramRequest* request) const override;
 
  private:
   // One program on its way through the core.
@@ -36,6 +37,9 @@ class CompensateProgram final
       archive(session, meter, bytes_in, bytes_out, blocks_seen);
     }
 
+    // As of PathRun.
+    [[nodiscard]] bool is_soon_done(std::uint64_t lines) const;
+
     wire::Layout layout;
     ProgramSession session;
     Answers answers;
@@ -44,6 +48,7 @@ class CompensateProgram final
     std::uint64_t bytes_answered = 0;  // input whose output is all out
     std::uint64_t bytes_out = 0;
     std::uint64_t blocks_seen = 0;
+    bool verifies = false;
     bool finished = false;
   };
 

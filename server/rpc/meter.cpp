@@ -29,9 +29,8 @@ bool Meter::holds(const Summary& so_far, std::size_t outbox_bytes) {
     let_go_through_ = blocks_in_;
   }
   blocks_in_ = so_far.blocks_in;
-  const std::uint64_t held =
-      std::max(blocks_in_ - let_go_through_, std::min(look_ahead_blocks_, blocks_in_));
-  return share_.resize(held * held_block_bytes + outbox_bytes);
+  held_blocks_ = std::max(blocks_in_ - let_go_through_, std::min(look_ahead_blocks_, blocks_in_));
+  return share_.resize(held_blocks_ * held_block_bytes + outbox_bytes);
 }
 
 wire::PathSummary Meter::summary_of(const Summary& core, const Diagnostics& diagnostics) const {

@@ -34,6 +34,12 @@ class Meter {
   // may.
   bool holds(const Summary& so_far, std::size_t outbox_bytes);
 
+  // Whether so few blocks were held when it was asked last that whatever sets them free is soon
+  // done.
+  [[nodiscard]] bool holds_few() const { return held_blocks_ <= few_blocks; }
+  // So many take no longer than two changes of thread.
+  static constexpr std::uint64_t few_blocks = 128;
+
   template <class Session>
   [[nodiscard]] wire::PathSummary summary(Session& session) const {
     wire::PathSummary summary = summary_of(session.summary(), session.diagnostics());
@@ -55,6 +61,7 @@ class Meter {
   std::uint64_t look_ahead_blocks_;
   std::uint64_t blocks_in_ = 0;
   std::uint64_t blocks_out_ = 0;
+  std::uint64_t held_blocks_ = 0;
   std::uint64_t let_go_through_ = 0;  // input up to here was taken when something came out last
   std::chrono::steady_clock::time_point started_ = std::chrono::steady_clock::now();
   double cpu_seconds_ = 0;

@@ -13,7 +13,8 @@ PathRun::PathRun(const StreamContext& stream, const wire::PathSettings& settings
       session_(stream.interruptible(settings.session)),
       reader_(settings.session.program.tracking_axes.size()),
       answers_(stream.backend, stream.record),
-      meter_(stream.backend.memory, settings.session.compensator.limits) {}
+      meter_(stream.backend.memory, settings.session.compensator.limits),
+      verifies_(settings.session.verify) {}
 
 template <class Batch>
 void PathRun::feed_batch(const Batch& batch, const char* field, std::int64_t blocks) {
@@ -33,7 +34,8 @@ void PathRun::feed_batch(const Batch& batch, const char* field, std::int64_t blo
     return answers_.end_with(
         refuse(Refusal::batch_too_large, {},
                {{"max_blocks_per_batch", std::to_string(most)}, {"got", std::to_string(blocks)}}));
-  // Corners give transition blocks too. All would be moved again and again while their number grows.
+  // Corners give transition blocks too. All would be moved again and again while their number
+  // grows.
   std::vector<CompensatedBlock>& ready = answers_.outbox().content().blocks;
   ready.reserve(ready.size() + static_cast<std::size_t>(2 * blocks));
   read(batch);
@@ -73,6 +75,12 @@ bool PathRun::advance() {
   const bool goes_on = session_.advance(answers_.outbox().content());
   answers_.place(session_.diagnostics());
   return goes_on;
+}
+
+// A verification measures a selection as a whole once it has ended.
+bool PathRun::is_soon_done(std::uint64_t blocks) const {
+  return !verifies_ && meter_.holds_few() && blocks <= Meter::few_blocks &&
+         answers_.outbox().blocks_waiting() <= 2 * Meter::few_blocks;
 }
 
 std::string PathRun::resume_token(const ResumeTokens::Digest& setup) const {

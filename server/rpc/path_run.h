@@ -41,6 +41,8 @@ class PathRun {
   [[nodiscard]] std::optional<Ending> resume(std::string_view token,
                                              const ResumeTokens::Digest& setup);
 
+  // Whether little is to be done for so many blocks more, and for what is there.
+  [[nodiscard]] bool is_soon_done(std::uint64_t blocks) const;
   [[nodiscard]] std::uint64_t blocks_taken() const { return reader_.next_block(); }
   [[nodiscard]] bool finished() const { return finished_; }
 
@@ -60,6 +62,7 @@ class PathRun {
   Answers answers_;
   Meter meter_;
   std::size_t items_ = 0;
+  bool verifies_ = false;
   bool finished_ = false;
 };
 

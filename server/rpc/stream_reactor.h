@@ -25,7 +25,8 @@ namespace trc::server {
 //   read ──► turn in the pool ──► write ──► read …      one step at a time
 //
 // There is never more than one read or write outstanding, which is also the back-pressure: nothing
-// is read while an answer waits. Reactions only hand over; turns compute. The phase says who owns
+// is read while an answer waits. Reactions only hand over, and turns compute; a turn that is known
+// to be over sooner than it would be handed over is taken at once. The phase says who owns
 // the stream, so that Finish is called once: by the owner, or by the watch for idle streams, which
 // takes the ownership away from a pending read. The watch also writes the heartbeats of a silent
 // stream.
@@ -127,7 +128,7 @@ class StreamReactor
       phase_ = Phase::working;
     }
     input_ = input;
-    backend_.pool.submit(*this);
+    take_turn();
   }
 
   ArenaMessage<Request> request_;
@@ -139,6 +140,16 @@ class StreamReactor
     const std::lock_guard lock(mutex_);
     phase_ = phase;
     phase_since_ = Clock::now();
+  }
+
+  // From a reaction.
+  void take_turn() {
+    const bool here =
+        !cancelled_ && work_->is_short(input_ == Input::request ? &*request_ : nullptr);
+    if (here)
+      turn();
+    else
+      backend_.pool.submit(*this);
   }
 
   void turn() noexcept final {
@@ -203,7 +214,7 @@ class StreamReactor
     if (turn_.write) return write();
     switch (turn_.next) {
       case Turn::Next::proceed:
-        return backend_.pool.submit(*this);
+        return take_turn();
       case Turn::Next::read:
         record_.answered();
         return read();

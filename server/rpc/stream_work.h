@@ -35,6 +35,10 @@ class StreamWork {
   virtual Turn proceed(Response& response) = 0;
   // The client sends nothing more.
   virtual Turn ended(Response& response) = 0;
+
+  // Whether the next turn takes no longer than handing it to a worker would. `request` is what it
+  // would take; null: nothing new.
+  [[nodiscard]] virtual bool is_short(const Request* /*request*/) const { return false; }
 };
 
 }  // namespace trc::server

@@ -155,5 +155,75 @@ TEST(StreamReactor, BusyStreamsDoNotKeepOthersFromTheirTurn) {
   for (const auto& stream : busy) stream->Finish();
 }
 
+// Keeps its worker until it is told.
+class WaitingWork final : public Work {
+ public:
+  WaitingWork(std::atomic<int>& waiting, const std::atomic<bool>& told)
+      : waiting_(waiting), told_(told) {}
+
+  Turn take(const Request& /*request*/, Response& /*response*/) override {
+    ++waiting_;
+    told_.wait(false);
+    return end({});
+  }
+  Turn proceed(Response& /*response*/) override { return end({}); }
+  Turn ended(Response& /*response*/) override { return end({}); }
+
+ private:
+  std::atomic<int>& waiting_;
+  const std::atomic<bool>& told_;
+};
+
+// Short with a setup, not with anything else.
+class SometimesShortWork final : public Work {
+ public:
+  explicit SometimesShortWork(std::atomic<int>& taken) : taken_(taken) {}
+
+  Turn take(const Request& request, Response& /*response*/) override {
+    ++taken_;
+    return request.has_setup() ? Turn{} : end({});
+  }
+  Turn proceed(Response& /*response*/) override { return end({}); }
+  Turn ended(Response& /*response*/) override { return end({}); }
+  [[nodiscard]] bool is_short(const Request* request) const override {
+    return request != nullptr && request->has_setup();
+  }
+
+ private:
+  std::atomic<int>& taken_;
+};
+
+TEST(StreamReactor, AShortTurnNeedsNoWorker) {
+  std::atomic<int> waiting = 0;
+  std::atomic<int> taken = 0;
+  std::atomic<bool> told = false;
+  std::atomic<int> streams = 0;
+  TestService service([&](const StreamContext&) -> std::unique_ptr<Work> {
+    if (streams++ < 2) return std::make_unique<WaitingWork>(waiting, told);
+    return std::make_unique<SometimesShortWork>(taken);
+  });
+  const auto stub = v1::TrcService::NewStub(service.channel());
+  std::vector<std::unique_ptr<grpc::ClientContext>> contexts;
+  std::vector<std::unique_ptr<grpc::ClientReaderWriter<Request, Response>>> open;
+  const auto begin = [&](const Request& request) {
+    contexts.push_back(std::make_unique<grpc::ClientContext>());
+    open.push_back(stub->CompensatePath(contexts.back().get()));
+    open.back()->Write(request);
+  };
+  for (int i = 0; i < 2; ++i) begin(batch(0, {}, true));
+  ASSERT_TRUE(eventually([&] { return waiting == 2; }));
+
+  begin(setup_request(v1::PathSetup()));
+  EXPECT_TRUE(eventually([&] { return taken == 1; }));
+  open.back()->Write(batch(0, {}, true));
+  EXPECT_TRUE(eventually([&] { return service.backend.pool.queue_depth() == 1; }));
+  EXPECT_EQ(taken, 1);
+
+  told = true;
+  told.notify_all();
+  for (const auto& stream : open) EXPECT_TRUE(stream->Finish().ok());
+  EXPECT_EQ(taken, 2);
+}
+
 }  // namespace
 }  // namespace trc::server

@@ -4,6 +4,7 @@
 
 #include <atomic>
 #include <chrono>
+#include <ctime>
 #include <functional>
 #include <future>
 #include <mutex>
@@ -136,6 +137,25 @@ TEST(WorkerPool, KeepsItsThreadsForWhenTheyAreNeeded) {
     while (turns < 2 * (round + 1)) std::this_thread::yield();
   }
   EXPECT_LE(pool.thread_count(), 3U);
+}
+
+TEST(WorkerPool, AThreadOfSomebodyElseDoesNotGiveWay) {
+  std::promise<void> gate;
+  std::atomic<int> runs = 0;
+  Task first([&] { gate.get_future().wait(); });
+  Task waiting([&] { ++runs; });
+  {
+    WorkerPool pool(1);
+    pool.submit(first);
+    pool.submit(waiting);
+    // Computes for longer than a share of time.
+    while (std::clock() < CLOCKS_PER_SEC / 50) std::this_thread::yield();
+    pool.give_way();
+    EXPECT_EQ(pool.thread_count(), 1U);
+    EXPECT_EQ(runs, 0);
+    gate.set_value();
+  }
+  EXPECT_EQ(runs, 1);
 }
 
 }  // namespace
