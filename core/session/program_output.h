@@ -12,6 +12,8 @@ namespace trc {
 struct ProgramOutput {
   std::string text{};
   std::vector<CompensatedBlock> blocks{};
+  // So many the caller has taken out of them already (TakePortion, too): places count them.
+  std::size_t blocks_before = 0;
   // Where among them the diagnostics belong: behind all that is certain at the end of the line, or
   // of the item, in which they were reported. The same places come out however the input is cut.
   struct Place {

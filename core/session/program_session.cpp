@@ -19,6 +19,9 @@ namespace {
 // stay few however long a chunk is.
 constexpr std::size_t bytes_per_piece = 8 * 1024;
 
+// So many are handed on at once, where somebody takes them.
+constexpr std::size_t blocks_per_portion = 1024;
+
 // After so many lines in a row that give no block, they come out if no block is
 // on its way; if one is, they may take so many bytes.
 constexpr std::uint64_t silent_lines_per_release = 256;
@@ -205,8 +208,9 @@ bool ProgramSession::Parts::compensate(ProgramOutput& out) {
 void ProgramSession::Parts::place(ProgramOutput& out) {
   const std::size_t reports = diagnostics.pending().size();
   if (reports == placed) return;
-  out.places.push_back(
-      {.blocks = out.blocks.size(), .bytes = out.text.size(), .diagnostics = reports});
+  out.places.push_back({.blocks = out.blocks_before + out.blocks.size(),
+                        .bytes = out.text.size(),
+                        .diagnostics = reports});
   placed = reports;
 }
 
@@ -224,6 +228,8 @@ void ProgramSession::Parts::hand_out(std::vector<CompensatedBlock>& given) {
   } else {
     output->blocks.insert(output->blocks.end(), std::make_move_iterator(given.begin()),
                           std::make_move_iterator(given.end()));
+    const TakePortion& take = setup.session.compensator.take_portion;
+    if (take && output->blocks.size() >= blocks_per_portion) take(output->blocks);
   }
   given.clear();
 }

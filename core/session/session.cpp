@@ -60,8 +60,9 @@ void PathSession::compensate_before(std::uint64_t index, std::span<Block>& left,
 void PathSession::place(ProgramOutput& out) {
   const std::size_t reports = diagnostics_.pending().size();
   if (reports == placed_) return;
-  out.places.push_back(
-      {.blocks = out.blocks.size(), .bytes = out.text.size(), .diagnostics = reports});
+  out.places.push_back({.blocks = out.blocks_before + out.blocks.size(),
+                        .bytes = out.text.size(),
+                        .diagnostics = reports});
   placed_ = reports;
 }
 

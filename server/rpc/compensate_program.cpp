@@ -19,10 +19,17 @@ constexpr std::size_t few_bytes = 16U << 10U;
 CompensateProgram::Run::Run(const StreamContext& stream, const wire::PathSettings& settings,
                             const ProgramSessionSetup& setup)
     : layout(settings.response_layout),
-      session(setup),
+      session(in_portions(setup)),
       answers(stream.backend, stream.record),
       meter(stream.backend.memory, settings.session.compensator.limits),
       verifies(settings.session.verify) {}
+
+ProgramSessionSetup CompensateProgram::Run::in_portions(ProgramSessionSetup setup) {
+  setup.session.compensator.take_portion = [this](auto& blocks) {
+    answers.outbox().keep_portion(blocks);
+  };
+  return setup;
+}
 
 bool CompensateProgram::Run::is_soon_done(std::uint64_t lines) const {
   return !verifies && meter.holds_few() && lines <= Meter::few_blocks &&

@@ -32,6 +32,9 @@ class CompensateProgram final
     Run(const StreamContext& stream, const wire::PathSettings& settings,
         const ProgramSessionSetup& setup);
 
+    // As of PathRun.
+    [[nodiscard]] ProgramSessionSetup in_portions(ProgramSessionSetup setup);
+
     template <class Archive>
     void serialize(Archive& archive) {
       archive(session, meter, bytes_in, bytes_out, blocks_seen);

@@ -29,9 +29,24 @@ void empty_out(Buffer& buffer) {
 
 }  // namespace
 
+void Outbox::keep_portion(std::vector<CompensatedBlock>& blocks) {
+  portions_.push_back(
+      {.first_block = content_.blocks_before,
+       .blocks = {std::make_move_iterator(blocks.begin()), std::make_move_iterator(blocks.end())}});
+  content_.blocks_before += blocks.size();
+  blocks.clear();
+}
+
+void Outbox::forget_portions() {
+  while (!portions_.empty() &&
+         portions_.front().first_block + portions_.front().blocks.size() <= next_block_)
+    portions_.pop_front();
+}
+
 void Outbox::forget_taken() {
+  forget_portions();
   if (!empty()) return;
-  blocks_forgotten_ += std::exchange(next_block_, 0);
+  content_.blocks_before = next_block_;
   next_byte_ = 0;
   empty_out(content_.blocks);
   empty_out(content_.text);
@@ -50,27 +65,36 @@ void Outbox::place(std::vector<Diagnostic> diagnostics) {
   };
   for (const ProgramOutput::Place& place : content_.places) place_through(place);
   content_.places.clear();
-  place_through({.blocks = content_.blocks.size(),
+  place_through({.blocks = content_.blocks_before + content_.blocks.size(),
                  .bytes = content_.text.size(),
                  .diagnostics = diagnostics.size()});
 }
 
 bool Outbox::empty() const {
-  return placed_.empty() && next_block_ == content_.blocks.size() &&
-         next_byte_ == content_.text.size();
+  return placed_.empty() && blocks_waiting() == 0 && next_byte_ == content_.text.size();
+}
+
+std::span<const CompensatedBlock> Outbox::next_blocks() const {
+  const bool in_content = portions_.empty();
+  const std::vector<CompensatedBlock>& blocks =
+      in_content ? content_.blocks : portions_.front().blocks;
+  const std::uint64_t first = in_content ? content_.blocks_before : portions_.front().first_block;
+  std::uint64_t end = first + blocks.size();
+  if (!placed_.empty()) end = std::min(end, placed_.front().block);
+  return std::span(blocks).subspan(next_block_ - first, end - next_block_);
 }
 
 Outbox::Slice Outbox::take(wire::Layout layout, std::size_t most_bytes) {
-  const std::size_t end_block = placed_.empty() ? content_.blocks.size() : placed_.front().block;
+  forget_portions();
   const std::size_t end_byte = placed_.empty() ? content_.text.size() : placed_.front().byte;
 
-  Slice slice{.first_block = blocks_forgotten_ + next_block_};
+  Slice slice{.first_block = next_block_, .blocks = next_blocks()};
   std::size_t bytes = 0;
-  std::size_t last = next_block_;
-  while (last < end_block && (last == next_block_ || bytes < most_bytes))
-    bytes += wire::most_bytes(content_.blocks[last++], layout);
-  slice.blocks = std::span(content_.blocks).subspan(next_block_, last - next_block_);
-  next_block_ = last;
+  std::size_t count = 0;
+  while (count < slice.blocks.size() && (count == 0 || bytes < most_bytes))
+    bytes += wire::most_bytes(slice.blocks[count++], layout);
+  slice.blocks = slice.blocks.first(count);
+  next_block_ += count;
 
   // A line begun in this slice is finished in it.
   std::size_t stop = std::min(end_byte, next_byte_ + most_bytes - std::min(most_bytes, bytes));
@@ -82,7 +106,7 @@ Outbox::Slice Outbox::take(wire::Layout layout, std::size_t most_bytes) {
   next_byte_ = stop;
 
   bytes += slice.text.size();
-  if (!placed_.empty() && next_block_ == end_block && next_byte_ == end_byte)
+  if (!placed_.empty() && next_block_ == placed_.front().block && next_byte_ == end_byte)
     take_diagnostics(bytes, most_bytes, slice);
   return slice;
 }
@@ -100,7 +124,7 @@ void Outbox::take_diagnostics(std::size_t bytes, std::size_t most_bytes, Slice& 
 
 std::size_t Outbox::held_bytes() const {
   // Not what is reserved: memory that was never written to is none.
-  return content_.blocks.size() * sizeof(CompensatedBlock) + content_.text.size();
+  return blocks_waiting() * sizeof(CompensatedBlock) + content_.text.size();
 }
 
 }  // namespace trc::server

@@ -30,25 +30,30 @@ class Outbox {
 
   // The core appends here.
   [[nodiscard]] ProgramOutput& content() { return content_; }
-  // To be called when the last slice is no longer needed: gives back its memory, once all is taken.
+  // To be called while it appends (TakePortion): keeps `blocks`, which is left empty. One growing
+  // vector would be moved again and again, and be far larger than what is in it.
+  void keep_portion(std::vector<CompensatedBlock>& blocks);
+  // To be called when the last slice is no longer needed: gives back the memory of what was taken.
   void forget_taken();
   // Puts diagnostics where the content says they belong, else behind everything there is now.
   void place(std::vector<Diagnostic> diagnostics);
 
   [[nodiscard]] bool empty() const;
   // How many blocks were taken so far, and that a resumed path goes on behind them.
-  [[nodiscard]] std::uint64_t blocks_taken() const { return blocks_forgotten_ + next_block_; }
-  void go_on_behind(std::uint64_t blocks) { blocks_forgotten_ = blocks; }
+  [[nodiscard]] std::uint64_t blocks_taken() const { return next_block_; }
+  void go_on_behind(std::uint64_t blocks) { next_block_ = content_.blocks_before = blocks; }
   // The next slice of about `most_bytes` as a message of this layout, at least one block or line.
-  // Valid until the content changes.
+  // Valid until the content changes or the next one is taken.
   [[nodiscard]] Slice take(wire::Layout layout, std::size_t most_bytes);
 
   [[nodiscard]] std::size_t held_bytes() const;
-  [[nodiscard]] std::size_t blocks_waiting() const { return content_.blocks.size() - next_block_; }
+  [[nodiscard]] std::size_t blocks_waiting() const {
+    return content_.blocks_before + content_.blocks.size() - next_block_;
+  }
 
  private:
   struct Placed {
-    std::size_t block = 0;
+    std::uint64_t block = 0;  // in the whole path
     std::size_t byte = 0;
     std::vector<Diagnostic> diagnostics{};
   };
@@ -56,12 +61,22 @@ class Outbox {
   // Those behind what has been taken, as many as fit beside so many bytes.
   void take_diagnostics(std::size_t bytes, std::size_t most_bytes, Slice& slice);
 
+  // Blocks that lie together, and the index in the path of the first one.
+  struct Portion {
+    std::uint64_t first_block = 0;
+    std::vector<CompensatedBlock> blocks{};
+  };
+
+  void forget_portions();
+  // Blocks that lie together, from the next one on, up to where diagnostics belong.
+  [[nodiscard]] std::span<const CompensatedBlock> next_blocks() const;
+
+  std::deque<Portion> portions_;  // before the content
   ProgramOutput content_;
   std::deque<Placed> placed_;
-  std::size_t next_block_ = 0;
+  std::uint64_t next_block_ = 0;  // in the whole path
   std::size_t next_byte_ = 0;
   std::size_t next_diagnostic_ = 0;  // of the first placed ones
-  std::uint64_t blocks_forgotten_ = 0;
 };
 
 }  // namespace trc::server

@@ -10,11 +10,16 @@ namespace trc::server {
 PathRun::PathRun(const StreamContext& stream, const wire::PathSettings& settings)
     : stream_(stream),
       layout_(settings.response_layout),
-      session_(stream.interruptible(settings.session)),
+      session_(in_portions(stream.interruptible(settings.session))),
       reader_(settings.session.program.tracking_axes.size()),
       answers_(stream.backend, stream.record),
       meter_(stream.backend.memory, settings.session.compensator.limits),
       verifies_(settings.session.verify) {}
+
+SessionSetup PathRun::in_portions(SessionSetup setup) {
+  setup.compensator.take_portion = [this](auto& blocks) { answers_.outbox().keep_portion(blocks); };
+  return setup;
+}
 
 template <class Batch>
 void PathRun::feed_batch(const Batch& batch, const char* field, std::int64_t blocks) {

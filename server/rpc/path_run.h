@@ -47,6 +47,8 @@ class PathRun {
   [[nodiscard]] bool finished() const { return finished_; }
 
  private:
+  // What a selection sets free goes to the outbox as it comes.
+  [[nodiscard]] SessionSetup in_portions(SessionSetup setup);
   template <class Batch>
   void feed_batch(const Batch& batch, const char* field, std::int64_t blocks);
   template <class Batch>

@@ -162,6 +162,33 @@ TEST_F(RemoteSession, PathIsThatOfALocalSessionInBothLayouts) {
   }
 }
 
+// A selection that is held as a whole comes out in many portions.
+TEST_F(RemoteSession, MaskedPathIsThatOfALocalSessionInBothLayouts) {
+  constexpr unsigned seed = 12;
+  SCOPED_TRACE("seed " + std::to_string(seed));
+  const std::vector<wire::PathInput> items = meander(2000, seed);
+  wire::PathSettings settings = small_tool(wire::Layout::blocks);
+  settings.session.program.mode.tool_radius = 8;
+  settings.session.program.mode.masking = Masking::on;
+  settings.session.program.mode.options.remove_masked_blocks = true;
+  PathSession local(settings.session);
+  std::vector<CompensatedBlock> expected;
+  for (const wire::PathInput& item : items) ASSERT_TRUE(wire::apply(item, local.program()));
+  ASSERT_TRUE(local.advance(expected) && local.finish({.index = items.size()}, expected));
+  ASSERT_GT(expected.size(), 4000U);
+  const std::size_t diagnostics = local.diagnostics().take().size();
+
+  for (const wire::Layout layout : {wire::Layout::blocks, wire::Layout::columns}) {
+    settings.response_layout = layout;
+    RemotePathSession remote(connection(), settings);
+    Collected collected;
+    ASSERT_TRUE(remote.feed(items, collected.sink())) << remote.failure()->message;
+    ASSERT_TRUE(remote.finish(collected.sink())) << remote.failure()->message;
+    EXPECT_TRUE(collected.bytes() == bytes_of(expected));
+    EXPECT_EQ(collected.diagnostics.size(), diagnostics);
+  }
+}
+
 TEST_F(RemoteSession, RefusedProgramGivesItsDiagnosticAndNoSummary) {
   RemoteProgramSession remote(connection(), {});
   Collected collected;

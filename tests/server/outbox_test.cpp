@@ -126,5 +126,33 @@ TEST(Outbox, ADiagnosticAloneIsASliceToo) {
   EXPECT_TRUE(outbox.empty());
 }
 
+TEST(Outbox, PortionsLeaveBeforeWhatCameBehindThem) {
+  Outbox outbox;
+  outbox.go_on_behind(5);
+  std::uint64_t given = 5;
+  for (int portion = 0; portion < 4; ++portion) {
+    for (int i = 0; i < 100; ++i) outbox.content().blocks.push_back(block(given++));
+    // Behind 150 blocks in all, 50 of them in a portion that is kept later.
+    if (portion == 1)
+      outbox.content().places.push_back({.blocks = 5 + 150, .bytes = 0, .diagnostics = 1});
+    if (portion < 3) outbox.keep_portion(outbox.content().blocks);
+  }
+  outbox.place({diagnostic(Code::stretch_factor_out_of_range, {})});
+  EXPECT_EQ(outbox.blocks_waiting(), 400U);
+  EXPECT_EQ(outbox.held_bytes(), 400 * sizeof(CompensatedBlock));
+
+  std::uint64_t next = 5;
+  while (!outbox.empty()) {
+    const Outbox::Slice slice = outbox.take(Layout::blocks, 3000);
+    EXPECT_EQ(slice.first_block, next);
+    for (const CompensatedBlock& got : slice.blocks) EXPECT_EQ(got.source.index, next++);
+    EXPECT_EQ(slice.diagnostics.size(), next == 5 + 150 ? 1U : 0U);
+    outbox.forget_taken();
+  }
+  EXPECT_EQ(next, given);
+  EXPECT_EQ(outbox.blocks_taken(), given);
+  EXPECT_EQ(outbox.held_bytes(), 0U);
+}
+
 }  // namespace
 }  // namespace trc::server
