@@ -16,9 +16,4 @@ Segment refitted(const Arc& arc, const Point& start, const Point& end, double sa
   return Arc{.start = start, .end = end, .center = center, .sweep = sweep};
 }
 
-double turn_between(const Vector& a, const Vector& b) {
-  const double turn = std::atan2(cross(a, b), a.dot(b));
-  return turn <= -std::numbers::pi ? std::numbers::pi : turn;
-}
-
 }  // namespace trc
