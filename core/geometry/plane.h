@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 
 #include "core/geometry/segment.h"
 
@@ -9,7 +10,7 @@ namespace trc {
 
 // G17 (XY), G18 (ZX), G19 (YZ). The third main axis stands across the plane so
 // that the three axes are right-handed.
-enum class Plane { xy, zx, yz };
+enum class Plane : std::uint8_t { xy, zx, yz };
 
 // Machine coordinates X Y Z, mm.
 using Position = std::array<double, 3>;

@@ -3,37 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <type_traits>
 #include <utility>
 
 #include "core/base/check.h"
 #include "core/trc/inverse_path.h"
 
 namespace trc {
-namespace {
-
-// What a planner asks of a segment. The directions of travel at its ends have any length.
-struct Travel {
-  Vector begins = Vector::Zero();
-  Vector ends = Vector::Zero();
-  double length = 0;
-};
-
-Travel travel_of(const Line& line) {
-  const Vector way = line.end - line.start;
-  return {.begins = way, .ends = way, .length = way.norm()};
-}
-
-Travel travel_of(const Arc& arc) {
-  const double sense = arc.sweep > 0 ? 1 : -1;
-  const Vector out = arc.start - arc.center;
-  return {.begins = sense * left_of(out),
-          .ends = sense * left_of(arc.end - arc.center),
-          .length = std::abs(arc.sweep) * out.norm()};
-}
-
-}  // namespace
-
 bool Reporting::feed(PathBlock& block, std::vector<CompensatedBlock>& out) {
   if (block.role == Role::passive) {
     let_off(block.riders, out);
@@ -51,49 +26,6 @@ bool Reporting::feed(PathBlock& block, std::vector<CompensatedBlock>& out) {
   if (block.role != Role::inserted) summary_.programmed_length += length_of(programmed.path);
   if (!block.riders.empty()) let_off(block.riders, out);
   return !diagnostics_.stopped();
-}
-
-template <class Path>
-CompensatedBlock& Reporting::put_out_along(const Path& tool_path, MotionBlock& programmed,
-                                           const TrcMode& mode, Origin origin,
-                                           std::vector<CompensatedBlock>& out) {
-  const PlaneAxes axes = axes_of(mode.plane);
-  check(position_[axes.first] == tool_path.start.x() &&
-            position_[axes.second] == tool_path.start.y() &&
-            position_[axes.third] == programmed.normal.from,
-        "a block starts where the one before ended");
-  position_[axes.first] = tool_path.end.x();
-  position_[axes.second] = tool_path.end.y();
-  position_[axes.third] = programmed.normal.to;
-  const Travel travel = travel_of(tool_path);
-  CompensatedBlock& result = out.emplace_back();
-  result.source = programmed.source;
-  result.origin = origin;
-  result.plane = mode.plane;
-  result.rapid = programmed.rapid && std::is_same_v<Path, Line>;
-  result.tangential = goes_straight_on(travel.begins, mode);
-  result.path.emplace<Path>(tool_path);
-  result.normal = programmed.normal;
-  result.feed = std::min(programmed.feed, tolerances_.largest_feed);
-  if (!programmed.tracking.empty()) result.tracking = std::move(programmed.tracking);
-  last_direction_ = travel.ends;
-  count(origin, travel.length);
-  return result;
-}
-
-CompensatedBlock& Reporting::put_out(MotionBlock& programmed, const TrcMode& mode, Origin origin,
-                                     const Line& tool_path, std::vector<CompensatedBlock>& out) {
-  return put_out_along(tool_path, programmed, mode, origin, out);
-}
-CompensatedBlock& Reporting::put_out(MotionBlock& programmed, const TrcMode& mode, Origin origin,
-                                     const Arc& tool_path, std::vector<CompensatedBlock>& out) {
-  return put_out_along(tool_path, programmed, mode, origin, out);
-}
-CompensatedBlock& Reporting::put_out(MotionBlock& programmed, const TrcMode& mode, Origin origin,
-                                     const Segment& tool_path, std::vector<CompensatedBlock>& out) {
-  const auto* arc = std::get_if<Arc>(&tool_path);
-  return arc != nullptr ? put_out(programmed, mode, origin, *arc, out)
-                        : put_out(programmed, mode, origin, std::get<Line>(tool_path), out);
 }
 
 void Reporting::let_off(std::vector<PassiveBlock>& riders, std::vector<CompensatedBlock>& out) {
@@ -147,20 +79,9 @@ double Reporting::feed_factor(const PathBlock& block) {
   return std::max(at_center / at_contour, smallest_feed_factor_);
 }
 
-bool Reporting::goes_straight_on(const Vector& direction, const TrcMode& mode) {
-  const double along = last_direction_.dot(direction);
-  if (along <= 0) return false;
-  if (const double limit = mode.options.tangential_limit; limit != tangential_limit_) {
-    tangential_limit_ = limit;
-    tangent_of_limit_ = std::tan(limit * std::numbers::pi / 180);
-  }
-  return std::abs(cross(last_direction_, direction)) <= tangent_of_limit_ * along;
-}
-
-void Reporting::count(Origin origin, double length) {
-  ++summary_.blocks_out;
-  ++summary_.blocks_by_origin[static_cast<std::size_t>(origin)];
-  summary_.compensated_length += length;
+void Reporting::limit_turn(double degrees) {
+  tangential_limit_ = degrees;
+  tangent_of_limit_ = std::tan(degrees * std::numbers::pi / 180);
 }
 
 }  // namespace trc
