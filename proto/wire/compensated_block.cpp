@@ -80,8 +80,10 @@ bool is_text_alone(const CompensatedBlock& block) {
   return line != nullptr && line->start == line->end && !block.normal.moves();
 }
 
-void to_proto(const CompensatedBlock& block, v1::CompensatedBlock& message) {
-  message.Clear();
+namespace {
+
+// Into an empty message.
+void fill(const CompensatedBlock& block, Message& message) {
   const Source& source = block.source;
   if (source.number != Source::no_number)
     message.set_source_number(static_cast<std::uint64_t>(source.number));
@@ -100,11 +102,19 @@ void to_proto(const CompensatedBlock& block, v1::CompensatedBlock& message) {
   if (block.inverse) inverse_to_proto(block, *message.mutable_inverse());
 }
 
+}  // namespace
+
+void to_proto(const CompensatedBlock& block, v1::CompensatedBlock& message) {
+  message.Clear();
+  fill(block, message);
+}
+
 void to_proto(std::span<const CompensatedBlock> blocks, std::uint64_t first_block,
               v1::CompensatedBatch& message) {
   message.Clear();
   message.set_first_block(first_block);
-  for (const CompensatedBlock& block : blocks) to_proto(block, *message.add_blocks());
+  message.mutable_blocks()->Reserve(static_cast<int>(blocks.size()));
+  for (const CompensatedBlock& block : blocks) fill(block, *message.add_blocks());
 }
 
 void inverse_to_proto(const CompensatedBlock& block, v1::InverseSegment& message) {

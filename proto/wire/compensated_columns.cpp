@@ -3,6 +3,7 @@
 #include <bit>
 #include <cstdint>
 #include <limits>
+#include <optional>
 
 #include "core/geometry/segment.h"
 #include "proto/wire/compensated_block.h"
@@ -48,12 +49,25 @@ struct PositionColumns {
     y->Add(position[1]);
     z->Add(position[2]);
   }
+  void reserve(int count) const {
+    x->Reserve(count);
+    y->Reserve(count);
+    z->Reserve(count);
+  }
   void collapse_each() const {
     collapse(*x);
     collapse(*y);
     collapse(*z);
   }
 };
+
+bool same_bits(const Position& a, const Position& b) {
+  return same_bits(a[0], b[0]) && same_bits(a[1], b[1]) && same_bits(a[2], b[2]);
+}
+
+Position start_position(const CompensatedBlock& block) {
+  return from_plane(block.plane, start_of(block.path), block.normal.from);
+}
 
 // Whether every value but the first repeats the end of the one before it.
 bool follows(const Doubles& starts, const Doubles& ends) {
@@ -88,16 +102,13 @@ unsigned write_source(const Source& source, Columns& message) {
   return flags;
 }
 
+// The starts are nearly always ends: written only once it is known that one is not.
+void write_starts(std::span<const CompensatedBlock> blocks, const PositionColumns& starts) {
+  for (const CompensatedBlock& block : blocks)
+    if (!is_text_alone(block)) starts.add(start_position(block));
+}
+
 void collapse_all(Columns& message) {
-  Doubles& start_x = *message.mutable_start_x();
-  Doubles& start_y = *message.mutable_start_y();
-  Doubles& start_z = *message.mutable_start_z();
-  if (follows(start_x, message.end_x()) && follows(start_y, message.end_y()) &&
-      follows(start_z, message.end_z()) && start_x.size() > 1) {
-    start_x.Truncate(1);
-    start_y.Truncate(1);
-    start_z.Truncate(1);
-  }
   for (Columns::TrackingColumn& column : *message.mutable_tracking_axes()) {
     if (column.start_size() > 1 && follows(column.start(), column.end()))
       column.mutable_start()->Truncate(1);
@@ -134,6 +145,13 @@ void to_proto(std::span<const CompensatedBlock> blocks, std::uint64_t first_bloc
   std::string& origins = *message.mutable_origins();
   std::string& planes = *message.mutable_planes();
   for (std::string* column : {&kinds, &all_flags, &origins, &planes}) column->resize(blocks.size());
+  const auto count = static_cast<int>(blocks.size());
+  ends.reserve(count);
+  message.mutable_feed()->Reserve(count);
+  message.mutable_source_index()->Reserve(count);
+  std::optional<Position> here;
+  std::optional<Position> first_start;
+  bool gaps = false;
   for (std::size_t i = 0; i < blocks.size(); ++i) {
     const CompensatedBlock& block = blocks[i];
     const auto index = static_cast<std::uint32_t>(i);
@@ -146,8 +164,11 @@ void to_proto(std::span<const CompensatedBlock> blocks, std::uint64_t first_bloc
     }
     if (!is_text_alone(block)) {
       kind = block.rapid ? Columns::KIND_RAPID : Columns::KIND_LINEAR;
-      starts.add(from_plane(block.plane, start_of(block.path), block.normal.from));
-      ends.add(from_plane(block.plane, end_of(block.path), block.normal.to));
+      const Position start = start_position(block);
+      if (!first_start) first_start = start;
+      gaps = gaps || (here && !same_bits(start, *here));
+      here = from_plane(block.plane, end_of(block.path), block.normal.to);
+      ends.add(*here);
       if (const auto* arc = std::get_if<Arc>(&block.path)) {
         kind = Columns::KIND_ARC;
         centers.add(from_plane(block.plane, arc->center, block.normal.from));
@@ -173,6 +194,10 @@ void to_proto(std::span<const CompensatedBlock> blocks, std::uint64_t first_bloc
     origins[i] = static_cast<char>(to_proto(block.origin));
     planes[i] = static_cast<char>(to_proto(block.plane));
   }
+  if (gaps)
+    write_starts(blocks, starts);
+  else if (first_start)
+    starts.add(*first_start);
   collapse_all(message);
 }
 
