@@ -45,9 +45,9 @@ struct PositionColumns {
   Doubles* z;
 
   void add(const Position& position) const {
-    x->Add(position[0]);
-    y->Add(position[1]);
-    z->Add(position[2]);
+    x->AddAlreadyReserved(position[0]);
+    y->AddAlreadyReserved(position[1]);
+    z->AddAlreadyReserved(position[2]);
   }
   void reserve(int count) const {
     x->Reserve(count);
@@ -92,7 +92,7 @@ unsigned write_source(const Source& source, Columns& message) {
     flags |= Columns::FLAG_SOURCE_NUMBER;
   }
   if (source.index <= std::numeric_limits<std::uint32_t>::max()) {
-    message.add_source_index(static_cast<std::uint32_t>(source.index));
+    message.mutable_source_index()->AddAlreadyReserved(static_cast<std::uint32_t>(source.index));
     flags |= Columns::FLAG_SOURCE_INDEX;
   }
   if (source.line != 0) {
@@ -104,6 +104,7 @@ unsigned write_source(const Source& source, Columns& message) {
 
 // The starts are nearly always ends: written only once it is known that one is not.
 void write_starts(std::span<const CompensatedBlock> blocks, const PositionColumns& starts) {
+  starts.reserve(static_cast<int>(blocks.size()));
   for (const CompensatedBlock& block : blocks)
     if (!is_text_alone(block)) starts.add(start_position(block));
 }
@@ -147,10 +148,11 @@ void to_proto(std::span<const CompensatedBlock> blocks, std::uint64_t first_bloc
   for (std::string* column : {&kinds, &all_flags, &origins, &planes}) column->resize(blocks.size());
   const auto count = static_cast<int>(blocks.size());
   ends.reserve(count);
-  message.mutable_feed()->Reserve(count);
+  centers.reserve(count);
+  for (Doubles* column : {message.mutable_sweep(), message.mutable_feed()}) column->Reserve(count);
   message.mutable_source_index()->Reserve(count);
   std::optional<Position> here;
-  std::optional<Position> first_start;
+  std::optional<std::size_t> first_start;
   bool gaps = false;
   for (std::size_t i = 0; i < blocks.size(); ++i) {
     const CompensatedBlock& block = blocks[i];
@@ -159,20 +161,20 @@ void to_proto(std::span<const CompensatedBlock> blocks, std::uint64_t first_bloc
     unsigned flags = write_source(block.source, message);
     if (block.tangential) flags |= Columns::FLAG_TANGENTIAL;
     if (block.feed != 0) {
-      message.add_feed(block.feed);
+      message.mutable_feed()->AddAlreadyReserved(block.feed);
       flags |= Columns::FLAG_FEED;
     }
     if (!is_text_alone(block)) {
       kind = block.rapid ? Columns::KIND_RAPID : Columns::KIND_LINEAR;
       const Position start = start_position(block);
-      if (!first_start) first_start = start;
+      if (!first_start) first_start = i;
       gaps = gaps || (here && !same_bits(start, *here));
       here = from_plane(block.plane, end_of(block.path), block.normal.to);
       ends.add(*here);
       if (const auto* arc = std::get_if<Arc>(&block.path)) {
         kind = Columns::KIND_ARC;
         centers.add(from_plane(block.plane, arc->center, block.normal.from));
-        message.add_sweep(arc->sweep);
+        message.mutable_sweep()->AddAlreadyReserved(arc->sweep);
       }
       if (!block.tracking.empty()) {
         write_tracking(block.tracking, message);
@@ -197,7 +199,7 @@ void to_proto(std::span<const CompensatedBlock> blocks, std::uint64_t first_bloc
   if (gaps)
     write_starts(blocks, starts);
   else if (first_start)
-    starts.add(*first_start);
+    write_starts(blocks.subspan(*first_start, 1), starts);
   collapse_all(message);
 }
 
