@@ -2,23 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <utility>
 
 namespace trc {
-namespace {
-
-// By at most two units in the last place too far.
-float rounded_down(double value) {
-  constexpr float least = std::numeric_limits<float>::min();
-  const auto nearest = static_cast<float>(value);
-  const float unit = std::abs(nearest) * std::numeric_limits<float>::epsilon() + least;
-  return static_cast<double>(nearest) <= value ? nearest : nearest - unit;
-}
-
-}  // namespace
-
 Box bounding_box(const Segment& segment) {
   Box box(start_of(segment));
   box.extend(end_of(segment));
@@ -40,30 +27,38 @@ Box bounding_box(const Segment& segment) {
 }
 
 void BoxTree::append(const Box& box) {
-  levels_.front().push_back(
-      {Eigen::Vector2f(rounded_down(box.min().x()), rounded_down(box.min().y())),
-       Eigen::Vector2f(-rounded_down(-box.max().x()), -rounded_down(-box.max().y()))});
-  const std::size_t end = levels_.front().end();
-  for (std::size_t level = 1; end % span(level) == 0; ++level) {
-    const NumberedQueue<Kept>& below = levels_[level - 1];
-    const std::size_t number = end / span(level) - 1;
-    // Boxes that have been forgotten are not asked for any more.
-    Kept about = below.back();
-    for (std::size_t child = std::max(number * width, below.begin()); child < below.end(); ++child)
-      about.extend(below[child]);
-    if (level == levels_.size()) levels_.emplace_back(number);
-    levels_[level].push_back(about);
+  append(0, kept(box));
+  for (std::size_t level = 0; levels_[level].end % FourBoxes::count == 0; ++level) {
+    const std::size_t number = levels_[level].end / FourBoxes::count - 1;
+    if (level + 1 == levels_.size()) levels_.emplace_back(number);
+    append(level + 1, levels_[level].fours.back().about_all());
   }
 }
 
+void BoxTree::append(std::size_t level, const KeptBox& box) {
+  auto& [fours, end] = levels_[level];
+  if (fours.empty() || end % FourBoxes::count == 0) fours.push_back({});
+  fours.back().set(end++ % FourBoxes::count, box);
+}
+
 void BoxTree::truncate(std::size_t number) {
-  for (std::size_t level = 0; level < levels_.size(); ++level)
-    levels_[level].truncate(number / span(level));
+  for (std::size_t level = 0; level < levels_.size(); ++level) {
+    auto& [fours, end] = levels_[level];
+    end = number >> span_bits(level);
+    fours.truncate((end + FourBoxes::count - 1) / FourBoxes::count);
+    if (!fours.empty() && end % FourBoxes::count != 0)
+      fours.back().clear_from(end % FourBoxes::count);
+  }
 }
 
 void BoxTree::drop_before(std::size_t number) {
+  // Now and then, as each level costs something.
+  constexpr std::size_t worthwhile = 64;
+  const bool due = number / worthwhile > begin_ / worthwhile;
+  begin_ = number;
+  if (!due) return;
   for (std::size_t level = 0; level < levels_.size(); ++level)
-    levels_[level].drop_before(std::min(number / span(level), levels_[level].end()));
+    levels_[level].fours.drop_before((number >> span_bits(level)) / FourBoxes::count);
 }
 
 }  // namespace trc

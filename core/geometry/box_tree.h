@@ -1,26 +1,17 @@
 #pragma once
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <bit>
 #include <cstddef>
 #include <vector>
 
 #include "core/base/numbered_queue.h"
+#include "core/geometry/four_boxes.h"
 #include "core/geometry/segment.h"
 
 namespace trc {
 
-using Box = Eigen::AlignedBox2d;
-
 [[nodiscard]] Box bounding_box(const Segment& segment);
-
-// 0 where they overlap or touch, mm^2.
-[[nodiscard]] inline double squared_distance(const Box& a, const Box& b) {
-  const double x = std::max({a.min().x() - b.max().x(), b.min().x() - a.max().x(), 0.0});
-  const double y = std::max({a.min().y() - b.max().y(), b.min().y() - a.max().y(), 0.0});
-  return x * x + y * y;
-}
 
 // Which of many boxes are near. The boxes keep their order, which is that of a
 // path: neighbours on the path are neighbours in space, so that the tree needs no
@@ -39,7 +30,7 @@ class BoxTree {
   };
 
   // The first box will have the number `first`.
-  explicit BoxTree(std::size_t first = 0) { levels_.emplace_back(first); }
+  explicit BoxTree(std::size_t first = 0) : begin_(first) { levels_.emplace_back(first); }
 
   void append(const Box& box);
   // Forgets the boxes from `number` on.
@@ -48,24 +39,21 @@ class BoxTree {
   void drop_before(std::size_t number);
 
   // A box; what is kept of it may be larger by the rounding of a float.
-  [[nodiscard]] Box operator[](std::size_t number) const {
-    return widened(levels_.front()[number]);
+  [[nodiscard]] KeptBox operator[](std::size_t number) const {
+    return levels_.front().fours[number / FourBoxes::count][number % FourBoxes::count];
   }
 
   // Calls visit(number) for every box not farther than `reach` mm from `area`, in
   // ascending order, those in `skipped` left out.
   template <class Visit>
   void for_each_near(const Box& area, double reach, const Range& skipped, Visit visit) const {
-    const NumberedQueue<Kept>& boxes = levels_.front();
-    const auto is_near = [&](const Kept& box) {
-      return squared_distance(widened(box), area) <= reach * reach;
-    };
-    if (skipped.last < skipped.first) {
-      scan(is_near, boxes.begin(), boxes.end(), visit);
-      return;
+    const Search<Visit> search{area, reach * reach, {area, reach}, skipped, visit};
+    // On each level those that have none about them yet.
+    for (std::size_t level = levels_.size(); level-- > 0;) {
+      const auto& [fours, end] = levels_[level];
+      if (end % FourBoxes::count != 0 && !fours.empty())
+        descend(search, level, end / FourBoxes::count);
     }
-    scan(is_near, boxes.begin(), std::min(skipped.first, boxes.end()), visit);
-    scan(is_near, std::max(skipped.last + 1, boxes.begin()), boxes.end(), visit);
   }
   template <class Visit>
   void for_each_near(const Box& area, double reach, Visit visit) const {
@@ -73,41 +61,48 @@ class BoxTree {
   }
 
  private:
-  // There are many of them.
-  using Kept = Eigen::AlignedBox2f;
-
-  static Box widened(const Kept& box) {
-    return {box.min().cast<double>(), box.max().cast<double>()};
-  }
-
   static constexpr std::size_t bits_of_width = 2;
-  static constexpr std::size_t width = 1 << bits_of_width;  // boxes under one
+  static_assert(FourBoxes::count == 1U << bits_of_width);
 
-  [[nodiscard]] static std::size_t span(std::size_t level) {
-    return std::size_t{1} << (bits_of_width * level);
-  }
+  struct Level {
+    explicit Level(std::size_t first) : fours(first / FourBoxes::count), end(first) {}
 
-  // Goes through the largest boxes that cover nothing but first <= number < end, and into
-  // those that are near.
-  template <class IsNear, class Visit>
-  void scan(const IsNear& is_near, std::size_t first, std::size_t end, Visit& visit) const {
-    for (std::size_t number = first; number < end;) {
-      // 0 is divisible by any power; no tree is that high.
-      const auto zeros = static_cast<std::size_t>(std::min(std::countr_zero(number), 62));
-      std::size_t level = std::min(levels_.size() - 1, zeros / bits_of_width);
-      while (number + span(level) > end) --level;
-      while (is_near(levels_[level][number / span(level)])) {
-        if (level == 0) {
-          visit(number);
-          break;
-        }
-        --level;
+    NumberedQueue<FourBoxes> fours;
+    std::size_t end;  // of the boxes
+  };
+  template <class Visit>
+  struct Search {
+    const Box& area;
+    double squared_reach;
+    FourBoxes::Surroundings surroundings;
+    const Range& skipped;
+    Visit& visit;
+  };
+
+  // The boxes of level 0 under one of `level`, as a shift.
+  [[nodiscard]] static std::size_t span_bits(std::size_t level) { return bits_of_width * level; }
+
+  void append(std::size_t level, const KeptBox& box);
+
+  template <class Visit>
+  void descend(const Search<Visit>& search, std::size_t level, std::size_t four) const {
+    const FourBoxes& boxes = levels_[level].fours[four];
+    for (FourBoxes::Bits near = boxes.near(search.surroundings); near != 0; near &= near - 1) {
+      const auto place = static_cast<std::size_t>(std::countr_zero(near));
+      const std::size_t number = four * FourBoxes::count + place;
+      const std::size_t first = number << span_bits(level);
+      const std::size_t last = first + (std::size_t{1} << span_bits(level)) - 1;
+      if (last < begin_ || (first >= search.skipped.first && last <= search.skipped.last)) continue;
+      if (level > 0) {
+        descend(search, level - 1, number);
+      } else if (squared_distance(widened(boxes[place]), search.area) <= search.squared_reach) {
+        search.visit(number);
       }
-      number += span(level);
     }
   }
 
-  std::vector<NumberedQueue<Kept>> levels_;  // 0: the boxes
+  std::size_t begin_;
+  std::vector<Level> levels_;  // 0: the boxes
 };
 
 }  // namespace trc

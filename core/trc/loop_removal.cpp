@@ -242,22 +242,21 @@ void LoopRemoval::find_neighbours(std::size_t block, double limit) const {
   const Box area = bounding_box(path(block).path);
   const BoxTree::Range skipped = certified(block);
   const std::size_t own = number_of(block);
+  // Only an arc turned inside out comes too near to its own block.
+  const bool sees_own = !path(block).is_contour() || path(block).unreachable;
   neighbours_.clear();
   const auto add = [&](std::size_t number) {
     checkpoint_.pass();
     const bool visible = window_ == 0 || (number <= own + window_ && own <= number + window_);
-    // Only an arc turned inside out comes too near to its own block.
-    const bool own_block = contour(number).block == block && !path(block).unreachable;
-    if (visible && !own_block) neighbours_.push_back(number);
+    if (visible && (sees_own || number != own)) neighbours_.push_back(number);
   };
   if (block < surveyed_.first || block >= surveyed_.end) {
     boxes_.for_each_near(area, limit, skipped, add);
     return;
   }
-  for (const auto& [number, box] : near_) {
-    if (squared_distance(box, area) > limit * limit) continue;
+  near_.for_each_near(area, limit, [&](std::size_t number) {
     if (number < skipped.first || number > skipped.last) add(number);
-  }
+  });
 }
 
 std::optional<LoopRemoval::Onset> LoopRemoval::onset(std::size_t block, double from, double to,
@@ -316,9 +315,8 @@ void LoopRemoval::survey() {
     const BoxTree::Range own = certified(block);
     common = {std::max(common.first, own.first), std::min(common.last, own.last)};
   }
-  boxes_.for_each_near(area, radius, common, [&](std::size_t number) {
-    near_.push_back({number, boxes_[number]});
-  });
+  boxes_.for_each_near(area, radius, common,
+                       [&](std::size_t number) { near_.add(number, boxes_[number]); });
 }
 
 std::optional<LoopRemoval::Onset> LoopRemoval::next_onset(bool ended) {

@@ -131,10 +131,6 @@ class LoopRemoval {
     std::size_t first = 0;
     std::size_t end = 0;
   };
-  struct Neighbour {
-    std::size_t number = 0;
-    Box box{};
-  };
   enum class Nearness { exact, passable };
   enum class Step { done, wait, stop };
 
@@ -241,7 +237,7 @@ class LoopRemoval {
 
   // A stretch of the path, and all contour blocks that may be near one of its blocks.
   Stretch surveyed_{};
-  std::vector<Neighbour> near_;
+  NumberedBoxes near_;
   mutable std::vector<std::size_t> neighbours_;  // a member for its memory's sake
 };
 
