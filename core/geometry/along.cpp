@@ -6,80 +6,10 @@
 
 #include "core/geometry/distance.h"
 #include "core/geometry/intersect.h"
+#include "core/geometry/track.h"
 
 namespace trc {
 namespace {
-
-constexpr double full_turn = 2 * std::numbers::pi;
-
-// A segment with what every question about places on it needs.
-class Track {
- public:
-  explicit Track(const Segment& segment) {
-    start_ = start_of(segment);
-    if (const auto* arc = std::get_if<Arc>(&segment)) {
-      circle_ = {.center = arc->center, .radius = radius_of(*arc)};
-      // Without radius it stands in one point, as a line without length does.
-      circular_ = circle_.radius > 0;
-      counter_clockwise_ = arc->sweep > 0;
-      length_ = std::abs(arc->sweep) * circle_.radius;
-      return;
-    }
-    const auto& line = std::get<Line>(segment);
-    const Vector way = line.end - line.start;
-    length_ = way.norm();
-    direction_ = length_ > 0 ? Vector(way / length_) : Vector::UnitX();
-  }
-
-  [[nodiscard]] double length() const { return length_; }
-
-  [[nodiscard]] Point at(double way) const {
-    if (!circular_) return start_ + way * direction_;
-    return circle_.center + turned(start_ - circle_.center, way);
-  }
-
-  [[nodiscard]] Vector tangent_at(double way) const {
-    if (!circular_) return direction_;
-    const Vector radial = turned(start_ - circle_.center, way) / circle_.radius;
-    return counter_clockwise_ ? left_of(radial) : Vector(-left_of(radial));
-  }
-
-  // Of a point on the unbounded curve; up to `slack` behind the start it is negative.
-  [[nodiscard]] double way_to(const Point& point, double slack) const {
-    if (!circular_) return (point - start_).dot(direction_);
-    double angle = turn_between(start_ - circle_.center, point - circle_.center);
-    if (!counter_clockwise_) angle = -angle;
-    if (angle * circle_.radius < -slack) angle += full_turn;
-    return angle * circle_.radius;
-  }
-
-  [[nodiscard]] Meetings meetings_with(const StraightLine& line) const {
-    return circular_ ? intersect(line, circle_, 0) : intersect(straight(), line);
-  }
-  [[nodiscard]] Meetings meetings_with(const Circle& circle) const {
-    return circular_ ? intersect(circle_, circle, 0) : intersect(straight(), circle, 0);
-  }
-  [[nodiscard]] Meetings meetings_with(const Track& other) const {
-    return other.circular_ ? meetings_with(other.circle_) : meetings_with(other.straight());
-  }
-
- private:
-  [[nodiscard]] StraightLine straight() const { return {.point = start_, .direction = direction_}; }
-
-  [[nodiscard]] Vector turned(const Vector& radial, double way) const {
-    const double angle = (counter_clockwise_ ? way : -way) / circle_.radius;
-    const double cosine = std::cos(angle);
-    const double sine = std::sin(angle);
-    return {cosine * radial.x() - sine * radial.y(), sine * radial.x() + cosine * radial.y()};
-  }
-
-  bool circular_ = false;
-  bool counter_clockwise_ = false;
-  Point start_ = Point::Zero();
-  Vector direction_ = Vector::UnitX();
-  Circle circle_{};
-  double length_ = 0;
-};
 
 // Places on a track in ascending order.
 class Places {
@@ -154,27 +84,56 @@ Segment stretch_of(const Segment& segment, double from, double to, const Point& 
   return Arc{.start = start,
              .end = end,
              .center = arc->center,
-             .sweep = std::copysign(std::min(sweep, full_turn), arc->sweep)};
+             .sweep = std::copysign(std::min(sweep, 2 * std::numbers::pi), arc->sweep)};
 }
 
 std::optional<double> first_entry(const Segment& path, double from, double to,
                                   const Segment& obstacle, double reach) {
-  const Track track(path);
-  const double half = 0.5 * (to - from);
-  const Point middle = track.at(from + half);
-  const double apart = distance(middle, obstacle);
-  if (apart >= reach + half) return std::nullopt;
-  Places places(track, from, to, middle);
-  add_outline(obstacle, reach, track, places);
+  return PathPart(path, from, to).first_entry(obstacle, reach);
+}
+
+PathPart::PathPart(const Segment& path, double from, double to)
+    : track_(path),
+      from_(from),
+      to_(to),
+      half_(0.5 * (to - from)),
+      middle_(track_.at(from + half_)),
+      tangent_(track_.tangent_at(from + half_)) {}
+
+std::optional<double> PathPart::first_entry(const Segment& obstacle, double reach) const {
+  const auto* arc = std::get_if<Arc>(&obstacle);
+  const double apart =
+      arc != nullptr ? distance(middle_, *arc) : distance(middle_, std::get<Line>(obstacle));
+  if (apart >= reach + half_) return std::nullopt;
+  if (arc == nullptr && stays_off(std::get<Line>(obstacle), apart, reach)) return std::nullopt;
+  Places places(track_, from_, to_, middle_);
+  add_outline(obstacle, reach, track_, places);
   const std::size_t count = places.sorted();
-  if (count == 0) return apart < reach && from < to ? std::optional(from) : std::nullopt;
-  double begin = from;
+  if (count == 0) return apart < reach && from_ < to_ ? std::optional(from_) : std::nullopt;
+  double begin = from_;
   for (std::size_t i = 0; i <= count; ++i) {
-    const double end = i < count ? places[i] : to;
-    if (end > begin && distance(track.at(0.5 * (begin + end)), obstacle) < reach) return begin;
+    const double end = i < count ? places[i] : to_;
+    if (end > begin && distance(track_.at(0.5 * (begin + end)), obstacle) < reach) return begin;
     begin = end;
   }
   return std::nullopt;
+}
+
+// The distance from a line is a convex function of the point, so that along the tangent in the
+// middle it falls no faster than it does there; from the tangent the path departs by no more than
+// its curvature lets it, and the distance changes by no more than that. What is left has to be out
+// of reach by a thousand times what rounding does to the coordinates that take part.
+bool PathPart::stays_off(const Line& obstacle, double apart, double reach) const {
+  if (apart <= reach) return false;
+  const Vector along = obstacle.end - obstacle.start;
+  const double squared = along.squaredNorm();
+  const Vector from_start = middle_ - obstacle.start;
+  const double part = squared > 0 ? std::clamp(from_start.dot(along) / squared, 0.0, 1.0) : 0.0;
+  const double slope = std::abs((from_start - part * along).dot(tangent_)) / apart;
+  const double bent = 0.5 * half_ * half_ * track_.curvature();
+  const double size = middle_.lpNorm<1>() + from_start.lpNorm<1>() + along.lpNorm<1>() +
+                      track_.radius() + apart + half_;
+  return apart - slope * half_ - bent > reach + 1e-13 * size;
 }
 
 Crossings crossings(const Segment& first, const Segment& second, double slack) {

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "core/geometry/segment.h"
+#include "core/geometry/track.h"
 
 namespace trc {
 
@@ -30,6 +31,28 @@ namespace trc {
 //                  `-.  .---           one side throughout, which one point tells.
 [[nodiscard]] std::optional<double> first_entry(const Segment& path, double from, double to,
                                                 const Segment& obstacle, double reach);
+
+// A path between two places, for one such question after the other.
+class PathPart {
+ public:
+  PathPart(const Segment& path, double from, double to);
+
+  [[nodiscard]] double half_length() const { return half_; }
+  [[nodiscard]] const Point& middle() const { return middle_; }
+  // As above.
+  [[nodiscard]] std::optional<double> first_entry(const Segment& obstacle, double reach) const;
+
+ private:
+  // Whether it is certain that it does not come nearer; `apart` is the distance of its middle.
+  [[nodiscard]] bool stays_off(const Line& obstacle, double apart, double reach) const;
+
+  Track track_;
+  double from_;
+  double to_;
+  double half_;
+  Point middle_;
+  Vector tangent_;
+};
 
 // A point two segments have in common, and how far along each it is.
 struct Crossing {

@@ -265,33 +265,46 @@ std::optional<LoopRemoval::Onset> LoopRemoval::onset(std::size_t block, double f
   if (!(from < to) || limit <= 0) return std::nullopt;
   find_neighbours(block, limit);
   const Segment& segment = path(block).path;
+  PathPart part(segment, from, to);
   std::optional<Onset> first;
   const auto compare = [&](std::size_t number) {
-    const auto entry = first_entry(segment, from, to, contour(number).programmed, limit);
+    const auto entry = part.first_entry(contour(number).programmed, limit);
     if (!entry) return false;
     first = {*entry, number};
-    to = *entry;
+    part = PathPart(segment, from, *entry);
     return true;
   };
   // What is nearest halfway is run into before that: with less and less of the block at stake
   // most of the others are out of question.
-  constexpr std::size_t few = 4;
-  while (neighbours_.size() > few && from < to) {
-    const std::optional<std::size_t> nearest = drop_those_off(segment, from, to, limit);
+  while (are_many() && part.half_length() > 0) {
+    const std::optional<std::size_t> nearest = drop_those_off(part, limit);
     if (!nearest || !compare(*nearest)) break;
   }
   for (const std::size_t number : neighbours_) compare(number);
   return first;
 }
 
-std::optional<std::size_t> LoopRemoval::drop_those_off(const Segment& segment, double from,
-                                                       double to, double limit) const {
-  const double half = 0.5 * (to - from);
-  const Point middle = point_along(segment, from + half);
+bool LoopRemoval::comes_nearer(std::size_t block, double from, double to, Nearness nearness) const {
+  const double limit = reach(block, nearness);
+  if (!(from < to) || limit <= 0) return false;
+  find_neighbours(block, limit);
+  const PathPart part(path(block).path, from, to);
+  const auto is_entered = [&](std::size_t number) {
+    return part.first_entry(contour(number).programmed, limit).has_value();
+  };
+  if (are_many()) {
+    const std::optional<std::size_t> nearest = drop_those_off(part, limit);
+    if (nearest && is_entered(*nearest)) return true;
+  }
+  return std::any_of(neighbours_.begin(), neighbours_.end(), is_entered);
+}
+
+std::optional<std::size_t> LoopRemoval::drop_those_off(const PathPart& part, double limit) const {
+  const double half = part.half_length();
   std::optional<std::size_t> nearest;
   double least = limit;
   std::erase_if(neighbours_, [&](std::size_t number) {
-    const double apart = distance(middle, contour(number).programmed);
+    const double apart = distance(part.middle(), contour(number).programmed);
     if (apart < least) {
       nearest = number;
       least = apart;
@@ -439,7 +452,7 @@ bool LoopRemoval::violates(const Place& from, const Place& to) const {
     const double end = block == to.block ? std::min(to.along, length) : length;
     const bool whole = block != from.block && block != to.block;
     if (whole && (path(block).unreachable || runs_backwards(block))) return true;
-    if (onset(block, begin, end, Nearness::passable)) return true;
+    if (comes_nearer(block, begin, end, Nearness::passable)) return true;
   }
   return false;
 }

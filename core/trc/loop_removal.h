@@ -8,6 +8,7 @@
 #include "core/base/diagnostics.h"
 #include "core/base/numbered_queue.h"
 #include "core/base/tolerances.h"
+#include "core/geometry/along.h"
 #include "core/geometry/box_tree.h"
 #include "core/trc/certificate.h"
 #include "core/trc/held_path.h"
@@ -171,12 +172,15 @@ class LoopRemoval {
   [[nodiscard]] double reach(std::size_t block, Nearness nearness) const;
   // All contour blocks it may come nearer to than `limit`: neighbours_.
   void find_neighbours(std::size_t block, double limit) const;
-  // Drops those of them that are not within the limit anywhere between two places. Returns the
-  // nearest one to their middle, where it is nearer than the limit.
-  std::optional<std::size_t> drop_those_off(const Segment& segment, double from, double to,
-                                            double limit) const;
+  [[nodiscard]] bool are_many() const { return neighbours_.size() > 4; }
+  // Drops those of them that are not within the limit anywhere on it. Returns the nearest one to
+  // its middle, where it is nearer than the limit.
+  std::optional<std::size_t> drop_those_off(const PathPart& part, double limit) const;
   [[nodiscard]] std::optional<Onset> onset(std::size_t block, double from, double to,
                                            Nearness nearness) const;
+  // Whether there is one.
+  [[nodiscard]] bool comes_nearer(std::size_t block, double from, double to,
+                                  Nearness nearness) const;
   // The onset that counts, with the loops that do not violate let pass.
   [[nodiscard]] std::optional<Onset> next_onset(bool ended);
   void survey();
