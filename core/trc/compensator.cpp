@@ -38,7 +38,15 @@ struct Compensator::Passes {
         clearance(setup.implicit_contour_masking, setup.limits.look_ahead_blocks,
                   setup.limits.selection_blocks, setup.tolerances, log, checkpoint),
         reporting(setup, log),
-        contour_run(setup.inverse_path, setup.tolerances, loop_removal, reporting) {}
+        contour_run(
+            setup.inverse_path, setup.tolerances, log, loop_removal,
+            [this](PathBlocks& leaving, std::vector<CompensatedBlock>& out) {
+              path.blocks.swap(leaving);
+              const bool goes_on = finish_path(Input::more, out);
+              path.blocks.swap(leaving);
+              return goes_on;
+            },
+            reporting) {}
 
   // clang-format off
   bool step(Input input, std::vector<CompensatedBlock>& out) {
@@ -96,8 +104,8 @@ struct Compensator::Passes {
     return count;
   }
   [[nodiscard]] bool idle_for(const PathBlock& block) const {
-    return kerf_masking.ignores(block) && inside_corner.ignores(block) &&
-           contour_masking.ignores(block) &&
+    return !relevant_blocks.counts_for_window(block) && kerf_masking.ignores(block) &&
+           inside_corner.ignores(block) && contour_masking.ignores(block) &&
            (loop_removal.takes_contour() ||
             (loop_removal.ignores(block) && clearance.ignores(block)));
   }

@@ -88,6 +88,7 @@ void ContourRun::begin(const PathBlock& held) {
   mode_ = held.programmed.mode.get();
   shift_ = held.at_end.shift;
   going_ = true;
+  reports_before_ = diagnostics_.pending().size();
   removes_loops_ = held.removes_loops();
   if (!removes_loops_) return;
   exact_ = to_all_digits(tolerances_, std::abs(shift_));
@@ -168,6 +169,7 @@ bool ContourRun::leave(const Corner& corner, const Joint& joint, bool apart, con
   after.cut_at_start = joint.cut_after;
   if (removes_loops_) {
     hold(corner, joint, apart, before, after);
+    if (loop_removal_.look_ahead() > 0) put_out_leaving(out);
     return true;
   }
   for (const auto& inserted : joint.inserted())
@@ -233,14 +235,21 @@ void ContourRun::hold(const Corner& corner, const Joint& joint, bool apart, cons
   motion.feed = programmed.feed;
   motion.rapid = programmed.rapid;
   motion.tracking = std::move(programmed.tracking);
-  going_ = loop_removal_.hold(contour_block_);
+  going_ = loop_removal_.take(contour_block_, leaving_);
   inserted_.unreachable = apart;
   const bool rapid = inserted_.programmed.rapid;
   for (const auto& segment : inserted) {
     inserted_.programmed.rapid = rapid && !is_arc(*segment);
     inserted_.tool_path = *segment;
-    going_ = going_ && loop_removal_.hold(inserted_);
+    going_ = going_ && loop_removal_.take(inserted_, leaving_);
   }
+}
+
+// What is reported belongs to the block that was taken last: the run ends with it.
+void ContourRun::put_out_leaving(std::vector<CompensatedBlock>& out) {
+  if (going_ && !leaving_.empty()) going_ = leave_selection_(leaving_, out);
+  leaving_.clear();
+  going_ = going_ && diagnostics_.pending().size() == reports_before_;
 }
 
 }  // namespace trc

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "core/base/tolerances.h"
@@ -24,11 +26,17 @@ namespace trc {
 // leaves to them: it stops before such a block, as if it had never been there.
 class ContourRun {
  public:
-  ContourRun(bool inverse_path, const Tolerances& tolerances, LoopRemoval& loop_removal,
-             Reporting& reporting)
+  // The passes behind LoopRemoval: take all of `path`, and leave it empty. Returns false once the
+  // stream must stop.
+  using LeaveSelection = std::function<bool(PathBlocks& path, std::vector<CompensatedBlock>& out)>;
+
+  ContourRun(bool inverse_path, const Tolerances& tolerances, const Diagnostics& diagnostics,
+             LoopRemoval& loop_removal, LeaveSelection leave_selection, Reporting& reporting)
       : inverse_path_(inverse_path),
         tolerances_(tolerances),
+        diagnostics_(diagnostics),
         loop_removal_(loop_removal),
+        leave_selection_(std::move(leave_selection)),
         reporting_(reporting) {}
 
   // Whether a run may begin behind these two blocks: `open` has its start, but not yet its end,
@@ -73,10 +81,14 @@ class ContourRun {
                std::vector<CompensatedBlock>& out);
   void hold(const Corner& corner, const Joint& joint, bool apart, const Step& before,
             const Step& after);
+  // What a window of LoopRemoval has set free.
+  void put_out_leaving(std::vector<CompensatedBlock>& out);
 
   bool inverse_path_;
   Tolerances tolerances_;
+  const Diagnostics& diagnostics_;
   LoopRemoval& loop_removal_;
+  LeaveSelection leave_selection_;
   Reporting& reporting_;
   // Of the run.
   const TrcMode* mode_ = nullptr;
@@ -84,8 +96,10 @@ class ContourRun {
   bool removes_loops_ = false;
   Tolerances exact_{};  // for the meetings of a contour whose loops are removed
   bool going_ = true;
+  std::size_t reports_before_ = 0;
   PathBlock contour_block_{};  // as LoopRemoval wants them; places for one after the other
   PathBlock inserted_{};
+  PathBlocks leaving_;  // between LoopRemoval and the passes behind it
 };
 
 }  // namespace trc

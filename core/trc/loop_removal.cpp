@@ -51,7 +51,7 @@ bool LoopRemoval::feed(PathBlockPtr block, PathBlocks& out) {
     entering_.push_back(std::move(block));
     return true;
   }
-  return hold(*block) && (window_ == 0 || proceed(out));
+  return take(*block, out);
 }
 
 bool LoopRemoval::drain(PathBlocks& /*out*/) {
@@ -104,6 +104,7 @@ void LoopRemoval::begin_selection() {
   certificate_ = Certificate(tolerances_);
   pieces_ = NumberedQueue<Kept>();
   cuts_ = NumberedQueue<Piece>();
+  first_of_chain_ = 0;
   piece_boxes_ = BoxTree();
   walking_ = false;
   at_ = {};
@@ -135,26 +136,31 @@ bool LoopRemoval::hold(PathBlock& block) {
 
 void LoopRemoval::note_contour_block(const PathBlock& block) {
   certificate_.append(block, std::exchange(apart_, false));
-  boxes_.append(bounding_box(block.programmed.path));
-  if (window_ > 0) reconsider(end_of_contour() - 1);
+  const Box area = bounding_box(block.programmed.path);
+  boxes_.append(area);
+  if (window_ > 0) reconsider(end_of_contour() - 1, area);
 }
 
 // A new contour block may come near to what has been walked without it: from there
 // the path is walked again.
-void LoopRemoval::reconsider(std::size_t number) {
-  const Segment& obstacle = contour(number).programmed;
+void LoopRemoval::reconsider(std::size_t number, const Box& area) {
   const std::size_t chain = certificate_.chain_before(number);
+  first_of_chain_ = std::clamp(first_of_chain_, pieces_.begin(), pieces_.end());
+  while (first_of_chain_ < pieces_.end() && number_of(pieces_[first_of_chain_].block) < chain)
+    ++first_of_chain_;
+  if (first_of_chain_ == pieces_.begin()) return;
+  const Segment& obstacle = contour(number).programmed;
   std::size_t earliest = pieces_.end();
   const auto compare = [&](std::size_t index) {
     if (index >= earliest) return;
     const Piece walked = piece(index);
     const std::size_t own = number_of(walked.block);
-    if (own >= chain || own + window_ < number) return;
+    if (own + window_ < number) return;
     if (first_entry(path(walked.block).path, walked.from, walked.to, obstacle,
                     reach(walked.block, Nearness::exact)))
       earliest = index;
   };
-  piece_boxes_.for_each_near(bounding_box(obstacle), largest_radius_, compare);
+  piece_boxes_.for_each_near(area, largest_radius_, {first_of_chain_, pieces_.end()}, compare);
   if (earliest == pieces_.end()) return;
   at_ = piece(earliest);
   drop_pieces(earliest);
@@ -190,6 +196,7 @@ void LoopRemoval::drop_pieces(std::size_t kept) {
   for (std::size_t number = pieces_.end(); number-- > kept;)
     if (pieces_[number].cut != Kept::whole) cuts_.truncate(pieces_[number].cut);
   pieces_.truncate(kept);
+  first_of_chain_ = std::min(first_of_chain_, kept);
   if (window_ > 0) piece_boxes_.truncate(kept);
 }
 
@@ -207,7 +214,9 @@ void LoopRemoval::forget() {
   piece_boxes_.drop_before(pieces_.begin());
   if (next_ >= end_of_path()) return;
   const std::size_t number = number_of(next_);
-  if (number <= path_.contour().begin() + window_ + 1) return;
+  // Some more than the window, now and then.
+  const std::size_t some = std::min<std::size_t>(window_ / 8, 64);
+  if (number <= path_.contour().begin() + window_ + 1 + some) return;
   const std::size_t keep = number - window_ - 1;
   path_.forget_before(keep);
   boxes_.drop_before(keep);
@@ -245,6 +254,10 @@ void LoopRemoval::find_neighbours(std::size_t block, double limit) const {
   // Only an arc turned inside out comes too near to its own block.
   const bool sees_own = !path(block).is_contour() || path(block).unreachable;
   neighbours_.clear();
+  // All that can be seen is certified.
+  if (window_ > 0 && skipped.first + window_ <= std::max(own, path_.contour().begin() + window_) &&
+      skipped.last + 1 >= std::min(own + window_ + 1, end_of_contour()))
+    return;
   const auto add = [&](std::size_t number) {
     checkpoint_.pass();
     const bool visible = window_ == 0 || (number <= own + window_ && own <= number + window_);

@@ -57,12 +57,12 @@ class LoopRemoval {
   // about it. `block` is as in HeldPath::restore.
   bool let_go_next(PathBlock& block);
 
-  // The middle of a contour is being held as a whole: ContourRun may give it more of it.
-  [[nodiscard]] bool takes_contour() const {
-    return window_ == 0 && !leaving_ && end_of_contour() > 0;
-  }
+  // The middle of a contour is being held: ContourRun may give it more of it.
+  [[nodiscard]] bool takes_contour() const { return !leaving_ && end_of_contour() > 0; }
   // A contour block or a transition. Returns false once the stream must stop.
-  bool hold(PathBlock& block);
+  bool take(PathBlock& block, PathBlocks& out) {
+    return hold(block) && (window_ == 0 || proceed(out));
+  }
 
   [[nodiscard]] std::size_t look_ahead() const { return window_; }
 
@@ -138,9 +138,10 @@ class LoopRemoval {
   [[nodiscard]] bool is_holding() const { return !entering_.empty() || !path_.blocks().empty(); }
   void begin_selection();
   bool end_selection();
+  bool hold(PathBlock& block);
   [[nodiscard]] bool has_room_for(const PathBlock& block);
   void note_contour_block(const PathBlock& block);
-  void reconsider(std::size_t number);
+  void reconsider(std::size_t number, const Box& area);
   void rebuild_boxes();
   void keep_cut();
   void drop_pieces(std::size_t kept);
@@ -229,7 +230,10 @@ class LoopRemoval {
   // Walked, and still here.
   NumberedQueue<Kept> pieces_;
   NumberedQueue<Piece> cuts_;  // those that are not whole blocks
-  BoxTree piece_boxes_;        // for a window only
+  // For a window only: the first piece of, or behind, the chain that ends with the last contour
+  // block, and of all pieces.
+  std::size_t first_of_chain_ = 0;
+  BoxTree piece_boxes_;
   bool walking_ = false;
   Piece at_{};            // the piece being walked
   Place tolerated_{};     // up to here the path is in a loop that does not violate

@@ -176,7 +176,7 @@ bool RelevantBlocks::continue_selection(PathBlock& block) {
   block.at_start = last_;
   block.role = Role::contour;
   block.origin = Origin::programmed;
-  if (setup_.limits.look_ahead_blocks > 0) count_for_window(block);
+  if (counts_for_window(block)) count_for_window(block);
   if (mode.side == last_mode_->side) return true;
   // Both sides of such a block lie on a contour: there is no free end to begin the arc of G05 at.
   if (mode.tangential) return refuse(Code::not_available, block, "G05 with a change of side");
@@ -192,9 +192,8 @@ bool RelevantBlocks::continue_selection(PathBlock& block) {
 
 // What lies beyond the window is not looked for: said once a selection (D-10).
 void RelevantBlocks::count_for_window(const PathBlock& block) {
-  const bool masking = block.mode().masking == Masking::on || setup_.implicit_contour_masking;
   const std::size_t window = setup_.limits.look_ahead_blocks;
-  if (!masking || ++contour_blocks_ != window + 1) return;
+  if (++contour_blocks_ <= window) return;
   Diagnostic warning = diagnostic(Code::beyond_window, block.programmed.source);
   warning.values = {{"look_ahead_blocks", static_cast<double>(window)}};
   diagnostics_.report(std::move(warning));

@@ -32,6 +32,12 @@ class RelevantBlocks {
   // place.
   [[nodiscard]] PathBlock* held() { return held_.get(); }
   void go_on_from_held() { last_path_ = held_->programmed.path; }
+  // Whether the selection of this block may yet turn out to be longer than its window.
+  [[nodiscard]] bool counts_for_window(const PathBlock& block) const {
+    const std::size_t window = setup_.limits.look_ahead_blocks;
+    return window > 0 && contour_blocks_ <= window &&
+           (block.mode().masking == Masking::on || setup_.implicit_contour_masking);
+  }
 
   // The program ended in this mode: a G40 that nothing followed still ends the
   // contour. Called before drain.
