@@ -33,18 +33,19 @@ class NumberedQueue {
   [[nodiscard]] T& back() { return (*this)[end_ - 1]; }
   [[nodiscard]] const T& back() const { return (*this)[end_ - 1]; }
 
-  T& push_back(T element) {
-    if (chunks_.empty()) first_chunk_ = end_ / chunk_size;
-    if (end_ / chunk_size - first_chunk_ == chunks_.size())
-      chunks_.push_back(spare_ ? std::move(spare_) : std::make_unique<T[]>(chunk_size));
-    return (*this)[end_++] = std::move(element);
+  T& push_back(T element) { return next() = std::move(element); }
+  // One more at the end, with whatever value: the caller gives it one.
+  T& next() {
+    const std::size_t chunk = end_ / chunk_size - first_chunk_;
+    if (chunks_.empty() || chunk == chunks_.size()) return first_of_chunk();
+    return chunks_[chunk][end_++ % chunk_size];
   }
 
   // Forgets the elements before `number`, which is at most end().
   void drop_before(std::size_t number) {
     for (; begin_ < number; ++begin_) release((*this)[begin_]);
-    const std::size_t gone =
-        std::min(begin_ / chunk_size - std::min(first_chunk_, begin_ / chunk_size), chunks_.size());
+    if (begin_ / chunk_size <= first_chunk_) return;
+    const std::size_t gone = std::min(begin_ / chunk_size - first_chunk_, chunks_.size());
     if (gone == 0) return;
     spare_ = std::move(chunks_.front());
     chunks_.erase(chunks_.begin(), chunks_.begin() + static_cast<std::ptrdiff_t>(gone));
@@ -71,6 +72,11 @@ class NumberedQueue {
  private:
   static constexpr std::size_t chunk_size = 256;
 
+  [[gnu::noinline]] T& first_of_chunk() {
+    if (chunks_.empty()) first_chunk_ = end_ / chunk_size;
+    chunks_.push_back(spare_ ? std::move(spare_) : std::make_unique<T[]>(chunk_size));
+    return (*this)[end_++];
+  }
   static void release(T& element) {
     if constexpr (!std::is_trivially_destructible_v<T>) element = T{};
   }

@@ -7,8 +7,10 @@
 
 namespace trc {
 Box bounding_box(const Segment& segment) {
-  Box box(start_of(segment));
-  box.extend(end_of(segment));
+  const Point& start = start_of(segment);
+  const Point& end = end_of(segment);
+  Box box(Vector(std::min(start.x(), end.x()), std::min(start.y(), end.y())),
+          Vector(std::max(start.x(), end.x()), std::max(start.y(), end.y())));
   const auto* arc = std::get_if<Arc>(&segment);
   if (arc == nullptr) return box;
   // Counter-clockwise from `first` to `last`.
@@ -27,18 +29,16 @@ Box bounding_box(const Segment& segment) {
 }
 
 void BoxTree::append(const Box& box) {
-  append(0, kept(box));
-  for (std::size_t level = 0; levels_[level].end % FourBoxes::count == 0; ++level) {
-    const std::size_t number = levels_[level].end / FourBoxes::count - 1;
-    if (level + 1 == levels_.size()) levels_.emplace_back(number);
-    append(level + 1, levels_[level].fours.back().about_all());
+  KeptBox next = kept(box);
+  for (std::size_t level = 0;; ++level) {
+    auto& [fours, end] = levels_[level];
+    if (fours.empty() || end % FourBoxes::count == 0) fours.push_back({});
+    FourBoxes& four = fours.back();
+    four.set(end++ % FourBoxes::count, next);
+    if (end % FourBoxes::count != 0) return;
+    next = four.about_all();
+    if (level + 1 == levels_.size()) levels_.emplace_back(end / FourBoxes::count - 1);
   }
-}
-
-void BoxTree::append(std::size_t level, const KeptBox& box) {
-  auto& [fours, end] = levels_[level];
-  if (fours.empty() || end % FourBoxes::count == 0) fours.push_back({});
-  fours.back().set(end++ % FourBoxes::count, box);
 }
 
 void BoxTree::truncate(std::size_t number) {

@@ -82,8 +82,6 @@ class BoxTree {
   // The boxes of level 0 under one of `level`, as a shift.
   [[nodiscard]] static std::size_t span_bits(std::size_t level) { return bits_of_width * level; }
 
-  void append(std::size_t level, const KeptBox& box);
-
   template <class Visit>
   void descend(const Search<Visit>& search, std::size_t level, std::size_t four) const {
     const FourBoxes& boxes = levels_[level].fours[four];

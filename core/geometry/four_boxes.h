@@ -89,9 +89,8 @@ class FourBoxes {
             Eigen::Vector2f(max_x_[place], max_y_[place])};
   }
   [[nodiscard]] KeptBox about_all() const {
-    KeptBox box;
-    for (std::size_t place = 0; place < count; ++place) box.extend((*this)[place]);
-    return box;
+    return {Eigen::Vector2f(least(min_x_), least(min_y_)),
+            Eigen::Vector2f(greatest(max_x_), greatest(max_y_))};
   }
 
   // Those that may be near, by squared_distance() of what is kept of them; all others are farther
@@ -118,6 +117,8 @@ class FourBoxes {
   static Floats all(float value) { return Floats{value, value, value, value}; }
   static Floats larger(Floats a, Floats b) { return a > b ? a : b; }
   static Floats positive(Floats a) { return larger(a, Floats{}); }
+  static float least(Floats a) { return std::min(std::min(a[0], a[1]), std::min(a[2], a[3])); }
+  static float greatest(Floats a) { return std::max(std::max(a[0], a[1]), std::max(a[2], a[3])); }
   // Of two comparisons, each nothing or all ones.
   static Bits bits_of(std::uint64_t half) {
     return static_cast<Bits>((half & 1U) | (half >> 62U & 2U));

@@ -40,10 +40,10 @@ struct Compensator::Passes {
         reporting(setup, log),
         contour_run(
             setup.inverse_path, setup.tolerances, log, loop_removal,
-            [this](PathBlocks& leaving, std::vector<CompensatedBlock>& out) {
-              path.blocks.swap(leaving);
+            [this](PathBlocks& free, std::vector<CompensatedBlock>& out) {
+              path.blocks.swap(free);
               const bool goes_on = finish_path(Input::more, out);
-              path.blocks.swap(leaving);
+              path.blocks.swap(free);
               return goes_on;
             },
             reporting) {}

@@ -9,21 +9,33 @@
 namespace trc {
 
 void HeldPath::append(PathBlock& block) {
-  if (block.role == Role::contour) note_contour_block(block);
+  const bool is_contour = block.role == Role::contour;
+  if (is_contour) note_contour_block(block);
   if (!block.riders.empty()) riders_.push_back({blocks_.end(), std::move(block.riders)});
-  const std::size_t number = contour_.end() > 0 ? contour_.end() - 1 : 0;
-  const Source& source = block.programmed.source;
-  blocks_.push_back({.path = block.tool_path,
-                     .cut_at_start = block.cut_at_start,
-                     .cut_at_end = block.cut_at_end,
-                     .index = source.index,
-                     .n_word = source.number,
-                     .line = source.line,
-                     .number = static_cast<Number>(number),
-                     .setting = setting_of(block),
-                     .role = block.role,
-                     .origin = block.origin,
-                     .unreachable = block.unreachable});
+  const bool apart = !is_contour && stands_apart(block);
+  if (apart) {
+    const Source& source = block.programmed.source;
+    apart_.push_back({.block = blocks_.end(),
+                      .cut_at_start = block.cut_at_start,
+                      .cut_at_end = block.cut_at_end,
+                      .index = source.index,
+                      .n_word = source.number,
+                      .line = source.line});
+  }
+  const Number setting = setting_of(block);
+  Block& held = blocks_.next();
+  held.path = block.tool_path;
+  held.number = static_cast<Number>(contour_.end() > 0 ? contour_.end() - 1 : 0);
+  held.setting = setting;
+  held.role = block.role;
+  held.origin = block.origin;
+  held.unreachable = block.unreachable;
+  held.apart = apart;
+}
+
+bool HeldPath::stands_apart(const PathBlock& inserted) const {
+  return contour_.end() == 0 || inserted.cut_at_start != 0 || inserted.cut_at_end != 0 ||
+         inserted.programmed.source != contour_.back().source();
 }
 
 HeldPath::Number HeldPath::setting_of(const PathBlock& block) {
@@ -63,15 +75,21 @@ void HeldPath::note_contour_block(const PathBlock& block) {
     settings_.push_back(std::move(changed));
     inserted.setting = static_cast<Number>(settings_.end() - 1);
   }
-  contour_.push_back(
-      {.programmed = block.programmed.path, .block = static_cast<Number>(blocks_.end())});
+  const MotionBlock& programmed = block.programmed;
+  ContourBlock& contour = contour_.next();
+  contour.programmed = programmed.path;
+  contour.cut_at_start = block.cut_at_start;
+  contour.cut_at_end = block.cut_at_end;
+  contour.index = programmed.source.index;
+  contour.n_word = programmed.source.number;
+  contour.line = programmed.source.line;
+  contour.block = static_cast<Number>(blocks_.end());
 }
 
 void HeldPath::restore(std::size_t number, PathBlock& block) {
   const Block& held = blocks_[number];
   const Setting& setting = settings_[held.setting];
   MotionBlock& programmed = block.programmed;
-  programmed.source = held.source();
   programmed.normal = setting.normal;
   programmed.feed = setting.feed;
   programmed.rapid = setting.rapid;
@@ -84,18 +102,32 @@ void HeldPath::restore(std::size_t number, PathBlock& block) {
   block.at_start = setting.at_start;
   block.at_end = setting.at_end;
   block.tool_path = held.path;
-  block.cut_at_start = held.cut_at_start;
-  block.cut_at_end = held.cut_at_end;
   block.unreachable = held.unreachable;
-  if (held.is_contour()) {
-    programmed.path = contour_[held.number].programmed;
-    give_offsets(block);
+  if (held.apart) {
+    restore_apart(number, block);
+  } else {
+    const ContourBlock& contour = contour_[held.number];
+    programmed.source = contour.source();
+    block.cut_at_start = held.is_contour() ? contour.cut_at_start : 0;
+    block.cut_at_end = held.is_contour() ? contour.cut_at_end : 0;
+    if (held.is_contour()) {
+      programmed.path = contour.programmed;
+      give_offsets(block);
+    }
   }
   while (!riders_.empty() && riders_[riders_.begin()].block <= number) {
     Riders& riders = riders_[riders_.begin()];
     if (riders.block == number) block.riders = std::move(riders.blocks);
     riders_.drop_before(riders_.begin() + 1);
   }
+}
+
+void HeldPath::restore_apart(std::size_t number, PathBlock& block) {
+  while (apart_[apart_.begin()].block < number) apart_.drop_before(apart_.begin() + 1);
+  const Apart& apart = apart_[apart_.begin()];
+  block.programmed.source = {apart.index, apart.n_word, apart.line};
+  block.cut_at_start = apart.cut_at_start;
+  block.cut_at_end = apart.cut_at_end;
 }
 
 PathBlockPtr HeldPath::restored(std::size_t number) {

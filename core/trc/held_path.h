@@ -28,33 +28,33 @@ class HeldPath {
 
   // A contour block or one inserted between two.
   struct Block {
-    Segment path{};  // of the tool
-    double cut_at_start = 0;
-    double cut_at_end = 0;
-    std::uint64_t index = 0;  // index, n_word and line: its Source
-    std::int64_t n_word = 0;
-    std::uint32_t line = 0;
+    Segment path{};     // of the tool
     Number number = 0;  // of the contour block, or of the one before it
     Number setting = 0;
     Role role = Role::contour;
     Origin origin = Origin::programmed;
     bool unreachable = false;
+    bool apart = false;  // inserted, but not by the contour block before it: Apart
 
     [[nodiscard]] bool is_contour() const { return role == Role::contour; }
-    [[nodiscard]] Source source() const { return {index, n_word, line}; }
     template <class Archive>
     void serialize(Archive& archive) {
-      archive(path, cut_at_start, cut_at_end, index, n_word, line, number, setting, role, origin,
-              unreachable);
+      archive(path, number, setting, role, origin, unreachable, apart);
     }
   };
   struct ContourBlock {
     Segment programmed{};
+    double cut_at_start = 0;
+    double cut_at_end = 0;
+    std::uint64_t index = 0;  // index, n_word and line: its Source
+    std::int64_t n_word = 0;
+    std::uint32_t line = 0;
     Number block = 0;  // its path
 
+    [[nodiscard]] Source source() const { return {index, n_word, line}; }
     template <class Archive>
     void serialize(Archive& archive) {
-      archive(programmed, block);
+      archive(programmed, cut_at_start, cut_at_end, index, n_word, line, block);
     }
   };
 
@@ -85,7 +85,7 @@ class HeldPath {
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(blocks_, contour_, settings_, riders_);
+    archive(blocks_, contour_, settings_, riders_, apart_);
   }
 
  private:
@@ -118,17 +118,36 @@ class HeldPath {
     }
   };
 
+  // What an inserted block does not have in common with the contour block before it: there is
+  // none, or it is another one that has inserted it.
+  struct Apart {
+    std::size_t block = 0;
+    double cut_at_start = 0;
+    double cut_at_end = 0;
+    std::uint64_t index = 0;
+    std::int64_t n_word = 0;
+    std::uint32_t line = 0;
+
+    template <class Archive>
+    void serialize(Archive& archive) {
+      archive(block, cut_at_start, cut_at_end, index, n_word, line);
+    }
+  };
+
   [[nodiscard]] const Setting& setting(std::size_t block) const {
     return settings_[blocks_[block].setting];
   }
   // That of the last block, where it is the same.
   [[nodiscard]] Number setting_of(const PathBlock& block);
   void note_contour_block(const PathBlock& block);
+  [[nodiscard]] bool stands_apart(const PathBlock& inserted) const;
+  void restore_apart(std::size_t number, PathBlock& block);
 
   NumberedQueue<Block> blocks_;
   NumberedQueue<ContourBlock> contour_;
   NumberedQueue<Setting> settings_;
   NumberedQueue<Riders> riders_;
+  NumberedQueue<Apart> apart_;
 };
 
 }  // namespace trc

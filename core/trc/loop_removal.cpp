@@ -277,6 +277,7 @@ std::optional<LoopRemoval::Onset> LoopRemoval::onset(std::size_t block, double f
   const double limit = reach(block, nearness);
   if (!(from < to) || limit <= 0) return std::nullopt;
   find_neighbours(block, limit);
+  if (neighbours_.empty()) return std::nullopt;
   const Segment& segment = path(block).path;
   PathPart part(segment, from, to);
   std::optional<Onset> first;
@@ -301,6 +302,7 @@ bool LoopRemoval::comes_nearer(std::size_t block, double from, double to, Nearne
   const double limit = reach(block, nearness);
   if (!(from < to) || limit <= 0) return false;
   find_neighbours(block, limit);
+  if (neighbours_.empty()) return false;
   const PathPart part(path(block).path, from, to);
   const auto is_entered = [&](std::size_t number) {
     return part.first_entry(contour(number).programmed, limit).has_value();
@@ -402,11 +404,13 @@ void LoopRemoval::advance() {
   if (at_.from == 0 && !at_.behind_loop && at_.start == start_of(segment)) {
     pieces_.push_back({.block = static_cast<HeldPath::Number>(at_.block)});
     if (window_ > 0) piece_boxes_.append(bounding_box(segment));
-  } else {
-    at_.to = length_of(segment);
-    at_.end = end_of(segment);
-    keep_cut();
+    ++at_.block;
+    at_.start = end_of(segment);
+    return;
   }
+  at_.to = length_of(segment);
+  at_.end = end_of(segment);
+  keep_cut();
   at_ = {.block = at_.block + 1, .start = end_of(segment)};
 }
 
@@ -656,10 +660,10 @@ void LoopRemoval::report_masked(std::size_t first, std::size_t last, const Point
   while (first <= last && !path(first).is_contour()) ++first;
   while (last > first && !path(last).is_contour()) --last;
   if (first > last) return;
-  const Source masked = path(first).source();
+  const Source masked = contour(number_of(first)).source();
   Diagnostic note = diagnostic(Code::blocks_masked, masked);
   note.values = {{"first_index", static_cast<double>(masked.index)},
-                 {"last_index", static_cast<double>(path(last).index)},
+                 {"last_index", static_cast<double>(contour(number_of(last)).index)},
                  {"tool_radius", path_.radius_of_tool(first)}};
   const Position position = from_plane(path_.mode_of(first).plane, place, path_.height_of(first));
   note.point = DiagnosticPoint{.x = position[0], .y = position[1], .z = position[2]};
@@ -670,9 +674,9 @@ bool LoopRemoval::refuse(const Onset& onset) {
   const HeldPath::ContourBlock& own = contour(number_of(at_.block));
   const TrcMode& mode = path_.mode_of(at_.block);
   const Segment& travelled = path(at_.block).path;
-  Diagnostic violation = diagnostic(
-      is_arc(own.programmed) ? Code::arc_wrapped : Code::line_reversed, path(own.block).source());
-  const Source other = path(contour(onset.obstacle).block).source();
+  Diagnostic violation =
+      diagnostic(is_arc(own.programmed) ? Code::arc_wrapped : Code::line_reversed, own.source());
+  const Source other = contour(onset.obstacle).source();
   violation.values = {{"other_index", static_cast<double>(other.index)},
                       {"tool_radius", path_.radius_of_tool(at_.block)}};
   const Position position =
