@@ -526,6 +526,7 @@ std::optional<LoopRemoval::Exit> LoopRemoval::exit_here(const Onset& onset,
   const double part = nearness == Nearness::exact ? 4 * tolerances_.rounding : tolerances_.passable;
   for (std::size_t block = first; block < end; ++block) {
     const Segment& segment = path(block).path;
+    if (are_apart(Box(place), bounding_box(segment), part * radius)) continue;
     const double along = nearest_along(segment, place);
     const Point point = point_along(segment, along);
     if (!path(block).unreachable && (point - place).norm() <= part * radius)
@@ -561,9 +562,11 @@ std::optional<LoopRemoval::Exit> LoopRemoval::crossing_in(const Piece& piece, st
   const Segment& segment = path(piece.block).path;
   if (has_no_radius(segment)) return std::nullopt;
   const auto [first, end] = stretch_about(obstacle);
+  const Box area = bounding_box(segment);
   std::optional<Exit> latest;
   for (std::size_t block = first; block < end; ++block) {
     if (path(block).unreachable || has_no_radius(path(block).path)) continue;
+    if (are_apart(area, bounding_box(path(block).path), 3 * slack)) continue;
     for (const Crossing& crossing : crossings(segment, path(block).path, slack)) {
       if (crossing.along_first < piece.from - slack || crossing.along_first > piece.to + slack)
         continue;
@@ -579,6 +582,14 @@ std::optional<LoopRemoval::Exit> LoopRemoval::crossing_in(const Piece& piece, st
     }
   }
   return latest;
+}
+
+// Segments cross in places that are up to `slack` beyond their ends and as far from each other.
+// Points of theirs are not computed to the last digits; what is farther apart than one point may be
+// wide is so all the same.
+bool LoopRemoval::are_apart(const Box& one, const Box& other, double reach) const {
+  const double farthest = reach + tolerances_.same_point;
+  return squared_distance(one, other) > farthest * farthest;
 }
 
 bool LoopRemoval::reaches_out(const HeldPath::ContourBlock& block, const Point& point) const {

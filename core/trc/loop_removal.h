@@ -201,6 +201,8 @@ class LoopRemoval {
   // be crossed.
   [[nodiscard]] std::optional<Exit> crossing_in(const Piece& piece, std::size_t number,
                                                 std::size_t obstacle, bool beside) const;
+  // Whether nothing in one box can be within reach of anything in the other.
+  [[nodiscard]] bool are_apart(const Box& one, const Box& other, double reach) const;
   // Whether the point is farther than the radius from the contour block.
   [[nodiscard]] bool reaches_out(const HeldPath::ContourBlock& block, const Point& point) const;
   // Nothing is left between the corners of the block: it is travelled backwards.
