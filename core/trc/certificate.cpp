@@ -31,9 +31,9 @@ double turn_of_chain(const Vector& before, const Vector& after) {
   if (!(std::abs(sine) < cosine / 16)) return turn_between(before, after);
   const double tangent = sine / cosine;
   const double square = tangent * tangent;
-  double sum = 0;
-  for (const double odd : {13.0, 11.0, 9.0, 7.0, 5.0, 3.0}) sum = square * (1 / odd - sum);
-  return tangent * (1 - sum);
+  const double late = 1.0 / 9 - square * (1.0 / 11 - square / 13);
+  return tangent *
+         (1 - square * (1.0 / 3 - square * (1.0 / 5 - square * (1.0 / 7 - square * late))));
 }
 
 }  // namespace

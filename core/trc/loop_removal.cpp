@@ -421,7 +421,7 @@ LoopRemoval::Step LoopRemoval::leave(const Onset& onset, bool ended) {
   const Place here{at_.block, onset.along};
   const bool tolerated = here < tolerated_;
   const auto exit = find_exit(onset, tolerated ? Nearness::passable : Nearness::exact);
-  if (exit && violates(here, exit->continues)) {
+  if (exit && violates(here, exit->continues, onset.obstacle)) {
     // Between the exit and the onset a block that is yet to come may be in the way.
     const bool behind = exit->piece < pieces_.end();
     if (behind && !is_known(pieces_[exit->piece].block, window_, ended)) return Step::wait;
@@ -462,11 +462,17 @@ bool LoopRemoval::runs_backwards(std::size_t block) const {
   return way.dot(tangent_at_start(programmed)) < -tolerances_.on_contour;
 }
 
-bool LoopRemoval::violates(const Place& from, const Place& to) const {
+bool LoopRemoval::violates(const Place& from, const Place& to, std::size_t obstacle) const {
   for (std::size_t block = from.block; block <= to.block; ++block) {
-    const double length = length_of(path(block).path);
+    const Segment& segment = path(block).path;
+    const double length = length_of(segment);
     const double begin = block == from.block ? from.along : 0;
     const double end = block == to.block ? std::min(to.along, length) : length;
+    // Mostly it is what the loop begins at: one of the neighbours there, which need not be found.
+    const double limit = reach(block, Nearness::passable);
+    if (block == from.block && begin < end && limit > 0 &&
+        first_entry(segment, begin, end, contour(obstacle).programmed, limit))
+      return true;
     const bool whole = block != from.block && block != to.block;
     if (whole && (path(block).unreachable || runs_backwards(block))) return true;
     if (comes_nearer(block, begin, end, Nearness::passable)) return true;

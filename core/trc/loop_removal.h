@@ -207,7 +207,8 @@ class LoopRemoval {
   [[nodiscard]] bool reaches_out(const HeldPath::ContourBlock& block, const Point& point) const;
   // Nothing is left between the corners of the block: it is travelled backwards.
   [[nodiscard]] bool runs_backwards(std::size_t block) const;
-  [[nodiscard]] bool violates(const Place& from, const Place& to) const;
+  // Whether the loop between two places does; it begins where the path enters the obstacle.
+  [[nodiscard]] bool violates(const Place& from, const Place& to, std::size_t obstacle) const;
 
   void let_go_to(std::size_t end, PathBlocks& out);
   void let_go(std::size_t number, PathBlocks& out);
