@@ -9,7 +9,7 @@ set -euo pipefail
 work=$1
 
 cmake -G Ninja -S . -B "$work" -D TRC_TESTS=OFF \
-  -D CMAKE_DISABLE_PRECOMPILE_HEADERS=ON >"$work.log" 2>&1 || { cat "$work.log"; exit 1; }
+  -D CMAKE_DISABLE_PRECOMPILE_HEADERS=ON -D CMAKE_UNITY_BUILD=OFF >"$work.log" 2>&1 || { cat "$work.log"; exit 1; }
 
 # The sources include generated headers.
 ninja -C "$work" -t targets all | sed -n 's/^\(.*\.pb\.h\): .*/\1/p' |
