@@ -51,6 +51,7 @@ template <class Batch>
 void PathRun::read(const Batch& batch) {
   const Meter::Running running(meter_);
   wire::FieldFaults faults;
+  items_ = 0;  // groups begin with a batch: a resumed stream has those of the unbroken one
   reader_.read(
       batch, [&](const wire::PathInput& input) { return give(input); }, faults);
   if (answers_.failed()) return;

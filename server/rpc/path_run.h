@@ -63,7 +63,7 @@ class PathRun {
   wire::BlockReader reader_;
   Answers answers_;
   Meter meter_;
-  std::size_t items_ = 0;
+  std::size_t items_ = 0;  // given, of the batch
   bool verifies_ = false;
   bool finished_ = false;
 };
