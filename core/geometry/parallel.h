@@ -12,9 +12,12 @@ namespace trc {
 }
 
 // The radius of the circle that is `shift` mm to the left of the arc; not
-// positive when the arc would vanish.
+// positive when the arc would vanish. `radius`: of the arc, where it is known.
+[[nodiscard]] inline double parallel_radius(const Arc& arc, double radius, double shift) {
+  return radius - (arc.sweep > 0 ? shift : -shift);
+}
 [[nodiscard]] inline double parallel_radius(const Arc& arc, double shift) {
-  return radius_of(arc) - (arc.sweep > 0 ? shift : -shift);
+  return parallel_radius(arc, radius_of(arc), shift);
 }
 
 }  // namespace trc

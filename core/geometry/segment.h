@@ -57,13 +57,25 @@ overloaded(Cases...) -> overloaded<Cases...>;
   return arc != nullptr ? arc->end : std::get<Line>(segment).end;
 }
 
+// A vector as its direction, of length 1, and its length: one root for both.
+struct Directed {
+  Vector unit = Vector::UnitX();
+  double length = 0;
+};
+[[nodiscard]] inline Directed directed(const Vector& v) {
+  const double length = v.norm();
+  return {.unit = length > 0 ? Vector(v / length) : v, .length = length};
+}
+
 // Unit vectors in travel direction. The segment has a length (D-29).
-[[nodiscard]] inline Vector tangent_at(const Point& point, const Arc& arc) {
-  const Vector radial = (point - arc.center).normalized();
+[[nodiscard]] inline Vector tangent_across(const Vector& radial, const Arc& arc) {
   return arc.sweep > 0 ? left_of(radial) : Vector(-left_of(radial));
 }
+[[nodiscard]] inline Vector tangent_at(const Point& point, const Arc& arc) {
+  return tangent_across(directed(point - arc.center).unit, arc);
+}
 [[nodiscard]] inline Vector tangent_of(const Line& line) {
-  return (line.end - line.start).normalized();
+  return directed(line.end - line.start).unit;
 }
 [[nodiscard]] inline Vector tangent_at_start(const Segment& segment) {
   if (const auto* arc = std::get_if<Arc>(&segment)) return tangent_at(arc->start, *arc);

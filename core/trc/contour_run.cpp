@@ -101,23 +101,25 @@ void ContourRun::offset(MotionBlock& programmed, Step& step, Corner& begin, Corn
   OffsetCurve& last = end.before;
   step.programmed = &programmed;
   if (const auto* arc = std::get_if<Arc>(&programmed.path)) {
-    const Vector start_tangent = tangent_at(arc->start, *arc);
+    const auto [radial, radius] = directed(arc->start - arc->center);
+    const Vector start_tangent = tangent_across(radial, *arc);
     const Vector end_tangent = tangent_at(arc->end, *arc);
-    first = offset_curve(*arc, start_tangent, parallel_point(arc->start, start_tangent, shift_),
-                         shift_);
-    last = offset_curve(*arc, end_tangent, parallel_point(arc->end, end_tangent, shift_), shift_);
+    first = offset_curve(*arc, radius, start_tangent,
+                         parallel_point(arc->start, start_tangent, shift_), shift_);
+    last = offset_curve(*arc, radius, end_tangent, parallel_point(arc->end, end_tangent, shift_),
+                        shift_);
     end.programmed = arc->end;
-    step.length = length_of(*arc);
+    step.length = std::abs(arc->sweep) * radius;
     step.extent = std::abs(arc->sweep);
     step.unreachable = removes_loops_ && first.circle.radius <=
                                              tolerances_.rounding * std::max(std::abs(shift_), 1.0);
   } else {
     const Line& line = std::get<Line>(programmed.path);
-    const Vector tangent = tangent_of(line);
+    const auto [tangent, length] = directed(line.end - line.start);
     first = {.anchor = parallel_point(line.start, tangent, shift_), .tangent = tangent};
     last = {.anchor = parallel_point(line.end, tangent, shift_), .tangent = tangent};
     end.programmed = line.end;
-    step.length = step.extent = length_of(line);
+    step.length = step.extent = length;
     step.unreachable = false;
   }
   step.tangent_at_start = first.tangent;

@@ -28,19 +28,21 @@ struct OffsetCurve {
   [[nodiscard]] bool exists() const { return !circular || circle.radius > 0; }
 };
 
-// `shift` as in Compensation.
-[[nodiscard]] inline OffsetCurve offset_curve(const Arc& programmed, const Vector& tangent,
-                                              const Point& anchor, double shift) {
+// `shift` as in Compensation; `radius` that of the arc.
+[[nodiscard]] inline OffsetCurve offset_curve(const Arc& programmed, double radius,
+                                              const Vector& tangent, const Point& anchor,
+                                              double shift) {
   return {.anchor = anchor,
           .tangent = tangent,
           .circular = true,
           .counter_clockwise = programmed.sweep > 0,
-          .circle = {.center = programmed.center, .radius = parallel_radius(programmed, shift)}};
+          .circle = {.center = programmed.center,
+                     .radius = parallel_radius(programmed, radius, shift)}};
 }
 [[nodiscard]] inline OffsetCurve offset_curve(const Segment& programmed, const Vector& tangent,
                                               const Point& anchor, double shift) {
   if (const auto* arc = std::get_if<Arc>(&programmed))
-    return offset_curve(*arc, tangent, anchor, shift);
+    return offset_curve(*arc, radius_of(*arc), tangent, anchor, shift);
   return {.anchor = anchor, .tangent = tangent};
 }
 
