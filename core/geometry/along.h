@@ -17,6 +17,12 @@ namespace trc {
 // The place nearest to `point`, between the ends.
 [[nodiscard]] double nearest_along(const Segment& segment, const Point& point);
 
+// It turns on the spot: where it begins, the segment before it ends.
+[[nodiscard]] inline bool has_no_radius(const Segment& segment) {
+  const auto* arc = std::get_if<Arc>(&segment);
+  return arc != nullptr && arc->start == arc->center;
+}
+
 // The stretch between two places, with the ends as given: they are those of its
 // neighbours, bit for bit.
 [[nodiscard]] Segment stretch_of(const Segment& segment, double from, double to, const Point& start,

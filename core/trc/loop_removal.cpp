@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "core/geometry/along.h"
-#include "core/geometry/distance.h"
 #include "core/trc/removed_loop.h"
 #include "core/trc/selection_limit.h"
 
@@ -17,15 +16,6 @@ bool is_compensated(const PathBlock& block) {
   return block.role == Role::contour ||
          (block.role == Role::inserted &&
           (block.origin == Origin::transition || block.origin == Origin::radius_change));
-}
-
-// Where places along a block count as one.
-double slack_of(const Tolerances& tolerances) { return 0.01 * tolerances.same_point; }
-
-// It turns on the spot: where it begins, the block before it ends.
-bool has_no_radius(const Segment& segment) {
-  const auto* arc = std::get_if<Arc>(&segment);
-  return arc != nullptr && arc->start == arc->center;
 }
 
 }  // namespace
@@ -63,16 +53,15 @@ bool LoopRemoval::end_selection() {
   leaving_ = is_holding();
   if (!walk(true)) return false;
   // Nothing is near anything any more.
-  boxes_ = BoxTree();
-  piece_boxes_ = BoxTree();
-  certificate_ = Certificate(tolerances_);
+  obstacles_.clear();
+  walked_.drop_boxes();
   return true;
 }
 
 bool LoopRemoval::let_go_some(PathBlocks& out) {
   constexpr std::size_t portion = 32;  // whose storage is the same for each
-  let_go_to(std::min(pieces_.begin() + portion, pieces_.end()), out);
-  if (!pieces_.empty()) {
+  let_go_to(std::min(walked_.begin() + portion, walked_.end()), out);
+  if (!walked_.empty()) {
     path_.forget_path_before(next_);
     return true;
   }
@@ -84,12 +73,12 @@ bool LoopRemoval::let_go_some(PathBlocks& out) {
 }
 
 bool LoopRemoval::let_go_next(PathBlock& block) {
-  if (!entering_.empty() || pieces_.empty()) return false;
-  const auto& [at, cut] = pieces_[pieces_.begin()];
-  if (cut != Kept::whole || at != next_) return false;
+  if (!entering_.empty() || walked_.empty()) return false;
+  const auto& [at, cut] = walked_.kept(walked_.begin());
+  if (cut != WalkedPath::Kept::whole || at != next_) return false;
   path_.restore(at, block);
   next_ = at + 1;
-  pieces_.drop_before(pieces_.begin() + 1);
+  walked_.drop_before(walked_.begin() + 1);
   constexpr std::size_t now_and_then = 32;
   if (at % now_and_then == 0) path_.forget_path_before(at);
   return true;
@@ -99,20 +88,15 @@ void LoopRemoval::begin_selection() {
   entering_.clear();
   path_ = HeldPath();
   largest_radius_ = 0;
-  boxes_ = BoxTree();
+  obstacles_.clear();
   apart_ = false;
-  certificate_ = Certificate(tolerances_);
-  pieces_ = NumberedQueue<Kept>();
-  cuts_ = NumberedQueue<Piece>();
+  walked_.clear();
   first_of_chain_ = 0;
-  piece_boxes_ = BoxTree();
   walking_ = false;
   at_ = {};
   tolerated_ = {};
   next_ = 0;
   leaving_ = false;
-  surveyed_ = {};
-  near_.clear();
 }
 
 bool LoopRemoval::has_room_for(const PathBlock& block) {
@@ -135,75 +119,46 @@ bool LoopRemoval::hold(PathBlock& block) {
 }
 
 void LoopRemoval::note_contour_block(const PathBlock& block) {
-  certificate_.append(block, std::exchange(apart_, false));
   const Box area = bounding_box(block.programmed.path);
-  boxes_.append(area);
+  obstacles_.append(block, area, std::exchange(apart_, false));
   if (window_ > 0) reconsider(end_of_contour() - 1, area);
 }
 
 // A new contour block may come near to what has been walked without it: from there
 // the path is walked again.
 void LoopRemoval::reconsider(std::size_t number, const Box& area) {
-  const std::size_t chain = certificate_.chain_before(number);
-  first_of_chain_ = std::clamp(first_of_chain_, pieces_.begin(), pieces_.end());
-  while (first_of_chain_ < pieces_.end() && number_of(pieces_[first_of_chain_].block) < chain)
+  const std::size_t chain = obstacles_.chain_before(number);
+  first_of_chain_ = std::clamp(first_of_chain_, walked_.begin(), walked_.end());
+  while (first_of_chain_ < walked_.end() && number_of(walked_.kept(first_of_chain_).block) < chain)
     ++first_of_chain_;
-  if (first_of_chain_ == pieces_.begin()) return;
+  if (first_of_chain_ == walked_.begin()) return;
   const Segment& obstacle = contour(number).programmed;
-  std::size_t earliest = pieces_.end();
+  std::size_t earliest = walked_.end();
   const auto compare = [&](std::size_t index) {
     if (index >= earliest) return;
-    const Piece walked = piece(index);
+    const PathPiece walked = walked_[index];
     const std::size_t own = number_of(walked.block);
     if (own + window_ < number) return;
     if (first_entry(path(walked.block).path, walked.from, walked.to, obstacle,
-                    reach(walked.block, Nearness::exact)))
+                    obstacles_.reach(walked.block, Nearness::exact)))
       earliest = index;
   };
-  piece_boxes_.for_each_near(area, largest_radius_, {first_of_chain_, pieces_.end()}, compare);
-  if (earliest == pieces_.end()) return;
-  at_ = piece(earliest);
+  walked_.for_each_near(area, largest_radius_, {first_of_chain_, walked_.end()}, compare);
+  if (earliest == walked_.end()) return;
+  at_ = walked_[earliest];
   drop_pieces(earliest);
   tolerated_ = {};
 }
 
-void LoopRemoval::rebuild_boxes() {
-  const auto& contour = path_.contour();
-  boxes_ = BoxTree(contour.begin());
-  for (std::size_t number = contour.begin(); number < contour.end(); ++number)
-    boxes_.append(bounding_box(contour[number].programmed));
-  piece_boxes_ = BoxTree(pieces_.begin());
-  for (std::size_t number = pieces_.begin(); number < pieces_.end(); ++number)
-    piece_boxes_.append(bounding_box(path(pieces_[number].block).path));
-}
-
-LoopRemoval::Piece LoopRemoval::piece(std::size_t number) const {
-  const auto& [block, cut] = pieces_[number];
-  if (cut != Kept::whole) return cuts_[cut];
-  const Segment& segment = path(block).path;
-  return {
-      .block = block, .to = length_of(segment), .start = start_of(segment), .end = end_of(segment)};
-}
-
-void LoopRemoval::keep_cut() {
-  pieces_.push_back(
-      {static_cast<HeldPath::Number>(at_.block), static_cast<HeldPath::Number>(cuts_.end())});
-  cuts_.push_back(at_);
-  if (window_ > 0) piece_boxes_.append(bounding_box(path(at_.block).path));
-}
-
 void LoopRemoval::drop_pieces(std::size_t kept) {
-  for (std::size_t number = pieces_.end(); number-- > kept;)
-    if (pieces_[number].cut != Kept::whole) cuts_.truncate(pieces_[number].cut);
-  pieces_.truncate(kept);
+  walked_.truncate(kept);
   first_of_chain_ = std::min(first_of_chain_, kept);
-  if (window_ > 0) piece_boxes_.truncate(kept);
 }
 
 bool LoopRemoval::proceed(PathBlocks& out) {
   if (!walk(false)) return false;
-  std::size_t due = pieces_.begin();
-  while (due < pieces_.end() && is_known(pieces_[due].block, window_, false)) ++due;
+  std::size_t due = walked_.begin();
+  while (due < walked_.end() && is_known(walked_.kept(due).block, window_, false)) ++due;
   let_go_to(due, out);
   forget();
   return true;
@@ -211,7 +166,7 @@ bool LoopRemoval::proceed(PathBlocks& out) {
 
 // Drops what no window reaches any more.
 void LoopRemoval::forget() {
-  piece_boxes_.drop_before(pieces_.begin());
+  walked_.drop_boxes_before(walked_.begin());
   if (next_ >= end_of_path()) return;
   const std::size_t number = number_of(next_);
   // Some more than the window, now and then.
@@ -219,148 +174,24 @@ void LoopRemoval::forget() {
   if (number <= path_.contour().begin() + window_ + 1 + some) return;
   const std::size_t keep = number - window_ - 1;
   path_.forget_before(keep);
-  boxes_.drop_before(keep);
-  certificate_.drop_before(keep);
+  obstacles_.drop_before(keep);
 }
 
 bool LoopRemoval::is_known(std::size_t block, std::size_t lead, bool ended) const {
   return ended || number_of(block) + lead < end_of_contour();
 }
 
-double LoopRemoval::part_of(Nearness nearness) const {
-  return nearness == Nearness::exact ? tolerances_.rounding : tolerances_.passable;
-}
-
-double LoopRemoval::reach(std::size_t block, Nearness nearness) const {
-  const double radius = path_.radius_of_tool(block);
-  return radius - part_of(nearness) * std::max(radius, 1.0);
-}
-
-BoxTree::Range LoopRemoval::certified(std::size_t block) const {
-  const std::size_t number = number_of(block);
-  if (path(block).unreachable) return {};
-  if (path(block).is_contour())
-    return {certificate_.chain_before(number), certificate_.chain_behind(number)};
-  // A transition belongs to the blocks on both sides of the corner.
-  const std::size_t behind = number + 1;
-  if (behind >= end_of_contour() || certificate_.chain_before(behind) > number) return {};
-  return {certificate_.chain_before(behind), certificate_.chain_behind(number)};
-}
-
-void LoopRemoval::find_neighbours(std::size_t block, double limit) const {
-  const Box area = bounding_box(path(block).path);
-  const BoxTree::Range skipped = certified(block);
-  const std::size_t own = number_of(block);
-  // Only an arc turned inside out comes too near to its own block.
-  const bool sees_own = !path(block).is_contour() || path(block).unreachable;
-  neighbours_.clear();
-  // All that can be seen is certified.
-  if (window_ > 0 && skipped.first + window_ <= std::max(own, path_.contour().begin() + window_) &&
-      skipped.last + 1 >= std::min(own + window_ + 1, end_of_contour()))
-    return;
-  const auto add = [&](std::size_t number) {
-    checkpoint_.pass();
-    const bool visible = window_ == 0 || (number <= own + window_ && own <= number + window_);
-    if (visible && (sees_own || number != own)) neighbours_.push_back(number);
-  };
-  if (block < surveyed_.first || block >= surveyed_.end) {
-    boxes_.for_each_near(area, limit, skipped, add);
-    return;
-  }
-  near_.for_each_near(area, limit, [&](std::size_t number) {
-    if (number < skipped.first || number > skipped.last) add(number);
-  });
-}
-
-std::optional<LoopRemoval::Onset> LoopRemoval::onset(std::size_t block, double from, double to,
-                                                     Nearness nearness) const {
-  const double limit = reach(block, nearness);
-  if (!(from < to) || limit <= 0) return std::nullopt;
-  find_neighbours(block, limit);
-  if (neighbours_.empty()) return std::nullopt;
-  const Segment& segment = path(block).path;
-  PathPart part(segment, from, to);
-  std::optional<Onset> first;
-  const auto compare = [&](std::size_t number) {
-    const auto entry = part.first_entry(contour(number).programmed, limit);
-    if (!entry) return false;
-    first = {*entry, number};
-    part = PathPart(segment, from, *entry);
-    return true;
-  };
-  // What is nearest halfway is run into before that: with less and less of the block at stake
-  // most of the others are out of question.
-  while (are_many() && part.half_length() > 0) {
-    const std::optional<std::size_t> nearest = drop_those_off(part, limit);
-    if (!nearest || !compare(*nearest)) break;
-  }
-  for (const std::size_t number : neighbours_) compare(number);
-  return first;
-}
-
-bool LoopRemoval::comes_nearer(std::size_t block, double from, double to, Nearness nearness) const {
-  const double limit = reach(block, nearness);
-  if (!(from < to) || limit <= 0) return false;
-  find_neighbours(block, limit);
-  if (neighbours_.empty()) return false;
-  const PathPart part(path(block).path, from, to);
-  const auto is_entered = [&](std::size_t number) {
-    return part.first_entry(contour(number).programmed, limit).has_value();
-  };
-  if (are_many()) {
-    const std::optional<std::size_t> nearest = drop_those_off(part, limit);
-    if (nearest && is_entered(*nearest)) return true;
-  }
-  return std::any_of(neighbours_.begin(), neighbours_.end(), is_entered);
-}
-
-std::optional<std::size_t> LoopRemoval::drop_those_off(const PathPart& part, double limit) const {
-  const double half = part.half_length();
-  std::optional<std::size_t> nearest;
-  double least = limit;
-  std::erase_if(neighbours_, [&](std::size_t number) {
-    const double apart = distance(part.middle(), contour(number).programmed);
-    if (apart < least) {
-      nearest = number;
-      least = apart;
-    }
-    return apart >= limit + half;
-  });
-  return nearest;
-}
-
-// Asks for many blocks at once: they have nearly the same neighbours, and mostly none.
-void LoopRemoval::survey() {
-  constexpr std::size_t group = 32;
-  surveyed_ = {at_.block, std::min(at_.block + group, end_of_path())};
-  near_.clear();
-  Box area;
-  double radius = 0;
-  BoxTree::Range common{0, end_of_contour()};
-  for (std::size_t block = surveyed_.first; block < surveyed_.end; ++block) {
-    area.extend(bounding_box(path(block).path));
-    radius = std::max(radius, path_.radius_of_tool(block));
-    const BoxTree::Range own = certified(block);
-    common = {std::max(common.first, own.first), std::min(common.last, own.last)};
-  }
-  boxes_.for_each_near(area, radius, common,
-                       [&](std::size_t number) { near_.add(number, boxes_[number]); });
-}
-
-std::optional<LoopRemoval::Onset> LoopRemoval::next_onset(bool ended) {
+std::optional<Obstacles::Onset> LoopRemoval::next_onset(bool ended) {
   // Before the end of the contour new neighbours come with every block.
-  if (ended) {
-    if (at_.block < surveyed_.first || at_.block >= surveyed_.end) survey();
-    if (near_.empty()) return std::nullopt;
-  }
+  if (ended && obstacles_.is_clear(at_.block)) return std::nullopt;
   const double length = length_of(path(at_.block).path);
   double from = at_.from;
   if (tolerated_.block >= at_.block) {
     const double to = tolerated_.block > at_.block ? length : std::min(length, tolerated_.along);
-    if (const auto found = onset(at_.block, from, to, Nearness::passable)) return found;
+    if (const auto found = obstacles_.onset(at_.block, from, to, Nearness::passable)) return found;
     from = std::max(from, to);
   }
-  return onset(at_.block, from, length, Nearness::exact);
+  return obstacles_.onset(at_.block, from, length, Nearness::exact);
 }
 
 bool LoopRemoval::walk(bool ended) {
@@ -389,7 +220,7 @@ bool LoopRemoval::begin_walk(bool ended) {
   walking_ = true;
   at_ = {.block = 0, .start = start_of(path(0).path)};
   // The approach leads to the first point, which therefore has to stay (D-11).
-  const auto at_start = onset(0, 0, length_of(path(0).path), Nearness::passable);
+  const auto at_start = obstacles_.onset(0, 0, length_of(path(0).path), Nearness::passable);
   return !at_start || at_start->along > 0 || refuse(*at_start);
 }
 
@@ -402,15 +233,14 @@ void LoopRemoval::advance() {
     return;
   }
   if (at_.from == 0 && !at_.behind_loop && at_.start == start_of(segment)) {
-    pieces_.push_back({.block = static_cast<HeldPath::Number>(at_.block)});
-    if (window_ > 0) piece_boxes_.append(bounding_box(segment));
+    walked_.add_whole(at_.block);
     ++at_.block;
     at_.start = end_of(segment);
     return;
   }
   at_.to = length_of(segment);
   at_.end = end_of(segment);
-  keep_cut();
+  walked_.add(at_);
   at_ = {.block = at_.block + 1, .start = end_of(segment)};
 }
 
@@ -418,13 +248,13 @@ LoopRemoval::Step LoopRemoval::leave(const Onset& onset, bool ended) {
   // The transition behind the obstacle comes with the next block.
   const bool complete = ended || onset.obstacle + 1 < end_of_contour();
   if (!complete && !is_known(at_.block, window_, ended)) return Step::wait;
-  const Place here{at_.block, onset.along};
+  const PathPlace here{at_.block, onset.along};
   const bool tolerated = here < tolerated_;
-  const auto exit = find_exit(onset, tolerated ? Nearness::passable : Nearness::exact);
+  const auto exit = way_out_.find(at_, onset, tolerated ? Nearness::passable : Nearness::exact);
   if (exit && violates(here, exit->continues, onset.obstacle)) {
     // Between the exit and the onset a block that is yet to come may be in the way.
-    const bool behind = exit->piece < pieces_.end();
-    if (behind && !is_known(pieces_[exit->piece].block, window_, ended)) return Step::wait;
+    const bool behind = exit->piece < walked_.end();
+    if (behind && !is_known(walked_.kept(exit->piece).block, window_, ended)) return Step::wait;
     jump(*exit);
     return Step::done;
   }
@@ -437,12 +267,12 @@ LoopRemoval::Step LoopRemoval::leave(const Onset& onset, bool ended) {
   if (tolerated) return refuse(onset) ? Step::done : Step::stop;
   // No way on from here, but it may not be needed.
   const double length = length_of(path(at_.block).path);
-  const auto serious = this->onset(at_.block, onset.along, length, Nearness::passable);
+  const auto serious = obstacles_.onset(at_.block, onset.along, length, Nearness::passable);
   if (!serious) {
     tolerated_ = {at_.block, length};
     return Step::done;
   }
-  if (const auto late = find_exit(*serious, Nearness::passable)) {
+  if (const auto late = way_out_.find(at_, *serious, Nearness::passable)) {
     jump(*late);
     return Step::done;
   }
@@ -462,153 +292,31 @@ bool LoopRemoval::runs_backwards(std::size_t block) const {
   return way.dot(tangent_at_start(programmed)) < -tolerances_.on_contour;
 }
 
-bool LoopRemoval::violates(const Place& from, const Place& to, std::size_t obstacle) const {
+bool LoopRemoval::violates(const PathPlace& from, const PathPlace& to, std::size_t obstacle) const {
   for (std::size_t block = from.block; block <= to.block; ++block) {
     const Segment& segment = path(block).path;
     const double length = length_of(segment);
     const double begin = block == from.block ? from.along : 0;
     const double end = block == to.block ? std::min(to.along, length) : length;
     // Mostly it is what the loop begins at: one of the neighbours there, which need not be found.
-    const double limit = reach(block, Nearness::passable);
+    const double limit = obstacles_.reach(block, Nearness::passable);
     if (block == from.block && begin < end && limit > 0 &&
         first_entry(segment, begin, end, contour(obstacle).programmed, limit))
       return true;
     const bool whole = block != from.block && block != to.block;
     if (whole && (path(block).unreachable || runs_backwards(block))) return true;
-    if (comes_nearer(block, begin, end, Nearness::passable)) return true;
+    if (obstacles_.comes_nearer(block, begin, end, Nearness::passable)) return true;
   }
   return false;
 }
 
-std::optional<LoopRemoval::Exit> LoopRemoval::find_exit(const Onset& onset,
-                                                        Nearness nearness) const {
-  const std::vector<std::size_t> obstacles = obstacles_at(onset, nearness);
-  // Where the path is in one point again and again, all continuations but the first may leave out
-  // what is legal.
-  std::optional<Exit> first;
-  for (const std::size_t number : obstacles) {
-    const auto exit = exit_here({onset.along, number}, nearness);
-    if (!exit) continue;
-    const bool same = first && (exit->point - first->point).norm() <= slack_of(tolerances_);
-    if (!first || (same && exit->continues < first->continues)) first = exit;
-  }
-  if (first) return first;
-  for (const std::size_t number : obstacles)
-    if (auto exit = exit_behind({onset.along, number})) return exit;
-  return std::nullopt;
-}
-
-std::vector<std::size_t> LoopRemoval::obstacles_at(const Onset& onset, Nearness nearness) const {
-  std::vector<std::size_t> numbers{onset.obstacle};
-  const Point place = point_along(path(at_.block).path, onset.along);
-  const double limit = reach(at_.block, nearness) + tolerances_.same_point;
-  boxes_.for_each_near(Box(place), limit, [&](std::size_t number) {
-    const HeldPath::ContourBlock& other = contour(number);
-    if (number == onset.obstacle || other.block == at_.block) return;
-    if (distance(place, other.programmed) <= limit) numbers.push_back(number);
-  });
-  return numbers;
-}
-
-LoopRemoval::Stretch LoopRemoval::stretch_about(std::size_t obstacle) const {
-  const std::size_t begin =
-      obstacle > path_.contour().begin() ? contour(obstacle - 1).block : path_.blocks().begin();
-  const std::size_t end =
-      obstacle + 1 < end_of_contour() ? contour(obstacle + 1).block + 1 : end_of_path();
-  return {std::max(begin, at_.block + 1), end};
-}
-
-std::optional<LoopRemoval::Exit> LoopRemoval::exit_here(const Onset& onset,
-                                                        Nearness nearness) const {
-  const auto [first, end] = stretch_about(onset.obstacle);
-  if (first >= end) return std::nullopt;
-  Piece piece = at_;
-  piece.to = onset.along;
-  if (auto exit = crossing_in(piece, pieces_.end(), onset.obstacle, true)) return exit;
-  // Side by side there is no crossing to be had, but the distance tells. By as much as
-  // the path is moved over it comes nearer to its own block.
-  const Point place = point_along(path(at_.block).path, onset.along);
-  const double radius = std::max(path_.radius_of_tool(at_.block), 1.0);
-  const double part = nearness == Nearness::exact ? 4 * tolerances_.rounding : tolerances_.passable;
-  for (std::size_t block = first; block < end; ++block) {
-    const Segment& segment = path(block).path;
-    if (are_apart(Box(place), bounding_box(segment), part * radius)) continue;
-    const double along = nearest_along(segment, place);
-    const Point point = point_along(segment, along);
-    if (!path(block).unreachable && (point - place).norm() <= part * radius)
-      return Exit{pieces_.end(), onset.along, {block, along}, point};
-  }
-  return std::nullopt;
-}
-
-std::optional<LoopRemoval::Exit> LoopRemoval::exit_behind(const Onset& onset) const {
-  const HeldPath::ContourBlock& obstacle = contour(onset.obstacle);
-  // Only a mitre reaches farther out than the tool.
-  const auto reach_in_radii = [&](std::size_t block) {
-    const TrcMode& mode = path_.mode_of(block);
-    return mode.transition == Transition::linear ? mode.options.stretch_factor : 1;
-  };
-  const double farthest = 4 * path_.largest_radius(obstacle) *
-                          (1 + std::max(reach_in_radii(at_.block), reach_in_radii(obstacle.block)));
-  double back = onset.along - at_.from;
-  bool beside = true;
-  for (std::size_t number = pieces_.end(); number-- > pieces_.begin() && back <= farthest;) {
-    const Piece walked = piece(number);
-    beside = beside && !reaches_out(obstacle, walked.end);
-    if (auto exit = crossing_in(walked, number, onset.obstacle, beside)) return exit;
-    back += walked.to - walked.from;
-  }
-  return std::nullopt;
-}
-
-std::optional<LoopRemoval::Exit> LoopRemoval::crossing_in(const Piece& piece, std::size_t number,
-                                                          std::size_t obstacle, bool beside) const {
-  checkpoint_.pass();
-  const double slack = slack_of(tolerances_);
-  const Segment& segment = path(piece.block).path;
-  if (has_no_radius(segment)) return std::nullopt;
-  const auto [first, end] = stretch_about(obstacle);
-  const Box area = bounding_box(segment);
-  std::optional<Exit> latest;
-  for (std::size_t block = first; block < end; ++block) {
-    if (path(block).unreachable || has_no_radius(path(block).path)) continue;
-    if (are_apart(area, bounding_box(path(block).path), 3 * slack)) continue;
-    for (const Crossing& crossing : crossings(segment, path(block).path, slack)) {
-      if (crossing.along_first < piece.from - slack || crossing.along_first > piece.to + slack)
-        continue;
-      if (latest && crossing.along_first < latest->leaves - slack) continue;
-      const bool leads_to_it = beside && !reaches_out(contour(obstacle), crossing.point);
-      if (!leads_to_it && !reaches_out(contour(number_of(piece.block)), crossing.point) &&
-          !reaches_out(contour(number_of(block)), crossing.point))
-        continue;
-      latest = Exit{number,
-                    std::max(crossing.along_first, piece.from),
-                    {block, crossing.along_second},
-                    crossing.point};
-    }
-  }
-  return latest;
-}
-
-// Segments cross in places that are up to `slack` beyond their ends and as far from each other.
-// Points of theirs are not computed to the last digits; what is farther apart than one point may be
-// wide is so all the same.
-bool LoopRemoval::are_apart(const Box& one, const Box& other, double reach) const {
-  const double farthest = reach + tolerances_.same_point;
-  return squared_distance(one, other) > farthest * farthest;
-}
-
-bool LoopRemoval::reaches_out(const HeldPath::ContourBlock& block, const Point& point) const {
-  return distance(point, block.programmed) > path_.largest_radius(block) + tolerances_.same_point;
-}
-
-void LoopRemoval::jump(const Exit& exit) {
-  const double slack = slack_of(tolerances_);
-  if (exit.piece < pieces_.end()) {
-    at_ = piece(exit.piece);
+void LoopRemoval::jump(const LoopExit& exit) {
+  const double slack = slack_of_places(tolerances_);
+  if (exit.piece < walked_.end()) {
+    at_ = walked_[exit.piece];
     drop_pieces(exit.piece);
   }
-  Place next = exit.continues;
+  PathPlace next = exit.continues;
   Point point = exit.point;
   const Segment& segment = path(next.block).path;
   if (length_of(segment) - next.along <= slack) {
@@ -624,7 +332,7 @@ void LoopRemoval::jump(const Exit& exit) {
   if (exit.leaves - at_.from > slack || outermost) {
     at_.to = exit.leaves;
     at_.end = point;
-    keep_cut();
+    walked_.add(at_);
   } else {
     point = at_.start;
   }
@@ -645,21 +353,21 @@ void LoopRemoval::pass_by(std::size_t end, const Point& place, PathBlocks& out) 
 }
 
 void LoopRemoval::let_go_to(std::size_t end, PathBlocks& out) {
-  if (leaving_ || pieces_.begin() < end)
+  if (leaving_ || walked_.begin() < end)
     for (PathBlockPtr& block : std::exchange(entering_, {})) out.push_back(std::move(block));
-  for (std::size_t number = pieces_.begin(); number < end; ++number) let_go(number, out);
-  pieces_.drop_before(end);
+  for (std::size_t number = walked_.begin(); number < end; ++number) let_go(number, out);
+  walked_.drop_before(end);
 }
 
 void LoopRemoval::let_go(std::size_t number, PathBlocks& out) {
-  const auto& [at, cut] = pieces_[number];
-  if (cut == Kept::whole) {
+  const auto& [at, cut] = walked_.kept(number);
+  if (cut == WalkedPath::Kept::whole) {
     if (next_ < at) pass_by(at, start_of(path(at).path), out);
     next_ = at + 1;
     out.push_back(path_.restored(at));
     return;
   }
-  const Piece& piece = cuts_[cut];
+  const PathPiece& piece = walked_.cut(cut);
   if (next_ < at) pass_by(at, piece.start, out);
   next_ = at + 1;
   PathBlockPtr block = path_.restored(at);
@@ -670,7 +378,7 @@ void LoopRemoval::let_go(std::size_t number, PathBlocks& out) {
                      piece.end == end_of(block->tool_path);
   if (!whole) shorten(*block, piece.from, piece.to, piece.start, piece.end);
   out.push_back(std::move(block));
-  cuts_.drop_before(cut + 1);
+  walked_.drop_cuts_before(cut + 1);
 }
 
 void LoopRemoval::report_masked(std::size_t first, std::size_t last, const Point& place) {

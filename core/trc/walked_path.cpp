@@ -1,0 +1,48 @@
+#include "core/trc/walked_path.h"
+
+namespace trc {
+
+PathPiece WalkedPath::operator[](std::size_t number) const {
+  const auto& [block, cut] = pieces_[number];
+  if (cut != Kept::whole) return cuts_[cut];
+  const Segment& segment = path_.blocks()[block].path;
+  return {
+      .block = block, .to = length_of(segment), .start = start_of(segment), .end = end_of(segment)};
+}
+
+void WalkedPath::add_whole(std::size_t block) {
+  pieces_.push_back({.block = static_cast<HeldPath::Number>(block)});
+  note_box(block);
+}
+
+void WalkedPath::add(const PathPiece& piece) {
+  pieces_.push_back(
+      {static_cast<HeldPath::Number>(piece.block), static_cast<HeldPath::Number>(cuts_.end())});
+  cuts_.push_back(piece);
+  note_box(piece.block);
+}
+
+void WalkedPath::truncate(std::size_t number) {
+  for (std::size_t last = pieces_.end(); last-- > number;)
+    if (pieces_[last].cut != Kept::whole) cuts_.truncate(pieces_[last].cut);
+  pieces_.truncate(number);
+  if (finds_near_) boxes_.truncate(number);
+}
+
+void WalkedPath::clear() {
+  pieces_ = NumberedQueue<Kept>();
+  cuts_ = NumberedQueue<PathPiece>();
+  boxes_ = BoxTree();
+}
+
+void WalkedPath::note_box(std::size_t block) {
+  if (finds_near_) boxes_.append(bounding_box(path_.blocks()[block].path));
+}
+
+void WalkedPath::rebuild_boxes() {
+  boxes_ = BoxTree(pieces_.begin());
+  for (std::size_t number = pieces_.begin(); number < pieces_.end(); ++number)
+    note_box(pieces_[number].block);
+}
+
+}  // namespace trc

@@ -1,0 +1,122 @@
+#include "core/trc/way_out.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/geometry/along.h"
+#include "core/geometry/distance.h"
+
+namespace trc {
+std::optional<LoopExit> WayOut::find(const PathPiece& at, const Onset& onset,
+                                     Nearness nearness) const {
+  const std::vector<std::size_t> obstacles = obstacles_.at(at.block, onset, nearness);
+  // Where the path is in one point again and again, all continuations but the first may leave out
+  // what is legal.
+  std::optional<LoopExit> first;
+  for (const std::size_t number : obstacles) {
+    const auto exit = exit_here(at, {onset.along, number}, nearness);
+    if (!exit) continue;
+    const bool same = first && (exit->point - first->point).norm() <= slack_of_places(tolerances_);
+    if (!first || (same && exit->continues < first->continues)) first = exit;
+  }
+  if (first) return first;
+  for (const std::size_t number : obstacles)
+    if (auto exit = exit_behind(at, {onset.along, number})) return exit;
+  return std::nullopt;
+}
+
+WayOut::Stretch WayOut::stretch_about(std::size_t obstacle, std::size_t at) const {
+  const std::size_t begin =
+      obstacle > path_.contour().begin() ? contour(obstacle - 1).block : path_.blocks().begin();
+  const std::size_t end =
+      obstacle + 1 < end_of_contour() ? contour(obstacle + 1).block + 1 : path_.blocks().end();
+  return {std::max(begin, at + 1), end};
+}
+
+std::optional<LoopExit> WayOut::exit_here(const PathPiece& at, const Onset& onset,
+                                          Nearness nearness) const {
+  const Stretch stretch = stretch_about(onset.obstacle, at.block);
+  if (stretch.first >= stretch.end) return std::nullopt;
+  PathPiece piece = at;
+  piece.to = onset.along;
+  if (auto exit = crossing_in(piece, walked_.end(), onset.obstacle, stretch, true)) return exit;
+  // Side by side there is no crossing to be had, but the distance tells. By as much as
+  // the path is moved over it comes nearer to its own block.
+  const Point place = point_along(path(at.block).path, onset.along);
+  const double radius = std::max(path_.radius_of_tool(at.block), 1.0);
+  const double part = nearness == Nearness::exact ? 4 * tolerances_.rounding : tolerances_.passable;
+  for (std::size_t block = stretch.first; block < stretch.end; ++block) {
+    const Segment& segment = path(block).path;
+    if (are_apart(Box(place), bounding_box(segment), part * radius)) continue;
+    const double along = nearest_along(segment, place);
+    const Point point = point_along(segment, along);
+    if (!path(block).unreachable && (point - place).norm() <= part * radius)
+      return LoopExit{walked_.end(), onset.along, {block, along}, point};
+  }
+  return std::nullopt;
+}
+
+std::optional<LoopExit> WayOut::exit_behind(const PathPiece& at, const Onset& onset) const {
+  const HeldPath::ContourBlock& obstacle = contour(onset.obstacle);
+  // Only a mitre reaches farther out than the tool.
+  const auto reach_in_radii = [&](std::size_t block) {
+    const TrcMode& mode = path_.mode_of(block);
+    return mode.transition == Transition::linear ? mode.options.stretch_factor : 1;
+  };
+  const double farthest = 4 * path_.largest_radius(obstacle) *
+                          (1 + std::max(reach_in_radii(at.block), reach_in_radii(obstacle.block)));
+  const Stretch stretch = stretch_about(onset.obstacle, at.block);
+  double back = onset.along - at.from;
+  bool beside = true;
+  for (std::size_t number = walked_.end(); number-- > walked_.begin() && back <= farthest;) {
+    const PathPiece walked = walked_[number];
+    beside = beside && !reaches_out(obstacle, walked.end);
+    if (auto exit = crossing_in(walked, number, onset.obstacle, stretch, beside)) return exit;
+    back += walked.to - walked.from;
+  }
+  return std::nullopt;
+}
+
+std::optional<LoopExit> WayOut::crossing_in(const PathPiece& piece, std::size_t number,
+                                            std::size_t obstacle, const Stretch& stretch,
+                                            bool beside) const {
+  checkpoint_.pass();
+  const double slack = slack_of_places(tolerances_);
+  const Segment& segment = path(piece.block).path;
+  if (has_no_radius(segment)) return std::nullopt;
+  const Box area = bounding_box(segment);
+  std::optional<LoopExit> latest;
+  for (std::size_t block = stretch.first; block < stretch.end; ++block) {
+    const Segment& other = path(block).path;
+    if (path(block).unreachable || has_no_radius(other)) continue;
+    if (are_apart(area, bounding_box(other), 3 * slack)) continue;
+    for (const Crossing& crossing : crossings(segment, other, slack)) {
+      if (crossing.along_first < piece.from - slack || crossing.along_first > piece.to + slack)
+        continue;
+      if (latest && crossing.along_first < latest->leaves - slack) continue;
+      const bool leads_to_it = beside && !reaches_out(contour(obstacle), crossing.point);
+      if (!leads_to_it && !reaches_out(contour(path(piece.block).number), crossing.point) &&
+          !reaches_out(contour(path(block).number), crossing.point))
+        continue;
+      latest = LoopExit{number,
+                        std::max(crossing.along_first, piece.from),
+                        {block, crossing.along_second},
+                        crossing.point};
+    }
+  }
+  return latest;
+}
+
+// Segments cross in places that are up to `slack` beyond their ends and as far from each other.
+// Points of theirs are not computed to the last digits; what is farther apart than one point may be
+// wide is so all the same.
+bool WayOut::are_apart(const Box& one, const Box& other, double reach) const {
+  const double farthest = reach + tolerances_.same_point;
+  return squared_distance(one, other) > farthest * farthest;
+}
+
+bool WayOut::reaches_out(const HeldPath::ContourBlock& block, const Point& point) const {
+  return distance(point, block.programmed) > path_.largest_radius(block) + tolerances_.same_point;
+}
+
+}  // namespace trc

@@ -1,0 +1,85 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+
+#include "core/base/checkpoint.h"
+#include "core/base/tolerances.h"
+#include "core/geometry/box_tree.h"
+#include "core/trc/held_path.h"
+#include "core/trc/obstacles.h"
+#include "core/trc/walked_path.h"
+
+namespace trc {
+
+// Where a loop of the path begins, in which travelled piece, and where it ends.
+struct LoopExit {
+  std::size_t piece = 0;  // its number; the end of what is walked: the piece being walked
+  double leaves = 0;
+  PathPlace continues{};
+  Point point = Point::Zero();
+};
+
+// Looks for the way out of a loop: behind an onset the path has to cross what lies in the tool's
+// reach of the obstacle, or of another one in the same place, farther on (core/README.md, "Where it
+// goes on").
+class WayOut {
+ public:
+  using Nearness = Obstacles::Nearness;
+  using Onset = Obstacles::Onset;
+
+  WayOut(const HeldPath& path, const WalkedPath& walked, const Obstacles& obstacles,
+         const Tolerances& tolerances, Checkpoint& checkpoint)
+      : path_(path),
+        walked_(walked),
+        obstacles_(obstacles),
+        tolerances_(tolerances),
+        checkpoint_(checkpoint) {}
+
+  // `at`: the piece being walked, in whose block the onset is.
+  [[nodiscard]] std::optional<LoopExit> find(const PathPiece& at, const Onset& onset,
+                                             Nearness nearness) const;
+
+ private:
+  // What can lie where an obstacle is, in blocks ahead: its own equidistant or, about
+  // one of its ends, the transitions there and the equidistant of its neighbour.
+  struct Stretch {
+    std::size_t first = 0;
+    std::size_t end = 0;
+  };
+
+  [[nodiscard]] const HeldPath::Block& path(std::size_t block) const {
+    return path_.blocks()[block];
+  }
+  [[nodiscard]] const HeldPath::ContourBlock& contour(std::size_t number) const {
+    return path_.contour()[number];
+  }
+  [[nodiscard]] std::size_t end_of_contour() const { return path_.contour().end(); }
+
+  // Behind the block `at`.
+  [[nodiscard]] Stretch stretch_about(std::size_t obstacle, std::size_t at) const;
+  // On the block being walked.
+  [[nodiscard]] std::optional<LoopExit> exit_here(const PathPiece& at, const Onset& onset,
+                                                  Nearness nearness) const;
+  // Before it, where the path has crossed a transition that reaches out of the tool
+  // radius already.
+  [[nodiscard]] std::optional<LoopExit> exit_behind(const PathPiece& at, const Onset& onset) const;
+  // The last crossing with what lies where the obstacle is, in `stretch`. `beside`: from the piece
+  // to the onset the path is as near to the obstacle as the radius; else only a mitre can
+  // be crossed.
+  [[nodiscard]] std::optional<LoopExit> crossing_in(const PathPiece& piece, std::size_t number,
+                                                    std::size_t obstacle, const Stretch& stretch,
+                                                    bool beside) const;
+  // Whether nothing in one box can be within reach of anything in the other.
+  [[nodiscard]] bool are_apart(const Box& one, const Box& other, double reach) const;
+  // Whether the point is farther than the radius from the contour block.
+  [[nodiscard]] bool reaches_out(const HeldPath::ContourBlock& block, const Point& point) const;
+
+  const HeldPath& path_;
+  const WalkedPath& walked_;
+  const Obstacles& obstacles_;
+  Tolerances tolerances_;
+  Checkpoint& checkpoint_;
+};
+
+}  // namespace trc
