@@ -74,7 +74,7 @@ bool LoopRemoval::let_go_some(PathBlocks& out) {
 
 bool LoopRemoval::let_go_next(PathBlock& block) {
   if (!entering_.empty() || walked_.empty()) return false;
-  const auto& [at, cut] = walked_.kept(walked_.begin());
+  const auto [at, cut] = walked_.kept(walked_.begin());  // it is dropped below
   if (cut != WalkedPath::Kept::whole || at != next_) return false;
   path_.restore(at, block);
   next_ = at + 1;

@@ -4,6 +4,7 @@
 #include <iterator>
 #include <utility>
 
+#include "core/base/pages.h"
 #include "proto/wire/message_size.h"
 
 namespace trc::server {
@@ -30,9 +31,9 @@ void empty_out(Buffer& buffer) {
 }  // namespace
 
 void Outbox::keep_portion(std::vector<CompensatedBlock>& blocks) {
-  portions_.push_back(
-      {.first_block = content_.blocks_before,
-       .blocks = {std::make_move_iterator(blocks.begin()), std::make_move_iterator(blocks.end())}});
+  portions_.emplace_back(
+      content_.blocks_before,
+      std::vector(std::make_move_iterator(blocks.begin()), std::make_move_iterator(blocks.end())));
   content_.blocks_before += blocks.size();
   blocks.clear();
 }
@@ -41,6 +42,13 @@ void Outbox::forget_portions() {
   while (!portions_.empty() &&
          portions_.front().first_block + portions_.front().blocks.size() <= next_block_)
     portions_.pop_front();
+}
+
+Outbox::Portion::~Portion() {
+  const std::size_t bytes = blocks.capacity() * sizeof(CompensatedBlock);
+  void* const memory = blocks.data();
+  blocks.clear();
+  if (memory != nullptr) give_back_pages(memory, bytes);
 }
 
 void Outbox::forget_taken() {

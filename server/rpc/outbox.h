@@ -5,6 +5,7 @@
 #include <deque>
 #include <span>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "core/base/diagnostic.h"
@@ -61,10 +62,17 @@ class Outbox {
   // Those behind what has been taken, as many as fit beside so many bytes.
   void take_diagnostics(std::size_t bytes, std::size_t most_bytes, Slice& slice);
 
-  // Blocks that lie together, and the index in the path of the first one.
+  // Blocks that lie together, and the index in the path of the first one. Its pages go back to the
+  // system with it.
   struct Portion {
-    std::uint64_t first_block = 0;
-    std::vector<CompensatedBlock> blocks{};
+    Portion(std::uint64_t first, std::vector<CompensatedBlock>&& kept)
+        : first_block(first), blocks(std::move(kept)) {}
+    Portion(const Portion&) = delete;
+    Portion& operator=(const Portion&) = delete;
+    ~Portion();
+
+    std::uint64_t first_block;
+    std::vector<CompensatedBlock> blocks;
   };
 
   void forget_portions();

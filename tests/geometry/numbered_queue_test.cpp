@@ -46,6 +46,26 @@ TEST(NumberedQueue, LetsGoOfWhatItsElementsHold) {
   EXPECT_EQ(shared.use_count(), 3);
 }
 
+// A long one takes and lets go of its memory in larger steps.
+TEST(NumberedQueue, ElementsKeepTheirNumberAndTheirPlaceInALongOne) {
+  NumberedQueue<std::size_t> queue(100);
+  for (std::size_t number = 100; number < 100'000; ++number) queue.push_back(7 * number);
+  const std::size_t* place = &queue[99'000];
+  for (std::size_t begin = 300; begin <= 90'000; begin += 300) {
+    queue.drop_before(begin);
+    ASSERT_EQ(queue[begin], 7 * begin);
+  }
+  queue.truncate(99'500);
+  for (std::size_t number = 99'500; number < 200'000; ++number) queue.push_back(7 * number);
+  EXPECT_EQ(&queue[99'000], place);
+  for (std::size_t number = 90'000; number < 200'000; ++number)
+    ASSERT_EQ(queue[number], 7 * number);
+  queue.drop_before(200'000);
+  EXPECT_TRUE(queue.empty());
+  EXPECT_EQ(queue.push_back(8), 8U);
+  EXPECT_EQ(queue[200'000], 8U);
+}
+
 TEST(NumberedQueue, EmptiedAndFilledAgainManyTimes) {
   NumberedQueue<std::size_t> queue;
   for (std::size_t number = 0; number < 10'000; ++number) {
