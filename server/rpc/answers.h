@@ -5,26 +5,32 @@
 #include <optional>
 #include <string>
 
+#include "proto/wire/compensated_batch_bytes.h"
 #include "proto/wire/compensated_block.h"
 #include "proto/wire/diagnostic.h"
 #include "proto/wire/setup.h"
 #include "server/backend.h"
+#include "server/rpc/arena_message.h"
 #include "server/rpc/outbox.h"
 #include "server/rpc/stream_work.h"
 #include "server/telemetry/call_record.h"
 
 namespace trc::server {
 
-// Writes blocks and diagnostics of a slice into a response of any RPC. The message of the layout is
-// reused from one response to the next.
+// Writes blocks and diagnostics of a slice into a response of any RPC. The message of the columns
+// is reused from one response to the next. Blocks as messages are put in as the bytes they become:
+// to Protobuf a field it does not know, which it sends as it is.
 template <class Response>
 void write_slice(const Outbox::Slice& slice, wire::Layout layout, Response& response) {
+  ready_bytes_of(response).Clear();
   if (slice.blocks.empty()) {
     response.clear_response();
   } else if (layout == wire::Layout::columns) {
     wire::to_proto(slice.blocks, slice.first_block, *response.mutable_columns());
   } else {
-    wire::to_proto(slice.blocks, slice.first_block, *response.mutable_batch());
+    response.clear_response();
+    wire::append_batch(slice.blocks, slice.first_block,
+                       *ready_bytes_of(response).AddLengthDelimited(Response::kBatchFieldNumber));
   }
   response.clear_diagnostics();
   for (const Diagnostic& diagnostic : slice.diagnostics)

@@ -1,10 +1,18 @@
 #pragma once
 
 #include <google/protobuf/arena.h>
+#include <google/protobuf/message.h>
+#include <google/protobuf/unknown_field_set.h>
 
 #include <cstddef>
 
 namespace trc::server {
+
+// Fields of the message whose bytes are there already: Protobuf, which takes them for fields it
+// does not know, sends them as they are, behind the others.
+inline google::protobuf::UnknownFieldSet& ready_bytes_of(google::protobuf::Message& message) {
+  return *message.GetReflection()->MutableUnknownFields(&message);
+}
 
 // A message of a stream that is filled again and again. Its parts lie in one piece of memory: a
 // batch of blocks as messages has several thousand of them, which the heap would hand out and take
@@ -22,7 +30,8 @@ class ArenaMessage {
   }
   // The same once it has grown; until then what it has held may be used again.
   void reset_if_large() {
-    if (arena_.SpaceUsed() > large) reset();
+    // Ready bytes lie elsewhere.
+    if (arena_.SpaceUsed() > large || !ready_bytes_of(*message_).empty()) reset();
   }
 
  private:

@@ -2,9 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdint>
+#include <limits>
 #include <string>
 #include <vector>
 
+#include "proto/wire/compensated_batch_bytes.h"
 #include "tests/wire/samples.h"
 
 namespace trc::wire {
@@ -33,6 +36,60 @@ void expect_same_blocks(const std::vector<CompensatedBlock>& expected,
   ASSERT_EQ(expected.size(), got.size());
   for (std::size_t i = 0; i < expected.size(); ++i)
     EXPECT_TRUE(same(expected[i], got[i])) << "block " << i;
+}
+
+std::string bytes_of(std::span<const CompensatedBlock> blocks, std::uint64_t first) {
+  std::string bytes = "before";
+  append_batch(blocks, first, bytes);
+  EXPECT_EQ(bytes.substr(0, 6), "before");
+  return bytes.substr(6);
+}
+
+std::string bytes_by_protobuf(std::span<const CompensatedBlock> blocks, std::uint64_t first) {
+  v1::CompensatedBatch batch;
+  to_proto(blocks, first, batch);
+  return batch.SerializeAsString();
+}
+
+TEST(BytesOfABatch, AreThoseOfProtobuf) {
+  EXPECT_EQ(bytes_of({}, 0), bytes_by_protobuf({}, 0));
+  for (const std::uint64_t first : {std::uint64_t{0}, std::uint64_t{1} << 40U}) {
+    const std::vector<CompensatedBlock> every = every_compensated_block();
+    EXPECT_EQ(bytes_of(every, first), bytes_by_protobuf(every, first));
+    for (const CompensatedBlock& block : every)
+      EXPECT_EQ(bytes_of({&block, 1}, first), bytes_by_protobuf({&block, 1}, first));
+  }
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    const std::vector<CompensatedBlock> blocks = random_compensated_blocks(seed, 300);
+    EXPECT_EQ(bytes_of(blocks, seed), bytes_by_protobuf(blocks, seed));
+  }
+}
+
+// Numbers at the ends of their ranges, where they take most and least.
+TEST(BytesOfABatch, AreThoseOfProtobufForEveryLength) {
+  std::vector<CompensatedBlock> blocks;
+  for (const Plane plane : {Plane::xy, Plane::zx, Plane::yz})
+    for (const std::int64_t number :
+         {Source::no_number, std::int64_t{0}, std::numeric_limits<std::int64_t>::max()})
+      for (const std::uint64_t index : {0ULL, 127ULL, 128ULL, 0xffffffffULL, 0x100000000ULL})
+        for (const std::uint32_t line : {0U, 1U, 0xffffffffU})
+          for (const double feed : {0.0, 1e9})
+            for (const double sweep : {0.0, -0.0, -1.5}) {
+              CompensatedBlock block{.source = {.index = index, .number = number, .line = line},
+                                     .origin = Origin::uncompensated,
+                                     .plane = plane,
+                                     .tangential = feed != 0,
+                                     .feed = feed};
+              block.path = Arc{.start = {1, -0.0}, .end = {3, 4}, .center = {5, 6}, .sweep = sweep};
+              blocks.push_back(block);
+              block.path = Line{.start = {1, 2}, .end = {0, 0}};
+              block.rapid = line != 0;
+              blocks.push_back(block);
+            }
+  for (const CompensatedBlock& block : blocks)
+    ASSERT_EQ(bytes_of({&block, 1}, 0), bytes_by_protobuf({&block, 1}, 0));
+  EXPECT_EQ(bytes_of(blocks, 7), bytes_by_protobuf(blocks, 7));
 }
 
 template <class Message>
