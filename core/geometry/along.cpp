@@ -130,7 +130,7 @@ bool PathPart::stays_off(const Line& obstacle, double apart, double reach) const
   const Vector from_start = middle_ - obstacle.start;
   const double part = squared > 0 ? std::clamp(from_start.dot(along) / squared, 0.0, 1.0) : 0.0;
   const double slope = std::abs((from_start - part * along).dot(tangent_)) / apart;
-  const double bent = 0.5 * half_ * half_ * track_.curvature();
+  const double bent = bend();
   const double size = middle_.lpNorm<1>() + from_start.lpNorm<1>() + along.lpNorm<1>() +
                       track_.radius() + apart + half_;
   return apart - slope * half_ - bent > reach + 1e-13 * size;

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <optional>
 
+#include "core/geometry/four_boxes.h"
 #include "core/geometry/segment.h"
 #include "core/geometry/track.h"
 
@@ -45,10 +46,16 @@ class PathPart {
 
   [[nodiscard]] double half_length() const { return half_; }
   [[nodiscard]] const Point& middle() const { return middle_; }
+  // What is not entered by it, is not come nearer to than `reach`.
+  [[nodiscard]] FourBoxes::Course course(double reach) const {
+    return {middle_, tangent_, half_, bend(), reach};
+  }
   // As above.
   [[nodiscard]] std::optional<double> first_entry(const Segment& obstacle, double reach) const;
 
  private:
+  // How far it departs from the tangent in the middle, at most.
+  [[nodiscard]] double bend() const { return 0.5 * half_ * half_ * track_.curvature(); }
   // Whether it is certain that it does not come nearer; `apart` is the distance of its middle.
   [[nodiscard]] bool stays_off(const Line& obstacle, double apart, double reach) const;
 

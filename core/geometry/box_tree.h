@@ -43,17 +43,27 @@ class BoxTree {
     return levels_.front().fours[number / FourBoxes::count][number % FourBoxes::count];
   }
 
-  // Calls visit(number) for every box not farther than `reach` mm from `area`, in
-  // ascending order, those in `skipped` left out.
+  // Calls visit(four) with every box not farther than `reach` mm from `area`, those in `skipped`
+  // left out, and maybe some that are a little farther; in ascending order.
   template <class Visit>
-  void for_each_near(const Box& area, double reach, const Range& skipped, Visit visit) const {
-    const Search<Visit> search{area, reach * reach, {area, reach}, skipped, visit};
+  void for_each_four_near(const Box& area, double reach, const Range& skipped, Visit visit) const {
+    const Search<Visit> search{{area, reach}, skipped, visit};
     // On each level those that have none about them yet.
     for (std::size_t level = levels_.size(); level-- > 0;) {
       const auto& [fours, end] = levels_[level];
       if (end % FourBoxes::count != 0 && !fours.empty())
         descend(search, level, end / FourBoxes::count);
     }
+  }
+  // Calls visit(number) for every box not farther than `reach` mm from `area`, in
+  // ascending order, those in `skipped` left out.
+  template <class Visit>
+  void for_each_near(const Box& area, double reach, const Range& skipped, Visit visit) const {
+    for_each_four_near(area, reach, skipped, [&](const NearFour& four) {
+      four.for_each([&](std::size_t number, std::size_t place) {
+        if (squared_distance(widened((*four.boxes)[place]), area) <= reach * reach) visit(number);
+      });
+    });
   }
   template <class Visit>
   void for_each_near(const Box& area, double reach, Visit visit) const {
@@ -72,8 +82,6 @@ class BoxTree {
   };
   template <class Visit>
   struct Search {
-    const Box& area;
-    double squared_reach;
     FourBoxes::Surroundings surroundings;
     const Range& skipped;
     Visit& visit;
@@ -85,20 +93,23 @@ class BoxTree {
   template <class Visit>
   void descend(const Search<Visit>& search, std::size_t level, std::size_t four) const {
     const FourBoxes& boxes = levels_[level].fours[four];
-    for (FourBoxes::Bits near = boxes.near(search.surroundings); near != 0; near &= near - 1) {
+    FourBoxes::Bits near = boxes.near(search.surroundings);
+    if (level == 0) {
+      NearFour found{&boxes, four * FourBoxes::count, near};
+      found.drop(0, begin_);
+      found.drop(search.skipped.first, search.skipped.last + 1);
+      if (found.bits != 0) search.visit(found);
+      return;
+    }
+    for (; near != 0; near &= near - 1) {
       const auto place = static_cast<std::size_t>(std::countr_zero(near));
       const std::size_t number = four * FourBoxes::count + place;
       const std::size_t first = number << span_bits(level);
       const std::size_t last = first + (std::size_t{1} << span_bits(level)) - 1;
       if (last < begin_ || (first >= search.skipped.first && last <= search.skipped.last)) continue;
-      if (level > 0) {
-        descend(search, level - 1, number);
-      } else if (squared_distance(widened(boxes[place]), search.area) <= search.squared_reach) {
-        search.visit(number);
-      }
+      descend(search, level - 1, number);
     }
   }
-
   std::size_t begin_;
   std::vector<Level> levels_;  // 0: the boxes
 };

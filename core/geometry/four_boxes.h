@@ -7,7 +7,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <vector>
 
 #include "core/geometry/segment.h"
 
@@ -45,11 +44,18 @@ using KeptBox = Eigen::AlignedBox2f;
 // Up to four boxes that are compared with an area all at once.
 class FourBoxes {
   using Floats = __attribute__((vector_size(16))) float;
+  using Truths = __attribute__((vector_size(16))) std::int32_t;
 
  public:
   static constexpr std::size_t count = 4;
   // One bit a box.
   using Bits = unsigned;
+  // Of the boxes from `number` on, where the first one has the number `first`.
+  [[nodiscard]] static Bits bits_from(std::size_t first, std::size_t number) {
+    constexpr Bits every = (1U << count) - 1;
+    if (number <= first) return every;
+    return number - first >= count ? 0 : every << (number - first) & every;
+  }
 
   // An area and all within reach of it.
   class Surroundings {
@@ -72,6 +78,38 @@ class FourBoxes {
     Floats max_x_;
     Floats max_y_;
     Floats squared_reach_;
+  };
+
+  // A stretch of a path about its middle, and all within reach of it.
+  class Course {
+   public:
+    // It goes half its length to both sides of the middle, and departs from the tangent there by
+    // no more than `bent`.
+    Course(const Point& middle, const Vector& tangent, double half, double bent, double reach)
+        : x_(all(static_cast<float>(middle.x()))),
+          y_(all(static_cast<float>(middle.y()))),
+          tangent_x_(all(static_cast<float>(tangent.x()))),
+          tangent_y_(all(static_cast<float>(tangent.y()))),
+          half_(all(static_cast<float>(half))) {
+      const double farthest = reach + half;
+      const double slack = 4e-6 * (farthest + bent) + 2e-7 * middle.lpNorm<1>();
+      squared_beside_ = all(squared(reach + bent + slack));
+      squared_about_ = all(squared(farthest + slack));
+    }
+
+   private:
+    friend class FourBoxes;
+    static float squared(double distance) {
+      return rounded_up(std::min(distance * distance, 1e18));
+    }
+
+    Floats x_;
+    Floats y_;
+    Floats tangent_x_;
+    Floats tangent_y_;
+    Floats half_;
+    Floats squared_beside_;
+    Floats squared_about_;
   };
 
   void set(std::size_t place, const KeptBox& box) {
@@ -103,9 +141,45 @@ class FourBoxes {
   [[nodiscard]] Bits near(const Surroundings& area) const {
     const Floats x = positive(larger(min_x_ - area.max_x_, area.min_x_ - max_x_));
     const Floats y = positive(larger(min_y_ - area.max_y_, area.min_y_ - max_y_));
-    const auto halves = std::bit_cast<Halves>(x * x + y * y <= area.squared_reach_);
-    if ((halves.first | halves.second) == 0) return 0;
-    return bits_of(halves.first) | bits_of(halves.second) << 2U;
+    return bits_of(x * x + y * y <= area.squared_reach_);
+  }
+
+  // Those something in which may be within reach of the course. Places without a box may be among
+  // them.
+  //
+  // The distance from a box is a convex function of the point: along the tangent it falls no faster
+  // than it does in the middle, and what bends away from the tangent changes it by no more than
+  // that. Nor does it fall by more than the way. Floats put the middle off by 1.2e-7 of its
+  // coordinates and each of the few steps by 6e-8 of distances that are no larger than the reach
+  // with half the length and the bend, where it matters: the slack of the course is more than all
+  // of it.
+  [[nodiscard]] Bits entered_by(const Course& course) const {
+    const Floats x = positive(min_x_ - course.x_) - positive(course.x_ - max_x_);
+    const Floats y = positive(min_y_ - course.y_) - positive(course.y_ - max_y_);
+    const Floats squared = x * x + y * y;
+    const Floats along = x * course.tangent_x_ + y * course.tangent_y_;
+    // Times the distance, which saves a root and a quotient.
+    const Floats aside = positive(squared - larger(along, -along) * course.half_);
+    return bits_of((aside * aside <= course.squared_beside_ * squared) &
+                   (squared <= course.squared_about_));
+  }
+
+  // Squared distances from four boxes.
+  class Squares {
+   public:
+    [[nodiscard]] float operator[](std::size_t place) const { return squares_[place]; }
+    [[nodiscard]] Bits up_to(float squared) const { return bits_of(squares_ <= all(squared)); }
+
+   private:
+    friend class FourBoxes;
+    explicit Squares(Floats squares) : squares_(squares) {}
+    Floats squares_;
+  };
+  // From the middle of the course, mm^2; only by rounding too large.
+  [[nodiscard]] Squares squared_distances(const Course& course) const {
+    const Floats x = positive(larger(min_x_ - course.x_, course.x_ - max_x_));
+    const Floats y = positive(larger(min_y_ - course.y_, course.y_ - max_y_));
+    return Squares(x * x + y * y);
   }
 
  private:
@@ -119,8 +193,13 @@ class FourBoxes {
   static Floats positive(Floats a) { return larger(a, Floats{}); }
   static float least(Floats a) { return std::min(std::min(a[0], a[1]), std::min(a[2], a[3])); }
   static float greatest(Floats a) { return std::max(std::max(a[0], a[1]), std::max(a[2], a[3])); }
-  // Of two comparisons, each nothing or all ones.
-  static Bits bits_of(std::uint64_t half) {
+  // Of comparisons, each nothing or all ones.
+  static Bits bits_of(Truths truths) {
+    const auto [first, second] = std::bit_cast<Halves>(truths);
+    if ((first | second) == 0) return 0;
+    return bits_of_half(first) | bits_of_half(second) << 2U;
+  }
+  static Bits bits_of_half(std::uint64_t half) {
     return static_cast<Bits>((half & 1U) | (half >> 62U & 2U));
   }
 
@@ -131,36 +210,28 @@ class FourBoxes {
   Floats max_y_ = all(std::numeric_limits<float>::lowest());
 };
 
-// Boxes with a number each, for a few questions.
-class NumberedBoxes {
- public:
-  void clear() {
-    fours_.clear();
-    numbers_.clear();
-  }
-  [[nodiscard]] bool empty() const { return numbers_.empty(); }
-  void add(std::size_t number, const KeptBox& box) {
-    const std::size_t place = numbers_.size() % FourBoxes::count;
-    if (place == 0) fours_.emplace_back();
-    fours_.back().set(place, box);
-    numbers_.push_back(number);
-  }
-  // Calls visit(number) for every box not farther than `reach` mm from `area`, in the order they
-  // were added.
-  template <class Visit>
-  void for_each_near(const Box& area, double reach, Visit visit) const {
-    const FourBoxes::Surroundings surroundings(area, reach);
-    for (std::size_t four = 0; four < fours_.size(); ++four)
-      for (FourBoxes::Bits near = fours_[four].near(surroundings); near != 0; near &= near - 1) {
-        const auto place = static_cast<std::size_t>(std::countr_zero(near));
-        if (squared_distance(widened(fours_[four][place]), area) > reach * reach) continue;
-        visit(numbers_[four * FourBoxes::count + place]);
-      }
-  }
+// Boxes of a row that are near something: those of the four with a bit.
+struct NearFour {
+  const FourBoxes* boxes = nullptr;
+  std::size_t first = 0;  // the number of the first one
+  FourBoxes::Bits bits = 0;
 
- private:
-  std::vector<FourBoxes> fours_;
-  std::vector<std::size_t> numbers_;
+  [[nodiscard]] NearFour only(FourBoxes::Bits wanted) const {
+    return {boxes, first, bits & wanted};
+  }
+  // Those from `from` on and before `end`.
+  void drop(std::size_t from, std::size_t end) {
+    if (from >= end || from >= first + FourBoxes::count || end <= first) return;
+    bits &= ~(FourBoxes::bits_from(first, from) & ~FourBoxes::bits_from(first, end));
+  }
+  // Calls visit(number, place) for each of them, in ascending order.
+  template <class Visit>
+  void for_each(Visit visit) const {
+    for (FourBoxes::Bits rest = bits; rest != 0; rest &= rest - 1) {
+      const auto place = static_cast<std::size_t>(std::countr_zero(rest));
+      visit(first + place, place);
+    }
+  }
 };
 
 }  // namespace trc

@@ -5,6 +5,18 @@
 #include "core/geometry/distance.h"
 
 namespace trc {
+namespace {
+
+// Up to so many blocks are compared with one another.
+constexpr std::size_t few = 4;
+
+// Of distances from boxes, for all that may be so near to the point.
+float squared_with_slack(double distance, const Point& point) {
+  const double farthest = distance + 2e-7 * point.lpNorm<1>();
+  return rounded_up((1 + 4e-6) * farthest * farthest);
+}
+
+}  // namespace
 
 void Obstacles::append(const PathBlock& block, const Box& area, bool apart) {
   certificate_.append(block, apart);
@@ -19,9 +31,10 @@ void Obstacles::drop_before(std::size_t number) {
 void Obstacles::clear() {
   boxes_ = BoxTree();
   certificate_ = Certificate(tolerances_);
-  first_surveyed_ = 0;
-  end_of_survey_ = 0;
-  near_.clear();
+  survey_.first = 0;
+  survey_.end = 0;
+  survey_.area.setEmpty();
+  survey_.near.clear();
 }
 
 void Obstacles::rebuild_boxes() {
@@ -42,38 +55,104 @@ BoxTree::Range Obstacles::certified(std::size_t block) const {
   return {certificate_.chain_before(behind), certificate_.chain_behind(number)};
 }
 
-void Obstacles::find_neighbours(std::size_t block, double limit) const {
-  const Box area = bounding_box(path(block).path);
+void Obstacles::find_neighbours(std::size_t block, const Box& area, double limit) const {
   const BoxTree::Range skipped = certified(block);
   const std::size_t own = path(block).number;
-  // Only an arc turned inside out comes too near to its own block.
-  const bool sees_own = !path(block).is_contour() || path(block).unreachable;
   neighbours_.clear();
   // All that can be seen is certified.
   if (window_ > 0 && skipped.first + window_ <= std::max(own, path_.contour().begin() + window_) &&
       skipped.last + 1 >= std::min(own + window_ + 1, end_of_contour()))
     return;
-  const auto add = [&](std::size_t number) {
+  // Only an arc turned inside out comes too near to its own block.
+  const bool sees_own = !path(block).is_contour() || path(block).unreachable;
+  const auto add = [&](NearFour four) {
     checkpoint_.pass();
-    const bool visible = window_ == 0 || (number <= own + window_ && own <= number + window_);
-    if (visible && (sees_own || number != own)) neighbours_.push_back(number);
+    four.drop(skipped.first, skipped.last + 1);
+    if (!sees_own) four.drop(own, own + 1);
+    if (window_ > 0) {
+      four.drop(0, own - std::min(own, window_));
+      four.drop(own + window_ + 1, end_of_contour());
+    }
+    if (four.bits != 0) neighbours_.push_back(four);
   };
-  if (block < first_surveyed_ || block >= end_of_survey_) {
-    boxes_.for_each_near(area, limit, skipped, add);
+  if (!is_surveyed(block)) {
+    boxes_.for_each_four_near(area, limit, skipped, add);
     return;
   }
-  near_.for_each_near(area, limit, [&](std::size_t number) {
-    if (number < skipped.first || number > skipped.last) add(number);
-  });
+  const FourBoxes::Surroundings surroundings(area, limit);
+  for (const NearFour& four : survey_.near)
+    if (const NearFour near = four.only(four.boxes->near(surroundings)); near.bits != 0) add(near);
+}
+
+bool Obstacles::are_many(const Box& area, double limit) const {
+  std::size_t count = 0;
+  for (const NearFour& four : neighbours_) {
+    four.for_each([&](std::size_t /*number*/, std::size_t place) {
+      if (squared_distance(widened((*four.boxes)[place]), area) <= limit * limit) ++count;
+    });
+    if (count > few) return true;
+  }
+  return false;
+}
+
+bool Obstacles::are_many(const Box& area, const PathPart& part, double limit) const {
+  const double farthest = limit + part.half_length();
+  const float squared = squared_with_slack(farthest, part.middle());
+  std::size_t count = 0;
+  for (std::size_t index = 0; index < neighbours_.size(); ++index) {
+    const NearFour& four = neighbours_[index];
+    four.only(squares_[index].up_to(squared)).for_each([&](std::size_t number, std::size_t place) {
+      if (squared_distance(widened((*four.boxes)[place]), area) <= limit * limit &&
+          distance(part.middle(), programmed(number)) < farthest)
+        ++count;
+    });
+    if (count > few) return true;
+  }
+  return false;
+}
+
+std::optional<std::size_t> Obstacles::nearest_to(const PathPart& part, double limit) const {
+  // Boxes tell which ones it can be: none that are farther off than what is in the nearest box.
+  const FourBoxes::Course course = part.course(limit);
+  float least_squared = squared_with_slack(limit, part.middle());
+  std::optional<std::size_t> in_nearest_box;
+  squares_.clear();
+  for (const NearFour& four : neighbours_) {
+    const auto& squares = squares_.emplace_back(four.boxes->squared_distances(course));
+    four.only(squares.up_to(least_squared)).for_each([&](std::size_t number, std::size_t place) {
+      if (squares[place] > least_squared) return;
+      least_squared = squares[place];
+      in_nearest_box = number;
+    });
+  }
+  if (!in_nearest_box) return std::nullopt;
+  const auto apart_from = [&](std::size_t number) {
+    return distance(part.middle(), programmed(number));
+  };
+  const float farthest =
+      squared_with_slack(std::min(limit, apart_from(*in_nearest_box)), part.middle());
+  double least = limit;
+  std::optional<std::size_t> nearest;
+  for (std::size_t index = 0; index < neighbours_.size(); ++index)
+    neighbours_[index]
+        .only(squares_[index].up_to(farthest))
+        .for_each([&](std::size_t number, std::size_t /*place*/) {
+          const double apart = apart_from(number);
+          if (apart >= least) return;
+          nearest = number;
+          least = apart;
+        });
+  return nearest;
 }
 
 std::optional<Obstacles::Onset> Obstacles::onset(std::size_t block, double from, double to,
                                                  Nearness nearness) const {
   const double limit = reach(block, nearness);
   if (!(from < to) || limit <= 0) return std::nullopt;
-  find_neighbours(block, limit);
-  if (neighbours_.empty()) return std::nullopt;
   const Segment segment = path(block).path;
+  const Box area = bounding_box(segment);
+  find_neighbours(block, area, limit);
+  if (neighbours_.empty()) return std::nullopt;
   PathPart part(segment, from, to);
   std::optional<Onset> first;
   const auto compare = [&](std::size_t number) {
@@ -85,80 +164,102 @@ std::optional<Obstacles::Onset> Obstacles::onset(std::size_t block, double from,
   };
   // What is nearest halfway is run into before that: with less and less of the block at stake
   // most of the others are out of question.
-  while (are_many() && part.half_length() > 0) {
-    const std::optional<std::size_t> nearest = drop_those_off(part, limit);
-    if (!nearest || !compare(*nearest)) break;
+  bool many = are_many(area, limit);
+  while (many && part.half_length() > 0) {
+    const std::optional<std::size_t> nearest = nearest_to(part, limit);
+    if (!nearest) break;
+    many = are_many(area, part, limit);
+    if (!compare(*nearest)) break;
   }
-  for (const std::size_t number : neighbours_) compare(number);
+  FourBoxes::Course course = part.course(limit);
+  for (const NearFour& four : neighbours_)
+    four.only(four.boxes->entered_by(course)).for_each([&](std::size_t number, std::size_t) {
+      if (compare(number)) course = part.course(limit);
+    });
   return first;
 }
 
 bool Obstacles::comes_nearer(std::size_t block, double from, double to, Nearness nearness) const {
   const double limit = reach(block, nearness);
   if (!(from < to) || limit <= 0) return false;
-  find_neighbours(block, limit);
+  const Segment segment = path(block).path;
+  find_neighbours(block, bounding_box(segment), limit);
   if (neighbours_.empty()) return false;
-  const PathPart part(path(block).path, from, to);
-  const auto is_entered = [&](std::size_t number) {
-    return part.first_entry(programmed(number), limit).has_value();
-  };
-  if (are_many()) {
-    const std::optional<std::size_t> nearest = drop_those_off(part, limit);
-    if (nearest && is_entered(*nearest)) return true;
+  const PathPart part(segment, from, to);
+  const FourBoxes::Course course = part.course(limit);
+  bool nearer = false;
+  for (const NearFour& four : neighbours_) {
+    four.only(four.boxes->entered_by(course)).for_each([&](std::size_t number, std::size_t) {
+      nearer = nearer || part.first_entry(programmed(number), limit).has_value();
+    });
+    if (nearer) return true;
   }
-  return std::any_of(neighbours_.begin(), neighbours_.end(), is_entered);
+  return false;
 }
 
-std::optional<std::size_t> Obstacles::drop_those_off(const PathPart& part, double limit) const {
-  const double half = part.half_length();
-  std::optional<std::size_t> nearest;
-  double least = limit;
-  std::erase_if(neighbours_, [&](std::size_t number) {
-    const double apart = distance(part.middle(), programmed(number));
-    if (apart < least) {
-      nearest = number;
-      least = apart;
-    }
-    return apart >= limit + half;
-  });
-  return nearest;
-}
-
-std::vector<std::size_t> Obstacles::at(std::size_t block, const Onset& onset,
-                                       Nearness nearness) const {
-  std::vector<std::size_t> numbers{onset.obstacle};
+const std::vector<std::size_t>& Obstacles::at(std::size_t block, const Onset& onset,
+                                              Nearness nearness) const {
+  numbers_.assign(1, onset.obstacle);
   const Point place = point_along(path(block).path, onset.along);
   const double limit = reach(block, nearness) + tolerances_.same_point;
-  boxes_.for_each_near(Box(place), limit, [&](std::size_t number) {
+  const auto consider = [&](std::size_t number) {
     const HeldPath::ContourBlock& other = path_.contour()[number];
     if (number == onset.obstacle || other.block == block) return;
-    if (distance(place, other.programmed) <= limit) numbers.push_back(number);
-  });
-  return numbers;
+    if (distance(place, other.programmed) <= limit) numbers_.push_back(number);
+  };
+  const auto consider_four = [&](const NearFour& four) {
+    four.for_each([&](std::size_t number, std::size_t /*place*/) { consider(number); });
+  };
+  // What is certified has not been surveyed.
+  const auto [first, last] = survey_.skipped;
+  constexpr std::size_t short_chain = 16;
+  if (!is_surveyed(block) || last > first + short_chain) {
+    boxes_.for_each_four_near(Box(place), limit, BoxTree::Range{}, consider_four);
+    return numbers_;
+  }
+  const FourBoxes::Surroundings surroundings(Box(place), limit);
+  for (const NearFour& four : survey_.near)
+    consider_four(four.only(four.boxes->near(surroundings)));
+  for (std::size_t number = std::max(first, path_.contour().begin()); number <= last; ++number)
+    consider(number);
+  std::sort(numbers_.begin() + 1, numbers_.end());
+  return numbers_;
 }
 
-bool Obstacles::is_clear(std::size_t block) {
-  if (block < first_surveyed_ || block >= end_of_survey_) survey(block);
-  return near_.empty();
+bool Obstacles::is_surveyed(std::size_t block) const {
+  if (block >= survey_.first && block < survey_.end) return true;
+  if (survey_.near.empty() || path_.radius_of_tool(block) > survey_.radius) return false;
+  if (!survey_.area.contains(bounding_box(path(block).path))) return false;
+  const BoxTree::Range own = certified(block);
+  return survey_.skipped.last < survey_.skipped.first ||
+         (own.first <= survey_.skipped.first && survey_.skipped.last <= own.last);
 }
 
 // Asks for many blocks at once: they have nearly the same neighbours, and mostly none.
 void Obstacles::survey(std::size_t first) {
-  constexpr std::size_t group = 32;
-  first_surveyed_ = first;
-  end_of_survey_ = std::min(first + group, path_.blocks().end());
-  near_.clear();
-  Box area;
-  double radius = 0;
-  BoxTree::Range common{0, end_of_contour()};
-  for (std::size_t block = first; block < end_of_survey_; ++block) {
-    area.extend(bounding_box(path(block).path));
-    radius = std::max(radius, path_.radius_of_tool(block));
+  // Where the walk leaves some of them out, fewer are worth it: the more there is near them, the
+  // more.
+  constexpr std::size_t smallest_group = 4;
+  constexpr std::size_t largest_group = 32;
+  const bool worth_it =
+      first == survey_.end || (4 * asked_for_ >= group_ && survey_.near.size() <= group_);
+  group_ = worth_it ? std::min(2 * group_, largest_group) : std::max(group_ / 2, smallest_group);
+  asked_for_ = 0;
+  survey_.first = first;
+  survey_.end = std::min(first + group_, path_.blocks().end());
+  survey_.area.setEmpty();
+  survey_.radius = 0;
+  survey_.skipped = {0, end_of_contour()};
+  for (std::size_t block = first; block < survey_.end; ++block) {
+    survey_.area.extend(bounding_box(path(block).path));
+    survey_.radius = std::max(survey_.radius, path_.radius_of_tool(block));
     const BoxTree::Range own = certified(block);
-    common = {std::max(common.first, own.first), std::min(common.last, own.last)};
+    survey_.skipped = {std::max(survey_.skipped.first, own.first),
+                       std::min(survey_.skipped.last, own.last)};
   }
-  boxes_.for_each_near(area, radius, common,
-                       [&](std::size_t number) { near_.add(number, boxes_[number]); });
+  survey_.near.clear();
+  boxes_.for_each_four_near(survey_.area, survey_.radius + tolerances_.same_point, survey_.skipped,
+                            [&](const NearFour& four) { survey_.near.push_back(four); });
 }
 
 }  // namespace trc

@@ -67,12 +67,17 @@ class Obstacles {
                                   Nearness nearness) const;
   // The numbers of all contour blocks that are as near there as the one of the
   // onset: the other block of a corner, blocks on top of each other.
-  [[nodiscard]] std::vector<std::size_t> at(std::size_t block, const Onset& onset,
-                                            Nearness nearness) const;
+  [[nodiscard]] const std::vector<std::size_t>& at(std::size_t block, const Onset& onset,
+                                                   Nearness nearness) const;
 
   // Once the contour has ended: whether nothing at all can be in the way of the block. To be asked
   // for before the questions above, which are cheaper then.
-  [[nodiscard]] bool is_clear(std::size_t block);
+  [[nodiscard]] bool is_clear(std::size_t block) {
+    const bool surveyed = block >= survey_.first && block < survey_.end;
+    if (!surveyed && !is_surveyed(block)) survey(block);
+    ++asked_for_;
+    return survey_.near.empty();
+  }
 
   // Behind the path.
   template <class Archive>
@@ -90,16 +95,24 @@ class Obstacles {
   }
   [[nodiscard]] std::size_t end_of_contour() const { return path_.contour().end(); }
 
+  using Fours = std::vector<NearFour>;
+
   void rebuild_boxes();
   void survey(std::size_t first);
+  // Whether what has been surveyed is all that may be near the block.
+  [[nodiscard]] bool is_surveyed(std::size_t block) const;
   // Those the certificate takes out of the question.
   [[nodiscard]] BoxTree::Range certified(std::size_t block) const;
-  // All contour blocks it may come nearer to than `limit`: neighbours_.
-  void find_neighbours(std::size_t block, double limit) const;
-  [[nodiscard]] bool are_many() const { return neighbours_.size() > 4; }
-  // Drops those of them that are not within the limit anywhere on it. Returns the nearest one to
-  // its middle, where it is nearer than the limit.
-  std::optional<std::size_t> drop_those_off(const PathPart& part, double limit) const;
+  // All contour blocks it may come nearer to than `limit`: neighbours_. With some that are a
+  // little farther off.
+  void find_neighbours(std::size_t block, const Box& area, double limit) const;
+  // Whether they are more than is worth asking for the nearest one.
+  [[nodiscard]] bool are_many(const Box& area, double limit) const;
+  // Whether those still are that are not out of question for a part of the block. Behind
+  // nearest_to().
+  [[nodiscard]] bool are_many(const Box& area, const PathPart& part, double limit) const;
+  // The one nearest to the middle of the part, where it is nearer than the limit.
+  [[nodiscard]] std::optional<std::size_t> nearest_to(const PathPart& part, double limit) const;
 
   const HeldPath& path_;
   std::size_t window_;
@@ -108,11 +121,23 @@ class Obstacles {
 
   BoxTree boxes_;
   Certificate certificate_;
-  // A stretch of the path, and all contour blocks that may be near one of its blocks.
-  std::size_t first_surveyed_ = 0;
-  std::size_t end_of_survey_ = 0;
-  NumberedBoxes near_;
-  mutable std::vector<std::size_t> neighbours_;  // a member for its memory's sake
+  // A stretch of the path, and all contour blocks that may be near one of its blocks. Whatever lies
+  // in the same area and has no larger radius has no others.
+  struct Survey {
+    std::size_t first = 0;
+    std::size_t end = 0;
+    Box area{};
+    double radius = 0;
+    BoxTree::Range skipped{};  // certified for all of them
+    Fours near{};              // without these
+  };
+  Survey survey_;
+  std::size_t group_ = 8;      // how many blocks are surveyed together
+  std::size_t asked_for_ = 0;  // how often that was of use
+  // Members for their memory's sake.
+  mutable Fours neighbours_;
+  mutable std::vector<FourBoxes::Squares> squares_;  // of the distances of the neighbours
+  mutable std::vector<std::size_t> numbers_;
 };
 
 }  // namespace trc

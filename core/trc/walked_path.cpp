@@ -10,16 +10,11 @@ PathPiece WalkedPath::operator[](std::size_t number) const {
       .block = block, .to = length_of(segment), .start = start_of(segment), .end = end_of(segment)};
 }
 
-void WalkedPath::add_whole(std::size_t block) {
-  pieces_.push_back({.block = static_cast<HeldPath::Number>(block)});
-  note_box(block);
-}
-
 void WalkedPath::add(const PathPiece& piece) {
   pieces_.push_back(
       {static_cast<HeldPath::Number>(piece.block), static_cast<HeldPath::Number>(cuts_.end())});
   cuts_.push_back(piece);
-  note_box(piece.block);
+  if (finds_near_) note_box(piece.block);
 }
 
 void WalkedPath::truncate(std::size_t number) {
@@ -36,11 +31,12 @@ void WalkedPath::clear() {
 }
 
 void WalkedPath::note_box(std::size_t block) {
-  if (finds_near_) boxes_.append(bounding_box(path_.blocks()[block].path));
+  boxes_.append(bounding_box(path_.blocks()[block].path));
 }
 
 void WalkedPath::rebuild_boxes() {
   boxes_ = BoxTree(pieces_.begin());
+  if (!finds_near_) return;
   for (std::size_t number = pieces_.begin(); number < pieces_.end(); ++number)
     note_box(pieces_[number].block);
 }

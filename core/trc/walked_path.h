@@ -70,7 +70,10 @@ class WalkedPath {
   [[nodiscard]] const PathPiece& cut(HeldPath::Number cut) const { return cuts_[cut]; }
   [[nodiscard]] PathPiece operator[](std::size_t number) const;
 
-  void add_whole(std::size_t block);
+  void add_whole(std::size_t block) {
+    pieces_.push_back({.block = static_cast<HeldPath::Number>(block)});
+    if (finds_near_) note_box(block);
+  }
   void add(const PathPiece& piece);
   // Forgets the pieces from `number` on: they are walked again.
   void truncate(std::size_t number);

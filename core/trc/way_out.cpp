@@ -9,7 +9,8 @@
 namespace trc {
 std::optional<LoopExit> WayOut::find(const PathPiece& at, const Onset& onset,
                                      Nearness nearness) const {
-  const std::vector<std::size_t> obstacles = obstacles_.at(at.block, onset, nearness);
+  const std::vector<std::size_t>& obstacles = obstacles_.at(at.block, onset, nearness);
+  known_.clear();
   // Where the path is in one point again and again, all continuations but the first may leave out
   // what is legal.
   std::optional<LoopExit> first;
@@ -82,15 +83,10 @@ std::optional<LoopExit> WayOut::crossing_in(const PathPiece& piece, std::size_t 
                                             bool beside) const {
   checkpoint_.pass();
   const double slack = slack_of_places(tolerances_);
-  const Segment& segment = path(piece.block).path;
-  if (has_no_radius(segment)) return std::nullopt;
-  const Box area = bounding_box(segment);
+  if (has_no_radius(path(piece.block).path)) return std::nullopt;
   std::optional<LoopExit> latest;
   for (std::size_t block = stretch.first; block < stretch.end; ++block) {
-    const Segment& other = path(block).path;
-    if (path(block).unreachable || has_no_radius(other)) continue;
-    if (are_apart(area, bounding_box(other), 3 * slack)) continue;
-    for (const Crossing& crossing : crossings(segment, other, slack)) {
+    for (const Crossing& crossing : crossings_of(piece.block, block)) {
       if (crossing.along_first < piece.from - slack || crossing.along_first > piece.to + slack)
         continue;
       if (latest && crossing.along_first < latest->leaves - slack) continue;
@@ -105,6 +101,24 @@ std::optional<LoopExit> WayOut::crossing_in(const PathPiece& piece, std::size_t 
     }
   }
   return latest;
+}
+
+const Crossings& WayOut::crossings_of(std::size_t block, std::size_t other) const {
+  const Segment& one = path(block).path;
+  if (known_.empty() || known_of_ != block) {
+    known_.clear();
+    known_of_ = block;
+    area_ = bounding_box(one);
+  }
+  const auto known = std::find_if(known_.begin(), known_.end(),
+                                  [&](const Known& its) { return its.other == other; });
+  if (known != known_.end()) return known->crossings;
+  Crossings& found = known_.emplace_back(Known{.other = other}).crossings;
+  const double slack = slack_of_places(tolerances_);
+  const Segment& two = path(other).path;
+  if (path(other).unreachable || has_no_radius(two)) return found;
+  if (!are_apart(area_, bounding_box(two), 3 * slack)) found = crossings(one, two, slack);
+  return found;
 }
 
 // Segments cross in places that are up to `slack` beyond their ends and as far from each other.

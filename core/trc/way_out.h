@@ -2,9 +2,11 @@
 
 #include <cstddef>
 #include <optional>
+#include <vector>
 
 #include "core/base/checkpoint.h"
 #include "core/base/tolerances.h"
+#include "core/geometry/along.h"
 #include "core/geometry/box_tree.h"
 #include "core/trc/held_path.h"
 #include "core/trc/obstacles.h"
@@ -70,6 +72,9 @@ class WayOut {
   [[nodiscard]] std::optional<LoopExit> crossing_in(const PathPiece& piece, std::size_t number,
                                                     std::size_t obstacle, const Stretch& stretch,
                                                     bool beside) const;
+  // Where two blocks of the path cross; none where the second one is not travelled. Obstacles in
+  // the same place have neighbours in common: found once for each onset and block.
+  [[nodiscard]] const Crossings& crossings_of(std::size_t block, std::size_t other) const;
   // Whether nothing in one box can be within reach of anything in the other.
   [[nodiscard]] bool are_apart(const Box& one, const Box& other, double reach) const;
   // Whether the point is farther than the radius from the contour block.
@@ -80,6 +85,15 @@ class WayOut {
   const Obstacles& obstacles_;
   Tolerances tolerances_;
   Checkpoint& checkpoint_;
+
+  struct Known {
+    std::size_t other = 0;
+    Crossings crossings{};
+  };
+  // Of one block; members for their memory's sake.
+  mutable std::size_t known_of_ = 0;
+  mutable Box area_{};
+  mutable std::vector<Known> known_;
 };
 
 }  // namespace trc
