@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <iterator>
 #include <memory>
 #include <optional>
 #include <type_traits>
@@ -15,7 +14,8 @@ namespace trc {
 
 // A sequence that grows at its end and is forgotten at its begin, whose elements keep their
 // number and their place in memory all the time. It takes little more memory than its elements:
-// it is never copied to grow, and a window over an endless stream needs room for the window.
+// it is never copied to grow, and a window over an endless stream needs room for the window. What
+// has been moved from may be assigned to or destroyed.
 template <class T>
 class NumberedQueue {
  public:
@@ -40,28 +40,31 @@ class NumberedQueue {
   T& push_back(T element) { return next() = std::move(element); }
   // One more at the end, with whatever value: the caller gives it one.
   T& next() {
-    const std::size_t chunk = end_ / chunk_size - first_chunk_;
-    if (chunks_.empty() || chunk == chunks_.size()) return first_of_chunk();
-    return chunks_[chunk][end_++ % chunk_size];
+    if (place_ == end_of_chunk_) begin_chunk();
+    ++end_;
+    return *place_++;
   }
 
   // Forgets the elements before `number`, which is at most end().
   void drop_before(std::size_t number) {
-    for (; begin_ < number; ++begin_) release((*this)[begin_]);
-    const std::size_t chunk = begin_ / chunk_size;
-    const auto lies_before = [chunk](const Run& run) { return run.end_chunk <= chunk; };
-    if (runs_.empty() || !lies_before(runs_.front())) return;
-    const auto kept = std::find_if_not(runs_.begin(), runs_.end(), lies_before);
-    const std::size_t gone = std::prev(kept)->end_chunk - first_chunk_;
-    if (runs_.front().chunks == 1) spare_ = std::move(runs_.front());
-    runs_.erase(runs_.begin(), kept);
-    chunks_.erase(chunks_.begin(), chunks_.begin() + static_cast<std::ptrdiff_t>(gone));
-    first_chunk_ += gone;
+    if constexpr (std::is_trivially_destructible_v<T>) {
+      begin_ = std::max(begin_, number);
+    } else {
+      for (; begin_ < number; ++begin_) (*this)[begin_] = T{};
+    }
+    if (begin_ >= end_of_first_) drop_runs();
   }
   // Forgets the elements from `number` on. Where that is all of them, `number` comes next.
   void truncate(std::size_t number) {
-    while (end_ > std::max(begin_, number)) release((*this)[--end_]);
-    if (number < begin_) *this = NumberedQueue(number);
+    if (number < begin_) {
+      *this = NumberedQueue(number);
+      return;
+    }
+    if (number >= end_) return;
+    if constexpr (!std::is_trivially_destructible_v<T>)
+      for (std::size_t gone = number; gone < end_; ++gone) (*this)[gone] = T{};
+    end_ = number;
+    find_place();
   }
 
   template <class Archive>
@@ -91,7 +94,7 @@ class NumberedQueue {
     Run& operator=(Run&& other) noexcept {
       std::swap(memory, other.memory);
       std::swap(chunks, other.chunks);
-      std::swap(end_chunk, other.end_chunk);
+      std::swap(end, other.end);
       return *this;
     }
     Run(const Run&) = delete;
@@ -103,28 +106,61 @@ class NumberedQueue {
 
     std::unique_ptr<T[]> memory;
     std::size_t chunks;
-    std::size_t end_chunk = 0;  // the number of the chunk behind it
+    std::size_t end = 0;  // the number of the element behind it
   };
 
-  [[gnu::noinline]] T& first_of_chunk() {
-    if (chunks_.empty()) first_chunk_ = end_ / chunk_size;
+  [[gnu::noinline]] void begin_chunk() {
+    const std::size_t chunk = end_ / chunk_size;
+    if (chunks_.empty()) first_chunk_ = chunk;
+    if (chunk == first_chunk_ + chunks_.size()) begin_run();
+    find_place();
+  }
+  void begin_run() {
     Run& run = runs_.emplace_back(spare_ ? *std::exchange(spare_, std::nullopt)
                                          : Run(chunks_.size() < long_queue ? 1 : chunks_at_a_time));
     for (std::size_t chunk = 0; chunk < run.chunks; ++chunk)
       chunks_.push_back(run.memory.get() + chunk * chunk_size);
-    run.end_chunk = first_chunk_ + chunks_.size();
-    return (*this)[end_++];
+    run.end = (first_chunk_ + chunks_.size()) * chunk_size;
+    end_of_first_ = runs_[dropped_runs_].end;
   }
-  static void release(T& element) {
-    if constexpr (!std::is_trivially_destructible_v<T>) element = T{};
+  // The chunk of end() is there.
+  void find_place() {
+    T* chunk = chunks_[end_ / chunk_size - first_chunk_];
+    place_ = chunk + end_ % chunk_size;
+    end_of_chunk_ = chunk + chunk_size;
+  }
+  [[gnu::noinline]] void drop_runs() {
+    for (; dropped_runs_ < runs_.size() && runs_[dropped_runs_].end <= begin_; ++dropped_runs_) {
+      Run gone = std::move(runs_[dropped_runs_]);
+      dropped_chunks_ += gone.chunks;
+      if (gone.chunks == 1) spare_ = std::move(gone);
+    }
+    const bool all = dropped_runs_ == runs_.size();
+    if (all) place_ = end_of_chunk_ = nullptr;
+    end_of_first_ = all ? begin_ + 1 : runs_[dropped_runs_].end;
+    // Now and then: what is left of them is moved.
+    if (2 * dropped_runs_ < runs_.size()) return;
+    const auto behind = [](auto& all_of_them, std::size_t number) {
+      return all_of_them.begin() + static_cast<std::ptrdiff_t>(number);
+    };
+    runs_.erase(runs_.begin(), behind(runs_, std::exchange(dropped_runs_, 0)));
+    chunks_.erase(chunks_.begin(), behind(chunks_, dropped_chunks_));
+    first_chunk_ += std::exchange(dropped_chunks_, 0);
   }
 
   std::vector<Run> runs_;
   std::vector<T*> chunks_;    // of the runs
   std::optional<Run> spare_;  // the next chunk, where one has been emptied
   std::size_t first_chunk_ = 0;
+  // From the begins of these.
+  std::size_t dropped_runs_ = 0;
+  std::size_t dropped_chunks_ = 0;
   std::size_t begin_;
   std::size_t end_;
+  // Where the next element goes, and the end of its chunk; both null where it has none yet.
+  T* place_ = nullptr;
+  T* end_of_chunk_ = nullptr;
+  std::size_t end_of_first_ = 0;  // of the runs, a number
 };
 
 }  // namespace trc

@@ -66,6 +66,22 @@ TEST(NumberedQueue, ElementsKeepTheirNumberAndTheirPlaceInALongOne) {
   EXPECT_EQ(queue[200'000], 8U);
 }
 
+TEST(NumberedQueue, DroppedAndCutOffAtOnceAtEveryLength) {
+  for (std::size_t most = 1; most < 1'500; most += 37) {
+    NumberedQueue<std::size_t> queue(100);
+    for (std::size_t round = 0; round < 40; ++round) {
+      while (queue.size() < most) queue.push_back(3 * queue.end());
+      queue.truncate(queue.end() - most / 3);
+      queue.drop_before(queue.begin() + most / 4);
+      for (std::size_t number = queue.begin(); number < queue.end(); ++number)
+        ASSERT_EQ(queue[number], 3 * number) << most << " elements, round " << round;
+      if (!queue.empty()) {
+        ASSERT_EQ(queue.back(), 3 * (queue.end() - 1));
+      }
+    }
+  }
+}
+
 TEST(NumberedQueue, EmptiedAndFilledAgainManyTimes) {
   NumberedQueue<std::size_t> queue;
   for (std::size_t number = 0; number < 10'000; ++number) {
