@@ -1,8 +1,10 @@
 #include <benchmark/benchmark.h>
 #include <malloc.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -67,24 +69,23 @@ void compensate(benchmark::State& state, const Workload& workload, Way way) {
   std::size_t bytes_before = 0;
   std::size_t bytes_held = 0;  // when the last batch is still to come
   setup.take_portion = take;
+  std::vector<Block> rest;
   for (auto _ : state) {
     state.PauseTiming();
-    std::vector<Block> rest = given;
+    rest = given;
     bytes_before = bytes_in_use();
     state.ResumeTiming();
     Diagnostics diagnostics;
     Compensator compensator(setup, diagnostics);
     std::vector<CompensatedBlock> out;
-    std::vector<Block> batch;
     bool going = true;
     out_blocks = 0;
-    for (std::size_t at = 0; at < rest.size() && going; at += 1024) {
-      const std::size_t end = std::min(rest.size(), at + 1024);
-      batch.assign(std::make_move_iterator(rest.begin() + static_cast<std::ptrdiff_t>(at)),
-                   std::make_move_iterator(rest.begin() + static_cast<std::ptrdiff_t>(end)));
-      if (end == rest.size()) bytes_held = bytes_in_use() - bytes_before;
-      going = compensator.feed(batch, out);
-      if (going) diagnostics.take();
+    for (std::span<Block> left(rest); !left.empty() && going;) {
+      const auto batch = left.first(std::min<std::size_t>(left.size(), 1024));
+      if (batch.size() == left.size()) bytes_held = bytes_in_use() - bytes_before;
+      left = left.subspan(compensator.feed_until_report(batch, out));
+      going = !diagnostics.stopped();
+      if (going) static_cast<void>(diagnostics.take());
       take(out);
     }
     going = going && compensator.finish(TrcMode{}, out);
