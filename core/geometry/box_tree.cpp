@@ -6,24 +6,19 @@
 #include <utility>
 
 namespace trc {
-Box bounding_box(const Segment& segment) {
-  const Point& start = start_of(segment);
-  const Point& end = end_of(segment);
-  Box box(Vector(std::min(start.x(), end.x()), std::min(start.y(), end.y())),
-          Vector(std::max(start.x(), end.x()), std::max(start.y(), end.y())));
-  const auto* arc = std::get_if<Arc>(&segment);
-  if (arc == nullptr) return box;
+Box bounding_box(const Arc& arc) {
+  Box box = bounding_box(arc.start, arc.end);
   // Counter-clockwise from `first` to `last`.
-  Vector first = arc->start - arc->center;
-  Vector last = arc->end - arc->center;
-  if (arc->sweep < 0) std::swap(first, last);
-  const bool more_than_half = std::abs(arc->sweep) > std::numbers::pi;
+  Vector first = arc.start - arc.center;
+  Vector last = arc.end - arc.center;
+  if (arc.sweep < 0) std::swap(first, last);
+  const bool more_than_half = std::abs(arc.sweep) > std::numbers::pi;
   const double radius = first.norm();
   for (const Vector& axis : {Vector(1, 0), Vector(0, 1), Vector(-1, 0), Vector(0, -1)}) {
     const bool behind_first = cross(first, axis) >= 0;
     const bool before_last = cross(axis, last) >= 0;
     const bool passed = more_than_half ? behind_first || before_last : behind_first && before_last;
-    if (passed) box.extend(arc->center + radius * axis);
+    if (passed) box.extend(arc.center + radius * axis);
   }
   return box;
 }

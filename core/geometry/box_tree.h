@@ -11,7 +11,18 @@
 
 namespace trc {
 
-[[nodiscard]] Box bounding_box(const Segment& segment);
+[[nodiscard]] inline Box bounding_box(const Point& start, const Point& end) {
+  return {Vector(std::min(start.x(), end.x()), std::min(start.y(), end.y())),
+          Vector(std::max(start.x(), end.x()), std::max(start.y(), end.y()))};
+}
+[[nodiscard]] Box bounding_box(const Arc& arc);
+[[nodiscard]] inline Box bounding_box(const Line& line) {
+  return bounding_box(line.start, line.end);
+}
+[[nodiscard]] inline Box bounding_box(const Segment& segment) {
+  const auto* arc = std::get_if<Arc>(&segment);
+  return arc != nullptr ? bounding_box(*arc) : bounding_box(std::get<Line>(segment));
+}
 
 // Which of many boxes are near. The boxes keep their order, which is that of a
 // path: neighbours on the path are neighbours in space, so that the tree needs no
