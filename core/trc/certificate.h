@@ -1,7 +1,8 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
-#include <deque>
+#include <limits>
 
 #include "core/base/numbered_queue.h"
 #include "core/base/tolerances.h"
@@ -22,9 +23,20 @@ class Certificate {
  public:
   explicit Certificate(const Tolerances& tolerances) : tolerances_(tolerances) {}
 
+  // What it takes to know of a contour block.
+  struct Block {
+    Vector tangent_at_start = Vector::UnitX();
+    Vector tangent_at_end = Vector::UnitX();
+    double sweep = 0;  // rad, of the programmed arc
+    double left = 0;   // mm of the programmed path that inside corners leave; 0: unreachable
+    double shift_at_start = 0;
+    double shift_at_end = 0;
+  };
+  [[nodiscard]] static Block block_of(const PathBlock& block);
+
   // Appends a contour block; `apart`: its equidistant does not meet that of the
   // block before.
-  void append(const PathBlock& block, bool apart);
+  void append(const Block& block, bool apart);
   [[nodiscard]] std::size_t size() const { return first_of_chain_.end(); }
   // Nobody will ask about blocks before this one any more.
   void drop_before(std::size_t block);
@@ -38,36 +50,45 @@ class Certificate {
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(first_of_chain_, last_of_chain_, chain_, direction_, tangent_, shift_, least_,
-            greatest_);
+    archive(first_of_chain_, last_of_chain_, chain_, direction_, tangent_, shift_, directions_,
+            middle_, behind_middle_);
   }
 
  private:
-  // The least (or greatest) direction of the blocks in the running chain.
-  struct Extreme {
-    std::size_t block = 0;
-    double direction = 0;
+  // Directions of travel, counted on over full turns, rad.
+  struct Directions {
+    double least = std::numeric_limits<double>::infinity();
+    double greatest = -std::numeric_limits<double>::infinity();
 
+    void include(const Directions& others) {
+      least = std::min(least, others.least);
+      greatest = std::max(greatest, others.greatest);
+    }
     template <class Archive>
     void serialize(Archive& archive) {
-      archive(block, direction);
+      archive(least, greatest);
     }
   };
 
   // No chain that begins before `block` goes on behind the last one but `last`.
   void begin_chain(std::size_t block, std::size_t last);
+  [[nodiscard]] bool is_too_wide() const;
 
   Tolerances tolerances_;
   NumberedQueue<HeldPath::Number> first_of_chain_;
   NumberedQueue<HeldPath::Number> last_of_chain_;  // of the blocks before chain_
 
-  // The running chain. Directions are counted on over full turns.
+  // The running chain.
   std::size_t chain_ = 0;
-  double direction_ = 0;  // rad, at the end of the last block
+  double direction_ = 0;  // at the end of the last block
   Vector tangent_ = Vector::UnitX();
   double shift_ = 0;
-  std::deque<Extreme> least_;
-  std::deque<Extreme> greatest_;
+  // Of its blocks: before middle_ of each one and all behind it up to there, from there on of each
+  // one alone, and of all of these. So whatever the chain begins with, the directions of all of it
+  // take one step to know, and each block is looked at twice.
+  NumberedQueue<Directions> directions_;
+  std::size_t middle_ = 0;
+  Directions behind_middle_{};
 };
 
 }  // namespace trc

@@ -45,7 +45,7 @@ bool Clearance::feed(PathBlockPtr block, PathBlocks& out) {
     return true;
   }
   if (held_.size() >= selection_blocks_)
-    return diagnostics_.report(selection_too_long(*block, selection_blocks_));
+    return diagnostics_.report(selection_too_long(block->programmed.source, selection_blocks_));
   if (passes_at_once()) out.push_back(std::make_unique<PathBlock>(*block));
   hold(std::move(block));
   return window_ == 0 || examine(false, out);

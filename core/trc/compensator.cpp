@@ -62,10 +62,10 @@ struct Compensator::Passes {
   // Blocks that leave a selection as they came go straight into the result; where one does not, a
   // few go through the passes.
   bool let_go(std::vector<CompensatedBlock>& out) {
-    if (!path.blocks.empty() || !clearance.is_empty() || !loop_removal.let_go_next(leaving))
-      return loop_removal.let_go_some(path.blocks) && finish_path(Input::more, out);
     checkpoint.pass();
-    return contour_violations.apply(leaving) && reporting.feed(leaving, out);
+    const bool is_idle = path.blocks.empty() && clearance.is_empty();
+    if (is_idle && contour_run.let_go(out, out.size() + some)) return true;
+    return loop_removal.let_go_some(path.blocks) && finish_path(Input::more, out);
   }
   bool find_path(Input input) {
     return advance(relevant_blocks,    programmed,  path.blocks, input, checkpoint)
@@ -111,6 +111,7 @@ struct Compensator::Passes {
   }
 
   static constexpr std::size_t portion = 1024;
+  static constexpr std::size_t some = 32;  // of a portion
 
   Diagnostics& diagnostics;
   Checkpoint checkpoint;
@@ -131,7 +132,6 @@ struct Compensator::Passes {
 
   std::span<Block> programmed;  // of the caller: one block
   OnTheWay<PathBlockPtr> path;
-  PathBlock leaving;  // a place for one after the other
 };
 
 Compensator::Compensator(const CompensatorSetup& setup, Diagnostics& diagnostics)

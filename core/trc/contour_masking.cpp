@@ -40,7 +40,7 @@ bool ContourMasking::feed(PathBlockPtr block, PathBlocks& out) {
   const bool continues = !held_.empty() && is_contour(*block) && !block->perpendicular_entry;
   if (continues && masking) {
     if (held_.size() >= selection_blocks_)
-      return diagnostics_.report(selection_too_long(*block, selection_blocks_));
+      return diagnostics_.report(selection_too_long(block->programmed.source, selection_blocks_));
     held_.push_back(std::move(block));
     if (window_ == 0) return true;
     if (!keep(base_ + held_.size() - 1)) return false;

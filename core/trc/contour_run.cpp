@@ -32,21 +32,14 @@ bool is_plain(const PathBlock& block) {
          !block.unreachable && block.riders.empty() && block.riders_after_exit.empty();
 }
 
-// A place for blocks of a run to be held from.
-void make_ready(PathBlock& place, Role role, Origin origin, const PathBlock& held) {
-  place.role = role;
-  place.origin = origin;
-  place.at_start = place.at_end = held.at_end;
-  if (place.programmed.mode != held.programmed.mode) place.programmed.mode = held.programmed.mode;
-}
-
 }  // namespace
 
 bool ContourRun::may_begin(const PathBlock& open, const PathBlock& held) const {
   const bool removes_loops = loop_removal_.takes_contour();
-  return (removes_loops || !inverse_path_) && held.removes_loops() == removes_loops &&
-         is_plain(open) && is_plain(held) && open.at_end == held.at_end &&
-         open.programmed.mode == held.programmed.mode && is_plain(held.mode(), removes_loops);
+  return (removes_loops ? loop_removal_.takes_more_like(held) : !inverse_path_) &&
+         held.removes_loops() == removes_loops && is_plain(open) && is_plain(held) &&
+         open.at_end == held.at_end && open.programmed.mode == held.programmed.mode &&
+         is_plain(held.mode(), removes_loops);
 }
 
 std::size_t ContourRun::take(PathBlock& open, PathBlock& held, std::span<Block> blocks,
@@ -90,10 +83,7 @@ void ContourRun::begin(const PathBlock& held) {
   going_ = true;
   reports_before_ = diagnostics_.pending().size();
   removes_loops_ = held.removes_loops();
-  if (!removes_loops_) return;
-  exact_ = to_all_digits(tolerances_, std::abs(shift_));
-  make_ready(contour_block_, Role::contour, Origin::programmed, held);
-  make_ready(inserted_, Role::inserted, Origin::transition, held);
+  if (removes_loops_) exact_ = to_all_digits(tolerances_, std::abs(shift_));
 }
 
 void ContourRun::offset(MotionBlock& programmed, Step& step, Corner& begin, Corner& end) const {
@@ -111,6 +101,7 @@ void ContourRun::offset(MotionBlock& programmed, Step& step, Corner& begin, Corn
     end.programmed = arc->end;
     step.length = std::abs(arc->sweep) * radius;
     step.extent = std::abs(arc->sweep);
+    step.radius = radius;
     step.unreachable = removes_loops_ && first.circle.radius <=
                                              tolerances_.rounding * std::max(std::abs(shift_), 1.0);
   } else {
@@ -120,6 +111,7 @@ void ContourRun::offset(MotionBlock& programmed, Step& step, Corner& begin, Corn
     last = {.anchor = parallel_point(line.end, tangent, shift_), .tangent = tangent};
     end.programmed = line.end;
     step.length = step.extent = length;
+    step.radius = 1;
     step.unreachable = false;
   }
   step.tangent_at_start = first.tangent;
@@ -200,50 +192,43 @@ bool ContourRun::put_out(const Path& path, const Joint& joint, const Step& befor
   MotionBlock& programmed = *before.programmed;
   reporting_.summary().programmed_length += before.length;
   const auto inserted = joint.inserted();
-  MotionBlock& insertion = inserted_.programmed;
   // Before its tracking axes go with the block.
-  if (!inserted.empty()) insert_behind(programmed, *after.programmed, insertion);
+  if (!inserted.empty()) insert_behind(programmed, *after.programmed, inserted_);
   reporting_.put_out(programmed, *mode_, Origin::programmed, path, out);
   for (const auto& segment : inserted) {
-    const TrackingTravel tracking = insertion.tracking;
-    reporting_.put_out(insertion, *mode_, Origin::transition, *segment, out);
-    insertion.tracking = tracking;
+    const TrackingTravel tracking = inserted_.tracking;
+    reporting_.put_out(inserted_, *mode_, Origin::transition, *segment, out);
+    inserted_.tracking = tracking;
   }
   return true;
 }
 
-void ContourRun::hold(const Corner& corner, const Joint& joint, bool apart, const Step& before,
-                      const Step& after) {
-  MotionBlock& programmed = *before.programmed;
+[[gnu::noinline, gnu::flatten]] void ContourRun::hold(const Corner& corner, const Joint& joint,
+                                                      bool apart, const Step& before,
+                                                      const Step& after) {
+  const MotionBlock& programmed = *before.programmed;
+  const auto* arc = std::get_if<Arc>(&programmed.path);
+  const HeldPath::Cuts cuts{before.cut_at_start, joint.cut_before};
+  const double left = before.extent - cuts.at_start - cuts.at_end;
+  const Segment path = arc != nullptr
+                           ? shortened(*arc, before.tool_start, joint.end, left, true, tolerances_)
+                           : Line{.start = before.tool_start, .end = joint.end};
+  const double left_inside =
+      before.extent - std::max(cuts.at_start, 0.0) - std::max(cuts.at_end, 0.0);
+  const Certificate::Block course{.tangent_at_start = before.tangent_at_start,
+                                  .tangent_at_end = corner.before.tangent,
+                                  .sweep = arc != nullptr ? arc->sweep : 0,
+                                  .left = before.unreachable ? 0 : left_inside * before.radius,
+                                  .shift_at_start = shift_,
+                                  .shift_at_end = shift_};
+  going_ = loop_removal_.take({programmed, path, cuts, course, before.unreachable}, leaving_);
   const auto inserted = joint.inserted();
-  if (!inserted.empty()) insert_behind(programmed, *after.programmed, inserted_.programmed);
-  contour_block_.tangent_at_start = before.tangent_at_start;
-  contour_block_.tangent_at_end = corner.before.tangent;
-  contour_block_.cut_at_start = before.cut_at_start;
-  contour_block_.cut_at_end = joint.cut_before;
-  contour_block_.unreachable = before.unreachable;
-  if (const auto* arc = std::get_if<Arc>(&programmed.path)) {
-    const double left = before.extent - before.cut_at_start - joint.cut_before;
-    contour_block_.tool_path =
-        shortened(*arc, before.tool_start, joint.end, left, true, tolerances_);
-  } else {
-    contour_block_.tool_path = Line{.start = before.tool_start, .end = joint.end};
-  }
-  // All but the mode, of which one share does for the run.
-  MotionBlock& motion = contour_block_.programmed;
-  motion.source = programmed.source;
-  motion.path = programmed.path;
-  motion.normal = programmed.normal;
-  motion.feed = programmed.feed;
-  motion.rapid = programmed.rapid;
-  motion.tracking = std::move(programmed.tracking);
-  going_ = loop_removal_.take(contour_block_, leaving_);
-  inserted_.unreachable = apart;
-  const bool rapid = inserted_.programmed.rapid;
+  if (inserted.empty()) return;
+  insert_behind(programmed, *after.programmed, inserted_);
+  const bool rapid = inserted_.rapid;
   for (const auto& segment : inserted) {
-    inserted_.programmed.rapid = rapid && !is_arc(*segment);
-    inserted_.tool_path = *segment;
-    going_ = going_ && loop_removal_.take(inserted_, leaving_);
+    inserted_.rapid = rapid && !is_arc(*segment);
+    going_ = going_ && loop_removal_.take(inserted_, *segment, apart, leaving_);
   }
 }
 
@@ -252,6 +237,54 @@ void ContourRun::put_out_leaving(std::vector<CompensatedBlock>& out) {
   if (going_ && !leaving_.empty()) going_ = leave_selection_(leaving_, out);
   leaving_.clear();
   going_ = going_ && diagnostics_.pending().size() == reports_before_;
+}
+
+[[gnu::flatten]] bool ContourRun::let_go(std::vector<CompensatedBlock>& out, std::size_t most) {
+  const std::size_t before = out.size();
+  while (out.size() < most) {
+    const auto next = loop_removal_.next_as_it_came();
+    if (!next || !put_out_held(*next, out)) break;
+    loop_removal_.next_has_left();
+  }
+  return out.size() > before;
+}
+
+bool ContourRun::put_out_held(std::size_t number, std::vector<CompensatedBlock>& out) {
+  const HeldPath& held = loop_removal_.path();
+  const HeldPath::Setting& setting = held.setting_of(number);
+  if (inverse_path_ || setting.mode->feed_adaptation == FeedAdaptation::on) return false;
+  const auto put_out = [&](const auto& path, HeldPath::Number contour, Role role, Origin origin) {
+    const auto length = role == Role::contour ? programmed_length(contour, path.end - path.start,
+                                                                  setting.at_end.shift)
+                                              : std::optional(0.0);
+    if (!length || out_of_range(path, tolerances_)) return false;
+    reporting_.summary().programmed_length += *length;
+    held_.source = held.source_of(contour);
+    held_.normal = setting.normal;
+    held_.feed = setting.feed;
+    held_.rapid = setting.rapid;
+    held_.tracking = setting.tracking;
+    reporting_.put_out(held_, *setting.mode, origin, path, out);
+    return true;
+  };
+  return held.visit_path(number, put_out);
+}
+
+std::optional<double> ContourRun::programmed_length(std::size_t contour, const Vector& travelled,
+                                                    double shift) const {
+  const auto of_line = [&](const Line& line) -> std::optional<double> {
+    const auto [tangent, length] = directed(line.end - line.start);
+    if (runs_back(travelled, tangent, tolerances_)) return std::nullopt;
+    return length;
+  };
+  const auto of_arc = [&](const Arc& arc, const HeldPath::Cuts& cuts) -> std::optional<double> {
+    const double radius = radius_of(arc);
+    const double sweep = std::abs(arc.sweep);
+    const double left = sweep - cuts.at_start - cuts.at_end;
+    if (is_consumed(left, parallel_radius(arc, radius, shift), tolerances_)) return std::nullopt;
+    return sweep * radius;
+  };
+  return loop_removal_.path().visit_programmed(contour, overloaded{of_line, of_arc});
 }
 
 }  // namespace trc

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -47,6 +48,9 @@ class ContourRun {
   // what lay before them. Returns how many.
   std::size_t take(PathBlock& open, PathBlock& held, std::span<Block> blocks,
                    std::vector<CompensatedBlock>& out);
+  // The other end of a selection that LoopRemoval has held: puts out blocks that leave it as they
+  // came, until there are `most` in `out`. Returns whether there was one.
+  bool let_go(std::vector<CompensatedBlock>& out, std::size_t most);
 
  private:
   // A block between its two corners.
@@ -54,6 +58,7 @@ class ContourRun {
     MotionBlock* programmed = nullptr;
     double length = 0;         // of the programmed path
     double extent = 0;         // of the programmed path, as extent_of()
+    double radius = 1;         // of an arc: mm a unit of extent
     bool unreachable = false;  // as in PathBlock
     Vector tangent_at_start = Vector::UnitX();
     Point tool_start = Point::Zero();
@@ -83,6 +88,12 @@ class ContourRun {
             const Step& after);
   // What a window of LoopRemoval has set free.
   void put_out_leaving(std::vector<CompensatedBlock>& out);
+  // Does nothing where the passes have to do it.
+  bool put_out_held(std::size_t number, std::vector<CompensatedBlock>& out);
+  // mm; nothing where the path of a contour block is a contour violation.
+  [[nodiscard]] std::optional<double> programmed_length(std::size_t contour,
+                                                        const Vector& travelled,
+                                                        double shift) const;
 
   bool inverse_path_;
   Tolerances tolerances_;
@@ -97,8 +108,9 @@ class ContourRun {
   Tolerances exact_{};  // for the meetings of a contour whose loops are removed
   bool going_ = true;
   std::size_t reports_before_ = 0;
-  PathBlock contour_block_{};  // as LoopRemoval wants them; places for one after the other
-  PathBlock inserted_{};
+  // Places for one block after the other.
+  MotionBlock inserted_{};
+  MotionBlock held_{};
   PathBlocks leaving_;  // between LoopRemoval and the passes behind it
 };
 

@@ -10,35 +10,85 @@ namespace trc {
 
 void HeldPath::append(PathBlock& block) {
   const bool is_contour = block.role == Role::contour;
-  if (is_contour) note_contour_block(block);
+  if (is_contour)
+    keep_contour(block.programmed, std::abs(block.at_start.shift),
+                 {block.cut_at_start, block.cut_at_end});
   if (!block.riders.empty()) riders_.push_back({blocks_.end(), std::move(block.riders)});
   const bool apart = !is_contour && stands_apart(block);
   if (apart) {
     const Source& source = block.programmed.source;
     apart_.push_back({.block = blocks_.end(),
-                      .cut_at_start = block.cut_at_start,
-                      .cut_at_end = block.cut_at_end,
+                      .cuts = {block.cut_at_start, block.cut_at_end},
                       .index = source.index,
                       .n_word = source.number,
                       .line = source.line});
   }
-  const Number setting = setting_of(block);
-  Block& held = blocks_.next();
-  held.path = block.tool_path;
-  held.number = static_cast<Number>(contour_.end() > 0 ? contour_.end() - 1 : 0);
-  held.setting = setting;
-  held.role = block.role;
-  held.origin = block.origin;
-  held.unreachable = block.unreachable;
-  held.apart = apart;
+  keep_path(block.tool_path, note_setting(block), block.role, block.origin, block.unreachable)
+      .apart = apart;
+}
+
+void HeldPath::append_contour(const MotionBlock& programmed, const Segment& path, const Cuts& cuts,
+                              bool unreachable) {
+  keep_contour(programmed, settings_.back().radius, cuts);
+  keep_path(path, note_setting_like_last(programmed), Role::contour, Origin::programmed,
+            unreachable);
+}
+
+void HeldPath::append_transition(const MotionBlock& inserted, const Segment& path,
+                                 bool unreachable) {
+  keep_path(path, note_setting_like_last(inserted), Role::inserted, Origin::transition,
+            unreachable);
+}
+
+bool HeldPath::follows_like(const PathBlock& block) const {
+  if (settings_.empty()) return false;
+  const Setting& last = settings_.back();
+  return last.mode == block.programmed.mode && last.at_start == block.at_start &&
+         last.at_end == block.at_end && last.at_start == last.at_end && !last.perpendicular_entry &&
+         !last.perpendicular_exit && last.radius == std::abs(last.at_end.shift);
+}
+
+inline HeldPath::KeptBlock& HeldPath::keep_path(const Segment& path, Number setting, Role role,
+                                                Origin origin, bool unreachable) {
+  KeptBlock& kept = blocks_.next();
+  kept.arc = static_cast<Number>(arcs_.end());
+  if (const Arc* arc = keep_ends(path, kept)) arcs_.next() = {arc->center, arc->sweep};
+  kept.number = static_cast<Number>(contour_.end() > 0 ? contour_.end() - 1 : 0);
+  kept.setting = setting;
+  kept.role = role;
+  kept.origin = origin;
+  kept.unreachable = unreachable;
+  kept.apart = false;
+  return kept;
+}
+
+inline void HeldPath::keep_contour(const MotionBlock& programmed, double radius, const Cuts& cuts) {
+  limit_radius_of_inserted(radius);
+  KeptContour& kept = contour_.next();
+  kept.circle = static_cast<Number>(circles_.end());
+  if (const Arc* arc = keep_ends(programmed.path, kept))
+    circles_.next() = {.arc = {arc->center, arc->sweep}, .cuts = cuts};
+  kept.index = programmed.source.index;
+  kept.n_word = programmed.source.number;
+  kept.line = programmed.source.line;
+  kept.block = static_cast<Number>(blocks_.end());
+}
+
+template <class Kept>
+const Arc* HeldPath::keep_ends(const Segment& segment, Kept& kept) {
+  const auto* arc = std::get_if<Arc>(&segment);
+  kept.is_arc = arc != nullptr;
+  kept.start = start_of(segment);
+  kept.end = end_of(segment);
+  return arc;
 }
 
 bool HeldPath::stands_apart(const PathBlock& inserted) const {
-  return contour_.end() == 0 || inserted.cut_at_start != 0 || inserted.cut_at_end != 0 ||
-         inserted.programmed.source != contour_.back().source();
+  return contour_.empty() || inserted.cut_at_start != 0 || inserted.cut_at_end != 0 ||
+         inserted.programmed.source != source_of(contour_.end() - 1);
 }
 
-HeldPath::Number HeldPath::setting_of(const PathBlock& block) {
+HeldPath::Number HeldPath::note_setting(const PathBlock& block) {
   const MotionBlock& programmed = block.programmed;
   const double radius = std::min(std::abs(block.at_start.shift), std::abs(block.at_end.shift));
   const auto is_that_of = [&](const Setting& setting) {
@@ -63,55 +113,61 @@ HeldPath::Number HeldPath::setting_of(const PathBlock& block) {
   return static_cast<Number>(settings_.end() - 1);
 }
 
-void HeldPath::note_contour_block(const PathBlock& block) {
-  const double at_start = std::abs(block.at_start.shift);
-  // What is inserted before a change of radius may be travelled with either.
+inline HeldPath::Number HeldPath::note_setting_like_last(const MotionBlock& motion) {
+  const Setting& last = settings_.back();
+  if (last.feed != motion.feed || last.normal != motion.normal || last.rapid != motion.rapid ||
+      last.tracking != motion.tracking) {
+    Setting changed = last;
+    changed.feed = motion.feed;
+    changed.normal = motion.normal;
+    changed.rapid = motion.rapid;
+    changed.tracking = motion.tracking;
+    settings_.push_back(std::move(changed));
+  }
+  return static_cast<Number>(settings_.end() - 1);
+}
+
+// What is inserted before a change of radius may be travelled with either.
+inline void HeldPath::limit_radius_of_inserted(double radius) {
   for (std::size_t number = blocks_.end(); number-- > blocks_.begin();) {
-    Block& inserted = blocks_[number];
-    if (inserted.is_contour()) break;
-    if (settings_[inserted.setting].radius <= at_start) continue;
+    KeptBlock& inserted = blocks_[number];
+    if (inserted.role == Role::contour) break;
+    if (settings_[inserted.setting].radius <= radius) continue;
     Setting changed = settings_[inserted.setting];
-    changed.radius = at_start;
+    changed.radius = radius;
     settings_.push_back(std::move(changed));
     inserted.setting = static_cast<Number>(settings_.end() - 1);
   }
-  const MotionBlock& programmed = block.programmed;
-  ContourBlock& contour = contour_.next();
-  contour.programmed = programmed.path;
-  contour.cut_at_start = block.cut_at_start;
-  contour.cut_at_end = block.cut_at_end;
-  contour.index = programmed.source.index;
-  contour.n_word = programmed.source.number;
-  contour.line = programmed.source.line;
-  contour.block = static_cast<Number>(blocks_.end());
 }
 
 void HeldPath::restore(std::size_t number, PathBlock& block) {
-  const Block& held = blocks_[number];
-  const Setting& setting = settings_[held.setting];
+  const KeptBlock& kept = blocks_[number];
+  const Setting& setting = settings_[kept.setting];
   MotionBlock& programmed = block.programmed;
   programmed.normal = setting.normal;
   programmed.feed = setting.feed;
   programmed.rapid = setting.rapid;
-  if (programmed.mode != setting.mode) programmed.mode = setting.mode;
+  programmed.mode = setting.mode;
   programmed.tracking = setting.tracking;
-  block.role = held.role;
-  block.origin = held.origin;
+  block.role = kept.role;
+  block.origin = kept.origin;
   block.perpendicular_entry = setting.perpendicular_entry;
   block.perpendicular_exit = setting.perpendicular_exit;
   block.at_start = setting.at_start;
   block.at_end = setting.at_end;
-  block.tool_path = held.path;
-  block.unreachable = held.unreachable;
-  if (held.apart) {
+  block.tool_path = this->block(number).path;
+  block.unreachable = kept.unreachable;
+  if (kept.apart) {
     restore_apart(number, block);
   } else {
-    const ContourBlock& contour = contour_[held.number];
-    programmed.source = contour.source();
-    block.cut_at_start = held.is_contour() ? contour.cut_at_start : 0;
-    block.cut_at_end = held.is_contour() ? contour.cut_at_end : 0;
-    if (held.is_contour()) {
-      programmed.path = contour.programmed;
+    programmed.source = source_of(kept.number);
+    if (kept.role == Role::contour) {
+      const auto give = [&](const auto& path, const Cuts& cuts) {
+        programmed.path = path;
+        block.cut_at_start = cuts.at_start;
+        block.cut_at_end = cuts.at_end;
+      };
+      visit_programmed(kept.number, overloaded{give, [&](const Line& line) { give(line, {}); }});
       give_offsets(block);
     }
   }
@@ -126,8 +182,8 @@ void HeldPath::restore_apart(std::size_t number, PathBlock& block) {
   while (apart_[apart_.begin()].block < number) apart_.drop_before(apart_.begin() + 1);
   const Apart& apart = apart_[apart_.begin()];
   block.programmed.source = {apart.index, apart.n_word, apart.line};
-  block.cut_at_start = apart.cut_at_start;
-  block.cut_at_end = apart.cut_at_end;
+  block.cut_at_start = apart.cuts.at_start;
+  block.cut_at_end = apart.cuts.at_end;
 }
 
 PathBlockPtr HeldPath::restored(std::size_t number) {
@@ -141,8 +197,12 @@ void HeldPath::forget_before(std::size_t contour_number) {
 }
 
 void HeldPath::forget_path_before(std::size_t block) {
-  settings_.drop_before(blocks_[block].setting);
-  contour_.drop_before(blocks_[block].number);
+  const KeptBlock& first = blocks_[block];
+  const KeptContour& contour = contour_[first.number];
+  settings_.drop_before(first.setting);
+  circles_.drop_before(contour.circle);
+  contour_.drop_before(first.number);
+  arcs_.drop_before(first.arc);
   blocks_.drop_before(block);
 }
 

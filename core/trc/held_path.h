@@ -6,9 +6,11 @@
 #include <cstdint>
 #include <limits>
 #include <memory>
+#include <numbers>
 #include <vector>
 
 #include "core/base/numbered_queue.h"
+#include "core/geometry/box_tree.h"
 #include "core/trc/path_block.h"
 
 namespace trc {
@@ -30,65 +32,17 @@ class HeldPath {
   struct Block {
     Segment path{};     // of the tool
     Number number = 0;  // of the contour block, or of the one before it
-    Number setting = 0;
     Role role = Role::contour;
     Origin origin = Origin::programmed;
     bool unreachable = false;
-    bool apart = false;  // inserted, but not by the contour block before it: Apart
 
     [[nodiscard]] bool is_contour() const { return role == Role::contour; }
-    template <class Archive>
-    void serialize(Archive& archive) {
-      archive(path, number, setting, role, origin, unreachable, apart);
-    }
   };
   struct ContourBlock {
     Segment programmed{};
-    double cut_at_start = 0;
-    double cut_at_end = 0;
-    std::uint64_t index = 0;  // index, n_word and line: its Source
-    std::int64_t n_word = 0;
-    std::uint32_t line = 0;
+    Source source{};
     Number block = 0;  // its path
-
-    [[nodiscard]] Source source() const { return {index, n_word, line}; }
-    template <class Archive>
-    void serialize(Archive& archive) {
-      archive(programmed, cut_at_start, cut_at_end, index, n_word, line, block);
-    }
   };
-
-  // Takes the riders out of the block.
-  void append(PathBlock& block);
-  [[nodiscard]] const NumberedQueue<Block>& blocks() const { return blocks_; }
-  [[nodiscard]] const NumberedQueue<ContourBlock>& contour() const { return contour_; }
-  // Of the tool, the smaller one where it changes, mm.
-  [[nodiscard]] double radius_of_tool(std::size_t block) const { return setting(block).radius; }
-  // Of a contour block, the larger one where it changes, mm.
-  [[nodiscard]] double largest_radius(const ContourBlock& contour) const {
-    const Setting& its = setting(contour.block);
-    return std::max(std::abs(its.at_start.shift), std::abs(its.at_end.shift));
-  }
-  [[nodiscard]] const TrcMode& mode_of(std::size_t block) const { return *setting(block).mode; }
-  // Across the plane, where the block starts, mm.
-  [[nodiscard]] double height_of(std::size_t block) const { return setting(block).normal.from; }
-
-  // Makes `block` what it was, with its riders; each one once, in ascending order. It is new, or
-  // one that has been restored before.
-  void restore(std::size_t number, PathBlock& block);
-  [[nodiscard]] PathBlockPtr restored(std::size_t number);
-
-  // Forgets contour blocks and their path.
-  void forget_before(std::size_t contour_number);
-  // Forgets blocks of the path, and of the contour what only they needed.
-  void forget_path_before(std::size_t block);
-
-  template <class Archive>
-  void serialize(Archive& archive) {
-    archive(blocks_, contour_, settings_, riders_, apart_);
-  }
-
- private:
   // What one block after the other has in common.
   struct Setting {
     std::shared_ptr<const TrcMode> mode{};
@@ -108,6 +62,149 @@ class HeldPath {
               perpendicular_exit, radius);
     }
   };
+  // What the corners cut from the equidistant of an arc, as in PathBlock. Nobody asks for those of
+  // lines.
+  struct Cuts {
+    double at_start = 0;
+    double at_end = 0;
+  };
+
+  // Takes the riders out of the block.
+  void append(PathBlock& block);
+  // The same for a block that follows one of the same mode and compensation, `follows_like`, with
+  // nothing about it.
+  void append_contour(const MotionBlock& programmed, const Segment& path, const Cuts& cuts,
+                      bool unreachable);
+  void append_transition(const MotionBlock& inserted, const Segment& path, bool unreachable);
+  // Whether the last block was compensated as this one is.
+  [[nodiscard]] bool follows_like(const PathBlock& block) const;
+
+  // Numbers, from begin to end.
+  [[nodiscard]] std::size_t begin() const { return blocks_.begin(); }
+  [[nodiscard]] std::size_t end() const { return blocks_.end(); }
+  [[nodiscard]] bool empty() const { return blocks_.empty(); }
+  [[nodiscard]] std::size_t size() const { return blocks_.size(); }
+  [[nodiscard]] std::size_t begin_of_contour() const { return contour_.begin(); }
+  [[nodiscard]] std::size_t end_of_contour() const { return contour_.end(); }
+
+  // Of which mostly a single part is wanted: they leave nothing of the others to be done.
+  [[nodiscard]] Block block(std::size_t number) const;
+  [[nodiscard]] Source source_of(std::size_t contour_block) const {
+    const KeptContour& kept = contour_[contour_block];
+    return {kept.index, kept.n_word, kept.line};
+  }
+  // Calls visit with the path of a block, a Line or an Arc, with its number, role and origin as in
+  // Block.
+  template <class Visit>
+  auto visit_path(std::size_t block, Visit visit) const;
+  // The same with the programmed path of a contour block; of an Arc also with its Cuts.
+  template <class Visit>
+  auto visit_programmed(std::size_t contour_block, Visit visit) const;
+  [[nodiscard]] bool is_contour(std::size_t block) const {
+    return blocks_[block].role == Role::contour;
+  }
+  [[nodiscard]] const Point& begins_at(std::size_t block) const { return blocks_[block].start; }
+  [[nodiscard]] const Point& ends_at(std::size_t block) const { return blocks_[block].end; }
+  [[nodiscard]] bool is_unreachable(std::size_t block) const { return blocks_[block].unreachable; }
+  [[nodiscard]] bool have_one_setting(std::size_t block, std::size_t other) const {
+    return blocks_[block].setting == blocks_[other].setting;
+  }
+  // About the path of a block, not much larger than it.
+  [[nodiscard]] Box box_about(std::size_t block) const;
+  [[nodiscard]] std::size_t number_of(std::size_t block) const { return blocks_[block].number; }
+  // Whether there is no more to the next block to leave than block(), setting_of(), and
+  // contour_block() of its number, tell.
+  [[nodiscard]] bool stands_for_itself(std::size_t next) const {
+    return !blocks_[next].apart && (riders_.empty() || riders_[riders_.begin()].block > next);
+  }
+  [[nodiscard]] ContourBlock contour_block(std::size_t number) const;
+  [[nodiscard]] const Setting& setting_of(std::size_t block) const {
+    return settings_[blocks_[block].setting];
+  }
+  // Of the tool, the smaller one where it changes, mm.
+  [[nodiscard]] double radius_of_tool(std::size_t block) const { return setting_of(block).radius; }
+  // Of a contour block, the larger one where it changes, mm.
+  [[nodiscard]] double largest_radius(const ContourBlock& contour) const {
+    const Setting& its = setting_of(contour.block);
+    return std::max(std::abs(its.at_start.shift), std::abs(its.at_end.shift));
+  }
+  [[nodiscard]] const TrcMode& mode_of(std::size_t block) const { return *setting_of(block).mode; }
+  // Across the plane, where the block starts, mm.
+  [[nodiscard]] double height_of(std::size_t block) const { return setting_of(block).normal.from; }
+
+  // Makes `block` what it was, with its riders; each one once, in ascending order. It is new, or
+  // one that has been restored before.
+  void restore(std::size_t number, PathBlock& block);
+  [[nodiscard]] PathBlockPtr restored(std::size_t number);
+
+  // Forgets contour blocks and their path.
+  void forget_before(std::size_t contour_number);
+  // Forgets blocks of the path, and of the contour what only they needed.
+  void forget_path_before(std::size_t block);
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(blocks_, arcs_, contour_, circles_, settings_, riders_, apart_);
+  }
+
+ private:
+  // Most blocks are lines; what an arc has beyond that lies apart.
+  struct KeptBlock {
+    Point start = Point::Zero();
+    Point end = Point::Zero();
+    Number number = 0;
+    Number setting = 0;
+    Number arc = 0;  // its own, or the next one
+    Role role = Role::contour;
+    Origin origin = Origin::programmed;
+    bool is_arc : 1 = false;
+    bool unreachable : 1 = false;
+    bool apart : 1 = false;  // inserted, but not by the contour block before it: Apart
+
+    template <class Archive>
+    void serialize(Archive& archive) {
+      bool its_arc = is_arc;
+      bool its_unreachable = unreachable;
+      bool its_apart = apart;
+      archive(start, end, number, setting, arc, role, origin, its_arc, its_unreachable, its_apart);
+      is_arc = its_arc;
+      unreachable = its_unreachable;
+      apart = its_apart;
+    }
+  };
+  struct KeptArc {
+    Point center = Point::Zero();
+    double sweep = 0;
+
+    template <class Archive>
+    void serialize(Archive& archive) {
+      archive(center, sweep);
+    }
+  };
+  struct KeptContour {
+    Point start = Point::Zero();
+    Point end = Point::Zero();
+    std::uint64_t index = 0;  // index, n_word and line: its Source
+    std::int64_t n_word = 0;
+    std::uint32_t line = 0;
+    Number block = 0;
+    Number circle = 0;  // its own, or the next one
+    bool is_arc = false;
+
+    template <class Archive>
+    void serialize(Archive& archive) {
+      archive(start, end, index, n_word, line, block, circle, is_arc);
+    }
+  };
+  struct KeptCircle {
+    KeptArc arc{};
+    Cuts cuts{};
+
+    template <class Archive>
+    void serialize(Archive& archive) {
+      archive(arc, cuts.at_start, cuts.at_end);
+    }
+  };
   struct Riders {
     std::size_t block = 0;
     std::vector<PassiveBlock> blocks{};
@@ -122,32 +219,96 @@ class HeldPath {
   // none, or it is another one that has inserted it.
   struct Apart {
     std::size_t block = 0;
-    double cut_at_start = 0;
-    double cut_at_end = 0;
+    Cuts cuts{};
     std::uint64_t index = 0;
     std::int64_t n_word = 0;
     std::uint32_t line = 0;
 
     template <class Archive>
     void serialize(Archive& archive) {
-      archive(block, cut_at_start, cut_at_end, index, n_word, line);
+      archive(block, cuts.at_start, cuts.at_end, index, n_word, line);
     }
   };
 
-  [[nodiscard]] const Setting& setting(std::size_t block) const {
-    return settings_[blocks_[block].setting];
+  // Of either kind.
+  template <class Kept>
+  static Line line_of(const Kept& kept) {
+    return {.start = kept.start, .end = kept.end};
   }
+  template <class Kept>
+  static Arc arc_of(const Kept& kept, const KeptArc& arc) {
+    return {.start = kept.start, .end = kept.end, .center = arc.center, .sweep = arc.sweep};
+  }
+  template <class Kept>
+  static const Arc* keep_ends(const Segment& segment, Kept& kept);
+
   // That of the last block, where it is the same.
-  [[nodiscard]] Number setting_of(const PathBlock& block);
-  void note_contour_block(const PathBlock& block);
+  [[nodiscard]] Number note_setting(const PathBlock& block);
+  [[nodiscard]] Number note_setting_like_last(const MotionBlock& motion);
+  void limit_radius_of_inserted(double radius);
+  void keep_contour(const MotionBlock& programmed, double radius, const Cuts& cuts);
+  KeptBlock& keep_path(const Segment& path, Number setting, Role role, Origin origin,
+                       bool unreachable);
   [[nodiscard]] bool stands_apart(const PathBlock& inserted) const;
   void restore_apart(std::size_t number, PathBlock& block);
 
-  NumberedQueue<Block> blocks_;
-  NumberedQueue<ContourBlock> contour_;
+  NumberedQueue<KeptBlock> blocks_;
+  NumberedQueue<KeptArc> arcs_;  // of blocks_
+  NumberedQueue<KeptContour> contour_;
+  NumberedQueue<KeptCircle> circles_;  // of contour_
   NumberedQueue<Setting> settings_;
   NumberedQueue<Riders> riders_;
   NumberedQueue<Apart> apart_;
 };
+
+[[gnu::always_inline]] inline HeldPath::Block HeldPath::block(std::size_t number) const {
+  const KeptBlock& kept = blocks_[number];
+  return {.path = kept.is_arc ? Segment(arc_of(kept, arcs_[kept.arc])) : line_of(kept),
+          .number = kept.number,
+          .role = kept.role,
+          .origin = kept.origin,
+          .unreachable = kept.unreachable};
+}
+
+[[gnu::always_inline]] inline HeldPath::ContourBlock HeldPath::contour_block(
+    std::size_t number) const {
+  const KeptContour& kept = contour_[number];
+  return {
+      .programmed = kept.is_arc ? Segment(arc_of(kept, circles_[kept.circle].arc)) : line_of(kept),
+      .source = source_of(number),
+      .block = kept.block};
+}
+
+inline Box HeldPath::box_about(std::size_t block) const {
+  const KeptBlock& kept = blocks_[block];
+  const Box box = bounding_box(kept.start, kept.end);
+  if (!kept.is_arc) return box;
+  const KeptArc& arc = arcs_[kept.arc];
+  const double sweep = std::abs(arc.sweep);
+  if (sweep > std::numbers::pi / 2) return bounding_box(arc_of(kept, arc));
+  // An arc rises over its chord by half of that times tan(sweep / 4), which up to there is less
+  // than 0.27 of the sweep.
+  const double rise = 0.14 * sweep * box.sizes().sum();
+  return {box.min() - Vector(rise, rise), box.max() + Vector(rise, rise)};
+}
+
+template <class Visit>
+[[gnu::always_inline]] inline auto HeldPath::visit_path(std::size_t block, Visit visit) const {
+  const KeptBlock& kept = blocks_[block];
+  const Number number = kept.number;
+  const Role role = kept.role;
+  const Origin origin = kept.origin;
+  return kept.is_arc ? visit(arc_of(kept, arcs_[kept.arc]), number, role, origin)
+                     : visit(line_of(kept), number, role, origin);
+}
+
+template <class Visit>
+[[gnu::always_inline]] inline auto HeldPath::visit_programmed(std::size_t contour_block,
+                                                              Visit visit) const {
+  const KeptContour& kept = contour_[contour_block];
+  if (!kept.is_arc) return visit(line_of(kept));
+  const KeptCircle& circle = circles_[kept.circle];
+  return visit(arc_of(kept, circle.arc), circle.cuts);
+}
 
 }  // namespace trc

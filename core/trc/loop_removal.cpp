@@ -41,7 +41,7 @@ bool LoopRemoval::feed(PathBlockPtr block, PathBlocks& out) {
     entering_.push_back(std::move(block));
     return true;
   }
-  return take(*block, out);
+  return hold(*block) && (window_ == 0 || proceed(out));
 }
 
 bool LoopRemoval::drain(PathBlocks& /*out*/) {
@@ -72,16 +72,19 @@ bool LoopRemoval::let_go_some(PathBlocks& out) {
   return !ended_ || leaving_ || end_selection();
 }
 
-bool LoopRemoval::let_go_next(PathBlock& block) {
-  if (!entering_.empty() || walked_.empty()) return false;
-  const auto [at, cut] = walked_.kept(walked_.begin());  // it is dropped below
-  if (cut != WalkedPath::Kept::whole || at != next_) return false;
-  path_.restore(at, block);
-  next_ = at + 1;
-  walked_.drop_before(walked_.begin() + 1);
+std::optional<std::size_t> LoopRemoval::next_as_it_came() const {
+  if (!leaving_ || !entering_.empty() || walked_.empty()) return std::nullopt;
+  const auto& [at, cut] = walked_.kept(walked_.begin());
+  const bool came_so = cut == WalkedPath::Kept::whole && at == next_;
+  if (!came_so || !path_.stands_for_itself(at)) return std::nullopt;
+  return at;
+}
+
+void LoopRemoval::next_has_left() {
   constexpr std::size_t now_and_then = 32;
-  if (at % now_and_then == 0) path_.forget_path_before(at);
-  return true;
+  if (next_ % now_and_then == 0) path_.forget_path_before(next_);
+  ++next_;
+  walked_.drop_before(walked_.begin() + 1);
 }
 
 void LoopRemoval::begin_selection() {
@@ -99,40 +102,55 @@ void LoopRemoval::begin_selection() {
   leaving_ = false;
 }
 
-bool LoopRemoval::has_room_for(const PathBlock& block) {
-  const std::size_t most = path_.blocks().end() < HeldPath::most_blocks / 4 ? selection_blocks_ : 0;
-  return path_.blocks().size() < most ||
-         diagnostics_.report(selection_too_long(block, selection_blocks_));
+inline bool LoopRemoval::has_room_for(const Source& source) {
+  const bool is_countable = path_.end() < HeldPath::most_blocks / 4;
+  return (is_countable && path_.size() < selection_blocks_) ||
+         diagnostics_.report(selection_too_long(source, selection_blocks_));
 }
 
 bool LoopRemoval::hold(PathBlock& block) {
-  if (!has_room_for(block)) return false;
+  if (!has_room_for(block.programmed.source)) return false;
   largest_radius_ =
       std::max({largest_radius_, std::abs(block.at_start.shift), std::abs(block.at_end.shift)});
   path_.append(block);
   if (block.role == Role::contour) {
-    note_contour_block(block);
+    note_contour_block(block.programmed.path, Certificate::block_of(block));
   } else {
     apart_ = apart_ || block.unreachable;
   }
   return true;
 }
 
-void LoopRemoval::note_contour_block(const PathBlock& block) {
-  const Box area = bounding_box(block.programmed.path);
-  obstacles_.append(block, area, std::exchange(apart_, false));
+bool LoopRemoval::take(const ContourBlock& block, PathBlocks& out) {
+  if (!has_room_for(block.programmed.source)) return false;
+  path_.append_contour(block.programmed, block.path, block.cuts, block.unreachable);
+  note_contour_block(block.programmed.path, block.course);
+  return window_ == 0 || proceed(out);
+}
+
+bool LoopRemoval::take(const MotionBlock& inserted, const Segment& path, bool unreachable,
+                       PathBlocks& out) {
+  if (!has_room_for(inserted.source)) return false;
+  path_.append_transition(inserted, path, unreachable);
+  apart_ = apart_ || unreachable;
+  return window_ == 0 || proceed(out);
+}
+
+void LoopRemoval::note_contour_block(const Segment& programmed, const Certificate::Block& course) {
+  const Box area = bounding_box(programmed);
+  obstacles_.append(course, area, std::exchange(apart_, false));
   if (window_ > 0) reconsider(end_of_contour() - 1, area);
 }
 
 // A new contour block may come near to what has been walked without it: from there
 // the path is walked again.
-void LoopRemoval::reconsider(std::size_t number, const Box& area) {
+[[gnu::noinline]] void LoopRemoval::reconsider(std::size_t number, const Box& area) {
   const std::size_t chain = obstacles_.chain_before(number);
   first_of_chain_ = std::clamp(first_of_chain_, walked_.begin(), walked_.end());
   while (first_of_chain_ < walked_.end() && number_of(walked_.kept(first_of_chain_).block) < chain)
     ++first_of_chain_;
   if (first_of_chain_ == walked_.begin()) return;
-  const Segment& obstacle = contour(number).programmed;
+  const Segment obstacle = contour(number).programmed;
   std::size_t earliest = walked_.end();
   const auto compare = [&](std::size_t index) {
     if (index >= earliest) return;
@@ -155,7 +173,7 @@ void LoopRemoval::drop_pieces(std::size_t kept) {
   first_of_chain_ = std::min(first_of_chain_, kept);
 }
 
-bool LoopRemoval::proceed(PathBlocks& out) {
+[[gnu::noinline]] bool LoopRemoval::proceed(PathBlocks& out) {
   if (!walk(false)) return false;
   std::size_t due = walked_.begin();
   while (due < walked_.end() && is_known(walked_.kept(due).block, window_, false)) ++due;
@@ -171,7 +189,7 @@ void LoopRemoval::forget() {
   const std::size_t number = number_of(next_);
   // Some more than the window, now and then.
   const std::size_t some = std::min<std::size_t>(window_ / 8, 64);
-  if (number <= path_.contour().begin() + window_ + 1 + some) return;
+  if (number <= path_.begin_of_contour() + window_ + 1 + some) return;
   const std::size_t keep = number - window_ - 1;
   path_.forget_before(keep);
   obstacles_.drop_before(keep);
@@ -181,9 +199,7 @@ bool LoopRemoval::is_known(std::size_t block, std::size_t lead, bool ended) cons
   return ended || number_of(block) + lead < end_of_contour();
 }
 
-std::optional<Obstacles::Onset> LoopRemoval::next_onset(bool ended) {
-  // Before the end of the contour new neighbours come with every block.
-  if (ended && obstacles_.is_clear(at_.block)) return std::nullopt;
+std::optional<Obstacles::Onset> LoopRemoval::next_onset() const {
   const double length = length_of(path(at_.block).path);
   double from = at_.from;
   if (tolerated_.block >= at_.block) {
@@ -198,7 +214,13 @@ bool LoopRemoval::walk(bool ended) {
   if (!walking_ && !begin_walk(ended)) return false;
   while (walking_ && at_.block < end_of_path() && is_known(at_.block, 1, ended)) {
     checkpoint_.pass();
-    const auto found = next_onset(ended);
+    // Before the end of the contour new neighbours come with every block.
+    const std::size_t clear = ended ? obstacles_.clear_until(at_.block) : at_.block;
+    if (at_.block < clear) {
+      advance_to(clear);
+      continue;
+    }
+    const auto found = next_onset();
     if (!found) {
       advance();
       continue;
@@ -216,7 +238,7 @@ bool LoopRemoval::walk(bool ended) {
 }
 
 bool LoopRemoval::begin_walk(bool ended) {
-  if (path_.blocks().empty() || !is_known(0, window_, ended)) return true;
+  if (path_.empty() || !is_known(0, window_, ended)) return true;
   walking_ = true;
   at_ = {.block = 0, .start = start_of(path(0).path)};
   // The approach leads to the first point, which therefore has to stay (D-11).
@@ -226,7 +248,7 @@ bool LoopRemoval::begin_walk(bool ended) {
 
 // To the end of the block and on to the next one.
 void LoopRemoval::advance() {
-  const Segment& segment = path(at_.block).path;
+  const Segment segment = path(at_.block).path;
   // The corner behind a loop gets a circle of its own, for the whole turn.
   if (at_.behind_loop && has_no_radius(segment)) {
     ++at_.block;
@@ -242,6 +264,16 @@ void LoopRemoval::advance() {
   at_.end = end_of(segment);
   walked_.add(at_);
   at_ = {.block = at_.block + 1, .start = end_of(segment)};
+}
+
+void LoopRemoval::advance_to(std::size_t block) {
+  advance();
+  const bool goes_on = at_.from == 0 && !at_.behind_loop;
+  while (at_.block < block && goes_on && at_.start == path_.begins_at(at_.block)) {
+    at_.start = path_.ends_at(at_.block);
+    walked_.add_whole(at_.block++);
+  }
+  while (at_.block < block) advance();
 }
 
 LoopRemoval::Step LoopRemoval::leave(const Onset& onset, bool ended) {
@@ -280,9 +312,9 @@ LoopRemoval::Step LoopRemoval::leave(const Onset& onset, bool ended) {
 }
 
 bool LoopRemoval::runs_backwards(std::size_t block) const {
-  const HeldPath::Block& travelled = path(block);
+  const HeldPath::Block travelled = path(block);
   if (!travelled.is_contour()) return false;
-  const Segment& programmed = contour(travelled.number).programmed;
+  const Segment programmed = contour(travelled.number).programmed;
   if (const auto* arc = std::get_if<Arc>(&travelled.path)) {
     const auto* circle = std::get_if<Arc>(&programmed);
     return circle != nullptr && arc->sweep * circle->sweep < 0 &&
@@ -294,7 +326,7 @@ bool LoopRemoval::runs_backwards(std::size_t block) const {
 
 bool LoopRemoval::violates(const PathPlace& from, const PathPlace& to, std::size_t obstacle) const {
   for (std::size_t block = from.block; block <= to.block; ++block) {
-    const Segment& segment = path(block).path;
+    const Segment segment = path(block).path;
     const double length = length_of(segment);
     const double begin = block == from.block ? from.along : 0;
     const double end = block == to.block ? std::min(to.along, length) : length;
@@ -304,7 +336,7 @@ bool LoopRemoval::violates(const PathPlace& from, const PathPlace& to, std::size
         first_entry(segment, begin, end, contour(obstacle).programmed, limit))
       return true;
     const bool whole = block != from.block && block != to.block;
-    if (whole && (path(block).unreachable || runs_backwards(block))) return true;
+    if (whole && (path_.is_unreachable(block) || runs_backwards(block))) return true;
     if (obstacles_.comes_nearer(block, begin, end, Nearness::passable)) return true;
   }
   return false;
@@ -318,7 +350,7 @@ void LoopRemoval::jump(const LoopExit& exit) {
   }
   PathPlace next = exit.continues;
   Point point = exit.point;
-  const Segment& segment = path(next.block).path;
+  const Segment segment = path(next.block).path;
   if (length_of(segment) - next.along <= slack) {
     point = end_of(segment);
     next = {next.block + 1, 0};
@@ -348,7 +380,7 @@ void LoopRemoval::pass_by(std::size_t end, const Point& place, PathBlocks& out) 
   report_masked(next_, end - 1, place);
   DroppedBlocks dropped(place, out);
   for (; next_ < end; ++next_)
-    if (path(next_).is_contour()) dropped.add(path_.restored(next_));
+    if (path_.is_contour(next_)) dropped.add(path_.restored(next_));
   dropped.finish();
 }
 
@@ -382,13 +414,13 @@ void LoopRemoval::let_go(std::size_t number, PathBlocks& out) {
 }
 
 void LoopRemoval::report_masked(std::size_t first, std::size_t last, const Point& place) {
-  while (first <= last && !path(first).is_contour()) ++first;
-  while (last > first && !path(last).is_contour()) --last;
+  while (first <= last && !path_.is_contour(first)) ++first;
+  while (last > first && !path_.is_contour(last)) --last;
   if (first > last) return;
-  const Source masked = contour(number_of(first)).source();
+  const Source masked = path_.source_of(number_of(first));
   Diagnostic note = diagnostic(Code::blocks_masked, masked);
   note.values = {{"first_index", static_cast<double>(masked.index)},
-                 {"last_index", static_cast<double>(contour(number_of(last)).index)},
+                 {"last_index", static_cast<double>(path_.source_of(number_of(last)).index)},
                  {"tool_radius", path_.radius_of_tool(first)}};
   const Position position = from_plane(path_.mode_of(first).plane, place, path_.height_of(first));
   note.point = DiagnosticPoint{.x = position[0], .y = position[1], .z = position[2]};
@@ -396,12 +428,12 @@ void LoopRemoval::report_masked(std::size_t first, std::size_t last, const Point
 }
 
 bool LoopRemoval::refuse(const Onset& onset) {
-  const HeldPath::ContourBlock& own = contour(number_of(at_.block));
+  const HeldPath::ContourBlock own = contour(number_of(at_.block));
   const TrcMode& mode = path_.mode_of(at_.block);
-  const Segment& travelled = path(at_.block).path;
+  const Segment travelled = path(at_.block).path;
   Diagnostic violation =
-      diagnostic(is_arc(own.programmed) ? Code::arc_wrapped : Code::line_reversed, own.source());
-  const Source other = contour(onset.obstacle).source();
+      diagnostic(is_arc(own.programmed) ? Code::arc_wrapped : Code::line_reversed, own.source);
+  const Source other = contour(onset.obstacle).source;
   violation.values = {{"other_index", static_cast<double>(other.index)},
                       {"tool_radius", path_.radius_of_tool(at_.block)}};
   const Position position =

@@ -55,16 +55,30 @@ class LoopRemoval {
   // between all passes at once. What is fed meanwhile waits behind it.
   [[nodiscard]] bool is_leaving() const { return leaving_; }
   bool let_go_some(PathBlocks& out);
-  // The same for the next block alone, if it leaves as it came: with nothing before it and nothing
-  // about it. `block` is as in HeldPath::restore.
-  bool let_go_next(PathBlock& block);
+  // The number of the next block of path(), if it leaves as it came: with nothing before it and
+  // nothing about it.
+  [[nodiscard]] std::optional<std::size_t> next_as_it_came() const;
+  void next_has_left();
+  [[nodiscard]] const HeldPath& path() const { return path_; }
 
   // The middle of a contour is being held: ContourRun may give it more of it.
   [[nodiscard]] bool takes_contour() const { return !leaving_ && end_of_contour() > 0; }
-  // A contour block or a transition. Returns false once the stream must stop.
-  bool take(PathBlock& block, PathBlocks& out) {
-    return hold(block) && (window_ == 0 || proceed(out));
+  // Whether what comes next may be given the short way if it is like this block.
+  [[nodiscard]] bool takes_more_like(const PathBlock& block) const {
+    return path_.follows_like(block);
   }
+  // A contour block, as ContourRun has it behind blocks of the same mode and compensation.
+  struct ContourBlock {
+    const MotionBlock& programmed;
+    const Segment& path;  // of the tool
+    HeldPath::Cuts cuts{};
+    Certificate::Block course{};
+    bool unreachable = false;  // as in PathBlock
+  };
+  // Returns false once the stream must stop.
+  bool take(const ContourBlock& block, PathBlocks& out);
+  // A transition between two of them.
+  bool take(const MotionBlock& inserted, const Segment& path, bool unreachable, PathBlocks& out);
 
   [[nodiscard]] std::size_t look_ahead() const { return window_; }
 
@@ -80,12 +94,12 @@ class LoopRemoval {
   using Nearness = Obstacles::Nearness;
   enum class Step { done, wait, stop };
 
-  [[nodiscard]] bool is_holding() const { return !entering_.empty() || !path_.blocks().empty(); }
+  [[nodiscard]] bool is_holding() const { return !entering_.empty() || !path_.empty(); }
   void begin_selection();
   bool end_selection();
   bool hold(PathBlock& block);
-  [[nodiscard]] bool has_room_for(const PathBlock& block);
-  void note_contour_block(const PathBlock& block);
+  [[nodiscard]] bool has_room_for(const Source& source);
+  void note_contour_block(const Segment& programmed, const Certificate::Block& course);
   void reconsider(std::size_t number, const Box& area);
   void drop_pieces(std::size_t kept);
   bool proceed(PathBlocks& out);
@@ -98,21 +112,23 @@ class LoopRemoval {
   Step leave(const Onset& onset, bool ended);
   void jump(const LoopExit& exit);
   void advance();
+  // The same for all blocks before this one.
+  void advance_to(std::size_t block);
 
-  [[nodiscard]] const HeldPath::Block& path(std::size_t block) const {
-    return path_.blocks()[block];
+  [[nodiscard, gnu::always_inline]] HeldPath::Block path(std::size_t block) const {
+    return path_.block(block);
   }
-  [[nodiscard]] const HeldPath::ContourBlock& contour(std::size_t number) const {
-    return path_.contour()[number];
+  [[nodiscard, gnu::always_inline]] HeldPath::ContourBlock contour(std::size_t number) const {
+    return path_.contour_block(number);
   }
-  [[nodiscard]] std::size_t end_of_path() const { return path_.blocks().end(); }
-  [[nodiscard]] std::size_t end_of_contour() const { return path_.contour().end(); }
-  [[nodiscard]] std::size_t number_of(std::size_t block) const { return path(block).number; }
+  [[nodiscard]] std::size_t end_of_path() const { return path_.end(); }
+  [[nodiscard]] std::size_t end_of_contour() const { return path_.end_of_contour(); }
+  [[nodiscard]] std::size_t number_of(std::size_t block) const { return path_.number_of(block); }
   // Whether the contour is known `lead` blocks beyond the path block.
   [[nodiscard]] bool is_known(std::size_t block, std::size_t lead, bool ended) const;
 
   // The onset that counts, with the loops that do not violate let pass.
-  [[nodiscard]] std::optional<Onset> next_onset(bool ended);
+  [[nodiscard]] std::optional<Onset> next_onset() const;
   // Nothing is left between the corners of the block: it is travelled backwards.
   [[nodiscard]] bool runs_backwards(std::size_t block) const;
   // Whether the loop between two places does; it begins where the path enters the obstacle.

@@ -18,8 +18,8 @@ float squared_with_slack(double distance, const Point& point) {
 
 }  // namespace
 
-void Obstacles::append(const PathBlock& block, const Box& area, bool apart) {
-  certificate_.append(block, apart);
+void Obstacles::append(const Certificate::Block& course, const Box& area, bool apart) {
+  certificate_.append(course, apart);
   boxes_.append(area);
 }
 
@@ -38,16 +38,15 @@ void Obstacles::clear() {
 }
 
 void Obstacles::rebuild_boxes() {
-  const auto& contour = path_.contour();
-  boxes_ = BoxTree(contour.begin());
-  for (std::size_t number = contour.begin(); number < contour.end(); ++number)
-    boxes_.append(bounding_box(contour[number].programmed));
+  boxes_ = BoxTree(path_.begin_of_contour());
+  for (std::size_t number = path_.begin_of_contour(); number < end_of_contour(); ++number)
+    boxes_.append(bounding_box(programmed(number)));
 }
 
 BoxTree::Range Obstacles::certified(std::size_t block) const {
-  const std::size_t number = path(block).number;
-  if (path(block).unreachable) return {};
-  if (path(block).is_contour())
+  const std::size_t number = path_.number_of(block);
+  if (path_.is_unreachable(block)) return {};
+  if (path_.is_contour(block))
     return {certificate_.chain_before(number), certificate_.chain_behind(number)};
   // A transition belongs to the blocks on both sides of the corner.
   const std::size_t behind = number + 1;
@@ -57,14 +56,14 @@ BoxTree::Range Obstacles::certified(std::size_t block) const {
 
 void Obstacles::find_neighbours(std::size_t block, const Box& area, double limit) const {
   const BoxTree::Range skipped = certified(block);
-  const std::size_t own = path(block).number;
+  const std::size_t own = path_.number_of(block);
   neighbours_.clear();
   // All that can be seen is certified.
-  if (window_ > 0 && skipped.first + window_ <= std::max(own, path_.contour().begin() + window_) &&
+  if (window_ > 0 && skipped.first + window_ <= std::max(own, path_.begin_of_contour() + window_) &&
       skipped.last + 1 >= std::min(own + window_ + 1, end_of_contour()))
     return;
   // Only an arc turned inside out comes too near to its own block.
-  const bool sees_own = !path(block).is_contour() || path(block).unreachable;
+  const bool sees_own = !path_.is_contour(block) || path_.is_unreachable(block);
   const auto add = [&](NearFour four) {
     checkpoint_.pass();
     four.drop(skipped.first, skipped.last + 1);
@@ -203,7 +202,7 @@ const std::vector<std::size_t>& Obstacles::at(std::size_t block, const Onset& on
   const Point place = point_along(path(block).path, onset.along);
   const double limit = reach(block, nearness) + tolerances_.same_point;
   const auto consider = [&](std::size_t number) {
-    const HeldPath::ContourBlock& other = path_.contour()[number];
+    const HeldPath::ContourBlock other = path_.contour_block(number);
     if (number == onset.obstacle || other.block == block) return;
     if (distance(place, other.programmed) <= limit) numbers_.push_back(number);
   };
@@ -220,7 +219,7 @@ const std::vector<std::size_t>& Obstacles::at(std::size_t block, const Onset& on
   const FourBoxes::Surroundings surroundings(Box(place), limit);
   for (const NearFour& four : survey_.near)
     consider_four(four.only(four.boxes->near(surroundings)));
-  for (std::size_t number = std::max(first, path_.contour().begin()); number <= last; ++number)
+  for (std::size_t number = std::max(first, path_.begin_of_contour()); number <= last; ++number)
     consider(number);
   std::sort(numbers_.begin() + 1, numbers_.end());
   return numbers_;
@@ -246,20 +245,32 @@ void Obstacles::survey(std::size_t first) {
   group_ = worth_it ? std::min(2 * group_, largest_group) : std::max(group_ / 2, smallest_group);
   asked_for_ = 0;
   survey_.first = first;
-  survey_.end = std::min(first + group_, path_.blocks().end());
-  survey_.area.setEmpty();
-  survey_.radius = 0;
-  survey_.skipped = {0, end_of_contour()};
-  for (std::size_t block = first; block < survey_.end; ++block) {
-    survey_.area.extend(bounding_box(path(block).path));
-    survey_.radius = std::max(survey_.radius, path_.radius_of_tool(block));
-    const BoxTree::Range own = certified(block);
-    survey_.skipped = {std::max(survey_.skipped.first, own.first),
-                       std::min(survey_.skipped.last, own.last)};
+  survey_.end = std::min(first + group_, path_.end());
+  survey_.area = path_.box_about(first);
+  survey_.radius = path_.radius_of_tool(first);
+  for (std::size_t block = first + 1; block < survey_.end; ++block) {
+    survey_.area.extend(path_.box_about(block));
+    if (!path_.have_one_setting(block - 1, block))
+      survey_.radius = std::max(survey_.radius, path_.radius_of_tool(block));
   }
+  survey_.skipped = certified_for_all(first, survey_.end);
   survey_.near.clear();
   boxes_.for_each_four_near(survey_.area, survey_.radius + tolerances_.same_point, survey_.skipped,
                             [&](const NearFour& four) { survey_.near.push_back(four); });
+}
+
+// Chains that begin later end later: what the first one and the last one have in common is in the
+// chains of all blocks between.
+BoxTree::Range Obstacles::certified_for_all(std::size_t first, std::size_t end) const {
+  const std::size_t first_number = path_.number_of(first);
+  // The last block may be a transition.
+  const std::size_t last_number = path_.number_of(end - 1) + (path_.is_contour(end - 1) ? 0 : 1);
+  if (last_number == end_of_contour()) return {};
+  const std::size_t common = certificate_.chain_before(last_number);
+  if (common > first_number) return {};
+  for (std::size_t block = first; block < end; ++block)
+    if (path_.is_unreachable(block)) return {};
+  return {common, certificate_.chain_behind(first_number)};
 }
 
 }  // namespace trc

@@ -39,7 +39,7 @@ class Obstacles {
 
   // The contour block that has been appended to the path; `apart`: its equidistant does not meet
   // that of the block before.
-  void append(const PathBlock& block, const Box& area, bool apart);
+  void append(const Certificate::Block& course, const Box& area, bool apart);
   // Forgets contour blocks.
   void drop_before(std::size_t number);
   // Forgets all: a new selection begins.
@@ -70,13 +70,13 @@ class Obstacles {
   [[nodiscard]] const std::vector<std::size_t>& at(std::size_t block, const Onset& onset,
                                                    Nearness nearness) const;
 
-  // Once the contour has ended: whether nothing at all can be in the way of the block. To be asked
-  // for before the questions above, which are cheaper then.
-  [[nodiscard]] bool is_clear(std::size_t block) {
+  // Once the contour has ended: up to which block nothing at all can be in the way, from this one
+  // on. To be asked for before the questions above, which are cheaper then.
+  [[nodiscard]] std::size_t clear_until(std::size_t block) {
     const bool surveyed = block >= survey_.first && block < survey_.end;
     if (!surveyed && !is_surveyed(block)) survey(block);
     ++asked_for_;
-    return survey_.near.empty();
+    return survey_.near.empty() ? survey_.end : block;
   }
 
   // Behind the path.
@@ -87,13 +87,13 @@ class Obstacles {
   }
 
  private:
-  [[nodiscard]] const HeldPath::Block& path(std::size_t block) const {
-    return path_.blocks()[block];
+  [[nodiscard, gnu::always_inline]] HeldPath::Block path(std::size_t block) const {
+    return path_.block(block);
   }
-  [[nodiscard]] const Segment& programmed(std::size_t number) const {
-    return path_.contour()[number].programmed;
+  [[nodiscard, gnu::always_inline]] Segment programmed(std::size_t number) const {
+    return path_.contour_block(number).programmed;
   }
-  [[nodiscard]] std::size_t end_of_contour() const { return path_.contour().end(); }
+  [[nodiscard]] std::size_t end_of_contour() const { return path_.end_of_contour(); }
 
   using Fours = std::vector<NearFour>;
 
@@ -103,6 +103,8 @@ class Obstacles {
   [[nodiscard]] bool is_surveyed(std::size_t block) const;
   // Those the certificate takes out of the question.
   [[nodiscard]] BoxTree::Range certified(std::size_t block) const;
+  // For all blocks of the path before `end`; those it may leave in question.
+  [[nodiscard]] BoxTree::Range certified_for_all(std::size_t first, std::size_t end) const;
   // All contour blocks it may come nearer to than `limit`: neighbours_. With some that are a
   // little farther off.
   void find_neighbours(std::size_t block, const Box& area, double limit) const;

@@ -5,7 +5,7 @@ namespace trc {
 PathPiece WalkedPath::operator[](std::size_t number) const {
   const auto& [block, cut] = pieces_[number];
   if (cut != Kept::whole) return cuts_[cut];
-  const Segment& segment = path_.blocks()[block].path;
+  const Segment& segment = path_.block(block).path;
   return {
       .block = block, .to = length_of(segment), .start = start_of(segment), .end = end_of(segment)};
 }
@@ -31,7 +31,7 @@ void WalkedPath::clear() {
 }
 
 void WalkedPath::note_box(std::size_t block) {
-  boxes_.append(bounding_box(path_.blocks()[block].path));
+  boxes_.append(bounding_box(path_.block(block).path));
 }
 
 void WalkedPath::rebuild_boxes() {

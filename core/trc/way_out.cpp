@@ -28,9 +28,9 @@ std::optional<LoopExit> WayOut::find(const PathPiece& at, const Onset& onset,
 
 WayOut::Stretch WayOut::stretch_about(std::size_t obstacle, std::size_t at) const {
   const std::size_t begin =
-      obstacle > path_.contour().begin() ? contour(obstacle - 1).block : path_.blocks().begin();
+      obstacle > path_.begin_of_contour() ? contour(obstacle - 1).block : path_.begin();
   const std::size_t end =
-      obstacle + 1 < end_of_contour() ? contour(obstacle + 1).block + 1 : path_.blocks().end();
+      obstacle + 1 < end_of_contour() ? contour(obstacle + 1).block + 1 : path_.end();
   return {std::max(begin, at + 1), end};
 }
 
@@ -47,18 +47,18 @@ std::optional<LoopExit> WayOut::exit_here(const PathPiece& at, const Onset& onse
   const double radius = std::max(path_.radius_of_tool(at.block), 1.0);
   const double part = nearness == Nearness::exact ? 4 * tolerances_.rounding : tolerances_.passable;
   for (std::size_t block = stretch.first; block < stretch.end; ++block) {
-    const Segment& segment = path(block).path;
+    const Segment segment = path(block).path;
     if (are_apart(Box(place), bounding_box(segment), part * radius)) continue;
     const double along = nearest_along(segment, place);
     const Point point = point_along(segment, along);
-    if (!path(block).unreachable && (point - place).norm() <= part * radius)
+    if (!path_.is_unreachable(block) && (point - place).norm() <= part * radius)
       return LoopExit{walked_.end(), onset.along, {block, along}, point};
   }
   return std::nullopt;
 }
 
 std::optional<LoopExit> WayOut::exit_behind(const PathPiece& at, const Onset& onset) const {
-  const HeldPath::ContourBlock& obstacle = contour(onset.obstacle);
+  const HeldPath::ContourBlock obstacle = contour(onset.obstacle);
   // Only a mitre reaches farther out than the tool.
   const auto reach_in_radii = [&](std::size_t block) {
     const TrcMode& mode = path_.mode_of(block);
@@ -91,8 +91,8 @@ std::optional<LoopExit> WayOut::crossing_in(const PathPiece& piece, std::size_t 
         continue;
       if (latest && crossing.along_first < latest->leaves - slack) continue;
       const bool leads_to_it = beside && !reaches_out(contour(obstacle), crossing.point);
-      if (!leads_to_it && !reaches_out(contour(path(piece.block).number), crossing.point) &&
-          !reaches_out(contour(path(block).number), crossing.point))
+      if (!leads_to_it && !reaches_out(contour(path_.number_of(piece.block)), crossing.point) &&
+          !reaches_out(contour(path_.number_of(block)), crossing.point))
         continue;
       latest = LoopExit{number,
                         std::max(crossing.along_first, piece.from),
@@ -104,7 +104,7 @@ std::optional<LoopExit> WayOut::crossing_in(const PathPiece& piece, std::size_t 
 }
 
 const Crossings& WayOut::crossings_of(std::size_t block, std::size_t other) const {
-  const Segment& one = path(block).path;
+  const Segment one = path(block).path;
   if (known_.empty() || known_of_ != block) {
     known_.clear();
     known_of_ = block;
@@ -115,8 +115,8 @@ const Crossings& WayOut::crossings_of(std::size_t block, std::size_t other) cons
   if (known != known_.end()) return known->crossings;
   Crossings& found = known_.emplace_back(Known{.other = other}).crossings;
   const double slack = slack_of_places(tolerances_);
-  const Segment& two = path(other).path;
-  if (path(other).unreachable || has_no_radius(two)) return found;
+  const Segment two = path(other).path;
+  if (path_.is_unreachable(other) || has_no_radius(two)) return found;
   if (!are_apart(area_, bounding_box(two), 3 * slack)) found = crossings(one, two, slack);
   return found;
 }

@@ -50,13 +50,13 @@ class WayOut {
     std::size_t end = 0;
   };
 
-  [[nodiscard]] const HeldPath::Block& path(std::size_t block) const {
-    return path_.blocks()[block];
+  [[nodiscard, gnu::always_inline]] HeldPath::Block path(std::size_t block) const {
+    return path_.block(block);
   }
-  [[nodiscard]] const HeldPath::ContourBlock& contour(std::size_t number) const {
-    return path_.contour()[number];
+  [[nodiscard, gnu::always_inline]] HeldPath::ContourBlock contour(std::size_t number) const {
+    return path_.contour_block(number);
   }
-  [[nodiscard]] std::size_t end_of_contour() const { return path_.contour().end(); }
+  [[nodiscard]] std::size_t end_of_contour() const { return path_.end_of_contour(); }
 
   // Behind the block `at`.
   [[nodiscard]] Stretch stretch_about(std::size_t obstacle, std::size_t at) const;

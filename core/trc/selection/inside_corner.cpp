@@ -37,7 +37,7 @@ bool InsideCorner::feed(PathBlockPtr block, PathBlocks& out) {
   }
   if (begins(*block) || block->role == Role::contour) {
     if (held_.size() >= selection_blocks_)
-      return diagnostics_.report(selection_too_long(*block, selection_blocks_));
+      return diagnostics_.report(selection_too_long(block->programmed.source, selection_blocks_));
     held_.push_back(std::move(block));
     return true;
   }
