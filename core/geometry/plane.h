@@ -40,12 +40,17 @@ struct PlaneAxes {
 
 // The machine position of a point in the plane at height `third`.
 [[nodiscard]] inline Position from_plane(Plane plane, const Point& point, double third) {
-  const PlaneAxes axes = axes_of(plane);
-  Position position{};
-  position[axes.first] = point.x();
-  position[axes.second] = point.y();
-  position[axes.third] = third;
-  return position;
+  // Each case as a whole: a processor waits for numbers that are stored one by one by index and
+  // then copied together.
+  switch (plane) {
+    case Plane::zx:
+      return {point.y(), third, point.x()};
+    case Plane::yz:
+      return {third, point.x(), point.y()};
+    case Plane::xy:
+      break;
+  }
+  return {point.x(), point.y(), third};
 }
 
 }  // namespace trc
