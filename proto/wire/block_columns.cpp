@@ -176,7 +176,9 @@ bool read_coordinates(unsigned bits, CoordinateCursors& cursors, const FieldPath
   for (std::size_t axis = 0; axis < 3; ++axis) {
     if (((bits >> axis) & 1U) == 0) continue;
     const double value = cursors[axis].next();
-    if (!check_coordinate(value, cursors[axis].place(path), faults)) return false;
+    // The place is put together only where it is needed.
+    if (!is_coordinate(value)) [[unlikely]]
+      return check_coordinate(value, cursors[axis].place(path), faults);
     target[axis] = value;
   }
   return true;
@@ -258,28 +260,34 @@ bool BlockReader::read(const v1::BlockColumns& columns, const Sink& sink, FieldF
       continue;
     }
     const unsigned bits = presence.of(i, kind);
-    Source source{.index = next_block_};
+    std::int64_t source_number = Source::no_number;
     if ((bits & number_bit) != 0) {
       const std::uint64_t number = numbers.next();
-      if (!check_number(number, numbers.place(path), faults)) return false;
-      source.number = static_cast<std::int64_t>(number);
+      if (!is_number(number)) [[unlikely]]
+        return check_number(number, numbers.place(path), faults);
+      source_number = static_cast<std::int64_t>(number);
     }
+    // Field by field: a whole one would be copied while its fields are still being stored.
+    const auto name_source = [&](Source& source) {
+      source.index = next_block_;
+      source.number = source_number;
+    };
     if (kind == Columns::KIND_COMMAND) {
       const FieldPath entry(path, "commands", static_cast<std::size_t>(command));
       auto& item = item_.emplace<TrcCommand>();
       if (!from_proto(columns.commands(command++).command(), FieldPath(entry, "command"), item,
                       faults))
         return false;
-      item.source = source;
+      name_source(item.source);
     } else if (kind == Columns::KIND_PASSTHROUGH) {
       const FieldPath entry(path, "passthroughs", static_cast<std::size_t>(passthrough));
       const std::string& text = columns.passthroughs(passthrough++).passthrough().text();
       if (!check_text(text, FieldPath(FieldPath(entry, "passthrough"), "text"), faults))
         return false;
-      item_ = Passthrough{.source = source, .text = text};
+      name_source(item_.emplace<Passthrough>(Passthrough{.text = text}).source);
     } else {
       MoveRequest& move = fresh_move();
-      move.source = source;
+      name_source(move.source);
       move.kind = motion_kinds[kind];
       if (!read_coordinates(bits & end_bits, ends, path, move.end, faults) ||
           !read_coordinates((bits & center_bits) >> center_shift, centers, path, move.center,

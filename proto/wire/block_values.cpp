@@ -25,7 +25,7 @@ bool check_text(const std::string& text, const FieldPath& path, FieldFaults& fau
 
 bool check_number(std::uint64_t number, const FieldPath& path, FieldFaults& faults) {
   constexpr auto largest = static_cast<std::uint64_t>(std::numeric_limits<std::int64_t>::max());
-  if (number <= largest) return true;
+  if (is_number(number)) return true;
   add_fault(path, "is " + std::to_string(number) + ", allowed is up to " + std::to_string(largest),
             faults);
   return false;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <string>
 
 #include "core/base/tolerances.h"
@@ -8,8 +9,12 @@
 
 namespace trc::wire {
 
-// The ranges that blocks and columns share. Each adds a fault to the named field.
+// The ranges that blocks and columns share. Each check adds a fault to the named field.
 
+inline bool is_coordinate(double value) {
+  constexpr double largest = Tolerances{}.largest_coordinate;
+  return value >= -largest && value <= largest;
+}
 // mm, |value| at most 1e6.
 inline bool check_coordinate(double value, const FieldPath& path, FieldFaults& faults) {
   constexpr double largest = Tolerances{}.largest_coordinate;
@@ -22,6 +27,9 @@ inline bool check_feed(double value, const FieldPath& path, FieldFaults& faults)
 // At most 65536 bytes without control characters: these would break the lines of
 // an NC output.
 bool check_text(const std::string& text, const FieldPath& path, FieldFaults& faults);
+inline bool is_number(std::uint64_t number) {
+  return number <= static_cast<std::uint64_t>(std::numeric_limits<std::int64_t>::max());
+}
 // An N number that fits a Source.
 bool check_number(std::uint64_t number, const FieldPath& path, FieldFaults& faults);
 

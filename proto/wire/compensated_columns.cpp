@@ -1,9 +1,8 @@
-#include <algorithm>
 #include <array>
 #include <bit>
 #include <cstdint>
+#include <cstring>
 #include <limits>
-#include <optional>
 
 #include "core/geometry/segment.h"
 #include "proto/wire/compensated_block.h"
@@ -19,24 +18,31 @@ using Doubles = google::protobuf::RepeatedField<double>;
 bool same_bits(double a, double b) {
   return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
 }
+
+// Whether they are one value, bit for bit.
 template <class Value>
-bool same_bits(Value a, Value b) {
-  return a == b;
+bool is_constant(const Value* values, std::size_t count) {
+  return std::memcmp(values, values + 1, (count - 1) * sizeof(Value)) == 0;
 }
 
 // A column with one value for all blocks keeps that one only.
 template <class Value>
 void collapse(google::protobuf::RepeatedField<Value>& column) {
-  if (column.size() < 2) return;
-  const Value first = column.Get(0);
-  const bool constant = std::all_of(column.begin(), column.end(),
-                                    [first](Value value) { return same_bits(value, first); });
-  if (constant) column.Truncate(1);
+  if (column.size() > 1 && is_constant(column.data(), static_cast<std::size_t>(column.size())))
+    column.Truncate(1);
 }
 
 void collapse(std::string& column) {
-  if (column.size() > 1 && column.find_first_not_of(column[0]) == std::string::npos)
-    column.resize(1);
+  if (column.size() > 1 && is_constant(column.data(), column.size())) column.resize(1);
+}
+
+// What a value of the enum is as a byte of its column: looked up for every block.
+template <class Native, std::size_t count>
+std::array<char, count> bytes_of_enum() {
+  std::array<char, count> bytes{};
+  for (std::size_t value = 0; value < count; ++value)
+    bytes[value] = static_cast<char>(to_proto(static_cast<Native>(value)));
+  return bytes;
 }
 
 struct PositionColumns {
@@ -61,12 +67,22 @@ struct PositionColumns {
   }
 };
 
-bool same_bits(const Position& a, const Position& b) {
-  return same_bits(a[0], b[0]) && same_bits(a[1], b[1]) && same_bits(a[2], b[2]);
-}
-
 Position start_position(const CompensatedBlock& block) {
   return from_plane(block.plane, start_of(block.path), block.normal.from);
+}
+
+bool same_bits(const Point& a, const Point& b) {
+  return same_bits(a.x(), b.x()) && same_bits(a.y(), b.y());
+}
+
+// Whether it starts where `before` ends, bit for bit.
+bool goes_on_from(const CompensatedBlock& before, const CompensatedBlock& block) {
+  if (before.plane == block.plane)
+    return same_bits(end_of(before.path), start_of(block.path)) &&
+           same_bits(before.normal.to, block.normal.from);
+  const Position end = from_plane(before.plane, end_of(before.path), before.normal.to);
+  const Position start = start_position(block);
+  return same_bits(end[0], start[0]) && same_bits(end[1], start[1]) && same_bits(end[2], start[2]);
 }
 
 // Whether every value but the first repeats the end of the one before it.
@@ -151,8 +167,10 @@ void to_proto(std::span<const CompensatedBlock> blocks, std::uint64_t first_bloc
   centers.reserve(count);
   for (Doubles* column : {message.mutable_sweep(), message.mutable_feed()}) column->Reserve(count);
   message.mutable_source_index()->Reserve(count);
-  std::optional<Position> here;
-  std::optional<std::size_t> first_start;
+  static const auto byte_of_origin = bytes_of_enum<Origin, origin_count>();
+  static const auto byte_of_plane = bytes_of_enum<Plane, 3>();
+  const CompensatedBlock* first_motion = nullptr;
+  const CompensatedBlock* before = nullptr;  // the last motion
   bool gaps = false;
   for (std::size_t i = 0; i < blocks.size(); ++i) {
     const CompensatedBlock& block = blocks[i];
@@ -166,11 +184,12 @@ void to_proto(std::span<const CompensatedBlock> blocks, std::uint64_t first_bloc
     }
     if (!is_text_alone(block)) {
       kind = block.rapid ? Columns::KIND_RAPID : Columns::KIND_LINEAR;
-      const Position start = start_position(block);
-      if (!first_start) first_start = i;
-      gaps = gaps || (here && !same_bits(start, *here));
-      here = from_plane(block.plane, end_of(block.path), block.normal.to);
-      ends.add(*here);
+      if (before == nullptr)
+        first_motion = &block;
+      else
+        gaps = gaps || !goes_on_from(*before, block);
+      before = &block;
+      ends.add(from_plane(block.plane, end_of(block.path), block.normal.to));
       if (const auto* arc = std::get_if<Arc>(&block.path)) {
         kind = Columns::KIND_ARC;
         centers.add(from_plane(block.plane, arc->center, block.normal.from));
@@ -193,13 +212,13 @@ void to_proto(std::span<const CompensatedBlock> blocks, std::uint64_t first_bloc
     }
     kinds[i] = static_cast<char>(kind);
     all_flags[i] = static_cast<char>(flags);
-    origins[i] = static_cast<char>(to_proto(block.origin));
-    planes[i] = static_cast<char>(to_proto(block.plane));
+    origins[i] = byte_of_origin[static_cast<std::size_t>(block.origin)];
+    planes[i] = byte_of_plane[static_cast<std::size_t>(block.plane)];
   }
   if (gaps)
     write_starts(blocks, starts);
-  else if (first_start)
-    write_starts(blocks.subspan(*first_start, 1), starts);
+  else if (first_motion != nullptr)
+    write_starts({first_motion, 1}, starts);
   collapse_all(message);
 }
 

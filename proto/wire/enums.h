@@ -30,6 +30,9 @@ struct EnumTable {
   }
 
   [[nodiscard]] constexpr Message to_proto(Native value) const {
+    // Most tables have their rows in the order of the native values.
+    const auto place = static_cast<std::size_t>(value);
+    if (place < size && rows[place].native == value) return rows[place].message;
     for (const Row& row : rows)
       if (row.native == value) return row.message;
     return {};
