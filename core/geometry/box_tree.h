@@ -55,7 +55,8 @@ class BoxTree {
   }
 
   // Calls visit(four) with every box not farther than `reach` mm from `area`, those in `skipped`
-  // left out, and maybe some that are a little farther; in ascending order.
+  // left out, and maybe some that are a little farther; in ascending order. More may be skipped
+  // while it goes on.
   template <class Visit>
   void for_each_four_near(const Box& area, double reach, const Range& skipped, Visit visit) const {
     const Search<Visit> search{{area, reach}, skipped, visit};

@@ -95,6 +95,8 @@ void LoopRemoval::begin_selection() {
   apart_ = false;
   walked_.clear();
   first_of_chain_ = 0;
+  exact_from_ = 0;
+  waiting_with_.reset();
   walking_ = false;
   at_ = {};
   tolerated_ = {};
@@ -139,7 +141,28 @@ bool LoopRemoval::take(const MotionBlock& inserted, const Segment& path, bool un
 void LoopRemoval::note_contour_block(const Segment& programmed, const Certificate::Block& course) {
   const Box area = bounding_box(programmed);
   obstacles_.append(course, area, std::exchange(apart_, false));
-  if (window_ > 0) reconsider(end_of_contour() - 1, area);
+  if (window_ == 0) return;
+  keep_waiting();
+  reconsider(end_of_contour() - 1, area);
+}
+
+void LoopRemoval::keep_waiting() {
+  if (!waiting_with_) return;
+  const std::size_t number = end_of_contour() - 1;
+  const std::size_t block = at_.block;
+  const bool sees_it = number <= number_of(block) + window_ && !obstacles_.certifies(block, number);
+  std::optional<double> entry;
+  if (sees_it)
+    entry = first_entry(path(block).path, at_.from, waiting_with_->along,
+                        contour(number).programmed, obstacles_.reach(block, Nearness::exact));
+  if (!entry || *entry >= waiting_with_->along - slack_of_places(tolerances_))
+    return waiting_with_.reset();
+  waiting_with_ = {*entry, number};
+}
+
+bool LoopRemoval::is_waiting() const {
+  return waiting_with_ && waiting_with_->obstacle + 1 == end_of_contour() &&
+         !is_known(at_.block, window_, false);
 }
 
 // A new contour block may come near to what has been walked without it: from there
@@ -152,29 +175,44 @@ void LoopRemoval::note_contour_block(const Segment& programmed, const Certificat
   if (first_of_chain_ == walked_.begin()) return;
   const Segment obstacle = contour(number).programmed;
   std::size_t earliest = walked_.end();
+  double along = 0;
+  // What lies behind the earliest one need not be asked.
+  BoxTree::Range skipped{first_of_chain_, walked_.end()};
   const auto compare = [&](std::size_t index) {
     if (index >= earliest) return;
     const PathPiece walked = walked_[index];
     const std::size_t own = number_of(walked.block);
     if (own + window_ < number) return;
-    if (first_entry(path(walked.block).path, walked.from, walked.to, obstacle,
-                    obstacles_.reach(walked.block, Nearness::exact)))
-      earliest = index;
+    const auto entry = first_entry(path(walked.block).path, walked.from, walked.to, obstacle,
+                                   obstacles_.reach(walked.block, Nearness::exact));
+    if (!entry) return;
+    along = *entry;
+    earliest = index;
+    skipped.first = index;
   };
-  walked_.for_each_near(area, largest_radius_, {first_of_chain_, walked_.end()}, compare);
-  if (earliest == walked_.end()) return;
-  at_ = walked_[earliest];
-  drop_pieces(earliest);
+  walked_.for_each_near(area, largest_radius_, skipped, compare);
+  if (earliest < walked_.end()) walk_again_from(earliest, {along, number});
+}
+
+void LoopRemoval::walk_again_from(std::size_t piece, const Onset& onset) {
+  at_ = walked_[piece];
+  const bool was_exact = piece >= exact_from_;
+  drop_pieces(piece);
   tolerated_ = {};
+  // Before its end it ran into nothing else. A loop may begin a little behind the onset it is left
+  // for.
+  waiting_with_.reset();
+  if (was_exact && onset.along < at_.to - 2 * slack_of_places(tolerances_)) waiting_with_ = onset;
 }
 
 void LoopRemoval::drop_pieces(std::size_t kept) {
   walked_.truncate(kept);
   first_of_chain_ = std::min(first_of_chain_, kept);
+  exact_from_ = std::min(exact_from_, kept);
 }
 
 [[gnu::noinline]] bool LoopRemoval::proceed(PathBlocks& out) {
-  if (!walk(false)) return false;
+  if (!is_waiting() && !walk(false)) return false;
   std::size_t due = walked_.begin();
   while (due < walked_.end() && is_known(walked_.kept(due).block, window_, false)) ++due;
   let_go_to(due, out);
@@ -211,6 +249,7 @@ std::optional<Obstacles::Onset> LoopRemoval::next_onset() const {
 }
 
 bool LoopRemoval::walk(bool ended) {
+  waiting_with_.reset();
   if (!walking_ && !begin_walk(ended)) return false;
   while (walking_ && at_.block < end_of_path() && is_known(at_.block, 1, ended)) {
     checkpoint_.pass();
@@ -256,13 +295,14 @@ void LoopRemoval::advance() {
   }
   if (at_.from == 0 && !at_.behind_loop && at_.start == start_of(segment)) {
     walked_.add_whole(at_.block);
+    if (is_tolerated()) exact_from_ = walked_.end();
     ++at_.block;
     at_.start = end_of(segment);
     return;
   }
   at_.to = length_of(segment);
   at_.end = end_of(segment);
-  walked_.add(at_);
+  keep_cut();
   at_ = {.block = at_.block + 1, .start = end_of(segment)};
 }
 
@@ -276,10 +316,18 @@ void LoopRemoval::advance_to(std::size_t block) {
   while (at_.block < block) advance();
 }
 
+void LoopRemoval::keep_cut() {
+  walked_.add(at_);
+  if (is_tolerated()) exact_from_ = walked_.end();
+}
+
 LoopRemoval::Step LoopRemoval::leave(const Onset& onset, bool ended) {
   // The transition behind the obstacle comes with the next block.
   const bool complete = ended || onset.obstacle + 1 < end_of_contour();
-  if (!complete && !is_known(at_.block, window_, ended)) return Step::wait;
+  if (!complete && !is_known(at_.block, window_, ended)) {
+    if (!is_tolerated()) waiting_with_ = onset;
+    return Step::wait;
+  }
   const PathPlace here{at_.block, onset.along};
   const bool tolerated = here < tolerated_;
   const auto exit = way_out_.find(at_, onset, tolerated ? Nearness::passable : Nearness::exact);
@@ -364,7 +412,7 @@ void LoopRemoval::jump(const LoopExit& exit) {
   if (exit.leaves - at_.from > slack || outermost) {
     at_.to = exit.leaves;
     at_.end = point;
-    walked_.add(at_);
+    keep_cut();
   } else {
     point = at_.start;
   }
@@ -442,6 +490,7 @@ bool LoopRemoval::refuse(const Onset& onset) {
   if (mode.options.ignore_cont_damage) {
     violation.severity = Severity::warning;
     advance();
+    exact_from_ = walked_.end();
   }
   return diagnostics_.report(std::move(violation));
 }

@@ -86,6 +86,7 @@ class LoopRemoval {
   void serialize(Archive& archive) {
     archive(entering_, path_, largest_radius_, apart_, obstacles_, walking_, walked_, at_,
             tolerated_, next_);
+    if constexpr (Archive::is_loading::value) exact_from_ = walked_.end();
   }
 
  private:
@@ -101,6 +102,11 @@ class LoopRemoval {
   [[nodiscard]] bool has_room_for(const Source& source);
   void note_contour_block(const Segment& programmed, const Certificate::Block& course);
   void reconsider(std::size_t number, const Box& area);
+  void walk_again_from(std::size_t piece, const Onset& onset);
+  // The last contour block is new: whether the path runs into it before the onset waited with.
+  void keep_waiting();
+  // Whether the walk can go on: more than the last contour block is known of what it ran into.
+  [[nodiscard]] bool is_waiting() const;
   void drop_pieces(std::size_t kept);
   bool proceed(PathBlocks& out);
   void forget();
@@ -114,6 +120,10 @@ class LoopRemoval {
   void advance();
   // The same for all blocks before this one.
   void advance_to(std::size_t block);
+  // Walked: a piece of the block that has been walked so far.
+  void keep_cut();
+  // Whether some of the block being walked may come nearer than `Nearness::exact` allows.
+  [[nodiscard]] bool is_tolerated() const { return tolerated_.block >= at_.block; }
 
   [[nodiscard, gnu::always_inline]] HeldPath::Block path(std::size_t block) const {
     return path_.block(block);
@@ -159,6 +169,11 @@ class LoopRemoval {
   // For a window only: the first piece of, or behind, the chain that ends with the last contour
   // block.
   std::size_t first_of_chain_ = 0;
+  // Likewise: the pieces from this one on come no nearer than `Nearness::exact` allows.
+  std::size_t exact_from_ = 0;
+  // Likewise: where the block being walked runs into the last contour block, and into no other one
+  // before that. Nothing can be done about it before there are more.
+  std::optional<Onset> waiting_with_;
   bool walking_ = false;
   PathPiece at_{};         // the piece being walked
   PathPlace tolerated_{};  // up to here the path is in a loop that does not violate

@@ -59,6 +59,12 @@ class Obstacles {
     return certificate_.chain_before(number);
   }
 
+  // Whether the certificate takes the contour block out of the question for the block.
+  [[nodiscard]] bool certifies(std::size_t block, std::size_t number) const {
+    const BoxTree::Range range = certified(block);
+    return number >= range.first && number <= range.last;
+  }
+
   // The first place not before `from` and before `to`.
   [[nodiscard]] std::optional<Onset> onset(std::size_t block, double from, double to,
                                            Nearness nearness) const;
