@@ -7,8 +7,11 @@
 #include <cstddef>
 #include <deque>
 #include <functional>
+#include <memory>
 #include <mutex>
 #include <utility>
+
+#include "client/trc/received.h"
 
 namespace trc::client {
 
@@ -32,7 +35,7 @@ class Stream : private grpc::ClientBidiReactor<Request, Response> {
     // Reads and writes start outside of reactions; the hold keeps the call open
     // for them and is given back by `close`.
     this->AddHold();
-    this->StartRead(&incoming_);
+    this->StartRead(&incoming_->fresh());
     this->StartCall();
   }
   ~Stream() {
@@ -82,22 +85,23 @@ class Stream : private grpc::ClientBidiReactor<Request, Response> {
   void cancel() { context_.TryCancel(); }
 
  private:
+  // Of one response.
+  using Place = std::unique_ptr<Received<Response>>;
+
   void OnReadDone(bool ok) override {
     bool go_on = false;
     {
       const std::lock_guard lock(mutex_);
       if (ok) {
         waiting_.push_back(std::move(incoming_));
+        incoming_ = place();
         go_on = waiting_.size() < most_waiting;
         reading_paused_ = !go_on;
       } else {
         reading_ended_ = true;
       }
     }
-    if (go_on) {
-      incoming_ = Response();
-      this->StartRead(&incoming_);
-    }
+    if (go_on) this->StartRead(&incoming_->fresh());
     changed_.notify_all();
   }
 
@@ -116,6 +120,9 @@ class Stream : private grpc::ClientBidiReactor<Request, Response> {
     changed_.notify_all();
   }
 
+  // For the next response.
+  Place place() { return spare_ ? std::move(spare_) : std::make_unique<Received<Response>>(); }
+
   // Hands out responses until `reached`, which is asked under the lock, or until
   // the server has ended the stream. False when the sink wants no more or the
   // stream has ended first.
@@ -125,19 +132,17 @@ class Stream : private grpc::ClientBidiReactor<Request, Response> {
     for (;;) {
       changed_.wait(lock, [&] { return reached() || !waiting_.empty() || reading_ended_; });
       if (!waiting_.empty()) {
-        Response response = std::move(waiting_.front());
+        Place response = std::move(waiting_.front());
         waiting_.pop_front();
         const bool resume = std::exchange(reading_paused_, false);
         lock.unlock();
-        if (resume) {
-          incoming_ = Response();
-          this->StartRead(&incoming_);
-        }
-        if (!sink(response)) {
+        if (resume) this->StartRead(&incoming_->fresh());
+        if (!sink(**response)) {
           wait_for_write();
           return false;
         }
         lock.lock();
+        spare_ = std::move(response);
         continue;
       }
       if (reached()) return true;
@@ -162,11 +167,12 @@ class Stream : private grpc::ClientBidiReactor<Request, Response> {
   }
 
   grpc::ClientContext context_;
-  Response incoming_;
+  Place incoming_ = std::make_unique<Received<Response>>();
 
   std::mutex mutex_;
   std::condition_variable changed_;
-  std::deque<Response> waiting_;
+  std::deque<Place> waiting_;
+  Place spare_;  // of a response that was handed out
   bool reading_paused_ = false;
   bool reading_ended_ = false;
   bool writing_ = false;

@@ -6,6 +6,7 @@
 
 #include <vector>
 
+#include "client/trc/received.h"
 #include "proto/wire/compensated_block.h"
 
 namespace trc::cli::load {
@@ -58,7 +59,7 @@ class PathConversation final : public Conversation {
   }
 
   Response read(grpc::ByteBuffer& bytes) override {
-    auto& message = of_this_thread<v1::CompensatePathResponse>();
+    auto& message = of_this_thread<client::Received<v1::CompensatePathResponse>>().fresh();
     Response response{.readable = parse(bytes, message)};
     if (!response.readable) return response;
     response.summary = message.has_summary();
