@@ -140,7 +140,9 @@ inline void HeldPath::limit_radius_of_inserted(double radius) {
   }
 }
 
-void HeldPath::restore(std::size_t number, PathBlock& block) {
+PathBlockPtr HeldPath::restored(std::size_t number) {
+  auto owner = std::make_unique<PathBlock>();
+  PathBlock& block = *owner;
   const KeptBlock& kept = blocks_[number];
   const Setting& setting = settings_[kept.setting];
   MotionBlock& programmed = block.programmed;
@@ -176,6 +178,7 @@ void HeldPath::restore(std::size_t number, PathBlock& block) {
     if (riders.block == number) block.riders = std::move(riders.blocks);
     riders_.drop_before(riders_.begin() + 1);
   }
+  return owner;
 }
 
 void HeldPath::restore_apart(std::size_t number, PathBlock& block) {
@@ -186,21 +189,14 @@ void HeldPath::restore_apart(std::size_t number, PathBlock& block) {
   block.cut_at_end = apart.cuts.at_end;
 }
 
-PathBlockPtr HeldPath::restored(std::size_t number) {
-  auto block = std::make_unique<PathBlock>();
-  restore(number, *block);
-  return block;
-}
-
 void HeldPath::forget_before(std::size_t contour_number) {
   forget_path_before(contour_[contour_number].block);
 }
 
 void HeldPath::forget_path_before(std::size_t block) {
   const KeptBlock& first = blocks_[block];
-  const KeptContour& contour = contour_[first.number];
   settings_.drop_before(first.setting);
-  circles_.drop_before(contour.circle);
+  if (!contour_.empty()) circles_.drop_before(contour_[first.number].circle);
   contour_.drop_before(first.number);
   arcs_.drop_before(first.arc);
   blocks_.drop_before(block);

@@ -87,8 +87,9 @@ class HeldPath {
   [[nodiscard]] std::size_t begin_of_contour() const { return contour_.begin(); }
   [[nodiscard]] std::size_t end_of_contour() const { return contour_.end(); }
 
-  // Of which mostly a single part is wanted: they leave nothing of the others to be done.
+  // Of these mostly a single part is wanted; nothing is done for the others then.
   [[nodiscard]] Block block(std::size_t number) const;
+  [[nodiscard]] ContourBlock contour_block(std::size_t number) const;
   [[nodiscard]] Source source_of(std::size_t contour_block) const {
     const KeptContour& kept = contour_[contour_block];
     return {kept.index, kept.n_word, kept.line};
@@ -117,7 +118,6 @@ class HeldPath {
   [[nodiscard]] bool stands_for_itself(std::size_t next) const {
     return !blocks_[next].apart && (riders_.empty() || riders_[riders_.begin()].block > next);
   }
-  [[nodiscard]] ContourBlock contour_block(std::size_t number) const;
   [[nodiscard]] const Setting& setting_of(std::size_t block) const {
     return settings_[blocks_[block].setting];
   }
@@ -132,9 +132,8 @@ class HeldPath {
   // Across the plane, where the block starts, mm.
   [[nodiscard]] double height_of(std::size_t block) const { return setting_of(block).normal.from; }
 
-  // Makes `block` what it was, with its riders; each one once, in ascending order. It is new, or
-  // one that has been restored before.
-  void restore(std::size_t number, PathBlock& block);
+  // A block as it was, but for the cuts of lines, with its riders; each one once, in ascending
+  // order.
   [[nodiscard]] PathBlockPtr restored(std::size_t number);
 
   // Forgets contour blocks and their path.

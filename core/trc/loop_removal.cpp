@@ -123,7 +123,7 @@ bool LoopRemoval::hold(PathBlock& block) {
   return true;
 }
 
-bool LoopRemoval::take(const ContourBlock& block, PathBlocks& out) {
+bool LoopRemoval::take(const PlainBlock& block, PathBlocks& out) {
   if (!has_room_for(block.programmed.source)) return false;
   path_.append_contour(block.programmed, block.path, block.cuts, block.unreachable);
   note_contour_block(block.programmed.path, block.course);

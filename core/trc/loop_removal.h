@@ -68,7 +68,7 @@ class LoopRemoval {
     return path_.follows_like(block);
   }
   // A contour block, as ContourRun has it behind blocks of the same mode and compensation.
-  struct ContourBlock {
+  struct PlainBlock {
     const MotionBlock& programmed;
     const Segment& path;  // of the tool
     HeldPath::Cuts cuts{};
@@ -76,7 +76,7 @@ class LoopRemoval {
     bool unreachable = false;  // as in PathBlock
   };
   // Returns false once the stream must stop.
-  bool take(const ContourBlock& block, PathBlocks& out);
+  bool take(const PlainBlock& block, PathBlocks& out);
   // A transition between two of them.
   bool take(const MotionBlock& inserted, const Segment& path, bool unreachable, PathBlocks& out);
 
