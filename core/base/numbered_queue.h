@@ -81,32 +81,47 @@ class NumberedQueue {
 
  private:
   static constexpr std::size_t chunk_size = 256;
-  // A queue that has grown to so many chunks takes several at a time: less for the heap to
-  // divide, and whole pages for the system when they go.
+  // A queue that has grown to so many chunks takes whole pages, which go when their elements do.
   static constexpr std::size_t long_queue = 64;
-  static constexpr std::size_t chunks_at_a_time = 16;
+  static constexpr std::size_t chunks_of_piece = PagePiece::bytes / (chunk_size * sizeof(T));
+  static_assert(chunks_of_piece > 1 && alignof(T) <= 4096);
 
-  // Chunks that lie together in memory.
-  struct Run {
-    explicit Run(std::size_t count)
-        : memory(std::make_unique<T[]>(count * chunk_size)), chunks(count) {}
+  // Chunks that lie together in memory: one of the heap, or those of a piece.
+  class Run {
+   public:
+    explicit Run(bool is_long) {
+      if (is_long) {
+        piece_.emplace();
+        std::uninitialized_value_construct_n(places(), elements());
+      } else {
+        chunk_ = std::make_unique<T[]>(chunk_size);
+      }
+    }
     Run(Run&&) noexcept = default;
     Run& operator=(Run&& other) noexcept {
-      std::swap(memory, other.memory);
-      std::swap(chunks, other.chunks);
+      std::swap(chunk_, other.chunk_);
+      std::swap(piece_, other.piece_);
       std::swap(end, other.end);
       return *this;
     }
     Run(const Run&) = delete;
     Run& operator=(const Run&) = delete;
     ~Run() {
-      if constexpr (std::is_trivially_destructible_v<T>)
-        if (memory && chunks > 1) give_back_pages(memory.get(), chunks * chunk_size * sizeof(T));
+      if (piece_ && piece_->memory() != nullptr) std::destroy_n(places(), elements());
     }
 
-    std::unique_ptr<T[]> memory;
-    std::size_t chunks;
+    [[nodiscard]] std::size_t chunks() const { return piece_ ? chunks_of_piece : 1; }
+    [[nodiscard]] T* places() const {
+      return piece_ ? reinterpret_cast<T*>(piece_->memory()) : chunk_.get();
+    }
+
     std::size_t end = 0;  // the number of the element behind it
+
+   private:
+    [[nodiscard]] std::size_t elements() const { return chunks() * chunk_size; }
+
+    std::unique_ptr<T[]> chunk_;
+    std::optional<PagePiece> piece_;
   };
 
   [[gnu::noinline]] void begin_chunk() {
@@ -117,9 +132,9 @@ class NumberedQueue {
   }
   void begin_run() {
     Run& run = runs_.emplace_back(spare_ ? *std::exchange(spare_, std::nullopt)
-                                         : Run(chunks_.size() < long_queue ? 1 : chunks_at_a_time));
-    for (std::size_t chunk = 0; chunk < run.chunks; ++chunk)
-      chunks_.push_back(run.memory.get() + chunk * chunk_size);
+                                         : Run(chunks_.size() >= long_queue));
+    for (std::size_t chunk = 0; chunk < run.chunks(); ++chunk)
+      chunks_.push_back(run.places() + chunk * chunk_size);
     run.end = (first_chunk_ + chunks_.size()) * chunk_size;
     end_of_first_ = runs_[dropped_runs_].end;
   }
@@ -132,8 +147,8 @@ class NumberedQueue {
   [[gnu::noinline]] void drop_runs() {
     for (; dropped_runs_ < runs_.size() && runs_[dropped_runs_].end <= begin_; ++dropped_runs_) {
       Run gone = std::move(runs_[dropped_runs_]);
-      dropped_chunks_ += gone.chunks;
-      if (gone.chunks == 1) spare_ = std::move(gone);
+      dropped_chunks_ += gone.chunks();
+      if (gone.chunks() == 1) spare_ = std::move(gone);
     }
     const bool all = dropped_runs_ == runs_.size();
     if (all) place_ = end_of_chunk_ = nullptr;

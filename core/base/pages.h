@@ -1,8 +1,39 @@
 #pragma once
 
 #include <cstddef>
+#include <utility>
 
 namespace trc {
+
+// Pages of the system beside the heap, for what grows large and goes again in pieces of this size.
+// Those that go serve the next ones, of any thread, up to `most_spare` of them: a new page costs as
+// much as it takes to fill it twenty times.
+class PagePiece {
+ public:
+  static constexpr std::size_t bytes = 256 << 10U;
+  static constexpr std::size_t most_spare = 1024;
+
+  // Throws std::bad_alloc where there is no memory. What is in it is undefined.
+  PagePiece();
+  PagePiece(PagePiece&& other) noexcept : memory_(std::exchange(other.memory_, nullptr)) {}
+  PagePiece& operator=(PagePiece&& other) noexcept {
+    std::swap(memory_, other.memory_);
+    return *this;
+  }
+  PagePiece(const PagePiece&) = delete;
+  PagePiece& operator=(const PagePiece&) = delete;
+  ~PagePiece();
+
+  [[nodiscard]] std::byte* memory() const { return memory_; }
+
+  // In use, of all threads.
+  [[nodiscard]] static std::size_t count();
+  // Gives the spare ones back to the system.
+  static void give_back_spare();
+
+ private:
+  std::byte* memory_;
+};
 
 // Gives the pages that lie wholly in this memory back to the system; what was in them is lost. To
 // be called before much memory is freed: the heap would give it back all at once, under

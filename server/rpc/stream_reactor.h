@@ -11,6 +11,7 @@
 #include <mutex>
 #include <utility>
 
+#include "core/base/pages.h"
 #include "server/backend.h"
 #include "server/rpc/arena_message.h"
 #include "server/rpc/caller.h"
@@ -172,8 +173,10 @@ class StreamReactor
     constexpr std::uint64_t large = 32U << 20U;
     const std::uint64_t held = backend_.memory.used_bytes();
     work_.reset();
+    if (held <= backend_.memory.used_bytes() + large) return;
+    PagePiece::give_back_spare();
     // The heap keeps what lies between small blocks that are still in use.
-    if (held > backend_.memory.used_bytes() + large) malloc_trim(0);
+    malloc_trim(0);
   }
 
   void abandon() {

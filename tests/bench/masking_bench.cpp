@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "core/base/pages.h"
 #include "core/trc/compensator.h"
 #include "tests/bench/workloads.h"
 
@@ -51,7 +52,7 @@ std::vector<Block> program(const Workload& workload, std::size_t blocks, Way way
 
 std::size_t bytes_in_use() {
   const struct mallinfo2 heap = mallinfo2();
-  return heap.uordblks + heap.hblkhd;
+  return heap.uordblks + heap.hblkhd + PagePiece::count() * PagePiece::bytes;
 }
 
 void compensate(benchmark::State& state, const Workload& workload, Way way) {

@@ -6,10 +6,48 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdlib>
+#include <fstream>
 #include <memory>
+#include <utility>
+#include <vector>
 
 namespace trc {
 namespace {
+
+TEST(Pages, APieceServesTheNextOne) {
+  const std::size_t before = PagePiece::count();
+  std::byte* memory = nullptr;
+  {
+    const PagePiece piece;
+    memory = piece.memory();
+    memory[PagePiece::bytes - 1] = std::byte{7};
+    EXPECT_EQ(PagePiece::count(), before + 1);
+  }
+  EXPECT_EQ(PagePiece::count(), before);
+  PagePiece next;
+  EXPECT_EQ(next.memory(), memory);
+  const PagePiece another = std::move(next);
+  EXPECT_EQ(another.memory(), memory);
+  EXPECT_EQ(PagePiece::count(), before + 1);
+}
+
+TEST(Pages, NoMoreThanSomePiecesAreKept) {
+  const auto pieces_mapped = [] {
+    std::ifstream statm("/proc/self/statm");
+    std::size_t pages = 0;
+    statm >> pages;
+    return pages * static_cast<std::size_t>(sysconf(_SC_PAGESIZE)) / PagePiece::bytes;
+  };
+  PagePiece::give_back_spare();
+  const std::size_t before = pieces_mapped();
+  constexpr std::size_t many = PagePiece::most_spare + 400;
+  { const std::vector<PagePiece> pieces(many); }
+  const std::size_t kept = pieces_mapped() - before;
+  EXPECT_GE(kept, PagePiece::most_spare);
+  EXPECT_LT(kept, PagePiece::most_spare + 100);
+  PagePiece::give_back_spare();
+  EXPECT_LT(pieces_mapped() - before, 100U);
+}
 
 // What was in a page that went back reads as zeros.
 TEST(Pages, ThoseThatLieWhollyInTheMemoryGoBack) {
