@@ -6,6 +6,7 @@
 #include <utility>
 #include <variant>
 
+#include "core/base/in_one_piece.h"
 #include "core/geometry/parallel.h"
 #include "core/trc/contour_violations.h"
 #include "core/trc/offset.h"
@@ -125,7 +126,7 @@ bool ContourRun::vanishes(const OffsetCurve& equidistant) const {
 
 // The rules between contour blocks (spec 4.2) as joint_between() has them for such blocks. In one
 // piece: what is done from here on takes less than to call it step by step.
-[[gnu::flatten]] bool ContourRun::join(const Corner& corner, const Step& before, Step& after,
+TRC_IN_ONE_PIECE bool ContourRun::join(const Corner& corner, const Step& before, Step& after,
                                        std::vector<CompensatedBlock>& out) {
   // Which kind of corner that is takes more than the corner.
   if (is_reversal(corner, tolerances_)) return false;
@@ -203,9 +204,9 @@ bool ContourRun::put_out(const Path& path, const Joint& joint, const Step& befor
   return true;
 }
 
-[[gnu::noinline, gnu::flatten]] void ContourRun::hold(const Corner& corner, const Joint& joint,
-                                                      bool apart, const Step& before,
-                                                      const Step& after) {
+TRC_IN_ONE_PIECE [[gnu::noinline]] void ContourRun::hold(const Corner& corner, const Joint& joint,
+                                                         bool apart, const Step& before,
+                                                         const Step& after) {
   const MotionBlock& programmed = *before.programmed;
   const auto* arc = std::get_if<Arc>(&programmed.path);
   const HeldPath::Cuts cuts{before.cut_at_start, joint.cut_before};
@@ -239,7 +240,7 @@ void ContourRun::put_out_leaving(std::vector<CompensatedBlock>& out) {
   going_ = going_ && diagnostics_.pending().size() == reports_before_;
 }
 
-[[gnu::flatten]] bool ContourRun::let_go(std::vector<CompensatedBlock>& out, std::size_t most) {
+TRC_IN_ONE_PIECE bool ContourRun::let_go(std::vector<CompensatedBlock>& out, std::size_t most) {
   const std::size_t before = out.size();
   while (out.size() < most) {
     const auto next = loop_removal_.next_as_it_came();
