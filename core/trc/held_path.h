@@ -113,10 +113,14 @@ class HeldPath {
   // About the path of a block, not much larger than it.
   [[nodiscard]] Box box_about(std::size_t block) const;
   [[nodiscard]] std::size_t number_of(std::size_t block) const { return blocks_[block].number; }
+  // Whether technology words ride on the next block to be restored.
+  [[nodiscard]] bool has_riders(std::size_t next) const {
+    return !riders_.empty() && riders_[riders_.begin()].block <= next;
+  }
   // Whether there is no more to the next block to leave than block(), setting_of(), and
   // contour_block() of its number, tell.
   [[nodiscard]] bool stands_for_itself(std::size_t next) const {
-    return !blocks_[next].apart && (riders_.empty() || riders_[riders_.begin()].block > next);
+    return !blocks_[next].apart && !has_riders(next);
   }
   [[nodiscard]] const Setting& setting_of(std::size_t block) const {
     return settings_[blocks_[block].setting];

@@ -59,8 +59,7 @@ bool LoopRemoval::end_selection() {
 }
 
 bool LoopRemoval::let_go_some(PathBlocks& out) {
-  constexpr std::size_t portion = 32;  // whose storage is the same for each
-  let_go_to(std::min(walked_.begin() + portion, walked_.end()), out);
+  let_go_to(end_of_portion(), out);
   if (!walked_.empty()) {
     path_.forget_path_before(next_);
     return true;
@@ -70,6 +69,19 @@ bool LoopRemoval::let_go_some(PathBlocks& out) {
   for (PathBlockPtr& block : std::exchange(behind_, {}))
     if (!feed(std::move(block), out)) return false;
   return !ended_ || leaving_ || end_selection();
+}
+
+// Up to what leaves as it came, where that is not what the caller has just passed over.
+std::size_t LoopRemoval::end_of_portion() const {
+  constexpr std::size_t portion = 32;  // whose storage is the same for each
+  const std::size_t end = std::min(walked_.begin() + portion, walked_.end());
+  if (next_as_it_came()) return end;
+  std::size_t number = std::min(walked_.begin() + 1, end);
+  const auto came_so = [&](const WalkedPath::Kept& kept) {
+    return kept.cut == WalkedPath::Kept::whole && kept.block == walked_.kept(number - 1).block + 1;
+  };
+  while (number < end && !came_so(walked_.kept(number))) ++number;
+  return number;
 }
 
 std::optional<std::size_t> LoopRemoval::next_as_it_came() const {
@@ -426,9 +438,16 @@ void LoopRemoval::jump(const LoopExit& exit) {
 
 void LoopRemoval::pass_by(std::size_t end, const Point& place, PathBlocks& out) {
   report_masked(next_, end - 1, place);
+  std::size_t last = end - 1;
+  while (last > next_ && !path_.is_contour(last)) --last;
   DroppedBlocks dropped(place, out);
-  for (; next_ < end; ++next_)
-    if (path_.is_contour(next_)) dropped.add(path_.restored(next_));
+  // Nobody asks for those between the first and the last one, but for what rides on them.
+  bool is_first = true;
+  for (; next_ < end; ++next_) {
+    if (!path_.is_contour(next_)) continue;
+    if (std::exchange(is_first, false) || next_ == last || path_.has_riders(next_))
+      dropped.add(path_.restored(next_));
+  }
   dropped.finish();
 }
 

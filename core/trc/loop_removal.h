@@ -145,6 +145,7 @@ class LoopRemoval {
   [[nodiscard]] bool violates(const PathPlace& from, const PathPlace& to,
                               std::size_t obstacle) const;
 
+  [[nodiscard]] std::size_t end_of_portion() const;
   void let_go_to(std::size_t end, PathBlocks& out);
   void let_go(std::size_t number, PathBlocks& out);
   // The blocks before `end` that are not travelled: a loop, left out at `place`.
