@@ -6,8 +6,8 @@
 namespace trc {
 
 // Pages of the system beside the heap, for what grows large and goes again in pieces of this size.
-// Those that go serve the next ones, of any thread, up to `most_spare` of them: a new page costs as
-// much as it takes to fill it twenty times.
+// Those that go serve the next ones, of any thread, up to `most_spare` of them: a new page takes
+// the kernel a microsecond or two.
 class PagePiece {
  public:
   static constexpr std::size_t bytes = 256 << 10U;
