@@ -3,6 +3,7 @@
 #include <sys/mman.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <memory>
 #include <mutex>
 #include <new>
@@ -11,65 +12,70 @@
 namespace trc {
 namespace {
 
-class SparePieces {
+std::byte* map_piece() {
+  void* memory =
+      mmap(nullptr, PagePiece::bytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+  if (memory == MAP_FAILED) throw std::bad_alloc();
+  return static_cast<std::byte*>(memory);
+}
+
+class Pieces {
  public:
-  // The last one to come, whose pages are most likely in a cache; null where there is none.
+  // Room for all there may be: a piece that comes back must not fail.
+  Pieces() { spare_.reserve(PagePiece::most_spare); }
+
   [[nodiscard]] std::byte* take() {
-    const std::lock_guard lock(mutex_);
+    std::byte* piece = take_spare();
+    if (piece == nullptr) piece = map_piece();
     ++in_use_;
+    return piece;
+  }
+  void give_back(std::byte* piece) {
+    --in_use_;
+    if (!keep(piece)) munmap(piece, PagePiece::bytes);
+  }
+  // One by one: other threads get pages in between.
+  void give_back_spare() {
+    while (std::byte* piece = take_spare()) munmap(piece, PagePiece::bytes);
+  }
+  [[nodiscard]] std::size_t in_use() const { return in_use_; }
+
+ private:
+  // The last one to come, whose pages are most likely in a cache; null where there is none.
+  [[nodiscard]] std::byte* take_spare() {
+    const std::lock_guard lock(mutex_);
     if (spare_.empty()) return nullptr;
     std::byte* piece = spare_.back();
     spare_.pop_back();
     return piece;
   }
-  // Whether it has been kept.
   [[nodiscard]] bool keep(std::byte* piece) {
     const std::lock_guard lock(mutex_);
-    --in_use_;
     if (spare_.size() == PagePiece::most_spare) return false;
     spare_.push_back(piece);
     return true;
   }
-  [[nodiscard]] std::vector<std::byte*> take_all() {
-    const std::lock_guard lock(mutex_);
-    return std::exchange(spare_, {});
-  }
-  [[nodiscard]] std::size_t in_use() {
-    const std::lock_guard lock(mutex_);
-    return in_use_;
-  }
 
- private:
   std::mutex mutex_;
   std::vector<std::byte*> spare_;
-  std::size_t in_use_ = 0;
+  std::atomic<std::size_t> in_use_ = 0;
 };
 
 // Never destroyed: what is, may let go of pieces later.
-SparePieces& spare_pieces() {
-  static auto* pieces = new SparePieces();
-  return *pieces;
+Pieces& pieces() {
+  static auto* all = new Pieces();
+  return *all;
 }
 
 }  // namespace
 
-PagePiece::PagePiece() : memory_(spare_pieces().take()) {
-  if (memory_ != nullptr) return;
-  void* memory = mmap(nullptr, bytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
-  if (memory == MAP_FAILED) throw std::bad_alloc();
-  memory_ = static_cast<std::byte*>(memory);
-}
-
+PagePiece::PagePiece() : memory_(pieces().take()) {}
 PagePiece::~PagePiece() {
-  if (memory_ != nullptr && !spare_pieces().keep(memory_)) munmap(memory_, bytes);
+  if (memory_ != nullptr) pieces().give_back(memory_);
 }
 
-std::size_t PagePiece::count() { return spare_pieces().in_use(); }
-
-// One by one: other threads get pages in between.
-void PagePiece::give_back_spare() {
-  for (std::byte* piece : spare_pieces().take_all()) munmap(piece, bytes);
-}
+std::size_t PagePiece::count() { return pieces().in_use(); }
+void PagePiece::give_back_spare() { pieces().give_back_spare(); }
 
 void give_back_pages(void* memory, std::size_t bytes) {
   static const auto page = static_cast<std::size_t>(sysconf(_SC_PAGESIZE));

@@ -4,10 +4,12 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdlib>
 #include <fstream>
 #include <memory>
+#include <thread>
 #include <utility>
 #include <vector>
 
@@ -47,6 +49,22 @@ TEST(Pages, NoMoreThanSomePiecesAreKept) {
   EXPECT_LT(kept, PagePiece::most_spare + 100);
   PagePiece::give_back_spare();
   EXPECT_LT(pieces_mapped() - before, 100U);
+}
+
+TEST(Pages, NoTwoThreadsHaveOnePiece) {
+  const std::size_t before = PagePiece::count();
+  const auto work = [](unsigned char mine) {
+    for (int round = 0; round < 500; ++round) {
+      const std::array<PagePiece, 3> pieces;
+      for (const PagePiece& piece : pieces) *piece.memory() = std::byte{mine};
+      if (round % 100 == 0) PagePiece::give_back_spare();
+      for (const PagePiece& piece : pieces) ASSERT_EQ(*piece.memory(), std::byte{mine});
+    }
+  };
+  std::vector<std::thread> threads;
+  for (unsigned char id = 1; id <= 4; ++id) threads.emplace_back(work, id);
+  for (std::thread& thread : threads) thread.join();
+  EXPECT_EQ(PagePiece::count(), before);
 }
 
 // What was in a page that went back reads as zeros.
