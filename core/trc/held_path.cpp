@@ -48,6 +48,13 @@ bool HeldPath::follows_like(const PathBlock& block) const {
          !last.perpendicular_exit && last.radius == std::abs(last.at_end.shift);
 }
 
+bool HeldPath::stays_put(std::size_t block) const {
+  const Setting& setting = setting_of(block);
+  const auto moves = [](const AxisTravel& axis) { return axis.moves(); };
+  return !setting.normal.moves() &&
+         std::none_of(setting.tracking.begin(), setting.tracking.end(), moves);
+}
+
 inline HeldPath::KeptBlock& HeldPath::keep_path(const Segment& path, Number setting, Role role,
                                                 Origin origin, bool unreachable) {
   KeptBlock& kept = blocks_.next();

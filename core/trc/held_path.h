@@ -113,10 +113,12 @@ class HeldPath {
   // About the path of a block, not much larger than it.
   [[nodiscard]] Box box_about(std::size_t block) const;
   [[nodiscard]] std::size_t number_of(std::size_t block) const { return blocks_[block].number; }
-  // Whether technology words ride on the next block to be restored.
+  // Whether technology words ride on the next block to be restored, or one before it.
   [[nodiscard]] bool has_riders(std::size_t next) const {
     return !riders_.empty() && riders_[riders_.begin()].block <= next;
   }
+  // Whether nothing but the axes of the plane moves in a block.
+  [[nodiscard]] bool stays_put(std::size_t block) const;
   // Whether there is no more to the next block to leave than block(), setting_of(), and
   // contour_block() of its number, tell.
   [[nodiscard]] bool stands_for_itself(std::size_t next) const {

@@ -440,6 +440,10 @@ void LoopRemoval::pass_by(std::size_t end, const Point& place, PathBlocks& out) 
   report_masked(next_, end - 1, place);
   std::size_t last = end - 1;
   while (last > next_ && !path_.is_contour(last)) --last;
+  if (!path_.has_riders(last) && path_.have_one_setting(next_, last) && path_.stays_put(last)) {
+    next_ = end;
+    return;
+  }
   DroppedBlocks dropped(place, out);
   // Nobody asks for those between the first and the last one, but for what rides on them.
   bool is_first = true;
