@@ -122,6 +122,7 @@ class BoxTree {
       descend(search, level - 1, number);
     }
   }
+
   std::size_t begin_;
   std::vector<Level> levels_;  // 0: the boxes
 };

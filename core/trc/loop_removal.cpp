@@ -252,7 +252,7 @@ bool LoopRemoval::is_known(std::size_t block, std::size_t lead, bool ended) cons
 std::optional<Obstacles::Onset> LoopRemoval::next_onset() const {
   const double length = length_of(path(at_.block).path);
   double from = at_.from;
-  if (tolerated_.block >= at_.block) {
+  if (is_tolerated()) {
     const double to = tolerated_.block > at_.block ? length : std::min(length, tolerated_.along);
     if (const auto found = obstacles_.onset(at_.block, from, to, Nearness::passable)) return found;
     from = std::max(from, to);

@@ -105,7 +105,7 @@ class LoopRemoval {
   void walk_again_from(std::size_t piece, const Onset& onset);
   // The last contour block is new: whether the path runs into it before the onset waited with.
   void keep_waiting();
-  // Whether the walk can go on: more than the last contour block is known of what it ran into.
+  // Whether the walk cannot go on yet: the last contour block that is known is what it ran into.
   [[nodiscard]] bool is_waiting() const;
   void drop_pieces(std::size_t kept);
   bool proceed(PathBlocks& out);
