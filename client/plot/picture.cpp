@@ -3,15 +3,15 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <unordered_set>
+#include <iterator>
+#include <string_view>
 #include <utility>
+#include <vector>
 
 #include "core/trc/listing.h"
 
 namespace trc::plot {
 namespace {
-
-using Indices = std::unordered_set<std::uint64_t>;
 
 std::string number_of(const Source& source) {
   if (source.number != Source::no_number) return "N" + std::to_string(source.number);
@@ -43,30 +43,35 @@ Plane plane_to_show(const Contents& contents) {
   return contents.path.empty() ? Plane::xy : contents.path.front().plane;
 }
 
-// Contour blocks that gave no piece of the path although masking was on: those
-// marked so, and those that went with a removed loop.
-Indices not_travelled(const Contents& contents) {
-  Indices masked;
-  Indices travelled;
-  std::uint64_t last = 0;
-  for (const CompensatedBlock& block : contents.path) {
-    last = std::max(last, block.source.index);
-    if (block.origin == Origin::masked) {
-      masked.insert(block.source.index);
-    } else if (extent_of(block.path) > 0) {
-      travelled.insert(block.source.index);
-    }
+// Contour blocks the tool does not travel, as the notes name them. A transition behind such a block
+// may be travelled all the same.
+class NotTravelled {
+ public:
+  explicit NotTravelled(const Contents& contents) {
+    for (const Diagnostic& note : contents.diagnostics)
+      if (note.code == Code::blocks_masked)
+        ranges_.emplace_back(value_of(note, "first_index"), value_of(note, "last_index"));
+    std::sort(ranges_.begin(), ranges_.end());
   }
-  for (const Block& block : contents.programmed) {
-    const auto* motion = std::get_if<MotionBlock>(&block);
-    if (!motion || !motion->mode || !motion->mode->active()) continue;
-    const bool may_be_removed =
-        motion->mode->masking == Masking::on && motion->mode->options.remove_masked_blocks;
-    if (may_be_removed && motion->source.index < last && !travelled.contains(motion->source.index))
-      masked.insert(motion->source.index);
+
+  [[nodiscard]] bool contains(std::uint64_t index) const {
+    const auto behind =
+        std::upper_bound(ranges_.begin(), ranges_.end(), index,
+                         [](std::uint64_t at, const Range& range) { return at < range.first; });
+    return behind != ranges_.begin() && index <= std::prev(behind)->second;
   }
-  return masked;
-}
+
+ private:
+  using Range = std::pair<std::uint64_t, std::uint64_t>;
+
+  static std::uint64_t value_of(const Diagnostic& note, std::string_view name) {
+    for (const auto& value : note.values)
+      if (value.name == name && value.value >= 0) return static_cast<std::uint64_t>(value.value);
+    return note.source.index;
+  }
+
+  std::vector<Range> ranges_{};  // apart from each other, in order
+};
 
 class Composer {
  public:
@@ -116,7 +121,7 @@ class Composer {
   }
 
   void add_programmed() {
-    const Indices masked = not_travelled(contents_);
+    const NotTravelled masked(contents_);
     Position position{};
     for (const Block& block : contents_.programmed)
       std::visit(overloaded{[&](const MotionBlock& motion) {

@@ -178,12 +178,20 @@ TEST(Svg, NamesTheAxesOfThePlane) {
   EXPECT_EQ(names(Plane::yz), "YZ");
 }
 
+Diagnostic masked_note(std::uint64_t first, std::uint64_t last) {
+  return {.code = Code::blocks_masked,
+          .severity = Severity::note,
+          .source = {.index = first},
+          .values = {{"first_index", static_cast<double>(first)},
+                     {"last_index", static_cast<double>(last)}}};
+}
+
 TEST(Svg, MarksMaskedBlocksRed) {
   const std::vector<CompensatedBlock> path{
       compensated(10, Origin::approach, Line{{-20, 0}, {0, 10}}),
       compensated(20, Origin::masked, Line{{0, 10}, {0, 10}}),
       compensated(30, Origin::programmed, Line{{0, 10}, {0, 60}})};
-  const std::string svg = svg_of(corner_contour, path);
+  const std::string svg = svg_of(corner_contour, path, {}, {masked_note(2, 2)});
   const std::string masked = group(svg, "masked");
   EXPECT_NE(masked.find("stroke=\"red\""), std::string::npos);
   ASSERT_EQ(paths_in(masked).size(), 1u);
@@ -191,18 +199,23 @@ TEST(Svg, MarksMaskedBlocksRed) {
   EXPECT_EQ(paths_in(group(svg, "programmed")).size(), 2u);
 }
 
+// As the notes name them: the last block of a loop is left by the transition behind it, and a block
+// the tool just fits beside is travelled on the spot.
 TEST(Svg, MarksBlocksOfRemovedLoopsRed) {
   const auto removing = mode(Side::left, Plane::xy, true);
   const std::vector<Block> contour{
       motion(10, Line{{-20, 0}, {0, 0}}, removing), motion(20, Line{{0, 0}, {5, 5}}, removing),
-      motion(30, Line{{5, 5}, {5, 50}}, removing), motion(40, Line{{5, 50}, {0, 60}}, removing)};
+      motion(30, Line{{5, 5}, {5, 9}}, removing), motion(40, Line{{5, 9}, {5, 50}}, removing),
+      motion(50, Line{{5, 50}, {5, 50.5}}, removing)};
   const std::vector<CompensatedBlock> path{
       compensated(10, Origin::approach, Line{{-20, 0}, {-5, 10}}),
-      compensated(30, Origin::programmed, Line{{-5, 10}, {-5, 50}})};
-  const std::string svg = svg_of(contour, path);
-  // N40 lies behind the last block of the path: it has not come out yet.
-  EXPECT_EQ(paths_in(group(svg, "masked")).size(), 1u);
-  EXPECT_NE(group(svg, "masked").find("N20"), std::string::npos);
+      compensated(30, Origin::transition, Line{{-5, 10}, {-5, 11}}),
+      compensated(40, Origin::programmed, Line{{-5, 11}, {-5, 50}}),
+      compensated(50, Origin::programmed, Line{{-5, 50}, {-5, 50}})};
+  const std::string masked = group(svg_of(contour, path, {}, {masked_note(2, 3)}), "masked");
+  EXPECT_EQ(paths_in(masked).size(), 2u);
+  EXPECT_NE(masked.find("N20"), std::string::npos);
+  EXPECT_NE(masked.find("N30"), std::string::npos);
 }
 
 TEST(Svg, KeepsHugeCoordinatesOnTheSheet) {
