@@ -1,7 +1,9 @@
 #include "core/trc/contour_masking.h"
 
+#include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <numbers>
 #include <utility>
 
 #include "core/geometry/parallel.h"
@@ -31,6 +33,28 @@ OffsetCurve end_curve(const PathBlock& block) {
 OffsetCurve start_curve(const PathBlock& block) {
   return offset_curve(block.programmed.path, block.tangent_at_start, block.offset_start,
                       block.at_start.shift);
+}
+
+// Both equidistants lie on one line or on one circle and are travelled the same way: walls beside a
+// notch. The first one then goes on to where the second one begins. How far on a circle, rad,
+// cannot be told from how far back: whichever is nearer.
+std::optional<PathBlock::Rejoin> join_in_line(const OffsetCurve& before, const OffsetCurve& after,
+                                              double same_point) {
+  const Point& point = after.anchor;
+  if (before.circular != after.circular) return std::nullopt;
+  if (!before.circular) {
+    const double aside = std::max(std::abs(cross(before.tangent, point - before.anchor)),
+                                  std::abs(cross(after.tangent, point - before.anchor)));
+    if (aside > same_point || before.tangent.dot(after.tangent) <= 0) return std::nullopt;
+    return PathBlock::Rejoin{.point = point, .cut_before = cut_before_anchor(before, point, 0)};
+  }
+  const bool one_circle = before.counter_clockwise == after.counter_clockwise &&
+                          (before.circle.center - after.circle.center).norm() <= same_point &&
+                          std::abs(before.circle.radius - after.circle.radius) <= same_point;
+  if (!one_circle) return std::nullopt;
+  const double back = cut_before_anchor(before, point, same_point);
+  return PathBlock::Rejoin{
+      .point = point, .cut_before = back > std::numbers::pi ? back - 2 * std::numbers::pi : back};
 }
 
 }  // namespace
@@ -101,8 +125,10 @@ bool ContourMasking::keep(std::size_t index) {
       kept_.push_back({.index = index, .cut_at_start = meeting->cut_after});
       return true;
     }
-    // Of two that do not meet the one with less to cut gives way.
-    if (!meeting && !begins_contour && equidistant_length(block) < equidistant_length(before)) {
+    // Of two that do not meet, or only where there is nothing of either, the one with less to cut
+    // gives way.
+    const bool apart = !meeting || (!adjacent && left_of_block(block, meeting->cut_after, 0) < 0);
+    if (apart && !begins_contour && equidistant_length(block) < equidistant_length(before)) {
       block.masked = true;
       return true;
     }
@@ -140,13 +166,15 @@ std::optional<ContourMasking::Meeting> ContourMasking::meet(const PathBlock& bef
       .cut_before = rejoin->cut_before, .cut_after = rejoin->cut_after, .rejoin = rejoin};
 }
 
-// The nearest meeting of the two equidistants; at an outside corner of two lines
+// In line, or the nearest meeting of the two equidistants; at an outside corner of two lines
 // the crossing of their extensions, as far as STRETCH_FACTOR lets them.
 std::optional<PathBlock::Rejoin> ContourMasking::join_anew(const PathBlock& before,
                                                            const PathBlock& after) const {
   if (!is_contour(before)) return std::nullopt;
   const OffsetCurve curve_before = end_curve(before);
   const OffsetCurve curve_after = start_curve(after);
+  if (auto in_line = join_in_line(curve_before, curve_after, tolerances_.same_point))
+    return in_line;
   if (const auto joint = nearest_meeting(curve_before, curve_after, tolerances_))
     return PathBlock::Rejoin{joint->point, joint->cut_before, joint->cut_after};
   if (curve_before.circular || curve_after.circular) return std::nullopt;
@@ -207,6 +235,9 @@ bool ContourMasking::refuse_to_mask(const PathBlock& block) {
 bool ContourMasking::refuse(Code code, const PathBlock& block) {
   Diagnostic problem = diagnostic(code, block.programmed.source);
   problem.values = {{"tool_radius", std::abs(block.at_end.shift)}};
+  const Position place =
+      from_plane(block.mode().plane, block.offset_end, block.programmed.normal.to);
+  problem.point = DiagnosticPoint{.x = place[0], .y = place[1], .z = place[2]};
   return diagnostics_.report(std::move(problem));
 }
 

@@ -108,7 +108,10 @@ TEST(ContourMasking, LosesNothingAndStaysConnected) {
                        return std::vector<std::string>{"M" + std::to_string(ordinal)};
                      }});
       EXPECT_EQ(first_gap(outcome.blocks), "");
-      if (outcome.stopped) continue;
+      if (outcome.stopped) {
+        EXPECT_TRUE(outcome.error()->point.has_value()) << message_of(*outcome.error());
+        continue;
+      }
       std::int64_t number = 0;
       std::vector<std::string> texts;
       for (const CompensatedBlock& block : outcome.blocks) {

@@ -1,0 +1,14 @@
+%SLOT_NOT_ENTERED
+(a slot 4 wide and 10 deep in a straight wall, for a tool of radius 5)
+N10 G00 X-20 Y-60 F1000
+N20 V.G.WZ_AKT.R = 5
+N30 G138 G26 G141
+N40 G41 G01 X0 Y-40
+N50 Y0
+N60 X20
+N70 Y-10 M8
+N80 X24
+N90 Y0
+N100 X60
+N110 G40 X80 Y40
+N120 M30
