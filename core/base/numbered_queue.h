@@ -34,8 +34,8 @@ class NumberedQueue {
   [[nodiscard]] const T& operator[](std::size_t number) const {
     return chunks_[number / chunk_size - first_chunk_][number % chunk_size];
   }
-  [[nodiscard]] T& back() { return (*this)[end_ - 1]; }
-  [[nodiscard]] const T& back() const { return (*this)[end_ - 1]; }
+  [[nodiscard]] T& back() { return place_[-1]; }
+  [[nodiscard]] const T& back() const { return place_[-1]; }
 
   T& push_back(T element) { return next() = std::move(element); }
   // One more at the end, with whatever value: the caller gives it one.
@@ -44,6 +44,33 @@ class NumberedQueue {
     ++end_;
     return *place_++;
   }
+
+  // Reads one element after the other, which takes less than to look for each. What has been read
+  // stays where it is, until the queue is changed.
+  class Reader {
+   public:
+    // The first one to be read is `number`.
+    Reader(const NumberedQueue& queue, std::size_t number) : queue_(queue), number_(number) {}
+    // There is one more.
+    [[nodiscard]] const T& next() {
+      if (place_ == end_of_chunk_) go_on();
+      return *place_++;
+    }
+
+   private:
+    void go_on() {
+      place_ = &queue_[number_];
+      const std::size_t rest = chunk_size - number_ % chunk_size;
+      end_of_chunk_ = place_ + rest;
+      number_ += rest;
+    }
+
+    const NumberedQueue& queue_;
+    std::size_t number_;  // of the first one in the next chunk
+    const T* place_ = nullptr;
+    const T* end_of_chunk_ = nullptr;
+  };
+  [[nodiscard]] Reader from(std::size_t number) const { return Reader(*this, number); }
 
   // Forgets the elements before `number`, which is at most end().
   void drop_before(std::size_t number) {
@@ -64,7 +91,7 @@ class NumberedQueue {
     if constexpr (!std::is_trivially_destructible_v<T>)
       for (std::size_t gone = number; gone < end_; ++gone) (*this)[gone] = T{};
     end_ = number;
-    find_place();
+    find_place(empty() ? end_ : end_ - 1);
   }
 
   template <class Archive>
@@ -128,7 +155,7 @@ class NumberedQueue {
     const std::size_t chunk = end_ / chunk_size;
     if (chunks_.empty()) first_chunk_ = chunk;
     if (chunk == first_chunk_ + chunks_.size()) begin_run();
-    find_place();
+    find_place(end_);
   }
   void begin_run() {
     Run& run = runs_.emplace_back(spare_ ? *std::exchange(spare_, std::nullopt)
@@ -138,11 +165,11 @@ class NumberedQueue {
     run.end = (first_chunk_ + chunks_.size()) * chunk_size;
     end_of_first_ = runs_[dropped_runs_].end;
   }
-  // The chunk of end() is there.
-  void find_place() {
-    T* chunk = chunks_[end_ / chunk_size - first_chunk_];
-    place_ = chunk + end_ % chunk_size;
+  // Whose chunk is there: `near`, which is end() or the last element.
+  void find_place(std::size_t near) {
+    T* chunk = chunks_[near / chunk_size - first_chunk_];
     end_of_chunk_ = chunk + chunk_size;
+    place_ = chunk + near % chunk_size + (end_ - near);
   }
   [[gnu::noinline]] void drop_runs() {
     for (; dropped_runs_ < runs_.size() && runs_[dropped_runs_].end <= begin_; ++dropped_runs_) {

@@ -243,36 +243,38 @@ void ContourRun::put_out_leaving(std::vector<CompensatedBlock>& out) {
 TRC_IN_ONE_PIECE bool ContourRun::let_go(std::vector<CompensatedBlock>& out, std::size_t most) {
   const std::size_t before = out.size();
   while (out.size() < most) {
-    const auto next = loop_removal_.next_as_it_came();
-    if (!next || !put_out_held(*next, out)) break;
-    loop_removal_.next_has_left();
+    const LoopRemoval::Row row = loop_removal_.next_as_they_came(most - out.size());
+    const std::size_t count = row.count > 0 ? put_out_held(row, out) : 0;
+    if (count == 0) break;
+    loop_removal_.have_left(count);
   }
   return out.size() > before;
 }
 
-bool ContourRun::put_out_held(std::size_t number, std::vector<CompensatedBlock>& out) {
-  const HeldPath& held = loop_removal_.path();
-  const HeldPath::Setting& setting = held.setting_of(number);
-  if (inverse_path_ || setting.mode->feed_adaptation == FeedAdaptation::on) return false;
-  const auto put_out = [&](const auto& path, HeldPath::Number contour, Role role, Origin origin) {
-    const auto length = role == Role::contour ? programmed_length(contour, path.end - path.start,
-                                                                  setting.at_end.shift)
-                                              : std::optional(0.0);
-    if (!length || out_of_range(path, tolerances_)) return false;
-    reporting_.summary().programmed_length += *length;
-    held_.source = held.source_of(contour);
-    held_.normal = setting.normal;
-    held_.feed = setting.feed;
-    held_.rapid = setting.rapid;
-    held_.tracking = setting.tracking;
-    reporting_.put_out(held_, *setting.mode, origin, path, out);
+std::size_t ContourRun::put_out_held(const LoopRemoval::Row& row,
+                                     std::vector<CompensatedBlock>& out) {
+  HeldPath::Reader held = loop_removal_.path().read_from(row.first);
+  const HeldPath::Setting& setting = held.setting();
+  if (inverse_path_ || setting.mode->feed_adaptation == FeedAdaptation::on) return 0;
+  const Reporting::Motion motion{*setting.mode, setting.normal, setting.feed, setting.rapid};
+  const auto put_out = [&](const auto& path) {
+    if (out_of_range(path, tolerances_)) return false;
+    if (held.is_contour()) {
+      const auto length = programmed_length(held, path.end - path.start);
+      if (!length) return false;
+      reporting_.summary().programmed_length += *length;
+    }
+    CompensatedBlock& block = reporting_.put_out(held.source(), motion, held.origin(), path, out);
+    if (!setting.tracking.empty()) block.tracking = setting.tracking;
     return true;
   };
-  return held.visit_path(number, put_out);
+  std::size_t count = 0;
+  while (count < row.count && held.next() && held.visit_path(put_out)) ++count;
+  return count;
 }
 
-std::optional<double> ContourRun::programmed_length(std::size_t contour, const Vector& travelled,
-                                                    double shift) const {
+std::optional<double> ContourRun::programmed_length(const HeldPath::Reader& held,
+                                                    const Vector& travelled) const {
   const auto of_line = [&](const Line& line) -> std::optional<double> {
     const auto [tangent, length] = directed(line.end - line.start);
     if (runs_back(travelled, tangent, tolerances_)) return std::nullopt;
@@ -282,10 +284,11 @@ std::optional<double> ContourRun::programmed_length(std::size_t contour, const V
     const double radius = radius_of(arc);
     const double sweep = std::abs(arc.sweep);
     const double left = sweep - cuts.at_start - cuts.at_end;
-    if (is_consumed(left, parallel_radius(arc, radius, shift), tolerances_)) return std::nullopt;
+    const double parallel = parallel_radius(arc, radius, held.setting().at_end.shift);
+    if (is_consumed(left, parallel, tolerances_)) return std::nullopt;
     return sweep * radius;
   };
-  return loop_removal_.path().visit_programmed(contour, overloaded{of_line, of_arc});
+  return held.visit_programmed(overloaded{of_line, of_arc});
 }
 
 }  // namespace trc

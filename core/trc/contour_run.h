@@ -88,12 +88,12 @@ class ContourRun {
             const Step& after);
   // What a window of LoopRemoval has set free.
   void put_out_leaving(std::vector<CompensatedBlock>& out);
-  // Does nothing where the passes have to do it.
-  bool put_out_held(std::size_t number, std::vector<CompensatedBlock>& out);
+  // Puts out blocks from the first of the row on, up to one that the passes have to put out.
+  // Returns how many.
+  std::size_t put_out_held(const LoopRemoval::Row& row, std::vector<CompensatedBlock>& out);
   // mm; nothing where the path of a contour block is a contour violation.
-  [[nodiscard]] std::optional<double> programmed_length(std::size_t contour,
-                                                        const Vector& travelled,
-                                                        double shift) const;
+  [[nodiscard]] std::optional<double> programmed_length(const HeldPath::Reader& held,
+                                                        const Vector& travelled) const;
 
   bool inverse_path_;
   Tolerances tolerances_;
@@ -108,10 +108,8 @@ class ContourRun {
   Tolerances exact_{};  // for the meetings of a contour whose loops are removed
   bool going_ = true;
   std::size_t reports_before_ = 0;
-  // Places for one block after the other.
-  MotionBlock inserted_{};
-  MotionBlock held_{};
-  PathBlocks leaving_;  // between LoopRemoval and the passes behind it
+  MotionBlock inserted_{};  // one after the other
+  PathBlocks leaving_;      // between LoopRemoval and the passes behind it
 };
 
 }  // namespace trc

@@ -91,8 +91,7 @@ class HeldPath {
   [[nodiscard]] Block block(std::size_t number) const;
   [[nodiscard]] ContourBlock contour_block(std::size_t number) const;
   [[nodiscard]] Source source_of(std::size_t contour_block) const {
-    const KeptContour& kept = contour_[contour_block];
-    return {kept.index, kept.n_word, kept.line};
+    return source_of(contour_[contour_block]);
   }
   // Calls visit with the path of a block, a Line or an Arc, with its number, role and origin as in
   // Block.
@@ -119,11 +118,7 @@ class HeldPath {
   }
   // Whether nothing but the axes of the plane moves in a block.
   [[nodiscard]] bool stays_put(std::size_t block) const;
-  // Whether there is no more to the next block to leave than block(), setting_of(), and
-  // contour_block() of its number, tell.
-  [[nodiscard]] bool stands_for_itself(std::size_t next) const {
-    return !blocks_[next].apart && !has_riders(next);
-  }
+  [[nodiscard]] bool is_apart(std::size_t block) const { return blocks_[block].apart; }
   [[nodiscard]] const Setting& setting_of(std::size_t block) const {
     return settings_[blocks_[block].setting];
   }
@@ -137,6 +132,16 @@ class HeldPath {
   [[nodiscard]] const TrcMode& mode_of(std::size_t block) const { return *setting_of(block).mode; }
   // Across the plane, where the block starts, mm.
   [[nodiscard]] double height_of(std::size_t block) const { return setting_of(block).normal.from; }
+
+  // How many blocks from `next` on, the next one to leave, have no riders; up to `most`.
+  [[nodiscard]] std::size_t without_riders(std::size_t next, std::size_t most) const {
+    if (riders_.empty()) return most;
+    return std::min(most, std::max(riders_[riders_.begin()].block, next) - next);
+  }
+  // Reads blocks in a row that have one setting, and to none of which there is more than that, its
+  // path, its contour block and what else is here.
+  class Reader;
+  [[nodiscard]] Reader read_from(std::size_t block) const;
 
   // A block as it was, but for the cuts of lines, with its riders; each one once, in ascending
   // order.
@@ -235,6 +240,11 @@ class HeldPath {
     }
   };
 
+  static Source source_of(const KeptContour& kept) { return {kept.index, kept.n_word, kept.line}; }
+  // Of the contour block of a block, or of one behind it.
+  [[nodiscard]] std::size_t first_circle_of(std::size_t block) const {
+    return contour_.empty() ? 0 : contour_[number_of(block)].circle;
+  }
   // Of either kind.
   template <class Kept>
   static Line line_of(const Kept& kept) {
@@ -265,6 +275,69 @@ class HeldPath {
   NumberedQueue<Riders> riders_;
   NumberedQueue<Apart> apart_;
 };
+
+class HeldPath::Reader {
+ public:
+  Reader(const HeldPath& path, std::size_t block);
+  // Goes on to the first block, or the next one. Returns false, and is of no use any more, where
+  // that has another setting or is one that stands apart.
+  [[nodiscard]] bool next();
+
+  [[nodiscard]] const Setting& setting() const { return setting_; }
+  // Of the block it is at.
+  [[nodiscard]] bool is_contour() const { return block_->role == Role::contour; }
+  [[nodiscard]] Origin origin() const { return block_->origin; }
+  [[nodiscard]] Source source() const { return source_of(*contour_); }
+  // Both as in HeldPath; the programmed path is that of a contour block.
+  template <class Visit>
+  [[nodiscard]] auto visit_path(Visit visit) const {
+    return block_->is_arc ? visit(arc_of(*block_, *arc_)) : visit(line_of(*block_));
+  }
+  template <class Visit>
+  [[nodiscard]] auto visit_programmed(Visit visit) const {
+    if (!contour_->is_arc) return visit(line_of(*contour_));
+    return visit(arc_of(*contour_, circle_->arc), circle_->cuts);
+  }
+
+ private:
+  void read_contour() {
+    contour_ = &contours_.next();
+    if (contour_->is_arc) circle_ = &circles_.next();
+  }
+
+  Number kept_setting_;
+  const Setting& setting_;
+  NumberedQueue<KeptBlock>::Reader blocks_;
+  NumberedQueue<KeptArc>::Reader arcs_;
+  NumberedQueue<KeptContour>::Reader contours_;
+  NumberedQueue<KeptCircle>::Reader circles_;
+  const KeptBlock* block_ = nullptr;
+  const KeptArc* arc_ = nullptr;
+  const KeptContour* contour_ = nullptr;
+  const KeptCircle* circle_ = nullptr;
+};
+
+[[gnu::always_inline]] inline HeldPath::Reader::Reader(const HeldPath& path, std::size_t block)
+    : kept_setting_(path.blocks_[block].setting),
+      setting_(path.settings_[kept_setting_]),
+      blocks_(path.blocks_.from(block)),
+      arcs_(path.arcs_.from(path.blocks_[block].arc)),
+      contours_(path.contour_.from(path.number_of(block))),
+      circles_(path.circles_.from(path.first_circle_of(block))) {
+  if (!path.contour_.empty() && !path.is_contour(block)) read_contour();
+}
+
+[[gnu::always_inline]] inline bool HeldPath::Reader::next() {
+  block_ = &blocks_.next();
+  if (block_->setting != kept_setting_ || block_->apart) return false;
+  if (is_contour()) read_contour();
+  if (block_->is_arc) arc_ = &arcs_.next();
+  return true;
+}
+
+inline HeldPath::Reader HeldPath::read_from(std::size_t block) const {
+  return Reader(*this, block);
+}
 
 [[gnu::always_inline]] inline HeldPath::Block HeldPath::block(std::size_t number) const {
   const KeptBlock& kept = blocks_[number];

@@ -75,7 +75,7 @@ bool LoopRemoval::let_go_some(PathBlocks& out) {
 std::size_t LoopRemoval::end_of_portion() const {
   constexpr std::size_t portion = 32;  // whose storage is the same for each
   const std::size_t end = std::min(walked_.begin() + portion, walked_.end());
-  if (next_as_it_came()) return end;
+  if (next_stands_for_itself()) return end;
   std::size_t number = std::min(walked_.begin() + 1, end);
   const auto came_so = [&](const WalkedPath::Kept& kept) {
     return kept.cut == WalkedPath::Kept::whole && kept.block == walked_.kept(number - 1).block + 1;
@@ -84,19 +84,21 @@ std::size_t LoopRemoval::end_of_portion() const {
   return number;
 }
 
-std::optional<std::size_t> LoopRemoval::next_as_it_came() const {
-  if (!leaving_ || !entering_.empty() || walked_.empty()) return std::nullopt;
-  const auto& [at, cut] = walked_.kept(walked_.begin());
-  const bool came_so = cut == WalkedPath::Kept::whole && at == next_;
-  if (!came_so || !path_.stands_for_itself(at)) return std::nullopt;
-  return at;
+LoopRemoval::Row LoopRemoval::next_as_they_came(std::size_t most) const {
+  if (!leaving_ || !entering_.empty()) return {};
+  return {next_, walked_.whole_in_a_row(next_, path_.without_riders(next_, most))};
 }
 
-void LoopRemoval::next_has_left() {
+bool LoopRemoval::next_stands_for_itself() const {
+  return next_as_they_came(1).count == 1 && !path_.is_apart(next_);
+}
+
+void LoopRemoval::have_left(std::size_t count) {
   constexpr std::size_t now_and_then = 32;
-  if (next_ % now_and_then == 0) path_.forget_path_before(next_);
-  ++next_;
-  walked_.drop_before(walked_.begin() + 1);
+  const std::size_t left = next_ + count;
+  if (left / now_and_then > next_ / now_and_then) path_.forget_path_before(left - 1);
+  next_ = left;
+  walked_.drop_before(walked_.begin() + count);
 }
 
 void LoopRemoval::begin_selection() {

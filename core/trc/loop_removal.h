@@ -55,10 +55,14 @@ class LoopRemoval {
   // between all passes at once. What is fed meanwhile waits behind it.
   [[nodiscard]] bool is_leaving() const { return leaving_; }
   bool let_go_some(PathBlocks& out);
-  // The number of the next block of path(), if it leaves as it came: with nothing before it and
-  // nothing about it.
-  [[nodiscard]] std::optional<std::size_t> next_as_it_came() const;
-  void next_has_left();
+  // The next blocks of path() that leave as they came: with nothing before them, no riders, and up
+  // to `most`. None where `count` is 0.
+  struct Row {
+    std::size_t first = 0;
+    std::size_t count = 0;
+  };
+  [[nodiscard]] Row next_as_they_came(std::size_t most) const;
+  void have_left(std::size_t count);
   [[nodiscard]] const HeldPath& path() const { return path_; }
 
   // The middle of a contour is being held: ContourRun may give it more of it.
@@ -145,6 +149,7 @@ class LoopRemoval {
   [[nodiscard]] bool violates(const PathPlace& from, const PathPlace& to,
                               std::size_t obstacle) const;
 
+  [[nodiscard]] bool next_stands_for_itself() const;
   [[nodiscard]] std::size_t end_of_portion() const;
   void let_go_to(std::size_t end, PathBlocks& out);
   void let_go(std::size_t number, PathBlocks& out);

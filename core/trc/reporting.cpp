@@ -28,6 +28,12 @@ bool Reporting::feed(PathBlock& block, std::vector<CompensatedBlock>& out) {
   return !diagnostics_.stopped();
 }
 
+void Reporting::stand_at(Plane plane, const Position& position) {
+  plane_ = plane;
+  place_ = to_plane(plane, position);
+  height_ = position[axes_of(plane).third];
+}
+
 void Reporting::let_off(std::vector<PassiveBlock>& riders, std::vector<CompensatedBlock>& out) {
   for (PassiveBlock& rider : riders) {
     CompensatedBlock& result = out.emplace_back();
@@ -35,15 +41,14 @@ void Reporting::let_off(std::vector<PassiveBlock>& riders, std::vector<Compensat
     result.plane = rider.mode->plane;
     result.origin = rider.text.empty() || rider.moves ? Origin::uncompensated : Origin::passthrough;
     result.rapid = rider.rapid;
-    const Point place = to_plane(result.plane, position_);
-    check(position_[axes_of(result.plane).third] == rider.normal.from,
-          "a rider starts where its block ended");
-    result.path = Line{.start = place, .end = place};
+    if (result.plane != plane_) stand_at(result.plane, position());
+    check(height_ == rider.normal.from, "a rider starts where its block ended");
+    result.path = Line{.start = place_, .end = place_};
     result.normal = rider.normal;
     result.feed = rider.feed;
     result.tracking = std::move(rider.tracking);
     result.text = std::move(rider.text);
-    position_ = from_plane(result.plane, place, rider.normal.to);
+    height_ = rider.normal.to;
     count(result.origin, 0);
   }
   riders.clear();

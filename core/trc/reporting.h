@@ -26,14 +26,26 @@ class Reporting {
       : smallest_feed_factor_(setup.smallest_feed_factor),
         inverse_path_(setup.inverse_path),
         tolerances_(setup.tolerances),
-        diagnostics_(diagnostics),
-        position_(setup.start) {}
+        diagnostics_(diagnostics) {
+    stand_at(Plane::xy, setup.start);
+  }
 
   bool feed(PathBlockPtr&& owner, std::vector<CompensatedBlock>& out) { return feed(*owner, out); }
   bool feed(PathBlock& block, std::vector<CompensatedBlock>& out);
   bool drain(std::vector<CompensatedBlock>& /*out*/) { return true; }
-  // One block of the path, programmed under the mode. Takes its tracking axes out of it. `Path` is
-  // a Line or an Arc. Here for ContourRun, which puts out nearly all blocks.
+  // What many blocks in a row have in common: the mode they are programmed under, and more.
+  struct Motion {
+    const TrcMode& mode;
+    AxisTravel normal{};
+    double feed = 0;
+    bool rapid = false;
+  };
+  // One block of the path, but for its tracking axes. `Path` is a Line or an Arc. Here for
+  // ContourRun, which puts out nearly all blocks.
+  template <class Path>
+  CompensatedBlock& put_out(const Source& source, const Motion& motion, Origin origin,
+                            const Path& tool_path, std::vector<CompensatedBlock>& out);
+  // The same. Takes the tracking axes out of what is programmed.
   template <class Path>
   CompensatedBlock& put_out(MotionBlock& programmed, const TrcMode& mode, Origin origin,
                             const Path& tool_path, std::vector<CompensatedBlock>& out);
@@ -49,10 +61,15 @@ class Reporting {
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(position_, last_direction_, summary_);
+    Position position = this->position();
+    archive(position, last_direction_, summary_);
+    if constexpr (Archive::is_loading::value) stand_at(Plane::xy, position);
   }
 
  private:
+  // Of the tool, machine axes.
+  [[nodiscard]] Position position() const { return from_plane(plane_, place_, height_); }
+  void stand_at(Plane plane, const Position& position);
   void let_off(std::vector<PassiveBlock>& riders, std::vector<CompensatedBlock>& out);
   // F' / F: what the feed of the tool centre is multiplied by under G11.
   double feed_factor(const PathBlock& block);
@@ -64,7 +81,10 @@ class Reporting {
   bool inverse_path_;
   Tolerances tolerances_;
   Diagnostics& diagnostics_;
-  Position position_;  // of the tool, machine axes
+  // Where the tool is: in the plane of the last block, and across it.
+  Plane plane_ = Plane::xy;
+  Point place_ = Point::Zero();
+  double height_ = 0;
   Vector last_direction_ = Vector::Zero();
   // TANGENTIAL_LIMIT of the block before, degrees, and its tangent: it hardly ever changes.
   double tangential_limit_ = 0;
@@ -72,30 +92,50 @@ class Reporting {
   Summary summary_;
 };
 
+// Made where it is to lie, so that nothing of it is set twice.
+template <class Make>
+class InPlace {
+ public:
+  explicit InPlace(const Make& make) : make_(make) {}
+  operator CompensatedBlock() const { return make_(); }
+
+ private:
+  const Make& make_;
+};
+
+template <class Path>
+[[gnu::always_inline]] inline CompensatedBlock& Reporting::put_out(
+    const Source& source, const Motion& motion, Origin origin, const Path& tool_path,
+    std::vector<CompensatedBlock>& out) {
+  const TrcMode& mode = motion.mode;
+  if (mode.plane != plane_) stand_at(mode.plane, position());
+  check(place_ == tool_path.start && height_ == motion.normal.from,
+        "a block starts where the one before ended");
+  place_ = tool_path.end;
+  height_ = motion.normal.to;
+  const Travel travel = travel_of(tool_path);
+  const bool tangential = goes_straight_on(travel.begins, mode);
+  last_direction_ = travel.ends;
+  count(origin, travel.length);
+  const auto make = [&] {
+    return CompensatedBlock{.source = source,
+                            .origin = origin,
+                            .plane = mode.plane,
+                            .rapid = motion.rapid && std::is_same_v<Path, Line>,
+                            .tangential = tangential,
+                            .path = tool_path,
+                            .normal = motion.normal,
+                            .feed = std::min(motion.feed, tolerances_.largest_feed)};
+  };
+  return out.emplace_back(InPlace(make));
+}
+
 template <class Path>
 CompensatedBlock& Reporting::put_out(MotionBlock& programmed, const TrcMode& mode, Origin origin,
                                      const Path& tool_path, std::vector<CompensatedBlock>& out) {
-  const PlaneAxes axes = axes_of(mode.plane);
-  check(position_[axes.first] == tool_path.start.x() &&
-            position_[axes.second] == tool_path.start.y() &&
-            position_[axes.third] == programmed.normal.from,
-        "a block starts where the one before ended");
-  position_[axes.first] = tool_path.end.x();
-  position_[axes.second] = tool_path.end.y();
-  position_[axes.third] = programmed.normal.to;
-  const Travel travel = travel_of(tool_path);
-  CompensatedBlock& result = out.emplace_back();
-  result.source = programmed.source;
-  result.origin = origin;
-  result.plane = mode.plane;
-  result.rapid = programmed.rapid && std::is_same_v<Path, Line>;
-  result.tangential = goes_straight_on(travel.begins, mode);
-  result.path.emplace<Path>(tool_path);
-  result.normal = programmed.normal;
-  result.feed = std::min(programmed.feed, tolerances_.largest_feed);
+  const Motion motion{mode, programmed.normal, programmed.feed, programmed.rapid};
+  CompensatedBlock& result = put_out(programmed.source, motion, origin, tool_path, out);
   if (!programmed.tracking.empty()) result.tracking = std::move(programmed.tracking);
-  last_direction_ = travel.ends;
-  count(origin, travel.length);
   return result;
 }
 

@@ -1,5 +1,7 @@
 #include "core/trc/walked_path.h"
 
+#include <algorithm>
+
 namespace trc {
 
 PathPiece WalkedPath::operator[](std::size_t number) const {
@@ -8,6 +10,17 @@ PathPiece WalkedPath::operator[](std::size_t number) const {
   const Segment& segment = path_.block(block).path;
   return {
       .block = block, .to = length_of(segment), .start = start_of(segment), .end = end_of(segment)};
+}
+
+std::size_t WalkedPath::whole_in_a_row(std::size_t block, std::size_t most) const {
+  most = std::min(most, pieces_.size());
+  auto pieces = pieces_.from(begin());
+  std::size_t count = 0;
+  for (; count < most; ++count) {
+    const Kept& kept = pieces.next();
+    if (kept.cut != Kept::whole || kept.block != block + count) break;
+  }
+  return count;
 }
 
 void WalkedPath::add(const PathPiece& piece) {

@@ -69,6 +69,9 @@ class WalkedPath {
   [[nodiscard]] const Kept& kept(std::size_t number) const { return pieces_[number]; }
   [[nodiscard]] const PathPiece& cut(HeldPath::Number cut) const { return cuts_[cut]; }
   [[nodiscard]] PathPiece operator[](std::size_t number) const;
+  // How many pieces from the first one on are whole blocks, one behind the other from `block` on;
+  // up to `most`.
+  [[nodiscard]] std::size_t whole_in_a_row(std::size_t block, std::size_t most) const;
 
   void add_whole(std::size_t block) {
     pieces_.push_back({.block = static_cast<HeldPath::Number>(block)});

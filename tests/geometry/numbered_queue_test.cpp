@@ -36,6 +36,28 @@ TEST(NumberedQueue, GoesOnWhereItWasCutOff) {
   EXPECT_EQ(queue[100], 8);
 }
 
+TEST(NumberedQueue, IsReadFromAnyElementOn) {
+  NumberedQueue<std::size_t> queue(100);
+  for (std::size_t number = 100; number < 2000; ++number) queue.push_back(7 * number);
+  queue.drop_before(700);
+  for (const std::size_t first : {700U, 767U, 768U, 769U, 1999U}) {
+    auto elements = queue.from(first);
+    for (std::size_t number = first; number < 2000; ++number)
+      ASSERT_EQ(&elements.next(), &queue[number]);
+  }
+}
+
+TEST(NumberedQueue, HasALastElementWhereverItWasCutOff) {
+  NumberedQueue<std::size_t> queue;
+  for (std::size_t end : {770U, 769U, 768U, 767U, 512U}) {
+    while (queue.end() < 1000) queue.push_back(3 * queue.end());
+    queue.truncate(end);
+    EXPECT_EQ(&queue.back(), &queue[end - 1]);
+    queue.drop_before(end / 2);
+    EXPECT_EQ(queue.back(), 3 * (end - 1));
+  }
+}
+
 TEST(NumberedQueue, LetsGoOfWhatItsElementsHold) {
   NumberedQueue<std::shared_ptr<int>> queue;
   const auto shared = std::make_shared<int>(1);
