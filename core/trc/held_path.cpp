@@ -134,14 +134,21 @@ inline HeldPath::Number HeldPath::note_setting_like_last(const MotionBlock& moti
   return static_cast<Number>(settings_.end() - 1);
 }
 
-// What is inserted before a change of radius may be travelled with either.
+// What is inserted before a change of radius may be travelled with either. Settings are forgotten
+// in the order of their blocks: from the first one that is changed on, each has one of its own.
 inline void HeldPath::limit_radius_of_inserted(double radius) {
-  for (std::size_t number = blocks_.end(); number-- > blocks_.begin();) {
+  const auto is_larger = [&](const KeptBlock& inserted) {
+    return settings_[inserted.setting].radius > radius;
+  };
+  std::size_t first = blocks_.end();
+  for (std::size_t number = first; number-- > blocks_.begin();) {
+    if (blocks_[number].role == Role::contour) break;
+    if (is_larger(blocks_[number])) first = number;
+  }
+  for (std::size_t number = first; number < blocks_.end(); ++number) {
     KeptBlock& inserted = blocks_[number];
-    if (inserted.role == Role::contour) break;
-    if (settings_[inserted.setting].radius <= radius) continue;
     Setting changed = settings_[inserted.setting];
-    changed.radius = radius;
+    changed.radius = std::min(changed.radius, radius);
     settings_.push_back(std::move(changed));
     inserted.setting = static_cast<Number>(settings_.end() - 1);
   }
