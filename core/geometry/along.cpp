@@ -2,30 +2,41 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "core/geometry/distance.h"
 #include "core/geometry/intersect.h"
-#include "core/geometry/track.h"
 
 namespace trc {
 namespace {
 
-// Places on a track in ascending order.
+// Places on a part of a track, in ascending order.
 class Places {
  public:
   Places(const Track& track, double from, double to, const Point& middle)
-      : track_(track), from_(from), to_(to), middle_(middle) {}
+      : track_(track), from_(from), to_(to), middle_(middle), farthest_(0.5 * 1.01 * (to - from)) {}
 
-  void add(const Meetings& meetings) {
-    const double reach = 0.5 * (to_ - from_);
-    for (const Point& point : meetings) {
-      // Farther off than the way there is long: no need for an angle.
-      if ((point - middle_).squaredNorm() > 1.01 * reach * reach) continue;
-      const double way = track_.way_to(point, 0);
-      if (way > from_ && way < to_) places_[count_++] = way;
-    }
+  // Where it meets the circle. Here and below, what is farther from the middle than the way there
+  // is long needs no look: neither the shape, nor the meeting an angle.
+  void add(const Circle& circle) {
+    add(circle, [](const Point&) { return true; });
   }
+  // Those for which is_on(point) holds: the others have nothing to do with the outline.
+  template <class IsOn>
+  void add(const Circle& circle, IsOn is_on) {
+    const double apart = (circle.center - middle_).squaredNorm();
+    const double least = std::max(circle.radius - farthest_, 0.0);
+    const double greatest = circle.radius + farthest_;
+    if (apart >= least * least && apart <= greatest * greatest)
+      add(track_.meetings_with(circle), is_on);
+  }
+  template <class IsOn>
+  void add(const StraightLine& line, IsOn is_on) {
+    if (std::abs(cross(line.direction, middle_ - line.point)) <= farthest_)
+      add(track_.meetings_with(line), is_on);
+  }
+
   [[nodiscard]] std::size_t sorted() {
     std::sort(places_.begin(), places_.begin() + static_cast<std::ptrdiff_t>(count_));
     return count_;
@@ -33,33 +44,52 @@ class Places {
   [[nodiscard]] double operator[](std::size_t index) const { return places_[index]; }
 
  private:
+  template <class IsOn>
+  void add(const Meetings& meetings, IsOn is_on) {
+    for (const Point& point : meetings) {
+      if ((point - middle_).squaredNorm() > farthest_ * farthest_ || !is_on(point)) continue;
+      const double way = track_.way_to(point, 0);
+      if (way > from_ && way < to_) places_[count_++] = way;
+    }
+  }
+
   const Track& track_;
   double from_;
   double to_;
   Point middle_;
+  double farthest_;
   std::array<double, 8> places_{};  // two shapes along the obstacle, two at its ends
   std::size_t count_ = 0;
 };
 
-void add_outline(const Segment& obstacle, double reach, const Track& track, Places& places) {
-  if (const auto* arc = std::get_if<Arc>(&obstacle)) {
-    const double radius = radius_of(*arc);
-    places.add(track.meetings_with(Circle{.center = arc->center, .radius = radius + reach}));
-    if (radius > reach)
-      places.add(track.meetings_with(Circle{.center = arc->center, .radius = radius - reach}));
-  } else {
-    const auto& line = std::get<Line>(obstacle);
-    const Vector way = line.end - line.start;
-    const double length = way.norm();
-    if (length > 0) {
-      const Vector direction = way / length;
-      for (const double side : {reach, -reach})
-        places.add(track.meetings_with(
-            StraightLine{.point = line.start + side * left_of(direction), .direction = direction}));
-    }
+void add_outline(const Arc& arc, double reach, Places& places) {
+  const double radius = radius_of(arc);
+  places.add({.center = arc.center, .radius = radius + reach});
+  if (radius > reach) places.add({.center = arc.center, .radius = radius - reach});
+  for (const Point& end : {arc.start, arc.end}) places.add({.center = end, .radius = reach});
+}
+
+// Of the two straight lines the outline has what is beside the obstacle, of the two circles what is
+// behind its ends. A meeting that nearly is a touch is known to half of the digits only.
+void add_outline(const Line& line, double reach, double radius_of_track, Places& places) {
+  const auto [direction, length] = directed(line.end - line.start);
+  const double slack =
+      length > 0 ? 0.01 * reach + 1e-6 * (line.start.lpNorm<1>() + length + radius_of_track)
+                 : std::numeric_limits<double>::infinity();
+  const auto along = [start = line.start, direction = direction](const Point& point) {
+    return (point - start).dot(direction);
+  };
+  const double behind = length + slack;
+  if (length > 0) {
+    for (const double side : {reach, -reach})
+      places.add(
+          StraightLine{.point = line.start + side * left_of(direction), .direction = direction},
+          [&](const Point& point) { return along(point) > -slack && along(point) < behind; });
   }
-  places.add(track.meetings_with(Circle{.center = start_of(obstacle), .radius = reach}));
-  places.add(track.meetings_with(Circle{.center = end_of(obstacle), .radius = reach}));
+  places.add(Circle{.center = line.start, .radius = reach},
+             [&](const Point& point) { return along(point) < slack; });
+  places.add(Circle{.center = line.end, .radius = reach},
+             [&, least = length - slack](const Point& point) { return along(point) > least; });
 }
 
 }  // namespace
@@ -92,28 +122,37 @@ std::optional<double> first_entry(const Segment& path, double from, double to,
   return PathPart(path, from, to).first_entry(obstacle, reach);
 }
 
-PathPart::PathPart(const Segment& path, double from, double to)
-    : track_(path),
-      from_(from),
-      to_(to),
-      half_(0.5 * (to - from)),
-      middle_(track_.at(from + half_)),
-      tangent_(track_.tangent_at(from + half_)) {}
-
 std::optional<double> PathPart::first_entry(const Segment& obstacle, double reach) const {
-  const auto* arc = std::get_if<Arc>(&obstacle);
-  const double apart =
-      arc != nullptr ? distance(middle_, *arc) : distance(middle_, std::get<Line>(obstacle));
+  return first_entry(obstacle, distance(middle_, obstacle), reach);
+}
+
+bool PathPart::comes_nearer(const Segment& obstacle, double reach) const {
+  const double apart = distance(middle_, obstacle);
+  return apart < reach || first_entry(obstacle, apart, reach).has_value();
+}
+
+std::optional<double> PathPart::first_entry(const Segment& obstacle, double apart,
+                                            double reach) const {
   if (apart >= reach + half_) return std::nullopt;
-  if (arc == nullptr && stays_off(std::get<Line>(obstacle), apart, reach)) return std::nullopt;
+  const auto* line = std::get_if<Line>(&obstacle);
+  if (line != nullptr && stays_off(*line, apart, reach)) return std::nullopt;
   Places places(track_, from_, to_, middle_);
-  add_outline(obstacle, reach, track_, places);
+  if (line != nullptr)
+    add_outline(*line, reach, track_.radius(), places);
+  else
+    add_outline(std::get<Arc>(obstacle), reach, places);
   const std::size_t count = places.sorted();
-  if (count == 0) return apart < reach && from_ < to_ ? std::optional(from_) : std::nullopt;
+  // The middle of the part tells of what it is well within.
+  const auto is_nearer = [&](double begin, double end) {
+    const double margin = 0.25 * (end - begin);
+    const double halfway = from_ + half_;
+    if (halfway > begin + margin && halfway < end - margin) return apart < reach;
+    return distance(track_.at(0.5 * (begin + end)), obstacle) < reach;
+  };
   double begin = from_;
   for (std::size_t i = 0; i <= count; ++i) {
     const double end = i < count ? places[i] : to_;
-    if (end > begin && distance(track_.at(0.5 * (begin + end)), obstacle) < reach) return begin;
+    if (end > begin && is_nearer(begin, end)) return begin;
     begin = end;
   }
   return std::nullopt;
@@ -136,17 +175,15 @@ bool PathPart::stays_off(const Line& obstacle, double apart, double reach) const
   return apart - slope * half_ - bent > reach + 1e-13 * size;
 }
 
-Crossings crossings(const Segment& first, const Segment& second, double slack) {
-  const Track one(first);
-  const Track other(second);
+Crossings crossings(const Track& one, const Track& other, double slack) {
   Crossings result;
   for (const Point& point : one.meetings_with(other)) {
     const double along_one = one.way_to(point, slack);
-    const double along_other = other.way_to(point, slack);
     if (along_one < -slack || along_one > one.length() + slack) continue;
+    const double along_other = other.way_to(point, slack);
     if (along_other < -slack || along_other > other.length() + slack) continue;
     // Of curves that run side by side the meeting is not known to the last digits.
-    if ((one.at(along_one) - other.at(along_other)).norm() > slack) continue;
+    if ((one.foot_of(point) - other.foot_of(point)).squaredNorm() > slack * slack) continue;
     result.found[result.count++] = {.along_first = std::clamp(along_one, 0.0, one.length()),
                                     .along_second = std::clamp(along_other, 0.0, other.length()),
                                     .point = point};

@@ -42,7 +42,9 @@ namespace trc {
 // A path between two places, for one such question after the other.
 class PathPart {
  public:
-  PathPart(const Segment& path, double from, double to);
+  PathPart(const Segment& path, double from, double to) : PathPart(Track(path), from, to) {}
+  // The part of it before `to`.
+  [[nodiscard]] PathPart until(double to) const { return {track_, from_, to}; }
 
   [[nodiscard]] double half_length() const { return half_; }
   [[nodiscard]] const Point& middle() const { return middle_; }
@@ -52,11 +54,26 @@ class PathPart {
   }
   // As above.
   [[nodiscard]] std::optional<double> first_entry(const Segment& obstacle, double reach) const;
+  // Whether there is one.
+  [[nodiscard]] bool comes_nearer(const Segment& obstacle, double reach) const;
 
  private:
+  PathPart(const Track& track, double from, double to)
+      : PathPart(track, track.pose_at(from + 0.5 * (to - from)), from, to) {}
+  PathPart(const Track& track, const Track::Pose& middle, double from, double to)
+      : track_(track),
+        from_(from),
+        to_(to),
+        half_(0.5 * (to - from)),
+        middle_(middle.point),
+        tangent_(middle.tangent) {}
+
+  // `apart` is the distance of its middle.
+  [[nodiscard]] std::optional<double> first_entry(const Segment& obstacle, double apart,
+                                                  double reach) const;
   // How far it departs from the tangent in the middle, at most.
   [[nodiscard]] double bend() const { return 0.5 * half_ * half_ * track_.curvature(); }
-  // Whether it is certain that it does not come nearer; `apart` is the distance of its middle.
+  // Whether it is certain that it does not come nearer.
   [[nodiscard]] bool stays_off(const Line& obstacle, double apart, double reach) const;
 
   Track track_;
@@ -81,8 +98,8 @@ struct Crossings {
   [[nodiscard]] const Crossing* end() const { return found.data() + count; }
 };
 
-// Segments that miss each other by up to `slack` mm cross, also at their ends.
+// Segments, as tracks, that miss each other by up to `slack` mm cross, also at their ends.
 // Those that run into one another along a stretch have no crossing.
-[[nodiscard]] Crossings crossings(const Segment& first, const Segment& second, double slack);
+[[nodiscard]] Crossings crossings(const Track& first, const Track& second, double slack);
 
 }  // namespace trc

@@ -37,10 +37,25 @@ class Track {
     return circle_.center + turned(start_ - circle_.center, way);
   }
 
-  [[nodiscard]] Vector tangent_at(double way) const {
-    if (!circular_) return direction_;
-    const Vector radial = turned(start_ - circle_.center, way) / circle_.radius;
-    return counter_clockwise_ ? left_of(radial) : Vector(-left_of(radial));
+  [[nodiscard]] Vector tangent_at(double way) const { return pose_at(way).tangent; }
+
+  // A place and the direction of travel there: one turn for both.
+  struct Pose {
+    Point point;
+    Vector tangent;
+  };
+  [[nodiscard]] Pose pose_at(double way) const {
+    if (!circular_) return {start_ + way * direction_, direction_};
+    const Vector radial = turned(start_ - circle_.center, way);
+    const Vector aside = left_of(radial) / circle_.radius;
+    return {circle_.center + radial, counter_clockwise_ ? aside : Vector(-aside)};
+  }
+
+  // The point of the unbounded curve that is nearest to another one: at(way_to(point)), without
+  // the way.
+  [[nodiscard]] Point foot_of(const Point& point) const {
+    if (!circular_) return start_ + (point - start_).dot(direction_) * direction_;
+    return circle_.center + circle_.radius * directed(point - circle_.center).unit;
   }
 
   // Of a point on the unbounded curve; up to `slack` behind the start it is negative.

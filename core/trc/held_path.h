@@ -109,8 +109,11 @@ class HeldPath {
   [[nodiscard]] bool have_one_setting(std::size_t block, std::size_t other) const {
     return blocks_[block].setting == blocks_[other].setting;
   }
-  // About the path of a block, not much larger than it.
-  [[nodiscard]] Box box_about(std::size_t block) const;
+  // About the path of a block, or what of it is between two points, not much larger than that.
+  [[nodiscard]] Box box_about(std::size_t block) const {
+    return box_about(block, begins_at(block), ends_at(block));
+  }
+  [[nodiscard]] Box box_about(std::size_t block, const Point& start, const Point& end) const;
   [[nodiscard]] std::size_t number_of(std::size_t block) const { return blocks_[block].number; }
   // Whether technology words ride on the next block to be restored, or one before it.
   [[nodiscard]] bool has_riders(std::size_t next) const {
@@ -357,16 +360,16 @@ inline HeldPath::Reader HeldPath::read_from(std::size_t block) const {
       .block = kept.block};
 }
 
-inline Box HeldPath::box_about(std::size_t block) const {
+inline Box HeldPath::box_about(std::size_t block, const Point& start, const Point& end) const {
   const KeptBlock& kept = blocks_[block];
-  const Box box = bounding_box(kept.start, kept.end);
+  const Box box = bounding_box(start, end);
   if (!kept.is_arc) return box;
   const KeptArc& arc = arcs_[kept.arc];
   const double sweep = std::abs(arc.sweep);
-  if (sweep > std::numbers::pi / 2) return bounding_box(arc_of(kept, arc));
+  if (sweep > std::numbers::pi) return bounding_box(arc_of(kept, arc));
   // An arc rises over its chord by half of that times tan(sweep / 4), which up to there is less
-  // than 0.27 of the sweep.
-  const double rise = 0.14 * sweep * box.sizes().sum();
+  // than 0.319 of the sweep.
+  const double rise = 0.16 * sweep * box.sizes().sum();
   return {box.min() - Vector(rise, rise), box.max() + Vector(rise, rise)};
 }
 

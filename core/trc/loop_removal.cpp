@@ -395,7 +395,7 @@ bool LoopRemoval::violates(const PathPlace& from, const PathPlace& to, std::size
     // Mostly it is what the loop begins at: one of the neighbours there, which need not be found.
     const double limit = obstacles_.reach(block, Nearness::passable);
     if (block == from.block && begin < end && limit > 0 &&
-        first_entry(segment, begin, end, contour(obstacle).programmed, limit))
+        PathPart(segment, begin, end).comes_nearer(contour(obstacle).programmed, limit))
       return true;
     const bool whole = block != from.block && block != to.block;
     if (whole && (path_.is_unreachable(block) || runs_backwards(block))) return true;

@@ -158,7 +158,7 @@ std::optional<Obstacles::Onset> Obstacles::onset(std::size_t block, double from,
     const auto entry = part.first_entry(programmed(number), limit);
     if (!entry) return false;
     first = {*entry, number};
-    part = PathPart(segment, from, *entry);
+    part = part.until(*entry);
     return true;
   };
   // What is nearest halfway is run into before that: with less and less of the block at stake
@@ -189,21 +189,20 @@ bool Obstacles::comes_nearer(std::size_t block, double from, double to, Nearness
   bool nearer = false;
   for (const NearFour& four : neighbours_) {
     four.only(four.boxes->entered_by(course)).for_each([&](std::size_t number, std::size_t) {
-      nearer = nearer || part.first_entry(programmed(number), limit).has_value();
+      nearer = nearer || part.comes_nearer(programmed(number), limit);
     });
     if (nearer) return true;
   }
   return false;
 }
 
-const std::vector<std::size_t>& Obstacles::at(std::size_t block, const Onset& onset,
-                                              Nearness nearness) const {
-  numbers_.assign(1, onset.obstacle);
-  const Point place = point_along(path(block).path, onset.along);
+const std::vector<std::size_t>& Obstacles::at(std::size_t block, const Point& place,
+                                              std::size_t obstacle, Nearness nearness) const {
+  numbers_.assign(1, obstacle);
   const double limit = reach(block, nearness) + tolerances_.same_point;
   const auto consider = [&](std::size_t number) {
     const HeldPath::ContourBlock other = path_.contour_block(number);
-    if (number == onset.obstacle || other.block == block) return;
+    if (number == obstacle || other.block == block) return;
     if (distance(place, other.programmed) <= limit) numbers_.push_back(number);
   };
   const auto consider_four = [&](const NearFour& four) {

@@ -71,10 +71,10 @@ class Obstacles {
   // Whether there is one.
   [[nodiscard]] bool comes_nearer(std::size_t block, double from, double to,
                                   Nearness nearness) const;
-  // The numbers of all contour blocks that are as near there as the one of the
-  // onset: the other block of a corner, blocks on top of each other.
-  [[nodiscard]] const std::vector<std::size_t>& at(std::size_t block, const Onset& onset,
-                                                   Nearness nearness) const;
+  // The numbers of all contour blocks that are as near to a place on the block as this one, where
+  // it comes too near to it: the other block of a corner, blocks on top of each other.
+  [[nodiscard]] const std::vector<std::size_t>& at(std::size_t block, const Point& place,
+                                                   std::size_t obstacle, Nearness nearness) const;
 
   // Once the contour has ended: up to which block nothing at all can be in the way, from this one
   // on. To be asked for before the questions above, which are cheaper then.

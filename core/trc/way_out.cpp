@@ -7,15 +7,18 @@
 #include "core/geometry/distance.h"
 
 namespace trc {
+
 std::optional<LoopExit> WayOut::find(const PathPiece& at, const Onset& onset,
                                      Nearness nearness) const {
-  const std::vector<std::size_t>& obstacles = obstacles_.at(at.block, onset, nearness);
-  known_.clear();
+  const Point place = point_along(path(at.block).path, onset.along);
+  const std::vector<std::size_t>& obstacles =
+      obstacles_.at(at.block, place, onset.obstacle, nearness);
+  known_of_ = HeldPath::most_blocks;
   // Where the path is in one point again and again, all continuations but the first may leave out
   // what is legal.
   std::optional<LoopExit> first;
   for (const std::size_t number : obstacles) {
-    const auto exit = exit_here(at, {onset.along, number}, nearness);
+    const auto exit = exit_here(at, {onset.along, number}, place, nearness);
     if (!exit) continue;
     const bool same = first && (exit->point - first->point).norm() <= slack_of_places(tolerances_);
     if (!first || (same && exit->continues < first->continues)) first = exit;
@@ -35,20 +38,20 @@ WayOut::Stretch WayOut::stretch_about(std::size_t obstacle, std::size_t at) cons
 }
 
 std::optional<LoopExit> WayOut::exit_here(const PathPiece& at, const Onset& onset,
-                                          Nearness nearness) const {
+                                          const Point& place, Nearness nearness) const {
   const Stretch stretch = stretch_about(onset.obstacle, at.block);
   if (stretch.first >= stretch.end) return std::nullopt;
   PathPiece piece = at;
   piece.to = onset.along;
+  piece.end = place;
   if (auto exit = crossing_in(piece, walked_.end(), onset.obstacle, stretch, true)) return exit;
   // Side by side there is no crossing to be had, but the distance tells. By as much as
   // the path is moved over it comes nearer to its own block.
-  const Point place = point_along(path(at.block).path, onset.along);
   const double radius = std::max(path_.radius_of_tool(at.block), 1.0);
   const double part = nearness == Nearness::exact ? 4 * tolerances_.rounding : tolerances_.passable;
   for (std::size_t block = stretch.first; block < stretch.end; ++block) {
+    if (are_apart(Box(place), path_.box_about(block), part * radius)) continue;
     const Segment segment = path(block).path;
-    if (are_apart(Box(place), bounding_box(segment), part * radius)) continue;
     const double along = nearest_along(segment, place);
     const Point point = point_along(segment, along);
     if (!path_.is_unreachable(block) && (point - place).norm() <= part * radius)
@@ -83,9 +86,12 @@ std::optional<LoopExit> WayOut::crossing_in(const PathPiece& piece, std::size_t 
                                             bool beside) const {
   checkpoint_.pass();
   const double slack = slack_of_places(tolerances_);
-  if (has_no_radius(path(piece.block).path)) return std::nullopt;
+  const Box area = path_.box_about(piece.block, piece.start, piece.end);
+  // The ends of a piece may be off its block where a loop has been left out.
+  const double beyond = tolerances_.passable * std::max(path_.radius_of_tool(piece.block), 1.0);
   std::optional<LoopExit> latest;
   for (std::size_t block = stretch.first; block < stretch.end; ++block) {
+    if (are_apart(area, path_.box_about(block), 3 * slack + beyond)) continue;
     for (const Crossing& crossing : crossings_of(piece.block, block)) {
       if (crossing.along_first < piece.from - slack || crossing.along_first > piece.to + slack)
         continue;
@@ -103,21 +109,21 @@ std::optional<LoopExit> WayOut::crossing_in(const PathPiece& piece, std::size_t 
   return latest;
 }
 
-const Crossings& WayOut::crossings_of(std::size_t block, std::size_t other) const {
-  const Segment one = path(block).path;
-  if (known_.empty() || known_of_ != block) {
+std::span<const Crossing> WayOut::crossings_of(std::size_t block, std::size_t other) const {
+  if (known_of_ != block) {
+    const Segment segment = path(block).path;
     known_.clear();
     known_of_ = block;
-    area_ = bounding_box(one);
+    track_ = Track(segment);
+    has_length_ = !has_no_radius(segment);
   }
   const auto known = std::find_if(known_.begin(), known_.end(),
                                   [&](const Known& its) { return its.other == other; });
   if (known != known_.end()) return known->crossings;
   Crossings& found = known_.emplace_back(Known{.other = other}).crossings;
-  const double slack = slack_of_places(tolerances_);
-  const Segment two = path(other).path;
-  if (path_.is_unreachable(other) || has_no_radius(two)) return found;
-  if (!are_apart(area_, bounding_box(two), 3 * slack)) found = crossings(one, two, slack);
+  const Segment segment = path(other).path;
+  if (has_length_ && !path_.is_unreachable(other) && !has_no_radius(segment))
+    found = crossings(track_, Track(segment), slack_of_places(tolerances_));
   return found;
 }
 

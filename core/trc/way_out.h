@@ -2,12 +2,14 @@
 
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "core/base/checkpoint.h"
 #include "core/base/tolerances.h"
 #include "core/geometry/along.h"
 #include "core/geometry/box_tree.h"
+#include "core/geometry/track.h"
 #include "core/trc/held_path.h"
 #include "core/trc/obstacles.h"
 #include "core/trc/walked_path.h"
@@ -60,9 +62,9 @@ class WayOut {
 
   // Behind the block `at`.
   [[nodiscard]] Stretch stretch_about(std::size_t obstacle, std::size_t at) const;
-  // On the block being walked.
+  // On the block being walked; `place`: where the onset is.
   [[nodiscard]] std::optional<LoopExit> exit_here(const PathPiece& at, const Onset& onset,
-                                                  Nearness nearness) const;
+                                                  const Point& place, Nearness nearness) const;
   // Before it, where the path has crossed a transition that reaches out of the tool
   // radius already.
   [[nodiscard]] std::optional<LoopExit> exit_behind(const PathPiece& at, const Onset& onset) const;
@@ -72,9 +74,9 @@ class WayOut {
   [[nodiscard]] std::optional<LoopExit> crossing_in(const PathPiece& piece, std::size_t number,
                                                     std::size_t obstacle, const Stretch& stretch,
                                                     bool beside) const;
-  // Where two blocks of the path cross; none where the second one is not travelled. Obstacles in
-  // the same place have neighbours in common: found once for each onset and block.
-  [[nodiscard]] const Crossings& crossings_of(std::size_t block, std::size_t other) const;
+  // Where a block of the path crosses another one; none where that one is not travelled. Obstacles
+  // in the same place have neighbours in common: found once for each onset and block.
+  [[nodiscard]] std::span<const Crossing> crossings_of(std::size_t block, std::size_t other) const;
   // Whether nothing in one box can be within reach of anything in the other.
   [[nodiscard]] bool are_apart(const Box& one, const Box& other, double reach) const;
   // Whether the point is farther than the radius from the contour block.
@@ -91,8 +93,9 @@ class WayOut {
     Crossings crossings{};
   };
   // Of one block; members for their memory's sake.
-  mutable std::size_t known_of_ = 0;
-  mutable Box area_{};
+  mutable std::size_t known_of_ = HeldPath::most_blocks;
+  mutable Track track_{Line{}};
+  mutable bool has_length_ = false;
   mutable std::vector<Known> known_;
 };
 
