@@ -108,13 +108,16 @@ double nearest_along(const Segment& segment, const Point& point) {
 
 Segment stretch_of(const Segment& segment, double from, double to, const Point& start,
                    const Point& end) {
-  const auto* arc = std::get_if<Arc>(&segment);
-  if (arc == nullptr) return Line{.start = start, .end = end};
-  const double sweep = (to - from) / radius_of(*arc);
-  return Arc{.start = start,
-             .end = end,
-             .center = arc->center,
-             .sweep = std::copysign(std::min(sweep, 2 * std::numbers::pi), arc->sweep)};
+  if (const auto* arc = std::get_if<Arc>(&segment)) return stretch_of(*arc, from, to, start, end);
+  return Line{.start = start, .end = end};
+}
+
+Arc stretch_of(const Arc& arc, double from, double to, const Point& start, const Point& end) {
+  const double sweep = (to - from) / radius_of(arc);
+  return {.start = start,
+          .end = end,
+          .center = arc.center,
+          .sweep = std::copysign(std::min(sweep, 2 * std::numbers::pi), arc.sweep)};
 }
 
 std::optional<double> first_entry(const Segment& path, double from, double to,

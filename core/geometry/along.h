@@ -28,6 +28,8 @@ namespace trc {
 // neighbours, bit for bit.
 [[nodiscard]] Segment stretch_of(const Segment& segment, double from, double to, const Point& start,
                                  const Point& end);
+[[nodiscard]] Arc stretch_of(const Arc& arc, double from, double to, const Point& start,
+                             const Point& end);
 
 // Where on `path`, not before `from` and before `to`, it comes nearer than `reach`
 // to `obstacle`; empty if it does not. A touch is not nearer.

@@ -243,6 +243,12 @@ void ContourRun::put_out_leaving(std::vector<CompensatedBlock>& out) {
 TRC_IN_ONE_PIECE bool ContourRun::let_go(std::vector<CompensatedBlock>& out, std::size_t most) {
   const std::size_t before = out.size();
   while (out.size() < most) {
+    loop_removal_.pass_by_without_trace();
+    if (const PathPiece* part = loop_removal_.next_part()) {
+      if (!put_out_held(*part, out)) break;
+      loop_removal_.part_has_left();
+      continue;
+    }
     const LoopRemoval::Row row = loop_removal_.next_as_they_came(most - out.size());
     const std::size_t count = row.count > 0 ? put_out_held(row, out) : 0;
     if (count == 0) break;
@@ -254,27 +260,54 @@ TRC_IN_ONE_PIECE bool ContourRun::let_go(std::vector<CompensatedBlock>& out, std
 std::size_t ContourRun::put_out_held(const LoopRemoval::Row& row,
                                      std::vector<CompensatedBlock>& out) {
   HeldPath::Reader held = loop_removal_.path().read_from(row.first);
-  const HeldPath::Setting& setting = held.setting();
-  if (inverse_path_ || setting.mode->feed_adaptation == FeedAdaptation::on) return 0;
-  const Reporting::Motion motion{*setting.mode, setting.normal, setting.feed, setting.rapid};
-  const auto put_out = [&](const auto& path) {
-    if (out_of_range(path, tolerances_)) return false;
-    if (held.is_contour()) {
-      const auto length = programmed_length(held, path.end - path.start);
-      if (!length) return false;
-      reporting_.summary().programmed_length += *length;
-    }
-    CompensatedBlock& block = reporting_.put_out(held.source(), motion, held.origin(), path, out);
-    if (!setting.tracking.empty()) block.tracking = setting.tracking;
-    return true;
-  };
+  if (!may_put_out(held.setting())) return 0;
+  const auto put_out_whole = [&](const auto& path) { return put_out(held, path, {}, out); };
   std::size_t count = 0;
-  while (count < row.count && held.next() && held.visit_path(put_out)) ++count;
+  while (count < row.count && held.next() && held.visit_path(put_out_whole)) ++count;
   return count;
 }
 
+bool ContourRun::put_out_held(const PathPiece& part, std::vector<CompensatedBlock>& out) {
+  HeldPath::Reader held = loop_removal_.path().read_from(part.block);
+  const bool gets_circle = part.behind_loop && held.setting().mode->options.gen_cir_block_in_corner;
+  if (gets_circle || !may_put_out(held.setting()) || !held.next()) return false;
+  const auto put_out_line = [&](const Line& whole) {
+    const HeldPath::Cuts cuts{part.from, length_of(whole) - part.to};
+    return put_out(held, Line{.start = part.start, .end = part.end}, cuts, out);
+  };
+  const auto put_out_arc = [&](const Arc& whole) {
+    const double length = length_of(whole);
+    if (part.is_all_of(whole, length)) return put_out(held, whole, {}, out);
+    const double radius = radius_of(whole);
+    const HeldPath::Cuts cuts{part.from / radius, (length - part.to) / radius};
+    return put_out(held, stretch_of(whole, part.from, part.to, part.start, part.end), cuts, out);
+  };
+  return held.visit_path(overloaded{put_out_line, put_out_arc});
+}
+
+bool ContourRun::may_put_out(const HeldPath::Setting& setting) const {
+  return !inverse_path_ && setting.mode->feed_adaptation == FeedAdaptation::off;
+}
+
+template <class Path>
+bool ContourRun::put_out(const HeldPath::Reader& held, const Path& path, const HeldPath::Cuts& cuts,
+                         std::vector<CompensatedBlock>& out) {
+  if (out_of_range(path, tolerances_)) return false;
+  if (held.is_contour()) {
+    const auto length = programmed_length(held, path.end - path.start, cuts);
+    if (!length) return false;
+    reporting_.summary().programmed_length += *length;
+  }
+  const HeldPath::Setting& setting = held.setting();
+  const Reporting::Motion motion{*setting.mode, setting.normal, setting.feed, setting.rapid};
+  CompensatedBlock& block = reporting_.put_out(held.source(), motion, held.origin(), path, out);
+  if (!setting.tracking.empty()) block.tracking = setting.tracking;
+  return true;
+}
+
 std::optional<double> ContourRun::programmed_length(const HeldPath::Reader& held,
-                                                    const Vector& travelled) const {
+                                                    const Vector& travelled,
+                                                    const HeldPath::Cuts& more) const {
   const auto of_line = [&](const Line& line) -> std::optional<double> {
     const auto [tangent, length] = directed(line.end - line.start);
     if (runs_back(travelled, tangent, tolerances_)) return std::nullopt;
@@ -283,7 +316,7 @@ std::optional<double> ContourRun::programmed_length(const HeldPath::Reader& held
   const auto of_arc = [&](const Arc& arc, const HeldPath::Cuts& cuts) -> std::optional<double> {
     const double radius = radius_of(arc);
     const double sweep = std::abs(arc.sweep);
-    const double left = sweep - cuts.at_start - cuts.at_end;
+    const double left = sweep - (cuts.at_start + more.at_start) - (cuts.at_end + more.at_end);
     const double parallel = parallel_radius(arc, radius, held.setting().at_end.shift);
     if (is_consumed(left, parallel, tolerances_)) return std::nullopt;
     return sweep * radius;

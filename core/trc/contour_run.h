@@ -91,9 +91,17 @@ class ContourRun {
   // Puts out blocks from the first of the row on, up to one that the passes have to put out.
   // Returns how many.
   std::size_t put_out_held(const LoopRemoval::Row& row, std::vector<CompensatedBlock>& out);
+  // The same with what is travelled of one.
+  bool put_out_held(const PathPiece& part, std::vector<CompensatedBlock>& out);
+  [[nodiscard]] bool may_put_out(const HeldPath::Setting& setting) const;
+  // Does nothing where the passes have to do it. `cuts`: what removed loops have cut.
+  template <class Path>
+  bool put_out(const HeldPath::Reader& held, const Path& path, const HeldPath::Cuts& cuts,
+               std::vector<CompensatedBlock>& out);
   // mm; nothing where the path of a contour block is a contour violation.
   [[nodiscard]] std::optional<double> programmed_length(const HeldPath::Reader& held,
-                                                        const Vector& travelled) const;
+                                                        const Vector& travelled,
+                                                        const HeldPath::Cuts& more) const;
 
   bool inverse_path_;
   Tolerances tolerances_;

@@ -101,6 +101,29 @@ void LoopRemoval::have_left(std::size_t count) {
   walked_.drop_before(walked_.begin() + count);
 }
 
+const PathPiece* LoopRemoval::next_part() const {
+  if (!leaving_ || !entering_.empty() || walked_.empty()) return nullptr;
+  const auto& [block, cut] = walked_.kept(walked_.begin());
+  const bool is_next_part = cut != WalkedPath::Kept::whole && block == next_;
+  if (!is_next_part || path_.is_apart(block) || path_.has_riders(block)) return nullptr;
+  return &walked_.cut(cut);
+}
+
+void LoopRemoval::part_has_left() {
+  const HeldPath::Number cut = walked_.kept(walked_.begin()).cut;
+  have_left(1);
+  walked_.drop_cuts_before(cut + 1);
+}
+
+void LoopRemoval::pass_by_without_trace() {
+  if (!leaving_ || !entering_.empty() || walked_.empty()) return;
+  const auto& [block, cut] = walked_.kept(walked_.begin());
+  if (next_ >= block || !leave_no_trace(block)) return;
+  const bool is_whole = cut == WalkedPath::Kept::whole;
+  report_masked(next_, block - 1, is_whole ? path_.begins_at(block) : walked_.cut(cut).start);
+  next_ = block;
+}
+
 void LoopRemoval::begin_selection() {
   entering_.clear();
   path_ = HeldPath();
@@ -438,14 +461,24 @@ void LoopRemoval::jump(const LoopExit& exit) {
          .arrives = arrives};
 }
 
-void LoopRemoval::pass_by(std::size_t end, const Point& place, PathBlocks& out) {
-  report_masked(next_, end - 1, place);
+std::size_t LoopRemoval::last_dropped_before(std::size_t end) const {
   std::size_t last = end - 1;
   while (last > next_ && !path_.is_contour(last)) --last;
-  if (!path_.has_riders(last) && path_.have_one_setting(next_, last) && path_.stays_put(last)) {
+  return last;
+}
+
+bool LoopRemoval::leave_no_trace(std::size_t end) const {
+  const std::size_t last = last_dropped_before(end);
+  return !path_.has_riders(last) && path_.have_one_setting(next_, last) && path_.stays_put(last);
+}
+
+void LoopRemoval::pass_by(std::size_t end, const Point& place, PathBlocks& out) {
+  report_masked(next_, end - 1, place);
+  if (leave_no_trace(end)) {
     next_ = end;
     return;
   }
+  const std::size_t last = last_dropped_before(end);
   DroppedBlocks dropped(place, out);
   // Nobody asks for those between the first and the last one, but for what rides on them.
   bool is_first = true;
@@ -478,9 +511,7 @@ void LoopRemoval::let_go(std::size_t number, PathBlocks& out) {
   PathBlockPtr block = path_.restored(at);
   if (piece.behind_loop && block->mode().options.gen_cir_block_in_corner)
     out.push_back(circle_behind_loop(piece.start, piece.arrives, *block, piece.from));
-  const bool whole = piece.from == 0 && piece.to == length_of(block->tool_path) &&
-                     piece.start == start_of(block->tool_path) &&
-                     piece.end == end_of(block->tool_path);
+  const bool whole = piece.is_all_of(block->tool_path, length_of(block->tool_path));
   if (!whole) shorten(*block, piece.from, piece.to, piece.start, piece.end);
   out.push_back(std::move(block));
   walked_.drop_cuts_before(cut + 1);
@@ -492,9 +523,12 @@ void LoopRemoval::report_masked(std::size_t first, std::size_t last, const Point
   if (first > last) return;
   const Source masked = path_.source_of(number_of(first));
   Diagnostic note = diagnostic(Code::blocks_masked, masked);
-  note.values = {{"first_index", static_cast<double>(masked.index)},
-                 {"last_index", static_cast<double>(path_.source_of(number_of(last)).index)},
-                 {"tool_radius", path_.radius_of_tool(first)}};
+  const Source last_masked = path_.source_of(number_of(last));
+  // One by one: a list of them would be made of copies.
+  note.values.reserve(3);
+  note.values.push_back({"first_index", static_cast<double>(masked.index)});
+  note.values.push_back({"last_index", static_cast<double>(last_masked.index)});
+  note.values.push_back({"tool_radius", path_.radius_of_tool(first)});
   const Position position = from_plane(path_.mode_of(first).plane, place, path_.height_of(first));
   note.point = DiagnosticPoint{.x = position[0], .y = position[1], .z = position[2]};
   diagnostics_.report(std::move(note));

@@ -63,6 +63,12 @@ class LoopRemoval {
   };
   [[nodiscard]] Row next_as_they_came(std::size_t most) const;
   void have_left(std::size_t count);
+  // What is travelled of the next block of path(), where that is not all of it, and nothing comes
+  // out before it and rides on it; else null.
+  [[nodiscard]] const PathPiece* next_part() const;
+  void part_has_left();
+  // Passes by a loop that is left out next, if nothing comes out in its place.
+  void pass_by_without_trace();
   [[nodiscard]] const HeldPath& path() const { return path_; }
 
   // The middle of a contour is being held: ContourRun may give it more of it.
@@ -155,6 +161,10 @@ class LoopRemoval {
   void let_go(std::size_t number, PathBlocks& out);
   // The blocks before `end` that are not travelled: a loop, left out at `place`.
   void pass_by(std::size_t end, const Point& place, PathBlocks& out);
+  // The last contour block of those, or else the first of them; there is at least one.
+  [[nodiscard]] std::size_t last_dropped_before(std::size_t end) const;
+  // Whether nothing comes out in their place.
+  [[nodiscard]] bool leave_no_trace(std::size_t end) const;
   void report_masked(std::size_t first, std::size_t last, const Point& place);
   bool refuse(const Onset& onset);
 

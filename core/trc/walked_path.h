@@ -38,6 +38,10 @@ struct PathPiece {
   bool behind_loop = false;          // a loop was dropped before it
   Vector arrives = Vector::UnitX();  // the direction of travel into the loop
 
+  // Of the path of its block, which has that length.
+  [[nodiscard]] bool is_all_of(const Segment& path, double length) const {
+    return from == 0 && to == length && start == start_of(path) && end == end_of(path);
+  }
   template <class Archive>
   void serialize(Archive& archive) {
     archive(block, from, to, start, end, behind_loop, arrives);
