@@ -12,8 +12,7 @@
 namespace trc {
 
 [[nodiscard]] inline Box bounding_box(const Point& start, const Point& end) {
-  return {Vector(std::min(start.x(), end.x()), std::min(start.y(), end.y())),
-          Vector(std::max(start.x(), end.x()), std::max(start.y(), end.y()))};
+  return {start.cwiseMin(end), start.cwiseMax(end)};
 }
 [[nodiscard]] Box bounding_box(const Arc& arc);
 [[nodiscard]] inline Box bounding_box(const Line& line) {
@@ -89,6 +88,14 @@ class BoxTree {
   struct Level {
     explicit Level(std::size_t first) : fours(first / FourBoxes::count), end(first) {}
 
+    // Returns whether there are four in a row now.
+    bool add(const KeptBox& box) {
+      const std::size_t place = end++ % FourBoxes::count;
+      if (place == 0 || fours.empty()) fours.push_back({});
+      fours.back().set(place, box);
+      return place + 1 == FourBoxes::count;
+    }
+
     NumberedQueue<FourBoxes> fours;
     std::size_t end;  // of the boxes
   };
@@ -98,6 +105,9 @@ class BoxTree {
     const Range& skipped;
     Visit& visit;
   };
+
+  // The last four boxes have one about them.
+  void add_above();
 
   // The boxes of level 0 under one of `level`, as a shift.
   [[nodiscard]] static std::size_t span_bits(std::size_t level) { return bits_of_width * level; }
