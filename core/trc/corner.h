@@ -120,15 +120,18 @@ struct Joint {
   double cut_before = 0;        // as in PathBlock
   double cut_after = 0;
 
+  // Optional, so that the joints that insert nothing, most of them, are small to make and to copy.
+  // With a constructor of its own, or all memory of them is cleared to make them.
+  struct Inserted : std::optional<Segment> {
+    Inserted() : std::optional<Segment>(std::nullopt) {}
+    using std::optional<Segment>::operator=;
+  };
   void insert(const Segment& segment) { inserted_[count_++] = segment; }
   // All of them have a value.
-  [[nodiscard]] std::span<const std::optional<Segment>> inserted() const {
-    return {inserted_.data(), count_};
-  }
+  [[nodiscard]] std::span<const Inserted> inserted() const { return {inserted_.data(), count_}; }
 
  private:
-  // Optional, so that the joints that insert nothing, most of them, are small to make and to copy.
-  std::array<std::optional<Segment>, 3> inserted_;
+  std::array<Inserted, 3> inserted_;
   std::size_t count_ = 0;
 };
 
