@@ -37,12 +37,16 @@ class NumberedQueue {
   [[nodiscard]] T& back() { return place_[-1]; }
   [[nodiscard]] const T& back() const { return place_[-1]; }
 
-  T& push_back(T element) { return next() = std::move(element); }
-  // One more at the end, with whatever value: the caller gives it one.
-  T& next() {
+  [[gnu::always_inline]] T& push_back(T element) {
+    return push_made([&] { return std::move(element); });
+  }
+  // What make() returns, made where it is to lie.
+  template <class Make>
+  [[gnu::always_inline]] T& push_made(Make make) {
     if (place_ == end_of_chunk_) begin_chunk();
     ++end_;
-    return *place_++;
+    if constexpr (is_plain) return *::new (place_++) T(make());
+    return *place_++ = make();
   }
 
   // Reads one element after the other, which takes less than to look for each. What has been read
@@ -74,7 +78,7 @@ class NumberedQueue {
 
   // Forgets the elements before `number`, which is at most end().
   void drop_before(std::size_t number) {
-    if constexpr (std::is_trivially_destructible_v<T>) {
+    if constexpr (is_plain) {
       begin_ = std::max(begin_, number);
     } else {
       for (; begin_ < number; ++begin_) (*this)[begin_] = T{};
@@ -88,7 +92,7 @@ class NumberedQueue {
       return;
     }
     if (number >= end_) return;
-    if constexpr (!std::is_trivially_destructible_v<T>)
+    if constexpr (!is_plain)
       for (std::size_t gone = number; gone < end_; ++gone) (*this)[gone] = T{};
     end_ = number;
     find_place(empty() ? end_ : end_ - 1);
@@ -108,10 +112,12 @@ class NumberedQueue {
 
  private:
   static constexpr std::size_t chunk_size = 256;
+  // Memory for elements is touched when they come, unless something has to be there to assign to.
+  static constexpr bool is_plain = std::is_trivially_destructible_v<T>;
   // A queue that has grown to so many chunks takes whole pages, which go when their elements do.
   static constexpr std::size_t long_queue = 64;
   static constexpr std::size_t chunks_of_piece = PagePiece::bytes / (chunk_size * sizeof(T));
-  static_assert(chunks_of_piece > 1 && alignof(T) <= 4096);
+  static_assert(chunks_of_piece > 1 && alignof(T) <= __STDCPP_DEFAULT_NEW_ALIGNMENT__);
 
   // Chunks that lie together in memory: one of the heap, or those of a piece.
   class Run {
@@ -119,7 +125,9 @@ class NumberedQueue {
     explicit Run(bool is_long) {
       if (is_long) {
         piece_.emplace();
-        std::uninitialized_value_construct_n(places(), elements());
+        if constexpr (!is_plain) std::uninitialized_value_construct_n(places(), elements());
+      } else if constexpr (is_plain) {
+        chunk_ = std::make_unique_for_overwrite<std::byte[]>(chunk_size * sizeof(T));
       } else {
         chunk_ = std::make_unique<T[]>(chunk_size);
       }
@@ -134,12 +142,13 @@ class NumberedQueue {
     Run(const Run&) = delete;
     Run& operator=(const Run&) = delete;
     ~Run() {
-      if (piece_ && piece_->memory() != nullptr) std::destroy_n(places(), elements());
+      if constexpr (!is_plain)
+        if (piece_ && piece_->memory() != nullptr) std::destroy_n(places(), elements());
     }
 
     [[nodiscard]] std::size_t chunks() const { return piece_ ? chunks_of_piece : 1; }
     [[nodiscard]] T* places() const {
-      return piece_ ? reinterpret_cast<T*>(piece_->memory()) : chunk_.get();
+      return piece_ ? reinterpret_cast<T*>(piece_->memory()) : reinterpret_cast<T*>(chunk_.get());
     }
 
     std::size_t end = 0;  // the number of the element behind it
@@ -147,7 +156,7 @@ class NumberedQueue {
    private:
     [[nodiscard]] std::size_t elements() const { return chunks() * chunk_size; }
 
-    std::unique_ptr<T[]> chunk_;
+    std::unique_ptr<std::conditional_t<is_plain, std::byte, T>[]> chunk_;
     std::optional<PagePiece> piece_;
   };
 

@@ -44,18 +44,27 @@ Certificate::Block Certificate::block_of(const PathBlock& block) {
 
 void Certificate::begin_chain(std::size_t block, std::size_t last) {
   chain_ = block;
-  while (last_of_chain_.end() < block) last_of_chain_.next() = static_cast<HeldPath::Number>(last);
+  while (last_of_chain_.end() < block)
+    last_of_chain_.push_back(static_cast<HeldPath::Number>(last));
   directions_.drop_before(block);
-  if (block <= middle_) return;
-  for (std::size_t number = directions_.end(); number-- > block + 1;)
-    directions_[number - 1].include(directions_[number]);
+  if (block > middle_) move_middle_to_end();
+  up_to_middle_ = directions_from(block);
+}
+
+void Certificate::move_middle_to_end() {
+  Directions behind;
+  for (std::size_t number = directions_.end(); number-- > chain_;) {
+    Directions& directions = directions_[number];
+    directions.include(behind);
+    behind = directions;
+  }
   middle_ = directions_.end();
   behind_middle_ = {};
 }
 
 inline bool Certificate::is_too_wide() const {
   Directions all = behind_middle_;
-  if (chain_ < middle_) all.include(directions_[chain_]);
+  all.include(up_to_middle_);
   return all.greatest - all.least >= widest;
 }
 
@@ -75,16 +84,15 @@ void Certificate::append(const Block& block, bool apart) {
   const bool breaks = apart || block.shift_at_start != shift_;
   shift_ = block.shift_at_end;
   const std::size_t before = index > 0 ? index - 1 : 0;
-  if (breaks) begin_chain(index, before);
   const bool is_left =
       block.left > tolerances_.same_point && block.shift_at_start == block.shift_at_end;
   const bool alone = !is_left || std::abs(at_end - at_start) >= widest;
-  if (alone) begin_chain(index, before);
+  if (breaks || alone) begin_chain(index, before);
   const Directions own{std::min(at_start, at_end), std::max(at_start, at_end)};
-  directions_.next() = own;
+  directions_.push_back(own);
   behind_middle_.include(own);
   while (!alone && is_too_wide()) begin_chain(chain_ + 1, before);
-  first_of_chain_.next() = static_cast<HeldPath::Number>(chain_);
+  first_of_chain_.push_back(static_cast<HeldPath::Number>(chain_));
   if (alone) begin_chain(index + 1, index);
 }
 

@@ -52,6 +52,7 @@ class Certificate {
   void serialize(Archive& archive) {
     archive(first_of_chain_, last_of_chain_, chain_, direction_, tangent_, shift_, directions_,
             middle_, behind_middle_);
+    if constexpr (Archive::is_loading::value) up_to_middle_ = directions_from(chain_);
   }
 
  private:
@@ -72,6 +73,11 @@ class Certificate {
 
   // No chain that begins before `block` goes on behind the last one but `last`.
   void begin_chain(std::size_t block, std::size_t last);
+  void move_middle_to_end();
+  // Of a block before middle_ and all behind it up to there; from there on of none.
+  [[nodiscard]] Directions directions_from(std::size_t block) const {
+    return block < middle_ ? directions_[block] : Directions{};
+  }
   [[nodiscard]] bool is_too_wide() const;
 
   Tolerances tolerances_;
@@ -88,6 +94,7 @@ class Certificate {
   // take one step to know, and each block is looked at twice.
   NumberedQueue<Directions> directions_;
   std::size_t middle_ = 0;
+  Directions up_to_middle_{};  // of those before it
   Directions behind_middle_{};
 };
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <type_traits>
 #include <utility>
 #include <variant>
 
@@ -84,7 +85,9 @@ void ContourRun::begin(const PathBlock& held) {
   going_ = true;
   reports_before_ = diagnostics_.pending().size();
   removes_loops_ = held.removes_loops();
-  if (removes_loops_) exact_ = to_all_digits(tolerances_, std::abs(shift_));
+  if (!removes_loops_) return;
+  exact_ = to_all_digits(tolerances_, std::abs(shift_));
+  loop_removal_.go_on_like_last();
 }
 
 void ContourRun::offset(MotionBlock& programmed, Step& step, Corner& begin, Corner& end) const {
@@ -207,29 +210,49 @@ bool ContourRun::put_out(const Path& path, const Joint& joint, const Step& befor
 TRC_IN_ONE_PIECE [[gnu::noinline]] void ContourRun::hold(const Corner& corner, const Joint& joint,
                                                          bool apart, const Step& before,
                                                          const Step& after) {
-  const MotionBlock& programmed = *before.programmed;
-  const auto* arc = std::get_if<Arc>(&programmed.path);
   const HeldPath::Cuts cuts{before.cut_at_start, joint.cut_before};
-  const double left = before.extent - cuts.at_start - cuts.at_end;
-  const Segment path = arc != nullptr
-                           ? shortened(*arc, before.tool_start, joint.end, left, true, tolerances_)
-                           : Line{.start = before.tool_start, .end = joint.end};
+  if (const auto* arc = std::get_if<Arc>(&before.programmed->path)) {
+    const double left = before.extent - cuts.at_start - cuts.at_end;
+    std::visit([&](const auto& path) { hold(corner, *arc, path, cuts, before); },
+               shortened(*arc, before.tool_start, joint.end, left, true, tolerances_));
+  } else {
+    const Line path{.start = before.tool_start, .end = joint.end};
+    hold(corner, std::get<Line>(before.programmed->path), path, cuts, before);
+  }
+  if (!joint.inserted().empty()) hold_inserted(joint, apart, before, after);
+}
+
+template <class Programmed, class Path>
+void ContourRun::hold(const Corner& corner, const Programmed& programmed, const Path& path,
+                      const HeldPath::Cuts& cuts, const Step& before) {
   const double left_inside =
       before.extent - std::max(cuts.at_start, 0.0) - std::max(cuts.at_end, 0.0);
-  const Certificate::Block course{.tangent_at_start = before.tangent_at_start,
-                                  .tangent_at_end = corner.before.tangent,
-                                  .sweep = arc != nullptr ? arc->sweep : 0,
-                                  .left = before.unreachable ? 0 : left_inside * before.radius,
-                                  .shift_at_start = shift_,
-                                  .shift_at_end = shift_};
-  going_ = loop_removal_.take({programmed, path, cuts, course, before.unreachable}, leaving_);
-  const auto inserted = joint.inserted();
-  if (inserted.empty()) return;
-  insert_behind(programmed, *after.programmed, inserted_);
+  Certificate::Block course{.tangent_at_start = before.tangent_at_start,
+                            .tangent_at_end = corner.before.tangent,
+                            .left = before.unreachable ? 0 : left_inside * before.radius,
+                            .shift_at_start = shift_,
+                            .shift_at_end = shift_};
+  if constexpr (std::is_same_v<Programmed, Arc>) course.sweep = programmed.sweep;
+  const LoopRemoval::PlainBlock<Programmed, Path> plain{
+      *before.programmed, programmed, path, cuts, course, before.unreachable};
+  going_ = loop_removal_.take(plain, leaving_);
+}
+
+void ContourRun::hold_inserted(const Joint& joint, bool apart, const Step& before,
+                               const Step& after) {
+  const MotionBlock& programmed = *before.programmed;
+  const bool has_more = programmed.rapid || programmed.feed <= 0 || programmed.normal.moves() ||
+                        !programmed.tracking.empty();
+  if (has_more) insert_behind(programmed, *after.programmed, inserted_);
   const bool rapid = inserted_.rapid;
-  for (const auto& segment : inserted) {
-    inserted_.rapid = rapid && !is_arc(*segment);
-    going_ = going_ && loop_removal_.take(inserted_, *segment, apart, leaving_);
+  for (const auto& segment : joint.inserted()) {
+    if (!going_) return;
+    const auto take = [&](const auto& path) {
+      if (!has_more) return loop_removal_.take_transition(path, apart, programmed.source, leaving_);
+      inserted_.rapid = rapid && std::is_same_v<decltype(path), const Line&>;
+      return loop_removal_.take_transition(path, apart, inserted_, leaving_);
+    };
+    going_ = std::visit(take, *segment);
   }
 }
 

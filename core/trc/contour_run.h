@@ -86,6 +86,10 @@ class ContourRun {
                std::vector<CompensatedBlock>& out);
   void hold(const Corner& corner, const Joint& joint, bool apart, const Step& before,
             const Step& after);
+  template <class Programmed, class Path>
+  void hold(const Corner& corner, const Programmed& programmed, const Path& path,
+            const HeldPath::Cuts& cuts, const Step& before);
+  void hold_inserted(const Joint& joint, bool apart, const Step& before, const Step& after);
   // What a window of LoopRemoval has set free.
   void put_out_leaving(std::vector<CompensatedBlock>& out);
   // Puts out blocks from the first of the row on, up to one that the passes have to put out.

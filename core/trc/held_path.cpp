@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <utility>
+#include <variant>
 
 #include "core/trc/offset.h"
 
@@ -10,9 +11,13 @@ namespace trc {
 
 void HeldPath::append(PathBlock& block) {
   const bool is_contour = block.role == Role::contour;
-  if (is_contour)
-    keep_contour(block.programmed, std::abs(block.at_start.shift),
-                 {block.cut_at_start, block.cut_at_end});
+  if (is_contour) {
+    const MotionBlock& programmed = block.programmed;
+    limit_radius_of_inserted(std::abs(block.at_start.shift));
+    const Cuts cuts{block.cut_at_start, block.cut_at_end};
+    std::visit([&](const auto& path) { keep_contour(programmed.source, path, cuts); },
+               programmed.path);
+  }
   if (!block.riders.empty()) riders_.push_back({blocks_.end(), std::move(block.riders)});
   const bool apart = !is_contour && stands_apart(block);
   if (apart) {
@@ -23,21 +28,12 @@ void HeldPath::append(PathBlock& block) {
                       .n_word = source.number,
                       .line = source.line});
   }
-  keep_path(block.tool_path, note_setting(block), block.role, block.origin, block.unreachable)
-      .apart = apart;
-}
-
-void HeldPath::append_contour(const MotionBlock& programmed, const Segment& path, const Cuts& cuts,
-                              bool unreachable) {
-  keep_contour(programmed, settings_.back().radius, cuts);
-  keep_path(path, note_setting_like_last(programmed), Role::contour, Origin::programmed,
-            unreachable);
-}
-
-void HeldPath::append_transition(const MotionBlock& inserted, const Segment& path,
-                                 bool unreachable) {
-  keep_path(path, note_setting_like_last(inserted), Role::inserted, Origin::transition,
-            unreachable);
+  const Number setting = note_setting(block);
+  std::visit(
+      [&](const auto& path) {
+        keep_path(path, setting, block.role, block.origin, block.unreachable).apart = apart;
+      },
+      block.tool_path);
 }
 
 bool HeldPath::follows_like(const PathBlock& block) const {
@@ -53,41 +49,6 @@ bool HeldPath::stays_put(std::size_t block) const {
   const auto moves = [](const AxisTravel& axis) { return axis.moves(); };
   return !setting.normal.moves() &&
          std::none_of(setting.tracking.begin(), setting.tracking.end(), moves);
-}
-
-inline HeldPath::KeptBlock& HeldPath::keep_path(const Segment& path, Number setting, Role role,
-                                                Origin origin, bool unreachable) {
-  KeptBlock& kept = blocks_.next();
-  kept.arc = static_cast<Number>(arcs_.end());
-  if (const Arc* arc = keep_ends(path, kept)) arcs_.next() = {arc->center, arc->sweep};
-  kept.number = static_cast<Number>(contour_.end() > 0 ? contour_.end() - 1 : 0);
-  kept.setting = setting;
-  kept.role = role;
-  kept.origin = origin;
-  kept.unreachable = unreachable;
-  kept.apart = false;
-  return kept;
-}
-
-inline void HeldPath::keep_contour(const MotionBlock& programmed, double radius, const Cuts& cuts) {
-  limit_radius_of_inserted(radius);
-  KeptContour& kept = contour_.next();
-  kept.circle = static_cast<Number>(circles_.end());
-  if (const Arc* arc = keep_ends(programmed.path, kept))
-    circles_.next() = {.arc = {arc->center, arc->sweep}, .cuts = cuts};
-  kept.index = programmed.source.index;
-  kept.n_word = programmed.source.number;
-  kept.line = programmed.source.line;
-  kept.block = static_cast<Number>(blocks_.end());
-}
-
-template <class Kept>
-const Arc* HeldPath::keep_ends(const Segment& segment, Kept& kept) {
-  const auto* arc = std::get_if<Arc>(&segment);
-  kept.is_arc = arc != nullptr;
-  kept.start = start_of(segment);
-  kept.end = end_of(segment);
-  return arc;
 }
 
 bool HeldPath::stands_apart(const PathBlock& inserted) const {
@@ -117,26 +78,22 @@ HeldPath::Number HeldPath::note_setting(const PathBlock& block) {
                          .perpendicular_entry = block.perpendicular_entry,
                          .perpendicular_exit = block.perpendicular_exit,
                          .radius = radius});
-  return static_cast<Number>(settings_.end() - 1);
+  return last_setting();
 }
 
-inline HeldPath::Number HeldPath::note_setting_like_last(const MotionBlock& motion) {
-  const Setting& last = settings_.back();
-  if (last.feed != motion.feed || last.normal != motion.normal || last.rapid != motion.rapid ||
-      last.tracking != motion.tracking) {
-    Setting changed = last;
-    changed.feed = motion.feed;
-    changed.normal = motion.normal;
-    changed.rapid = motion.rapid;
-    changed.tracking = motion.tracking;
-    settings_.push_back(std::move(changed));
-  }
-  return static_cast<Number>(settings_.end() - 1);
+HeldPath::Number HeldPath::note_changed_setting(const MotionBlock& motion) {
+  Setting changed = settings_.back();
+  changed.feed = motion.feed;
+  changed.normal = motion.normal;
+  changed.rapid = motion.rapid;
+  changed.tracking = motion.tracking;
+  settings_.push_back(std::move(changed));
+  return last_setting();
 }
 
 // What is inserted before a change of radius may be travelled with either. Settings are forgotten
 // in the order of their blocks: from the first one that is changed on, each has one of its own.
-inline void HeldPath::limit_radius_of_inserted(double radius) {
+void HeldPath::limit_radius_of_inserted(double radius) {
   const auto is_larger = [&](const KeptBlock& inserted) {
     return settings_[inserted.setting].radius > radius;
   };
@@ -150,7 +107,7 @@ inline void HeldPath::limit_radius_of_inserted(double radius) {
     Setting changed = settings_[inserted.setting];
     changed.radius = std::min(changed.radius, radius);
     settings_.push_back(std::move(changed));
-    inserted.setting = static_cast<Number>(settings_.end() - 1);
+    inserted.setting = last_setting();
   }
 }
 

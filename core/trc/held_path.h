@@ -7,6 +7,7 @@
 #include <limits>
 #include <memory>
 #include <numbers>
+#include <type_traits>
 #include <vector>
 
 #include "core/base/numbered_queue.h"
@@ -71,11 +72,19 @@ class HeldPath {
 
   // Takes the riders out of the block.
   void append(PathBlock& block);
-  // The same for a block that follows one of the same mode and compensation, `follows_like`, with
-  // nothing about it.
-  void append_contour(const MotionBlock& programmed, const Segment& path, const Cuts& cuts,
-                      bool unreachable);
-  void append_transition(const MotionBlock& inserted, const Segment& path, bool unreachable);
+  // To be called before one or more of the following, the short way for blocks of the same mode and
+  // compensation as the last one, `follows_like`, with nothing about them.
+  void go_on_like_last() { limit_radius_of_inserted(settings_.back().radius); }
+  // `Programmed` is what the path of the block holds, a Line or an Arc, and so is `Path`.
+  template <class Programmed, class Path>
+  void append_contour(const MotionBlock& block, const Programmed& programmed, const Path& path,
+                      const Cuts& cuts, bool unreachable);
+  // Behind a contour block that has nothing to it that what is inserted has not.
+  template <class Path>
+  void append_transition(const Path& path, bool unreachable);
+  // The same with the setting given.
+  template <class Path>
+  void append_transition(const MotionBlock& inserted, const Path& path, bool unreachable);
   // Whether the last block was compensated as this one is.
   [[nodiscard]] bool follows_like(const PathBlock& block) const;
 
@@ -105,6 +114,13 @@ class HeldPath {
   }
   [[nodiscard]] const Point& begins_at(std::size_t block) const { return blocks_[block].start; }
   [[nodiscard]] const Point& ends_at(std::size_t block) const { return blocks_[block].end; }
+  // How far one can go from `place` along the blocks from `block` on and before `most`, each of
+  // which has to begin where the one before ends.
+  struct Way {
+    std::size_t end = 0;
+    Point place = Point::Zero();
+  };
+  [[nodiscard]] Way way_along(std::size_t block, std::size_t most, Point place) const;
   [[nodiscard]] bool is_unreachable(std::size_t block) const { return blocks_[block].unreachable; }
   [[nodiscard]] bool have_one_setting(std::size_t block, std::size_t other) const {
     return blocks_[block].setting == blocks_[other].setting;
@@ -257,15 +273,17 @@ class HeldPath {
   static Arc arc_of(const Kept& kept, const KeptArc& arc) {
     return {.start = kept.start, .end = kept.end, .center = arc.center, .sweep = arc.sweep};
   }
-  template <class Kept>
-  static const Arc* keep_ends(const Segment& segment, Kept& kept);
 
   // That of the last block, where it is the same.
   [[nodiscard]] Number note_setting(const PathBlock& block);
   [[nodiscard]] Number note_setting_like_last(const MotionBlock& motion);
+  [[nodiscard]] Number note_changed_setting(const MotionBlock& motion);
+  [[nodiscard]] Number last_setting() const { return static_cast<Number>(settings_.end() - 1); }
   void limit_radius_of_inserted(double radius);
-  void keep_contour(const MotionBlock& programmed, double radius, const Cuts& cuts);
-  KeptBlock& keep_path(const Segment& path, Number setting, Role role, Origin origin,
+  template <class Programmed>
+  void keep_contour(const Source& source, const Programmed& programmed, const Cuts& cuts);
+  template <class Path>
+  KeptBlock& keep_path(const Path& path, Number setting, Role role, Origin origin,
                        bool unreachable);
   [[nodiscard]] bool stands_apart(const PathBlock& inserted) const;
   void restore_apart(std::size_t number, PathBlock& block);
@@ -278,6 +296,83 @@ class HeldPath {
   NumberedQueue<Riders> riders_;
   NumberedQueue<Apart> apart_;
 };
+
+template <class Programmed, class Path>
+[[gnu::always_inline]] inline void HeldPath::append_contour(const MotionBlock& block,
+                                                            const Programmed& programmed,
+                                                            const Path& path, const Cuts& cuts,
+                                                            bool unreachable) {
+  keep_contour(block.source, programmed, cuts);
+  keep_path(path, note_setting_like_last(block), Role::contour, Origin::programmed, unreachable);
+}
+
+template <class Path>
+[[gnu::always_inline]] inline void HeldPath::append_transition(const Path& path, bool unreachable) {
+  keep_path(path, last_setting(), Role::inserted, Origin::transition, unreachable);
+}
+
+template <class Path>
+[[gnu::always_inline]] inline void HeldPath::append_transition(const MotionBlock& inserted,
+                                                               const Path& path, bool unreachable) {
+  keep_path(path, note_setting_like_last(inserted), Role::inserted, Origin::transition,
+            unreachable);
+}
+
+template <class Programmed>
+[[gnu::always_inline]] inline void HeldPath::keep_contour(const Source& source,
+                                                          const Programmed& programmed,
+                                                          const Cuts& cuts) {
+  contour_.push_made([&] {
+    return KeptContour{.start = programmed.start,
+                       .end = programmed.end,
+                       .index = source.index,
+                       .n_word = source.number,
+                       .line = source.line,
+                       .block = static_cast<Number>(blocks_.end()),
+                       .circle = static_cast<Number>(circles_.end()),
+                       .is_arc = std::is_same_v<Programmed, Arc>};
+  });
+  if constexpr (std::is_same_v<Programmed, Arc>)
+    circles_.push_back({.arc = {programmed.center, programmed.sweep}, .cuts = cuts});
+}
+
+template <class Path>
+[[gnu::always_inline]] inline HeldPath::KeptBlock& HeldPath::keep_path(const Path& path,
+                                                                       Number setting, Role role,
+                                                                       Origin origin,
+                                                                       bool unreachable) {
+  const auto arc = static_cast<Number>(arcs_.end());
+  if constexpr (std::is_same_v<Path, Arc>) arcs_.push_back({path.center, path.sweep});
+  return blocks_.push_made([&] {
+    return KeptBlock{.start = path.start,
+                     .end = path.end,
+                     .number = static_cast<Number>(contour_.end() > 0 ? contour_.end() - 1 : 0),
+                     .setting = setting,
+                     .arc = arc,
+                     .role = role,
+                     .origin = origin,
+                     .is_arc = std::is_same_v<Path, Arc>,
+                     .unreachable = unreachable};
+  });
+}
+
+[[gnu::always_inline]] inline HeldPath::Number HeldPath::note_setting_like_last(
+    const MotionBlock& motion) {
+  const Setting& last = settings_.back();
+  const bool same = last.feed == motion.feed && last.normal == motion.normal &&
+                    last.rapid == motion.rapid && last.tracking == motion.tracking;
+  return same ? last_setting() : note_changed_setting(motion);
+}
+
+inline HeldPath::Way HeldPath::way_along(std::size_t block, std::size_t most, Point place) const {
+  auto blocks = blocks_.from(block);
+  for (; block < most; ++block) {
+    const KeptBlock& kept = blocks.next();
+    if (place != kept.start) break;
+    place = kept.end;
+  }
+  return {block, place};
+}
 
 class HeldPath::Reader {
  public:

@@ -141,10 +141,8 @@ void LoopRemoval::begin_selection() {
   leaving_ = false;
 }
 
-inline bool LoopRemoval::has_room_for(const Source& source) {
-  const bool is_countable = path_.end() < HeldPath::most_blocks / 4;
-  return (is_countable && path_.size() < selection_blocks_) ||
-         diagnostics_.report(selection_too_long(source, selection_blocks_));
+[[gnu::noinline]] bool LoopRemoval::has_no_room_for(const Source& source) {
+  return diagnostics_.report(selection_too_long(source, selection_blocks_));
 }
 
 bool LoopRemoval::hold(PathBlock& block) {
@@ -153,34 +151,18 @@ bool LoopRemoval::hold(PathBlock& block) {
       std::max({largest_radius_, std::abs(block.at_start.shift), std::abs(block.at_end.shift)});
   path_.append(block);
   if (block.role == Role::contour) {
-    note_contour_block(block.programmed.path, Certificate::block_of(block));
+    note_contour_block(bounding_box(block.programmed.path), Certificate::block_of(block));
   } else {
     apart_ = apart_ || block.unreachable;
   }
   return true;
 }
 
-bool LoopRemoval::take(const PlainBlock& block, PathBlocks& out) {
-  if (!has_room_for(block.programmed.source)) return false;
-  path_.append_contour(block.programmed, block.path, block.cuts, block.unreachable);
-  note_contour_block(block.programmed.path, block.course);
-  return window_ == 0 || proceed(out);
-}
-
-bool LoopRemoval::take(const MotionBlock& inserted, const Segment& path, bool unreachable,
-                       PathBlocks& out) {
-  if (!has_room_for(inserted.source)) return false;
-  path_.append_transition(inserted, path, unreachable);
-  apart_ = apart_ || unreachable;
-  return window_ == 0 || proceed(out);
-}
-
-void LoopRemoval::note_contour_block(const Segment& programmed, const Certificate::Block& course) {
-  const Box area = bounding_box(programmed);
-  obstacles_.append(course, area, std::exchange(apart_, false));
+void LoopRemoval::note_contour_block(const Box& programmed, const Certificate::Block& course) {
+  obstacles_.append(course, programmed, std::exchange(apart_, false));
   if (window_ == 0) return;
   keep_waiting();
-  reconsider(end_of_contour() - 1, area);
+  reconsider(end_of_contour() - 1, programmed);
 }
 
 void LoopRemoval::keep_waiting() {
@@ -345,10 +327,11 @@ void LoopRemoval::advance() {
 
 void LoopRemoval::advance_to(std::size_t block) {
   advance();
-  const bool goes_on = at_.from == 0 && !at_.behind_loop;
-  while (at_.block < block && goes_on && at_.start == path_.begins_at(at_.block)) {
-    at_.start = path_.ends_at(at_.block);
-    walked_.add_whole(at_.block++);
+  if (at_.from == 0 && !at_.behind_loop) {
+    const auto [next, end] = path_.way_along(at_.block, block, at_.start);
+    walked_.add_whole(at_.block, next);
+    at_.block = next;
+    at_.start = end;
   }
   while (at_.block < block) advance();
 }

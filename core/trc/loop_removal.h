@@ -77,18 +77,29 @@ class LoopRemoval {
   [[nodiscard]] bool takes_more_like(const PathBlock& block) const {
     return path_.follows_like(block);
   }
+  // To be called before that.
+  void go_on_like_last() { path_.go_on_like_last(); }
   // A contour block, as ContourRun has it behind blocks of the same mode and compensation.
+  // `Programmed` and `Path` are Lines or Arcs.
+  template <class Programmed, class Path>
   struct PlainBlock {
-    const MotionBlock& programmed;
-    const Segment& path;  // of the tool
+    const MotionBlock& block;
+    const Programmed& programmed;  // its path
+    const Path& path;              // of the tool
     HeldPath::Cuts cuts{};
     Certificate::Block course{};
     bool unreachable = false;  // as in PathBlock
   };
   // Returns false once the stream must stop.
-  bool take(const PlainBlock& block, PathBlocks& out);
-  // A transition between two of them.
-  bool take(const MotionBlock& inserted, const Segment& path, bool unreachable, PathBlocks& out);
+  template <class Programmed, class Path>
+  bool take(const PlainBlock<Programmed, Path>& plain, PathBlocks& out);
+  // A transition between two of them, with what the one before has in common with the blocks before
+  // it, or as `inserted`.
+  template <class Path>
+  bool take_transition(const Path& path, bool unreachable, const Source& source, PathBlocks& out);
+  template <class Path>
+  bool take_transition(const Path& path, bool unreachable, const MotionBlock& inserted,
+                       PathBlocks& out);
 
   [[nodiscard]] std::size_t look_ahead() const { return window_; }
 
@@ -109,8 +120,14 @@ class LoopRemoval {
   void begin_selection();
   bool end_selection();
   bool hold(PathBlock& block);
-  [[nodiscard]] bool has_room_for(const Source& source);
-  void note_contour_block(const Segment& programmed, const Certificate::Block& course);
+  [[nodiscard]] bool has_room_for(const Source& source) {
+    const bool is_countable = path_.end() < HeldPath::most_blocks / 4;
+    return (is_countable && path_.size() < selection_blocks_) || has_no_room_for(source);
+  }
+  // Returns false.
+  bool has_no_room_for(const Source& source);
+  void note_contour_block(const Box& programmed, const Certificate::Block& course);
+  [[nodiscard]] bool note_transition(bool unreachable, PathBlocks& out);
   void reconsider(std::size_t number, const Box& area);
   void walk_again_from(std::size_t piece, const Onset& onset);
   // The last contour block is new: whether the path runs into it before the onset waited with.
@@ -199,5 +216,37 @@ class LoopRemoval {
   PathBlocks behind_;
   bool ended_ = false;  // nothing comes behind that
 };
+
+template <class Programmed, class Path>
+[[gnu::always_inline]] inline bool LoopRemoval::take(const PlainBlock<Programmed, Path>& plain,
+                                                     PathBlocks& out) {
+  if (!has_room_for(plain.block.source)) return false;
+  path_.append_contour(plain.block, plain.programmed, plain.path, plain.cuts, plain.unreachable);
+  note_contour_block(bounding_box(plain.programmed), plain.course);
+  return window_ == 0 || proceed(out);
+}
+
+template <class Path>
+[[gnu::always_inline]] inline bool LoopRemoval::take_transition(const Path& path, bool unreachable,
+                                                                const Source& source,
+                                                                PathBlocks& out) {
+  if (!has_room_for(source)) return false;
+  path_.append_transition(path, unreachable);
+  return note_transition(unreachable, out);
+}
+
+template <class Path>
+[[gnu::always_inline]] inline bool LoopRemoval::take_transition(const Path& path, bool unreachable,
+                                                                const MotionBlock& inserted,
+                                                                PathBlocks& out) {
+  if (!has_room_for(inserted.source)) return false;
+  path_.append_transition(inserted, path, unreachable);
+  return note_transition(unreachable, out);
+}
+
+inline bool LoopRemoval::note_transition(bool unreachable, PathBlocks& out) {
+  apart_ = apart_ || unreachable;
+  return window_ == 0 || proceed(out);
+}
 
 }  // namespace trc

@@ -81,6 +81,12 @@ class WalkedPath {
     pieces_.push_back({.block = static_cast<HeldPath::Number>(block)});
     if (finds_near_) note_box(block);
   }
+  // Those from `block` on and before `end`.
+  void add_whole(std::size_t block, std::size_t end) {
+    if (finds_near_)
+      for (std::size_t number = block; number < end; ++number) note_box(number);
+    for (; block < end; ++block) pieces_.push_back({.block = static_cast<HeldPath::Number>(block)});
+  }
   void add(const PathPiece& piece);
   // Forgets the pieces from `number` on: they are walked again.
   void truncate(std::size_t number);
