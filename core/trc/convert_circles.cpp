@@ -11,7 +11,7 @@ bool ConvertCircles::apply(PathBlock& block) const {
   const auto* arc = std::get_if<Arc>(&block.programmed.path);
   if (arc == nullptr) return true;
   const double radius = radius_of(*arc);
-  const double remaining = parallel_radius(*arc, block.at_end.shift);
+  const double remaining = parallel_radius(*arc, shift_of_tool(mode));
   const bool shrinks_away = remaining < tolerances_.on_contour && remaining < radius;
   if (!shrinks_away || (arc->end - arc->start).norm() <= tolerances_.same_point) return true;
   block.programmed.path = Line{.start = arc->start, .end = arc->end};

@@ -25,7 +25,7 @@ PathBlock outline_of(const PathBlock& block) {
   outline.at_end = block.at_end;
   const TrcMode& mode = block.mode();
   if (mode.options.suppress_trc) {
-    const double shift = mode.side == Side::left ? mode.tool_radius : -mode.tool_radius;
+    const double shift = shift_of_tool(mode);
     outline.at_start.shift = block.at_start.active ? shift : 0;
     outline.at_end.shift = block.at_end.active ? shift : 0;
   }
@@ -54,9 +54,11 @@ double left(const PathBlock& block, double cut_start, double cut_end) {
   return arc != nullptr ? extent * parallel_radius(*arc, block.at_end.shift) : extent;
 }
 
-bool keeps_circle(const PathBlock& block, double on_contour) {
+// A block without length has no direction either, and so no equidistant.
+bool keeps_shape(const PathBlock& block, const Tolerances& tolerances) {
+  if (length_of(block.programmed.path) <= tolerances.same_point) return false;
   const auto* arc = std::get_if<Arc>(&block.programmed.path);
-  return arc == nullptr || parallel_radius(*arc, block.at_end.shift) >= on_contour;
+  return arc == nullptr || parallel_radius(*arc, block.at_end.shift) >= tolerances.on_contour;
 }
 
 Segment moved(const Segment& segment, const Point& start, const Point& end, double on_contour) {
@@ -84,8 +86,7 @@ struct Notch {
 
   // Whether both blocks keep a compensated length.
   [[nodiscard]] bool can_be_entered(double slack, const Tolerances& tolerances) const {
-    if (!keeps_circle(first, tolerances.on_contour) || !keeps_circle(second, tolerances.on_contour))
-      return false;
+    if (!keeps_shape(first, tolerances) || !keeps_shape(second, tolerances)) return false;
     const Corner corner = corner_between(first, second, tolerances);
     double cut_before = 0;
     double cut_after = 0;

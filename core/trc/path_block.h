@@ -32,6 +32,12 @@ struct Compensation {
   bool operator==(const Compensation&) const = default;
 };
 
+// What the tool would take, whether SUPPRESS_TRC lets it or not: the passes that work on the
+// programmed contour ask for this one (D-17).
+[[nodiscard]] inline double shift_of_tool(const TrcMode& mode) {
+  return mode.side == Side::left ? mode.tool_radius : -mode.tool_radius;
+}
+
 // A block on its way, programmed and compensated side by side: every pass can
 // check one against the other. It is large, so the passes hand on its owner.
 struct PathBlock {

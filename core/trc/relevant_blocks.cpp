@@ -9,7 +9,7 @@ namespace {
 
 Compensation compensation_of(const TrcMode& mode) {
   if (mode.options.suppress_trc) return {.active = true, .shift = 0};
-  return {.active = true, .shift = mode.side == Side::left ? mode.tool_radius : -mode.tool_radius};
+  return {.active = true, .shift = shift_of_tool(mode)};
 }
 
 bool continues(const TrcMode& before, const TrcMode* after) {
