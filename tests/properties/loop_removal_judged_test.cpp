@@ -140,44 +140,76 @@ class EveryHardship : public ::testing::TestWithParam<Hardship> {
   }
 };
 
-TEST_P(EveryHardship, GivesThePathOfTheSlowSearch) {
+// How a contour fares before the slow search.
+enum class Verdict { same, undecided, different };
+
+Verdict judged(const SmallContour& made, const Outcome& outcome, std::string& expected) {
+  const auto path = travelled(outcome);
+  const SlowMasking strict = slow_masking(made.contour, made.mode, {});
+  if (agree(path, strict, made)) return Verdict::same;
+  // The search may be generous with what joins: a wrong joint gives a path that
+  // agrees with no connected one.
+  SlowMasking generous;
+  for (const MaskingScale& scale :
+       {MaskingScale{.lenient = true}, MaskingScale{.joint = 1e-5},
+        MaskingScale{.lenient = true, .joint = 1e-5}, MaskingScale{.joint = 1e-3},
+        MaskingScale{.lenient = true, .joint = 1e-3}}) {
+    generous = slow_masking(made.contour, made.mode, scale);
+    if (!path.empty() && agree(path, generous, made)) return Verdict::same;
+  }
+  // In a cusp the path may go in and out again by a sliver, or not.
+  const bool but_for_a_cusp = agree(path, strict, made, longest_sliver(made));
+  if (strict.shallow || strict.tied || generous.tied || but_for_a_cusp) return Verdict::undecided;
+  if (outcome.stopped && made.mode.transition == Transition::linear) return Verdict::undecided;
+  expected = story_of(strict) + "or\n" + story_of(generous);
+  return Verdict::different;
+}
+
+struct Tally {
   std::size_t contours = 0;
   std::size_t refused = 0;
   std::size_t removed = 0;
   std::size_t undecided = 0;
-  for_each_contour(1, [&](const SmallContour& made, std::uint64_t seed) {
-    const Outcome outcome = compensate(made.contour, made.mode);
-    const auto path = travelled(outcome);
-    ++contours;
-    if (outcome.stopped) ++refused;
-    if (removed_something(outcome)) ++removed;
-    const SlowMasking strict = slow_masking(made.contour, made.mode, {});
-    if (agree(path, strict, made)) return;
-    // The search may be generous with what joins: a wrong joint gives a path that
-    // agrees with no connected one.
-    SlowMasking generous;
-    for (const MaskingScale& scale :
-         {MaskingScale{.lenient = true}, MaskingScale{.joint = 1e-5},
-          MaskingScale{.lenient = true, .joint = 1e-5}, MaskingScale{.joint = 1e-3},
-          MaskingScale{.lenient = true, .joint = 1e-3}}) {
-      generous = slow_masking(made.contour, made.mode, scale);
-      if (!path.empty() && agree(path, generous, made)) return;
-    }
-    // In a cusp the path may go in and out again by a sliver, or not.
-    const bool but_for_a_cusp = agree(path, strict, made, longest_sliver(made));
-    if (strict.shallow || strict.tied || generous.tied || but_for_a_cusp) {
-      ++undecided;
-      return;
-    }
+};
+
+void judge(const SmallContour& made, std::uint64_t seed, Tally& tally) {
+  const Outcome outcome = compensate(made.contour, made.mode);
+  ++tally.contours;
+  if (outcome.stopped) ++tally.refused;
+  if (removed_something(outcome)) ++tally.removed;
+  std::string expected;
+  const Verdict verdict = judged(made, outcome, expected);
+  if (verdict == Verdict::undecided) ++tally.undecided;
+  if (verdict == Verdict::different)
     ADD_FAILURE() << story_of(made, seed) << "found\n"
                   << story_of(outcome) << "\nexpected\n"
-                  << story_of(strict) << "or\n"
-                  << story_of(generous);
+                  << expected;
+}
+
+void expect_decided(const Tally& tally, std::size_t most_undecided) {
+  EXPECT_LE(tally.undecided, most_undecided);
+  EXPECT_GT(tally.contours, tally.refused);
+  std::cout << tally.contours << " contours, " << tally.refused << " refused, " << tally.removed
+            << " with blocks removed, " << tally.undecided << " undecided\n";
+}
+
+TEST_P(EveryHardship, GivesThePathOfTheSlowSearch) {
+  Tally tally;
+  for_each_contour(1,
+                   [&](const SmallContour& made, std::uint64_t seed) { judge(made, seed, tally); });
+  expect_decided(tally, tally.contours / 50);
+}
+
+// What comes out is the path of the search. Seldom there is a way and it is refused: where a mitre
+// alone is in the way, the crossing may lie on a block far before it. That counts as undecided.
+TEST_P(EveryHardship, GivesThePathOfTheSlowSearchWithLinearTransitions) {
+  Tally tally;
+  for_each_contour(1, [&](SmallContour made, std::uint64_t seed) {
+    made.mode.transition = Transition::linear;
+    made.mode.options.stretch_factor = static_cast<double>(1 + seed % 9);
+    judge(made, seed, tally);
   });
-  EXPECT_LE(undecided, contours / 50);
-  EXPECT_GT(contours, refused);
-  std::cout << contours << " contours, " << refused << " refused, " << removed
-            << " with blocks removed, " << undecided << " undecided\n";
+  expect_decided(tally, tally.contours / 50);
 }
 
 // What has to hold of whatever comes out.

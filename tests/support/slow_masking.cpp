@@ -19,7 +19,7 @@ constexpr Extended joint = 1e-10L;
 constexpr Extended on_limit = 1e-9L;
 // What the rounded corners of a contour leave of a distance.
 constexpr Extended exact = 1e-13L;
-constexpr Extended reversal = 1e-7L;  // rad
+constexpr Extended reversal_angle = 1e-7L;  // rad
 
 // A whole equidistant or an inserted arc.
 struct Element {
@@ -43,6 +43,8 @@ class Masking {
   Masking(const Contour& contour, const TrcMode& mode, const MaskingScale& scale)
       : radius_(mode.tool_radius),
         shift_(mode.side == Side::left ? radius_ : -radius_),
+        mitres_(mode.transition == Transition::linear),
+        longest_leg_(static_cast<Extended>(mode.options.stretch_factor) * radius_),
         scale_(scale) {
     for (std::size_t k = 0; k < contour.blocks.size(); ++k) {
       const Shape block = shape_of(contour.blocks[k]);
@@ -113,9 +115,11 @@ class Masking {
         // Away from the tool, in rad.
         Extended turn = std::atan2(cross(before, after), dot(before, after));
         if (shift_ > 0) turn = -turn;
-        if (std::abs(std::abs(turn) - pi) < reversal)  // D-05
+        if (std::abs(std::abs(turn) - pi) < reversal_angle)  // D-05
           turn = leaves_slit(blocks_[k - 1], block) ? 0 : pi;
-        if (turn > 0) {
+        if (turn > 0 && mitres_) {
+          lay_mitre(k, before, after, turn);
+        } else if (turn > 0) {
           const ExtendedPoint corner = block.start;
           const Shape arc =
               arc_shape(corner, corner + shift_ * left_normal(before), shift_ > 0 ? -turn : turn);
@@ -133,6 +137,26 @@ class Masking {
     first_ = blocks_.front().start + shift_ * left_normal(blocks_.front().heading(0));
     last_ =
         blocks_.back().end + shift_ * left_normal(blocks_.back().heading(blocks_.back().extent));
+  }
+
+  // G25 between block k - 1 and block k: lines go on as themselves, arcs in tangents, up to where
+  // they meet or STRETCH_FACTOR ends them (spec 4.2, 4.3).
+  void lay_mitre(std::size_t k, const ExtendedPoint& before, const ExtendedPoint& after,
+                 Extended turn) {
+    const ExtendedPoint& corner = blocks_[k].start;
+    const ExtendedPoint end = corner + shift_ * left_normal(before);
+    const ExtendedPoint start = corner + shift_ * left_normal(after);
+    const bool reversal = std::abs(turn - pi) < reversal_angle;
+    const Extended to_tip = reversal ? 2 * longest_leg_ : radius_ * std::tan(turn / 2);
+    const Extended leg = std::min(to_tip, longest_leg_);
+    const ExtendedPoint far_end = end + leg * before;
+    const ExtendedPoint far_start = start - leg * after;
+    const bool round_after = blocks_[k].carrier.round;
+    elements_.push_back({line_shape(end, far_end), ordinals_[k - 1], blocks_[k - 1].carrier.round});
+    if (to_tip > longest_leg_)
+      elements_.push_back({line_shape(far_end, far_start), ordinals_[k - 1], true});
+    elements_.push_back(
+        {line_shape(far_start, start), ordinals_[round_after ? k - 1 : k], round_after});
   }
 
   // Everything that is at the distance of the radius to a block: both its
@@ -188,6 +212,10 @@ class Masking {
         if (way > 0 && way < shape.extent && shape.distance_to(point) < scale_.joint)
           ways.push_back(way);
       }
+    // A mitre reaches out of the tool radius: two of them cross where nothing is near.
+    if (mitres_)
+      for (std::size_t other = 0; other < elements_.size(); ++other)
+        if (other != index) cut_by(elements_[other].shape, shape, ways);
     std::sort(ways.begin(), ways.end());
     std::size_t part = 0;
     Extended from = 0;
@@ -203,6 +231,17 @@ class Masking {
       from = to;
     }
     parts_.push_back(part);
+  }
+
+  void cut_by(const Shape& other, const Shape& shape, std::vector<Extended>& ways) const {
+    for (const ExtendedPoint& point : common_points(shape.carrier, other.carrier, touch * size_)) {
+      const Extended way = shape.way_to(point);
+      const Extended there = other.way_to(point);
+      const Extended slack = touch * size_;
+      if (way > slack && way < shape.extent - slack && there >= -slack &&
+          there <= other.extent + slack)
+        ways.push_back(way);
+    }
   }
 
   [[nodiscard]] bool together(const ExtendedPoint& a, const ExtendedPoint& b) const {
@@ -260,6 +299,8 @@ class Masking {
 
   Extended radius_;
   Extended shift_;
+  bool mitres_;
+  Extended longest_leg_;
   MaskingScale scale_;
   Extended size_ = 0;
   std::vector<Shape> blocks_{};
