@@ -157,6 +157,40 @@ TEST(ResumedSession, StateDoesNotGrowWithTheContour) {
   EXPECT_LT(largest(20), 4096U);
 }
 
+// With a window, what contour masking and loop removal hold of a selection is bounded by it
+// (D-10), whether loops go or stay, and whatever stands behind the blocks.
+TEST(ResumedSession, StateIsBoundedByTheWindow) {
+  const auto largest = [](const std::string& masking, bool implicit, int window, int teeth) {
+    ProgramSessionSetup setup;
+    setup.session.compensator.limits.look_ahead_blocks = static_cast<std::size_t>(window);
+    setup.session.compensator.implicit_contour_masking = implicit;
+    ProgramSession session(setup);
+    ProgramOutput out;
+    session.feed(masking + " V.G.WZ_AKT.R=3\nG41 G1 X50000 Y0 F100\n", out);
+    std::size_t size = 0;
+    bool goes_on = true;
+    for (int i = 0; i < teeth && goes_on; ++i) {
+      // A slot the tool gets into or, one in three, not; the numbers have one length throughout.
+      const int x = 100'000 + 40 * i;
+      const int width = i % 3 == 0 && !implicit ? 5 : 8;
+      const auto to = [&](int dx, int y) {
+        return "X" + std::to_string(x + dx) + " Y" + std::to_string(y) + "\n";
+      };
+      goes_on = session.feed(to(0, 0) + to(0, -9) + "M8\n" + to(width, -9) + to(width, 0), out);
+      size = std::max(size, state_of(session).size());
+      out = {};
+    }
+    EXPECT_TRUE(goes_on) << masking;
+    return size;
+  };
+  for (const std::string masking : {"G141\n#TRC[REMOVE_MASKED_BLOCKS=1]\n", "G141\n", "G140\n"}) {
+    const bool implicit = masking == "G140\n";
+    const std::size_t few = largest(masking, implicit, 20, 200);
+    EXPECT_LT(largest(masking, implicit, 20, 1'000), few + few / 10) << masking;
+    EXPECT_GT(largest(masking, implicit, 0, 200), 2 * few) << masking;
+  }
+}
+
 TEST(ResumedSession, WhatIsNoStateIsRefused) {
   ProgramSession session({});
   ProgramOutput out;
