@@ -9,24 +9,31 @@
 namespace trc {
 namespace {
 
-// Half a turn, less what rounding may do to the sum of many turns.
-constexpr double widest = std::numbers::pi - 1e-6;
+// Half a turn, less what rounding may do to it: on the square, and of an arc, which is less on it.
+constexpr double widest = 2 - 1e-6;
+constexpr double widest_arc = std::numbers::pi - 4e-6;
 
-// The turn from one unit vector to another. Most turns are small: an angle is dear, and the series
-// of the arc tangent is as exact where the tangent is below 1/16, as its next term is below a
-// rounding there.
-double turn_of_chain(const Vector& before, const Vector& after) {
-  const double sine = cross(before, after);
-  const double cosine = before.dot(after);
-  if (!(std::abs(sine) < cosine / 16)) return turn_between(before, after);
-  const double tangent = sine / cosine;
-  const double square = tangent * tangent;
-  const double late = 1.0 / 9 - square * (1.0 / 11 - square / 13);
-  return tangent *
-         (1 - square * (1.0 / 3 - square * (1.0 / 5 - square * (1.0 / 7 - square * late))));
+// Where a direction points at a square whose corners lie on the axes, in quarters of a turn from
+// the first axis on, -2 to 2. That grows with the angle, by at most as much, and by 2 in half a
+// turn wherever that begins; an angle is dear.
+double on_square(const Vector& direction) {
+  const double size = std::abs(direction.x()) + std::abs(direction.y());
+  return std::copysign(1 - direction.x() / size, direction.y());
 }
 
 }  // namespace
+
+// The shorter way round.
+inline double Certificate::counted_on(double on_square) {
+  double direction = turns_ + on_square;
+  const double turn = direction - direction_;
+  if (std::abs(turn) > 2) {
+    const double full = std::copysign(4, turn);
+    turns_ -= full;
+    direction -= full;
+  }
+  return direction_ = direction;
+}
 
 // What outside corners add does not count: the proof is about equidistants without it.
 Certificate::Block Certificate::block_of(const PathBlock& block) {
@@ -77,16 +84,14 @@ void Certificate::drop_before(std::size_t block) {
 
 void Certificate::append(const Block& block, bool apart) {
   const std::size_t index = size();
-  const double at_start = direction_ + turn_of_chain(tangent_, block.tangent_at_start);
-  const double at_end = at_start + block.sweep;
-  tangent_ = block.tangent_at_end;
-  direction_ = at_end;
+  const double at_start = counted_on(on_square(block.tangent_at_start));
+  const double at_end = block.sweep == 0 ? at_start : counted_on(on_square(block.tangent_at_end));
   const bool breaks = apart || block.shift_at_start != shift_;
   shift_ = block.shift_at_end;
   const std::size_t before = index > 0 ? index - 1 : 0;
   const bool is_left =
       block.left > tolerances_.same_point && block.shift_at_start == block.shift_at_end;
-  const bool alone = !is_left || std::abs(at_end - at_start) >= widest;
+  const bool alone = !is_left || std::abs(block.sweep) >= widest_arc;
   if (breaks || alone) begin_chain(index, before);
   const Directions own{std::min(at_start, at_end), std::max(at_start, at_end)};
   directions_.push_back(own);

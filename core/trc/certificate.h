@@ -50,13 +50,13 @@ class Certificate {
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(first_of_chain_, last_of_chain_, chain_, direction_, tangent_, shift_, directions_,
+    archive(first_of_chain_, last_of_chain_, chain_, direction_, turns_, shift_, directions_,
             middle_, behind_middle_);
     if constexpr (Archive::is_loading::value) up_to_middle_ = directions_from(chain_);
   }
 
  private:
-  // Directions of travel, counted on over full turns, rad.
+  // Directions of travel, counted on over full turns, as on_square() measures them.
   struct Directions {
     double least = std::numeric_limits<double>::infinity();
     double greatest = -std::numeric_limits<double>::infinity();
@@ -71,6 +71,8 @@ class Certificate {
     }
   };
 
+  // A direction behind that of the last block, which it becomes.
+  double counted_on(double on_square);
   // No chain that begins before `block` goes on behind the last one but `last`.
   void begin_chain(std::size_t block, std::size_t last);
   void move_middle_to_end();
@@ -87,7 +89,7 @@ class Certificate {
   // The running chain.
   std::size_t chain_ = 0;
   double direction_ = 0;  // at the end of the last block
-  Vector tangent_ = Vector::UnitX();
+  double turns_ = 0;      // full ones, of that
   double shift_ = 0;
   // Of its blocks: before middle_ of each one and all behind it up to there, from there on of each
   // one alone, and of all of these. So whatever the chain begins with, the directions of all of it
