@@ -130,6 +130,13 @@ class HeldPath {
     return box_about(block, begins_at(block), ends_at(block));
   }
   [[nodiscard]] Box box_about(std::size_t block, const Point& start, const Point& end) const;
+  // What there is to know of the blocks from `first` on and before `end` together.
+  struct Stretch {
+    Box area{};         // as box_about()
+    double radius = 0;  // the largest one of the tool, mm
+    bool reachable = true;
+  };
+  [[nodiscard]] Stretch stretch(std::size_t first, std::size_t end) const;
   [[nodiscard]] std::size_t number_of(std::size_t block) const { return blocks_[block].number; }
   // Whether technology words ride on the next block to be restored, or one before it.
   [[nodiscard]] bool has_riders(std::size_t next) const {
@@ -285,6 +292,8 @@ class HeldPath {
   template <class Path>
   KeptBlock& keep_path(const Path& path, Number setting, Role role, Origin origin,
                        bool unreachable);
+  // As box_about(), of an arc between the corners of `ends`.
+  static Box about_arc(const Box& ends, const KeptBlock& kept, const KeptArc& arc);
   [[nodiscard]] bool stands_apart(const PathBlock& inserted) const;
   void restore_apart(std::size_t number, PathBlock& block);
 
@@ -458,14 +467,39 @@ inline HeldPath::Reader HeldPath::read_from(std::size_t block) const {
 inline Box HeldPath::box_about(std::size_t block, const Point& start, const Point& end) const {
   const KeptBlock& kept = blocks_[block];
   const Box box = bounding_box(start, end);
-  if (!kept.is_arc) return box;
-  const KeptArc& arc = arcs_[kept.arc];
+  return kept.is_arc ? about_arc(box, kept, arcs_[kept.arc]) : box;
+}
+
+inline Box HeldPath::about_arc(const Box& ends, const KeptBlock& kept, const KeptArc& arc) {
   const double sweep = std::abs(arc.sweep);
   if (sweep > std::numbers::pi) return bounding_box(arc_of(kept, arc));
   // An arc rises over its chord by half of that times tan(sweep / 4), which up to there is less
   // than 0.319 of the sweep.
-  const double rise = 0.16 * sweep * box.sizes().sum();
-  return {box.min() - Vector(rise, rise), box.max() + Vector(rise, rise)};
+  const double rise = 0.16 * sweep * ends.sizes().sum();
+  return {ends.min() - Vector(rise, rise), ends.max() + Vector(rise, rise)};
+}
+
+inline HeldPath::Stretch HeldPath::stretch(std::size_t first, std::size_t end) const {
+  const KeptBlock& first_kept = blocks_[first];
+  Number setting = first_kept.setting;
+  Box area;
+  double radius = settings_[setting].radius;
+  unsigned unreachable = 0;
+  auto blocks = blocks_.from(first);
+  auto arcs = arcs_.from(first_kept.arc);
+  for (std::size_t left = end - first; left > 0; --left) {
+    const KeptBlock& kept = blocks.next();
+    unreachable |= kept.unreachable;
+    if (kept.is_arc) {
+      area.extend(about_arc(bounding_box(kept.start, kept.end), kept, arcs.next()));
+    } else {
+      area.extend(kept.start).extend(kept.end);
+    }
+    if (kept.setting == setting) continue;
+    setting = kept.setting;
+    radius = std::max(radius, settings_[setting].radius);
+  }
+  return {area, radius, unreachable == 0};
 }
 
 template <class Visit>

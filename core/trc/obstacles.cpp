@@ -245,14 +245,10 @@ void Obstacles::survey(std::size_t first) {
   asked_for_ = 0;
   survey_.first = first;
   survey_.end = std::min(first + group_, path_.end());
-  survey_.area = path_.box_about(first);
-  survey_.radius = path_.radius_of_tool(first);
-  for (std::size_t block = first + 1; block < survey_.end; ++block) {
-    survey_.area.extend(path_.box_about(block));
-    if (!path_.have_one_setting(block - 1, block))
-      survey_.radius = std::max(survey_.radius, path_.radius_of_tool(block));
-  }
-  survey_.skipped = certified_for_all(first, survey_.end);
+  const HeldPath::Stretch stretch = path_.stretch(first, survey_.end);
+  survey_.area = stretch.area;
+  survey_.radius = stretch.radius;
+  survey_.skipped = stretch.reachable ? certified_for_all(first, survey_.end) : BoxTree::Range{};
   survey_.near.clear();
   boxes_.for_each_four_near(survey_.area, survey_.radius + tolerances_.same_point, survey_.skipped,
                             [&](const NearFour& four) { survey_.near.push_back(four); });
@@ -267,8 +263,6 @@ BoxTree::Range Obstacles::certified_for_all(std::size_t first, std::size_t end) 
   if (last_number == end_of_contour()) return {};
   const std::size_t common = certificate_.chain_before(last_number);
   if (common > first_number) return {};
-  for (std::size_t block = first; block < end; ++block)
-    if (path_.is_unreachable(block)) return {};
   return {common, certificate_.chain_behind(first_number)};
 }
 

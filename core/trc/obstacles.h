@@ -109,7 +109,7 @@ class Obstacles {
   [[nodiscard]] bool is_surveyed(std::size_t block) const;
   // Those the certificate takes out of the question.
   [[nodiscard]] BoxTree::Range certified(std::size_t block) const;
-  // For all blocks of the path before `end`; those it may leave in question.
+  // For all blocks of the path before `end`, which are reachable; those it may leave in question.
   [[nodiscard]] BoxTree::Range certified_for_all(std::size_t first, std::size_t end) const;
   // All contour blocks it may come nearer to than `limit`: neighbours_. With some that are a
   // little farther off.
