@@ -105,9 +105,11 @@ struct Directed {
 [[nodiscard]] inline double turn_between(const Vector& a, const Vector& b) {
   const double sine = cross(a, b);
   const double cosine = a.dot(b);
-  // Up to 45 degrees, as most turns are, one quotient is exact enough and its angle had in a third
-  // of the time.
+  // Up to 135 degrees, as most turns are, one quotient is exact enough and its angle had in half of
+  // the time.
   if (std::abs(sine) < cosine) return std::atan(sine / cosine);
+  if (std::abs(cosine) < std::abs(sine))
+    return std::copysign(std::numbers::pi / 2, sine) - std::atan(cosine / sine);
   const double turn = std::atan2(sine, cosine);
   return turn <= -std::numbers::pi ? std::numbers::pi : turn;
 }
