@@ -10,15 +10,18 @@ namespace trc {
 
 std::optional<LoopExit> WayOut::find(const PathPiece& at, const Onset& onset,
                                      Nearness nearness) const {
-  const Point place = point_along(path(at.block).path, onset.along);
+  PathPiece piece = at;
+  piece.to = onset.along;
+  piece.end = point_along(path(at.block).path, onset.along);
   const std::vector<std::size_t>& obstacles =
-      obstacles_.at(at.block, place, onset.obstacle, nearness);
+      obstacles_.at(at.block, piece.end, onset.obstacle, nearness);
+  ask_about(piece);
   known_of_ = HeldPath::most_blocks;
   // Where the path is in one point again and again, all continuations but the first may leave out
   // what is legal.
   std::optional<LoopExit> first;
   for (const std::size_t number : obstacles) {
-    const auto exit = exit_here(at, {onset.along, number}, place, nearness);
+    const auto exit = exit_here(piece, number, nearness);
     if (!exit) continue;
     const bool same = first && (exit->point - first->point).norm() <= slack_of_places(tolerances_);
     if (!first || (same && exit->continues < first->continues)) first = exit;
@@ -37,25 +40,21 @@ WayOut::Stretch WayOut::stretch_about(std::size_t obstacle, std::size_t at) cons
   return {std::max(begin, at + 1), end};
 }
 
-std::optional<LoopExit> WayOut::exit_here(const PathPiece& at, const Onset& onset,
-                                          const Point& place, Nearness nearness) const {
-  const Stretch stretch = stretch_about(onset.obstacle, at.block);
-  if (stretch.first >= stretch.end) return std::nullopt;
-  PathPiece piece = at;
-  piece.to = onset.along;
-  piece.end = place;
-  if (auto exit = crossing_in(piece, walked_.end(), onset.obstacle, stretch, true)) return exit;
+std::optional<LoopExit> WayOut::exit_here(const PathPiece& piece, std::size_t obstacle,
+                                          Nearness nearness) const {
+  if (!has_near(stretch_about(obstacle, piece.block))) return std::nullopt;
+  if (auto exit = crossing_in(piece, walked_.end(), obstacle, true)) return exit;
   // Side by side there is no crossing to be had, but the distance tells. By as much as
   // the path is moved over it comes nearer to its own block.
-  const double radius = std::max(path_.radius_of_tool(at.block), 1.0);
+  const double radius = std::max(path_.radius_of_tool(piece.block), 1.0);
   const double part = nearness == Nearness::exact ? 4 * tolerances_.rounding : tolerances_.passable;
-  for (std::size_t block = stretch.first; block < stretch.end; ++block) {
-    if (are_apart(Box(place), path_.box_about(block), part * radius)) continue;
+  for (const std::size_t block : near_) {
+    if (path_.is_unreachable(block)) continue;
     const Segment segment = path(block).path;
-    const double along = nearest_along(segment, place);
+    const double along = nearest_along(segment, piece.end);
     const Point point = point_along(segment, along);
-    if (!path_.is_unreachable(block) && (point - place).norm() <= part * radius)
-      return LoopExit{walked_.end(), onset.along, {block, along}, point};
+    if ((point - piece.end).norm() <= part * radius)
+      return LoopExit{walked_.end(), piece.to, {block, along}, point};
   }
   return std::nullopt;
 }
@@ -75,23 +74,37 @@ std::optional<LoopExit> WayOut::exit_behind(const PathPiece& at, const Onset& on
   for (std::size_t number = walked_.end(); number-- > walked_.begin() && back <= farthest;) {
     const PathPiece walked = walked_[number];
     beside = beside && !reaches_out(obstacle, walked.end);
-    if (auto exit = crossing_in(walked, number, onset.obstacle, stretch, beside)) return exit;
+    ask_about(walked);
+    if (has_near(stretch))
+      if (auto exit = crossing_in(walked, number, onset.obstacle, beside)) return exit;
     back += walked.to - walked.from;
   }
   return std::nullopt;
 }
 
-std::optional<LoopExit> WayOut::crossing_in(const PathPiece& piece, std::size_t number,
-                                            std::size_t obstacle, const Stretch& stretch,
-                                            bool beside) const {
+// Segments cross in places that are up to the slack beyond their ends and as far from each other,
+// and the ends of a piece may be off its block where a loop has been left out. Points of theirs are
+// not computed to the last digits; what is farther apart than one point may be wide is so all the
+// same.
+void WayOut::ask_about(const PathPiece& piece) const {
   checkpoint_.pass();
+  area_ = path_.box_about(piece.block, piece.start, piece.end);
+  reach_ = 3 * slack_of_places(tolerances_) + tolerances_.same_point +
+           tolerances_.passable * std::max(path_.radius_of_tool(piece.block), 1.0);
+}
+
+bool WayOut::has_near(const Stretch& stretch) const {
+  near_.clear();
+  for (std::size_t block = stretch.first; block < stretch.end; ++block)
+    if (squared_distance(area_, path_.box_about(block)) <= reach_ * reach_) near_.push_back(block);
+  return !near_.empty();
+}
+
+std::optional<LoopExit> WayOut::crossing_in(const PathPiece& piece, std::size_t number,
+                                            std::size_t obstacle, bool beside) const {
   const double slack = slack_of_places(tolerances_);
-  const Box area = path_.box_about(piece.block, piece.start, piece.end);
-  // The ends of a piece may be off its block where a loop has been left out.
-  const double beyond = tolerances_.passable * std::max(path_.radius_of_tool(piece.block), 1.0);
   std::optional<LoopExit> latest;
-  for (std::size_t block = stretch.first; block < stretch.end; ++block) {
-    if (are_apart(area, path_.box_about(block), 3 * slack + beyond)) continue;
+  for (const std::size_t block : near_) {
     for (const Crossing& crossing : crossings_of(piece.block, block)) {
       if (crossing.along_first < piece.from - slack || crossing.along_first > piece.to + slack)
         continue;
@@ -125,14 +138,6 @@ std::span<const Crossing> WayOut::crossings_of(std::size_t block, std::size_t ot
   if (has_length_ && !path_.is_unreachable(other) && !has_no_radius(segment))
     found = crossings(track_, Track(segment), slack_of_places(tolerances_));
   return found;
-}
-
-// Segments cross in places that are up to `slack` beyond their ends and as far from each other.
-// Points of theirs are not computed to the last digits; what is farther apart than one point may be
-// wide is so all the same.
-bool WayOut::are_apart(const Box& one, const Box& other, double reach) const {
-  const double farthest = reach + tolerances_.same_point;
-  return squared_distance(one, other) > farthest * farthest;
 }
 
 bool WayOut::reaches_out(const HeldPath::ContourBlock& block, const Point& point) const {

@@ -62,23 +62,25 @@ class WayOut {
 
   // Behind the block `at`.
   [[nodiscard]] Stretch stretch_about(std::size_t obstacle, std::size_t at) const;
-  // On the block being walked; `place`: where the onset is.
-  [[nodiscard]] std::optional<LoopExit> exit_here(const PathPiece& at, const Onset& onset,
-                                                  const Point& place, Nearness nearness) const;
+  // On the piece that ends with the onset.
+  [[nodiscard]] std::optional<LoopExit> exit_here(const PathPiece& piece, std::size_t obstacle,
+                                                  Nearness nearness) const;
   // Before it, where the path has crossed a transition that reaches out of the tool
   // radius already.
   [[nodiscard]] std::optional<LoopExit> exit_behind(const PathPiece& at, const Onset& onset) const;
-  // The last crossing with what lies where the obstacle is, in `stretch`. `beside`: from the piece
-  // to the onset the path is as near to the obstacle as the radius; else only a mitre can
-  // be crossed.
+  // Asks about this piece from now on.
+  void ask_about(const PathPiece& piece) const;
+  // Those of the stretch that are so near to the piece asked about that they may have a point in
+  // common: near_. Returns whether there is one.
+  [[nodiscard]] bool has_near(const Stretch& stretch) const;
+  // The last crossing of that piece, which has the number, with one of those. `beside`: from the
+  // piece to the onset the path is as near to the obstacle as the radius; else only a mitre can be
+  // crossed.
   [[nodiscard]] std::optional<LoopExit> crossing_in(const PathPiece& piece, std::size_t number,
-                                                    std::size_t obstacle, const Stretch& stretch,
-                                                    bool beside) const;
+                                                    std::size_t obstacle, bool beside) const;
   // Where a block of the path crosses another one; none where that one is not travelled. Obstacles
   // in the same place have neighbours in common: found once for each onset and block.
   [[nodiscard]] std::span<const Crossing> crossings_of(std::size_t block, std::size_t other) const;
-  // Whether nothing in one box can be within reach of anything in the other.
-  [[nodiscard]] bool are_apart(const Box& one, const Box& other, double reach) const;
   // Whether the point is farther than the radius from the contour block.
   [[nodiscard]] bool reaches_out(const HeldPath::ContourBlock& block, const Point& point) const;
 
@@ -92,11 +94,15 @@ class WayOut {
     std::size_t other = 0;
     Crossings crossings{};
   };
+  // About the piece asked about, and how far from that what meets it may be.
+  mutable Box area_{};
+  mutable double reach_ = 0;
   // Of one block; members for their memory's sake.
   mutable std::size_t known_of_ = HeldPath::most_blocks;
   mutable Track track_{Line{}};
   mutable bool has_length_ = false;
   mutable std::vector<Known> known_;
+  mutable std::vector<std::size_t> near_;
 };
 
 }  // namespace trc
