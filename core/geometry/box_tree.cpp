@@ -1,47 +1,11 @@
 #include "core/geometry/box_tree.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
-#include <cstdint>
-#include <limits>
 #include <numbers>
 #include <utility>
 
 namespace trc {
-namespace {
-
-using TwoDoubles = __attribute__((vector_size(16))) double;
-using TwoFloats = __attribute__((vector_size(8))) float;
-using Floats = __attribute__((vector_size(16))) float;
-using Truths = __attribute__((vector_size(16))) std::int32_t;
-
-// rounded_down(), of four values together.
-Floats all_rounded_down(const TwoDoubles& first, const TwoDoubles& second) {
-  constexpr float least = std::numeric_limits<float>::min();
-  constexpr float epsilon = std::numeric_limits<float>::epsilon();
-  constexpr std::int32_t all_but_sign = std::numeric_limits<std::int32_t>::max();
-  const auto first_floats = __builtin_convertvector(first, TwoFloats);
-  const auto second_floats = __builtin_convertvector(second, TwoFloats);
-  const Floats nearest = __builtin_shufflevector(first_floats, second_floats, 0, 1, 2, 3);
-  const auto first_above = __builtin_convertvector(first_floats, TwoDoubles) > first;
-  const auto second_above = __builtin_convertvector(second_floats, TwoDoubles) > second;
-  const Truths above = __builtin_shufflevector(std::bit_cast<Truths>(first_above),
-                                               std::bit_cast<Truths>(second_above), 0, 2, 4, 6);
-  const auto size = std::bit_cast<Floats>(std::bit_cast<Truths>(nearest) & all_but_sign);
-  const Floats unit = size * epsilon + least;
-  return nearest - std::bit_cast<Floats>(std::bit_cast<Truths>(unit) & above);
-}
-
-// kept(), all sides together.
-KeptBox kept_at_once(const Box& box) {
-  const TwoDoubles lower{box.min().x(), box.min().y()};
-  const TwoDoubles upper{box.max().x(), box.max().y()};
-  const Floats sides = all_rounded_down(lower, -upper);
-  return {Eigen::Vector2f(sides[0], sides[1]), Eigen::Vector2f(-sides[2], -sides[3])};
-}
-
-}  // namespace
 
 Box bounding_box(const Arc& arc) {
   Box box = bounding_box(arc.start, arc.end);
@@ -61,7 +25,7 @@ Box bounding_box(const Arc& arc) {
 }
 
 void BoxTree::append(const Box& box) {
-  if (levels_.front().add(kept_at_once(box))) add_above();
+  if (levels_.front().add(kept(box))) add_above();
 }
 
 [[gnu::noinline]] void BoxTree::add_above() {

@@ -28,17 +28,52 @@ using KeptBox = Eigen::AlignedBox2f;
 }
 
 // By at most two units in the last place too far.
-[[nodiscard]] inline float rounded_down(double value) {
+[[nodiscard]] inline float rounded_up(double value) {
   constexpr float least = std::numeric_limits<float>::min();
   const auto nearest = static_cast<float>(value);
   const float unit = std::abs(nearest) * std::numeric_limits<float>::epsilon() + least;
-  return static_cast<double>(nearest) <= value ? nearest : nearest - unit;
+  return static_cast<double>(nearest) >= value ? nearest : nearest + unit;
 }
-[[nodiscard]] inline float rounded_up(double value) { return -rounded_down(-value); }
+
+// The sides of a box: least x and y, and the greatest ones with the other sign. So all are rounded
+// the same way, which is done together: by at most two units in the last place too far.
+class KeptSides {
+  using TwoDoubles = __attribute__((vector_size(16))) double;
+  using TwoFloats = __attribute__((vector_size(8))) float;
+  using Floats = __attribute__((vector_size(16))) float;
+  using Truths = __attribute__((vector_size(16))) std::int32_t;
+
+ public:
+  explicit KeptSides(const Box& box) {
+    const TwoDoubles first{box.min().x(), box.min().y()};
+    const TwoDoubles second = -TwoDoubles{box.max().x(), box.max().y()};
+    const auto first_floats = __builtin_convertvector(first, TwoFloats);
+    const auto second_floats = __builtin_convertvector(second, TwoFloats);
+    const Floats nearest = __builtin_shufflevector(first_floats, second_floats, 0, 1, 2, 3);
+    const auto first_above = __builtin_convertvector(first_floats, TwoDoubles) > first;
+    const auto second_above = __builtin_convertvector(second_floats, TwoDoubles) > second;
+    const Truths above = __builtin_shufflevector(std::bit_cast<Truths>(first_above),
+                                                 std::bit_cast<Truths>(second_above), 0, 2, 4, 6);
+    constexpr std::int32_t all_but_sign = std::numeric_limits<std::int32_t>::max();
+    const auto size = std::bit_cast<Floats>(std::bit_cast<Truths>(nearest) & all_but_sign);
+    const Floats unit =
+        size * std::numeric_limits<float>::epsilon() + std::numeric_limits<float>::min();
+    sides_ = nearest - std::bit_cast<Floats>(std::bit_cast<Truths>(unit) & above);
+  }
+
+  [[nodiscard]] float min_x() const { return sides_[0]; }
+  [[nodiscard]] float min_y() const { return sides_[1]; }
+  [[nodiscard]] float max_x() const { return -sides_[2]; }
+  [[nodiscard]] float max_y() const { return -sides_[3]; }
+
+ private:
+  Floats sides_;
+};
 
 [[nodiscard]] inline KeptBox kept(const Box& box) {
-  return {Eigen::Vector2f(rounded_down(box.min().x()), rounded_down(box.min().y())),
-          Eigen::Vector2f(rounded_up(box.max().x()), rounded_up(box.max().y()))};
+  const KeptSides sides(box);
+  return {Eigen::Vector2f(sides.min_x(), sides.min_y()),
+          Eigen::Vector2f(sides.max_x(), sides.max_y())};
 }
 
 // Up to four boxes that are compared with an area all at once.
@@ -60,15 +95,17 @@ class FourBoxes {
   // An area and all within reach of it.
   class Surroundings {
    public:
-    Surroundings(const Box& area, double reach)
-        : min_x_(all(rounded_down(area.min().x()))),
-          min_y_(all(rounded_down(area.min().y()))),
-          max_x_(all(rounded_up(area.max().x()))),
-          max_y_(all(rounded_up(area.max().y()))),
-          squared_reach_(all(rounded_up(std::min(with_slack(reach * reach), most)))) {}
+    Surroundings(const Box& area, double reach) : Surroundings(KeptSides(area), reach) {}
 
    private:
     friend class FourBoxes;
+    Surroundings(const KeptSides& sides, double reach)
+        : min_x_(all(sides.min_x())),
+          min_y_(all(sides.min_y())),
+          max_x_(all(sides.max_x())),
+          max_y_(all(sides.max_y())),
+          squared_reach_(all(rounded_up(std::min(with_slack(reach * reach), most)))) {}
+
     static constexpr double most = std::numeric_limits<float>::max() / 2;
     // For what near() does in floats.
     static double with_slack(double squared_reach) { return (1 + 2e-6) * squared_reach; }
