@@ -1,6 +1,7 @@
 #include "core/trc/obstacles.h"
 
 #include <algorithm>
+#include <bit>
 
 #include "core/geometry/distance.h"
 
@@ -35,6 +36,7 @@ void Obstacles::clear() {
   survey_.end = 0;
   survey_.area.setEmpty();
   survey_.near.clear();
+  few_.end = few_.first;
 }
 
 void Obstacles::rebuild_boxes() {
@@ -79,11 +81,15 @@ void Obstacles::find_neighbours(std::size_t block, const Box& area, double limit
     return;
   }
   const FourBoxes::Surroundings surroundings(area, limit);
-  for (const NearFour& four : survey_.near)
+  const bool is_among_few = block >= few_.first && block < few_.end;
+  for (const NearFour& four : is_among_few ? few_.near : survey_.near)
     if (const NearFour near = four.only(four.boxes->near(surroundings)); near.bits != 0) add(near);
 }
 
 bool Obstacles::are_many(const Box& area, double limit) const {
+  std::size_t most = 0;
+  for (const NearFour& four : neighbours_) most += static_cast<std::size_t>(std::popcount(four.bits));
+  if (most <= few) return false;
   std::size_t count = 0;
   for (const NearFour& four : neighbours_) {
     four.for_each([&](std::size_t /*number*/, std::size_t place) {
@@ -252,6 +258,24 @@ void Obstacles::survey(std::size_t first) {
   survey_.near.clear();
   boxes_.for_each_four_near(survey_.area, survey_.radius + tolerances_.same_point, survey_.skipped,
                             [&](const NearFour& four) { survey_.near.push_back(four); });
+  few_.first = few_.end = first;
+}
+
+void Obstacles::look_closer() {
+  constexpr std::size_t a_few = 4;
+  few_.first = few_.end;
+  few_.end = std::min(few_.first + a_few, survey_.end);
+  few_.near.clear();
+  const HeldPath::Stretch stretch = path_.stretch(few_.first, few_.end);
+  const BoxTree::Range skipped =
+      stretch.reachable ? certified_for_all(few_.first, few_.end) : BoxTree::Range{};
+  const FourBoxes::Surroundings surroundings(stretch.area,
+                                             stretch.radius + tolerances_.same_point);
+  for (const NearFour& four : survey_.near) {
+    NearFour near = four.only(four.boxes->near(surroundings));
+    near.drop(skipped.first, skipped.last + 1);
+    if (near.bits != 0) few_.near.push_back(near);
+  }
 }
 
 // Chains that begin later end later: what the first one and the last one have in common is in the

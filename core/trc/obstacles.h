@@ -82,7 +82,10 @@ class Obstacles {
     const bool surveyed = block >= survey_.first && block < survey_.end;
     if (!surveyed && !is_surveyed(block)) survey(block);
     ++asked_for_;
-    return survey_.near.empty() ? survey_.end : block;
+    if (survey_.near.empty()) return survey_.end;
+    // Where the walk leaves blocks out, what is left is not worth it.
+    if (block == few_.end && block < survey_.end) look_closer();
+    return block >= few_.first && block < few_.end && few_.near.empty() ? few_.end : block;
   }
 
   // Behind the path.
@@ -105,6 +108,8 @@ class Obstacles {
 
   void rebuild_boxes();
   void survey(std::size_t first);
+  // The same for the next few blocks of the survey.
+  void look_closer();
   // Whether what has been surveyed is all that may be near the block.
   [[nodiscard]] bool is_surveyed(std::size_t block) const;
   // Those the certificate takes out of the question.
@@ -140,6 +145,13 @@ class Obstacles {
     Fours near{};              // without these
   };
   Survey survey_;
+  // A few blocks of that, in no block of which anything else is in question.
+  struct Few {
+    std::size_t first = 0;
+    std::size_t end = 0;
+    Fours near{};
+  };
+  Few few_;
   std::size_t group_ = 8;      // how many blocks are surveyed together
   std::size_t asked_for_ = 0;  // how often that was of use
   // Members for their memory's sake.
