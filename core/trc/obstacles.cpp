@@ -88,7 +88,8 @@ void Obstacles::find_neighbours(std::size_t block, const Box& area, double limit
 
 bool Obstacles::are_many(const Box& area, double limit) const {
   std::size_t most = 0;
-  for (const NearFour& four : neighbours_) most += static_cast<std::size_t>(std::popcount(four.bits));
+  for (const NearFour& four : neighbours_)
+    most += static_cast<std::size_t>(std::popcount(four.bits));
   if (most <= few) return false;
   std::size_t count = 0;
   for (const NearFour& four : neighbours_) {
@@ -269,8 +270,7 @@ void Obstacles::look_closer() {
   const HeldPath::Stretch stretch = path_.stretch(few_.first, few_.end);
   const BoxTree::Range skipped =
       stretch.reachable ? certified_for_all(few_.first, few_.end) : BoxTree::Range{};
-  const FourBoxes::Surroundings surroundings(stretch.area,
-                                             stretch.radius + tolerances_.same_point);
+  const FourBoxes::Surroundings surroundings(stretch.area, stretch.radius + tolerances_.same_point);
   for (const NearFour& four : survey_.near) {
     NearFour near = four.only(four.boxes->near(surroundings));
     near.drop(skipped.first, skipped.last + 1);

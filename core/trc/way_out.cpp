@@ -29,6 +29,8 @@ std::optional<LoopExit> WayOut::find(const PathPiece& at, const Onset& onset,
   if (first) return first;
   for (const std::size_t number : obstacles)
     if (auto exit = exit_behind(at, {onset.along, number})) return exit;
+  for (const std::size_t number : obstacles)
+    if (auto exit = exit_behind_into_rest(at, {onset.along, number})) return exit;
   return std::nullopt;
 }
 
@@ -43,7 +45,7 @@ WayOut::Stretch WayOut::stretch_about(std::size_t obstacle, std::size_t at) cons
 std::optional<LoopExit> WayOut::exit_here(const PathPiece& piece, std::size_t obstacle,
                                           Nearness nearness) const {
   if (!has_near(stretch_about(obstacle, piece.block))) return std::nullopt;
-  if (auto exit = crossing_in(piece, walked_.end(), obstacle, true)) return exit;
+  if (auto exit = crossing_in(piece, walked_.end(), obstacle, true, {})) return exit;
   // Side by side there is no crossing to be had, but the distance tells. By as much as
   // the path is moved over it comes nearer to its own block.
   const double radius = std::max(path_.radius_of_tool(piece.block), 1.0);
@@ -60,6 +62,20 @@ std::optional<LoopExit> WayOut::exit_here(const PathPiece& piece, std::size_t ob
 }
 
 std::optional<LoopExit> WayOut::exit_behind(const PathPiece& at, const Onset& onset) const {
+  return last_of_walked(at, onset, stretch_about(onset.obstacle, at.block), {});
+}
+
+std::optional<LoopExit> WayOut::exit_behind_into_rest(const PathPiece& at,
+                                                      const Onset& onset) const {
+  const std::size_t next = path_.number_of(at.block) + 1;
+  const std::size_t end = next < end_of_contour() ? contour(next).block + 1 : path_.end();
+  return last_of_walked(at, onset, {at.block, end},
+                        {at.block, onset.along + slack_of_places(tolerances_)});
+}
+
+std::optional<LoopExit> WayOut::last_of_walked(const PathPiece& at, const Onset& onset,
+                                               const Stretch& stretch,
+                                               const PathPlace& least) const {
   const HeldPath::ContourBlock obstacle = contour(onset.obstacle);
   // Only a mitre reaches farther out than the tool.
   const auto reach_in_radii = [&](std::size_t block) {
@@ -68,7 +84,6 @@ std::optional<LoopExit> WayOut::exit_behind(const PathPiece& at, const Onset& on
   };
   const double farthest = 4 * path_.largest_radius(obstacle) *
                           (1 + std::max(reach_in_radii(at.block), reach_in_radii(obstacle.block)));
-  const Stretch stretch = stretch_about(onset.obstacle, at.block);
   double back = onset.along - at.from;
   bool beside = true;
   for (std::size_t number = walked_.end(); number-- > walked_.begin() && back <= farthest;) {
@@ -76,7 +91,7 @@ std::optional<LoopExit> WayOut::exit_behind(const PathPiece& at, const Onset& on
     beside = beside && !reaches_out(obstacle, walked.end);
     ask_about(walked);
     if (has_near(stretch))
-      if (auto exit = crossing_in(walked, number, onset.obstacle, beside)) return exit;
+      if (auto exit = crossing_in(walked, number, onset.obstacle, beside, least)) return exit;
     back += walked.to - walked.from;
   }
   return std::nullopt;
@@ -101,7 +116,8 @@ bool WayOut::has_near(const Stretch& stretch) const {
 }
 
 std::optional<LoopExit> WayOut::crossing_in(const PathPiece& piece, std::size_t number,
-                                            std::size_t obstacle, bool beside) const {
+                                            std::size_t obstacle, bool beside,
+                                            const PathPlace& least) const {
   const double slack = slack_of_places(tolerances_);
   std::optional<LoopExit> latest;
   for (const std::size_t block : near_) {
@@ -109,17 +125,25 @@ std::optional<LoopExit> WayOut::crossing_in(const PathPiece& piece, std::size_t 
       if (crossing.along_first < piece.from - slack || crossing.along_first > piece.to + slack)
         continue;
       if (latest && crossing.along_first < latest->leaves - slack) continue;
+      const double least_along = block == least.block ? least.along : 0;
+      const double along = place_not_before(least_along, crossing.along_second, block);
+      if (along < least_along) continue;
       const bool leads_to_it = beside && !reaches_out(contour(obstacle), crossing.point);
       if (!leads_to_it && !reaches_out(contour(path_.number_of(piece.block)), crossing.point) &&
           !reaches_out(contour(path_.number_of(block)), crossing.point))
         continue;
-      latest = LoopExit{number,
-                        std::max(crossing.along_first, piece.from),
-                        {block, crossing.along_second},
-                        crossing.point};
+      latest = LoopExit{
+          number, std::max(crossing.along_first, piece.from), {block, along}, crossing.point};
     }
   }
   return latest;
+}
+
+// A circle ends where it begins.
+double WayOut::place_not_before(double least, double along, std::size_t block) const {
+  const bool is_begin = along <= slack_of_places(tolerances_);
+  if (along >= least || !is_begin || path_.begins_at(block) != path_.ends_at(block)) return along;
+  return length_of(path(block).path);
 }
 
 std::span<const Crossing> WayOut::crossings_of(std::size_t block, std::size_t other) const {

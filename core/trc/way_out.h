@@ -68,6 +68,14 @@ class WayOut {
   // Before it, where the path has crossed a transition that reaches out of the tool
   // radius already.
   [[nodiscard]] std::optional<LoopExit> exit_behind(const PathPiece& at, const Onset& onset) const;
+  // Likewise, where what it has crossed is the rest of the block being walked: a mitre that reaches
+  // back, a circle that ends where it begins.
+  [[nodiscard]] std::optional<LoopExit> exit_behind_into_rest(const PathPiece& at,
+                                                              const Onset& onset) const;
+  // The last crossing of what has been walked with the stretch, as in crossing_in().
+  [[nodiscard]] std::optional<LoopExit> last_of_walked(const PathPiece& at, const Onset& onset,
+                                                       const Stretch& stretch,
+                                                       const PathPlace& least) const;
   // Asks about this piece from now on.
   void ask_about(const PathPiece& piece) const;
   // Those of the stretch that are so near to the piece asked about that they may have a point in
@@ -75,9 +83,11 @@ class WayOut {
   [[nodiscard]] bool has_near(const Stretch& stretch) const;
   // The last crossing of that piece, which has the number, with one of those. `beside`: from the
   // piece to the onset the path is as near to the obstacle as the radius; else only a mitre can be
-  // crossed.
+  // crossed. `least`: how far along those it is at least.
   [[nodiscard]] std::optional<LoopExit> crossing_in(const PathPiece& piece, std::size_t number,
-                                                    std::size_t obstacle, bool beside) const;
+                                                    std::size_t obstacle, bool beside,
+                                                    const PathPlace& least) const;
+  [[nodiscard]] double place_not_before(double least, double along, std::size_t block) const;
   // Where a block of the path crosses another one; none where that one is not travelled. Obstacles
   // in the same place have neighbours in common: found once for each onset and block.
   [[nodiscard]] std::span<const Crossing> crossings_of(std::size_t block, std::size_t other) const;
