@@ -6,6 +6,7 @@
 #include <numbers>
 #include <utility>
 
+#include "core/geometry/distance.h"
 #include "core/geometry/parallel.h"
 #include "core/trc/joints.h"
 #include "core/trc/selection_limit.h"
@@ -119,7 +120,7 @@ bool ContourMasking::keep(std::size_t index) {
     const Kept& last = kept_.back();
     const PathBlock& before = held(last.index);
     const bool adjacent = last.index + 1 == index;
-    const auto meeting = meet(before, block, adjacent);
+    const auto meeting = meet(last.index, index);
     if (meeting && survives(last, meeting->cut_before)) {
       block.rejoin = meeting->rejoin;
       kept_.push_back({.index = index, .cut_at_start = meeting->cut_after});
@@ -151,11 +152,11 @@ bool ContourMasking::close(const PathBlock* after) {
   return survives(kept_.back(), cut_at_end) || refuse_to_mask(last);
 }
 
-std::optional<ContourMasking::Meeting> ContourMasking::meet(const PathBlock& before,
-                                                            PathBlock& after, bool adjacent) const {
-  if (adjacent) {
-    const Corner corner = corner_between(before, after, tolerances_);
-    const JointResult result = joint_between(before, after, corner, tolerances_);
+std::optional<ContourMasking::Meeting> ContourMasking::meet(std::size_t before,
+                                                            std::size_t after) const {
+  if (before + 1 == after) {
+    const Corner corner = corner_between(held(before), held(after), tolerances_);
+    const JointResult result = joint_between(held(before), held(after), corner, tolerances_);
     if (const auto* joined = std::get_if<JoinedBlocks>(&result))
       return Meeting{.cut_before = joined->joint.cut_before, .cut_after = joined->joint.cut_after};
     return std::nullopt;
@@ -168,13 +169,15 @@ std::optional<ContourMasking::Meeting> ContourMasking::meet(const PathBlock& bef
 
 // In line, or the nearest meeting of the two equidistants; at an outside corner of two lines
 // the crossing of their extensions, as far as STRETCH_FACTOR lets them.
-std::optional<PathBlock::Rejoin> ContourMasking::join_anew(const PathBlock& before,
-                                                           const PathBlock& after) const {
+std::optional<PathBlock::Rejoin> ContourMasking::join_anew(std::size_t before_index,
+                                                           std::size_t after_index) const {
+  const PathBlock& before = held(before_index);
+  const PathBlock& after = held(after_index);
   if (!is_contour(before)) return std::nullopt;
   const OffsetCurve curve_before = end_curve(before);
   const OffsetCurve curve_after = start_curve(after);
-  if (auto in_line = join_in_line(curve_before, curve_after, tolerances_.same_point))
-    return in_line;
+  auto in_line = join_in_line(curve_before, curve_after, tolerances_.same_point);
+  if (in_line && are_passed(before_index, after_index, *in_line)) return in_line;
   if (const auto joint = nearest_meeting(curve_before, curve_after, tolerances_))
     return PathBlock::Rejoin{joint->point, joint->cut_before, joint->cut_after};
   if (curve_before.circular || curve_after.circular) return std::nullopt;
@@ -189,6 +192,26 @@ std::optional<PathBlock::Rejoin> ContourMasking::join_anew(const PathBlock& befo
   const double cut_after = cut_after_anchor(curve_after, point, 0);
   if (cut_before < -limit || cut_after < -limit) return std::nullopt;
   return PathBlock::Rejoin{point, cut_before, cut_after};
+}
+
+// A notch lies behind the wall, a bump before it.
+bool ContourMasking::are_passed(std::size_t before, std::size_t after,
+                                const PathBlock::Rejoin& in_line) const {
+  if (in_line.cut_before >= 0) return true;
+  const OffsetCurve curve = end_curve(held(before));
+  const double sweep = curve.counter_clockwise ? -in_line.cut_before : in_line.cut_before;
+  const Segment path = curve.circular ? Segment(Arc{.start = curve.anchor,
+                                                    .end = in_line.point,
+                                                    .center = curve.circle.center,
+                                                    .sweep = sweep})
+                                      : Line{.start = curve.anchor, .end = in_line.point};
+  const double radius = std::abs(held(after).at_start.shift);
+  const double reach = radius - tolerances_.clearance * std::max(radius, 1.0);
+  for (std::size_t index = before + 1; index < after; ++index) {
+    const Segment& masked = held(index).programmed.path;
+    if (nearness(path, masked, tolerances_.same_point).distance < reach) return false;
+  }
+  return true;
 }
 
 bool ContourMasking::survives(const Kept& kept, double cut_at_end) const {

@@ -76,10 +76,13 @@ class ContourMasking {
   bool resolve(const PathBlock* after, PathBlocks& out);
   bool keep(std::size_t index);
   bool close(const PathBlock* after);
-  [[nodiscard]] std::optional<Meeting> meet(const PathBlock& before, PathBlock& after,
-                                            bool adjacent) const;
-  [[nodiscard]] std::optional<PathBlock::Rejoin> join_anew(const PathBlock& before,
-                                                           const PathBlock& after) const;
+  // The two by their index; all between them are masked.
+  [[nodiscard]] std::optional<Meeting> meet(std::size_t before, std::size_t after) const;
+  [[nodiscard]] std::optional<PathBlock::Rejoin> join_anew(std::size_t before,
+                                                           std::size_t after) const;
+  // Whether the masked blocks between the two stay out of the way where the path goes on in line.
+  [[nodiscard]] bool are_passed(std::size_t before, std::size_t after,
+                                const PathBlock::Rejoin& in_line) const;
   [[nodiscard]] bool survives(const Kept& kept, double cut_at_end) const;
   bool mask_last_kept();
   // The first kept block, and the masked ones behind it.
