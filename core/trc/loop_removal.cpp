@@ -351,6 +351,8 @@ LoopRemoval::Step LoopRemoval::leave(const Onset& onset, bool ended) {
   const PathPlace here{at_.block, onset.along};
   const bool tolerated = here < tolerated_;
   const auto exit = way_out_.find(at_, onset, tolerated ? Nearness::passable : Nearness::exact);
+  if (exit && !tolerated && is_seam(onset, exit->continues) && pass_first_point())
+    return Step::done;
   if (exit && violates(here, exit->continues, onset.obstacle)) {
     // Between the exit and the onset a block that is yet to come may be in the way.
     const bool behind = exit->piece < walked_.end();
@@ -377,6 +379,22 @@ LoopRemoval::Step LoopRemoval::leave(const Onset& onset, bool ended) {
     return Step::done;
   }
   return refuse(*serious) ? Step::done : Step::stop;
+}
+
+bool LoopRemoval::is_seam(const Onset& onset, const PathPlace& continues) const {
+  const double slack = slack_of_places(tolerances_);
+  if (at_.block > 0 || at_.from > 0 || onset.along > slack) return false;
+  return continues.block + 1 == end_of_path() &&
+         continues.along >= length_of(path(continues.block).path) - slack;
+}
+
+bool LoopRemoval::pass_first_point() {
+  const double length = length_of(path(0).path);
+  const auto serious = obstacles_.onset(0, 0, length, Nearness::passable);
+  const double end = serious ? serious->along : length;
+  if (end <= slack_of_places(tolerances_)) return false;
+  tolerated_ = {0, end};
+  return true;
 }
 
 bool LoopRemoval::runs_backwards(std::size_t block) const {

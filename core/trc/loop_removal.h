@@ -143,6 +143,11 @@ class LoopRemoval {
   bool begin_walk(bool ended);
   // What to do about an onset in the block being walked.
   Step leave(const Onset& onset, bool ended);
+  // Whether what leads from the onset to there is all of a closed contour: no loop.
+  [[nodiscard]] bool is_seam(const Onset& onset, const PathPlace& continues) const;
+  // The first point comes too near, but may: as far as that lasts on its block. Returns whether
+  // there is such a way.
+  bool pass_first_point();
   void jump(const LoopExit& exit);
   void advance();
   // The same for all blocks before this one.

@@ -258,6 +258,23 @@ TEST(BufferOfAFewBlocks, HasTheSameBoundary) {
   std::cout << compared << " compared, " << different << " different\n";
 }
 
+// Begun where they are too near by less than the tolerance.
+TEST(BufferOfAFewBlocks, IsNotOneLoopFromSeamToSeam) {
+  Geos geos;
+  for (const std::uint64_t seed : {80'021'016, 80'027'087}) {
+    Random random(seed);
+    const SmallContour made = small_contour(random, Hardship::rounds);
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    const double radius = made.mode.tool_radius;
+    const Outcome outcome = compensate(made.contour, made.mode);
+    ASSERT_FALSE(outcome.stopped);
+    const auto outline = points_along(made.contour.blocks, 1e-4 * radius);
+    const auto difference = difference_of(geos, outline, outcome, made.mode);
+    ASSERT_TRUE(difference.has_value());
+    EXPECT_LE(difference->farthest, 1e-3 * radius);
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(LoopRemoval, Buffer,
                          ::testing::Combine(::testing::ValuesIn(all_big_shapes),
                                             ::testing::Values(Side::left, Side::right)),
