@@ -102,11 +102,7 @@ class HeldPath {
   [[nodiscard]] Source source_of(std::size_t contour_block) const {
     return source_of(contour_[contour_block]);
   }
-  // Calls visit with the path of a block, a Line or an Arc, with its number, role and origin as in
-  // Block.
-  template <class Visit>
-  auto visit_path(std::size_t block, Visit visit) const;
-  // The same with the programmed path of a contour block; of an Arc also with its Cuts.
+  // Calls visit with the programmed path of a contour block, a Line, or an Arc with its Cuts.
   template <class Visit>
   auto visit_programmed(std::size_t contour_block, Visit visit) const;
   [[nodiscard]] bool is_contour(std::size_t block) const {
@@ -395,7 +391,7 @@ class HeldPath::Reader {
   [[nodiscard]] bool is_contour() const { return block_->role == Role::contour; }
   [[nodiscard]] Origin origin() const { return block_->origin; }
   [[nodiscard]] Source source() const { return source_of(*contour_); }
-  // Both as in HeldPath; the programmed path is that of a contour block.
+  // Calls visit with its path, a Line or an Arc; and as HeldPath does, where it is a contour block.
   template <class Visit>
   [[nodiscard]] auto visit_path(Visit visit) const {
     return block_->is_arc ? visit(arc_of(*block_, *arc_)) : visit(line_of(*block_));
@@ -500,16 +496,6 @@ inline HeldPath::Stretch HeldPath::stretch(std::size_t first, std::size_t end) c
     radius = std::max(radius, settings_[setting].radius);
   }
   return {area, radius, unreachable == 0};
-}
-
-template <class Visit>
-[[gnu::always_inline]] inline auto HeldPath::visit_path(std::size_t block, Visit visit) const {
-  const KeptBlock& kept = blocks_[block];
-  const Number number = kept.number;
-  const Role role = kept.role;
-  const Origin origin = kept.origin;
-  return kept.is_arc ? visit(arc_of(kept, arcs_[kept.arc]), number, role, origin)
-                     : visit(line_of(kept), number, role, origin);
 }
 
 template <class Visit>

@@ -145,7 +145,7 @@ class Obstacles {
     Fours near{};              // without these
   };
   Survey survey_;
-  // A few blocks of that, in no block of which anything else is in question.
+  // A few blocks of that, and all of `near` there that is in question for one of them.
   struct Few {
     std::size_t first = 0;
     std::size_t end = 0;
