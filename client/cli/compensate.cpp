@@ -6,8 +6,8 @@
 #include "client/cli/program_options.h"
 #include "client/cli/progress.h"
 #include "client/cli/service.h"
-#include "core/nc/program_state.h"
-#include "core/trc/listing.h"
+#include "core/nc/state/program_state.h"
+#include "core/trc/result/listing.h"
 #include "proto/wire/compensated_block.h"
 #include "proto/wire/json_lines.h"
 

@@ -3,7 +3,7 @@
 
 #include "client/cli/command.h"
 #include "client/cli/files.h"
-#include "client/cli/sample_program.h"
+#include "client/load/sample_program.h"
 
 namespace trc::cli {
 namespace {

@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-#include "core/nc/number_format.h"
+#include "core/nc/text/number_format.h"
 
 namespace trc::cli {
 namespace {

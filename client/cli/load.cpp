@@ -9,12 +9,12 @@
 #include <vector>
 
 #include "client/cli/command.h"
-#include "client/cli/load/generator.h"
-#include "client/cli/load/load_report.h"
-#include "client/cli/load/process_meter.h"
 #include "client/cli/program_options.h"
 #include "client/cli/service.h"
 #include "client/cli/settings.h"
+#include "client/load/generator.h"
+#include "client/load/load_report.h"
+#include "client/load/process_meter.h"
 
 namespace trc::cli {
 namespace {

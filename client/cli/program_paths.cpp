@@ -4,7 +4,7 @@
 #include <string_view>
 
 #include "client/cli/progress.h"
-#include "core/nc/interpreter.h"
+#include "core/nc/dialect/interpreter.h"
 #include "proto/wire/setup.h"
 
 namespace trc::cli {

@@ -6,8 +6,8 @@
 #include "client/cli/files.h"
 #include "client/cli/service.h"
 #include "core/base/diagnostic.h"
-#include "core/nc/block.h"
-#include "core/trc/compensated_block.h"
+#include "core/nc/state/block.h"
+#include "core/trc/result/compensated_block.h"
 
 namespace trc::cli {
 

@@ -6,7 +6,7 @@
 #include "client/cli/program_options.h"
 #include "client/cli/program_paths.h"
 #include "core/base/tolerances.h"
-#include "core/nc/number_format.h"
+#include "core/nc/text/number_format.h"
 #include "core/verify/clearance.h"
 
 namespace trc::cli {

@@ -4,7 +4,7 @@
 
 #include "core/geometry/plane.h"
 #include "core/geometry/segment.h"
-#include "core/nc/block.h"
+#include "core/nc/state/block.h"
 #include "core/verify/shape.h"
 
 namespace trc::plot {

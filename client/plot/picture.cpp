@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/trc/listing.h"
+#include "core/trc/result/listing.h"
 
 namespace trc::plot {
 namespace {

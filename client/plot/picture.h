@@ -8,8 +8,8 @@
 #include "client/plot/outline.h"
 #include "core/base/diagnostic.h"
 #include "core/geometry/plane.h"
-#include "core/nc/block.h"
-#include "core/trc/compensated_block.h"
+#include "core/nc/state/block.h"
+#include "core/trc/result/compensated_block.h"
 
 namespace trc::plot {
 

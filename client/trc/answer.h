@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "core/trc/compensated_block.h"
+#include "core/trc/result/compensated_block.h"
 #include "proto/wire/diagnostic.h"
 
 namespace trc::client {

@@ -7,9 +7,9 @@
 #include <type_traits>
 #include <utility>
 
-#include "core/nc/interpreter.h"
-#include "core/nc/number_format.h"
-#include "core/session/nc_writer.h"
+#include "core/nc/dialect/interpreter.h"
+#include "core/nc/text/number_format.h"
+#include "core/nc/writer/nc_writer.h"
 #include "core/trc/state_archive.h"
 
 namespace trc {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core/base/diagnostics.h"
-#include "core/nc/program_state.h"
+#include "core/nc/state/program_state.h"
 #include "core/session/program_output.h"
 #include "core/session/verified_compensator.h"
 #include "core/trc/compensator.h"

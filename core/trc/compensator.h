@@ -12,8 +12,8 @@
 #include "core/base/diagnostics.h"
 #include "core/base/state.h"
 #include "core/base/tolerances.h"
-#include "core/nc/block.h"
-#include "core/trc/compensated_block.h"
+#include "core/nc/state/block.h"
+#include "core/trc/result/compensated_block.h"
 
 namespace trc {
 

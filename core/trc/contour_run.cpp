@@ -9,9 +9,9 @@
 
 #include "core/base/in_one_piece.h"
 #include "core/geometry/parallel.h"
-#include "core/trc/contour_violations.h"
-#include "core/trc/offset.h"
-#include "core/trc/tool_path.h"
+#include "core/trc/corner/tool_path.h"
+#include "core/trc/passes/contour_violations.h"
+#include "core/trc/passes/offset.h"
 
 namespace trc {
 namespace {

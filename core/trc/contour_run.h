@@ -8,12 +8,12 @@
 #include <vector>
 
 #include "core/base/tolerances.h"
-#include "core/nc/block.h"
-#include "core/trc/compensated_block.h"
-#include "core/trc/corner.h"
-#include "core/trc/loop_removal.h"
+#include "core/nc/state/block.h"
+#include "core/trc/corner/corner.h"
+#include "core/trc/loops/loop_removal.h"
+#include "core/trc/passes/reporting.h"
 #include "core/trc/path_block.h"
-#include "core/trc/reporting.h"
+#include "core/trc/result/compensated_block.h"
 
 namespace trc {
 

@@ -8,8 +8,8 @@
 
 #include "core/base/recycled.h"
 #include "core/geometry/segment.h"
-#include "core/nc/block.h"
-#include "core/trc/compensated_block.h"
+#include "core/nc/state/block.h"
+#include "core/trc/result/compensated_block.h"
 
 namespace trc {
 

@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "core/nc/state_archive.h"
+#include "core/nc/state/state_archive.h"
 #include "core/trc/compensator.h"
 #include "core/trc/path_block.h"
 

@@ -5,8 +5,8 @@
 #include <span>
 
 #include "core/geometry/plane.h"
-#include "core/nc/block.h"
-#include "core/trc/compensated_block.h"
+#include "core/nc/state/block.h"
+#include "core/trc/result/compensated_block.h"
 
 namespace trc::verify {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/base/diagnostics.h"
-#include "core/trc/compensated_block.h"
+#include "core/trc/result/compensated_block.h"
 #include "core/verify/clearance.h"
 
 namespace trc::verify {

@@ -7,7 +7,7 @@
 #include <string>
 #include <variant>
 
-#include "core/nc/program_state.h"
+#include "core/nc/state/program_state.h"
 #include "proto/wire/field_fault.h"
 #include "proto/wire/trc_command.h"
 #include "trc/v1/block.pb.h"

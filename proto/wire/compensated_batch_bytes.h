@@ -4,7 +4,7 @@
 #include <span>
 #include <string>
 
-#include "core/trc/compensated_block.h"
+#include "core/trc/result/compensated_block.h"
 
 namespace trc::wire {
 

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "core/trc/compensated_block.h"
+#include "core/trc/result/compensated_block.h"
 #include "proto/wire/field_fault.h"
 #include "trc/v1/compensated_block.pb.h"
 

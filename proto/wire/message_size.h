@@ -2,7 +2,7 @@
 
 #include <cstddef>
 
-#include "core/trc/compensated_block.h"
+#include "core/trc/result/compensated_block.h"
 #include "proto/wire/setup.h"
 
 namespace trc::wire {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/nc/trc_mode.h"
+#include "core/nc/state/trc_mode.h"
 #include "proto/wire/enums.h"
 #include "trc/v1/setup.pb.h"
 

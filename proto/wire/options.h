@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "core/nc/trc_mode.h"
+#include "core/nc/state/trc_mode.h"
 #include "proto/wire/field_fault.h"
 #include "trc/v1/options.pb.h"
 

@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "core/nc/program_state.h"
+#include "core/nc/state/program_state.h"
 #include "proto/wire/field_fault.h"
 #include "proto/wire/options.h"
 #include "trc/v1/block.pb.h"

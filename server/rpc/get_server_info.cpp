@@ -9,8 +9,8 @@
 #include "core/base/diagnostic.h"
 #include "core/base/tolerances.h"
 #include "core/base/version.h"
-#include "core/nc/g_function.h"
-#include "core/nc/trc_command.h"
+#include "core/nc/dialect/g_function.h"
+#include "core/nc/dialect/trc_command.h"
 #include "proto/wire/diagnostic.h"
 
 namespace trc::server {

@@ -2,8 +2,8 @@
 #include <string>
 #include <utility>
 
-#include "core/nc/interpreter.h"
-#include "core/session/nc_writer.h"
+#include "core/nc/dialect/interpreter.h"
+#include "core/nc/writer/nc_writer.h"
 #include "core/session/program_session.h"
 #include "tests/bench/part.h"
 #include "tests/bench/timed.h"

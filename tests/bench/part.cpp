@@ -3,8 +3,8 @@
 #include <stdexcept>
 #include <string_view>
 
-#include "client/cli/sample_program.h"
-#include "core/nc/interpreter.h"
+#include "client/load/sample_program.h"
+#include "core/nc/dialect/interpreter.h"
 
 namespace trc::bench {
 namespace {

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "core/nc/block.h"
+#include "core/nc/state/block.h"
 
 namespace trc::bench {
 

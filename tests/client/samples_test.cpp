@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "client/cli/sample_program.h"
+#include "client/load/sample_program.h"
 #include "core/session/program_session.h"
 #include "core/verify/clearance.h"
 

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "core/nc/interpreter.h"
+#include "core/nc/dialect/interpreter.h"
 
 namespace {
 

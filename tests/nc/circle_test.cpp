@@ -1,4 +1,4 @@
-#include "core/nc/circle.h"
+#include "core/nc/state/circle.h"
 
 #include <gtest/gtest.h>
 

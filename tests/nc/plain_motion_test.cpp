@@ -1,4 +1,4 @@
-#include "core/nc/plain_motion.h"
+#include "core/nc/dialect/plain_motion.h"
 
 #include <gtest/gtest.h>
 

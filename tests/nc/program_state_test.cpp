@@ -1,4 +1,4 @@
-#include "core/nc/program_state.h"
+#include "core/nc/state/program_state.h"
 
 #include <gtest/gtest.h>
 

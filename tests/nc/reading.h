@@ -6,7 +6,7 @@
 #include <variant>
 #include <vector>
 
-#include "core/nc/interpreter.h"
+#include "core/nc/dialect/interpreter.h"
 
 namespace trc::testing {
 

@@ -1,4 +1,4 @@
-#include "core/nc/trc_command.h"
+#include "core/nc/dialect/trc_command.h"
 
 #include <gtest/gtest.h>
 

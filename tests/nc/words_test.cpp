@@ -1,4 +1,4 @@
-#include "core/nc/words.h"
+#include "core/nc/text/words.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "core/trc/listing.h"
+#include "core/trc/result/listing.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // Arcs and feeds in decimal numbers: where rounding could turn an arc into its complement, or a
 // feed into none.
 
-#include "core/session/motion_writer.h"
+#include "core/nc/writer/motion_writer.h"
 
 #include <gtest/gtest.h>
 
@@ -10,8 +10,8 @@
 #include <cstdlib>
 #include <numbers>
 
-#include "core/nc/circle.h"
-#include "core/nc/number_format.h"
+#include "core/nc/state/circle.h"
+#include "core/nc/text/number_format.h"
 #include "tests/support/random.h"
 
 namespace trc::testing {

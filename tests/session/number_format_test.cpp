@@ -1,4 +1,4 @@
-#include "core/nc/number_format.h"
+#include "core/nc/text/number_format.h"
 
 #include <gtest/gtest.h>
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/session/session.h"
-#include "core/trc/listing.h"
+#include "core/trc/result/listing.h"
 
 namespace trc::testing {
 namespace {

@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "core/geometry/plane.h"
-#include "core/nc/number_format.h"
+#include "core/nc/text/number_format.h"
 #include "tests/support/random.h"
 
 namespace trc::testing {

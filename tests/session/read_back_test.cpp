@@ -7,8 +7,8 @@
 #include <numbers>
 #include <string>
 
-#include "core/nc/number_format.h"
-#include "core/trc/listing.h"
+#include "core/nc/text/number_format.h"
+#include "core/trc/result/listing.h"
 #include "tests/session/random_program.h"
 #include "tests/session/run_program.h"
 #include "tests/support/random.h"

@@ -7,7 +7,7 @@
 #include <map>
 #include <string>
 
-#include "core/nc/number_format.h"
+#include "core/nc/text/number_format.h"
 #include "tests/session/run_program.h"
 
 namespace trc::testing {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "core/trc/listing.h"
+#include "core/trc/result/listing.h"
 
 namespace trc::testing {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/geometry/segment.h"
-#include "core/nc/trc_mode.h"
+#include "core/nc/state/trc_mode.h"
 #include "tests/support/random.h"
 
 namespace trc::support {

@@ -9,7 +9,7 @@
 
 #include "core/base/diagnostic.h"
 #include "core/session/program_session.h"
-#include "core/trc/compensated_block.h"
+#include "core/trc/result/compensated_block.h"
 
 namespace trc::support {
 

@@ -9,7 +9,7 @@
 
 #include "core/base/diagnostic.h"
 #include "core/session/session.h"
-#include "core/trc/compensated_block.h"
+#include "core/trc/result/compensated_block.h"
 #include "tests/support/contours.h"
 #include "tests/support/slow_trc.h"
 

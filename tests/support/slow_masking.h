@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "core/geometry/segment.h"
-#include "core/nc/trc_mode.h"
+#include "core/nc/state/trc_mode.h"
 #include "tests/support/contours.h"
 
 namespace trc::support {

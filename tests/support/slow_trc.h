@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "core/base/diagnostic.h"
-#include "core/nc/trc_mode.h"
-#include "core/trc/compensated_block.h"
+#include "core/nc/state/trc_mode.h"
+#include "core/trc/result/compensated_block.h"
 #include "tests/support/contours.h"
 
 namespace trc::support {

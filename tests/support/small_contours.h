@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "core/nc/trc_mode.h"
+#include "core/nc/state/trc_mode.h"
 #include "tests/support/contours.h"
 #include "tests/support/random.h"
 

@@ -1,4 +1,4 @@
-#include "core/trc/certificate.h"
+#include "core/trc/loops/certificate.h"
 
 #include <gtest/gtest.h>
 

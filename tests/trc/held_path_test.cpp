@@ -1,4 +1,4 @@
-#include "core/trc/held_path.h"
+#include "core/trc/loops/held_path.h"
 
 #include <gtest/gtest.h>
 

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/trc/compensated_block.h"
+#include "core/trc/result/compensated_block.h"
 #include "proto/wire/block.h"
 
 namespace trc::wire {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/trc/corner.h"
+#include "core/trc/corner/corner.h"
 
 namespace trc::selection {
 

@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "core/geometry/distance.h"
-#include "core/trc/corner.h"
-#include "core/trc/selection_limit.h"
+#include "core/trc/corner/corner.h"
+#include "core/trc/selection/selection_limit.h"
 
 namespace trc::selection {
 namespace {

@@ -4,7 +4,7 @@
 
 #include "core/base/tolerances.h"
 #include "core/geometry/segment.h"
-#include "core/trc/corner.h"
+#include "core/trc/corner/corner.h"
 
 namespace trc::selection {
 

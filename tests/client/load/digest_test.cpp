@@ -1,4 +1,4 @@
-#include "client/cli/load/digest.h"
+#include "client/load/digest.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "client/cli/load/generator.h"
+#include "client/load/generator.h"
 
 #include <grpcpp/grpcpp.h>
 #include <gtest/gtest.h>

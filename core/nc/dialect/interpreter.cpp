@@ -1,0 +1,452 @@
+#include "core/nc/dialect/interpreter.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "core/nc/dialect/block_words.h"
+
+namespace trc {
+namespace {
+
+constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+constexpr std::size_t spare_lines = 2048;  // as many as a message of 64 KiB holds
+constexpr std::size_t longest_spare_line = 256;
+constexpr std::size_t usual_words = 8;
+
+std::string_view without_blanks_in_front(std::string_view text) {
+  while (!text.empty() && (text.front() == ' ' || text.front() == '\t')) text.remove_prefix(1);
+  return text;
+}
+
+constexpr std::string_view center_letters = "IJKR";
+
+char upper(char letter) {
+  return letter >= 'a' && letter <= 'z' ? static_cast<char>(letter - 'a' + 'A') : letter;
+}
+
+bool is_line_end(char byte) { return byte == '\n' || byte == '\r'; }
+
+// Enters which roles and axes there are.
+void sum_up_words(ProgramLine& line) {
+  line.roles = 0;
+  line.names_other_axes = false;
+  line.main_axes = 0;
+  for (const WordRange& word : line.words) {
+    line.roles |= bit(word.role);
+    if (word.role != WordRole::coordinate) continue;
+    const char letter = upper(line.text[word.begin]);
+    if (letter >= 'X' && letter <= 'Z') {
+      line.main_axes |= static_cast<std::uint8_t>(1U << (letter - 'X'));
+    } else if (center_letters.find(letter) == std::string_view::npos) {
+      line.names_other_axes = true;
+    }
+  }
+}
+
+// Few lines get past this.
+bool may_be_continued(std::string_view line) {
+  return !line.empty() && (line.back() == '\\' || line.back() == ' ' || line.back() == '\t');
+}
+
+std::string_view last_line_of(std::string_view text) {
+  const std::size_t line_end = text.find_last_of("\r\n");
+  return line_end == std::string_view::npos ? text : text.substr(line_end + 1);
+}
+
+Side side_of(int g_number) {
+  return g_number == 41 ? Side::left : g_number == 42 ? Side::right : Side::off;
+}
+
+Selection selection_of(int g_number) {
+  switch (g_number) {
+    case 138:
+      return Selection::direct;
+    case 236:
+      return Selection::on_path;
+    case 237:
+      return Selection::perpendicular;
+    case 238:
+      return Selection::inside_corner;
+    case 239:
+      return Selection::without_block;
+    default:
+      return Selection::indirect;
+  }
+}
+
+constexpr std::array<MotionKind, 4> motions{MotionKind::rapid, MotionKind::linear,
+                                            MotionKind::clockwise, MotionKind::counter_clockwise};
+
+}  // namespace
+
+Interpreter::Interpreter(const ReaderLimits& limits, ProgramState& state, Diagnostics& diagnostics)
+    : limits_(limits),
+      state_(state),
+      diagnostics_(diagnostics),
+      absolute_center_(state.setup().absolute_center) {
+  axis_of_letter_.fill(-1);
+  for (const char main : {'X', 'Y', 'Z'})
+    axis_of_letter_[static_cast<std::size_t>(main - 'A')] = static_cast<std::int16_t>(main - 'X');
+  std::int16_t index = 3;
+  for (const std::string& name : state.setup().tracking_axes) {
+    if (name.size() == 1 && name[0] >= 'A' && name[0] <= 'Z') {
+      std::int16_t& place = axis_of_letter_[static_cast<std::size_t>(name[0] - 'A')];
+      if (place < 0) place = index;
+    }
+    ++index;
+  }
+}
+
+bool Interpreter::feed(std::string_view text, std::vector<LinePointer>& lines) {
+  if (diagnostics_.stopped()) return false;
+  if (carriage_return_ && !text.empty()) {
+    carriage_return_ = false;
+    const bool line_feed = text.front() == '\n';
+    if (line_feed) text.remove_prefix(1);
+    if (!take_line({}, line_feed ? "\r\n" : "\r", lines)) return false;
+  }
+  // Each sign is looked for once, not once for every one of the other.
+  std::size_t line_feed = 0;
+  std::size_t carriage_return = 0;
+  const auto find_from = [&](char sign, std::size_t at, std::size_t& found) {
+    if (found < at || at == 0) found = std::min(text.find(sign, at), text.size());
+  };
+  std::size_t at = 0;
+  while (at < text.size()) {
+    find_from('\n', at, line_feed);
+    find_from('\r', at, carriage_return);
+    const std::size_t end = std::min(line_feed, carriage_return);
+    const std::string_view part = text.substr(at, end - at);
+    if (partial_.size() + part.size() > limits_.longest_line) return refuse_long_line();
+    if (end == text.size()) {
+      partial_.append(part);
+      return true;
+    }
+    std::string_view line_end = "\n";
+    if (text[end] == '\r') {
+      if (end + 1 == text.size()) {
+        partial_.append(part);
+        carriage_return_ = true;
+        return true;
+      }
+      line_end = text[end + 1] == '\n' ? "\r\n" : "\r";
+    }
+    at = end + line_end.size();
+    if (!take_line(part, line_end, lines)) return false;
+  }
+  return true;
+}
+
+// Takes the rest of a line, with its end; what came before of it is in partial_.
+bool Interpreter::take_line(std::string_view text, std::string_view line_end,
+                            std::vector<LinePointer>& lines) {
+  if (!partial_.empty()) {
+    partial_.append(text);
+    text = partial_;
+  }
+  if (lines_read_ == 0 && continued_ == 0 && text.starts_with(byte_order_mark)) {
+    enter_modes(append_line(byte_order_mark, {}, lines));
+    text.remove_prefix(byte_order_mark.size());
+  }
+  const std::string_view last_line = continued_ == 0 ? text : last_line_of(text);
+  if (!ended_ && comment_block_ == 0 && may_be_continued(last_line) && is_continued(last_line)) {
+    if (line_end.empty()) return refuse_open_line();
+    if (partial_.empty()) partial_.assign(text);
+    partial_.erase(0, partial_.size() - text.size());  // the byte order mark
+    partial_.append(line_end);
+    ++continued_;
+    return true;
+  }
+  ProgramLine& line = append_line(text, line_end, lines);
+  lines_read_ += 1 + std::exchange(continued_, 0U);
+  partial_.clear();
+  const bool goes_on = read_line(line);
+  enter_modes(line);
+  return goes_on;
+}
+
+ProgramLine& Interpreter::append_line(std::string_view text, std::string_view line_end,
+                                      std::vector<LinePointer>& lines) {
+  if (spare_.empty()) {
+    lines.emplace_back(std::make_unique<ProgramLine>())->words.reserve(usual_words);
+  } else {
+    lines.push_back(std::move(spare_.back()));
+    spare_.pop_back();
+  }
+  ProgramLine& line = *lines.back();
+  line.text.assign(text);
+  line.line_end = line_end;
+  line.source = {.index = blocks_read_, .line = static_cast<std::uint32_t>(lines_read_ + 1)};
+  line.words.clear();
+  line.roles = 0;
+  line.names_other_axes = false;
+  line.main_axes = 0;
+  line.has_words = line.is_motion = line.has_trc_words = false;
+  line.ends_program = false;
+  return line;
+}
+
+void Interpreter::enter_modes(ProgramLine& line) const {
+  line.motion = motion_;
+  line.incremental = incremental_;
+  line.inch = inch_;
+  line.absolute_center = absolute_center_;
+  line.plane = state_.mode().plane;
+  line.feed = feed_mode_ == 94 ? feed_ : 0;
+}
+
+void Interpreter::recycle(LinePointer line) {
+  if (spare_.size() == spare_lines || line->text.capacity() > longest_spare_line) return;
+  spare_.push_back(std::move(line));
+}
+
+bool Interpreter::finish(std::vector<LinePointer>& lines) {
+  if (diagnostics_.stopped()) return false;
+  if (carriage_return_) {
+    carriage_return_ = false;
+    if (!take_line({}, "\r", lines)) return false;
+  }
+  const bool continued_to_nothing = !partial_.empty() && is_line_end(partial_.back());
+  if (continued_to_nothing) return refuse_open_line();
+  if (!partial_.empty() && !take_line({}, {}, lines)) return false;
+  const auto last_line = static_cast<std::uint32_t>(std::max<std::uint64_t>(lines_read_, 1));
+  if (comment_block_ != 0)
+    return diagnostics_.report(
+        diagnostic(Code::nc_unclosed, {.line = comment_block_}, "#COMMENT BEGIN"));
+  if (blocks_read_ == 0)
+    return diagnostics_.report(diagnostic(Code::program_empty, {.line = last_line}));
+  state_.place(0);
+  return state_.end({.index = blocks_read_, .line = last_line});
+}
+
+bool Interpreter::refuse_long_line() {
+  Diagnostic refused = diagnostic(
+      Code::nc_line_too_long,
+      {.index = blocks_read_, .line = static_cast<std::uint32_t>(lines_read_ + continued_ + 1)});
+  refused.values = {{"longest_line", static_cast<double>(limits_.longest_line)}};
+  partial_.clear();
+  return diagnostics_.report(std::move(refused));
+}
+
+// The text ends behind a `\`.
+bool Interpreter::refuse_open_line() {
+  const auto last_line = static_cast<std::uint32_t>(lines_read_ + std::max(continued_, 1U));
+  return diagnostics_.report(
+      diagnostic(Code::nc_unclosed, {.index = blocks_read_, .line = last_line}, "\\"));
+}
+
+// The place of a fault is its physical line, also within a continued block.
+bool Interpreter::refuse(const ProgramLine& line, const TextFault& fault) {
+  Source source = line.source;
+  std::size_t line_begin = 0;
+  for (std::size_t at = 0; at < fault.begin && at < line.text.size(); ++at) {
+    const bool ends =
+        line.text[at] == '\n' || (line.text[at] == '\r' && line.text.compare(at, 2, "\r\n") != 0);
+    if (!ends) continue;
+    ++source.line;
+    line_begin = at + 1;
+  }
+  Diagnostic refused = diagnostic(fault.code, source, fault.detail);
+  refused.column = static_cast<std::uint32_t>(fault.begin - line_begin + 1);
+  return diagnostics_.report(std::move(refused));
+}
+
+bool Interpreter::refuse(const ProgramLine& line, const Word& word, Code code, std::string detail) {
+  if (detail.empty()) detail = line.text.substr(word.begin, word.end - word.begin);
+  return refuse(line, TextFault{.code = code, .begin = word.begin, .detail = std::move(detail)});
+}
+
+// Diagnostics of the state name the column too, where the block is one line.
+void Interpreter::place(const ProgramLine& line, std::uint32_t begin) {
+  const bool one_line = line.source.line == lines_read_;
+  const bool in_first_line = one_line || line.text.find_first_of("\r\n") >= begin;
+  state_.place(in_first_line ? begin + 1 : 0);
+}
+
+bool Interpreter::read_line(ProgramLine& line) {
+  if (PlainMotion plain; is_plain(line, plain)) return apply(line, plain);
+  line.words.clear();
+  const std::string_view text = without_blanks_in_front(line.text);
+  const bool is_name = text.starts_with('%');
+  if (!ended_ && comment_block_ == 0 && !is_name) return text.empty() || read_block(line);
+
+  const std::size_t bad =
+      ended_ ? first_byte_that_is_no_utf8(line.text) : first_byte_that_is_no_text(line.text);
+  if (bad != std::string_view::npos)
+    return refuse(line, TextFault{.code = Code::nc_not_text,
+                                  .begin = static_cast<std::uint32_t>(bad),
+                                  .detail = "in a text that is only passed on"});
+  if (ended_) return true;
+  if (comment_block_ != 0) return read_comment_block(line);
+  const auto place_of_name = static_cast<std::uint32_t>(line.text.size() - text.size());
+  const bool local =
+      text.size() > 2 && (text[1] == 'L' || text[1] == 'l') && (text[2] == ' ' || text[2] == '\t');
+  if (local || blocks_read_ > 0)
+    return refuse(line, TextFault{.code = Code::nc_unsupported,
+                                  .begin = place_of_name,
+                                  .detail = local ? "%L, a subprogram" : "%, a second program"});
+  return true;
+}
+
+bool Interpreter::read_block(ProgramLine& line) {
+  BlockWords block;
+  const bool readable = read_words(line, block);
+  sum_up_words(line);
+  if (!readable) return false;
+  if ((line.roles & ~bit(WordRole::comment)) == 0) return true;
+  line.has_words = true;
+  ++blocks_read_;
+  if (!check_block(line, block)) return false;
+  sum_up_words(line);
+  return apply(line, block);
+}
+
+// Whether the line can be read in one pass, with nothing to refuse before its motion.
+bool Interpreter::is_plain(ProgramLine& line, PlainMotion& plain) const {
+  return !ended_ && comment_block_ == 0 && feed_mode_ == 94 && plain.read(line.text, line.words) &&
+         (!plain.has_feed() || state_.is_feed(plain.feed() * length_unit()));
+}
+
+bool Interpreter::apply(ProgramLine& line, const PlainMotion& plain) {
+  line.source.number = plain.number();
+  line.roles = plain.roles();
+  line.main_axes = plain.main_axes();
+  line.has_words = true;
+  ++blocks_read_;
+  if (plain.has_function()) motion_ = plain.motion();
+  if (plain.has_feed()) feed_ = plain.feed() * length_unit();
+  state_.place(plain.first_coordinate() + 1);
+  MoveRequest request;
+  plain.enter(request);
+  return move(line, request);
+}
+
+bool Interpreter::apply(ProgramLine& line, BlockWords& block) {
+  line.has_trc_words = line.has(WordRole::trc);
+  const auto pass = [&](WordRole role) { return !line.has(role) || pass_words(line, role); };
+  const bool goes_on = apply_modes(line, block) && apply_trc(line, block) &&
+                       pass(WordRole::technology) && apply_motion(line, block) &&
+                       pass(WordRole::stop);
+  if (!goes_on) return false;
+  if (!line.ends_program) return true;
+  ended_ = true;
+  state_.place(0);
+  return state_.end(line.source);
+}
+
+bool Interpreter::apply_modes(const ProgramLine& line, const BlockWords& block) {
+  using enum GGroup;
+  if (block.has(motion))
+    motion_ = motions[static_cast<std::size_t>(block.of(motion).function->number)];
+  if (block.has(unit)) inch_ = block.of(unit).is(70);
+  if (block.has(dimension)) incremental_ = block.of(dimension).is(91);
+  if (block.has(feed_mode)) feed_mode_ = block.of(feed_mode).function->number;
+  if (block.feed) feed_ = block.feed->value * length_unit();
+  if (block.has(circle_center)) {
+    absolute_center_ = block.of(circle_center).is(161);
+    state_.set_absolute_center(absolute_center_);
+  }
+  if (block.has(circle_check)) state_.set_circle_correction(block.of(circle_check).is(165));
+  if (block.has(zero_shift)) state_.forget_position();
+  if (!block.has(plane)) return true;
+  place(line, block.of(plane).begin);
+  const int number = block.of(plane).function->number;
+  return state_.set_plane(number == 17   ? Plane::xy
+                          : number == 18 ? Plane::zx
+                                         : Plane::yz,
+                          line.source);
+}
+
+// Modes and radius before the side, so that G41 begins with all of its block.
+bool Interpreter::apply_trc(const ProgramLine& line, const BlockWords& block) {
+  using enum GGroup;
+  const Source& source = line.source;
+  const auto at = [&](std::uint32_t begin) { return place(line, begin), true; };
+  const auto has = [&](GGroup group) { return block.has(group) && at(block.of(group).begin); };
+
+  if (has(transition) &&
+      !state_.set_transition(
+          block.of(transition).is(25) ? Transition::linear : Transition::circular, source))
+    return false;
+  if (has(masking) &&
+      !state_.set_masking(block.of(masking).is(141) ? Masking::on : Masking::off, source))
+    return false;
+  if (has(feed_adaptation) &&
+      !state_.set_feed_adaptation(
+          block.of(feed_adaptation).is(11) ? FeedAdaptation::on : FeedAdaptation::off, source))
+    return false;
+  if (block.options && at(block.command) && !state_.set_options(*block.options, source))
+    return false;
+  if (block.tangfeed && at(block.command) &&
+      !state_.set_tangfeed_minimum(*block.tangfeed * length_unit(), source))
+    return false;
+  if (has(selection) &&
+      !state_.set_selection(selection_of(block.of(selection).function->number), source))
+    return false;
+  if (block.tool_radius && at(block.tool_radius->begin) &&
+      !state_.set_tool_radius(block.tool_radius->value * length_unit(), source))
+    return false;
+  if (block.tool && at(block.tool->begin) &&
+      !state_.set_tool(static_cast<std::int64_t>(block.tool->value), source))
+    return false;
+  if (has(tangential) && !state_.set_tangential(source)) return false;
+  if (!has(side)) return true;
+  return state_.select(side_of(block.of(side).function->number), source);
+}
+
+bool Interpreter::apply_motion(ProgramLine& line, BlockWords& block) {
+  const bool axis_is_position = !block.has(GGroup::dwell) && !block.of(GGroup::zero_shift).is(92);
+  if ((!block.axis || !axis_is_position) && !block.center) return true;
+  const std::uint32_t begin = std::min(block.axis.value_or(~0U), block.center.value_or(~0U));
+  place(line, begin);
+  const bool per_minute = feed_mode_ == 94;
+  const bool adapted = state_.mode().feed_adaptation == FeedAdaptation::on;
+  if (!per_minute && state_.contour_open() && (feed_mode_ == 93 || adapted))
+    return refuse(line,
+                  TextFault{.code = Code::nc_unsupported,
+                            .begin = begin,
+                            .detail = std::string("G")
+                                          .append(std::to_string(feed_mode_))
+                                          .append(adapted ? " with G11" : " while TRC is active")});
+  return move(line, block.move);
+}
+
+// The words of `request` are those of the line; the rest is in force.
+bool Interpreter::move(ProgramLine& line, MoveRequest& request) {
+  request.source = line.source;
+  request.kind = motion_;
+  request.incremental = incremental_;
+  request.feed = feed_mode_ == 94 ? feed_ : 0;
+  if (inch_) scale(request);
+  line.is_motion = true;
+  return state_.move(request);
+}
+
+// From inch to mm.
+void Interpreter::scale(MoveRequest& request) const {
+  const auto scale = [](std::optional<double>& value) {
+    if (value) *value *= mm_per_inch;
+  };
+  for (auto& coordinate : request.end) scale(coordinate);
+  for (auto& coordinate : request.center) scale(coordinate);
+  scale(request.radius);
+  // U V W are linear axes, A B C turn: degrees have no inch.
+  const auto& names = state_.setup().tracking_axes;
+  for (std::size_t axis = 0; axis < request.tracking.size(); ++axis)
+    if (!names[axis].empty() &&
+        std::string_view("UVWXYZ").find(names[axis][0]) != std::string_view::npos)
+      scale(request.tracking[axis]);
+}
+
+// The words of one role as one text, in their order.
+bool Interpreter::pass_words(const ProgramLine& line, WordRole role) {
+  std::string text;
+  for (const WordRange& range : line.words) {
+    if (range.role != role) continue;
+    if (!text.empty()) text += ' ';
+    text += line.word(range);
+  }
+  return state_.pass(line.source, std::move(text));
+}
+
+}  // namespace trc

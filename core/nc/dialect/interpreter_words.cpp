@@ -1,0 +1,385 @@
+#include <algorithm>
+#include <string>
+
+#include "core/nc/dialect/block_words.h"
+#include "core/nc/dialect/trc_command.h"
+#include "core/nc/text/number_format.h"
+
+namespace trc {
+namespace {
+
+char upper(char letter) {
+  return letter >= 'a' && letter <= 'z' ? static_cast<char>(letter - 'a' + 'A') : letter;
+}
+
+std::string_view trimmed(std::string_view text) {
+  const std::size_t last = text.find_last_not_of(" \t");
+  return text.substr(0, last == std::string_view::npos ? 0 : last + 1);
+}
+
+bool same_name(std::string_view a, std::string_view b) {
+  return std::ranges::equal(a, b, {}, upper, upper);
+}
+
+WordRole role_of(GGroup group) {
+  switch (group) {
+    case GGroup::motion:
+      return WordRole::motion;
+    case GGroup::tangential:
+    case GGroup::feed_adaptation:
+    case GGroup::transition:
+    case GGroup::side:
+    case GGroup::selection:
+    case GGroup::masking:
+      return WordRole::trc;
+    case GGroup::plane:
+    case GGroup::unit:
+    case GGroup::dimension:
+    case GGroup::circle_center:
+    case GGroup::circle_check:
+      return WordRole::mode;
+    default:
+      return WordRole::technology;
+  }
+}
+
+Code twice_code(GGroup group) {
+  switch (group) {
+    case GGroup::transition:
+      return Code::transition_type_twice;
+    case GGroup::side:
+      return Code::compensation_side_twice;
+    case GGroup::selection:
+      return Code::selection_mode_twice;
+    default:
+      return Code::nc_group_twice;
+  }
+}
+
+void add(ProgramLine& line, const Word& word, WordRole role) {
+  line.words.push_back({.begin = word.begin, .end = word.end, .role = role});
+}
+
+// The words behind `#`, upper case, joined by one blank: at most two.
+std::string command_name(std::string_view command) {
+  std::string name;
+  std::size_t at = 1;
+  for (int part = 0; part < 2; ++part) {
+    while (at < command.size() && (command[at] == ' ' || command[at] == '\t')) ++at;
+    if (part > 0) name += ' ';
+    for (; at < command.size(); ++at) {
+      const char letter = upper(command[at]);
+      if ((letter < 'A' || letter > 'Z') && letter != '_') break;
+      name += letter;
+    }
+  }
+  return name;
+}
+
+struct ForbiddenCommand {
+  std::string_view name;
+  Code while_active;
+};
+
+// Spec 1.11. While TRC is off they are refused as not followed here.
+constexpr auto forbidden_commands = std::to_array<ForbiddenCommand>({
+    {"CS ", Code::coordinate_system_while_active},
+    {"ACS ", Code::coordinate_system_while_active},
+    {"MCS ", Code::coordinate_system_while_active},
+    {"AX LINK", Code::axis_link_while_active},
+    {"ENABLE AX", Code::axis_link_while_active},
+    {"DISABLE AX", Code::axis_link_while_active},
+    {"PSET ", Code::preset_while_active},
+    {"PRESET ", Code::preset_while_active},
+    {"PTP ", Code::point_to_point_while_active},
+    {"RT WHILE", Code::real_time_loop_while_active},
+});
+
+// Commands that say nothing about where the path runs.
+constexpr auto passing_commands =
+    std::to_array<std::string_view>({"MSG ", "FLUSH ", "SLOPE ", "CONTOUR MODE", "HSC "});
+
+}  // namespace
+
+bool Interpreter::read_words(ProgramLine& line, BlockWords& block) {
+  WordReader reader(line.text);
+  for (;;) {
+    const Word word = reader.next();
+    switch (word.kind) {
+      case WordKind::end:
+        if (block.has_command && block.words > 1)
+          return refuse(line,
+                        TextFault{.begin = block.command, .detail = "# not alone in its block"});
+        if (block.number_alone && !block.has(GGroup::dwell))
+          return refuse(
+              line, TextFault{.begin = *block.number_alone, .detail = "a number without letter"});
+        return true;
+      case WordKind::fault:
+        return refuse(line, reader.fault());
+      case WordKind::comment:
+        add(line, word, WordRole::comment);
+        continue;
+      case WordKind::address:
+        if (word.letter == 'N') {
+          if (!read_number(word, line, block)) return false;
+          continue;
+        }
+        if (!(word.letter == 'G' ? read_g_function(word, line, block)
+                                 : read_address(word, line, block)))
+          return false;
+        break;
+      case WordKind::number:
+        if (block.number_alone) return refuse(line, word, Code::nc_syntax);
+        block.number_alone = word.begin;
+        add(line, word, WordRole::technology);
+        break;
+      case WordKind::variable:
+        if (block.tool) return refuse(line, word, Code::radius_and_tool_word_together);
+        if (block.tool_radius) return refuse(line, word, Code::nc_word_twice);
+        block.tool_radius = {.value = word.value, .begin = word.begin};
+        add(line, word, WordRole::trc);
+        break;
+      case WordKind::command:
+        if (!read_command(word, line, block)) return false;
+        break;
+    }
+    ++block.words;
+  }
+}
+
+// A continued line may have a number of its own; the first one counts.
+bool Interpreter::read_number(const Word& word, ProgramLine& line, BlockWords&) {
+  if (word.has_argument || !word.whole || !is_whole(word.value))
+    return refuse(line, word, Code::nc_number);
+  if (line.source.number != Source::no_number) {
+    const std::size_t before = line.text.find_last_not_of(" \t", word.begin - 1U);
+    const bool new_line = line.text[before] == '\n' || line.text[before] == '\r';
+    if (!new_line) return refuse(line, word, Code::nc_word_twice);
+  } else {
+    line.source.number = static_cast<std::int64_t>(word.value);
+  }
+  add(line, word, WordRole::number);
+  return true;
+}
+
+bool Interpreter::read_g_function(const Word& word, ProgramLine& line, BlockWords& block) {
+  const GFunction* function =
+      word.has_argument || word.whole ? find_g_function(word.value) : nullptr;
+  if (function == nullptr) return refuse(line, word, Code::nc_unknown_function);
+  const GGroup group = function->group;
+  const auto named = [&](std::string_view why) {
+    return std::string("G").append(std::to_string(function->number)).append(why);
+  };
+  if (group == GGroup::refused || group == GGroup::spatial_circle) {
+    const bool published = group == GGroup::spatial_circle && state_.just_deselected();
+    return refuse(line, word,
+                  published ? Code::spatial_circle_after_deselection : Code::nc_unsupported,
+                  named(", ").append(function->meaning));
+  }
+  if (group == GGroup::zero_shift && state_.contour_open())
+    return refuse(line, word, Code::nc_unsupported, named(" while TRC is active"));
+  const bool may_have_argument = group == GGroup::zero_shift || group == GGroup::technology ||
+                                 group == GGroup::axis_technology;
+  if (word.has_argument && !may_have_argument) return refuse(line, word, Code::nc_syntax);
+  BlockWords::Function& seen = block.functions[static_cast<std::size_t>(group)];
+  if (seen.function != nullptr && group != GGroup::technology && group != GGroup::axis_technology)
+    return refuse(line, word, twice_code(group));
+  seen = {.function = function, .begin = word.begin};
+  // Where there is nothing to end, G40 is a line of the program like any other.
+  const bool ends_nothing = group == GGroup::side && function->number == 40;
+  add(line, word, ends_nothing && !state_.contour_open() ? WordRole::mode : role_of(group));
+  return true;
+}
+
+bool Interpreter::read_address(const Word& word, ProgramLine& line, BlockWords& block) {
+  const char letter = word.letter;
+  const auto twice = [&] { return refuse(line, word, Code::nc_word_twice); };
+  const bool may_have_argument = letter == 'S' || letter == 'M' || letter == 'H';
+  const bool axis_letter = letter <= 'C' || letter == 'Q' || letter >= 'U';
+  if (axis_letter) return read_axis(word, line, block);
+  if (word.has_argument && !may_have_argument) return refuse(line, word, Code::nc_syntax);
+  switch (letter) {
+    case 'I':
+    case 'J':
+    case 'K': {
+      auto& center = block.move.center[static_cast<std::size_t>(letter - 'I')];
+      if (center) return twice();
+      center = word.value;
+      break;
+    }
+    case 'R':
+      if (block.move.radius) return twice();
+      block.move.radius = word.value;
+      break;
+    case 'F':
+      if (block.feed) return twice();
+      if (word.value < 0) return refuse(line, word, Code::nc_number);
+      block.feed = {.value = word.value, .begin = word.begin};
+      add(line, word, WordRole::feed);
+      return true;
+    case 'D':
+      if (block.tool) return twice();
+      if (block.tool_radius) return refuse(line, word, Code::radius_and_tool_word_together);
+      if (!is_whole(word.value)) return refuse(line, word, Code::nc_number);
+      block.tool = {.value = word.value, .begin = word.begin};
+      add(line, word, WordRole::technology);
+      return true;
+    case 'T':
+      if (std::exchange(block.has_tool_number, true)) return twice();
+      add(line, word, WordRole::technology);
+      return true;
+    case 'S':
+      if (!word.has_argument && std::exchange(block.has_spindle, true)) return twice();
+      add(line, word, WordRole::technology);
+      return true;
+    case 'H':
+      add(line, word, WordRole::technology);
+      return true;
+    case 'M': {
+      if (word.value == 17 || word.value == 29)
+        return refuse(line, word, Code::nc_unsupported, "M17, M29, the end of a subprogram");
+      const bool ends = word.value == 2 || word.value == 30;
+      line.ends_program |= ends;
+      add(line, word,
+          ends || word.value == 0 || word.value == 1 ? WordRole::stop : WordRole::technology);
+      return true;
+    }
+    default:
+      return refuse(line, word, Code::nc_unsupported);
+  }
+  if (!block.center) block.center = word.begin;
+  add(line, word, WordRole::coordinate);
+  return true;
+}
+
+bool Interpreter::read_axis(const Word& word, ProgramLine& line, BlockWords& block) {
+  int axis = axis_of_letter_[static_cast<std::size_t>(word.letter - 'A')];
+  double value = word.value;
+  if (word.has_argument) {  // an axis with a name of its own
+    const std::string_view text = line.word({.begin = word.begin, .end = word.end});
+    const std::string_view name = trimmed(text.substr(0, text.find('=')));
+    const auto& names = state_.setup().tracking_axes;
+    const auto found = std::ranges::find_if(
+        names, [&](const std::string& candidate) { return same_name(candidate, name); });
+    axis = found == names.end() ? -1 : static_cast<int>(found - names.begin()) + 3;
+    value = word.argument;
+  }
+  if (axis < 0) return refuse(line, word, Code::nc_axis_unknown);
+  const auto index = static_cast<std::size_t>(axis);
+  if (index >= 3 && block.move.tracking.size() <= index - 3)
+    block.move.tracking.resize(state_.setup().tracking_axes.size());
+  auto& coordinate = index < 3 ? block.move.end[index] : block.move.tracking[index - 3];
+  if (coordinate) return refuse(line, word, Code::nc_word_twice);
+  coordinate = value;
+  if (!block.axis) block.axis = word.begin;
+  add(line, word, WordRole::coordinate);
+  return true;
+}
+
+// What the words of a block must be together: which need another, which stand
+// alone, and where axis letters are no positions.
+bool Interpreter::check_block(ProgramLine& line, const BlockWords& block) {
+  using enum GGroup;
+  const auto wrong = [&](Code code, const BlockWords::Function& function, const char* why) {
+    return refuse(
+        line,
+        TextFault{
+            .code = code,
+            .begin = function.begin,
+            .detail =
+                std::string("G").append(std::to_string(function.function->number)).append(why)});
+  };
+  const bool main_axis_only = std::ranges::none_of(
+      block.move.tracking, [](const auto& value) { return value.has_value(); });
+  if (block.has(dwell)) {
+    const bool time = block.number_alone || block.has_spindle || (block.axis && main_axis_only);
+    if (block.words > 2 || (block.words == 2 && !time))
+      return wrong(Code::nc_syntax, block.of(dwell), " is not alone with its time");
+    if (block.words < 2) return wrong(Code::nc_number, block.of(dwell), " without a time");
+  }
+  if (block.has(axis_technology) && (block.axis || block.center))
+    return wrong(Code::nc_unsupported, block.of(axis_technology), " with axis words");
+  if (block.has(tangential) && !block.has(side))
+    return wrong(Code::nc_syntax, block.of(tangential), " without G40, G41 or G42");
+  const bool preset = block.of(zero_shift).is(92);
+  if (preset && (block.has(motion) || block.center || block.move.radius))
+    return wrong(Code::nc_unsupported, block.of(zero_shift), " with a motion");
+  // Not feed per minute: the number is technology like any other.
+  const int feed = block.has(feed_mode) ? block.of(feed_mode).function->number : feed_mode_;
+  const bool inch = block.has(unit) ? block.of(unit).is(70) : inch_;
+  if (block.feed && feed == 94 && !state_.is_feed(block.feed->value * (inch ? mm_per_inch : 1)))
+    return refuse(line, TextFault{.code = Code::nc_number,
+                                  .begin = block.feed->begin,
+                                  .detail = "F, more than 0 and at most 1000000000 mm/min"});
+  for (WordRange& range : line.words) {
+    const bool no_position = range.role == WordRole::coordinate && (preset || block.has(dwell));
+    const bool no_feed = range.role == WordRole::feed && feed != 94;
+    if (no_position || no_feed) range.role = WordRole::technology;
+  }
+  return true;
+}
+
+bool Interpreter::read_command(const Word& word, ProgramLine& line, BlockWords& block) {
+  const std::string_view command = line.word({.begin = word.begin, .end = word.end});
+  const std::string name = command_name(command);
+  block.command = word.begin;
+  block.has_command = true;
+  const auto wrong = [&](TextFault fault) {
+    fault.begin += word.begin;
+    return refuse(line, fault);
+  };
+  if (name.starts_with("TRC ")) {
+    block.options = state_.mode().options;
+    if (auto fault = read_trc_command(command, *block.options)) return wrong(std::move(*fault));
+    add(line, word, WordRole::trc);
+    return true;
+  }
+  if (name.starts_with("TANGFEED ") || name == "SET TANGFEED") {
+    block.tangfeed = 0;
+    if (auto fault = read_tangfeed_command(command, *block.tangfeed))
+      return wrong(std::move(*fault));
+    add(line, word, WordRole::trc);
+    return true;
+  }
+  if (name == "COMMENT BEGIN") {
+    comment_block_ = line.source.line;
+    add(line, word, WordRole::comment);
+    return true;
+  }
+  double time = 0;
+  bool whole = false;
+  if (name == "TIME ") {
+    const std::size_t begin = command.find_first_of("0123456789.+-");
+    const std::size_t length =
+        begin == std::string_view::npos ? 0 : trc::read_number(command.substr(begin), time, whole);
+    if (length == 0 || begin + length != command.size()) return refuse(line, word, Code::nc_number);
+    add(line, word, WordRole::technology);
+    return true;
+  }
+  if (std::ranges::any_of(passing_commands,
+                          [&](std::string_view passing) { return name.starts_with(passing); })) {
+    add(line, word, WordRole::technology);
+    return true;
+  }
+  const auto forbidden = std::ranges::find_if(
+      forbidden_commands, [&](const auto& candidate) { return name.starts_with(candidate.name); });
+  const bool published = forbidden != forbidden_commands.end() && state_.contour_open();
+  return refuse(line, word, published ? forbidden->while_active : Code::nc_unsupported);
+}
+
+// Between #COMMENT BEGIN and #COMMENT END. Whether such blocks nest depends on
+// the setting of the control, so a second beginning is refused.
+bool Interpreter::read_comment_block(ProgramLine& line) {
+  const std::size_t sign = line.text.find('#');
+  if (sign == std::string::npos) return true;
+  const std::string name = command_name(std::string_view(line.text).substr(sign));
+  const auto begin = static_cast<std::uint32_t>(sign);
+  if (name == "COMMENT BEGIN")
+    return refuse(line, TextFault{.code = Code::nc_unsupported,
+                                  .begin = begin,
+                                  .detail = "#COMMENT BEGIN within a comment"});
+  if (name == "COMMENT END") comment_block_ = 0;
+  return true;
+}
+
+}  // namespace trc

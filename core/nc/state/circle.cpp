@@ -1,0 +1,94 @@
+#include "core/nc/state/circle.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace trc {
+namespace {
+
+constexpr double full_turn = 2 * std::numbers::pi;
+
+bool is_full_circle(const CircleEnds& ends, double same_point) {
+  return (ends.end - ends.start).norm() <= same_point;
+}
+
+Arc full_circle(const Point& center, const CircleEnds& ends) {
+  return {.start = ends.start,
+          .end = ends.start,
+          .center = center,
+          .sweep = ends.clockwise ? -full_turn : full_turn};
+}
+
+Arc part_of_circle(const Point& center, const CircleEnds& ends) {
+  double sweep = turn_between(ends.start - center, ends.end - center);
+  if (ends.clockwise && sweep >= 0) sweep -= full_turn;
+  if (!ends.clockwise && sweep <= 0) sweep += full_turn;
+  return {.start = ends.start, .end = ends.end, .center = center, .sweep = sweep};
+}
+
+}  // namespace
+
+CircleResult arc_about(const Point& center, const CircleEnds& ends, const CircleCheck& check,
+                       bool compensated, const Tolerances& tolerances) {
+  const double start_radius = (ends.start - center).norm();
+  if (start_radius <= tolerances.same_point)
+    return CircleFault{.code = Code::circle_radius_zero, .values = {{"radius", start_radius}}};
+  if (is_full_circle(ends, tolerances.same_point)) return full_circle(center, ends);
+
+  const double end_radius = (ends.end - center).norm();
+  if (start_radius == end_radius) return part_of_circle(center, ends);
+
+  // The valid centres lie on the perpendicular bisector of start and end; the
+  // nearest one is the foot of the programmed centre on it.
+  const Point middle = (ends.start + ends.end) / 2;
+  const Vector chord = (ends.end - ends.start).normalized();
+  const double shift = std::abs(chord.dot(center - middle));
+  const Point corrected = middle + left_of(chord) * left_of(chord).dot(center - middle);
+  const double radius = (ends.start - corrected).norm();
+
+  if (check.correct_center) {
+    if (shift > check.largest_shift && shift > check.largest_shift_factor * radius)  // D-35
+      return CircleFault{.code = Code::circle_center_misfit,
+                         .values = {{"center_shift", shift},
+                                    {"largest_shift", check.largest_shift},
+                                    {"corrected_radius", radius},
+                                    {"start_radius", start_radius},
+                                    {"end_radius", end_radius}}};
+  } else {
+    const double difference = std::abs(start_radius - end_radius);
+    const double limit = std::min(check.largest_radius_difference,
+                                  check.largest_radius_factor * std::max(start_radius, end_radius));
+    if (difference > limit)
+      return CircleFault{.code = Code::circle_radii_differ,
+                         .values = {{"start_radius", start_radius},
+                                    {"end_radius", end_radius},
+                                    {"largest_difference", limit}}};
+    // The control runs a spiral here, which is not the circle about either centre.
+    if (compensated && difference > tolerances.on_contour)
+      return CircleFault{.code = Code::arc_radii_differ,
+                         .values = {{"start_radius", start_radius}, {"end_radius", end_radius}}};
+  }
+  return part_of_circle(corrected, ends);
+}
+
+CircleResult arc_of_radius(double radius, const CircleEnds& ends, const CircleCheck& check,
+                           const Tolerances& tolerances) {
+  const double size = std::abs(radius);
+  if (size <= tolerances.same_point)
+    return CircleFault{.code = Code::circle_radius_zero, .values = {{"radius", radius}}};
+  if (is_full_circle(ends, tolerances.same_point))
+    return CircleFault{.code = Code::full_circle_with_radius_word, .values = {{"radius", radius}}};
+
+  const double half_chord = (ends.end - ends.start).norm() / 2;
+  if (half_chord - size > check.largest_radius_shortfall)
+    return CircleFault{.code = Code::circle_center_misfit,
+                       .values = {{"radius", radius}, {"smallest_radius", half_chord}}};
+  const double height = std::sqrt(std::max(0.0, size - half_chord) * (size + half_chord));
+  const bool center_on_the_left = ends.clockwise == (radius < 0);
+  const Vector left = left_of((ends.end - ends.start).normalized());
+  const Point middle = (ends.start + ends.end) / 2;
+  return part_of_circle(middle + (center_on_the_left ? height : -height) * left, ends);
+}
+
+}  // namespace trc

@@ -1,0 +1,92 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/base/source.h"
+#include "core/geometry/plane.h"
+#include "core/nc/state/program_state.h"
+
+namespace trc {
+
+// What a word of a line is for whoever writes the line again.
+enum class WordRole : std::uint8_t {
+  number,      // N
+  motion,      // G00 … G03
+  coordinate,  // axis words, I J K R of a motion
+  trc,         // what TRC resolves: G05 G10 G11 G25 G26 G40 … G42 G138 … G141 G236 … G239,
+               // #TRC, #TANGFEED, V.G.WZ_AKT.R=
+  mode,        // G17 … G19 G70 G71 G90 G91 G161 G162 G164 G165, G40 while TRC is off
+  feed,        // F of a feed per minute
+  technology,  // S T D M H, dwell, zero shifts with their axis words, all other G functions
+               // and commands that pass
+  stop,        // M00 M01 M02 M30: technology that acts behind the motion of its line, so behind
+               // all blocks that the motion becomes
+  comment,     // ( … ) and ; …, with the signs
+};
+
+// For sets of roles: a bit each.
+using RoleSet = std::uint16_t;
+[[nodiscard]] constexpr RoleSet bit(WordRole role) {
+  return static_cast<RoleSet>(1U << static_cast<unsigned>(role));
+}
+
+// Bytes [begin, end) of ProgramLine::text, without the blanks around. Ranges of
+// a line are in order and do not overlap; between them are blanks, tabs and
+// the `\` and line ends of continued lines.
+struct WordRange {
+  std::uint32_t begin = 0;
+  std::uint32_t end = 0;
+  WordRole role = WordRole::technology;
+
+  bool operator==(const WordRange&) const = default;
+};
+
+// Of the archives of core/base/archive.h; defined in core/nc/state_archive.h.
+template <class Archive>
+void serialize_line_end(Archive& archive, std::string_view& line_end);
+
+// One line of NC text as it was read: a block may span several lines joined by
+// `\`; they are one ProgramLine.
+//
+// text + line_end of all lines, one after the other, is the program, byte for
+// byte. A byte order mark is a line of its own, without line end.
+struct ProgramLine {
+  // `index` is that of the block when `has_words`; else that of the next one.
+  Source source{};
+  std::string text{};
+  std::string_view line_end{};  // "\n", "\r\n", "\r"; empty at the end of the text
+  std::vector<WordRange> words{};
+  RoleSet roles = 0;              // of the words
+  bool names_other_axes = false;  // a coordinate is neither X Y Z nor I J K R
+  std::uint8_t main_axes = 0;     // X Y Z among the coordinates, a bit each
+
+  bool has_words = false;  // counts in Source::index; false: name, comment, blank, after the end
+  // The line gave exactly one block of motion with this Source (of any length; a
+  // PassiveBlock with empty text when nothing moves in the plane).
+  bool is_motion = false;
+  bool has_trc_words = false;
+  bool ends_program = false;  // M02, M30
+
+  // In force at the end of the line.
+  MotionKind motion = MotionKind::rapid;
+  bool incremental = false;      // G91
+  bool inch = false;             // G70
+  bool absolute_center = false;  // G161
+  Plane plane = Plane::xy;
+  double feed = 0;  // mm/min; 0: none programmed yet, or not per minute (G93, G95)
+
+  [[nodiscard]] bool has(WordRole role) const { return (roles & bit(role)) != 0; }
+  [[nodiscard]] std::string_view word(const WordRange& range) const {
+    return std::string_view(text).substr(range.begin, range.end - range.begin);
+  }
+};
+
+// Lines stay where they are on their way from the reader to the writer and back, with the memory
+// their text takes.
+using LinePointer = std::unique_ptr<ProgramLine>;
+
+}  // namespace trc

@@ -1,0 +1,422 @@
+#include "core/nc/state/program_state.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "core/geometry/parallel.h"
+
+namespace trc {
+namespace {
+
+bool is_circle(MotionKind kind) {
+  return kind == MotionKind::clockwise || kind == MotionKind::counter_clockwise;
+}
+
+bool in_range(double value, double smallest, double largest) {
+  return value >= smallest && value <= largest;  // false for NaN
+}
+
+// G237 leaves the contour by itself, G239 where it stands; all other modes need
+// a motion block after G40 (spec 10.9).
+bool retracts_in_a_block(Selection selection) {
+  return selection != Selection::perpendicular && selection != Selection::without_block;
+}
+
+constexpr std::array<const char*, 3> axis_words{"X", "Y", "Z"};
+constexpr std::array<const char*, 3> center_words{"I", "J", "K"};
+
+}  // namespace
+
+ProgramState::ProgramState(const ProgramSetup& setup, const Tolerances& tolerances,
+                           Diagnostics& diagnostics, std::vector<Block>& blocks)
+    : setup_(setup),
+      tolerances_(tolerances),
+      diagnostics_(diagnostics),
+      blocks_(blocks),
+      mode_(setup.mode),
+      programmed_radius_(setup.mode.tool_radius),
+      absolute_center_(setup.absolute_center),
+      circle_(setup.circle),
+      position_(setup.start),
+      target_(setup.start) {
+  update_side();
+}
+
+bool ProgramState::report(const Source& source, Code code, std::string detail,
+                          std::vector<DiagnosticValue> values) {
+  Diagnostic reported = diagnostic(code, source, std::move(detail));
+  reported.column = column_;
+  reported.values = std::move(values);
+  return diagnostics_.report(std::move(reported));
+}
+
+bool ProgramState::refuse(const Source& source, Refusal refusal) {
+  return report(source, refusal.code, refusal.detail, std::move(refusal.values));
+}
+
+TrcMode& ProgramState::change_mode() {
+  shared_mode_.reset();
+  return mode_;
+}
+
+void ProgramState::share_mode() { shared_mode_ = std::make_shared<const TrcMode>(mode_); }
+
+void ProgramState::update_side() {
+  TrcMode& mode = change_mode();
+  mode.tool_radius = std::abs(programmed_radius_);
+  mode.side = programmed_side_;
+  if (programmed_radius_ < 0 && programmed_side_ != Side::off)
+    mode.side = programmed_side_ == Side::left ? Side::right : Side::left;
+}
+
+bool ProgramState::select(Side side, const Source& source) {
+  if (side == Side::off) return deselect(source);
+  if (side == programmed_side_) {
+    tangential_requested_ = false;
+    return true;
+  }
+  if (!mode_.active()) {
+    if (retract_pending_) return report(source, Code::deselection_without_motion);
+    in_plane_blocks_ = 0;
+    change_mode().selection_number = ++selections_;
+  }
+  programmed_side_ = side;
+  update_side();
+  mode_.tangential = std::exchange(tangential_requested_, false);
+  return true;
+}
+
+bool ProgramState::deselect(const Source& source) {
+  const bool tangential = std::exchange(tangential_requested_, false);
+  if (!mode_.active()) return true;
+  const bool has_contour = in_plane_blocks_ > (has_approach_ ? 1U : 0U);
+  if (has_contour && mode_.selection == Selection::without_block) {
+    const Point point = last_equidistant_point();
+    const double third = position_[axes_of(mode_.plane).third];
+    position_ = from_plane(mode_.plane, point, third);
+    target_ = position_;
+  }
+  retract_pending_ = has_contour && retracts_in_a_block(mode_.selection);
+  just_deselected_ = true;
+  TrcMode& mode = change_mode();
+  mode.deselection = mode.selection;
+  mode.tangential = tangential;
+  mode.selection_number = 0;
+  programmed_side_ = Side::off;
+  update_side();
+  return in_plane_blocks_ > 0 || report(source, Code::selection_without_contour);
+}
+
+Point ProgramState::last_equidistant_point() const {
+  const TrcMode& mode = *last_mode_;
+  const Point& end = trc::end_of(last_path_);
+  if (mode.options.suppress_trc) return end;
+  Segment path = last_path_;
+  const double shift = mode.side == Side::left ? mode.tool_radius : -mode.tool_radius;
+  if (const Arc* arc = std::get_if<Arc>(&path);
+      arc != nullptr && mode.options.conv_cir_to_lin && mode.masking == Masking::on &&
+      parallel_radius(*arc, shift) <= 0 && arc->start != arc->end)
+    path = Line{.start = arc->start, .end = arc->end};  // the chord, D-18
+  return parallel_point(end, tangent_at_end(path), shift);
+}
+
+bool ProgramState::set_selection(Selection selection, const Source& source) {
+  if (selection == mode_.selection) return true;
+  if (mode_.active() && mode_.selection == Selection::inside_corner)
+    return report(source, Code::mode_change_under_inside_corner);
+  if (mode_.active() && selection == Selection::inside_corner)
+    return report(source, Code::inside_corner_selected_while_active);
+  change_mode().selection = selection;
+  return true;
+}
+
+bool ProgramState::set_tangential(const Source& source) {
+  if (mode_.selection == Selection::inside_corner)
+    return report(source, Code::tangential_ignored_with_inside_corner);
+  tangential_requested_ = true;
+  return true;
+}
+
+bool ProgramState::set_transition(Transition transition, const Source&) {
+  if (transition != mode_.transition) change_mode().transition = transition;
+  return true;
+}
+
+bool ProgramState::set_masking(Masking masking, const Source&) {
+  if (masking != mode_.masking) change_mode().masking = masking;
+  return true;
+}
+
+bool ProgramState::set_feed_adaptation(FeedAdaptation adaptation, const Source&) {
+  if (adaptation != mode_.feed_adaptation) change_mode().feed_adaptation = adaptation;
+  return true;
+}
+
+bool ProgramState::set_tangfeed_minimum(double radius, const Source& source) {
+  if (radius < 0)
+    return report(source, Code::negative_tangfeed_minimum, "RMIN", {{"radius", radius}});
+  if (!in_range(radius, 0, tolerances_.largest_coordinate))
+    return report(source, Code::field_invalid, "RMIN", {{"radius", radius}});
+  change_mode().tangfeed_minimum = radius;
+  return true;
+}
+
+bool ProgramState::set_plane(Plane plane, const Source& source) {
+  if (plane == mode_.plane) return true;
+  if (contour_open()) return report(source, Code::plane_change_while_active);
+  change_mode().plane = plane;
+  return true;
+}
+
+bool ProgramState::set_tool_radius(double radius, const Source& source) {
+  if (!in_range(radius, -largest_tool_radius, largest_tool_radius))
+    return report(source, Code::tool_radius_out_of_range, {},
+                  {{"tool_radius", radius}, {"largest", largest_tool_radius}});
+  if (radius == programmed_radius_) return true;
+  if (mode_.active() && mode_.selection == Selection::inside_corner)
+    return report(source, Code::radius_change_under_inside_corner, {}, {{"tool_radius", radius}});
+  programmed_radius_ = radius;
+  update_side();
+  return true;
+}
+
+bool ProgramState::set_tool(std::int64_t number, const Source& source) {
+  const auto tool = setup_.tools.find(number);
+  if (tool != setup_.tools.end()) return set_tool_radius(tool->second, source);
+  if (number == 0) return set_tool_radius(0, source);
+  return report(source, Code::tool_unknown, std::string("D").append(std::to_string(number)));
+}
+
+bool ProgramState::set_options(const TrcOptions& options, const Source& source) {
+  if (options.inverse) return report(source, Code::inverse_without_online);
+  if (!in_range(options.tangential_limit, 0.1, 3))
+    return report(source, Code::trc_option_out_of_range, "TANGENTIAL_LIMIT, 0.1 to 3 degrees",
+                  {{"value", options.tangential_limit}});
+  const SplitOption& split = options.split;
+  if (split.where != SplitOption::Where::off) {
+    const double largest = tolerances_.largest_coordinate;
+    const bool first = split.distance_1 > 0 && split.distance_1 <= largest && is_feed(split.feed_1);
+    const bool second =
+        split.distance_2 > 0 && split.distance_2 <= largest && is_feed(split.feed_2);
+    const bool no_second = split.distance_2 == 0 && split.feed_2 == 0;
+    if (!first || !(second || no_second) || split.axis > 2)
+      return report(source, Code::trc_option_out_of_range,
+                    "SPLIT needs a main axis (or SPLIT_PATH) and a positive DIST_SEG and FEED_SEG "
+                    "for each segment");
+  }
+  TrcMode& mode = change_mode();
+  mode.options = options;
+  if (in_range(options.stretch_factor, 1, 9)) return true;
+  mode.options.stretch_factor = 1;
+  return report(source, Code::stretch_factor_out_of_range, "STRETCH_FACTOR",
+                {{"value", options.stretch_factor}});
+}
+
+bool ProgramState::find_end(const MoveRequest& request, Position& end) const {
+  end = target_;
+  bool all_in_range = true;
+  for (std::size_t axis = 0; axis < end.size(); ++axis) {
+    if (!request.end[axis]) continue;
+    end[axis] = end_on(axis, request);
+    all_in_range &=
+        in_range(end[axis], -tolerances_.largest_coordinate, tolerances_.largest_coordinate);
+  }
+  return all_in_range;
+}
+
+ProgramState::Refusal ProgramState::end_out_of_range(const MoveRequest& request) const {
+  for (std::size_t axis = 0; axis < request.end.size(); ++axis) {
+    if (!request.end[axis]) continue;
+    const double value = end_on(axis, request);
+    if (!in_range(value, -tolerances_.largest_coordinate, tolerances_.largest_coordinate))
+      return {.code = std::isfinite(value) ? Code::end_point_out_of_range : Code::field_invalid,
+              .detail = axis_words[axis],
+              .values = {{"coordinate", value}, {"largest", tolerances_.largest_coordinate}}};
+  }
+  return {};
+}
+
+std::optional<ProgramState::Refusal> ProgramState::unknown_start(const MoveRequest& request) const {
+  if (all_known()) return {};
+  const PlaneAxes axes = axes_of(mode_.plane);
+  const bool in_plane =
+      request.end[axes.first] || request.end[axes.second] || is_circle(request.kind);
+  for (std::size_t axis = 0; axis < known_.size(); ++axis) {
+    if (known_[axis]) continue;
+    const bool counts_from_start = request.end[axis] && request.incremental;
+    const bool needed = axis != axes.third && in_plane &&
+                        (!request.end[axis] || is_circle(request.kind) || mode_.active());
+    if (counts_from_start || needed)
+      return Refusal{.code = Code::position_unknown, .detail = axis_words[axis]};
+  }
+  return {};
+}
+
+std::optional<ProgramState::Refusal> ProgramState::circle(const MoveRequest& request,
+                                                          const Position& end, Arc& arc) const {
+  const PlaneAxes axes = axes_of(mode_.plane);
+  if (request.center[axes.third])
+    return Refusal{.code = Code::nc_unsupported, .detail = center_words[axes.third]};
+  const bool has_center = request.center[axes.first] || request.center[axes.second];
+  if (has_center && request.radius) return Refusal{.code = Code::center_and_radius_together};
+  if (!has_center && !request.radius)
+    // With G164 the reference control takes the missing centre for the start point.
+    return Refusal{.code =
+                       circle_.correct_center ? Code::circle_incomplete : Code::circle_radius_zero};
+
+  const CircleEnds ends{.start = to_plane(mode_.plane, position_),
+                        .end = to_plane(mode_.plane, end),
+                        .clockwise = request.kind == MotionKind::clockwise};
+  const auto too_large = [&](const Point& point) {
+    return !(point.cwiseAbs().maxCoeff() <= tolerances_.largest_coordinate);
+  };
+  CircleResult result;
+  if (has_center) {
+    const Point base = absolute_center_ ? Point::Zero() : ends.start;
+    const Point missing = absolute_center_ ? ends.start : Point::Zero();
+    const Point center = base + Point(request.center[axes.first].value_or(missing.x()),
+                                      request.center[axes.second].value_or(missing.y()));
+    if (too_large(center))
+      return Refusal{.code = center.allFinite() ? Code::center_out_of_range : Code::field_invalid,
+                     .detail = "I, J, K"};
+    result = arc_about(center, ends, circle_, mode_.active(), tolerances_);
+  } else {
+    if (!std::isfinite(*request.radius)) return Refusal{.code = Code::field_invalid, .detail = "R"};
+    result = arc_of_radius(*request.radius, ends, circle_, tolerances_);
+  }
+  if (CircleFault* fault = std::get_if<CircleFault>(&result))
+    return Refusal{.code = fault->code, .values = std::move(fault->values)};
+  arc = std::get<Arc>(result);
+  if (too_large(arc.center)) return Refusal{.code = Code::center_out_of_range};
+  return {};
+}
+
+bool ProgramState::move_tracking(const MoveRequest& request, TrackingTravel& travel) {
+  if (tracking_.empty() && request.tracking.empty()) return true;
+  return travel_on_tracking_axes(request, travel);
+}
+
+bool ProgramState::travel_on_tracking_axes(const MoveRequest& request, TrackingTravel& travel) {
+  const bool programmed =
+      std::ranges::any_of(request.tracking, [](const auto& value) { return value.has_value(); });
+  if (tracking_.empty() && !programmed) return true;
+  tracking_.resize(setup_.tracking_axes.size());
+  travel.reserve(tracking_.size());
+  for (std::size_t axis = 0; axis < tracking_.size(); ++axis) {
+    const double from = tracking_[axis];
+    double to = from;
+    if (axis < request.tracking.size() && request.tracking[axis])
+      to = *request.tracking[axis] + (request.incremental ? from : 0);
+    if (!in_range(to, -tolerances_.largest_coordinate, tolerances_.largest_coordinate))
+      return report(request.source,
+                    std::isfinite(to) ? Code::end_point_out_of_range : Code::field_invalid,
+                    setup_.tracking_axes[axis], {{"coordinate", to}});
+    travel.push_back({.from = from, .to = to});
+    tracking_[axis] = to;
+  }
+  return true;
+}
+
+bool ProgramState::move(const MoveRequest& request) {
+  Position end;
+  if (!find_end(request, end)) return refuse(request.source, end_out_of_range(request));
+  if (!all_known())
+    if (auto refusal = unknown_start(request)) return refuse(request.source, std::move(*refusal));
+  if (request.feed != 0 && !is_feed(request.feed))
+    return report(request.source, Code::field_invalid, "feed", {{"feed", request.feed}});
+  return is_circle(request.kind) ? move_on_circle(request, end) : move_straight(request, end);
+}
+
+bool ProgramState::move_on_circle(const MoveRequest& request, const Position& end) {
+  Arc arc;
+  if (auto refusal = circle(request, end, arc)) return refuse(request.source, std::move(*refusal));
+  TrackingTravel tracking;
+  if (!move_tracking(request, tracking)) return false;
+  enter_target(request, end);
+  append_motion(request, arc, end, std::move(tracking));
+  return true;
+}
+
+bool ProgramState::move_straight(const MoveRequest& request, const Position& end) {
+  if (request.radius || request.center[0] || request.center[1] || request.center[2])
+    return report(request.source, Code::nc_unsupported, "a circle word in a straight motion");
+  TrackingTravel tracking;
+  if (!move_tracking(request, tracking)) return false;
+  enter_target(request, end);
+  const Line line{.start = to_plane(mode_.plane, position_), .end = to_plane(mode_.plane, end)};
+  if ((line.end - line.start).norm() > tolerances_.same_point) {
+    append_motion(request, line, end, std::move(tracking));
+  } else {
+    const bool tracking_moves = std::ranges::any_of(tracking, &AxisTravel::moves);
+    append_passive(request, end, std::move(tracking), tracking_moves);
+  }
+  return true;
+}
+
+void ProgramState::enter_target(const MoveRequest& request, const Position& end) {
+  for (std::size_t axis = 0; axis < known_.size(); ++axis)
+    known_[axis] |= request.end[axis].has_value();
+  target_ = end;
+}
+
+template <class Shape>
+void ProgramState::append_motion(const MoveRequest& request, const Shape& path, const Position& end,
+                                 TrackingTravel&& tracking) {
+  const std::size_t third = axes_of(mode_.plane).third;
+  const std::shared_ptr<const TrcMode>& mode = shared_mode();
+  // Filled in where it lies: it is large.
+  auto& block = *std::get_if<MotionBlock>(&blocks_.emplace_back(std::in_place_type<MotionBlock>));
+  block.source = request.source;
+  block.path.template emplace<Shape>(path);
+  block.normal = {.from = position_[third], .to = end[third]};
+  block.feed = request.feed;
+  block.rapid = request.kind == MotionKind::rapid;
+  block.mode = mode;
+  block.tracking = std::move(tracking);
+  position_ = from_plane(mode_.plane, path.end, end[third]);
+  if (mode_.active()) {
+    // Only G237 begins with the contour itself.
+    if (in_plane_blocks_++ == 0) has_approach_ = mode_.selection != Selection::perpendicular;
+    last_path_ = path;
+    if (last_mode_ != mode) last_mode_ = mode;
+  } else {
+    retract_pending_ = false;
+    just_deselected_ = false;
+  }
+  if (mode_.tangential) change_mode().tangential = false;
+}
+
+void ProgramState::append_passive(const MoveRequest& request, const Position& end,
+                                  TrackingTravel tracking, bool tracking_moves) {
+  const std::size_t third = axes_of(mode_.plane).third;
+  const AxisTravel normal{.from = position_[third], .to = end[third]};
+  blocks_.emplace_back(PassiveBlock{.source = request.source,
+                                    .normal = normal,
+                                    .feed = request.feed,
+                                    .rapid = request.kind == MotionKind::rapid,
+                                    .moves = normal.moves() || tracking_moves,
+                                    .mode = shared_mode(),
+                                    .tracking = std::move(tracking)});
+  position_[third] = end[third];
+}
+
+bool ProgramState::pass(const Source& source, std::string text) {
+  const double height = position_[axes_of(mode_.plane).third];
+  TrackingTravel standing;
+  standing.reserve(tracking_.size());
+  for (const double axis : tracking_) standing.push_back({.from = axis, .to = axis});
+  blocks_.emplace_back(PassiveBlock{.source = source,
+                                    .text = std::move(text),
+                                    .normal = {.from = height, .to = height},
+                                    .mode = shared_mode(),
+                                    .tracking = std::move(standing)});
+  return true;
+}
+
+bool ProgramState::end(const Source& source) {
+  if (std::exchange(ended_, true) || !contour_open()) return !diagnostics_.stopped();
+  return report(source, Code::ended_while_active);
+}
+
+}  // namespace trc

@@ -1,0 +1,206 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/base/diagnostics.h"
+#include "core/base/tolerances.h"
+#include "core/nc/state/block.h"
+#include "core/nc/state/circle.h"
+
+namespace trc {
+
+// What holds before the first block.
+struct ProgramSetup {
+  TrcMode mode{};                // plane, mode, radius, options; side must be off
+  Position start{};              // mm
+  bool absolute_center = false;  // G161; G162 is the initial state (spec 10.4)
+  CircleCheck circle{};
+  std::vector<std::string> tracking_axes{"A", "B", "C", "U", "V", "W"};
+  std::map<std::int64_t, double> tools{};  // D word -> tool radius, mm
+};
+
+enum class MotionKind : std::uint8_t { rapid, linear, clockwise, counter_clockwise };
+
+// One programmed motion before position, plane and circle rules are applied.
+// Main axes in the order X Y Z and I J K, mm. An absent coordinate keeps its value.
+struct MoveRequest {
+  Source source{};
+  MotionKind kind = MotionKind::linear;
+  std::array<std::optional<double>, 3> end{};
+  std::array<std::optional<double>, 3> center{};
+  std::optional<double> radius{};  // R word of a circle: positive: at most 180 degrees
+  bool incremental = false;        // G91: `end` and `tracking` are differences
+  std::vector<std::optional<double>> tracking{};  // by index into tracking_axes
+  double feed = 0;                                // mm/min in force
+};
+
+// The modal state and the position of one NC channel: turns requests into
+// absolute blocks. NC text and motion messages both end here, so that a program
+// means the same however it arrives.
+//
+// Every function returns whether the stream goes on; Diagnostics says why not.
+class ProgramState {
+ public:
+  ProgramState(const ProgramSetup& setup, const Tolerances& tolerances, Diagnostics& diagnostics,
+               std::vector<Block>& blocks);
+
+  // The 1-based byte of the line that the next calls come from, for diagnostics;
+  // 0: unknown.
+  void place(std::uint32_t column) { column_ = column; }
+
+  // G41, G42, as programmed: a negative radius swaps the side (spec 1.5). A new
+  // number of selection begins unless the side only changes. 900103.
+  bool select(Side side, const Source& source);
+  // G40. Under G239 the last equidistant point becomes the position, if the
+  // selection had a contour block behind its approach: a coordinate that is not
+  // programmed afterwards keeps the compensated value (spec 3.6).
+  // Warns of a selection without any motion (D-28); nothing is done while off.
+  bool deselect(const Source& source);
+  bool set_selection(Selection selection, const Source& source);  // 21317, 21318
+  // G05, for the next selection or deselection: call it before those. Under G238
+  // a warning (21316) and nothing else.
+  bool set_tangential(const Source& source);
+  bool set_transition(Transition transition, const Source& source);
+  bool set_masking(Masking masking, const Source& source);
+  bool set_feed_adaptation(FeedAdaptation adaptation, const Source& source);
+  bool set_tangfeed_minimum(double radius, const Source& source);  // 20963
+  bool set_plane(Plane plane, const Source& source);               // 20133
+  // mm; negative swaps the side (spec 1.5). At most `largest_tool_radius` in
+  // size (900104); not under an active G238 (90127).
+  bool set_tool_radius(double radius, const Source& source);
+  // D word, with the radius of the tool table; D0 without entry is no tool,
+  // radius 0. 900013.
+  bool set_tool(std::int64_t number, const Source& source);
+  // A STRETCH_FACTOR out of range becomes 1, with a warning (22007). 22125, 900005.
+  bool set_options(const TrcOptions& options, const Source& source);
+  void set_absolute_center(bool absolute) { absolute_center_ = absolute; }        // G161 / G162
+  void set_circle_correction(bool correct) { circle_.correct_center = correct; }  // G165 / G164
+
+  // The coordinates mean something else from here on (zero shift, preset): where
+  // the machine stands is not known until all axes of the plane are programmed
+  // absolutely in a straight motion; until then 900106. That motion is shown as
+  // starting from the old coordinates, so that joints stay shared.
+  void forget_position() { known_.fill(false); }
+
+  // Appends one block: a MotionBlock, or a PassiveBlock when nothing moves in the
+  // plane by more than `same_point` (D-29). Such small steps add up: the sum is
+  // travelled with the first block that is long enough.
+  //
+  // A circle needs a centre or a radius; a centre word that is missing is 0
+  // relative to the start point (G162), or the coordinate of the start point
+  // (G161). 20034, 20035, 20036, 21024, 21758, 90018, 90133, 90134, 900003 (centre
+  // word across the plane), 900101, 900105, 900106.
+  bool move(const MoveRequest& request);
+  // Technology text, dwell …: comes out in its place, never interpreted.
+  bool pass(const Source& source, std::string text);
+  // Program end (M30, M02, end of text or of the stream): D-27. Only the first
+  // call does anything.
+  bool end(const Source& source);
+
+  [[nodiscard]] const TrcMode& mode() const { return mode_; }
+  // Where the last block ended, mm.
+  [[nodiscard]] const Position& position() const { return position_; }
+  // Whether this is a feed, mm/min: 0 is none.
+  [[nodiscard]] bool is_feed(double feed) const {
+    return feed > 0 && feed <= tolerances_.largest_feed;
+  }
+  [[nodiscard]] const ProgramSetup& setup() const { return setup_; }
+  // TRC is active, or its retract motion is still to come.
+  [[nodiscard]] bool contour_open() const { return mode_.active() || retract_pending_; }
+  // No motion in the plane has followed the last G40 yet.
+  [[nodiscard]] bool just_deselected() const { return just_deselected_; }
+
+  // mm; the reference control keeps 32 bits of 0.1 um.
+  static constexpr double largest_tool_radius = 214748.3647;
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(column_, mode_, shared_mode_, programmed_side_, programmed_radius_,
+            tangential_requested_, absolute_center_, circle_.correct_center, position_, target_,
+            known_, tracking_, selections_, in_plane_blocks_, has_approach_, last_path_, last_mode_,
+            retract_pending_, just_deselected_, ended_);
+  }
+
+ private:
+  struct Refusal {
+    Code code = Code::field_invalid;
+    const char* detail = "";
+    std::vector<DiagnosticValue> values{};
+  };
+
+  bool report(const Source& source, Code code, std::string detail = {},
+              std::vector<DiagnosticValue> values = {});
+  bool refuse(const Source& source, Refusal refusal);
+
+  // Every change of the mode goes through here, so that blocks given out keep
+  // the mode they were programmed under.
+  TrcMode& change_mode();
+  const std::shared_ptr<const TrcMode>& shared_mode() {
+    if (!shared_mode_) share_mode();
+    return shared_mode_;
+  }
+  void share_mode();
+  void update_side();
+
+  // Where the request ends on an axis that it names.
+  [[nodiscard]] double end_on(std::size_t axis, const MoveRequest& request) const {
+    return *request.end[axis] + (request.incremental ? target_[axis] : 0);
+  }
+  // Whether that is in range on all of them.
+  [[nodiscard]] bool find_end(const MoveRequest& request, Position& end) const;
+  [[nodiscard]] Refusal end_out_of_range(const MoveRequest& request) const;
+  [[nodiscard]] bool all_known() const { return known_[0] && known_[1] && known_[2]; }
+  [[nodiscard]] std::optional<Refusal> unknown_start(const MoveRequest& request) const;
+  bool move_straight(const MoveRequest& request, const Position& end);
+  bool move_on_circle(const MoveRequest& request, const Position& end);
+  [[nodiscard]] std::optional<Refusal> circle(const MoveRequest& request, const Position& end,
+                                              Arc& arc) const;
+  bool move_tracking(const MoveRequest& request, TrackingTravel& travel);
+  bool travel_on_tracking_axes(const MoveRequest& request, TrackingTravel& travel);
+  void enter_target(const MoveRequest& request, const Position& end);
+  template <class Shape>
+  void append_motion(const MoveRequest& request, const Shape& path, const Position& end,
+                     TrackingTravel&& tracking);
+  void append_passive(const MoveRequest& request, const Position& end, TrackingTravel tracking,
+                      bool tracking_moves);
+  [[nodiscard]] Point last_equidistant_point() const;
+
+  ProgramSetup setup_;
+  Tolerances tolerances_;
+  Diagnostics& diagnostics_;
+  std::vector<Block>& blocks_;
+
+  std::uint32_t column_ = 0;
+  TrcMode mode_;
+  std::shared_ptr<const TrcMode> shared_mode_{};  // a copy of mode_; empty: out of date
+  Side programmed_side_ = Side::off;              // G41, G42 before a negative radius swaps
+  double programmed_radius_ = 0;                  // with its sign
+  bool tangential_requested_ = false;
+  bool absolute_center_ = false;
+  CircleCheck circle_;
+
+  Position position_{};  // where the last block ended
+  // As programmed. Differs from position_ by steps that were too short to travel.
+  Position target_{};
+  std::array<bool, 3> known_{true, true, true};
+  std::vector<double> tracking_{};  // positions; empty until one is programmed
+
+  // The selection in force, or the last one.
+  std::uint32_t selections_ = 0;
+  std::uint64_t in_plane_blocks_ = 0;
+  bool has_approach_ = false;  // the first of them leads to the contour
+  Segment last_path_{};
+  std::shared_ptr<const TrcMode> last_mode_{};
+  bool retract_pending_ = false;
+  bool just_deselected_ = false;
+  bool ended_ = false;
+};
+
+}  // namespace trc

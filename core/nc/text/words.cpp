@@ -1,0 +1,323 @@
+#include "core/nc/text/words.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <limits>
+
+#include "core/nc/text/decimal.h"
+
+namespace trc {
+namespace {
+
+enum class Class : std::uint8_t {
+  other,
+  blank,
+  letter,
+  digit,
+  number_sign,  // + - .
+  command,      // #
+  parenthesis,  // (
+  semicolon,
+  closing,       // )
+  continuation,  // backslash
+  control,
+  high,  // not ASCII
+};
+
+constexpr std::array<Class, 256> make_classes() {
+  std::array<Class, 256> classes{};
+  for (std::size_t byte = 0; byte < classes.size(); ++byte) {
+    if (byte < 0x20 || byte == 0x7f) classes[byte] = Class::control;
+    if (byte >= 0x80) classes[byte] = Class::high;
+    if (byte >= '0' && byte <= '9') classes[byte] = Class::digit;
+    if ((byte >= 'A' && byte <= 'Z') || (byte >= 'a' && byte <= 'z')) classes[byte] = Class::letter;
+  }
+  for (const char sign : {'+', '-', '.'})
+    classes[static_cast<unsigned char>(sign)] = Class::number_sign;
+  classes[' '] = classes['\t'] = Class::blank;
+  classes['#'] = Class::command;
+  classes['('] = Class::parenthesis;
+  classes[')'] = Class::closing;
+  classes[';'] = Class::semicolon;
+  classes['\\'] = Class::continuation;
+  return classes;
+}
+
+constexpr std::array<Class, 256> classes = make_classes();
+
+Class class_of(char byte) { return classes[static_cast<unsigned char>(byte)]; }
+bool is_digit(char byte) { return byte >= '0' && byte <= '9'; }
+bool is_blank(char byte) { return byte == ' ' || byte == '\t'; }
+bool is_line_end(char byte) { return byte == '\n' || byte == '\r'; }
+char upper(char letter) {
+  return letter >= 'a' && letter <= 'z' ? static_cast<char>(letter - 'a' + 'A') : letter;
+}
+
+// Where the comment that starts at `begin` with a parenthesis ends: behind its
+// closing one, or at the line end.
+std::size_t end_of_comment(std::string_view text, std::size_t begin) {
+  std::size_t depth = 0;
+  std::size_t at = begin;
+  for (; at < text.size() && !is_line_end(text[at]); ++at) {
+    if (text[at] == '(') ++depth;
+    if (text[at] == ')' && --depth == 0) return at + 1;
+  }
+  return at;
+}
+
+std::size_t end_of_line(std::string_view text, std::size_t begin) {
+  const std::size_t end = text.find_first_of("\r\n", begin);
+  return end == std::string_view::npos ? text.size() : end;
+}
+
+// How many bytes the UTF-8 character at the start of `text` takes; 0: it is none.
+std::size_t utf8_character(std::string_view text) {
+  const auto byte = [&](std::size_t at) {
+    return at < text.size() ? static_cast<unsigned char>(text[at]) : 0U;
+  };
+  const auto follows = [&](std::size_t at) { return (byte(at) & 0xc0U) == 0x80U; };
+  const unsigned lead = byte(0);
+  if (lead < 0x80) return 1;
+  if (lead >= 0xc2 && lead <= 0xdf) return follows(1) ? 2 : 0;
+  if (lead >= 0xe0 && lead <= 0xef) {
+    const bool overlong = lead == 0xe0 && byte(1) < 0xa0;
+    const bool surrogate = lead == 0xed && byte(1) > 0x9f;
+    return follows(1) && follows(2) && !overlong && !surrogate ? 3 : 0;
+  }
+  if (lead >= 0xf0 && lead <= 0xf4) {
+    const bool overlong = lead == 0xf0 && byte(1) < 0x90;
+    const bool too_large = lead == 0xf4 && byte(1) > 0x8f;
+    return follows(1) && follows(2) && follows(3) && !overlong && !too_large ? 4 : 0;
+  }
+  return 0;
+}
+
+std::size_t first_bad_byte(std::string_view text, bool control_characters_pass) {
+  for (std::size_t at = 0; at < text.size();) {
+    const Class kind = class_of(text[at]);
+    if (kind == Class::high) {
+      const std::size_t length = utf8_character(text.substr(at));
+      if (length == 0) return at;
+      at += length;
+      continue;
+    }
+    if (kind == Class::control && !control_characters_pass && !is_line_end(text[at])) return at;
+    ++at;
+  }
+  return std::string_view::npos;
+}
+
+}  // namespace
+
+double decimal::long_number(const char* first, const char* end) {
+  double value = 0;
+  if (std::from_chars(first, end, value, std::chars_format::fixed).ec !=
+      std::errc::result_out_of_range)
+    return value;
+  const char* const point = std::find(first, end, '.');
+  const bool large = std::any_of(first, point, [](char digit) { return digit != '0'; });
+  return large ? std::numeric_limits<double>::infinity() : 0;
+}
+
+std::size_t read_number(std::string_view text, double& value, bool& whole) {
+  const char* at = text.data();
+  if (!take_number(text, at, value, whole)) return 0;
+  return static_cast<std::size_t>(at - text.data());
+}
+
+std::size_t first_byte_that_is_no_text(std::string_view text) {
+  return first_bad_byte(text, false);
+}
+
+std::size_t first_byte_that_is_no_utf8(std::string_view text) { return first_bad_byte(text, true); }
+
+bool is_continued(std::string_view line) {
+  std::size_t size = line.size();
+  while (size > 0 && is_blank(line[size - 1])) --size;
+  if (size == 0 || line[size - 1] != '\\') return false;
+  const std::size_t last = size - 1;
+  if (line[line.find_first_not_of(" \t")] == '%') return false;
+  for (std::size_t at = 0; at < last; ++at) {
+    if (line[at] == '(') {
+      at = end_of_comment(line, at) - 1;
+    } else if (line[at] == ';') {
+      return false;
+    }
+    if (at >= last) return false;
+  }
+  return true;
+}
+
+Word WordReader::fail(Code code, const char* at, std::string_view detail) {
+  fault_ = {.code = code, .begin = place_of(at), .detail = std::string(detail)};
+  return {.kind = WordKind::fault, .begin = fault_.begin, .end = fault_.begin};
+}
+
+Word WordReader::no_text(const char* begin, std::size_t bad) {
+  const char* at = begin + bad;
+  return fail(Code::nc_not_text, at,
+              class_of(*at) == Class::high ? "no UTF-8" : "control character");
+}
+
+inline bool WordReader::skip_blanks() {
+  for (;;) {
+    while (at_ != end_ && is_blank(*at_)) ++at_;
+    if (at_ == end_ || *at_ != '\\') return true;
+    if (!skip_line_end()) return false;
+  }
+}
+
+// A `\` with the line end of a continued line. False at any other `\`.
+bool WordReader::skip_line_end() {
+  const char* behind = at_ + 1;
+  while (behind != end_ && is_blank(*behind)) ++behind;
+  if (behind == end_ || !is_line_end(*behind)) return false;
+  if (*behind == '\r' && behind + 1 != end_ && behind[1] == '\n') ++behind;
+  at_ = behind + 1;
+  return true;
+}
+
+Word WordReader::next() {
+  if (!skip_blanks()) return fail(Code::nc_syntax, at_, "\\ inside a line");
+  if (at_ == end_) return {.begin = place_of(at_), .end = place_of(at_)};
+  switch (class_of(*at_)) {
+    case Class::letter:
+      return address();
+    case Class::digit:
+    case Class::number_sign:
+      return number_alone();
+    case Class::parenthesis:
+    case Class::semicolon:
+      return comment();
+    case Class::command:
+      return command();
+    default:
+      return other_sign();
+  }
+}
+
+Word WordReader::other_sign() {
+  const auto rest = static_cast<std::size_t>(end_ - at_);
+  std::size_t length = 1;
+  switch (class_of(*at_)) {
+    case Class::control:
+      return no_text(at_, 0);
+    case Class::high:
+      length = utf8_character({at_, rest});
+      if (length == 0) return no_text(at_, 0);
+      break;
+    default:
+      break;
+  }
+  if (*at_ == '$') return fail(Code::nc_unsupported, at_, "$, a control statement");
+  if (*at_ == '/') return fail(Code::nc_unsupported, at_, "/, a block to skip on demand");
+  return fail(Code::nc_syntax, at_, {at_, length});
+}
+
+Word WordReader::number_alone() {
+  Word word{.kind = WordKind::number, .begin = place_of(at_)};
+  const char* const begin = at_;
+  if (!number(word.value, word.whole)) return fail(Code::nc_number, begin, {begin, 1});
+  word.end = place_of(at_);
+  return word;
+}
+
+Word WordReader::comment() {
+  const char* const begin = at_;
+  const std::size_t place = place_of(begin);
+  const bool in_parentheses = *begin == '(';
+  at_ = line_.data() + (in_parentheses ? end_of_comment(line_, place) : end_of_line(line_, place));
+  // One closing parenthesis too many is common and harms nobody.
+  while (in_parentheses && peek() == ')') ++at_;
+  const std::size_t bad =
+      first_byte_that_is_no_text({begin, static_cast<std::size_t>(at_ - begin)});
+  if (bad != std::string_view::npos) return no_text(begin, bad);
+  return {.kind = WordKind::comment, .begin = place_of(begin), .end = place_of(at_)};
+}
+
+Word WordReader::command() {
+  const char* const begin = at_;
+  std::size_t depth = 0;
+  bool quoted = false;
+  for (++at_; at_ != end_; ++at_) {
+    if (*at_ == '"') quoted = !quoted;
+    if (quoted) continue;
+    if (*at_ == '[') ++depth;
+    if (*at_ == ']' && depth > 0) --depth;
+    if (depth == 0 && (*at_ == '(' || *at_ == ';')) break;
+  }
+  const std::string_view text(begin, static_cast<std::size_t>(at_ - begin));
+  const std::size_t bad = first_byte_that_is_no_text(text);
+  if (bad != std::string_view::npos) return no_text(begin, bad);
+  const std::size_t last = text.find_last_not_of(" \t\r\n");
+  return {.kind = WordKind::command,
+          .begin = place_of(begin),
+          .end = static_cast<std::uint32_t>(place_of(begin) + last + 1)};
+}
+
+inline bool WordReader::number(double& value, bool& whole) {
+  return take_number(line_, at_, value, whole) &&
+         std::abs(value) <= std::numeric_limits<double>::max();
+}
+
+// Blanks and one `=` may stand in front of the number.
+Word WordReader::address() {
+  const char* const begin = at_++;
+  Word word{.kind = WordKind::address, .letter = upper(*begin), .begin = place_of(begin)};
+  if (word.letter == 'L') return fail(Code::nc_unsupported, begin, "L, a subprogram call");
+  if (word.letter == 'P') return fail(Code::nc_unsupported, begin, "P, a parameter");
+  if (word.letter == 'V' && peek() == '.' && at_ + 1 != end_ && class_of(at_[1]) == Class::letter)
+    return variable();
+  if (!is_digit(peek())) {
+    if (skip_blanks() && peek() == '=') ++at_;
+    if (!skip_blanks()) return no_number(word);
+  }
+  if (!number(word.value, word.whole)) return no_number(word);
+  word.end = place_of(at_);
+
+  // G159=3, S2=500; or an axis with a name of its own: X1=10.
+  while (at_ != end_ && is_blank(*at_)) ++at_;
+  if (peek() != '=') return word;
+  ++at_;
+  if (!skip_blanks() || !number(word.argument, word.whole))
+    return fail(Code::nc_number, at_, {&word.letter, 1});
+  word.has_argument = true;
+  word.end = place_of(at_);
+  return word;
+}
+
+Word WordReader::no_number(const Word& word) {
+  const char* const begin = line_.data() + word.begin;
+  const char sign = upper(peek());
+  const bool name = at_ == begin + 1 && class_of(sign) == Class::letter;
+  const bool variable = sign == 'V' && at_ + 1 != end_ && at_[1] == '.';
+  if (sign == '[' || sign == 'P' || variable || name)
+    return fail(Code::nc_unsupported, begin,
+                std::string(begin, at_ + 1).append(", an expression or a name"));
+  return fail(Code::nc_number, begin, {&word.letter, 1});
+}
+
+Word WordReader::variable() {
+  const char* const begin = at_ - 1;
+  std::string name;
+  for (at_ = begin; at_ != end_; ++at_) {
+    if (class_of(*at_) != Class::letter && !is_digit(*at_) && *at_ != '.' && *at_ != '_') break;
+    name += upper(*at_);
+  }
+  if (name != "V.G.WZ_AKT.R" && name != "V.G.WZR")
+    return fail(Code::nc_unsupported, begin, name.append(", a variable"));
+  Word word{.kind = WordKind::variable, .begin = place_of(begin)};
+  if (!skip_blanks() || peek() != '=')
+    return fail(Code::nc_syntax, begin, name.append(" without ="));
+  ++at_;
+  const bool readable = skip_blanks();
+  if (readable && (peek() == '[' || class_of(peek()) == Class::letter))
+    return fail(Code::nc_unsupported, begin, name.append(" with an expression"));
+  if (!readable || !number(word.value, word.whole)) return fail(Code::nc_number, begin, name);
+  word.end = place_of(at_);
+  return word;
+}
+
+}  // namespace trc

@@ -1,0 +1,288 @@
+#include "core/nc/writer/motion_writer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include "core/nc/state/circle.h"
+#include "core/nc/text/number_format.h"
+
+namespace trc {
+namespace {
+
+constexpr std::string_view main_axis_letters = "XYZ";
+constexpr std::string_view center_letters = "IJK";
+
+// A B C turn: degrees have no inch.
+bool is_linear(char axis_letter) { return axis_letter >= 'U' && axis_letter <= 'Z'; }
+
+// How far an arc may leave its circle when its numbers are rounded, in units of the last decimal:
+// of up to 180 degrees in its middle, one unit from its centre and half of one from its ends.
+// Beyond that the ends turn it about each other, the more the nearer they are.
+constexpr double short_arc_units = 1.5;
+constexpr double long_arc_units = 5;
+// A rounded arc turns by no more than this further or less, as a share of its sweep or in rad.
+constexpr double sweep_share = 0.01;
+constexpr double sweep_change = 1e-3;
+
+// A written feed is wrong by no more than a thousandth.
+constexpr std::int64_t least_feed_units = 500;
+
+Point middle_of(const Arc& arc) {
+  const Vector radial = arc.start - arc.center;
+  return arc.center + std::cos(arc.sweep / 2) * radial + std::sin(arc.sweep / 2) * left_of(radial);
+}
+
+// " X30": a blank, the address letter and the number, in room for `room_of_word` bytes.
+constexpr std::size_t room_of_word = 2 + room_of_units;
+char* write_word(char* at, char letter, std::int64_t units, int decimals) {
+  *at++ = ' ';
+  *at++ = letter;
+  return write_units(at, units, decimals);
+}
+
+// " G01"
+char* write_function(char* at, char digit) {
+  constexpr std::array<char, 3> begin{' ', 'G', '0'};
+  at = std::ranges::copy(begin, at).out;
+  *at++ = digit;
+  return at;
+}
+
+// For the words of one motion: a function, three axes and two words for the centre, and the
+// tracking axes.
+char* room_of_motion(TextBuffer& out, const TrackingTravel& tracking) {
+  return out.room((6 + tracking.size()) * room_of_word);
+}
+
+bool is_full_circle(const Arc& arc) { return arc.start == arc.end; }
+
+bool is_same_arc(const Arc& read, const Arc& arc, double unit) {
+  if (std::abs(read.sweep - arc.sweep) > std::max(sweep_change, sweep_share * std::abs(arc.sweep)))
+    return false;
+  const double radius = radius_of(arc);
+  const double shift = (read.center - arc.center).norm();
+  if (shift + std::abs(radius_of(read) - radius) <= short_arc_units * unit) return true;
+  if (std::abs(arc.sweep) > std::numbers::pi)
+    return shift + std::abs(radius_of(read) - radius) <= long_arc_units * unit;
+  return std::abs((middle_of(read) - arc.center).norm() - radius) <= short_arc_units * unit;
+}
+
+// What a reader makes of the numbers of an arc.
+struct ReadArc {
+  Point start = Point::Zero();
+  Point end = Point::Zero();
+  Point center = Point::Zero();
+};
+
+double size_of(const Vector& v) { return std::abs(v.x()) + std::abs(v.y()); }
+
+// Whether the reader surely runs the same arc. True only where form_of says `arc` too, which asks
+// arc_about, is_same_arc and for the radii: here the arc is compared without any angle. Every limit
+// is a tenth below that of form_of, so that rounding on the two ways, and a sweep that is not quite
+// that of its points, cannot matter.
+bool is_surely_read_alike(const ReadArc& read, const Arc& arc, double unit) {
+  constexpr CircleCheck check;
+  constexpr Tolerances tolerances;
+  const double sweep = std::abs(arc.sweep);
+  constexpr double full_turn = 2 * std::numbers::pi;
+  if (sweep < 2 * sweep_change || sweep > full_turn - 2 * sweep_change) return false;
+
+  // As arc_about does it: the centre goes to the perpendicular bisector of start and end.
+  const Vector chord = read.end - read.start;
+  const double length = chord.norm();
+  if (length < 100 * tolerances.same_point) return false;
+  const Vector along = chord / length;
+  const Point middle = (read.start + read.end) / 2;
+  const double height = left_of(along).dot(read.center - middle);
+  const double shift = std::abs(along.dot(read.center - middle));
+  const double radius = std::sqrt(height * height + length * length / 4);
+  if (shift > 0.9 * check.largest_shift) return false;
+  // The radii at start and end, whose sum is at least twice the one in between, differ by no more
+  // than shift * length / radius, and are no smaller than radius - shift.
+  if (shift * length >
+      0.9 * radius *
+          std::min(check.largest_radius_difference, check.largest_radius_factor * (radius - shift)))
+    return false;
+
+  // The directions from the centre to start and end turn by no more than the arc's points move,
+  // divided by the radius; the factor covers the difference between arc and chord as well.
+  const Point center = middle + height * left_of(along);
+  const double true_radius = radius_of(arc);
+  const double moved = (center - arc.center).norm();
+  if (size_of(read.start - arc.start) + size_of(read.end - arc.end) + 2 * moved >
+      0.8 * sweep_change * true_radius)
+    return false;
+
+  constexpr double limit = 0.9 * short_arc_units;
+  if (moved + std::abs(radius - true_radius) <= limit * unit) return true;
+  if (sweep > std::numbers::pi - sweep_change) return false;
+  // Counter-clockwise it bulges to the right of its chord.
+  const Point summit = center - std::copysign(radius, arc.sweep) * left_of(along);
+  return std::abs((summit - arc.center).norm() - true_radius) <= limit * unit;
+}
+
+}  // namespace
+
+std::array<Arc, 2> halves_of(const Arc& arc) {
+  const Point middle = middle_of(arc);
+  const double half = arc.sweep / 2;
+  return {Arc{.start = arc.start, .end = middle, .center = arc.center, .sweep = half},
+          Arc{.start = middle, .end = arc.end, .center = arc.center, .sweep = half}};
+}
+
+MotionWriter::MotionWriter(int decimals, std::string tracking_letters)
+    : decimals_(decimals),
+      unit_of_mm_(from_units(1, decimals)),
+      unit_of_inch_(from_units(1, decimals + 1) * mm_per_inch),
+      tracking_letters_(std::move(tracking_letters)) {}
+
+// I, J, K: from the start of the arc, or absolute.
+MotionWriter::Written MotionWriter::written_center(double center, double start,
+                                                   const WrittenState& state) const {
+  if (state.absolute_center) return written(center, state.inch);
+  const Written step = written(center - start, state.inch);
+  return {.units = step.units, .read = step.read + start};
+}
+
+bool MotionWriter::reaches_tracking(std::size_t axis, double target, double position,
+                                    bool inch) const {
+  return reaches(target, position, inch && is_linear(tracking_letters_[axis]));
+}
+
+MotionWriter::ArcNumbers MotionWriter::numbers_of(const Arc& arc, Plane plane,
+                                                  const WrittenState& state) const {
+  const Point start = to_plane(plane, state.position);
+  const auto end = [&](double target, double position) {
+    return written_end(target, position, state.inch, state.incremental);
+  };
+  ArcNumbers numbers{.end = {end(arc.end.x(), start.x()), end(arc.end.y(), start.y())},
+                     .center = {written_center(arc.center.x(), start.x(), state),
+                                written_center(arc.center.y(), start.y(), state)}};
+  const ReadArc read{.start = start,
+                     .end = {numbers.end[0].read, numbers.end[1].read},
+                     .center = {numbers.center[0].read, numbers.center[1].read}};
+  if (!is_surely_read_alike(read, arc, unit(state.inch)))
+    numbers.form = form_of(arc, numbers, plane, state);
+  return numbers;
+}
+
+MotionWriter::ArcForm MotionWriter::form_of(const Arc& arc, const ArcNumbers& numbers, Plane plane,
+                                            const WrittenState& state) const {
+  const Tolerances tolerances;
+  const Point start = to_plane(plane, state.position);
+  const Point end(numbers.end[0].read, numbers.end[1].read);
+  const Point center(numbers.center[0].read, numbers.center[1].read);
+
+  const CircleCheck check;
+  if ((center - start).norm() <= tolerances.same_point) return ArcForm::line;
+  if (is_full_circle(arc)) return ArcForm::arc;
+  const CircleEnds ends{.start = start, .end = end, .clockwise = arc.sweep < 0};
+  const CircleResult result = arc_about(center, ends, check, false, tolerances);
+  const Arc* read = std::get_if<Arc>(&result);
+  if (read != nullptr && is_same_arc(*read, arc, unit(state.inch))) {
+    // Controls that do not shift a centre compare the radii (G164).
+    const double start_radius = (start - center).norm();
+    const double difference = std::abs(start_radius - (end - center).norm());
+    if (difference <=
+        std::min(check.largest_radius_difference, check.largest_radius_factor * start_radius))
+      return ArcForm::arc;
+  }
+  const double sagitta = radius_of(arc) * (1 - std::cos(arc.sweep / 2));
+  return sagitta <= unit(state.inch) ? ArcForm::line : ArcForm::halves;
+}
+
+bool MotionWriter::moves(const Position& end, const TrackingTravel& tracking,
+                         const WrittenState& state) const {
+  for (std::size_t axis = 0; axis < end.size(); ++axis)
+    if (!reaches(end[axis], state.position[axis], state.inch)) return true;
+  for (std::size_t axis = 0; axis < tracking.size(); ++axis)
+    if (!reaches_tracking(axis, tracking[axis].to, state.tracking[axis], state.inch)) return true;
+  return false;
+}
+
+char* MotionWriter::write_axes(char* at, AxisSet always, AxisSet never, const Position& end,
+                               const TrackingTravel& tracking, const KnownNumbers& known,
+                               WrittenState& state) const {
+  const auto write_axis = [&](char letter, AxisSet bit, double target, bool inch,
+                              const Written* number, double& position) {
+    if ((never & bit) != 0) return;
+    if ((always & bit) == 0 && reaches(target, position, inch)) return;
+    const Written axis =
+        number != nullptr ? *number : written_end(target, position, inch, state.incremental);
+    at = write_word(at, letter, axis.units, decimals_of(inch));
+    position = axis.read;
+  };
+  for (std::size_t axis = 0; axis < end.size(); ++axis)
+    write_axis(main_axis_letters[axis], axis_bit(axis), end[axis], state.inch, known[axis],
+               state.position[axis]);
+  for (std::size_t axis = 0; axis < tracking.size(); ++axis) {
+    const char letter = tracking_letters_[axis];
+    write_axis(letter, axis_bit(end.size() + axis), tracking[axis].to,
+               state.inch && is_linear(letter), nullptr, state.tracking[axis]);
+  }
+  return at;
+}
+
+void MotionWriter::append_line(TextBuffer& out, MotionKind kind, const Position& end,
+                               const TrackingTravel& tracking, AxisSet always,
+                               WrittenState& state) const {
+  char* at = room_of_motion(out, tracking);
+  at = write_function(at, kind == MotionKind::rapid ? '0' : '1');
+  out.end_at(write_axes(at, always, 0, end, tracking, {}, state));
+  state.motion = kind;
+}
+
+void MotionWriter::append_arc(TextBuffer& out, const Arc& arc, const ArcNumbers& numbers,
+                              Plane plane, const Position& end, const TrackingTravel& tracking,
+                              AxisSet always, WrittenState& state) const {
+  const bool clockwise = arc.sweep < 0;
+  const PlaneAxes axes = axes_of(plane);
+  const AxisSet plane_axes = axis_bit(axes.first) | axis_bit(axes.second);
+  // An end that rounds to another place than the start would not close the circle.
+  const bool only_center =
+      is_full_circle(arc) && (numbers.end[0].read != state.position[axes.first] ||
+                              numbers.end[1].read != state.position[axes.second]);
+  KnownNumbers known{};
+  known[axes.first] = &numbers.end[0];
+  known[axes.second] = &numbers.end[1];
+  char* at = room_of_motion(out, tracking);
+  at = write_function(at, clockwise ? '2' : '3');
+  at = write_axes(at, always | plane_axes, only_center ? plane_axes : 0, end, tracking, known,
+                  state);
+  const auto write_center = [&](std::size_t axis, std::size_t number) {
+    at =
+        write_word(at, center_letters[axis], numbers.center[number].units, decimals_of(state.inch));
+  };
+  // The letters belong to the machine axes: in G18 the first axis of the plane is Z.
+  const bool swapped = axes.first > axes.second;
+  if (swapped) write_center(axes.second, 1);
+  write_center(axes.first, 0);
+  if (!swapped) write_center(axes.second, 1);
+  out.end_at(at);
+  state.motion = clockwise ? MotionKind::clockwise : MotionKind::counter_clockwise;
+}
+
+// A feed counts by its digits, not by its decimals: a slow one gets more of them,
+// and none becomes F0.
+MotionWriter::WrittenFeed MotionWriter::written_feed(double feed, bool inch) const {
+  const double value = inch ? feed / mm_per_inch : feed;
+  int decimals = decimals_of(inch);
+  while (decimals < most_decimals && to_units(value, decimals) < least_feed_units) ++decimals;
+  const std::int64_t units = std::max<std::int64_t>(to_units(value, decimals), 1);
+  const double number = from_units(units, decimals);
+  return {.units = units, .decimals = decimals, .read = inch ? number * mm_per_inch : number};
+}
+
+bool MotionWriter::same_feed(double a, double b, bool inch) const {
+  return a == b || written_feed(a, inch).read == written_feed(b, inch).read;
+}
+
+void MotionWriter::append_feed(TextBuffer& out, double feed, WrittenState& state) const {
+  const WrittenFeed word = written_feed(feed, state.inch);
+  out.end_at(write_word(out.room(room_of_word), 'F', word.units, word.decimals));
+  state.feed = word.read;
+}
+
+}  // namespace trc

@@ -1,0 +1,133 @@
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "core/nc/state/program_line.h"
+#include "core/nc/text/number_format.h"
+#include "core/nc/text/text_buffer.h"
+#include "core/trc/result/compensated_block.h"
+
+namespace trc {
+
+// What a control that reads the output knows after the text written so far. The
+// position is the one it reads, not the exact one: numbers are rounded as they
+// are written.
+struct WrittenState {
+  MotionKind motion = MotionKind::rapid;
+  bool incremental = false;
+  bool inch = false;
+  bool absolute_center = false;
+  Plane plane = Plane::xy;
+  double feed = 0;  // mm/min; 0: none written yet
+  Position position{};
+  std::vector<double> tracking{};  // by index into the tracking axes of the session
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(motion, incremental, inch, absolute_center, plane, feed, position, tracking);
+  }
+};
+
+// A set of axes: bits 0 … 2 are X Y Z, the tracking axes follow.
+using AxisSet = std::uint64_t;
+[[nodiscard]] constexpr AxisSet axis_bit(std::size_t axis) { return AxisSet{1} << axis; }
+
+// The two parts of an arc of half the sweep each; they share their joint.
+[[nodiscard]] std::array<Arc, 2> halves_of(const Arc& arc);
+
+// Turns motions into words (G01 X30 Y30 …) such that a reader of the text makes
+// the same motion: ends to half a unit of the last decimal, points inside an arc to
+// one and a half units, to five in one of more than 180 degrees. The state is brought up to what
+// such a reader knows.
+class MotionWriter {
+ public:
+  // `tracking_letters`: one letter per tracking axis. 0 <= decimals < most_decimals.
+  MotionWriter(int decimals, std::string tracking_letters);
+
+  // How an arc can be written from the position the reader is at.
+  enum class ArcForm : std::uint8_t {
+    arc,     // as G02 or G03
+    line,    // so short that a line is as exact, and rounding would change its sweep
+    halves,  // rounding would move its centre or change its sweep: too near to a full circle
+  };
+  // A number as it is written, and what a reader makes of it in mm.
+  struct Written {
+    std::int64_t units = 0;
+    double read = 0;
+  };
+  // The numbers of an arc, in the axes of the plane.
+  struct ArcNumbers {
+    ArcForm form = ArcForm::arc;
+    std::array<Written, 2> end{};
+    std::array<Written, 2> center{};
+  };
+  [[nodiscard]] ArcNumbers numbers_of(const Arc& arc, Plane plane, const WrittenState& state) const;
+  // The form, from the arc that a reader makes of the numbers. numbers_of gets there by a shorter
+  // way where it can.
+  [[nodiscard]] ArcForm form_of(const Arc& arc, const ArcNumbers& numbers, Plane plane,
+                                const WrittenState& state) const;
+
+  // Whether a reader would move if it were told to go there.
+  [[nodiscard]] bool moves(const Position& end, const TrackingTravel& tracking,
+                           const WrittenState& state) const;
+  // Whether `position` is `target` to half a unit of the last decimal.
+  [[nodiscard]] bool reaches(double target, double position, bool inch) const {
+    return std::abs(target - position) <= unit(inch) / 2;
+  }
+  [[nodiscard]] bool reaches_tracking(std::size_t axis, double target, double position,
+                                      bool inch) const;
+
+  // Append the motion function, the axes that move or are in `always` and, for
+  // an arc, both plane axes and the centre. Each word has a blank before it.
+  void append_line(TextBuffer& out, MotionKind kind, const Position& end,
+                   const TrackingTravel& tracking, AxisSet always, WrittenState& state) const;
+  // `numbers`: of this arc, from this state.
+  void append_arc(TextBuffer& out, const Arc& arc, const ArcNumbers& numbers, Plane plane,
+                  const Position& end, const TrackingTravel& tracking, AxisSet always,
+                  WrittenState& state) const;
+
+  // Whether two feeds are written alike, mm/min.
+  [[nodiscard]] bool same_feed(double a, double b, bool inch) const;
+  void append_feed(TextBuffer& out, double feed, WrittenState& state) const;
+
+ private:
+  [[nodiscard]] Written written(double value, bool inch) const {
+    const std::int64_t units = to_units(inch ? value / mm_per_inch : value, decimals_of(inch));
+    const double number = from_units(units, decimals_of(inch));
+    return {.units = units, .read = inch ? number * mm_per_inch : number};
+  }
+  [[nodiscard]] Written written_end(double target, double position, bool inch,
+                                    bool incremental) const {
+    if (!incremental) return written(target, inch);
+    const Written step = written(target - position, inch);
+    return {.units = step.units, .read = position + step.read};
+  }
+  [[nodiscard]] Written written_center(double center, double start,
+                                       const WrittenState& state) const;
+  struct WrittenFeed {
+    std::int64_t units = 0;
+    int decimals = 0;
+    double read = 0;  // mm/min
+  };
+  [[nodiscard]] WrittenFeed written_feed(double feed, bool inch) const;
+  [[nodiscard]] int decimals_of(bool inch) const { return inch ? decimals_ + 1 : decimals_; }
+  [[nodiscard]] double unit(bool inch) const { return inch ? unit_of_inch_ : unit_of_mm_; }
+
+  // `known`: the numbers of main axes that have been asked for already.
+  using KnownNumbers = std::array<const Written*, 3>;
+  [[nodiscard]] char* write_axes(char* at, AxisSet always, AxisSet never, const Position& end,
+                                 const TrackingTravel& tracking, const KnownNumbers& known,
+                                 WrittenState& state) const;
+
+  int decimals_;
+  // Of the last decimal, mm.
+  double unit_of_mm_;
+  double unit_of_inch_;
+  std::string tracking_letters_;
+};
+
+}  // namespace trc

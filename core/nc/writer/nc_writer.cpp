@@ -1,0 +1,375 @@
+#include "core/nc/writer/nc_writer.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+namespace trc {
+namespace {
+
+constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+
+// What is left of a line besides its N word when its motion is gone.
+constexpr RoleSet roles_without_motion =
+    bit(WordRole::mode) | bit(WordRole::feed) | bit(WordRole::technology) | bit(WordRole::comment);
+
+// Of a line that is written anew, in front of the words of its motion and behind them.
+constexpr RoleSet roles_in_front = bit(WordRole::number) | bit(WordRole::mode);
+constexpr RoleSet roles_behind =
+    bit(WordRole::technology) | bit(WordRole::comment) | bit(WordRole::feed);
+
+char upper(char letter) {
+  return letter >= 'a' && letter <= 'z' ? static_cast<char>(letter - 'a' + 'A') : letter;
+}
+
+// mm; a reader takes the start of a copied arc for the programmed one.
+constexpr double same_start = 1e-9;
+
+MotionKind kind_of(const CompensatedBlock& block) {
+  if (const Arc* arc = std::get_if<Arc>(&block.path))
+    return arc->sweep < 0 ? MotionKind::clockwise : MotionKind::counter_clockwise;
+  return block.rapid ? MotionKind::rapid : MotionKind::linear;
+}
+
+bool moves_in_plane(const CompensatedBlock& block) {
+  return is_arc(block.path) || start_of(block.path) != end_of(block.path);
+}
+
+AxisSet plane_axes(Plane plane) {
+  const PlaneAxes axes = axes_of(plane);
+  return axis_bit(axes.first) | axis_bit(axes.second);
+}
+
+}  // namespace
+
+NcWriter::NcWriter(const Setup& setup)
+    : motions_(setup.decimals, setup.tracking_letters),
+      tracking_letters_(setup.tracking_letters),
+      center_letters_are_axes_(setup.tracking_letters.find_first_of("IJKR") != std::string::npos) {
+  state_.absolute_center = setup.absolute_center;
+  state_.plane = setup.plane;
+  state_.position = setup.start;
+  state_.tracking.resize(setup.tracking_letters.size());
+}
+
+void NcWriter::take(LinePointer line, const Meaning& meaning) {
+  if (meaning.gives_block) {
+    ++waiting_for_blocks_;
+    silent_bytes_ = 0;
+  } else {
+    silent_bytes_ += sizeof(Waiting) + sizeof(ProgramLine) + line->text.size();
+  }
+  waiting_.push_back({.line = std::move(line), .meaning = meaning});
+}
+
+void NcWriter::drop_first() {
+  if (waiting_[first_++].meaning.gives_block) --waiting_for_blocks_;
+}
+
+void NcWriter::write_lines_before(const Source& source, std::string& out) {
+  while (first_ < waiting_.size() && comes_before(waiting_[first_], source)) {
+    write_without_motion(waiting_[first_], out);
+    drop_first();
+  }
+}
+
+void NcWriter::write_silent_lines(std::string& out) {
+  if (waiting_for_blocks_ == 0) finish(out);
+}
+
+void NcWriter::finish(std::string& out) {
+  while (first_ < waiting_.size()) {
+    write_without_motion(waiting_[first_], out);
+    drop_first();
+  }
+  silent_bytes_ = 0;
+}
+
+void NcWriter::write(const CompensatedBlock& block, std::string& out) {
+  if (first_ < waiting_.size() && comes_before(waiting_[first_], block.source))
+    write_lines_before(block.source, out);
+  const bool has_own =
+      first_ < waiting_.size() && waiting_[first_].line->source.index == block.source.index;
+  own_ = has_own ? &waiting_[first_] : nullptr;
+  if (block.origin == Origin::passthrough) {
+    // The technology of a motion line comes with the motion, that of the program
+    // end behind everything.
+    if (!has_own) {
+      // Behind a motion that was written anew: M00 and the like.
+      if (block.source.index == rewritten_index_) write_text(block.text, line_end_, out);
+      return;
+    }
+    if (own_->line->is_motion || own_->line->ends_program) return;
+    write_without_motion(*own_, out);
+    drop_first();
+    return;
+  }
+  const bool may_be_copied = has_own && block.origin == Origin::uncompensated;
+  if (!may_be_copied || !copy_motion(*own_, block, out)) write_motion(block, out);
+  if (own_ != nullptr && (own_->line->roles & roles_without_motion) != 0) {
+    write_without_motion(*own_, out);
+    own_ = nullptr;
+  }
+  if (has_own && own_ == nullptr) drop_first();
+}
+
+void NcWriter::write_without_motion(const Waiting& own, std::string& out) {
+  const ProgramLine& line = *own.line;
+  if (!line.has_trc_words && !line.is_motion) {
+    write_text(line.text, line.line_end, out);
+  } else {
+    begin_words();
+    bool has_more_than_number = false;
+    for (const WordRange& word : line.words) {
+      if (word.role == WordRole::trc || word.role == WordRole::coordinate) continue;
+      if (word.role == WordRole::motion && line.is_motion) continue;
+      has_more_than_number |= word.role != WordRole::number;
+      append(line, word);
+    }
+    if (has_more_than_number) write_words(line.line_end, out);
+  }
+  enter_modes(own);
+  if (own.line->has(WordRole::feed)) enter_feed(line);
+  if (own.line->has(WordRole::motion) && !line.is_motion) state_.motion = line.motion;
+}
+
+bool NcWriter::copy_motion(const Waiting& own, const CompensatedBlock& block, std::string& out) {
+  const ProgramLine& line = *own.line;
+  if (line.has_trc_words || !line.is_motion) return false;
+  if (line.motion != kind_of(block)) return false;
+  if (!own.line->has(WordRole::motion) && line.motion != state_.motion) return false;
+  if (is_arc(block.path) && line.plane != block.plane) return false;
+  if (!block.rapid && block.feed > 0 && !own.line->has(WordRole::feed) && !has_feed(block))
+    return false;
+  after_.position = state_.position;
+  after_.tracking = state_.tracking;
+  if (!reads_as(own, block, after_)) return false;
+
+  enter_modes(own);
+  state_.position = after_.position;
+  state_.tracking = after_.tracking;
+  if (own.line->has(WordRole::feed)) enter_feed(line);
+  state_.motion = line.motion;
+  write_text(line.text, line.line_end, out);
+  own_ = nullptr;
+  return true;
+}
+
+bool NcWriter::reads_as(const Waiting& own, const CompensatedBlock& block,
+                        WrittenState& after) const {
+  const ProgramLine& line = *own.line;
+  const AxisSet named = axes_named_in(line);
+  const AxisSet in_plane = plane_axes(block.plane);
+  const bool flat = moves_in_plane(block);
+  const Position start = from_plane(block.plane, start_of(block.path), block.normal.from);
+  const Position end = from_plane(block.plane, end_of(block.path), block.normal.to);
+  for (std::size_t axis = 0; axis < end.size(); ++axis) {
+    const AxisSet bit = axis_bit(axis);
+    double& position = after.position[axis];
+    // The centre may count from the start, so that an arc begins just there.
+    if (is_arc(block.path) && (in_plane & bit) != 0 &&
+        !(std::abs(position - start[axis]) <= same_start))
+      return false;
+    // Without motion in the plane the block stays where TRC has put it, and the
+    // words of the line name the programmed place.
+    if (!flat && (in_plane & named & bit) != 0 &&
+        !motions_.reaches(end[axis], own.meaning.end[axis], line.inch))
+      return false;
+    if ((named & bit) != 0)
+      position = line.incremental ? position + (end[axis] - start[axis]) : end[axis];
+    if (!motions_.reaches(end[axis], position, line.inch)) return false;
+  }
+  for (std::size_t axis = 0; axis < block.tracking.size(); ++axis) {
+    const AxisTravel& travel = block.tracking[axis];
+    double& position = after.tracking[axis];
+    if ((named & axis_bit(end.size() + axis)) != 0)
+      position = line.incremental ? position + (travel.to - travel.from) : travel.to;
+    if (!motions_.reaches_tracking(axis, travel.to, position, line.inch)) return false;
+  }
+  return true;
+}
+
+void NcWriter::write_motion(const CompensatedBlock& block, std::string& out) {
+  if (own_ != nullptr) enter_modes(*own_);
+  const Arc* arc = std::get_if<Arc>(&block.path);
+  if (arc == nullptr) return write_piece(block, block.path, nullptr, 1, out);
+  const Plane plane = state_.plane;
+  if (block.plane != plane) write_plane(block.plane, out);
+  write_arc(block, *arc, 0, 1, out);
+  if (block.plane != plane) write_plane(plane, out);
+}
+
+void NcWriter::write_arc(const CompensatedBlock& block, const Arc& arc, double from, double to,
+                         std::string& out) {
+  const MotionWriter::ArcNumbers numbers = motions_.numbers_of(arc, block.plane, state_);
+  switch (numbers.form) {
+    case MotionWriter::ArcForm::arc:
+      return write_piece(block, arc, &numbers, to, out);
+    case MotionWriter::ArcForm::halves: {
+      const double middle = (from + to) / 2;
+      const std::array<Arc, 2> halves = halves_of(arc);
+      write_arc(block, halves[0], from, middle, out);
+      write_arc(block, halves[1], middle, to, out);
+      return;
+    }
+    case MotionWriter::ArcForm::line:
+      return write_piece(block, Line{.start = arc.start, .end = arc.end}, nullptr, to, out);
+  }
+}
+
+void NcWriter::write_piece(const CompensatedBlock& block, const Segment& piece,
+                           const MotionWriter::ArcNumbers* numbers, double share,
+                           std::string& out) {
+  const auto part_way = [share](const AxisTravel& travel) {
+    return share == 1 ? travel.to : travel.from + share * (travel.to - travel.from);
+  };
+  const Position end = from_plane(block.plane, end_of(piece), part_way(block.normal));
+  if (share != 1) {
+    tracking_ = block.tracking;
+    for (AxisTravel& travel : tracking_) travel.to = part_way(travel);
+  }
+  const TrackingTravel& tracking = share == 1 ? block.tracking : tracking_;
+  const bool in_plane = moves_in_plane(block);
+  AxisSet always = in_plane ? plane_axes(block.plane) : 0;
+  if (own_ != nullptr) always |= axes_to_keep(*own_, block, end);
+  const Arc* arc = std::get_if<Arc>(&piece);
+  const bool must_be_written = (always & (in_plane ? ~plane_axes(block.plane) : ~AxisSet{0})) != 0;
+  if (arc == nullptr && !must_be_written && !motions_.moves(end, tracking, state_)) return;
+
+  begin_words();
+  if (own_ != nullptr && (own_->line->roles & roles_in_front) != 0) {
+    for (const WordRange& word : own_->line->words)
+      if (word.role == WordRole::number || word.role == WordRole::mode) append(*own_->line, word);
+  }
+  const MotionKind kind = kind_of(block);
+  if (arc != nullptr) {
+    motions_.append_arc(words_, *arc, *numbers, block.plane, end, tracking, always, state_);
+  } else {
+    motions_.append_line(words_, kind == MotionKind::rapid ? kind : MotionKind::linear, end,
+                         tracking, always, state_);
+  }
+  append_feed_and_rest(block);
+  write_words(own_ != nullptr ? own_->line->line_end : line_end_, out);
+  if (own_ != nullptr) rewritten_index_ = own_->line->source.index;
+  own_ = nullptr;
+}
+
+// The words of the line for axes that need not move by our count. They stay:
+// where the machine is at the start of the program or after a shift of the zero
+// point only the line says. Under TRC the line names the programmed place, not that of the tool.
+AxisSet NcWriter::axes_to_keep(const Waiting& own, const CompensatedBlock& block,
+                               const Position& end) const {
+  AxisSet kept = axes_named_in(*own.line) & ~own.meaning.moved;
+  if (block.origin != Origin::uncompensated) return kept & ~plane_axes(block.plane);
+  for (std::size_t axis = 0; axis < end.size(); ++axis) {
+    if ((plane_axes(block.plane) & axis_bit(axis)) == 0) continue;
+    if (!motions_.reaches(end[axis], own.meaning.end[axis], state_.inch)) kept &= ~axis_bit(axis);
+  }
+  return kept;
+}
+
+void NcWriter::append_feed_and_rest(const CompensatedBlock& block) {
+  const bool needs_feed = !block.rapid && block.feed > 0;
+  if (needs_feed && !(own_ != nullptr && own_->line->has(WordRole::feed)) && !has_feed(block))
+    append_feed(block.feed);
+  if (own_ == nullptr || (own_->line->roles & roles_behind) == 0) return;
+  const ProgramLine& line = *own_->line;
+  for (const WordRange& word : line.words) {
+    if (word.role == WordRole::technology || word.role == WordRole::comment) {
+      append(line, word);
+    } else if (word.role == WordRole::feed) {
+      if (needs_feed && !motions_.same_feed(line.feed, block.feed, line.inch)) {
+        append_feed(block.feed);
+      } else {
+        append(line, word);
+        enter_feed(line);
+      }
+    }
+  }
+}
+
+// With a feed word that the program has written itself its reader has the feed
+// of the program, also where that is per revolution and means nothing here.
+bool NcWriter::has_feed(const CompensatedBlock& block) const {
+  if (feed_is_programmed_ && own_ != nullptr && own_->line->feed == block.feed) return true;
+  return motions_.same_feed(state_.feed, block.feed, state_.inch);
+}
+
+void NcWriter::append_feed(double feed) {
+  motions_.append_feed(words_, feed, state_);
+  feed_is_programmed_ = false;
+}
+
+void NcWriter::enter_feed(const ProgramLine& line) {
+  state_.feed = line.feed;
+  feed_is_programmed_ = true;
+}
+
+void NcWriter::write_plane(Plane plane, std::string& out) {
+  begin_words();
+  words_.append(plane == Plane::xy ? " G17" : plane == Plane::zx ? " G18" : " G19");
+  write_words(line_end_, out);
+  state_.plane = plane;
+}
+
+// In a continued block words may stand behind a `;` comment, and each line may
+// have an N word: the first one is that of the block.
+void NcWriter::append(const ProgramLine& line, const WordRange& word) {
+  if (word.role == WordRole::number && &word != &line.words.front()) {
+    const auto first = std::ranges::find(line.words, WordRole::number, &WordRange::role);
+    if (&*first != &word) return;
+  }
+  const bool ends_line = word.role == WordRole::comment && line.text[word.begin] == ';';
+  TextBuffer& words = ends_line ? last_comment_ : words_;
+  words.append(' ');
+  words.append(line.word(word));
+}
+
+void NcWriter::write_words(std::string_view line_end, std::string& out) {
+  if (!last_comment_.empty()) words_.append(last_comment_.view());
+  if (line_end.empty()) return write_text(words_.view().substr(1), line_end, out);
+  end_line_before(out);
+  if (line_end.size() == 1) {
+    words_.append(line_end.front());
+  } else {
+    words_.append(line_end);
+  }
+  out += words_.view().substr(1);
+  line_end_ = line_end;
+}
+
+void NcWriter::write_text(std::string_view text, std::string_view line_end, std::string& out) {
+  end_line_before(out);
+  out += text;
+  out += line_end;
+  if (!line_end.empty()) {
+    line_end_ = line_end;
+  } else {
+    line_end_missing_ = text != byte_order_mark;
+  }
+}
+
+void NcWriter::enter_modes(const Waiting& own) {
+  if (!own.line->has(WordRole::mode)) return;
+  state_.incremental = own.line->incremental;
+  state_.inch = own.line->inch;
+  state_.absolute_center = own.line->absolute_center;
+  state_.plane = own.line->plane;
+}
+
+AxisSet NcWriter::all_axes_named_in(const ProgramLine& line) const {
+  AxisSet named = 0;
+  for (const WordRange& word : line.words) {
+    if (word.role != WordRole::coordinate) continue;
+    const char letter = upper(line.text[word.begin]);
+    if (letter >= 'X' && letter <= 'Z') {
+      named |= axis_bit(static_cast<std::size_t>(letter - 'X'));
+    } else if (const std::size_t axis = tracking_letters_.find(letter); axis != std::string::npos) {
+      named |= axis_bit(3 + axis);
+    }
+  }
+  return named;
+}
+
+}  // namespace trc

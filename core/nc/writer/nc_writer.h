@@ -1,0 +1,160 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "core/nc/state/program_line.h"
+#include "core/nc/writer/motion_writer.h"
+#include "core/trc/result/compensated_block.h"
+
+namespace trc {
+
+// The program text with TRC resolved: compensated blocks meet the lines they
+// came from again, through Source::index.
+//
+// A line comes out byte for byte when a reader of the output does with it what
+// the program meant: no TRC words in it, motion uncompensated, and position,
+// motion function and feed as the line takes them for granted. Else its words
+// are written anew: N word, modes, motion, then technology and comments in their
+// order. Blocks that TRC inserts are lines of their own, without N word. A line
+// of which nothing but its N word is left does not come out.
+//
+// Lines that give no block wait for the next block of the program, so that the
+// output does not depend on when the text arrives.
+class NcWriter {
+ public:
+  struct Setup {
+    int decimals = 4;  // mm; one more for inch; below most_decimals
+    Position start{};  // mm
+    bool absolute_center = false;
+    Plane plane = Plane::xy;
+    std::string tracking_letters{};  // one per tracking axis
+  };
+  explicit NcWriter(const Setup& setup);
+
+  // What the program says in a line, before TRC.
+  struct Meaning {
+    bool gives_block = false;  // one with its Source comes to write(), unless TRC drops it
+    Position end{};            // where the program is after the line
+    AxisSet moved{};           // axes across the plane and tracking axes that travel
+
+    template <class Archive>
+    void serialize(Archive& archive) {
+      archive(gives_block, end, moved);
+    }
+  };
+  // The next line of the program.
+  void take(LinePointer line, const Meaning& meaning);
+  // The next block of the path: appends the text that has become certain.
+  void write(const CompensatedBlock& block, std::string& out);
+  // Appends the waiting lines if none of them gives a block.
+  void write_silent_lines(std::string& out);
+  // No more blocks: appends all waiting lines.
+  void finish(std::string& out);
+
+  // Bytes held since the last line that gives a block.
+  [[nodiscard]] std::size_t silent_bytes() const { return silent_bytes_; }
+  // Lets go of the lines that have come out: `taker` may use their memory again. Until then they
+  // are kept.
+  template <class Taker>
+  void let_go_lines(Taker taker) {
+    for (std::size_t i = 0; i < first_; ++i) taker(std::move(waiting_[i].line));
+    waiting_.erase(waiting_.begin(), waiting_.begin() + static_cast<std::ptrdiff_t>(first_));
+    first_ = 0;
+  }
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(state_, feed_is_programmed_, waiting_, first_, waiting_for_blocks_, silent_bytes_,
+            rewritten_index_, line_end_missing_);
+    serialize_line_end(archive, line_end_);
+  }
+
+ private:
+  struct Waiting {
+    LinePointer line{};
+    Meaning meaning{};
+
+    template <class Archive>
+    void serialize(Archive& archive) {
+      archive(line, meaning);
+    }
+  };
+
+  void drop_first();
+  [[nodiscard]] bool comes_before(const Waiting& waiting, const Source& source) const {
+    const Source& own = waiting.line->source;
+    return own.index < source.index || (own.index == source.index && !waiting.line->has_words);
+  }
+  void write_lines_before(const Source& source, std::string& out);
+
+  // The line without its motion and TRC words; as it is when it has neither.
+  void write_without_motion(const Waiting& own, std::string& out);
+  // Copies the line if a reader makes the motion of the block from it.
+  bool copy_motion(const Waiting& own, const CompensatedBlock& block, std::string& out);
+  // Whether a reader who starts at `after` makes that motion; moves `after` to its end.
+  [[nodiscard]] bool reads_as(const Waiting& own, const CompensatedBlock& block,
+                              WrittenState& after) const;
+
+  void write_motion(const CompensatedBlock& block, std::string& out);
+  void write_arc(const CompensatedBlock& block, const Arc& arc, double from, double to,
+                 std::string& out);
+  // One line of output: the piece of the block that ends after a share of its way. `numbers`: of
+  // an arc.
+  void write_piece(const CompensatedBlock& block, const Segment& piece,
+                   const MotionWriter::ArcNumbers* numbers, double share, std::string& out);
+  void write_plane(Plane plane, std::string& out);
+
+  void begin_words() {
+    words_.clear();
+    last_comment_.clear();
+  }
+  void append(const ProgramLine& line, const WordRange& word);
+  void append_feed_and_rest(const CompensatedBlock& block);
+  void append_feed(double feed);
+  void enter_feed(const ProgramLine& line);
+  // Whether the feed of the block is in force without a word for it.
+  [[nodiscard]] bool has_feed(const CompensatedBlock& block) const;
+  void write_words(std::string_view line_end, std::string& out);
+  void write_text(std::string_view text, std::string_view line_end, std::string& out);
+  void end_line_before(std::string& out) {
+    if (std::exchange(line_end_missing_, false)) out += line_end_;
+  }
+  void enter_modes(const Waiting& own);
+  [[nodiscard]] AxisSet axes_to_keep(const Waiting& own, const CompensatedBlock& block,
+                                     const Position& end) const;
+  [[nodiscard]] AxisSet axes_named_in(const ProgramLine& line) const {
+    return line.names_other_axes || center_letters_are_axes_ ? all_axes_named_in(line)
+                                                             : AxisSet{line.main_axes};
+  }
+  [[nodiscard]] AxisSet all_axes_named_in(const ProgramLine& line) const;
+
+  MotionWriter motions_;
+  std::string tracking_letters_;
+  bool center_letters_are_axes_;  // I J K R among them
+  WrittenState state_;
+  WrittenState after_;              // of the line being judged
+  bool feed_is_programmed_ = true;  // the last F word is one of the program
+
+  // Lines that have not come out are those from `first_` on.
+  std::vector<Waiting> waiting_;
+  std::size_t first_ = 0;
+  std::size_t waiting_for_blocks_ = 0;
+  std::size_t silent_bytes_ = 0;
+  // The line whose motion was last written anew: what stops behind the motion is
+  // still to come.
+  std::uint64_t rewritten_index_ = std::numeric_limits<std::uint64_t>::max();
+  const Waiting* own_ = nullptr;      // the line of the block being written, until it has come out
+  TextBuffer words_;                  // of the line being written, a blank before each
+  TextBuffer last_comment_;           // behind them: what begins with `;` ends the line
+  TrackingTravel tracking_{};         // of the piece being written
+  std::string_view line_end_ = "\n";  // of the lines TRC inserts: that of the line before
+  bool line_end_missing_ = false;     // the text so far ends with a line without
+};
+
+}  // namespace trc

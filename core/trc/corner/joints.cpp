@@ -1,0 +1,184 @@
+#include "core/trc/corner/joints.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "core/trc/selection/direct.h"
+#include "core/trc/selection/on_path.h"
+#include "core/trc/selection/tangential.h"
+
+namespace trc {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+bool is_contour(const PathBlock& block) { return block.role == Role::contour; }
+
+OffsetCurve straight(const Point& anchor, const Vector& tangent) {
+  return {.anchor = anchor, .tangent = tangent};
+}
+
+Joint outside(const Corner& corner, const TrcMode& mode, const Tolerances& tolerances) {
+  const double limit = pi + pi / 180 + tolerances.tangent;
+  const bool extensible = corner.before.exists() && corner.after.exists();
+  if (mode.options.ext_angle_block_intersection && extensible &&
+      transition_angle(corner, tolerances) <= limit) {
+    if (auto joint = extended_joint(corner, tolerances)) return *joint;
+  }
+  return outside_joint(
+      corner, {.transition = mode.transition, .stretch_factor = mode.options.stretch_factor},
+      tolerances);
+}
+
+JointResult on_path(const std::optional<Joint>& joint, bool of_after, const Corner& corner) {
+  if (joint) return JoinedBlocks{.joint = *joint};
+  return JointRefusal{
+      .code = Code::selection_block_too_short, .of_after = of_after, .place = corner.programmed};
+}
+
+JointResult approach(const PathBlock& before, const PathBlock& after, const Corner& corner,
+                     const Tolerances& tolerances) {
+  const TrcMode& mode = before.mode();
+  if (mode.tangential) {
+    auto path = selection::tangential_entry(start_of(before.programmed.path), corner.after.anchor,
+                                            corner.after.tangent, tolerances);
+    if (path) return JoinedBlocks{selection::approach_direct(corner), path};
+    return JointRefusal{.code = Code::tangential_start_on_tangent, .place = before.tool_start};
+  }
+  switch (mode.selection) {
+    case Selection::indirect:
+      if (kind_of(corner, tolerances) == CornerKind::outside)
+        return JoinedBlocks{.joint = outside(corner, after.mode(), tolerances)};
+      break;
+    case Selection::on_path:
+      return on_path(
+          selection::approach_on_path(corner, before.programmed.path, before.tangent_at_end,
+                                      mode.options.g236_lin, tolerances),
+          false, corner);
+    case Selection::perpendicular:
+      return JoinedBlocks{.joint = joint_across(corner.programmed, corner.after.anchor)};
+    case Selection::inside_corner: {
+      Joint joint;
+      joint.end = joint.start = before.offset_end;
+      joint.cut_after = before.cut_at_end;
+      return JoinedBlocks{.joint = joint};
+    }
+    case Selection::direct:
+    case Selection::without_block:
+      break;
+  }
+  return JoinedBlocks{.joint = selection::approach_direct(corner)};
+}
+
+JointResult retract(const PathBlock& after, Selection mode, const Corner& corner,
+                    const Tolerances& tolerances) {
+  if (after.mode().tangential) {
+    const Point& target = end_of(after.programmed.path);
+    auto path =
+        selection::tangential_exit(corner.before.anchor, corner.before.tangent, target, tolerances);
+    if (path) return JoinedBlocks{selection::retract_direct(corner), path};
+    return JointRefusal{
+        .code = Code::tangential_start_on_tangent, .of_after = true, .place = target};
+  }
+  switch (mode) {
+    case Selection::indirect:
+      if (kind_of(corner, tolerances) == CornerKind::outside)
+        return JoinedBlocks{.joint = outside(corner, after.mode(), tolerances)};
+      break;
+    case Selection::on_path:
+      return on_path(
+          selection::retract_on_path(corner, after.programmed.path, after.tangent_at_start,
+                                     after.mode().options.g236_lin, tolerances),
+          true, corner);
+    case Selection::perpendicular:
+      return JoinedBlocks{.joint = joint_across(corner.before.anchor, corner.programmed)};
+    case Selection::inside_corner: {
+      Joint joint;
+      joint.end = joint.start = after.offset_start;
+      joint.cut_before = after.cut_at_start;
+      return JoinedBlocks{.joint = joint};
+    }
+    case Selection::direct:
+    case Selection::without_block:
+      break;
+  }
+  return JoinedBlocks{.joint = selection::retract_direct(corner)};
+}
+
+// Whether the corner leaves something of the block, whatever its other end loses.
+bool reaches(const PathBlock& block, double cut) { return left_of_block(block, cut, 0) >= 0; }
+
+JointResult contour_joint(const PathBlock& before, const PathBlock& after, const Corner& corner,
+                          const Tolerances& tolerances) {
+  const TrcMode& mode = after.mode();
+  const bool vanished = before.unreachable || after.unreachable;
+  switch (kind_of(corner, tolerances)) {
+    case CornerKind::tangential:
+      return JoinedBlocks{.joint = tangential_joint(corner)};
+    case CornerKind::outside:
+      return JoinedBlocks{.joint = outside(corner, mode, tolerances)};
+    case CornerKind::inside:
+      break;
+  }
+  std::optional<MeetingPoint> meeting;
+  if (after.removes_loops()) {
+    if (!vanished) meeting = inside_joint(corner, to_all_digits(tolerances, corner.tool_radius()));
+    if (!(meeting && reaches(before, meeting->cut_before) && reaches(after, meeting->cut_after)))
+      return JoinedBlocks{.joint = joint_across(corner.before.anchor, corner.after.anchor),
+                          .apart = true};
+  } else if (!vanished) {
+    meeting = inside_joint(corner, tolerances);
+  }
+  if (meeting) {
+    Joint joint(*meeting);
+    if (mode.options.gen_cir_block_in_corner)
+      joint.insert(
+          Arc{.start = joint.end, .end = joint.start, .center = joint.end, .sweep = corner.turn()});
+    return JoinedBlocks{.joint = joint};
+  }
+  if (mode.options.ignore_cont_damage)
+    return JoinedBlocks{.joint = joint_across(corner.before.anchor, corner.after.anchor)};
+  const bool line_before = !corner.before.circular;
+  const bool line = line_before || !corner.after.circular;
+  return JointRefusal{.code = line ? Code::line_reversed : Code::arc_wrapped,
+                      .of_after = !line_before,
+                      .place = corner.programmed};
+}
+
+}  // namespace
+
+Corner corner_between(const PathBlock& before, const PathBlock& after,
+                      const Tolerances& tolerances) {
+  Corner corner{.programmed = end_of(before.programmed.path)};
+  corner.shift = before.at_end.shift;
+  // Off the contour the blocks count as straight: their own shape has no offset.
+  corner.before = is_contour(before) ? offset_curve(before.programmed.path, before.tangent_at_end,
+                                                    before.offset_end, corner.shift)
+                                     : straight(before.offset_end, before.tangent_at_end);
+  corner.after = is_contour(after) ? offset_curve(after.programmed.path, after.tangent_at_start,
+                                                  after.offset_start, corner.shift)
+                                   : straight(after.offset_start, after.tangent_at_start);
+  corner.slit =
+      reverses_into_slit(corner, before.programmed.path, after.programmed.path, tolerances);
+  return corner;
+}
+
+JointResult joint_between(const PathBlock& before, const PathBlock& after, const Corner& corner,
+                          const Tolerances& tolerances) {
+  // The side changes at a reversal point: both equidistants end there (spec 9).
+  if (is_contour(before) && is_contour(after) && before.at_end.shift * after.at_start.shift < 0)
+    return JoinedBlocks{.joint = tangential_joint(corner)};
+  if (!is_contour(before)) return approach(before, after, corner, tolerances);
+  if (after.role == Role::retract)
+    return retract(after, after.mode().deselection, corner, tolerances);
+  if (after.role == Role::side_change)
+    return retract(after, after.mode().selection, corner, tolerances);
+  return contour_joint(before, after, corner, tolerances);
+}
+
+double left_of_block(const PathBlock& block, double cut_at_start, double cut_at_end) {
+  return extent_of(block.programmed.path) - cut_at_start - cut_at_end;
+}
+
+}  // namespace trc

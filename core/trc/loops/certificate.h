@@ -1,0 +1,103 @@
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+
+#include "core/base/numbered_queue.h"
+#include "core/base/tolerances.h"
+#include "core/trc/loops/held_path.h"
+#include "core/trc/path_block.h"
+
+namespace trc {
+
+// Which contour blocks are too near on the contour, and too well-behaved, to be
+// in the way of one another's equidistants; LoopRemoval need not compare them.
+//
+// A chain of contour blocks is certified when both corners leave something of each
+// block, one radius and one side hold throughout, and the directions of travel in it
+// differ by less than half a turn. Then the equidistant of the chain, its transitions
+// included, stays a tool radius away from all of the chain. The proof is in
+// core/README.md.
+class Certificate {
+ public:
+  explicit Certificate(const Tolerances& tolerances) : tolerances_(tolerances) {}
+
+  // What it takes to know of a contour block.
+  struct Block {
+    Vector tangent_at_start = Vector::UnitX();
+    Vector tangent_at_end = Vector::UnitX();
+    double sweep = 0;  // rad, of the programmed arc
+    double left = 0;   // mm of the programmed path that inside corners leave; 0: unreachable
+    double shift_at_start = 0;
+    double shift_at_end = 0;
+  };
+  [[nodiscard]] static Block block_of(const PathBlock& block);
+
+  // Appends a contour block; `apart`: its equidistant does not meet that of the
+  // block before.
+  void append(const Block& block, bool apart);
+  [[nodiscard]] std::size_t size() const { return first_of_chain_.end(); }
+  // Nobody will ask about blocks before this one any more.
+  void drop_before(std::size_t block);
+
+  // The first block of the longest certified chain that ends with `block`.
+  [[nodiscard]] std::size_t chain_before(std::size_t block) const { return first_of_chain_[block]; }
+  // The last block of the longest certified chain that begins with `block`.
+  [[nodiscard]] std::size_t chain_behind(std::size_t block) const {
+    return block < chain_ ? last_of_chain_[block] : size() - 1;
+  }
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(first_of_chain_, last_of_chain_, chain_, direction_, turns_, shift_, directions_,
+            middle_, behind_middle_);
+    if constexpr (Archive::is_loading::value) up_to_middle_ = directions_from(chain_);
+  }
+
+ private:
+  // Directions of travel, counted on over full turns, as on_square() measures them.
+  struct Directions {
+    double least = std::numeric_limits<double>::infinity();
+    double greatest = -std::numeric_limits<double>::infinity();
+
+    void include(const Directions& others) {
+      least = std::min(least, others.least);
+      greatest = std::max(greatest, others.greatest);
+    }
+    template <class Archive>
+    void serialize(Archive& archive) {
+      archive(least, greatest);
+    }
+  };
+
+  // A direction behind that of the last block, which it becomes.
+  double counted_on(double on_square);
+  // No chain that begins before `block` goes on behind the last one but `last`.
+  void begin_chain(std::size_t block, std::size_t last);
+  void move_middle_to_end();
+  // Of a block before middle_ and all behind it up to there; from there on of none.
+  [[nodiscard]] Directions directions_from(std::size_t block) const {
+    return block < middle_ ? directions_[block] : Directions{};
+  }
+  [[nodiscard]] bool is_too_wide() const;
+
+  Tolerances tolerances_;
+  NumberedQueue<HeldPath::Number> first_of_chain_;
+  NumberedQueue<HeldPath::Number> last_of_chain_;  // of the blocks before chain_
+
+  // The running chain.
+  std::size_t chain_ = 0;
+  double direction_ = 0;  // at the end of the last block
+  double turns_ = 0;      // full ones, of that
+  double shift_ = 0;
+  // Of its blocks: before middle_ of each one and all behind it up to there, from there on of each
+  // one alone, and of all of these. So whatever the chain begins with, the directions of all of it
+  // take one step to know, and each block is looked at twice.
+  NumberedQueue<Directions> directions_;
+  std::size_t middle_ = 0;
+  Directions up_to_middle_{};  // of those before it
+  Directions behind_middle_{};
+};
+
+}  // namespace trc

@@ -1,0 +1,171 @@
+#include "core/trc/loops/loop_exit.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/geometry/along.h"
+#include "core/geometry/distance.h"
+
+namespace trc {
+
+std::optional<LoopExit> WayOut::find(const PathPiece& at, const Onset& onset,
+                                     Nearness nearness) const {
+  PathPiece piece = at;
+  piece.to = onset.along;
+  piece.end = point_along(path(at.block).path, onset.along);
+  const std::vector<std::size_t>& obstacles =
+      obstacles_.at(at.block, piece.end, onset.obstacle, nearness);
+  ask_about(piece);
+  known_of_ = HeldPath::most_blocks;
+  // Where the path is in one point again and again, all continuations but the first may leave out
+  // what is legal.
+  std::optional<LoopExit> first;
+  for (const std::size_t number : obstacles) {
+    const auto exit = exit_here(piece, number, nearness);
+    if (!exit) continue;
+    const bool same = first && (exit->point - first->point).norm() <= slack_of_places(tolerances_);
+    if (!first || (same && exit->continues < first->continues)) first = exit;
+  }
+  if (first) return first;
+  for (const std::size_t number : obstacles)
+    if (auto exit = exit_behind(at, {onset.along, number})) return exit;
+  for (const std::size_t number : obstacles)
+    if (auto exit = exit_behind_into_rest(at, {onset.along, number})) return exit;
+  return std::nullopt;
+}
+
+WayOut::Stretch WayOut::stretch_about(std::size_t obstacle, std::size_t at) const {
+  const std::size_t begin =
+      obstacle > path_.begin_of_contour() ? contour(obstacle - 1).block : path_.begin();
+  const std::size_t end =
+      obstacle + 1 < end_of_contour() ? contour(obstacle + 1).block + 1 : path_.end();
+  return {std::max(begin, at + 1), end};
+}
+
+std::optional<LoopExit> WayOut::exit_here(const PathPiece& piece, std::size_t obstacle,
+                                          Nearness nearness) const {
+  if (!has_near(stretch_about(obstacle, piece.block))) return std::nullopt;
+  if (auto exit = crossing_in(piece, walked_.end(), obstacle, true, {})) return exit;
+  // Side by side there is no crossing to be had, but the distance tells. By as much as
+  // the path is moved over it comes nearer to its own block.
+  const double radius = std::max(path_.radius_of_tool(piece.block), 1.0);
+  const double part = nearness == Nearness::exact ? 4 * tolerances_.rounding : tolerances_.passable;
+  for (const std::size_t block : near_) {
+    if (path_.is_unreachable(block)) continue;
+    const Segment segment = path(block).path;
+    const double along = nearest_along(segment, piece.end);
+    const Point point = point_along(segment, along);
+    if ((point - piece.end).norm() <= part * radius)
+      return LoopExit{walked_.end(), piece.to, {block, along}, point};
+  }
+  return std::nullopt;
+}
+
+std::optional<LoopExit> WayOut::exit_behind(const PathPiece& at, const Onset& onset) const {
+  return last_of_walked(at, onset, stretch_about(onset.obstacle, at.block), {});
+}
+
+std::optional<LoopExit> WayOut::exit_behind_into_rest(const PathPiece& at,
+                                                      const Onset& onset) const {
+  const std::size_t next = path_.number_of(at.block) + 1;
+  const std::size_t end = next < end_of_contour() ? contour(next).block + 1 : path_.end();
+  return last_of_walked(at, onset, {at.block, end},
+                        {at.block, onset.along + slack_of_places(tolerances_)});
+}
+
+std::optional<LoopExit> WayOut::last_of_walked(const PathPiece& at, const Onset& onset,
+                                               const Stretch& stretch,
+                                               const PathPlace& least) const {
+  const HeldPath::ContourBlock obstacle = contour(onset.obstacle);
+  // Only a mitre reaches farther out than the tool.
+  const auto reach_in_radii = [&](std::size_t block) {
+    const TrcMode& mode = path_.mode_of(block);
+    return mode.transition == Transition::linear ? mode.options.stretch_factor : 1;
+  };
+  const double farthest = 4 * path_.largest_radius(obstacle) *
+                          (1 + std::max(reach_in_radii(at.block), reach_in_radii(obstacle.block)));
+  double back = onset.along - at.from;
+  bool beside = true;
+  for (std::size_t number = walked_.end(); number-- > walked_.begin() && back <= farthest;) {
+    const PathPiece walked = walked_[number];
+    beside = beside && !reaches_out(obstacle, walked.end);
+    ask_about(walked);
+    if (has_near(stretch))
+      if (auto exit = crossing_in(walked, number, onset.obstacle, beside, least)) return exit;
+    back += walked.to - walked.from;
+  }
+  return std::nullopt;
+}
+
+// Segments cross in places that are up to the slack beyond their ends and as far from each other,
+// and the ends of a piece may be off its block where a loop has been left out. Points of theirs are
+// not computed to the last digits; what is farther apart than one point may be wide is so all the
+// same.
+void WayOut::ask_about(const PathPiece& piece) const {
+  checkpoint_.pass();
+  area_ = path_.box_about(piece.block, piece.start, piece.end);
+  reach_ = 3 * slack_of_places(tolerances_) + tolerances_.same_point +
+           tolerances_.passable * std::max(path_.radius_of_tool(piece.block), 1.0);
+}
+
+bool WayOut::has_near(const Stretch& stretch) const {
+  near_.clear();
+  for (std::size_t block = stretch.first; block < stretch.end; ++block)
+    if (squared_distance(area_, path_.box_about(block)) <= reach_ * reach_) near_.push_back(block);
+  return !near_.empty();
+}
+
+std::optional<LoopExit> WayOut::crossing_in(const PathPiece& piece, std::size_t number,
+                                            std::size_t obstacle, bool beside,
+                                            const PathPlace& least) const {
+  const double slack = slack_of_places(tolerances_);
+  std::optional<LoopExit> latest;
+  for (const std::size_t block : near_) {
+    for (const Crossing& crossing : crossings_of(piece.block, block)) {
+      if (crossing.along_first < piece.from - slack || crossing.along_first > piece.to + slack)
+        continue;
+      if (latest && crossing.along_first < latest->leaves - slack) continue;
+      const double least_along = block == least.block ? least.along : 0;
+      const double along = place_not_before(least_along, crossing.along_second, block);
+      if (along < least_along) continue;
+      const bool leads_to_it = beside && !reaches_out(contour(obstacle), crossing.point);
+      if (!leads_to_it && !reaches_out(contour(path_.number_of(piece.block)), crossing.point) &&
+          !reaches_out(contour(path_.number_of(block)), crossing.point))
+        continue;
+      latest = LoopExit{
+          number, std::max(crossing.along_first, piece.from), {block, along}, crossing.point};
+    }
+  }
+  return latest;
+}
+
+// A circle ends where it begins.
+double WayOut::place_not_before(double least, double along, std::size_t block) const {
+  const bool is_begin = along <= slack_of_places(tolerances_);
+  if (along >= least || !is_begin || path_.begins_at(block) != path_.ends_at(block)) return along;
+  return length_of(path(block).path);
+}
+
+std::span<const Crossing> WayOut::crossings_of(std::size_t block, std::size_t other) const {
+  if (known_of_ != block) {
+    const Segment segment = path(block).path;
+    known_.clear();
+    known_of_ = block;
+    track_ = Track(segment);
+    has_length_ = !has_no_radius(segment);
+  }
+  const auto known = std::find_if(known_.begin(), known_.end(),
+                                  [&](const Known& its) { return its.other == other; });
+  if (known != known_.end()) return known->crossings;
+  Crossings& found = known_.emplace_back(Known{.other = other}).crossings;
+  const Segment segment = path(other).path;
+  if (has_length_ && !path_.is_unreachable(other) && !has_no_radius(segment))
+    found = crossings(track_, Track(segment), slack_of_places(tolerances_));
+  return found;
+}
+
+bool WayOut::reaches_out(const HeldPath::ContourBlock& block, const Point& point) const {
+  return distance(point, block.programmed) > path_.largest_radius(block) + tolerances_.same_point;
+}
+
+}  // namespace trc

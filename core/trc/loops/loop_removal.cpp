@@ -1,0 +1,558 @@
+#include "core/trc/loops/loop_removal.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "core/geometry/along.h"
+#include "core/trc/loops/removed_loop.h"
+#include "core/trc/selection/selection_limit.h"
+
+namespace trc {
+namespace {
+
+// Approach and retract have their own rules (D-11).
+bool is_compensated(const PathBlock& block) {
+  return block.role == Role::contour ||
+         (block.role == Role::inserted &&
+          (block.origin == Origin::transition || block.origin == Origin::radius_change));
+}
+
+}  // namespace
+
+bool LoopRemoval::feed(PathBlockPtr block, PathBlocks& out) {
+  if (leaving_) {
+    behind_.push_back(std::move(block));
+    return true;
+  }
+  const bool enters = block->role == Role::inserted && block->origin == Origin::approach;
+  const bool belongs =
+      block->removes_loops() && (block->role == Role::approach || enters || is_compensated(*block));
+  const bool goes_on = is_compensated(*block) && !block->perpendicular_entry;
+  if (is_holding() && (!belongs || (!goes_on && end_of_contour() > 0))) {
+    behind_.push_back(std::move(block));
+    return end_selection();
+  }
+  if (!belongs) {
+    out.push_back(std::move(block));
+    return true;
+  }
+  if (!is_compensated(*block)) {
+    entering_.push_back(std::move(block));
+    return true;
+  }
+  return hold(*block) && (window_ == 0 || proceed(out));
+}
+
+bool LoopRemoval::drain(PathBlocks& /*out*/) {
+  ended_ = true;
+  return leaving_ || end_selection();
+}
+
+bool LoopRemoval::end_selection() {
+  leaving_ = is_holding();
+  if (!walk(true)) return false;
+  // Nothing is near anything any more.
+  obstacles_.clear();
+  walked_.drop_boxes();
+  return true;
+}
+
+bool LoopRemoval::let_go_some(PathBlocks& out) {
+  let_go_to(end_of_portion(), out);
+  if (!walked_.empty()) {
+    path_.forget_path_before(next_);
+    return true;
+  }
+  if (next_ < end_of_path()) pass_by(end_of_path(), at_.start, out);
+  begin_selection();
+  for (PathBlockPtr& block : std::exchange(behind_, {}))
+    if (!feed(std::move(block), out)) return false;
+  return !ended_ || leaving_ || end_selection();
+}
+
+// Up to what leaves as it came, where that is not what the caller has just passed over.
+std::size_t LoopRemoval::end_of_portion() const {
+  constexpr std::size_t portion = 32;  // whose storage is the same for each
+  const std::size_t end = std::min(walked_.begin() + portion, walked_.end());
+  if (next_stands_for_itself()) return end;
+  std::size_t number = std::min(walked_.begin() + 1, end);
+  const auto came_so = [&](const WalkedPath::Kept& kept) {
+    return kept.cut == WalkedPath::Kept::whole && kept.block == walked_.kept(number - 1).block + 1;
+  };
+  while (number < end && !came_so(walked_.kept(number))) ++number;
+  return number;
+}
+
+LoopRemoval::Row LoopRemoval::next_as_they_came(std::size_t most) const {
+  if (!leaving_ || !entering_.empty()) return {};
+  return {next_, walked_.whole_in_a_row(next_, path_.without_riders(next_, most))};
+}
+
+bool LoopRemoval::next_stands_for_itself() const {
+  return next_as_they_came(1).count == 1 && !path_.is_apart(next_);
+}
+
+void LoopRemoval::have_left(std::size_t count) {
+  constexpr std::size_t now_and_then = 32;
+  const std::size_t left = next_ + count;
+  if (left / now_and_then > next_ / now_and_then) path_.forget_path_before(left - 1);
+  next_ = left;
+  walked_.drop_before(walked_.begin() + count);
+}
+
+const PathPiece* LoopRemoval::next_part() const {
+  if (!leaving_ || !entering_.empty() || walked_.empty()) return nullptr;
+  const auto& [block, cut] = walked_.kept(walked_.begin());
+  const bool is_next_part = cut != WalkedPath::Kept::whole && block == next_;
+  if (!is_next_part || path_.is_apart(block) || path_.has_riders(block)) return nullptr;
+  return &walked_.cut(cut);
+}
+
+void LoopRemoval::part_has_left() {
+  const HeldPath::Number cut = walked_.kept(walked_.begin()).cut;
+  have_left(1);
+  walked_.drop_cuts_before(cut + 1);
+}
+
+void LoopRemoval::pass_by_without_trace() {
+  if (!leaving_ || !entering_.empty() || walked_.empty()) return;
+  const auto& [block, cut] = walked_.kept(walked_.begin());
+  if (next_ >= block || !leave_no_trace(block)) return;
+  const bool is_whole = cut == WalkedPath::Kept::whole;
+  report_masked(next_, block - 1, is_whole ? path_.begins_at(block) : walked_.cut(cut).start);
+  next_ = block;
+}
+
+void LoopRemoval::begin_selection() {
+  entering_.clear();
+  path_ = HeldPath();
+  largest_radius_ = 0;
+  obstacles_.clear();
+  apart_ = false;
+  walked_.clear();
+  first_of_chain_ = 0;
+  exact_from_ = 0;
+  waiting_with_.reset();
+  walking_ = false;
+  at_ = {};
+  tolerated_ = {};
+  next_ = 0;
+  leaving_ = false;
+}
+
+[[gnu::noinline]] bool LoopRemoval::has_no_room_for(const Source& source) {
+  return diagnostics_.report(selection_too_long(source, selection_blocks_));
+}
+
+bool LoopRemoval::hold(PathBlock& block) {
+  if (!has_room_for(block.programmed.source)) return false;
+  largest_radius_ =
+      std::max({largest_radius_, std::abs(block.at_start.shift), std::abs(block.at_end.shift)});
+  path_.append(block);
+  if (block.role == Role::contour) {
+    note_contour_block(bounding_box(block.programmed.path), Certificate::block_of(block));
+  } else {
+    apart_ = apart_ || block.unreachable;
+  }
+  return true;
+}
+
+void LoopRemoval::note_contour_block(const Box& programmed, const Certificate::Block& course) {
+  obstacles_.append(course, programmed, std::exchange(apart_, false));
+  if (window_ == 0) return;
+  keep_waiting();
+  reconsider(end_of_contour() - 1, programmed);
+}
+
+void LoopRemoval::keep_waiting() {
+  if (!waiting_with_) return;
+  const std::size_t number = end_of_contour() - 1;
+  const std::size_t block = at_.block;
+  const bool sees_it = number <= number_of(block) + window_ && !obstacles_.certifies(block, number);
+  std::optional<double> entry;
+  if (sees_it)
+    entry = first_entry(path(block).path, at_.from, waiting_with_->along,
+                        contour(number).programmed, obstacles_.reach(block, Nearness::exact));
+  if (!entry || *entry >= waiting_with_->along - slack_of_places(tolerances_))
+    return waiting_with_.reset();
+  waiting_with_ = {*entry, number};
+}
+
+bool LoopRemoval::is_waiting() const {
+  return waiting_with_ && waiting_with_->obstacle + 1 == end_of_contour() &&
+         !is_known(at_.block, window_, false);
+}
+
+// A new contour block may come near to what has been walked without it: from there
+// the path is walked again.
+[[gnu::noinline]] void LoopRemoval::reconsider(std::size_t number, const Box& area) {
+  const std::size_t chain = obstacles_.chain_before(number);
+  first_of_chain_ = std::clamp(first_of_chain_, walked_.begin(), walked_.end());
+  while (first_of_chain_ < walked_.end() && number_of(walked_.kept(first_of_chain_).block) < chain)
+    ++first_of_chain_;
+  if (first_of_chain_ == walked_.begin()) return;
+  const Segment obstacle = contour(number).programmed;
+  std::size_t earliest = walked_.end();
+  double along = 0;
+  // What lies behind the earliest one need not be asked.
+  BoxTree::Range skipped{first_of_chain_, walked_.end()};
+  const auto compare = [&](std::size_t index) {
+    if (index >= earliest) return;
+    const PathPiece walked = walked_[index];
+    const std::size_t own = number_of(walked.block);
+    if (own + window_ < number) return;
+    const auto entry = first_entry(path(walked.block).path, walked.from, walked.to, obstacle,
+                                   obstacles_.reach(walked.block, Nearness::exact));
+    if (!entry) return;
+    along = *entry;
+    earliest = index;
+    skipped.first = index;
+  };
+  walked_.for_each_near(area, largest_radius_, skipped, compare);
+  if (earliest < walked_.end()) walk_again_from(earliest, {along, number});
+}
+
+void LoopRemoval::walk_again_from(std::size_t piece, const Onset& onset) {
+  at_ = walked_[piece];
+  const bool was_exact = piece >= exact_from_;
+  drop_pieces(piece);
+  tolerated_ = {};
+  // Before its end it ran into nothing else. A loop may begin a little behind the onset it is left
+  // for.
+  waiting_with_.reset();
+  if (was_exact && onset.along < at_.to - 2 * slack_of_places(tolerances_)) waiting_with_ = onset;
+}
+
+void LoopRemoval::drop_pieces(std::size_t kept) {
+  walked_.truncate(kept);
+  first_of_chain_ = std::min(first_of_chain_, kept);
+  exact_from_ = std::min(exact_from_, kept);
+}
+
+[[gnu::noinline]] bool LoopRemoval::proceed(PathBlocks& out) {
+  if (!is_waiting() && !walk(false)) return false;
+  std::size_t due = walked_.begin();
+  while (due < walked_.end() && is_known(walked_.kept(due).block, window_, false)) ++due;
+  let_go_to(due, out);
+  forget();
+  return true;
+}
+
+// Drops what no window reaches any more.
+void LoopRemoval::forget() {
+  walked_.drop_boxes_before(walked_.begin());
+  if (next_ >= end_of_path()) return;
+  const std::size_t number = number_of(next_);
+  // Some more than the window, now and then.
+  const std::size_t some = std::min<std::size_t>(window_ / 8, 64);
+  if (number <= path_.begin_of_contour() + window_ + 1 + some) return;
+  const std::size_t keep = number - window_ - 1;
+  path_.forget_before(keep);
+  obstacles_.drop_before(keep);
+}
+
+bool LoopRemoval::is_known(std::size_t block, std::size_t lead, bool ended) const {
+  return ended || number_of(block) + lead < end_of_contour();
+}
+
+std::optional<Obstacles::Onset> LoopRemoval::next_onset() const {
+  const double length = length_of(path(at_.block).path);
+  double from = at_.from;
+  if (is_tolerated()) {
+    const double to = tolerated_.block > at_.block ? length : std::min(length, tolerated_.along);
+    if (const auto found = obstacles_.onset(at_.block, from, to, Nearness::passable)) return found;
+    from = std::max(from, to);
+  }
+  return obstacles_.onset(at_.block, from, length, Nearness::exact);
+}
+
+bool LoopRemoval::walk(bool ended) {
+  waiting_with_.reset();
+  if (!walking_ && !begin_walk(ended)) return false;
+  while (walking_ && at_.block < end_of_path() && is_known(at_.block, 1, ended)) {
+    checkpoint_.pass();
+    // Before the end of the contour new neighbours come with every block.
+    const std::size_t clear = ended ? obstacles_.clear_until(at_.block) : at_.block;
+    if (at_.block < clear) {
+      advance_to(clear);
+      continue;
+    }
+    const auto found = next_onset();
+    if (!found) {
+      advance();
+      continue;
+    }
+    switch (leave(*found, ended)) {
+      case Step::done:
+        break;
+      case Step::wait:
+        return true;
+      case Step::stop:
+        return false;
+    }
+  }
+  return true;
+}
+
+bool LoopRemoval::begin_walk(bool ended) {
+  if (path_.empty() || !is_known(0, window_, ended)) return true;
+  walking_ = true;
+  at_ = {.block = 0, .start = start_of(path(0).path)};
+  // The approach leads to the first point, which therefore has to stay (D-11).
+  const auto at_start = obstacles_.onset(0, 0, length_of(path(0).path), Nearness::passable);
+  return !at_start || at_start->along > 0 || refuse(*at_start);
+}
+
+// To the end of the block and on to the next one.
+void LoopRemoval::advance() {
+  const Segment segment = path(at_.block).path;
+  // The corner behind a loop gets a circle of its own, for the whole turn.
+  if (at_.behind_loop && has_no_radius(segment)) {
+    ++at_.block;
+    return;
+  }
+  if (at_.from == 0 && !at_.behind_loop && at_.start == start_of(segment)) {
+    walked_.add_whole(at_.block);
+    if (is_tolerated()) exact_from_ = walked_.end();
+    ++at_.block;
+    at_.start = end_of(segment);
+    return;
+  }
+  at_.to = length_of(segment);
+  at_.end = end_of(segment);
+  keep_cut();
+  at_ = {.block = at_.block + 1, .start = end_of(segment)};
+}
+
+void LoopRemoval::advance_to(std::size_t block) {
+  advance();
+  if (at_.from == 0 && !at_.behind_loop) {
+    const auto [next, end] = path_.way_along(at_.block, block, at_.start);
+    walked_.add_whole(at_.block, next);
+    at_.block = next;
+    at_.start = end;
+  }
+  while (at_.block < block) advance();
+}
+
+void LoopRemoval::keep_cut() {
+  walked_.add(at_);
+  if (is_tolerated()) exact_from_ = walked_.end();
+}
+
+LoopRemoval::Step LoopRemoval::leave(const Onset& onset, bool ended) {
+  // The transition behind the obstacle comes with the next block.
+  const bool complete = ended || onset.obstacle + 1 < end_of_contour();
+  if (!complete && !is_known(at_.block, window_, ended)) {
+    if (!is_tolerated()) waiting_with_ = onset;
+    return Step::wait;
+  }
+  const PathPlace here{at_.block, onset.along};
+  const bool tolerated = here < tolerated_;
+  const auto exit = way_out_.find(at_, onset, tolerated ? Nearness::passable : Nearness::exact);
+  if (exit && !tolerated && is_seam(onset, exit->continues) && pass_first_point())
+    return Step::done;
+  if (exit && violates(here, exit->continues, onset.obstacle)) {
+    // Between the exit and the onset a block that is yet to come may be in the way.
+    const bool behind = exit->piece < walked_.end();
+    if (behind && !is_known(walked_.kept(exit->piece).block, window_, ended)) return Step::wait;
+    jump(*exit);
+    return Step::done;
+  }
+  // A block that is yet to come may lead away before, or be in the way of the loop.
+  if (!is_known(at_.block, window_, ended)) return Step::wait;
+  if (exit && !tolerated) {
+    tolerated_ = exit->continues;
+    return Step::done;
+  }
+  if (tolerated) return refuse(onset) ? Step::done : Step::stop;
+  // No way on from here, but it may not be needed.
+  const double length = length_of(path(at_.block).path);
+  const auto serious = obstacles_.onset(at_.block, onset.along, length, Nearness::passable);
+  if (!serious) {
+    tolerated_ = {at_.block, length};
+    return Step::done;
+  }
+  if (const auto late = way_out_.find(at_, *serious, Nearness::passable)) {
+    jump(*late);
+    return Step::done;
+  }
+  return refuse(*serious) ? Step::done : Step::stop;
+}
+
+bool LoopRemoval::is_seam(const Onset& onset, const PathPlace& continues) const {
+  const double slack = slack_of_places(tolerances_);
+  if (at_.block > 0 || at_.from > 0 || onset.along > slack) return false;
+  return continues.block + 1 == end_of_path() &&
+         continues.along >= length_of(path(continues.block).path) - slack;
+}
+
+bool LoopRemoval::pass_first_point() {
+  const double length = length_of(path(0).path);
+  const auto serious = obstacles_.onset(0, 0, length, Nearness::passable);
+  const double end = serious ? serious->along : length;
+  if (end <= slack_of_places(tolerances_)) return false;
+  tolerated_ = {0, end};
+  return true;
+}
+
+bool LoopRemoval::runs_backwards(std::size_t block) const {
+  const HeldPath::Block travelled = path(block);
+  if (!travelled.is_contour()) return false;
+  const Segment programmed = contour(travelled.number).programmed;
+  if (const auto* arc = std::get_if<Arc>(&travelled.path)) {
+    const auto* circle = std::get_if<Arc>(&programmed);
+    return circle != nullptr && arc->sweep * circle->sweep < 0 &&
+           length_of(*arc) > tolerances_.on_contour;
+  }
+  const Vector way = end_of(travelled.path) - start_of(travelled.path);
+  return way.dot(tangent_at_start(programmed)) < -tolerances_.on_contour;
+}
+
+bool LoopRemoval::violates(const PathPlace& from, const PathPlace& to, std::size_t obstacle) const {
+  for (std::size_t block = from.block; block <= to.block; ++block) {
+    const Segment segment = path(block).path;
+    const double length = length_of(segment);
+    const double begin = block == from.block ? from.along : 0;
+    const double end = block == to.block ? std::min(to.along, length) : length;
+    // Mostly it is what the loop begins at: one of the neighbours there, which need not be found.
+    const double limit = obstacles_.reach(block, Nearness::passable);
+    if (block == from.block && begin < end && limit > 0 &&
+        PathPart(segment, begin, end).comes_nearer(contour(obstacle).programmed, limit))
+      return true;
+    const bool whole = block != from.block && block != to.block;
+    if (whole && (path_.is_unreachable(block) || runs_backwards(block))) return true;
+    if (obstacles_.comes_nearer(block, begin, end, Nearness::passable)) return true;
+  }
+  return false;
+}
+
+void LoopRemoval::jump(const LoopExit& exit) {
+  const double slack = slack_of_places(tolerances_);
+  if (exit.piece < walked_.end()) {
+    at_ = walked_[exit.piece];
+    drop_pieces(exit.piece);
+  }
+  PathPlace next = exit.continues;
+  Point point = exit.point;
+  const Segment segment = path(next.block).path;
+  if (length_of(segment) - next.along <= slack) {
+    point = end_of(segment);
+    next = {next.block + 1, 0};
+  } else if (next.along <= slack) {
+    point = start_of(segment);
+    next.along = 0;
+  }
+  // What rounding leaves of a block is not worth one, but the approach and the retract
+  // know the first and the last point.
+  const bool outermost = at_.block == 0 || next.block >= end_of_path();
+  if (exit.leaves - at_.from > slack || outermost) {
+    at_.to = exit.leaves;
+    at_.end = point;
+    keep_cut();
+  } else {
+    point = at_.start;
+  }
+  const Vector arrives = tangent_along(path(at_.block).path, exit.leaves);
+  at_ = {.block = next.block,
+         .from = next.along,
+         .start = point,
+         .behind_loop = true,
+         .arrives = arrives};
+}
+
+std::size_t LoopRemoval::last_dropped_before(std::size_t end) const {
+  std::size_t last = end - 1;
+  while (last > next_ && !path_.is_contour(last)) --last;
+  return last;
+}
+
+bool LoopRemoval::leave_no_trace(std::size_t end) const {
+  const std::size_t last = last_dropped_before(end);
+  return !path_.has_riders(last) && path_.have_one_setting(next_, last) && path_.stays_put(last);
+}
+
+void LoopRemoval::pass_by(std::size_t end, const Point& place, PathBlocks& out) {
+  report_masked(next_, end - 1, place);
+  if (leave_no_trace(end)) {
+    next_ = end;
+    return;
+  }
+  const std::size_t last = last_dropped_before(end);
+  DroppedBlocks dropped(place, out);
+  // Nobody asks for those between the first and the last one, but for what rides on them.
+  bool is_first = true;
+  for (; next_ < end; ++next_) {
+    if (!path_.is_contour(next_)) continue;
+    if (std::exchange(is_first, false) || next_ == last || path_.has_riders(next_))
+      dropped.add(path_.restored(next_));
+  }
+  dropped.finish();
+}
+
+void LoopRemoval::let_go_to(std::size_t end, PathBlocks& out) {
+  if (leaving_ || walked_.begin() < end)
+    for (PathBlockPtr& block : std::exchange(entering_, {})) out.push_back(std::move(block));
+  for (std::size_t number = walked_.begin(); number < end; ++number) let_go(number, out);
+  walked_.drop_before(end);
+}
+
+void LoopRemoval::let_go(std::size_t number, PathBlocks& out) {
+  const auto& [at, cut] = walked_.kept(number);
+  if (cut == WalkedPath::Kept::whole) {
+    if (next_ < at) pass_by(at, start_of(path(at).path), out);
+    next_ = at + 1;
+    out.push_back(path_.restored(at));
+    return;
+  }
+  const PathPiece& piece = walked_.cut(cut);
+  if (next_ < at) pass_by(at, piece.start, out);
+  next_ = at + 1;
+  PathBlockPtr block = path_.restored(at);
+  if (piece.behind_loop && block->mode().options.gen_cir_block_in_corner)
+    out.push_back(circle_behind_loop(piece.start, piece.arrives, *block, piece.from));
+  const bool whole = piece.is_all_of(block->tool_path, length_of(block->tool_path));
+  if (!whole) shorten(*block, piece.from, piece.to, piece.start, piece.end);
+  out.push_back(std::move(block));
+  walked_.drop_cuts_before(cut + 1);
+}
+
+void LoopRemoval::report_masked(std::size_t first, std::size_t last, const Point& place) {
+  while (first <= last && !path_.is_contour(first)) ++first;
+  while (last > first && !path_.is_contour(last)) --last;
+  if (first > last) return;
+  const Source masked = path_.source_of(number_of(first));
+  Diagnostic note = diagnostic(Code::blocks_masked, masked);
+  const Source last_masked = path_.source_of(number_of(last));
+  // One by one: a list of them would be made of copies.
+  note.values.reserve(3);
+  note.values.push_back({"first_index", static_cast<double>(masked.index)});
+  note.values.push_back({"last_index", static_cast<double>(last_masked.index)});
+  note.values.push_back({"tool_radius", path_.radius_of_tool(first)});
+  const Position position = from_plane(path_.mode_of(first).plane, place, path_.height_of(first));
+  note.point = DiagnosticPoint{.x = position[0], .y = position[1], .z = position[2]};
+  diagnostics_.report(std::move(note));
+}
+
+bool LoopRemoval::refuse(const Onset& onset) {
+  const HeldPath::ContourBlock own = contour(number_of(at_.block));
+  const TrcMode& mode = path_.mode_of(at_.block);
+  const Segment travelled = path(at_.block).path;
+  Diagnostic violation =
+      diagnostic(is_arc(own.programmed) ? Code::arc_wrapped : Code::line_reversed, own.source);
+  const Source other = contour(onset.obstacle).source;
+  violation.values = {{"other_index", static_cast<double>(other.index)},
+                      {"tool_radius", path_.radius_of_tool(at_.block)}};
+  const Position position =
+      from_plane(mode.plane, point_along(travelled, onset.along), path_.height_of(at_.block));
+  violation.point = DiagnosticPoint{.x = position[0], .y = position[1], .z = position[2]};
+  if (mode.options.ignore_cont_damage) {
+    violation.severity = Severity::warning;
+    advance();
+    exact_from_ = walked_.end();
+  }
+  return diagnostics_.report(std::move(violation));
+}
+
+}  // namespace trc

@@ -1,0 +1,257 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "core/base/checkpoint.h"
+#include "core/base/diagnostics.h"
+#include "core/base/tolerances.h"
+#include "core/geometry/box_tree.h"
+#include "core/trc/loops/held_path.h"
+#include "core/trc/loops/loop_exit.h"
+#include "core/trc/loops/obstacles.h"
+#include "core/trc/loops/walked_path.h"
+#include "core/trc/path_block.h"
+
+namespace trc {
+
+// G141 with REMOVE_MASKED_BLOCKS: takes every violating loop out of the path of a
+// selection (spec 5.1), however many blocks it has.
+//
+//        raw            result       The path is walked from its first point. Where it
+//      |  _           |              comes nearer than the tool radius to any contour
+//    --x-' )        --x              block, it goes on along the part of the path that
+//      '--'                          crosses it there, x, and drops what lies between.
+//
+// A dropped contour block is masked: its technology words, and what it moves across
+// the plane and in tracking axes, come out at the crossing. A loop that stays clear
+// of the contour stays. Where there is no crossing to go on from, the contour cannot
+// be machined with this radius, and the stream stops (90019, 90038).
+//
+// Holds such a selection as a whole, or, with a window of N contour blocks (D-10),
+// looks N blocks ahead and back: the path of a block leaves when the N-th block behind
+// it has come. All else passes through at once.
+class LoopRemoval {
+ public:
+  // `window` in contour blocks; 0: the whole selection.
+  LoopRemoval(std::size_t window, std::size_t selection_blocks, const Tolerances& tolerances,
+              Diagnostics& diagnostics, Checkpoint& checkpoint)
+      : window_(window),
+        selection_blocks_(selection_blocks),
+        tolerances_(tolerances),
+        diagnostics_(diagnostics),
+        checkpoint_(checkpoint),
+        obstacles_(path_, window, tolerances, checkpoint),
+        walked_(path_, window > 0),
+        way_out_(path_, walked_, obstacles_, tolerances, checkpoint) {}
+
+  bool feed(PathBlockPtr block, PathBlocks& out);
+  bool drain(PathBlocks& out);
+  [[nodiscard]] bool ignores(const PathBlock& block) const {
+    return !is_holding() && !leaving_ && !block.removes_loops();
+  }
+  // A selection that has ended leaves in portions, so that it does not lie in the vectors
+  // between all passes at once. What is fed meanwhile waits behind it.
+  [[nodiscard]] bool is_leaving() const { return leaving_; }
+  bool let_go_some(PathBlocks& out);
+  // The next blocks of path() that leave as they came: with nothing before them, no riders, and up
+  // to `most`. None where `count` is 0.
+  struct Row {
+    std::size_t first = 0;
+    std::size_t count = 0;
+  };
+  [[nodiscard]] Row next_as_they_came(std::size_t most) const;
+  void have_left(std::size_t count);
+  // What is travelled of the next block of path(), where that is not all of it, and nothing comes
+  // out before it and rides on it; else null.
+  [[nodiscard]] const PathPiece* next_part() const;
+  void part_has_left();
+  // Passes by a loop that is left out next, if nothing comes out in its place.
+  void pass_by_without_trace();
+  [[nodiscard]] const HeldPath& path() const { return path_; }
+
+  // The middle of a contour is being held: ContourRun may give it more of it.
+  [[nodiscard]] bool takes_contour() const { return !leaving_ && end_of_contour() > 0; }
+  // Whether what comes next may be given the short way if it is like this block.
+  [[nodiscard]] bool takes_more_like(const PathBlock& block) const {
+    return path_.follows_like(block);
+  }
+  // To be called before that.
+  void go_on_like_last() { path_.go_on_like_last(); }
+  // A contour block, as ContourRun has it behind blocks of the same mode and compensation.
+  // `Programmed` and `Path` are Lines or Arcs.
+  template <class Programmed, class Path>
+  struct PlainBlock {
+    const MotionBlock& block;
+    const Programmed& programmed;  // its path
+    const Path& path;              // of the tool
+    HeldPath::Cuts cuts{};
+    Certificate::Block course{};
+    bool unreachable = false;  // as in PathBlock
+  };
+  // Returns false once the stream must stop.
+  template <class Programmed, class Path>
+  bool take(const PlainBlock<Programmed, Path>& plain, PathBlocks& out);
+  // A transition between two of them, with what the one before has in common with the blocks before
+  // it, or as `inserted`.
+  template <class Path>
+  bool take_transition(const Path& path, bool unreachable, const Source& source, PathBlocks& out);
+  template <class Path>
+  bool take_transition(const Path& path, bool unreachable, const MotionBlock& inserted,
+                       PathBlocks& out);
+
+  [[nodiscard]] std::size_t look_ahead() const { return window_; }
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(entering_, path_, largest_radius_, apart_, obstacles_, walking_, walked_, at_,
+            tolerated_, next_);
+    if constexpr (Archive::is_loading::value) exact_from_ = walked_.end();
+  }
+
+ private:
+  // Blocks of the path are counted from the begin of the selection, contour blocks too.
+  using Onset = Obstacles::Onset;
+  using Nearness = Obstacles::Nearness;
+  enum class Step { done, wait, stop };
+
+  [[nodiscard]] bool is_holding() const { return !entering_.empty() || !path_.empty(); }
+  void begin_selection();
+  bool end_selection();
+  bool hold(PathBlock& block);
+  [[nodiscard]] bool has_room_for(const Source& source) {
+    const bool is_countable = path_.end() < HeldPath::most_blocks / 4;
+    return (is_countable && path_.size() < selection_blocks_) || has_no_room_for(source);
+  }
+  // Returns false.
+  bool has_no_room_for(const Source& source);
+  void note_contour_block(const Box& programmed, const Certificate::Block& course);
+  [[nodiscard]] bool note_transition(bool unreachable, PathBlocks& out);
+  void reconsider(std::size_t number, const Box& area);
+  void walk_again_from(std::size_t piece, const Onset& onset);
+  // The last contour block is new: whether the path runs into it before the onset waited with.
+  void keep_waiting();
+  // Whether the walk cannot go on yet: the last contour block that is known is what it ran into.
+  [[nodiscard]] bool is_waiting() const;
+  void drop_pieces(std::size_t kept);
+  bool proceed(PathBlocks& out);
+  void forget();
+
+  // As far as the contour is known well enough; all the way when it has ended.
+  bool walk(bool ended);
+  bool begin_walk(bool ended);
+  // What to do about an onset in the block being walked.
+  Step leave(const Onset& onset, bool ended);
+  // Whether what leads from the onset to there is all of a closed contour: no loop.
+  [[nodiscard]] bool is_seam(const Onset& onset, const PathPlace& continues) const;
+  // The first point comes too near, but may: as far as that lasts on its block. Returns whether
+  // there is such a way.
+  bool pass_first_point();
+  void jump(const LoopExit& exit);
+  void advance();
+  // The same for all blocks before this one.
+  void advance_to(std::size_t block);
+  // Walked: a piece of the block that has been walked so far.
+  void keep_cut();
+  // Whether some of the block being walked may come nearer than `Nearness::exact` allows.
+  [[nodiscard]] bool is_tolerated() const { return tolerated_.block >= at_.block; }
+
+  [[nodiscard, gnu::always_inline]] HeldPath::Block path(std::size_t block) const {
+    return path_.block(block);
+  }
+  [[nodiscard, gnu::always_inline]] HeldPath::ContourBlock contour(std::size_t number) const {
+    return path_.contour_block(number);
+  }
+  [[nodiscard]] std::size_t end_of_path() const { return path_.end(); }
+  [[nodiscard]] std::size_t end_of_contour() const { return path_.end_of_contour(); }
+  [[nodiscard]] std::size_t number_of(std::size_t block) const { return path_.number_of(block); }
+  // Whether the contour is known `lead` blocks beyond the path block.
+  [[nodiscard]] bool is_known(std::size_t block, std::size_t lead, bool ended) const;
+
+  // The onset that counts, with the loops that do not violate let pass.
+  [[nodiscard]] std::optional<Onset> next_onset() const;
+  // Nothing is left between the corners of the block: it is travelled backwards.
+  [[nodiscard]] bool runs_backwards(std::size_t block) const;
+  // Whether the loop between two places does; it begins where the path enters the obstacle.
+  [[nodiscard]] bool violates(const PathPlace& from, const PathPlace& to,
+                              std::size_t obstacle) const;
+
+  [[nodiscard]] bool next_stands_for_itself() const;
+  [[nodiscard]] std::size_t end_of_portion() const;
+  void let_go_to(std::size_t end, PathBlocks& out);
+  void let_go(std::size_t number, PathBlocks& out);
+  // The blocks before `end` that are not travelled: a loop, left out at `place`.
+  void pass_by(std::size_t end, const Point& place, PathBlocks& out);
+  // The last contour block of those, or else the first of them; there is at least one.
+  [[nodiscard]] std::size_t last_dropped_before(std::size_t end) const;
+  // Whether nothing comes out in their place.
+  [[nodiscard]] bool leave_no_trace(std::size_t end) const;
+  void report_masked(std::size_t first, std::size_t last, const Point& place);
+  bool refuse(const Onset& onset);
+
+  std::size_t window_;
+  std::size_t selection_blocks_;
+  Tolerances tolerances_;
+  Diagnostics& diagnostics_;
+  Checkpoint& checkpoint_;
+
+  PathBlocks entering_;  // the approach, which leaves with the first block of the path
+  HeldPath path_;
+  double largest_radius_ = 0;
+  bool apart_ = false;  // the next contour block does not meet the last one
+  Obstacles obstacles_;
+
+  WalkedPath walked_;
+  WayOut way_out_;
+  // For a window only: the first piece of, or behind, the chain that ends with the last contour
+  // block.
+  std::size_t first_of_chain_ = 0;
+  // Likewise: the pieces from this one on come no nearer than `Nearness::exact` allows.
+  std::size_t exact_from_ = 0;
+  // Likewise: where the block being walked runs into the last contour block, and into no other one
+  // before that. Nothing can be done about it before there are more.
+  std::optional<Onset> waiting_with_;
+  bool walking_ = false;
+  PathPiece at_{};         // the piece being walked
+  PathPlace tolerated_{};  // up to here the path is in a loop that does not violate
+  std::size_t next_ = 0;   // the first block that has neither left nor been dropped
+
+  bool leaving_ = false;
+  PathBlocks behind_;
+  bool ended_ = false;  // nothing comes behind that
+};
+
+template <class Programmed, class Path>
+[[gnu::always_inline]] inline bool LoopRemoval::take(const PlainBlock<Programmed, Path>& plain,
+                                                     PathBlocks& out) {
+  if (!has_room_for(plain.block.source)) return false;
+  path_.append_contour(plain.block, plain.programmed, plain.path, plain.cuts, plain.unreachable);
+  note_contour_block(bounding_box(plain.programmed), plain.course);
+  return window_ == 0 || proceed(out);
+}
+
+template <class Path>
+[[gnu::always_inline]] inline bool LoopRemoval::take_transition(const Path& path, bool unreachable,
+                                                                const Source& source,
+                                                                PathBlocks& out) {
+  if (!has_room_for(source)) return false;
+  path_.append_transition(path, unreachable);
+  return note_transition(unreachable, out);
+}
+
+template <class Path>
+[[gnu::always_inline]] inline bool LoopRemoval::take_transition(const Path& path, bool unreachable,
+                                                                const MotionBlock& inserted,
+                                                                PathBlocks& out) {
+  if (!has_room_for(inserted.source)) return false;
+  path_.append_transition(inserted, path, unreachable);
+  return note_transition(unreachable, out);
+}
+
+inline bool LoopRemoval::note_transition(bool unreachable, PathBlocks& out) {
+  apart_ = apart_ || unreachable;
+  return window_ == 0 || proceed(out);
+}
+
+}  // namespace trc

@@ -1,0 +1,163 @@
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "core/base/checkpoint.h"
+#include "core/base/tolerances.h"
+#include "core/geometry/along.h"
+#include "core/geometry/box_tree.h"
+#include "core/trc/loops/certificate.h"
+#include "core/trc/loops/held_path.h"
+#include "core/trc/path_block.h"
+
+namespace trc {
+
+// Which contour blocks a block of the path comes too near to, and where: the contour of a
+// selection as LoopRemoval sees it. With a window of N contour blocks a block of the path sees N
+// of them ahead and back.
+class Obstacles {
+ public:
+  // How near is too near: to find a loop, or to be a violation (D-36).
+  enum class Nearness { exact, passable };
+  // Where a block of the path comes too near to a contour block.
+  struct Onset {
+    double along = 0;          // mm from the start of the block
+    std::size_t obstacle = 0;  // its number
+  };
+
+  // `window` in contour blocks; 0: all of them.
+  Obstacles(const HeldPath& path, std::size_t window, const Tolerances& tolerances,
+            Checkpoint& checkpoint)
+      : path_(path),
+        window_(window),
+        tolerances_(tolerances),
+        checkpoint_(checkpoint),
+        certificate_(tolerances) {}
+
+  // The contour block that has been appended to the path; `apart`: its equidistant does not meet
+  // that of the block before.
+  void append(const Certificate::Block& course, const Box& area, bool apart);
+  // Forgets contour blocks.
+  void drop_before(std::size_t number);
+  // Forgets all: a new selection begins.
+  void clear();
+
+  // The part of the radius, or of 1 mm, that is let pass.
+  [[nodiscard]] double part_of(Nearness nearness) const {
+    return nearness == Nearness::exact ? tolerances_.rounding : tolerances_.passable;
+  }
+  // How near is too near for the block, mm.
+  [[nodiscard]] double reach(std::size_t block, Nearness nearness) const {
+    const double radius = path_.radius_of_tool(block);
+    return radius - part_of(nearness) * std::max(radius, 1.0);
+  }
+  // The first contour block of the certified chain that ends with this one.
+  [[nodiscard]] std::size_t chain_before(std::size_t number) const {
+    return certificate_.chain_before(number);
+  }
+
+  // Whether the certificate takes the contour block out of the question for the block.
+  [[nodiscard]] bool certifies(std::size_t block, std::size_t number) const {
+    const BoxTree::Range range = certified(block);
+    return number >= range.first && number <= range.last;
+  }
+
+  // The first place not before `from` and before `to`.
+  [[nodiscard]] std::optional<Onset> onset(std::size_t block, double from, double to,
+                                           Nearness nearness) const;
+  // Whether there is one.
+  [[nodiscard]] bool comes_nearer(std::size_t block, double from, double to,
+                                  Nearness nearness) const;
+  // The numbers of all contour blocks that are as near to a place on the block as this one, where
+  // it comes too near to it: the other block of a corner, blocks on top of each other.
+  [[nodiscard]] const std::vector<std::size_t>& at(std::size_t block, const Point& place,
+                                                   std::size_t obstacle, Nearness nearness) const;
+
+  // Once the contour has ended: up to which block nothing at all can be in the way, from this one
+  // on. To be asked for before the questions above, which are cheaper then.
+  [[nodiscard]] std::size_t clear_until(std::size_t block) {
+    const bool surveyed = block >= survey_.first && block < survey_.end;
+    if (!surveyed && !is_surveyed(block)) survey(block);
+    ++asked_for_;
+    if (survey_.near.empty()) return survey_.end;
+    // Where the walk leaves blocks out, what is left is not worth it.
+    if (block == few_.end && block < survey_.end) look_closer();
+    return block >= few_.first && block < few_.end && few_.near.empty() ? few_.end : block;
+  }
+
+  // Behind the path.
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(certificate_);
+    if constexpr (Archive::is_loading::value) rebuild_boxes();
+  }
+
+ private:
+  [[nodiscard, gnu::always_inline]] HeldPath::Block path(std::size_t block) const {
+    return path_.block(block);
+  }
+  [[nodiscard, gnu::always_inline]] Segment programmed(std::size_t number) const {
+    return path_.contour_block(number).programmed;
+  }
+  [[nodiscard]] std::size_t end_of_contour() const { return path_.end_of_contour(); }
+
+  using Fours = std::vector<NearFour>;
+
+  void rebuild_boxes();
+  void survey(std::size_t first);
+  // The same for the next few blocks of the survey.
+  void look_closer();
+  // Whether what has been surveyed is all that may be near the block.
+  [[nodiscard]] bool is_surveyed(std::size_t block) const;
+  // Those the certificate takes out of the question.
+  [[nodiscard]] BoxTree::Range certified(std::size_t block) const;
+  // For all blocks of the path before `end`, which are reachable; those it may leave in question.
+  [[nodiscard]] BoxTree::Range certified_for_all(std::size_t first, std::size_t end) const;
+  // All contour blocks it may come nearer to than `limit`: neighbours_. With some that are a
+  // little farther off.
+  void find_neighbours(std::size_t block, const Box& area, double limit) const;
+  // Whether they are more than is worth asking for the nearest one.
+  [[nodiscard]] bool are_many(const Box& area, double limit) const;
+  // Whether those still are that are not out of question for a part of the block. Behind
+  // nearest_to().
+  [[nodiscard]] bool are_many(const Box& area, const PathPart& part, double limit) const;
+  // The one nearest to the middle of the part, where it is nearer than the limit.
+  [[nodiscard]] std::optional<std::size_t> nearest_to(const PathPart& part, double limit) const;
+
+  const HeldPath& path_;
+  std::size_t window_;
+  Tolerances tolerances_;
+  Checkpoint& checkpoint_;
+
+  BoxTree boxes_;
+  Certificate certificate_;
+  // A stretch of the path, and all contour blocks that may be near one of its blocks. Whatever lies
+  // in the same area and has no larger radius has no others.
+  struct Survey {
+    std::size_t first = 0;
+    std::size_t end = 0;
+    Box area{};
+    double radius = 0;
+    BoxTree::Range skipped{};  // certified for all of them
+    Fours near{};              // without these
+  };
+  Survey survey_;
+  // A few blocks of that, and all of `near` there that is in question for one of them.
+  struct Few {
+    std::size_t first = 0;
+    std::size_t end = 0;
+    Fours near{};
+  };
+  Few few_;
+  std::size_t group_ = 8;      // how many blocks are surveyed together
+  std::size_t asked_for_ = 0;  // how often that was of use
+  // Members for their memory's sake.
+  mutable Fours neighbours_;
+  mutable std::vector<FourBoxes::Squares> squares_;  // of the distances of the neighbours
+  mutable std::vector<std::size_t> numbers_;
+};
+
+}  // namespace trc

@@ -1,0 +1,57 @@
+#include "core/trc/passes/offset.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/geometry/parallel.h"
+
+namespace trc {
+
+void give_offsets(PathBlock& block) {
+  const Segment& programmed = block.programmed.path;
+  block.tangent_at_start = tangent_at_start(programmed);
+  block.tangent_at_end = is_arc(programmed) ? tangent_at_end(programmed) : block.tangent_at_start;
+  if (block.at_start.active)
+    block.offset_start =
+        parallel_point(start_of(programmed), block.tangent_at_start, block.at_start.shift);
+  if (block.at_end.active)
+    block.offset_end = parallel_point(end_of(programmed), block.tangent_at_end, block.at_end.shift);
+}
+
+bool Offset::apply(PathBlock& block) {
+  if (block.role == Role::passive) return true;
+  give_offsets(block);
+  const Compensation& start = block.at_start;
+  const Compensation& end = block.at_end;
+  if (start.active && !keeps_circle(block, start.shift)) return false;
+  return !end.active || end == start || keeps_circle(block, end.shift);
+}
+
+bool Offset::keeps_circle(PathBlock& block, double shift) {
+  const auto* arc = std::get_if<Arc>(&block.programmed.path);
+  if (arc == nullptr || block.role != Role::contour) return true;
+  const double radius = parallel_radius(*arc, shift);
+  if (block.removes_loops()) {
+    // However small it is, the equidistant is there and may be the only way on.
+    block.unreachable = radius <= tolerances_.rounding * std::max(std::abs(shift), 1.0);
+    return true;
+  }
+  if (radius >= tolerances_.on_contour) return true;
+  if (block.mode().masking == Masking::on) {
+    block.masked = true;
+    return true;
+  }
+  return report_not_smaller(block, *arc, shift);
+}
+
+bool Offset::report_not_smaller(const PathBlock& block, const Arc& arc, double shift) {
+  const double radius = parallel_radius(arc, shift);
+  Diagnostic violation = diagnostic(Code::tool_not_smaller_than_arc, block.programmed.source);
+  violation.values = {{"contour_radius", radius_of(arc)},
+                      {"tool_radius", std::abs(shift)},
+                      {"difference", radius},
+                      {"smallest_difference", tolerances_.on_contour}};
+  return diagnostics_.report(std::move(violation));
+}
+
+}  // namespace trc

@@ -1,0 +1,230 @@
+#include "core/trc/passes/relevant_blocks.h"
+
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+namespace trc {
+namespace {
+
+Compensation compensation_of(const TrcMode& mode) {
+  if (mode.options.suppress_trc) return {.active = true, .shift = 0};
+  return {.active = true, .shift = shift_of_tool(mode)};
+}
+
+bool continues(const TrcMode& before, const TrcMode* after) {
+  return after != nullptr && after->active() && after->selection_number == before.selection_number;
+}
+
+// Whether the mode takes the tool off the contour in the motion block after G40.
+bool retracts_in_a_block(Selection deselection) {
+  return deselection != Selection::perpendicular && deselection != Selection::without_block;
+}
+
+bool changes_radius_in_a_long_arc(const PathBlock& block) {
+  const auto* arc = std::get_if<Arc>(&block.programmed.path);
+  return arc != nullptr && block.role == Role::contour && block.at_start != block.at_end &&
+         std::abs(arc->sweep) > std::numbers::pi &&
+         !block.mode().options.perpendicular_radius_change;
+}
+
+AxisTravel cut(AxisTravel& travel, double share) {
+  const double middle = travel.from + share * (travel.to - travel.from);
+  return {.from = std::exchange(travel.from, middle), .to = middle};
+}
+
+// Cuts the block after 180 degrees: the radius changes in the first half, the
+// rest runs with the new one around the programmed centre (spec 8, D-20).
+PathBlockPtr first_half_of(PathBlock& block) {
+  Arc& arc = std::get<Arc>(block.programmed.path);
+  const double half = std::copysign(std::numbers::pi, arc.sweep);
+  const double share = half / arc.sweep;
+  const Point middle = 2 * arc.center - arc.start;
+  auto first = std::make_unique<PathBlock>(block);
+  first->origin = Origin::radius_change;
+  first->programmed.path =
+      Arc{.start = arc.start, .end = middle, .center = arc.center, .sweep = half};
+  first->programmed.normal = cut(block.programmed.normal, share);
+  for (std::size_t axis = 0; axis < block.programmed.tracking.size(); ++axis)
+    first->programmed.tracking[axis] = cut(block.programmed.tracking[axis], share);
+  arc = Arc{.start = middle, .end = arc.end, .center = arc.center, .sweep = arc.sweep - half};
+  block.at_start = block.at_end;
+  return first;
+}
+
+}  // namespace
+
+const char* RelevantBlocks::unavailable(const TrcMode& mode) const {
+  if (mode.options.inverse) return "INVERSE";
+  if (mode.tangential && mode.selection == Selection::perpendicular) return "G05 with G237";
+  return nullptr;
+}
+
+bool RelevantBlocks::feed(Block&& block, PathBlocks& out) {
+  return std::visit(overloaded{
+                        [&](MotionBlock& motion) { return follow(std::move(motion), out); },
+                        [&](PassiveBlock& passive) { return seat(std::move(passive), out); },
+                    },
+                    block);
+}
+
+bool RelevantBlocks::drain(PathBlocks& out) {
+  return release(end_mode_ ? &*end_mode_ : nullptr, out);
+}
+
+bool RelevantBlocks::seat(PassiveBlock&& block, PathBlocks& out) {
+  if (!held_) {
+    auto carrier = std::make_unique<PathBlock>();
+    carrier->role = Role::passive;
+    carrier->programmed.source = block.source;
+    carrier->programmed.mode = block.mode;
+    carrier->riders.push_back(std::move(block));
+    out.push_back(std::move(carrier));
+    return true;
+  }
+  if (held_->riders.size() + held_->riders_after_exit.size() >= setup_.limits.passive_blocks) {
+    Diagnostic overflow = diagnostic(Code::too_many_passive_blocks, block.source);
+    overflow.values = {{"limit", static_cast<double>(setup_.limits.passive_blocks)}};
+    return diagnostics_.report(std::move(overflow));
+  }
+  const bool after_exit =
+      !block.mode->active() && block.mode->deselection == Selection::perpendicular;
+  auto& seats = after_exit ? held_->riders_after_exit : held_->riders;
+  seats.push_back(std::move(block));
+  return true;
+}
+
+bool RelevantBlocks::follow(MotionBlock&& motion, PathBlocks& out) {
+  if (!release(motion.mode.get(), out)) return false;
+  auto block = std::make_unique_for_overwrite<PathBlock>();
+  block->programmed = std::move(motion);
+  if (!classify(*block)) return false;
+  last_ = block->at_end;
+  if (last_mode_ != block->programmed.mode) last_mode_ = block->programmed.mode;
+  last_path_ = block->programmed.path;
+  if (changes_radius_in_a_long_arc(*block)) out.push_back(first_half_of(*block));
+  if (block->at_end.active) {
+    held_ = std::move(block);
+  } else {
+    out.push_back(std::move(block));
+  }
+  return true;
+}
+
+bool RelevantBlocks::release(const TrcMode* next, PathBlocks& out) {
+  if (!held_) return true;
+  PathBlockPtr released = std::move(held_);
+  PathBlock& block = *released;
+  const TrcMode& mode = block.mode();
+  const bool contour_follows = continues(mode, next) && next->side == mode.side;
+  if (block.role == Role::side_change && !contour_follows)
+    return refuse(Code::side_change_without_contour, block);
+  if (block.role == Role::approach && !contour_follows) {
+    if (continues(mode, next)) return refuse(Code::side_change_without_contour, block);
+    refuse(Code::selection_without_contour, block);
+    block.role = Role::uncompensated;
+    block.origin = Origin::uncompensated;
+    block.at_end = {};
+    last_ = {};
+  } else if (next != nullptr && !continues(mode, next) && !leave_selection(block, *next)) {
+    return false;
+  }
+  out.push_back(std::move(released));
+  return true;
+}
+
+bool RelevantBlocks::leave_selection(PathBlock& block, const TrcMode& next) {
+  if (retracts_in_a_block(next.deselection))
+    return !next.active() || refuse(Code::deselection_without_motion, block);
+  block.perpendicular_exit = next.deselection == Selection::perpendicular;
+  last_ = {};
+  return true;
+}
+
+bool RelevantBlocks::classify(PathBlock& block) {
+  const TrcMode& mode = block.mode();
+  if (mode.active() && block.programmed.mode != last_mode_) {
+    if (const char* function = unavailable(mode))
+      return refuse(Code::not_available, block, function);
+  }
+  if (!mode.active()) return end_selection(block);
+  return last_.active ? continue_selection(block) : begin_selection(block);
+}
+
+bool RelevantBlocks::begin_selection(PathBlock& block) {
+  const TrcMode& mode = block.mode();
+  contour_blocks_ = 0;
+  block.at_end = compensation_of(mode);
+  if (mode.selection == Selection::perpendicular) {
+    block.role = Role::contour;
+    block.origin = Origin::programmed;
+    block.at_start = block.at_end;
+    block.perpendicular_entry = true;
+    return true;
+  }
+  block.role = Role::approach;
+  block.origin = Origin::approach;
+  const bool may_be_circular = mode.selection == Selection::on_path && !mode.tangential;
+  if (is_arc(block.programmed.path) && !may_be_circular)
+    return refuse(Code::circular_selection_block, block);
+  return true;
+}
+
+bool RelevantBlocks::continue_selection(PathBlock& block) {
+  const TrcMode& mode = block.mode();
+  block.at_end = compensation_of(mode);
+  block.at_start = last_;
+  block.role = Role::contour;
+  block.origin = Origin::programmed;
+  if (counts_for_window(block)) count_for_window(block);
+  if (mode.side == last_mode_->side) return true;
+  // Both sides of such a block lie on a contour: there is no free end to begin the arc of G05 at.
+  if (mode.tangential) return refuse(Code::not_available, block, "G05 with a change of side");
+  if (mode.options.reverse && reverses(block)) {
+    block.at_start = block.at_end;
+    return true;
+  }
+  block.role = Role::side_change;
+  block.origin = Origin::approach;
+  if (is_arc(block.programmed.path)) return refuse(Code::circular_side_change_block, block);
+  return true;
+}
+
+// What lies beyond the window is not looked for: said once a selection (D-10).
+void RelevantBlocks::count_for_window(const PathBlock& block) {
+  const std::size_t window = setup_.limits.look_ahead_blocks;
+  if (++contour_blocks_ <= window) return;
+  Diagnostic warning = diagnostic(Code::beyond_window, block.programmed.source);
+  warning.values = {{"look_ahead_blocks", static_cast<double>(window)}};
+  diagnostics_.report(std::move(warning));
+}
+
+bool RelevantBlocks::end_selection(PathBlock& block) {
+  if (!last_.active) return true;
+  const TrcMode& mode = block.mode();
+  block.role = Role::retract;
+  block.origin = Origin::retract;
+  block.at_start = last_;
+  const bool may_be_circular = mode.deselection == Selection::on_path && !mode.tangential;
+  if (is_arc(block.programmed.path) && !may_be_circular)
+    return refuse(Code::circular_deselection_block, block);
+  return true;
+}
+
+// Lines must reverse exactly; circles must have one tangent there and turn in
+// opposite senses (spec 9). A line and a circle never reverse.
+bool RelevantBlocks::reverses(const PathBlock& block) const {
+  const auto* arc_before = std::get_if<Arc>(&last_path_);
+  const auto* arc_after = std::get_if<Arc>(&block.programmed.path);
+  if ((arc_before == nullptr) != (arc_after == nullptr)) return false;
+  if (arc_before != nullptr && arc_before->sweep * arc_after->sweep > 0) return false;
+  const double turn =
+      turn_between(tangent_at_end(last_path_), tangent_at_start(block.programmed.path));
+  return std::abs(turn) >= std::numbers::pi - setup_.tolerances.reversal;
+}
+
+bool RelevantBlocks::refuse(Code code, const PathBlock& block, std::string detail) {
+  return diagnostics_.report(diagnostic(code, block.programmed.source, std::move(detail)));
+}
+
+}  // namespace trc

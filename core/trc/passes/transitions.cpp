@@ -1,0 +1,237 @@
+#include "core/trc/passes/transitions.h"
+
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include "core/geometry/parallel.h"
+#include "core/trc/corner/joints.h"
+#include "core/trc/corner/tool_path.h"
+
+namespace trc {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+bool is_contour(const PathBlock& block) { return block.role == Role::contour; }
+
+// Builds the tool path between tool_start and `end`.
+void complete(PathBlock& block, const Point& end, const Tolerances& tolerances) {
+  if (block.path_given) return;
+  if (block.role == Role::uncompensated) {
+    block.tool_path = block.programmed.path;
+    return;
+  }
+  const auto* arc = std::get_if<Arc>(&block.programmed.path);
+  if (arc == nullptr) {
+    block.tool_path = Line{.start = block.tool_start, .end = end};
+  } else if (is_contour(block) && block.at_start != block.at_end) {
+    block.tool_path = refitted(*arc, block.tool_start, end, tolerances.on_contour);  // D-20
+  } else {
+    const double left = left_of_block(block, block.cut_at_start, block.cut_at_end);
+    block.tool_path =
+        shortened(*arc, block.tool_start, end, left, block.removes_loops(), tolerances);
+  }
+}
+
+void open(PathBlock& block, const Point& start, double cut, const Tolerances& tolerances) {
+  block.tool_start = start;
+  block.cut_at_start = cut;
+  if (!block.at_end.active) complete(block, end_of(block.programmed.path), tolerances);
+}
+
+// Behind its riders, if the block has any.
+PathBlockPtr insertion_behind(const PathBlock& before, const PathBlock& after) {
+  auto inserted = std::make_unique_for_overwrite<PathBlock>();
+  inserted->role = Role::inserted;
+  inserted->at_start = inserted->at_end = before.at_end;
+  insert_behind(before.programmed, after.programmed, inserted->programmed);
+  inserted->programmed.mode = before.programmed.mode;
+  if (before.riders.empty()) return inserted;
+  const PassiveBlock& rider = before.riders.back();
+  inserted->programmed.normal = standing(rider.normal.to);
+  inserted->programmed.tracking.clear();
+  for (const AxisTravel& axis : rider.tracking)
+    inserted->programmed.tracking.push_back(standing(axis.to));
+  return inserted;
+}
+
+void insert(const Segment& segment, Origin origin, PathBlockPtr inserted, PathBlocks& out) {
+  inserted->origin = origin;
+  inserted->tool_path = segment;
+  if (is_arc(segment)) inserted->programmed.rapid = false;
+  out.push_back(std::move(inserted));
+}
+
+// Spec 7.2: lines only, below 180 degrees, G236 up to 90 degrees.
+bool may_split(const Corner& corner, const PathBlock& block, Selection selection,
+               const Tolerances& tolerances) {
+  const TrcMode& mode = block.mode();
+  if (mode.options.split.where == SplitOption::Where::off || mode.tangential ||
+      is_arc(block.programmed.path))
+    return false;
+  const double angle = transition_angle(corner, tolerances);
+  switch (selection) {
+    case Selection::direct:
+    case Selection::indirect:
+    case Selection::without_block:
+      return angle < pi - tolerances.tangent;
+    case Selection::on_path:
+      return angle <= pi / 2 + tolerances.tangent;
+    case Selection::perpendicular:
+    case Selection::inside_corner:
+      break;
+  }
+  return false;
+}
+
+Origin origin_of_insertions(const PathBlock& before, const PathBlock& after) {
+  if (!is_contour(before)) return Origin::approach;
+  return is_contour(after) ? Origin::transition : Origin::retract;
+}
+
+}  // namespace
+
+bool Transitions::feed(PathBlockPtr&& block, PathBlocks& out) {
+  if (block->role == Role::passive) {
+    out.push_back(std::move(block));
+    return true;
+  }
+  if (block->masked) {
+    masked_.push_back(std::move(block));
+    return true;
+  }
+  const bool continues = held_ && block->at_start.active && !block->perpendicular_entry;
+  if (continues) {
+    if (!join(*block, out)) return false;
+  } else {
+    if (held_) leave(&start_of(block->programmed.path), out);
+    enter(*block, out);
+  }
+  if (block->at_end.active) {
+    held_ = std::move(block);
+  } else {
+    out.push_back(std::move(block));
+  }
+  return true;
+}
+
+bool Transitions::drain(PathBlocks& out) {
+  if (held_) leave(nullptr, out);
+  return true;
+}
+
+void Transitions::enter(PathBlock& block, PathBlocks& out) const {
+  const Point& start = start_of(block.programmed.path);
+  if (!block.perpendicular_entry) {
+    open(block, start, 0, tolerances_);
+    return;
+  }
+  open(block, block.offset_start, 0, tolerances_);
+  PathBlockPtr across = insertion_behind(block, block);
+  // Where the axes are before the block, whatever its riders do behind it.
+  MotionBlock& motion = across->programmed;
+  motion.normal = standing(block.programmed.normal.from);
+  motion.tracking = block.programmed.tracking;
+  for (AxisTravel& axis : motion.tracking) axis = standing(axis.from);
+  insert(Line{.start = start, .end = block.offset_start}, Origin::approach, std::move(across), out);
+}
+
+void Transitions::leave(const Point* next_start, PathBlocks& out) {
+  PathBlock& block = *held_;
+  const bool stays = next_start != nullptr && !block.perpendicular_exit &&
+                     (*next_start - block.offset_end).norm() <= tolerances_.same_point;
+  const Point end = stays ? *next_start : block.offset_end;
+  complete(block, end, tolerances_);
+  if (!block.perpendicular_exit) {
+    out.push_back(std::move(held_));
+    return;
+  }
+  std::vector<PassiveBlock> riders = std::move(block.riders_after_exit);
+  const Point target = end_of(block.programmed.path);
+  out.push_back(std::move(held_));
+  insert(Line{.start = end, .end = target}, Origin::retract, insertion_behind(block, block), out);
+  out.back()->riders = std::move(riders);
+}
+
+void Transitions::join_anew(PathBlock& after, PathBlocks& out) {
+  PathBlock& before = *held_;
+  const PathBlock::Rejoin& rejoin = *after.rejoin;
+  before.cut_at_end = rejoin.cut_before;
+  complete(before, rejoin.point, tolerances_);
+  out.push_back(std::move(held_));
+  for (PathBlockPtr& masked : masked_) {
+    masked->origin = Origin::masked;
+    masked->tool_path = Line{.start = rejoin.point, .end = rejoin.point};
+    out.push_back(std::move(masked));
+  }
+  masked_.clear();
+  open(after, rejoin.point, rejoin.cut_after, tolerances_);
+}
+
+bool Transitions::join(PathBlock& after, PathBlocks& out) {
+  if (after.rejoin) {
+    join_anew(after, out);
+    return true;
+  }
+  PathBlock& before = *held_;
+  const Corner corner = corner_between(before, after, tolerances_);
+  JointResult result = joint_between(before, after, corner, tolerances_);
+  if (const auto* refusal = std::get_if<JointRefusal>(&result)) return refuse(*refusal, after);
+  auto& [joint, tangential_path, apart] = std::get<JoinedBlocks>(result);
+  if (tangential_path) {
+    PathBlock& block = before.role == Role::approach ? before : after;
+    block.tool_path = *tangential_path;
+    block.path_given = true;
+  }
+  before.splittable = before.role == Role::approach &&
+                      may_split(corner, before, before.mode().selection, tolerances_);
+  after.splittable = after.role == Role::retract &&
+                     may_split(corner, after, after.mode().deselection, tolerances_);
+  before.cut_at_end = joint.cut_before;
+  complete(before, joint.end, tolerances_);
+  const Origin origin = origin_of_insertions(before, after);
+  const bool radius_changes = is_contour(before) && is_contour(after) &&
+                              after.at_start != after.at_end &&
+                              after.mode().options.perpendicular_radius_change;
+  const Point contour_start = joint.start;
+  if (radius_changes) change_radius_at_once(corner, after, joint);
+  open(after, joint.start, joint.cut_after, tolerances_);
+  out.push_back(std::move(held_));
+  const bool leads_through_contour = apart;
+  const auto insert_here = [&](const Segment& segment, Origin why) {
+    PathBlockPtr inserted = insertion_behind(before, after);
+    inserted->unreachable = leads_through_contour;
+    insert(segment, why, std::move(inserted), out);
+  };
+  for (const auto& segment : joint.inserted()) insert_here(*segment, origin);
+  if (radius_changes)
+    insert_here(Line{.start = contour_start, .end = joint.start}, Origin::radius_change);
+  return true;
+}
+
+// D-21: the corner is solved with the old radius on both sides; a line across the
+// contour leads to the new equidistant.
+void Transitions::change_radius_at_once(const Corner& corner, PathBlock& after,
+                                        Joint& joint) const {
+  const OffsetCurve& curve = corner.after;
+  Vector along = curve.tangent;
+  if (curve.circular) {
+    const Vector radial = (joint.start - curve.circle.center).normalized();
+    along = curve.counter_clockwise ? left_of(radial) : Vector(-left_of(radial));
+  }
+  joint.start = parallel_point(joint.start, along, after.at_end.shift - after.at_start.shift);
+  after.at_start = after.at_end;
+}
+
+bool Transitions::refuse(const JointRefusal& refusal, const PathBlock& after) {
+  const PathBlock& block = refusal.of_after ? after : *held_;
+  Diagnostic problem = diagnostic(refusal.code, block.programmed.source);
+  const Position position =
+      from_plane(block.mode().plane, refusal.place, block.programmed.normal.to);
+  problem.point = DiagnosticPoint{.x = position[0], .y = position[1], .z = position[2]};
+  problem.values = {{"tool_radius", block.mode().tool_radius}};
+  return diagnostics_.report(std::move(problem));
+}
+
+}  // namespace trc

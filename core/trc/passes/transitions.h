@@ -1,0 +1,62 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "core/base/diagnostics.h"
+#include "core/base/tolerances.h"
+#include "core/trc/corner/corner.h"
+#include "core/trc/corner/joints.h"
+#include "core/trc/path_block.h"
+
+namespace trc {
+
+// Joins each equidistant to the next one.
+//
+//     outside: insert            inside: trim
+//
+//      .---o                         |   |
+//     /    |                         |   o---- kept
+//    o     P=====                    |
+//    |     |                         P=======
+//
+// P is the programmed corner. What is inserted: table 4.2 of the spec, G25 and
+// G26; where the contour begins and ends: the rules of the selection modes in
+// selection/. Does not see further than the next relevant block.
+class Transitions {
+ public:
+  Transitions(const Tolerances& tolerances, Diagnostics& diagnostics)
+      : tolerances_(tolerances), diagnostics_(diagnostics) {}
+
+  bool feed(PathBlockPtr&& block, PathBlocks& out);
+  bool drain(PathBlocks& out);
+  [[nodiscard]] std::size_t look_ahead() const { return 1; }
+  // The block whose end is still open, if nothing waits behind it. ContourRun goes on from it.
+  [[nodiscard]] PathBlock* open_block() { return masked_.empty() ? held_.get() : nullptr; }
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(held_, masked_);
+  }
+
+ private:
+  // A contour begins, or TRC is off: the block does not continue the held one.
+  void enter(PathBlock& block, PathBlocks& out) const;
+  // The contour ends with the held block. With G239 the next block starts in
+  // `next_start`; both must be one point.
+  void leave(const Point* next_start, PathBlocks& out);
+  bool join(PathBlock& after, PathBlocks& out);
+
+  // A joint over masked blocks: they come out without length where it is.
+  void join_anew(PathBlock& after, PathBlocks& out);
+  void change_radius_at_once(const Corner& corner, PathBlock& after, Joint& joint) const;
+
+  bool refuse(const JointRefusal& refusal, const PathBlock& after);
+
+  Tolerances tolerances_;
+  Diagnostics& diagnostics_;
+  PathBlockPtr held_;
+  PathBlocks masked_;  // behind the held block
+};
+
+}  // namespace trc
