@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Measures the way of a block through trc and prints the README's performance table.
+"""Measures the way of a block through trc and prints the performance table of its README.
 
 Every figure is told with what it is to be and with what it can be compared: the aim, and the echo of
 the same messages, or LinuxCNC's interpreter on the same program where `rs274` is installed.

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Builds what is shipped and measures it: the performance table of the README, in less than ten
+# Builds what is shipped and measures it: the performance table of tests/bench/README.md, in less than ten
 # minutes. Options go to table.py; --help lists them.
 set -euo pipefail
 cd "$(dirname "$(readlink -f "$0")")/../.."

@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
-# The tables of options and diagnostics in README.md are those the service answers with.
-#   readme_tables.sh TRC [--fix]      TRC: the built command-line client
+# The tables of options and diagnostics in proto/README.md are those the service answers with.
+#   reference_tables.sh TRC [--fix]      TRC: the built command-line client
 set -euo pipefail
 cd "$(dirname "$(readlink -f "$0")")/../.."
 
-trc=${1:?usage: readme_tables.sh TRC [--fix]}
+trc=${1:?usage: reference_tables.sh TRC [--fix]}
 expected=$(mktemp)
 trap 'rm -f "$expected"' EXIT
 
@@ -18,13 +18,13 @@ while IFS= read -r line; do
     inside=
   fi
   [ -n "${inside:-}" ] || printf '%s\n' "$line"
-done <README.md >"$expected"
+done <proto/README.md >"$expected"
 
 if [ "${2:-}" = --fix ]; then
-  cp "$expected" README.md
+  cp "$expected" proto/README.md
 else
-  diff -u README.md "$expected" || {
-    echo "README.md is out of date: tests/habits/readme_tables.sh TRC --fix" >&2
+  diff -u proto/README.md "$expected" || {
+    echo "proto/README.md is out of date: tests/habits/reference_tables.sh TRC --fix" >&2
     exit 1
   }
 fi
