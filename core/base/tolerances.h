@@ -11,7 +11,7 @@ struct Tolerances {
   // reference control (D-14).
   double on_contour = 1e-4;
   // How much nearer than the tool radius a path may come before it is a
-  // bottleneck: this part of the radius, or of 1 mm if that is more (spec 5.1).
+  // bottleneck: this part of the radius, or of 1 mm if that is more (rule 5.1).
   double clearance = 1e-6;
   // How much nearer a loop may come before it violates and is removed, likewise:
   // the passable side of `clearance`, with room for rounding (D-36).

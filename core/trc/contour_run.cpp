@@ -127,7 +127,7 @@ bool ContourRun::vanishes(const OffsetCurve& equidistant) const {
          equidistant.circle.radius < tolerances_.on_contour;
 }
 
-// The rules between contour blocks (spec 4.2) as joint_between() has them for such blocks. In one
+// The rules between contour blocks (rule 4.2) as joint_between() has them for such blocks. In one
 // piece: what is done from here on takes less than to call it step by step.
 TRC_IN_ONE_PIECE bool ContourRun::join(const Corner& corner, const Step& before, Step& after,
                                        std::vector<CompensatedBlock>& out) {

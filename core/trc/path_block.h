@@ -20,7 +20,7 @@ enum class Role : std::uint8_t {
   approach,       // selection block: from where the tool is to the equidistant
   contour,
   retract,      // deselection block
-  side_change,  // retract of the old side and approach of the new one (spec 9)
+  side_change,  // retract of the old side and approach of the new one (rule 9)
   inserted,     // by TRC: transition blocks, parts of approach and retract
 };
 
@@ -53,7 +53,7 @@ struct PathBlock {
   // Of the programmed segment; set by Offset.
   Vector tangent_at_start = Vector::Zero();
   Vector tangent_at_end = Vector::Zero();
-  // The perpendicular points P and Q of the spec; set by Offset where active.
+  // The perpendicular points P and Q (core/doc/rules.md); set by Offset where active.
   Point offset_start = Point::Zero();
   Point offset_end = Point::Zero();
 

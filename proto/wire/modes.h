@@ -50,7 +50,7 @@ inline constexpr EnumTable<v1::CenterCorrection, bool, 2> center_corrections{{
     {v1::CENTER_CORRECTION_ON, true},
 }};
 
-// The reference control holds radii in 32 bits of 0.1 um (spec section 1.6).
+// The reference control holds radii in 32 bits of 0.1 um (rule 1.6).
 inline bool check_tool_radius(double radius, const FieldPath& path, FieldFaults& faults) {
   constexpr double largest = 214748.3647;
   return check_range(radius, -largest, largest, "mm", path, faults);

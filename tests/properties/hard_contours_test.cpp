@@ -20,7 +20,7 @@
 namespace trc::support {
 namespace {
 
-double tolerance_of(double radius) { return 1.001e-6 * std::max(radius, 1.0); }  // spec 5.1
+double tolerance_of(double radius) { return 1.001e-6 * std::max(radius, 1.0); }  // rule 5.1
 
 bool is_between(const CompensatedBlock& block) {
   return block.origin != Origin::approach && block.origin != Origin::retract;

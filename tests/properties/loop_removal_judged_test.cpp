@@ -16,7 +16,7 @@
 #include "tests/support/slow_shapes.h"
 #include "tests/support/small_contours.h"
 
-// Loop removal (spec 5.1) on small contours that are as hard as they get, against
+// Loop removal (rule 5.1) on small contours that are as hard as they get, against
 // judges that share no code with it. Each contour has a seed of its own, which a
 // failure prints; TRC_TEST_LONG=1 takes more than a million.
 
@@ -377,7 +377,7 @@ TEST(LoopRemovalSlot, IsGoneIntoWhereItIsAsWideAsTheTool) {
     }
 }
 
-// Technology words, the third main axis and a tracking axis (spec 5.1): words come
+// Technology words, the third main axis and a tracking axis (rule 5.1): words come
 // out once and in order, each where the axes stand as programmed; what is not
 // travelled is told.
 TEST_P(EveryHardship, LosesNoWordAndNoTravelOfOtherAxes) {

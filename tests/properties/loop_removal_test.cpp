@@ -11,7 +11,7 @@
 #include "tests/support/run.h"
 #include "tests/support/slow_clearance.h"
 
-// REMOVE_MASKED_BLOCKS over contours full of violations (spec 5.1): what comes out
+// REMOVE_MASKED_BLOCKS over contours full of violations (rule 5.1): what comes out
 // keeps its distance, judged by sampling, is connected and in order, and no
 // technology word is lost.
 

@@ -61,7 +61,7 @@ v1::CompensatePathRequest batch(std::uint64_t first_block, const std::vector<v1:
 // Tries until it holds, at most so long.
 bool eventually(const std::function<bool()>& holds, double seconds = 20);
 
-// Lines of the G239 example T-01 of the spec, tool radius 10.
+// Lines of the G239 example T-01, tool radius 10.
 extern const std::string_view g239_program;
 
 }  // namespace trc::server

@@ -39,7 +39,7 @@ inline constexpr Flavor all_flavors[] = {Flavor::mixed,        Flavor::lines, Fl
 [[nodiscard]] Contour random_contour(Random& random, Flavor flavor, const TrcMode& mode,
                                      std::size_t longest);
 
-// The same, without any contour violation of spec section 6 as the slow
+// The same, without any contour violation of rule 6 as the slow
 // computation (slow_trc.h) sees it: blocks that bring one in are left out.
 [[nodiscard]] Contour random_clean_contour(Random& random, Flavor flavor, const TrcMode& mode,
                                            std::size_t longest);

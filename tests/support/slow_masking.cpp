@@ -140,7 +140,7 @@ class Masking {
   }
 
   // G25 between block k - 1 and block k: lines go on as themselves, arcs in tangents, up to where
-  // they meet or STRETCH_FACTOR ends them (spec 4.2, 4.3).
+  // they meet or STRETCH_FACTOR ends them (rule 4.2, 4.3).
   void lay_mitre(std::size_t k, const ExtendedPoint& before, const ExtendedPoint& after,
                  Extended turn) {
     const ExtendedPoint& corner = blocks_[k].start;

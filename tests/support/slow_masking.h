@@ -9,7 +9,7 @@
 
 namespace trc::support {
 
-// Removal of violating loops (spec 5.1) under G26, from the definition alone: every
+// Removal of violating loops (rule 5.1) under G26, from the definition alone: every
 // equidistant in full length and every transition arc, cut wherever the distance to
 // any block of the contour passes through the tool radius; of the cut pieces those
 // that keep their distance; and among them the way from the first compensated point
@@ -27,11 +27,11 @@ struct SlowMasking {
   // point or run on top of each other, so that another way is as right.
   bool tied = false;
   // Somewhere an equidistant comes too near by less than twice the tolerance of
-  // spec 5.1: whether it does come too near is a matter of taste.
+  // rule 5.1: whether it does come too near is a matter of taste.
   bool shallow = false;
 };
 
-// How strictly the words of spec 5.1 are taken.
+// How strictly the words of rule 5.1 are taken.
 struct MaskingScale {
   // A piece is kept if its distance to the contour is the radius at least; lenient:
   // less the tolerance.

@@ -8,7 +8,7 @@
 
 #include "tests/support/run.h"
 
-// The table of inserted blocks, spec section 4.2, and the geometry it stands
+// The table of inserted blocks, rule 4.2, and the geometry it stands
 // for (T-10). The corner lies in the middle of a contour of two blocks whose
 // approach and retract blocks are collinear with it, so that nothing but the
 // corner inserts blocks.

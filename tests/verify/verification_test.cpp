@@ -14,7 +14,7 @@
 namespace trc::verify {
 namespace {
 
-// A bottleneck of 15 mm, which G140 does not see (spec 5): two selections, the second one sound.
+// A bottleneck of 15 mm, which G140 does not see (rule 5): two selections, the second one sound.
 constexpr const char* neck =
     "N10 G00 X-60 Y-80 F1000\n"
     "N20 V.G.WZ_AKT.R = 10\n"

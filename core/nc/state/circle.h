@@ -9,7 +9,7 @@
 
 namespace trc {
 
-// How a programmed circle is checked (spec 10.4). G165 (initial): an inaccurate
+// How a programmed circle is checked (rule 10.4). G165 (initial): an inaccurate
 // centre is shifted onto a valid circle within limits. G164: no correction, the
 // radii at start and end may differ within limits.
 struct CircleCheck {

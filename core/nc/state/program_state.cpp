@@ -18,7 +18,7 @@ bool in_range(double value, double smallest, double largest) {
 }
 
 // G237 leaves the contour by itself, G239 where it stands; all other modes need
-// a motion block after G40 (spec 10.9).
+// a motion block after G40 (rule 10.9).
 bool retracts_in_a_block(Selection selection) {
   return selection != Selection::perpendicular && selection != Selection::without_block;
 }

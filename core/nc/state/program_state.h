@@ -20,7 +20,7 @@ namespace trc {
 struct ProgramSetup {
   TrcMode mode{};                // plane, mode, radius, options; side must be off
   Position start{};              // mm
-  bool absolute_center = false;  // G161; G162 is the initial state (spec 10.4)
+  bool absolute_center = false;  // G161; G162 is the initial state (rule 10.4)
   CircleCheck circle{};
   std::vector<std::string> tracking_axes{"A", "B", "C", "U", "V", "W"};
   std::map<std::int64_t, double> tools{};  // D word -> tool radius, mm
@@ -55,12 +55,12 @@ class ProgramState {
   // 0: unknown.
   void place(std::uint32_t column) { column_ = column; }
 
-  // G41, G42, as programmed: a negative radius swaps the side (spec 1.5). A new
+  // G41, G42, as programmed: a negative radius swaps the side (rule 1.5). A new
   // number of selection begins unless the side only changes. 900103.
   bool select(Side side, const Source& source);
   // G40. Under G239 the last equidistant point becomes the position, if the
   // selection had a contour block behind its approach: a coordinate that is not
-  // programmed afterwards keeps the compensated value (spec 3.6).
+  // programmed afterwards keeps the compensated value (rule 3.6).
   // Warns of a selection without any motion (D-28); nothing is done while off.
   bool deselect(const Source& source);
   bool set_selection(Selection selection, const Source& source);  // 21317, 21318
@@ -72,7 +72,7 @@ class ProgramState {
   bool set_feed_adaptation(FeedAdaptation adaptation, const Source& source);
   bool set_tangfeed_minimum(double radius, const Source& source);  // 20963
   bool set_plane(Plane plane, const Source& source);               // 20133
-  // mm; negative swaps the side (spec 1.5). At most `largest_tool_radius` in
+  // mm; negative swaps the side (rule 1.5). At most `largest_tool_radius` in
   // size (900104); not under an active G238 (90127).
   bool set_tool_radius(double radius, const Source& source);
   // D word, with the radius of the tool table; D0 without entry is no tool,

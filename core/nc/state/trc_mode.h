@@ -30,7 +30,7 @@ enum class Masking : std::uint8_t { off, on };
 // contact point of tool and contour (G11).
 enum class FeedAdaptation : std::uint8_t { off, on };
 
-// SPLIT words: the feed of the parts next to the contour, spec section 7.2.
+// SPLIT words: the feed of the parts next to the contour, rule 7.2.
 struct SplitOption {
   enum class Where : std::uint8_t { off, pre, post, combined };
   Where where = Where::off;
@@ -44,7 +44,7 @@ struct SplitOption {
   bool operator==(const SplitOption&) const = default;
 };
 
-// The `#TRC` options, one field per keyword (spec section 7), with their defaults.
+// The `#TRC` options, one field per keyword (rule 7), with their defaults.
 struct TrcOptions {
   bool conv_cir_to_lin = false;
   bool kerf_masking = false;
@@ -75,7 +75,7 @@ struct TrcMode {
   std::uint32_t selection_number = 0;
   Selection selection = Selection::indirect;
   // The mode that was in force at the last G40; it governs the retract even when
-  // another mode is programmed before the retract block (spec 1.10).
+  // another mode is programmed before the retract block (rule 1.10).
   Selection deselection = Selection::indirect;
   bool tangential = false;  // G05 in this block's selection or deselection
   Transition transition = Transition::linear;

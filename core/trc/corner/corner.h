@@ -96,7 +96,7 @@ enum class CornerKind { tangential, inside, outside };
 // negative clockwise (G41), positive counter-clockwise (G42).
 [[nodiscard]] double outside_sweep(const Corner& corner);
 
-// The transition angle beta of spec section 1.12, rad, 0 < beta <= 2 pi.
+// The transition angle beta of rule 1.12, rad, 0 < beta <= 2 pi.
 [[nodiscard]] double transition_angle(const Corner& corner, const Tolerances& tolerances);
 
 // The point in which two equidistants meet.
@@ -146,12 +146,12 @@ struct TransitionRule {
 // A line from the end of one block to the start of the other.
 [[nodiscard]] Joint joint_across(const Point& end, const Point& start);
 
-// The table of spec section 4.2 with STRETCH_FACTOR (4.3). Lines are extended,
+// The table of rule 4.2 with STRETCH_FACTOR (4.3). Lines are extended,
 // circles get a tangent line.
 [[nodiscard]] Joint outside_joint(const Corner& corner, const TransitionRule& rule,
                                   const Tolerances& tolerances);
 
-// EXT_ANGLE_BLOCK_INTERSECTION (spec 4.4, D-08): both curves extended to their
+// EXT_ANGLE_BLOCK_INTERSECTION (rule 4.4, D-08): both curves extended to their
 // meeting; empty when there is none within 2 R tan 1 degree of Q and P.
 [[nodiscard]] std::optional<Joint> extended_joint(const Corner& corner,
                                                   const Tolerances& tolerances);

@@ -166,7 +166,7 @@ Corner corner_between(const PathBlock& before, const PathBlock& after,
 
 JointResult joint_between(const PathBlock& before, const PathBlock& after, const Corner& corner,
                           const Tolerances& tolerances) {
-  // The side changes at a reversal point: both equidistants end there (spec 9).
+  // The side changes at a reversal point: both equidistants end there (rule 9).
   if (is_contour(before) && is_contour(after) && before.at_end.shift * after.at_start.shift < 0)
     return JoinedBlocks{.joint = tangential_joint(corner)};
   if (!is_contour(before)) return approach(before, after, corner, tolerances);

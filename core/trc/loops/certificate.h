@@ -18,7 +18,7 @@ namespace trc {
 // block, one radius and one side hold throughout, and the directions of travel in it
 // differ by less than half a turn. Then the equidistant of the chain, its transitions
 // included, stays a tool radius away from all of the chain. The proof is in
-// core/README.md.
+// core/doc/loop_removal.md.
 class Certificate {
  public:
   explicit Certificate(const Tolerances& tolerances) : tolerances_(tolerances) {}

@@ -25,8 +25,8 @@ struct LoopExit {
 };
 
 // Looks for the way out of a loop: behind an onset the path has to cross what lies in the tool's
-// reach of the obstacle, or of another one in the same place, farther on (core/README.md, "Where it
-// goes on").
+// reach of the obstacle, or of another one in the same place, farther on (core/doc/loop_removal.md,
+// "Where it goes on").
 class WayOut {
  public:
   using Nearness = Obstacles::Nearness;

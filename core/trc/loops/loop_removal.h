@@ -17,7 +17,7 @@
 namespace trc {
 
 // G141 with REMOVE_MASKED_BLOCKS: takes every violating loop out of the path of a
-// selection (spec 5.1), however many blocks it has.
+// selection (rule 5.1), however many blocks it has.
 //
 //        raw            result       The path is walked from its first point. Where it
 //      |  _           |              comes nearer than the tool radius to any contour

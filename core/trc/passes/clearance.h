@@ -13,7 +13,7 @@ namespace trc {
 
 // Looks for bottlenecks: path blocks that come closer to any programmed block of
 // their selection than the tool radius, however far apart on the contour. Under
-// G141 each is a warning (spec 5.1: loops that still violate stay); with
+// G141 each is a warning (rule 5.1: loops that still violate stay); with
 // P-CHAN-00219 the first one stops, also under G140 (D-34).
 //
 // Holds such a selection as a whole, or looks a window of contour blocks ahead and

@@ -12,7 +12,7 @@
 
 namespace trc {
 
-// G141: masks contour blocks that cannot be cut (spec 5.1).
+// G141: masks contour blocks that cannot be cut (rule 5.1).
 //
 //     A =====+            A' ----X          B lies between its neighbours so that
 //             \ B                |          they leave nothing of it: it is masked,

@@ -6,7 +6,7 @@
 namespace trc {
 
 // CONV_CIR_TO_LIN: under G141 an arc that shrinks under the offset and is not
-// larger than the tool becomes its chord (spec 7, D-17, D-18). Full circles have
+// larger than the tool becomes its chord (rule 7, D-17, D-18). Full circles have
 // none and are left to contour masking.
 class ConvertCircles {
  public:

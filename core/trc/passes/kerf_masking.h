@@ -9,7 +9,7 @@
 
 namespace trc {
 
-// KERF_MASKING: raises the bottom of a notch the tool cannot enter (spec 7.1, D-16).
+// KERF_MASKING: raises the bottom of a notch the tool cannot enter (rule 7.1, D-16).
 //
 //     --A     C--        B' lies on the bisector of the notch, as near to B as lets
 //        \B' /           the tool in: of A–B' and B'–C the corners leave a length

@@ -34,7 +34,7 @@ AxisTravel cut(AxisTravel& travel, double share) {
 }
 
 // Cuts the block after 180 degrees: the radius changes in the first half, the
-// rest runs with the new one around the programmed centre (spec 8, D-20).
+// rest runs with the new one around the programmed centre (rule 8, D-20).
 PathBlockPtr first_half_of(PathBlock& block) {
   Arc& arc = std::get<Arc>(block.programmed.path);
   const double half = std::copysign(std::numbers::pi, arc.sweep);
@@ -212,7 +212,7 @@ bool RelevantBlocks::end_selection(PathBlock& block) {
 }
 
 // Lines must reverse exactly; circles must have one tangent there and turn in
-// opposite senses (spec 9). A line and a circle never reverse.
+// opposite senses (rule 9). A line and a circle never reverse.
 bool RelevantBlocks::reverses(const PathBlock& block) const {
   const auto* arc_before = std::get_if<Arc>(&last_path_);
   const auto* arc_after = std::get_if<Arc>(&block.programmed.path);

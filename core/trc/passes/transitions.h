@@ -20,7 +20,7 @@ namespace trc {
 //    o     P=====                    |
 //    |     |                         P=======
 //
-// P is the programmed corner. What is inserted: table 4.2 of the spec, G25 and
+// P is the programmed corner. What is inserted: table of rule 4.2, G25 and
 // G26; where the contour begins and ends: the rules of the selection modes in
 // selection/. Does not see further than the next relevant block.
 class Transitions {

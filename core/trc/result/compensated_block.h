@@ -37,7 +37,7 @@ struct CompensatedBlock {
   Plane plane = Plane::xy;
   bool rapid = false;
   // The joint with the block before counts as tangential for the planner: the
-  // path turns there by at most TANGENTIAL_LIMIT (spec 4.5).
+  // path turns there by at most TANGENTIAL_LIMIT (rule 4.5).
   bool tangential = false;
   // In the plane, at the tool centre. A line without length when only the third
   // axis or tracking axes move, and for passthrough.

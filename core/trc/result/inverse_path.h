@@ -8,7 +8,7 @@
 namespace trc {
 
 // The contour recovered from the tool path of a contour or transition block: the
-// tool path moved back by the compensation (spec sections 7 and 13, INVERSE).
+// tool path moved back by the compensation (D-17, INVERSE).
 //
 // Neighbours do not join at inside corners, where the shortened blocks end; over
 // a G26 arc it is a single point, the programmed corner, as a line without

@@ -5,7 +5,7 @@
 namespace trc::selection {
 
 // G138, and G239 on the way in: straight to the perpendicular point P, whatever
-// the corner (spec 3.1).
+// the corner (rule 3.1).
 [[nodiscard]] inline Joint approach_direct(const Corner& corner) {
   Joint joint;
   joint.end = joint.start = corner.after.anchor;

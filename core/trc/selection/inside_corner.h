@@ -10,7 +10,7 @@
 
 namespace trc::selection {
 
-// G238: a closed contour that begins and ends in its inside corner (spec 3.5).
+// G238: a closed contour that begins and ends in its inside corner (rule 3.5).
 //
 //        last |   | first          X: where the offsets of the last and the first
 //             |   |                   block meet; the tool comes from P1 to X, goes

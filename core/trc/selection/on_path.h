@@ -9,7 +9,7 @@
 namespace trc::selection {
 
 // G236: the tool stays on the programmed selection block and changes over to the
-// equidistant of the contour (spec 3.3, D-02).
+// equidistant of the contour (rule 3.3, D-02).
 //
 //   alpha < 90 degrees        at the crossing of path and equidistant
 //   90 … 180, G236_LIN = 1    R before the corner, then a line to P

@@ -7,7 +7,7 @@
 namespace trc::selection {
 
 // `#TRC [SPLIT …]`: the parts of the approach and the retract line next to the
-// contour get feeds of their own (spec 7.2, D-19).
+// contour get feeds of their own (rule 7.2, D-19).
 //
 //   S ------ rest ------ | 1 | 2 |= contour =| 2 | 1 | ---- rest ---- T
 //

@@ -8,7 +8,7 @@
 namespace trc::selection {
 
 // G05: the selection block becomes an arc from `start` that runs into the contour
-// point `contact` along `tangent` (spec 3.7); a line when `start` lies straight
+// point `contact` along `tangent` (rule 3.7); a line when `start` lies straight
 // behind it. Empty when it lies straight ahead (D-04).
 [[nodiscard]] std::optional<Segment> tangential_entry(const Point& start, const Point& contact,
                                                       const Vector& tangent,

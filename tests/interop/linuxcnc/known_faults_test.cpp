@@ -63,7 +63,7 @@ double value_of(const Diagnostic& diagnostic, const std::string& name) {
   throw std::runtime_error("the diagnostic has no " + name);
 }
 
-// Both see neighbours only (spec section 6, G140) and cut 2 mm into each side of
+// Both see neighbours only (rule 6, G140) and cut 2 mm into each side of
 // the neck. Neither is right for the workpiece; G140 promises no more.
 TEST(KnownFaults, KeyholeIsTravelledByBothWithoutMasking) {
   const JudgedContour judged = known("keyhole");
