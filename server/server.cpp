@@ -6,6 +6,7 @@
 #include <grpcpp/resource_quota.h>
 
 #include <chrono>
+#include <system_error>
 #include <utility>
 
 #include "grpc/health/v1/health.pb.h"
@@ -44,7 +45,12 @@ Server::Start Server::start(const Config& config) {
   ResumeKey key = resume_key(config.resume_key_file);
   if (!key.fault.empty())
     return {.server = nullptr, .fault = std::move(key.fault), .misconfigured = true};
-  std::unique_ptr<Server> server(new Server(config, std::move(key.key)));
+  std::unique_ptr<Server> server;
+  try {
+    server.reset(new Server(config, std::move(key.key)));
+  } catch (const std::system_error& why) {
+    return {.server = nullptr, .fault = std::string("cannot start its threads: ") + why.what()};
+  }
   std::string fault = server->read_certificates();
   if (!fault.empty()) return {.server = nullptr, .fault = std::move(fault), .misconfigured = true};
   fault = server->open(true);

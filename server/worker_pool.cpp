@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <chrono>
 #include <ctime>
+#include <new>
 #include <optional>
+#include <system_error>
 
 namespace trc::server {
 namespace {
@@ -26,11 +28,19 @@ constexpr std::chrono::milliseconds share_of_time{5};
 
 WorkerPool::WorkerPool(unsigned places)
     : places_(places > 0 ? places : std::max(1U, std::thread::hardware_concurrency())) {
-  threads_.reserve(places_);
-  for (std::size_t i = 0; i < places_; ++i) threads_.emplace_back([this] { run(); });
+  // No thread is lost for want of a place to note it down.
+  threads_.reserve(places_ + most_standing);
+  try {
+    for (std::size_t i = 0; i < places_; ++i) threads_.emplace_back([this] { run(); });
+  } catch (const std::system_error&) {
+    stop();
+    throw;
+  }
 }
 
-WorkerPool::~WorkerPool() {
+WorkerPool::~WorkerPool() { stop(); }
+
+void WorkerPool::stop() {
   {
     const std::lock_guard lock(mutex_);
     stopping_ = true;
@@ -42,7 +52,7 @@ WorkerPool::~WorkerPool() {
 void WorkerPool::submit(Job& job) {
   {
     const std::lock_guard lock(mutex_);
-    queue_.push_back({.job = &job});
+    queue_.push_back({.job = &job, .since = std::chrono::steady_clock::now()});
   }
   changed_.notify_one();
 }
@@ -53,13 +63,20 @@ void WorkerPool::give_way() {
     std::unique_lock lock(mutex_);
     if (queue_.empty() || stopping_ || standing_ == most_standing) return;
     Standing standing;
-    queue_.push_back({.standing = &standing});
+    // What may fail comes first: a turn that cannot be replaced goes on in its place.
+    try {
+      if (idle_ < places_ - taken_ + 1) threads_.emplace_back([this] { run(); });
+      queue_.push_back({.standing = &standing, .since = std::chrono::steady_clock::now()});
+    } catch (const std::system_error&) {
+      ++threads_missed_;
+      began = time_computed();
+      return;
+    } catch (const std::bad_alloc&) {
+      return;
+    }
     --taken_;
     ++standing_;
-    if (idle_ < places_ - taken_)
-      threads_.emplace_back([this] { run(); });
-    else
-      changed_.notify_one();
+    changed_.notify_one();
     standing.changed.wait(lock, [&] { return standing.goes_on; });
     --standing_;
   }
@@ -71,9 +88,20 @@ std::size_t WorkerPool::queue_depth() const {
   return queue_.size();
 }
 
+std::chrono::nanoseconds WorkerPool::longest_wait() const {
+  const std::lock_guard lock(mutex_);
+  if (queue_.empty()) return {};
+  return std::chrono::steady_clock::now() - queue_.front().since;
+}
+
 std::size_t WorkerPool::thread_count() const {
   const std::lock_guard lock(mutex_);
   return threads_.size();
+}
+
+std::uint64_t WorkerPool::threads_missed() const {
+  const std::lock_guard lock(mutex_);
+  return threads_missed_;
 }
 
 void WorkerPool::run() {

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <chrono>
 #include <condition_variable>
 #include <cstddef>
+#include <cstdint>
 #include <deque>
 #include <mutex>
 #include <thread>
@@ -28,7 +30,8 @@ class WorkerPool {
     ~Job() = default;
   };
 
-  // How many turns go on at once: 0 stands for one per core.
+  // How many turns go on at once: 0 stands for one per core. Throws std::system_error when the
+  // threads cannot be made.
   explicit WorkerPool(unsigned places);
   // Gives the waiting jobs their turn, then joins the threads.
   ~WorkerPool();
@@ -40,13 +43,18 @@ class WorkerPool {
 
   // To be called again and again in a turn that may take long. Once it has computed for
   // some milliseconds and others wait, the turn goes to the back of the queue: it stands still, and
-  // another thread takes its place. Does nothing in a thread that is not of the pool.
+  // another thread takes its place; when none can be made for it, the turn keeps its place. Does
+  // nothing in a thread that is not of the pool.
   void give_way();
 
   [[nodiscard]] std::size_t queue_depth() const;
+  // How long the turn that waits longest has waited; 0 when none waits.
+  [[nodiscard]] std::chrono::nanoseconds longest_wait() const;
   // The threads there are: one for each place, and one for each turn that has ever stood still at
   // the same time as others.
   [[nodiscard]] std::size_t thread_count() const;
+  // How often a turn could not give way because the system gave no thread.
+  [[nodiscard]] std::uint64_t threads_missed() const;
 
  private:
   // A turn that stands still.
@@ -58,11 +66,13 @@ class WorkerPool {
   struct Waiting {
     Job* job = nullptr;
     Standing* standing = nullptr;
+    std::chrono::steady_clock::time_point since{};
   };
   // A turn beyond so many does not stand still, but keeps its place: threads are not for nothing.
   static constexpr std::size_t most_standing = 64;
 
   void run();
+  void stop();
 
   mutable std::mutex mutex_;
   std::condition_variable changed_;
@@ -71,6 +81,7 @@ class WorkerPool {
   std::size_t taken_ = 0;     // places
   std::size_t idle_ = 0;      // threads
   std::size_t standing_ = 0;  // turns
+  std::uint64_t threads_missed_ = 0;
   bool stopping_ = false;
   std::vector<std::thread> threads_;
 };

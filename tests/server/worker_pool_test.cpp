@@ -1,6 +1,7 @@
 #include "server/worker_pool.h"
 
 #include <gtest/gtest.h>
+#include <pthread.h>
 
 #include <atomic>
 #include <chrono>
@@ -9,6 +10,7 @@
 #include <future>
 #include <mutex>
 #include <string>
+#include <system_error>
 #include <thread>
 
 namespace trc::server {
@@ -54,6 +56,21 @@ TEST(WorkerPool, GivesTurnsInTheOrderOfTheQueue) {
     gate.set_value();
   }
   EXPECT_EQ(order, "aba");
+}
+
+TEST(WorkerPool, TellsHowLongATurnHasWaited) {
+  std::promise<void> gate;
+  Task first([&] { gate.get_future().wait(); });
+  Task waiting([] {});
+  WorkerPool pool(1);
+  EXPECT_EQ(pool.longest_wait(), std::chrono::nanoseconds(0));
+  pool.submit(first);
+  pool.submit(waiting);
+  std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  EXPECT_GE(pool.longest_wait(), std::chrono::milliseconds(50));
+  gate.set_value();
+  while (pool.queue_depth() > 0) std::this_thread::yield();
+  EXPECT_EQ(pool.longest_wait(), std::chrono::nanoseconds(0));
 }
 
 TEST(WorkerPool, OneLongStreamDoesNotHoldUpAShortOne) {
@@ -137,6 +154,66 @@ TEST(WorkerPool, KeepsItsThreadsForWhenTheyAreNeeded) {
     while (turns < 2 * (round + 1)) std::this_thread::yield();
   }
   EXPECT_LE(pool.thread_count(), 3U);
+}
+
+// The system refuses every thread that is asked for while this lives: its stack would not fit into
+// the address space.
+class NoThreads {
+ public:
+  NoThreads() {
+    pthread_getattr_default_np(&before_);
+    pthread_attr_t hungry;
+    pthread_getattr_default_np(&hungry);
+    pthread_attr_setstacksize(&hungry, std::size_t{1} << 50U);
+    pthread_setattr_default_np(&hungry);
+    pthread_attr_destroy(&hungry);
+  }
+  ~NoThreads() {
+    pthread_setattr_default_np(&before_);
+    pthread_attr_destroy(&before_);
+  }
+  NoThreads(const NoThreads&) = delete;
+  NoThreads& operator=(const NoThreads&) = delete;
+
+ private:
+  pthread_attr_t before_{};
+};
+
+TEST(WorkerPool, SurvivesAThreadThatCannotBeMade) {
+  std::atomic<bool> done = false;
+  std::atomic<int> served = 0;
+  WorkerPool* shared = nullptr;
+  Task endless([&] {
+    while (!done) shared->give_way();
+  });
+  Task small([&] { ++served; });
+  const auto is_served = [&](int count) {
+    const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(10);
+    while (served < count && std::chrono::steady_clock::now() < end)
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    return served >= count;
+  };
+  WorkerPool pool(1);
+  shared = &pool;
+  {
+    const NoThreads none;
+    pool.submit(endless);
+    pool.submit(small);
+    while (pool.threads_missed() == 0) std::this_thread::yield();
+    EXPECT_EQ(served, 0);
+  }
+  // There are threads again: the turn gives way as ever.
+  EXPECT_TRUE(is_served(1));
+  done = true;
+  for (int round = 2; round < 10; ++round) {
+    pool.submit(small);
+    EXPECT_TRUE(is_served(round));
+  }
+}
+
+TEST(WorkerPool, ThrowsWhenItsThreadsCannotBeMade) {
+  const NoThreads none;
+  EXPECT_THROW(WorkerPool(2), std::system_error);
 }
 
 TEST(WorkerPool, AThreadOfSomebodyElseDoesNotGiveWay) {
