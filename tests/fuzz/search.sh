@@ -3,9 +3,9 @@
 # Usage: search.sh <fuzz target> <scratch folder> <corpus folder>…
 #
 # Inputs worth keeping, and what broke the target, stay in the scratch folder; the corpus in the
-# source tree is only read. The seed is printed by libFuzzer. What was found goes into the corpus,
-# as few and as small files as cover the same, by
-#   <fuzz target> -merge=1 <corpus folder> <scratch folder>/found
+# source tree is only read. The seed is printed by libFuzzer. What was found goes into the archive of
+# the target, as few and as small files as cover the same, by
+#   tests/fuzz/keep.sh <fuzz target> <name of the archive> <scratch folder>/found
 set -euo pipefail
 target=$1 scratch=$2
 shift 2

@@ -1,5 +1,7 @@
 #!/usr/bin/env bash
-# clang-tidy over the sources of core, proto/wire, server and client.
+# clang-tidy over the sources of core, proto/wire, server and client: over all of them in continuous
+# integration and with TRC_TEST_LONG, else over those that differ from the last commit, and those of
+# headers that do.
 # Usage, from the top of the source tree: tidy.sh <scratch folder>
 #
 # The scratch folder keeps a build description of its own (one command for each file, no
@@ -32,6 +34,17 @@ check() {
 }
 export -f check
 
+# Sources to check, of those on standard input.
+due() {
+  if [ "${CI:-}" = true ] || [ -n "${TRC_TEST_LONG:-}" ] ||
+    ! git rev-parse -q --verify HEAD >/dev/null 2>&1; then
+    cat
+  else
+    grep -Fxf <({ git diff --name-only HEAD; git ls-files --others --exclude-standard; } |
+      sed -nE 's/\.(h|cpp)$/.cpp/p') || true
+  fi
+}
+
 sed -n "s|^ *\"file\": \"$PWD/\(.*\)\".*|\1|p" "$work/compile_commands.json" |
-  grep -E '^(core|proto/wire|server|client)/' |
+  grep -E '^(core|proto/wire|server|client)/' | sort -u | due |
   xargs -P "$(nproc)" -I{} bash -c 'check "$@"' check {} "$work" "$common"
