@@ -15,8 +15,9 @@ namespace trc {
 // A sequence that grows at its end and is forgotten at its begin, whose elements keep their
 // number and their place in memory all the time. It takes little more memory than its elements:
 // it is never copied to grow, and a window over an endless stream needs room for the window. What
-// has been moved from may be assigned to or destroyed.
-template <class T>
+// has been moved from may be assigned to or destroyed. `chunk_size`: for how many elements it takes
+// memory at once; few where there are seldom many of them.
+template <class T, std::size_t chunk_size = 256>
 class NumberedQueue {
  public:
   // The first element will have the number `first`.
@@ -98,6 +99,20 @@ class NumberedQueue {
     find_place(empty() ? end_ : end_ - 1);
   }
 
+  // Forgets all; the next element has the number `first`. The memory of some elements stays.
+  void clear(std::size_t first = 0) {
+    if constexpr (!is_plain)
+      for (; begin_ < end_; ++begin_) (*this)[begin_] = T{};
+    if (!spare_ && dropped_runs_ < runs_.size() && runs_.back().chunks() == 1)
+      spare_ = std::move(runs_.back());
+    runs_.clear();
+    chunks_.clear();
+    first_chunk_ = dropped_runs_ = dropped_chunks_ = 0;
+    begin_ = end_ = first;
+    place_ = end_of_chunk_ = nullptr;
+    end_of_first_ = 0;
+  }
+
   template <class Archive>
   void serialize(Archive& archive) {
     std::size_t begin = begin_;
@@ -111,7 +126,6 @@ class NumberedQueue {
   }
 
  private:
-  static constexpr std::size_t chunk_size = 256;
   // Memory for elements is touched when they come, unless something has to be there to assign to.
   static constexpr bool is_plain = std::is_trivially_destructible_v<T>;
   // A queue that has grown to so many chunks takes whole pages, which go when their elements do.

@@ -47,6 +47,14 @@ void BoxTree::truncate(std::size_t number) {
   }
 }
 
+void BoxTree::clear() {
+  begin_ = 0;
+  for (Level& level : levels_) {
+    level.fours.clear();
+    level.end = 0;
+  }
+}
+
 void BoxTree::drop_before(std::size_t number) {
   // Now and then, as each level costs something.
   constexpr std::size_t worthwhile = 64;

@@ -104,6 +104,24 @@ TEST(NumberedQueue, DroppedAndCutOffAtOnceAtEveryLength) {
   }
 }
 
+TEST(NumberedQueue, ClearedLetsGoOfItsElementsAndCountsAnew) {
+  NumberedQueue<std::shared_ptr<int>, 16> queue;
+  const auto shared = std::make_shared<int>(1);
+  for (const int count : {1, 16, 17, 5'000, 3}) {
+    for (int i = 0; i < count; ++i) queue.push_back(shared);
+    queue.drop_before(static_cast<std::size_t>(count / 3));
+    queue.clear(100);
+    EXPECT_EQ(shared.use_count(), 1);
+    EXPECT_TRUE(queue.empty());
+    EXPECT_EQ(queue.end(), 100U);
+    queue.push_back(shared);
+    EXPECT_EQ(queue[100], shared);
+    EXPECT_EQ(queue.back(), shared);
+    queue.clear();
+    EXPECT_EQ(queue.begin(), 0U);
+  }
+}
+
 TEST(NumberedQueue, EmptiedAndFilledAgainManyTimes) {
   NumberedQueue<std::size_t> queue;
   for (std::size_t number = 0; number < 10'000; ++number) {

@@ -75,6 +75,15 @@ inline bool Certificate::is_too_wide() const {
   return all.greatest - all.least >= widest;
 }
 
+void Certificate::clear() {
+  first_of_chain_.clear();
+  last_of_chain_.clear();
+  directions_.clear();
+  chain_ = middle_ = 0;
+  direction_ = turns_ = shift_ = 0;
+  up_to_middle_ = behind_middle_ = {};
+}
+
 void Certificate::drop_before(std::size_t block) {
   first_of_chain_.drop_before(block);
   // Chains that go on from dropped blocks may.

@@ -40,6 +40,8 @@ class Certificate {
   [[nodiscard]] std::size_t size() const { return first_of_chain_.end(); }
   // Nobody will ask about blocks before this one any more.
   void drop_before(std::size_t block);
+  // Forgets all blocks.
+  void clear();
 
   // The first block of the longest certified chain that ends with `block`.
   [[nodiscard]] std::size_t chain_before(std::size_t block) const { return first_of_chain_[block]; }

@@ -164,6 +164,16 @@ void HeldPath::forget_before(std::size_t contour_number) {
   forget_path_before(contour_[contour_number].block);
 }
 
+void HeldPath::clear() {
+  blocks_.clear();
+  arcs_.clear();
+  contour_.clear();
+  circles_.clear();
+  settings_.clear();
+  riders_.clear();
+  apart_.clear();
+}
+
 void HeldPath::forget_path_before(std::size_t block) {
   const KeptBlock& first = blocks_[block];
   settings_.drop_before(first.setting);

@@ -173,6 +173,8 @@ class HeldPath {
   void forget_before(std::size_t contour_number);
   // Forgets blocks of the path, and of the contour what only they needed.
   void forget_path_before(std::size_t block);
+  // Forgets all: a new selection begins, whose blocks are counted from 0.
+  void clear();
 
   template <class Archive>
   void serialize(Archive& archive) {
@@ -297,9 +299,9 @@ class HeldPath {
   NumberedQueue<KeptArc> arcs_;  // of blocks_
   NumberedQueue<KeptContour> contour_;
   NumberedQueue<KeptCircle> circles_;  // of contour_
-  NumberedQueue<Setting> settings_;
-  NumberedQueue<Riders> riders_;
-  NumberedQueue<Apart> apart_;
+  NumberedQueue<Setting, 16> settings_;
+  NumberedQueue<Riders, 16> riders_;
+  NumberedQueue<Apart, 64> apart_;
 };
 
 template <class Programmed, class Path>

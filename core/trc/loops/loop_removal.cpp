@@ -126,7 +126,7 @@ void LoopRemoval::pass_by_without_trace() {
 
 void LoopRemoval::begin_selection() {
   entering_.clear();
-  path_ = HeldPath();
+  path_.clear();
   largest_radius_ = 0;
   obstacles_.clear();
   apart_ = false;

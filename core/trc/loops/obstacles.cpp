@@ -30,8 +30,8 @@ void Obstacles::drop_before(std::size_t number) {
 }
 
 void Obstacles::clear() {
-  boxes_ = BoxTree();
-  certificate_ = Certificate(tolerances_);
+  boxes_.clear();
+  certificate_.clear();
   survey_.first = 0;
   survey_.end = 0;
   survey_.area.setEmpty();

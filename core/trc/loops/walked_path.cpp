@@ -38,9 +38,9 @@ void WalkedPath::truncate(std::size_t number) {
 }
 
 void WalkedPath::clear() {
-  pieces_ = NumberedQueue<Kept>();
-  cuts_ = NumberedQueue<PathPiece>();
-  boxes_ = BoxTree();
+  pieces_.clear();
+  cuts_.clear();
+  boxes_.clear();
 }
 
 void WalkedPath::note_box(std::size_t block) {

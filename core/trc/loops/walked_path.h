@@ -95,7 +95,7 @@ class WalkedPath {
   void drop_cuts_before(HeldPath::Number cut) { cuts_.drop_before(cut); }
   // What for_each_near() knows of them.
   void drop_boxes_before(std::size_t number) { boxes_.drop_before(number); }
-  void drop_boxes() { boxes_ = BoxTree(); }
+  void drop_boxes() { boxes_.clear(); }
   // Forgets all: a new selection begins.
   void clear();
 
