@@ -46,14 +46,31 @@ case $kind in
     fi
     client=("$work/outside/build/compensate") ;;
   python)
-    protoc -I proto --python_out="$work" --grpc_python_out="$work" \
-      --plugin=protoc-gen-grpc_python="$(command -v grpc_python_plugin)" proto/trc/v1/*.proto
-    export PYTHONPATH=$work
-    client=(/usr/bin/python3 client/examples/python/compensate.py) ;;
+    # The package from its wheel, in an environment that has nothing of it.
+    cp -r client/python "$work/python" && mkdir "$work/proto" && cp -r proto/trc "$work/proto/"
+    mkdir -p "$work/client" && mv "$work/python" "$work/client/python"
+    (cd "$work/client/python" && /usr/bin/python3 -m build --no-isolation --outdir "$work/dist" .) \
+      >"$work/build.log" 2>&1 || { cat "$work/build.log" >&2; exit 1; }
+    /usr/bin/python3 -m venv --system-site-packages "$work/venv"
+    "$work/venv/bin/pip" install --no-index --no-deps -q "$work"/dist/*.whl
+    TRC_PYTHON_README=$top/client/python/README.md TRC_TRCD=$build/bin/trcd TRC_CLI=$build/bin/trc \
+      "$work/venv/bin/python" client/python/tests/test_client.py
+    client=("$work/venv/bin/python" client/examples/python/compensate.py) ;;
   node)
+    # The package from its tarball, beside the modules it needs.
     [ -d "$modules/@grpc/grpc-js" ] || without_modules "@grpc/grpc-js"
-    export NODE_PATH=$modules
-    client=(node client/examples/node/compensate.js) ;;
+    mkdir -p "$work/client" "$work/project/node_modules"
+    cp -r client/node "$work/client/" && cp -r proto "$work/"
+    (cd "$work/client/node" && npm pack --silent --pack-destination "$work") >"$work/pack.log" 2>&1 ||
+      { cat "$work/pack.log" >&2; exit 1; }
+    for module in "$modules"/*; do ln -s "$module" "$work/project/node_modules/"; done
+    mkdir "$work/project/node_modules/trc-client"
+    tar -C "$work/project/node_modules/trc-client" --strip-components=1 -xzf "$work"/trc-client-*.tgz
+    cp client/node/test/client.test.js client/examples/node/compensate.mjs "$work/project/"
+    TRC_NODE_README=$top/client/node/README.md TRC_TRCD=$build/bin/trcd TRC_CLI=$build/bin/trc \
+      TRC_TEST_PORT=${address##*:} node --test "$work/project/client.test.js" >"$work/tests.log" ||
+      { cat "$work/tests.log" >&2; exit 1; }
+    client=(node "$work/project/compensate.mjs") ;;
   buf)
     buf=$modules/@bufbuild/buf-linux-$(uname -m | sed 's/x86_64/x64/')/bin/buf
     [ -x "$buf" ] || without_modules buf
@@ -91,4 +108,4 @@ printf 'N10 G1 X10 F100\nN20 G999\n' >"$work/bad.nc"
 code=0
 "${client[@]}" "$address" "$work/bad.nc" >"$work/bad.out" 2>"$work/bad.err" || code=$?
 [ "$code" = 1 ] || { echo "exit code $code for a refused program" >&2; exit 1; }
-grep -q '^line 2: 900002' "$work/bad.err" || { cat "$work/bad.err" >&2; exit 1; }
+grep -qE '^line 2: (error )?900002' "$work/bad.err" || { cat "$work/bad.err" >&2; exit 1; }

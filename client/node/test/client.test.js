@@ -1,0 +1,125 @@
+// The installed package against a trcd: TRC_TRCD names the program, TRC_CLI the command line.
+import assert from "node:assert/strict";
+import { execFileSync } from "node:child_process";
+import { mkdtempSync, readFileSync, writeFileSync } from "node:fs";
+import { connect, createServer } from "node:net";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+import test from "node:test";
+
+import { Client, compensate, compensatePath, ServerError, TrcError, version } from "trc-client";
+
+const pocket = `%POCKET
+N10 G17 G90 G0 X0 Y0
+N20 G41 G1 X10 Y0 F800
+N30 X50
+M8
+N40 Y40
+N50 G40 X0 Y60
+M30
+`;
+
+function longProgram(blocks) {
+  const wave = Array.from({ length: blocks }, (_, i) => (
+    `G1 X${(2 + i * 0.5).toFixed(3)} Y${((i % 2) * 0.05).toFixed(3)}`));
+  return ["N10 G17 G90 G0 X0 Y0", "N20 G41 G1 X1 Y0 F900", ...wave, "G40 G1 Y-20", "M30", ""]
+    .join("\n");
+}
+
+test("a program gets the text of the command line", async () => {
+  const folder = mkdtempSync(join(tmpdir(), "trc-test-"));
+  const part = join(folder, "part.nc");
+  writeFileSync(part, pocket);
+  const expected = execFileSync(process.env.TRC_CLI,
+    ["compensate", part, "--set", "tool_radius=5"], { encoding: "utf8" });
+  assert.equal((await compensate(pocket, { radius: 5 })).text, expected);
+});
+
+test("a refused program throws its diagnostics", async () => {
+  await assert.rejects(compensate("N10 G41 V.G.WZ_AKT.R=5 G1 X10\nN20 X30\nN30 X\n"), (error) => {
+    assert.ok(error instanceof TrcError);
+    assert.equal(error.cause.code, 900008);
+    assert.equal(error.cause.line, 3);
+    assert.equal(error.cause.sourceNumber, 30);
+    return error.cause.remedy.length > 0;
+  });
+});
+
+test("a tool table serves D words", async () => {
+  const { text } = await compensate(pocket.replace("F800", "F800 D7"), { tools: { 7: 5 } });
+  assert.equal(text.replace(" D7", ""), (await compensate(pocket, { radius: 5 })).text);
+});
+
+test("a setting that is none is named", async () => {
+  await assert.rejects(compensate(pocket, { radus: 5 }), /radus/);
+});
+
+test("no server there", async () => {
+  await assert.rejects(compensate(pocket, { server: "127.0.0.1:1", timeout: 2 }), ServerError);
+});
+
+test("a path of blocks", async () => {
+  const blocks = [
+    { command: { side: "COMPENSATION_SIDE_LEFT" } },
+    { linear: { end: { x: 10, y: 0 } } }, { linear: { end: { x: 50 } } },
+    { linear: { end: { y: 40 } } },
+    { command: { side: "COMPENSATION_SIDE_OFF" } }, { linear: { end: { x: 0, y: 60 } } },
+  ];
+  const result = await compensatePath(blocks, { radius: 5, transition: "G26" });
+  assert.deepEqual(result.blocks.map(({ line }) => [line.end.x, line.end.y]),
+    [[10, 5], [45, 5], [45, 40], [0, 60]]);
+});
+
+test("a stream that is lost goes on", async () => {
+  const text = longProgram(30_000);
+  const whole = await compensate(text, { radius: 0.2 });
+  let cuts = 0;
+  const proxy = createServer((client) => {
+    const server = connect(Number(process.env.TRC_TEST_PORT), "127.0.0.1");
+    const isFirst = cuts === 0;
+    let passed = 0;
+    server.on("data", (data) => {
+      passed += data.length;
+      if (isFirst && passed > 300_000 && cuts === 0) {
+        cuts += 1;
+        client.destroy();
+        server.destroy();
+      } else {
+        client.write(data);
+      }
+    });
+    client.on("data", (data) => server.write(data));
+    for (const end of [client, server]) {
+      end.on("error", () => {});
+      end.on("close", () => { client.destroy(); server.destroy(); });
+    }
+  });
+  await new Promise((resolve) => proxy.listen(0, "127.0.0.1", resolve));
+  try {
+    const resumed = await compensate(text,
+      { radius: 0.2, server: `127.0.0.1:${proxy.address().port}` });
+    assert.equal(cuts, 1);
+    assert.equal(resumed.text, whole.text);
+  } finally {
+    proxy.close();
+  }
+});
+
+test("the version is that of the server", async () => {
+  const client = new Client();
+  assert.equal((await client.info()).version, version);
+  client.close();
+});
+
+test("the examples of the README run", () => {
+  const folder = mkdtempSync(join(tmpdir(), "trc-test-"));
+  writeFileSync(join(folder, "part.nc"), pocket);
+  const examples = readFileSync(process.env.TRC_NODE_README, "utf8").split("```js\n").slice(1);
+  assert.ok(examples.length >= 2);
+  for (const [at, example] of examples.entries()) {
+    const file = new URL(`example${at}.mjs`, import.meta.url);
+    writeFileSync(file, example.split("```")[0]);
+    const said = execFileSync(process.execPath, [file.pathname], { cwd: folder, encoding: "utf8" });
+    assert.notEqual(said, "");
+  }
+});

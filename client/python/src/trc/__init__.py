@@ -1,0 +1,32 @@
+"""Tool radius compensation (G41/G42) of CNC programs.
+
+    import trc
+    print(trc.compensate(open("part.nc").read(), radius=5, server="box:50051").text)
+
+Without `server` the package starts a `trcd` of this machine on a socket of its own. A program that
+cannot be compensated raises TrcError: its diagnostics name line, cause and remedy. Nothing of a
+result that was not returned may be machined.
+"""
+
+from .client import Client, compensate, compensate_path
+from .errors import ServerError, TrcError
+from .path import CompensatedPath, Path
+from .result import Diagnostic, PathResult, Result, Severity
+from .tls import Tls
+from .version import __version__
+
+__all__ = [
+    "Client",
+    "CompensatedPath",
+    "Diagnostic",
+    "Path",
+    "PathResult",
+    "Result",
+    "ServerError",
+    "Severity",
+    "Tls",
+    "TrcError",
+    "__version__",
+    "compensate",
+    "compensate_path",
+]

@@ -1,0 +1,122 @@
+"""One stream, from the setup to the summary: what is sent, what has come, where to go on.
+
+No connection is in here: the client and its asyncio twin drive the same exchange. A stream that is lost
+goes on from the last resume token, on any server of the same version and key; what came behind
+the token comes again and is dropped here, so that the joined answer is that of an unbroken stream.
+"""
+
+from __future__ import annotations
+
+from typing import Any, Iterator, Optional
+
+from . import wire
+from .path import CompensatedPath, Path
+from .result import Diagnostic, PathResult, Result
+from .v1 import setup_pb2, trc_service_pb2
+
+TEXT_BYTES = 64 * 1024
+BATCH_BLOCKS = 1024
+
+
+class _Exchange:
+    def __init__(self, path_setup: setup_pb2.PathSetup) -> None:
+        self._path_setup = path_setup
+        self._path_setup.want_resume_tokens = True
+        self._position = 0
+        self._token = b""
+        self._certain = 0
+        self._diagnostics_certain = 0
+        self._parts: list[Any] = []
+        self.diagnostics: list[Diagnostic] = []
+        self.summary: Optional[Any] = None
+
+    def go_on(self) -> None:
+        """The stream was lost: back to what the last token holds."""
+        del self._parts[self._certain:]
+        del self.diagnostics[self._diagnostics_certain:]
+        self._path_setup.resume_token = self._token
+
+    def _absorb(self, part: Any, response: Any, consumed: Optional[int]) -> None:
+        if part is not None:
+            self._parts.append(part)
+        self.diagnostics.extend(map(Diagnostic.of, response.diagnostics))
+        if response.resume_token and consumed is not None:
+            self._token = response.resume_token
+            self._position = consumed
+            self._certain = len(self._parts)
+            self._diagnostics_certain = len(self.diagnostics)
+        if response.HasField("summary"):
+            self.summary = response.summary
+
+
+class ProgramExchange(_Exchange):
+    """NC text to NC text."""
+
+    METHOD = "/trc.v1.TrcService/CompensateProgram"
+
+    def __init__(self, text: bytes, setup: setup_pb2.ProgramSetup) -> None:
+        self._setup = setup
+        super().__init__(setup.path)
+        self._text = text
+
+    def requests(self) -> Iterator[bytes]:
+        """The setup and all text, without waiting for an answer between."""
+        request = trc_service_pb2.CompensateProgramRequest
+        yield request(setup=self._setup).SerializeToString()
+        first = self._position
+        while True:
+            piece = self._text[first:first + TEXT_BYTES]
+            is_last = first + len(piece) == len(self._text)
+            yield request(text=trc_service_pb2.ProgramText(
+                first_byte=first, text=piece, final=is_last)).SerializeToString()
+            if is_last:
+                return
+            first += len(piece)
+
+    def absorb(self, message: bytes) -> None:
+        """The next response."""
+        response = trc_service_pb2.CompensateProgramResponse.FromString(message)
+        self._absorb(response.nc_text or None, response, response.consumed_bytes)
+
+    def result(self) -> Result:
+        """All of it; the stream has ended with OK."""
+        return Result(text=b"".join(self._parts).decode("utf-8", "surrogateescape"),
+                      diagnostics=self.diagnostics, summary=self.summary)
+
+
+class PathExchange(_Exchange):
+    """Motion blocks to compensated blocks, in columns."""
+
+    METHOD = "/trc.v1.TrcService/CompensatePath"
+    _COLUMNS_OUT = trc_service_pb2.CompensatePathRequest.DESCRIPTOR.fields_by_name["columns"].number
+    _COLUMNS_IN = trc_service_pb2.CompensatePathResponse.DESCRIPTOR.fields_by_name["columns"].number
+
+    def __init__(self, path: Path, setup: setup_pb2.PathSetup) -> None:
+        setup.response_layout = setup_pb2.RESPONSE_LAYOUT_COLUMNS
+        super().__init__(setup)
+        self._path = path
+
+    def requests(self) -> Iterator[bytes]:
+        """The setup and all blocks, without waiting for an answer between."""
+        yield trc_service_pb2.CompensatePathRequest(setup=self._path_setup).SerializeToString()
+        first = self._position
+        while True:
+            yield wire.field(self._COLUMNS_OUT, self._path.request(first, BATCH_BLOCKS))
+            first += BATCH_BLOCKS
+            if first >= len(self._path):
+                return
+
+    def absorb(self, message: bytes) -> None:
+        """The next response."""
+        found, rest = wire.take(memoryview(message), {self._COLUMNS_IN})
+        response = trc_service_pb2.CompensatePathResponse.FromString(rest)
+        columns = found.get(self._COLUMNS_IN)
+        part = None if columns is None else CompensatedPath.Batch(columns)
+        consumed = (response.consumed_through_block + 1
+                    if response.HasField("consumed_through_block") else 0)
+        self._absorb(part, response, consumed)
+
+    def result(self) -> PathResult:
+        """All of it; the stream has ended with OK."""
+        return PathResult(path=CompensatedPath(self._parts), diagnostics=self.diagnostics,
+                          summary=self.summary)

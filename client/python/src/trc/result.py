@@ -1,0 +1,91 @@
+"""What comes back: diagnostics and results, without protobuf in them."""
+
+from __future__ import annotations
+
+import enum
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, Any, Mapping, Optional
+
+if TYPE_CHECKING:
+    from .path import CompensatedPath
+
+
+class Severity(enum.IntEnum):
+    """How much a diagnostic matters."""
+
+    NOTE = 1
+    WARNING = 2
+    ERROR = 3
+
+
+@dataclass(frozen=True)
+class Diagnostic:
+    """Something the caller should know about the program."""
+
+    code: int
+    """Stable public number; proto/README.md lists all of them."""
+    severity: Severity
+    message: str
+    """One sentence with the values in it."""
+    remedy: str
+    """What the operator or programmer can do."""
+    line: Optional[int] = None
+    """1-based line of the NC text."""
+    column: Optional[int] = None
+    """1-based byte of that line."""
+    source_number: Optional[int] = None
+    """N number of the block."""
+    source_index: Optional[int] = None
+    """0-based position of the input block."""
+    point: Optional[tuple[float, float, float]] = None
+    """Where it happens, mm."""
+    values: Mapping[str, float] = field(default_factory=dict)
+    """The numbers behind the message; mm, degrees or a count, as the name says."""
+
+    def __str__(self) -> str:
+        place = f"line {self.line}: " if self.line is not None else ""
+        return f"{place}{self.severity.name.lower()} {self.code}: {self.message}"
+
+    @staticmethod
+    def of(message: Any) -> "Diagnostic":
+        """From the message of the protocol."""
+
+        def given(name: str) -> Any:
+            return getattr(message, name) if message.HasField(name) else None
+
+        point = given("point")
+        return Diagnostic(
+            code=message.code,
+            severity=Severity(message.severity),
+            message=message.message,
+            remedy=message.remedy,
+            line=given("line"),
+            column=given("column"),
+            source_number=given("source_number"),
+            source_index=given("source_index"),
+            point=None if point is None else (point.x, point.y, point.z),
+            values=dict(message.values),
+        )
+
+
+@dataclass(frozen=True)
+class Result:
+    """A compensated program."""
+
+    text: str
+    """NC text with tool radius compensation resolved, G40 throughout."""
+    diagnostics: list[Diagnostic]
+    """Notes and warnings, in the order they were raised."""
+    summary: Any
+    """The ProgramSummary of the protocol."""
+
+
+@dataclass(frozen=True)
+class PathResult:
+    """A compensated path."""
+
+    path: "CompensatedPath"
+    diagnostics: list[Diagnostic]
+    """Notes and warnings, in the order they were raised."""
+    summary: Any
+    """The PathSummary of the protocol."""

@@ -1,0 +1,217 @@
+"""The installed package against a trcd: TRC_TRCD names the program."""
+
+import asyncio
+import os
+import socket
+import subprocess
+import sys
+import tempfile
+import threading
+import unittest
+from pathlib import Path as File
+
+import numpy as np
+
+import trc
+import trc.aio
+from trc import local
+
+POCKET = """%POCKET
+N10 G17 G90 G0 X0 Y0
+N20 G41 G1 X10 Y0 F800
+N30 X50
+M8
+N40 Y40
+N50 G40 X0 Y60
+M30
+"""
+REFUSED = "N10 G41 V.G.WZ_AKT.R=5 G1 X10\nN20 X30\nN30 X\n"
+
+
+def long_program(blocks):
+    """A wave, long enough for many responses."""
+    lines = ["N10 G17 G90 G0 X0 Y0", "N20 G41 G1 X1 Y0 F900"]
+    lines += [f"G1 X{2 + i * 0.5:.3f} Y{(i % 2) * 0.05:.3f}" for i in range(blocks)]
+    return "\n".join([*lines, "G40 G1 Y-20", "M30", ""])
+
+
+class CuttingProxy:
+    """Hands bytes on to a server, and cuts the first connection after so many answered bytes."""
+
+    def __init__(self, server_path, cut_after):
+        self._server_path = server_path
+        self._cut_after = cut_after
+        self.cuts = 0
+        self._listener = socket.create_server(("127.0.0.1", 0))
+        self.address = "127.0.0.1:%d" % self._listener.getsockname()[1]
+        threading.Thread(target=self._accept, daemon=True).start()
+
+    def _accept(self):
+        while True:
+            try:
+                client, _ = self._listener.accept()
+            except OSError:
+                return
+            server = socket.socket(socket.AF_UNIX)
+            server.connect(self._server_path)
+            limit = self._cut_after if self.cuts == 0 else None
+            threading.Thread(target=self._pump, args=(client, server, None), daemon=True).start()
+            threading.Thread(target=self._pump, args=(server, client, limit), daemon=True).start()
+
+    def _pump(self, source, target, limit):
+        passed = 0
+        try:
+            while data := source.recv(4096):
+                passed += len(data)
+                if limit is not None and passed > limit:
+                    self.cuts += 1
+                    break
+                target.sendall(data)
+        except OSError:
+            pass
+        for end in (source, target):
+            try:
+                end.shutdown(socket.SHUT_RDWR)
+            except OSError:
+                pass
+        source.close()
+
+    def close(self):
+        self._listener.close()
+
+
+class Compensate(unittest.TestCase):
+    def test_program_gets_the_text_of_the_command_line(self):
+        trc_program = os.environ.get("TRC_CLI")
+        if trc_program is None:
+            self.fail("TRC_CLI names the command-line client")
+        with tempfile.NamedTemporaryFile("w", suffix=".nc") as part:
+            part.write(POCKET)
+            part.flush()
+            expected = subprocess.run(
+                [trc_program, "compensate", part.name, "--set", "tool_radius=5"],
+                check=True, capture_output=True, text=True).stdout
+        result = trc.compensate(POCKET, radius=5)
+        self.assertEqual(result.text, expected)
+        self.assertEqual(result.summary.path.blocks_in, 7)
+
+    def test_refused_program_raises_its_diagnostics(self):
+        with self.assertRaises(trc.TrcError) as caught:
+            trc.compensate(REFUSED)
+        cause = caught.exception.cause
+        self.assertEqual((cause.code, cause.line, cause.severity), (900008, 3, trc.Severity.ERROR))
+        self.assertTrue(cause.remedy)
+
+    def test_tool_table_serves_d_words(self):
+        result = trc.compensate(POCKET.replace("F800", "F800 D7"), tools={7: 5.0})
+        self.assertEqual(result.text.replace(" D7", ""), trc.compensate(POCKET, radius=5).text)
+
+    def test_setting_that_is_none_is_named(self):
+        with self.assertRaisesRegex(TypeError, "radus"):
+            trc.compensate(POCKET, radus=5)
+
+    def test_setting_out_of_range_is_refused_with_its_name(self):
+        with self.assertRaisesRegex(trc.TrcError, "tool_radius"):
+            trc.compensate(POCKET, radius=1e9)
+
+    def test_no_server_there(self):
+        with self.assertRaises(trc.ServerError):
+            trc.compensate(POCKET, server="127.0.0.1:1", timeout=2)
+
+    def test_bytes_that_are_no_utf8_are_refused_with_their_place(self):
+        with self.assertRaises(trc.TrcError) as caught:
+            trc.compensate(b"N10 G0 X0\n\xff\n")
+        self.assertEqual(caught.exception.cause.line, 2)
+
+    def test_stream_that_is_lost_goes_on(self):
+        text = long_program(30_000)
+        with trc.Client() as client:
+            whole = client.compensate(text, radius=0.2)
+        proxy = CuttingProxy(local.address().removeprefix("unix:"), cut_after=300_000)
+        try:
+            with trc.Client(proxy.address) as client:
+                resumed = client.compensate(text, radius=0.2)
+        finally:
+            proxy.close()
+        self.assertEqual(proxy.cuts, 1)
+        self.assertEqual(resumed.text, whole.text)
+
+    def test_asyncio_twin_gives_the_same(self):
+        async def all_of_them():
+            async with trc.aio.Client() as client:
+                return await asyncio.gather(
+                    *(client.compensate(POCKET, radius=radius) for radius in (1, 2, 5)))
+
+        for radius, result in zip((1, 2, 5), asyncio.run(all_of_them())):
+            self.assertEqual(result.text, trc.compensate(POCKET, radius=radius).text)
+
+
+class Paths(unittest.TestCase):
+    def test_corner_inside_left_of_the_contour(self):
+        path = trc.Path().left().line(10, 0).line(50).line(y=40).off().line(0, 60)
+        result = trc.compensate_path(path, radius=5)
+        np.testing.assert_allclose(
+            result.path.end[:, :2], [[10, 5], [45, 5], [45, 40], [0, 60]], atol=1e-9)
+        np.testing.assert_array_equal(result.path.start[1:], result.path.end[:-1])
+
+    def test_columns_give_what_blocks_give(self):
+        blocks = trc.Path().left().line(10, 0).line(50).line(y=40).off().line(0, 60)
+        nan = np.nan
+        columns = trc.Path.of_columns(
+            [5, 1, 1, 1, 5, 1], x=[nan, 10, 50, nan, nan, 0], y=[nan, 0, nan, 40, nan, 60],
+            commands={0: "left", 4: "off"})
+        one, other = (trc.compensate_path(path, radius=5).path for path in (blocks, columns))
+        np.testing.assert_array_equal(one.end, other.end)
+        np.testing.assert_array_equal(one.kinds, other.kinds)
+
+    def test_outside_corner_gets_an_arc(self):
+        path = trc.Path().left().line(10, 0).line(50).line(y=-40).off().line(20)
+        result = trc.compensate_path(path, radius=5, transition="G26")
+        arcs = [block for block in result.path if block.kind == "arc"]
+        self.assertEqual([block.origin for block in arcs], ["TRANSITION", "RETRACT"])
+        np.testing.assert_allclose(arcs[0].center, [50, 0, 0], atol=1e-12)
+        self.assertAlmostEqual(arcs[0].sweep, -np.pi / 2)
+
+    def test_text_keeps_its_place(self):
+        path = trc.Path().left().line(10, 0).line(50).text("M8").line(y=40).off().line(0, 60)
+        result = trc.compensate_path(path, radius=5)
+        self.assertEqual(result.path.texts, {2: "M8"})
+
+    def test_many_blocks_come_in_many_batches(self):
+        count = 50_000
+        angle = np.linspace(0, 200 * np.pi, count)
+        kinds = np.concatenate([[5], np.ones(count, np.uint8), [5, 1]])
+        nan = [np.nan]
+        x = np.concatenate([nan, 100 + angle * np.cos(angle), nan, [0]])
+        y = np.concatenate([nan, angle * np.sin(angle), nan, [-900]])
+        path = trc.Path.of_columns(kinds, x=x, y=y, commands={0: "left", count + 1: "off"})
+        result = trc.compensate_path(path, radius=0.01, start_position={"x": 90, "y": -1})
+        np.testing.assert_array_equal(result.path.start[1:], result.path.end[:-1])
+        self.assertEqual(result.summary.blocks_out, len(result.path))
+
+    def test_columns_of_different_length_are_named(self):
+        with self.assertRaisesRegex(ValueError, "column y"):
+            trc.Path.of_columns([1, 1], x=[1, 2], y=[1])
+
+
+class Package(unittest.TestCase):
+    def test_version_is_that_of_the_server(self):
+        with trc.Client() as client:
+            self.assertEqual(client.info().version, trc.__version__)
+
+    def test_first_example_of_the_readme_runs(self):
+        readme = File(os.environ["TRC_PYTHON_README"]).read_text()
+        blocks = readme.split("```python\n")[1:]
+        self.assertGreaterEqual(len(blocks), 3)
+        for block in blocks:
+            code = block.split("```")[0]
+            with tempfile.TemporaryDirectory() as folder:
+                File(folder, "part.nc").write_text(POCKET)
+                ran = subprocess.run([sys.executable, "-c", code], cwd=folder,
+                                     capture_output=True, text=True)
+                self.assertEqual(ran.returncode, 0, code + ran.stderr)
+                self.assertTrue(ran.stdout, code)
+
+
+if __name__ == "__main__":
+    unittest.main()
