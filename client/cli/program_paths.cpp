@@ -14,7 +14,7 @@ namespace {
 class ContourReader {
  public:
   explicit ContourReader(const SessionSetup& session)
-      : state_(session.program, session.compensator.tolerances, diagnostics_, blocks_),
+      : state_(program_setup(session), session.compensator.tolerances, diagnostics_, blocks_),
         interpreter_({}, state_, diagnostics_) {}
 
   void feed(std::string_view text) {

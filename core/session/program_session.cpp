@@ -64,8 +64,8 @@ void add(const Block& block, NcWriter::Meaning& meaning) {
 struct ProgramSession::Parts {
   explicit Parts(const ProgramSessionSetup& given)
       : setup(given),
-        program(setup.session.program, setup.session.compensator.tolerances, read_diagnostics,
-                blocks),
+        program(program_setup(setup.session), setup.session.compensator.tolerances,
+                read_diagnostics, blocks),
         interpreter({.longest_line = setup.longest_line}, program, read_diagnostics),
         compensator(compensator_setup(), setup.session.verify, diagnostics),
         writer(writer_setup(setup)),
@@ -186,7 +186,10 @@ bool ProgramSession::Parts::report_until(std::uint32_t line, ProgramOutput& out)
   for (; reports_taken < reported.size(); ++reports_taken) {
     Diagnostic& next = reported[reports_taken];
     if (next.source.line > line) break;
-    if (!compensate(out) || !diagnostics.report(std::move(next))) return false;
+    if (!compensate(out)) return false;
+    // Where nothing is selected, all that was read before an error is certain.
+    if (next.severity == Severity::error && !program.contour_open() && !end(out)) return false;
+    if (!diagnostics.report(std::move(next))) return false;
   }
   return true;
 }

@@ -63,6 +63,11 @@ struct Programmed {
   const MotionBlock* block = nullptr;
   double required = 0;         // mm, of the path this block gives
   double required_behind = 0;  // mm, of what is inserted behind it
+  // The contour blocks beyond a change of side at its start and at its end: the two at a change are
+  // in the way of each other's path (D-42).
+  const MotionBlock* beyond_start = nullptr;
+  const MotionBlock* beyond_end = nullptr;
+  bool crosses_behind = false;  // REVERSE: what is inserted behind it crosses the corner (D-22)
 };
 
 struct Plan {
@@ -70,26 +75,19 @@ struct Plan {
   std::unordered_map<std::uint64_t, Programmed> blocks;  // by source
 };
 
-// Whether the second motion goes back on the way the first one came.
-bool reverses(const Segment& before, const Segment& after) {
-  constexpr double same_way = 1e-4;  // rad
-  const Vector in = place_at(before, 1).direction;
-  const Vector out = place_at(after, 0).direction;
-  return in.dot(out) < 0 && std::abs(cross(in, out)) < same_way;
-}
-
 // The approach block is no contour, and neither is the block that carries the
-// change to the other side, unless it turns on the spot (REVERSE).
+// change to the other side, unless the side changes at its corner (REVERSE).
 bool is_contour(const MotionBlock& block, const MotionBlock* before) {
   const bool first = !before || before->mode->selection_number != block.mode->selection_number;
   if (first) return block.mode->selection == Selection::perpendicular && !block.mode->tangential;
   if (before->mode->side == block.mode->side) return true;
-  return block.mode->options.reverse && reverses(before->path, block.path);
+  return block.mode->options.reverse;
 }
 
 Plan plan_of(std::span<const Block> programmed) {
   Plan plan;
   const MotionBlock* before = nullptr;
+  const MotionBlock* last_wall = nullptr;  // of the selection
   for (const Block& block : programmed) {
     const auto* motion = std::get_if<MotionBlock>(&block);
     if (!motion || !motion->mode || !motion->mode->active() || !is_finite(motion->path)) continue;
@@ -102,7 +100,16 @@ Plan plan_of(std::span<const Block> programmed) {
     }
     plan.blocks[motion->source.index] = {
         .block = motion, .required = required, .required_behind = required};
-    if (is_contour(*motion, before)) plan.contours[mode.selection_number].add(*motion);
+    if (!same) last_wall = nullptr;
+    if (is_contour(*motion, before)) {
+      plan.contours[mode.selection_number].add(*motion);
+      if (last_wall != nullptr && last_wall->mode->side != mode.side) {
+        plan.blocks[last_wall->source.index].beyond_end = motion;
+        plan.blocks[last_wall->source.index].crosses_behind = last_wall == before;
+        plan.blocks[motion->source.index].beyond_start = last_wall;
+      }
+      last_wall = motion;
+    }
     before = motion;
   }
   for (auto& [selection, contour] : plan.contours) contour.build();
@@ -150,9 +157,10 @@ ClearanceReport measure_clearance(std::span<const Block> programmed,
     const auto contour = plan.contours.find(own->second.block->mode->selection_number);
     if (contour == plan.contours.end()) continue;
 
-    ++report.checked;
     const bool inserted =
         block.origin == Origin::transition || block.origin == Origin::radius_change;
+    if (inserted && own->second.crosses_behind) continue;
+    ++report.checked;
     const double own_required = inserted
                                     ? std::min(own->second.required, own->second.required_behind)
                                     : own->second.required;
@@ -172,6 +180,7 @@ ClearanceReport measure_clearance(std::span<const Block> programmed,
     // A little farther than the tool reaches: the blocks it just touches count.
     const double reach = own_required * 1.01 + 1;
     contour->second.for_each_near(bounds, reach, [&](const MotionBlock& near) {
+      if (&near == own->second.beyond_start || &near == own->second.beyond_end) return;
       const Gap gap = gap_between(block.path, near.path);
       const double required =
           std::min(own_required, near.mode->options.suppress_trc ? 0 : near.mode->tool_radius);

@@ -14,8 +14,8 @@ Diagnostic gouge(const ClearanceReport& found) {
   if (found.gouging == found.accepted) problem.severity = Severity::warning;
   problem.values = {{"clearance", worst.distance},
                     {"tool_radius", worst.required},
-                    {"other_index", static_cast<double>(worst.contour.index)},
                     {"blocks", static_cast<double>(found.gouging)}};
+  append_place(problem.values, "other", worst.contour);
   problem.point = DiagnosticPoint{.x = worst.place[0], .y = worst.place[1], .z = worst.place[2]};
   return problem;
 }

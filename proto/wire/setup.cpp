@@ -45,6 +45,8 @@ CircleCheck from_proto(const v1::CircleCenterMode& message, const FieldPath& pat
         check.largest_shift);
   limit(message.has_max_shift_factor(), message.max_shift_factor(), 1, "max_shift_factor",
         check.largest_shift_factor);
+  limit(message.has_warn_shift(), message.warn_shift(), largest_length, "warn_shift",
+        check.reported_shift);
   limit(message.has_max_radius_difference(), message.max_radius_difference(), largest_length,
         "max_radius_difference", check.largest_radius_difference);
   limit(message.has_max_radius_difference_factor(), message.max_radius_difference_factor(), 1,
@@ -57,6 +59,7 @@ void to_proto(const CircleCheck& check, bool absolute_center, v1::CircleCenterMo
   message.set_correction(center_corrections.to_proto(check.correct_center));
   message.set_max_shift(check.largest_shift);
   message.set_max_shift_factor(check.largest_shift_factor);
+  message.set_warn_shift(check.reported_shift);
   message.set_max_radius_difference(check.largest_radius_difference);
   message.set_max_radius_difference_factor(check.largest_radius_factor);
 }
@@ -165,6 +168,7 @@ PathSettings from_proto(const v1::PathSetup& message, const FieldPath& path, Fie
   PathSettings settings;
   ProgramSetup& program = settings.session.program;
   program.mode = read_mode(message, path, faults);
+  program.tool_radius_given = message.has_tool_radius();
   OptionalPosition start;
   from_proto(message.start_position(), FieldPath(path, "start_position"), start, faults);
   for (std::size_t axis = 0; axis < start.size(); ++axis)
@@ -216,7 +220,7 @@ void to_proto(const PathSettings& settings, v1::PathSetup& message) {
   message.Clear();
   if (mode.plane != Plane::xy) message.set_plane(to_proto(mode.plane));
   if (program.start != Position{}) to_proto(program.start, *message.mutable_start_position());
-  if (mode.tool_radius != 0) message.set_tool_radius(mode.tool_radius);
+  if (mode.tool_radius != 0 || program.tool_radius_given) message.set_tool_radius(mode.tool_radius);
   if (mode.selection != Selection::indirect)
     message.set_selection_mode(selections.to_proto(mode.selection));
   if (mode.transition != Transition::linear)

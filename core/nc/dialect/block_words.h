@@ -37,6 +37,8 @@ struct Interpreter::BlockWords {
   std::optional<std::uint32_t> center{};  // the first I J K R
   std::optional<Value> feed{};
   std::optional<Value> tool{};          // D
+  std::optional<Value> tool_number{};   // T
+  bool loads_tool = false;              // M06
   std::optional<Value> tool_radius{};   // V.G.WZ_AKT.R
   std::optional<TrcOptions> options{};  // #TRC
   std::optional<double> tangfeed{};     // #TANGFEED
@@ -44,7 +46,6 @@ struct Interpreter::BlockWords {
   std::uint32_t command = 0;  // where a # command stands
   bool has_command = false;
   bool has_spindle = false;
-  bool has_tool_number = false;
   std::uint32_t words = 0;  // without N and comments
 };
 

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "core/nc/dialect/block_words.h"
+#include "core/nc/text/characters.h"
 
 namespace trc {
 namespace {
@@ -12,11 +13,6 @@ constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
 constexpr std::size_t spare_lines = 2048;  // as many as a message of 64 KiB holds
 constexpr std::size_t longest_spare_line = 256;
 constexpr std::size_t usual_words = 8;
-
-std::string_view without_blanks_in_front(std::string_view text) {
-  while (!text.empty() && (text.front() == ' ' || text.front() == '\t')) text.remove_prefix(1);
-  return text;
-}
 
 constexpr std::string_view center_letters = "IJKR";
 
@@ -45,12 +41,29 @@ void sum_up_words(ProgramLine& line) {
 
 // Few lines get past this.
 bool may_be_continued(std::string_view line) {
-  return !line.empty() && (line.back() == '\\' || line.back() == ' ' || line.back() == '\t');
+  return !line.empty() && std::string_view("\\ \t\xA0").find(line.back()) != std::string_view::npos;
 }
 
 std::string_view last_line_of(std::string_view text) {
   const std::size_t line_end = text.find_last_of("\r\n");
   return line_end == std::string_view::npos ? text : text.substr(line_end + 1);
+}
+
+// Where G41 or G42 stands in a line that is not read, outside of comments; npos: nowhere.
+std::size_t place_of_side(std::string_view text) {
+  std::size_t depth = 0;
+  for (std::size_t at = 0; at < text.size(); ++at) {
+    if (text[at] == '(') ++depth;
+    if (text[at] == ')' && depth > 0) --depth;
+    if (depth > 0) continue;
+    if (text[at] == ';') break;
+    if (upper(text[at]) != 'G') continue;
+    std::string_view number = without_blanks_in_front(text.substr(at + 1));
+    number.remove_prefix(std::min(number.find_first_not_of('0'), number.size()));
+    const bool is_side = number.starts_with("41") || number.starts_with("42");
+    if (is_side && (number.size() == 2 || number[2] < '0' || number[2] > '9')) return at;
+  }
+  return std::string_view::npos;
 }
 
 Side side_of(int g_number) {
@@ -276,7 +289,7 @@ bool Interpreter::read_line(ProgramLine& line) {
     return refuse(line, TextFault{.code = Code::nc_not_text,
                                   .begin = static_cast<std::uint32_t>(bad),
                                   .detail = "in a text that is only passed on"});
-  if (ended_) return true;
+  if (ended_) return read_line_behind_end(line);
   if (comment_block_ != 0) return read_comment_block(line);
   const auto place_of_name = static_cast<std::uint32_t>(line.text.size() - text.size());
   const bool local =
@@ -286,6 +299,16 @@ bool Interpreter::read_line(ProgramLine& line) {
                                   .begin = place_of_name,
                                   .detail = local ? "%L, a subprogram" : "%, a second program"});
   return true;
+}
+
+bool Interpreter::read_line_behind_end(ProgramLine& line) {
+  const std::size_t place = place_of_side(line.text);
+  return place == std::string::npos ||
+         refuse(line,
+                TextFault{.code = Code::side_behind_end,
+                          .begin = static_cast<std::uint32_t>(place),
+                          .detail = line.text.substr(
+                              place, line.text.find_first_not_of("Gg0123456789 ", place) - place)});
 }
 
 bool Interpreter::read_block(ProgramLine& line) {
@@ -328,6 +351,7 @@ bool Interpreter::apply(ProgramLine& line, BlockWords& block) {
                        pass(WordRole::technology) && apply_motion(line, block) &&
                        pass(WordRole::stop);
   if (!goes_on) return false;
+  if (block.of(GGroup::zero_shift).is(53)) forget_position(line, block);
   if (!line.ends_program) return true;
   ended_ = true;
   state_.place(0);
@@ -347,7 +371,7 @@ bool Interpreter::apply_modes(const ProgramLine& line, const BlockWords& block) 
     state_.set_absolute_center(absolute_center_);
   }
   if (block.has(circle_check)) state_.set_circle_correction(block.of(circle_check).is(165));
-  if (block.has(zero_shift)) state_.forget_position();
+  if (block.has(zero_shift)) forget_position(line, block);
   if (!block.has(plane)) return true;
   place(line, block.of(plane).begin);
   const int number = block.of(plane).function->number;
@@ -355,6 +379,15 @@ bool Interpreter::apply_modes(const ProgramLine& line, const BlockWords& block) 
                           : number == 18 ? Plane::zx
                                          : Plane::yz,
                           line.source);
+}
+
+// G92 shifts the axes it names. Controls differ in whether G53 holds for its own block only, so
+// that the place its motion leads to is known to none of them.
+void Interpreter::forget_position(const ProgramLine& line, const BlockWords& block) {
+  std::array<bool, 3> axes{};
+  for (std::size_t axis = 0; axis < axes.size(); ++axis)
+    axes[axis] = !block.axis || !block.of(GGroup::zero_shift).is(92) || block.move.end[axis];
+  state_.forget_position(axes, line.source);
 }
 
 // Modes and radius before the side, so that G41 begins with all of its block.
@@ -386,6 +419,8 @@ bool Interpreter::apply_trc(const ProgramLine& line, const BlockWords& block) {
   if (block.tool_radius && at(block.tool_radius->begin) &&
       !state_.set_tool_radius(block.tool_radius->value * length_unit(), source))
     return false;
+  if (block.tool_number) state_.prepare_tool(static_cast<std::int64_t>(block.tool_number->value));
+  if (block.loads_tool && at(0) && !state_.load_tool(source)) return false;
   if (block.tool && at(block.tool->begin) &&
       !state_.set_tool(static_cast<std::int64_t>(block.tool->value), source))
     return false;

@@ -35,12 +35,14 @@ struct ReaderLimits {
 //     circles: R is not modal here.
 //   - G70 counts coordinates, centres, radii and F in inch, also the tool radius
 //     that a program writes; the radii of the tool table are mm.
-//   - Zero shifts and G92 pass while TRC is off. The position is unknown then:
-//     ProgramState::forget_position.
+//   - Zero shifts and G92 pass while TRC is off. The position is unknown then, with
+//     axis words behind G92 on those axes, behind G53 also after the motion of its
+//     block: ProgramState::forget_position.
 //   - F is a feed per minute under G94 only; under G93, G95 and G194 it passes as
 //     technology and blocks have no feed. TRC cannot be active under G93, nor G11
 //     under any of them.
-//   - Behind M02, M30 and between #COMMENT BEGIN and END lines are text only.
+//   - Behind M02, M30 and between #COMMENT BEGIN and END lines are text only; G41
+//     and G42 behind the end are refused (900015), as nothing resolves them.
 class Interpreter {
  public:
   Interpreter(const ReaderLimits& limits, ProgramState& state, Diagnostics& diagnostics);
@@ -72,6 +74,7 @@ class Interpreter {
                            std::vector<LinePointer>& lines);
   void enter_modes(ProgramLine& line) const;
   bool read_line(ProgramLine& line);
+  bool read_line_behind_end(ProgramLine& line);
   bool read_comment_block(ProgramLine& line);
   bool read_block(ProgramLine& line);
   [[nodiscard]] bool is_plain(ProgramLine& line, PlainMotion& plain) const;
@@ -87,6 +90,7 @@ class Interpreter {
   bool apply(ProgramLine& line, const PlainMotion& plain);
   bool apply(ProgramLine& line, BlockWords& block);
   bool apply_modes(const ProgramLine& line, const BlockWords& block);
+  void forget_position(const ProgramLine& line, const BlockWords& block);
   bool apply_trc(const ProgramLine& line, const BlockWords& block);
   bool apply_motion(ProgramLine& line, BlockWords& block);
   bool move(ProgramLine& line, MoveRequest& request);

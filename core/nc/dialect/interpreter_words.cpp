@@ -3,6 +3,7 @@
 
 #include "core/nc/dialect/block_words.h"
 #include "core/nc/dialect/trc_command.h"
+#include "core/nc/text/characters.h"
 #include "core/nc/text/number_format.h"
 
 namespace trc {
@@ -10,11 +11,6 @@ namespace {
 
 char upper(char letter) {
   return letter >= 'a' && letter <= 'z' ? static_cast<char>(letter - 'a' + 'A') : letter;
-}
-
-std::string_view trimmed(std::string_view text) {
-  const std::size_t last = text.find_last_not_of(" \t");
-  return text.substr(0, last == std::string_view::npos ? 0 : last + 1);
 }
 
 bool same_name(std::string_view a, std::string_view b) {
@@ -65,7 +61,7 @@ std::string command_name(std::string_view command) {
   std::string name;
   std::size_t at = 1;
   for (int part = 0; part < 2; ++part) {
-    while (at < command.size() && (command[at] == ' ' || command[at] == '\t')) ++at;
+    while (const std::size_t blank = blank_at_start(command.substr(at))) at += blank;
     if (part > 0) name += ' ';
     for (; at < command.size(); ++at) {
       const char letter = upper(command[at]);
@@ -152,8 +148,9 @@ bool Interpreter::read_number(const Word& word, ProgramLine& line, BlockWords&) 
   if (word.has_argument || !word.whole || !is_whole(word.value))
     return refuse(line, word, Code::nc_number);
   if (line.source.number != Source::no_number) {
-    const std::size_t before = line.text.find_last_not_of(" \t", word.begin - 1U);
-    const bool new_line = line.text[before] == '\n' || line.text[before] == '\r';
+    const std::string_view before =
+        without_blanks_behind(std::string_view(line.text).substr(0, word.begin));
+    const bool new_line = before.ends_with('\n') || before.ends_with('\r');
     if (!new_line) return refuse(line, word, Code::nc_word_twice);
   } else {
     line.source.number = static_cast<std::int64_t>(word.value);
@@ -171,10 +168,12 @@ bool Interpreter::read_g_function(const Word& word, ProgramLine& line, BlockWord
     return std::string("G").append(std::to_string(function->number)).append(why);
   };
   if (group == GGroup::refused || group == GGroup::spatial_circle) {
-    const bool published = group == GGroup::spatial_circle && state_.just_deselected();
-    return refuse(line, word,
-                  published ? Code::spatial_circle_after_deselection : Code::nc_unsupported,
-                  named(", ").append(function->meaning));
+    Code code = Code::nc_unsupported;
+    if (group == GGroup::spatial_circle && state_.mode().active())
+      code = Code::spatial_circle_while_active;
+    else if (group == GGroup::spatial_circle && state_.just_deselected())
+      code = Code::spatial_circle_after_deselection;
+    return refuse(line, word, code, named(", ").append(function->meaning));
   }
   if (group == GGroup::zero_shift && state_.contour_open())
     return refuse(line, word, Code::nc_unsupported, named(" while TRC is active"));
@@ -225,7 +224,9 @@ bool Interpreter::read_address(const Word& word, ProgramLine& line, BlockWords& 
       add(line, word, WordRole::technology);
       return true;
     case 'T':
-      if (std::exchange(block.has_tool_number, true)) return twice();
+      if (block.tool_number) return twice();
+      if (!is_whole(word.value)) return refuse(line, word, Code::nc_number);
+      block.tool_number = {.value = word.value, .begin = word.begin};
       add(line, word, WordRole::technology);
       return true;
     case 'S':
@@ -240,6 +241,7 @@ bool Interpreter::read_address(const Word& word, ProgramLine& line, BlockWords& 
         return refuse(line, word, Code::nc_unsupported, "M17, M29, the end of a subprogram");
       const bool ends = word.value == 2 || word.value == 30;
       line.ends_program |= ends;
+      block.loads_tool |= word.value == 6;
       add(line, word,
           ends || word.value == 0 || word.value == 1 ? WordRole::stop : WordRole::technology);
       return true;
@@ -257,7 +259,7 @@ bool Interpreter::read_axis(const Word& word, ProgramLine& line, BlockWords& blo
   double value = word.value;
   if (word.has_argument) {  // an axis with a name of its own
     const std::string_view text = line.word({.begin = word.begin, .end = word.end});
-    const std::string_view name = trimmed(text.substr(0, text.find('=')));
+    const std::string_view name = without_blanks_behind(text.substr(0, text.find('=')));
     const auto& names = state_.setup().tracking_axes;
     const auto found = std::ranges::find_if(
         names, [&](const std::string& candidate) { return same_name(candidate, name); });

@@ -232,6 +232,9 @@ void NcWriter::write_piece(const CompensatedBlock& block, const Segment& piece,
   const TrackingTravel& tracking = share == 1 ? block.tracking : tracking_;
   const bool in_plane = moves_in_plane(block);
   AxisSet always = in_plane ? plane_axes(block.plane) : 0;
+  // Where the machine stands on an axis the program has not named may be known to it alone.
+  if (own_ != nullptr && block.origin == Origin::uncompensated && !is_arc(piece))
+    always &= axes_named_in(*own_->line);
   if (own_ != nullptr) always |= axes_to_keep(*own_, block, end);
   const Arc* arc = std::get_if<Arc>(&piece);
   const bool must_be_written = (always & (in_plane ? ~plane_axes(block.plane) : ~AxisSet{0})) != 0;

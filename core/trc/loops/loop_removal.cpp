@@ -11,6 +11,11 @@
 namespace trc {
 namespace {
 
+// The line REVERSE puts between the two sides of a corner (D-22): it is near to both by intent.
+bool crosses_contour(const PathBlock& block) {
+  return block.role == Role::inserted && block.at_start.shift * block.at_end.shift < 0;
+}
+
 // Approach and retract have their own rules (D-11).
 bool is_compensated(const PathBlock& block) {
   return block.role == Role::contour ||
@@ -26,9 +31,13 @@ bool LoopRemoval::feed(PathBlockPtr block, PathBlocks& out) {
     return true;
   }
   const bool enters = block->role == Role::inserted && block->origin == Origin::approach;
-  const bool belongs =
-      block->removes_loops() && (block->role == Role::approach || enters || is_compensated(*block));
-  const bool goes_on = is_compensated(*block) && !block->perpendicular_entry;
+  const bool belongs = block->removes_loops() && !crosses_contour(*block) &&
+                       (block->role == Role::approach || enters || is_compensated(*block));
+  // A change of side ends the contour, also on the spot (D-42).
+  const bool changes_side =
+      end_of_contour() > 0 && path_.mode_of(end_of_path() - 1).side != block->mode().side;
+  const bool goes_on =
+      is_compensated(*block) && !block->perpendicular_entry && !(is_holding() && changes_side);
   if (is_holding() && (!belongs || (!goes_on && end_of_contour() > 0))) {
     behind_.push_back(std::move(block));
     return end_selection();
@@ -525,10 +534,8 @@ void LoopRemoval::report_masked(std::size_t first, std::size_t last, const Point
   const Source masked = path_.source_of(number_of(first));
   Diagnostic note = diagnostic(Code::blocks_masked, masked);
   const Source last_masked = path_.source_of(number_of(last));
-  // One by one: a list of them would be made of copies.
-  note.values.reserve(3);
-  note.values.push_back({"first_index", static_cast<double>(masked.index)});
-  note.values.push_back({"last_index", static_cast<double>(last_masked.index)});
+  append_place(note.values, "first", masked);
+  append_place(note.values, "last", last_masked);
   note.values.push_back({"tool_radius", path_.radius_of_tool(first)});
   const Position position = from_plane(path_.mode_of(first).plane, place, path_.height_of(first));
   note.point = DiagnosticPoint{.x = position[0], .y = position[1], .z = position[2]};
@@ -542,8 +549,8 @@ bool LoopRemoval::refuse(const Onset& onset) {
   Diagnostic violation =
       diagnostic(is_arc(own.programmed) ? Code::arc_wrapped : Code::line_reversed, own.source);
   const Source other = contour(onset.obstacle).source;
-  violation.values = {{"other_index", static_cast<double>(other.index)},
-                      {"tool_radius", path_.radius_of_tool(at_.block)}};
+  violation.values = {{"tool_radius", path_.radius_of_tool(at_.block)}};
+  append_place(violation.values, "other", other);
   const Position position =
       from_plane(mode.plane, point_along(travelled, onset.along), path_.height_of(at_.block));
   violation.point = DiagnosticPoint{.x = position[0], .y = position[1], .z = position[2]};

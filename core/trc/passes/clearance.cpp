@@ -14,10 +14,12 @@ namespace {
 
 bool is_contour(const PathBlock& block) { return block.role == Role::contour; }
 
-// Approach and retract are not monitored (D-11).
+// Approach and retract are not monitored (D-11), and neither is the line REVERSE puts between the
+// two sides of a corner (D-22).
 bool is_monitored(const PathBlock& block) {
+  const bool crosses = block.at_start.shift * block.at_end.shift < 0;
   return (is_contour(block) && !block.masked) ||
-         (block.role == Role::inserted && block.origin == Origin::transition);
+         (block.role == Role::inserted && block.origin == Origin::transition && !crosses);
 }
 
 double tool_radius(const PathBlock& block) {
@@ -35,7 +37,8 @@ struct Violation {
 bool Clearance::feed(PathBlockPtr block, PathBlocks& out) {
   // The approach waits too: the tool must not enter what it cannot get through.
   const bool begins = block->role == Role::approach || block->perpendicular_entry;
-  const bool belongs = begins || is_contour(*block) || block->role == Role::inserted;
+  const bool belongs = begins || is_contour(*block) || block->role == Role::inserted ||
+                       block->role == Role::side_change;
   const bool wanted =
       belongs && !block->removes_loops() &&
       (implicit_ || block->mode().masking == Masking::on || !held_.empty() || !contour_.empty());
@@ -105,6 +108,7 @@ bool Clearance::check(const PathBlock& block, std::size_t number) {
   boxes_.for_each_near(bounding_box(block.tool_path), limit, [&](std::size_t other) {
     if (window_ > 0 && (other + window_ < number || other > number + window_)) return;
     const MotionBlock& contour = contour_[other - contour_base_];
+    if (lies_across_change(number, other)) return;
     const auto near = nearness(block.tool_path, contour.path, tolerances_.same_point);
     if (near.distance < worst.distance)
       worst = {.contour = &contour, .distance = near.distance, .place = near.on_first};
@@ -115,15 +119,20 @@ bool Clearance::check(const PathBlock& block, std::size_t number) {
   return !first || report(block, *worst.contour, worst.distance, worst.place);
 }
 
+// Of the two blocks at a change of side each is in the way of the other (D-42).
+bool Clearance::lies_across_change(std::size_t number, std::size_t other) const {
+  if (number + 1 != other && other + 1 != number) return false;
+  return contour_[number - contour_base_].mode->side != contour_[other - contour_base_].mode->side;
+}
+
 bool Clearance::report(const PathBlock& path, const MotionBlock& contour, double distance,
                        const Point& place) {
   Diagnostic found = diagnostic(Code::bottleneck, path.programmed.source);
   const bool masking = path.mode().masking == Masking::on;
   if (path.mode().options.ignore_cont_damage || (masking && !implicit_))
     found.severity = Severity::warning;
-  found.values = {{"other_index", static_cast<double>(contour.source.index)},
-                  {"clearance", distance},
-                  {"tool_radius", tool_radius(path)}};
+  found.values = {{"clearance", distance}, {"tool_radius", tool_radius(path)}};
+  append_place(found.values, "other", contour.source);
   const Position position = from_plane(path.mode().plane, place, path.programmed.normal.to);
   found.point = DiagnosticPoint{.x = position[0], .y = position[1], .z = position[2]};
   return diagnostics_.report(std::move(found));

@@ -55,6 +55,7 @@ class Clearance {
   bool examine(bool ended, PathBlocks& out);
   bool check(const PathBlock& block, std::size_t number);
   void forget();
+  [[nodiscard]] bool lies_across_change(std::size_t number, std::size_t other) const;
   bool report(const PathBlock& path, const MotionBlock& contour, double distance,
               const Point& place);
 

@@ -9,6 +9,7 @@
 #include "core/geometry/distance.h"
 #include "core/geometry/parallel.h"
 #include "core/trc/corner/joints.h"
+#include "core/trc/passes/reach.h"
 #include "core/trc/selection/selection_limit.h"
 
 namespace trc {
@@ -100,7 +101,7 @@ bool ContourMasking::resolve(const PathBlock* after, PathBlocks& out) {
 
 bool ContourMasking::let_go(PathBlocks& out) {
   // So many masked blocks that the window does not see the end of them.
-  if (kept_.size() == 1) return refuse_to_mask(*held_.front());
+  if (kept_.size() == 1) return refuse_to_mask(base_, base_ + held_.size() - 1);
   const std::size_t next = kept_[1].index;
   report_masked(base_, next);
   const auto gone = static_cast<std::ptrdiff_t>(next - base_);
@@ -115,7 +116,7 @@ bool ContourMasking::let_go(PathBlocks& out) {
 bool ContourMasking::keep(std::size_t index) {
   PathBlock& block = held(index);
   const bool begins_contour = kept_.size() == 1 && !is_contour(*held_.front());
-  if (block.masked) return !begins_contour || refuse_to_mask(block);
+  if (block.masked) return !begins_contour || refuse_to_mask(index, index);
   while (true) {
     const Kept& last = kept_.back();
     const PathBlock& before = held(last.index);
@@ -133,14 +134,15 @@ bool ContourMasking::keep(std::size_t index) {
       block.masked = true;
       return true;
     }
-    if (!mask_last_kept()) return false;
+    if (!mask_last_kept(index)) return false;
   }
 }
 
 // The last block must survive its end: nothing lies behind it to join anew.
 bool ContourMasking::close(const PathBlock* after) {
   PathBlock& last = *held_.back();
-  if (last.masked) return refuse_to_mask(last);
+  const std::size_t last_index = base_ + held_.size() - 1;
+  if (last.masked) return refuse_to_mask(kept_.back().index, last_index);
   double cut_at_end = 0;
   if (after != nullptr) {
     const Corner corner = corner_between(last, *after, tolerances_);
@@ -149,7 +151,7 @@ bool ContourMasking::close(const PathBlock* after) {
     // What cannot be joined is refused by Transitions, with its reason.
     if (joined != nullptr) cut_at_end = joined->joint.cut_before;
   }
-  return survives(kept_.back(), cut_at_end) || refuse_to_mask(last);
+  return survives(kept_.back(), cut_at_end) || refuse_to_mask(last_index, last_index);
 }
 
 std::optional<ContourMasking::Meeting> ContourMasking::meet(std::size_t before,
@@ -221,11 +223,11 @@ bool ContourMasking::survives(const Kept& kept, double cut_at_end) const {
   return left * radius_at(block, block.at_end.shift) >= -tolerances_.on_contour;
 }
 
-bool ContourMasking::mask_last_kept() {
+bool ContourMasking::mask_last_kept(std::size_t joining) {
   PathBlock& block = held(kept_.back().index);
   const bool first_of_contour =
       kept_.size() == 1 || (kept_.size() == 2 && !is_contour(*held_.front()));
-  if (first_of_contour) return refuse_to_mask(block);
+  if (first_of_contour) return refuse_to_mask(kept_.back().index, joining);
   block.masked = true;
   block.rejoin.reset();
   kept_.pop_back();
@@ -239,25 +241,42 @@ void ContourMasking::report_masked(std::size_t first, std::size_t end) {
     const std::size_t begin = index;
     while (index + 1 < end && held(index + 1).masked) ++index;
     Diagnostic masked = diagnostic(Code::blocks_masked, held(begin).programmed.source);
-    const auto number = [&](std::size_t at) {
-      return static_cast<double>(held(at).programmed.source.index);
-    };
-    masked.values = {{"first_index", number(begin)},
-                     {"last_index", number(index)},
-                     {"tool_radius", std::abs(held(begin).at_end.shift)}};
+    append_place(masked.values, "first", held(begin).programmed.source);
+    append_place(masked.values, "last", held(index).programmed.source);
+    masked.values.push_back({"tool_radius", std::abs(held(begin).at_end.shift)});
     diagnostics_.report(std::move(masked));
   }
 }
 
-bool ContourMasking::refuse_to_mask(const PathBlock& block) {
-  if (!is_arc(block.programmed.path)) return refuse(Code::line_reversed, block);
+// The block at fault is the one that asks for the smallest tool; the first or last one, which could
+// not be masked, is mostly sound.
+bool ContourMasking::refuse_to_mask(std::size_t first, std::size_t last) {
+  std::size_t worst = last;
+  std::optional<double> largest_radius;
+  for (std::size_t index = std::max(first, base_ + 1); index <= last; ++index) {
+    const bool has_neighbours = index + 1 < base_ + held_.size();
+    if (!has_neighbours || !is_contour(held(index))) continue;
+    checkpoint_.pass();
+    const PathBlock& before = held(index - 1);
+    const PathBlock& after = held(index + 1);
+    const double most = largest_radius.value_or(std::abs(held(index).at_end.shift));
+    if (is_reached(before, held(index), after, most, tolerances_)) continue;
+    largest_radius = largest_radius_for(before, held(index), after, tolerances_);
+    worst = index;
+  }
+  const PathBlock& block = held(worst);
+  if (!is_arc(block.programmed.path)) return refuse(Code::line_reversed, block, largest_radius);
   const bool fits = radius_at(block, block.at_end.shift) >= tolerances_.on_contour;
-  return refuse(fits ? Code::arc_wrapped : Code::tool_not_smaller_than_arc, block);
+  return refuse(fits ? Code::arc_wrapped : Code::tool_not_smaller_than_arc, block, largest_radius);
 }
 
-bool ContourMasking::refuse(Code code, const PathBlock& block) {
-  Diagnostic problem = diagnostic(code, block.programmed.source);
+bool ContourMasking::refuse(Code code, const PathBlock& block,
+                            std::optional<double> largest_radius) {
+  Diagnostic problem = diagnostic(
+      code, block.programmed.source,
+      "G141 finds no way past this block; #TRC [REMOVE_MASKED_BLOCKS=1] leaves out whole loops");
   problem.values = {{"tool_radius", std::abs(block.at_end.shift)}};
+  if (largest_radius) problem.values.push_back({"largest_radius", *largest_radius});
   const Position place =
       from_plane(block.mode().plane, block.offset_end, block.programmed.normal.to);
   problem.point = DiagnosticPoint{.x = place[0], .y = place[1], .z = place[2]};

@@ -84,13 +84,15 @@ class ContourMasking {
   [[nodiscard]] bool are_passed(std::size_t before, std::size_t after,
                                 const PathBlock::Rejoin& in_line) const;
   [[nodiscard]] bool survives(const Kept& kept, double cut_at_end) const;
-  bool mask_last_kept();
+  // The block that could not be joined to it is `joining`.
+  bool mask_last_kept(std::size_t joining);
   // The first kept block, and the masked ones behind it.
   bool let_go(PathBlocks& out);
   void report_masked(std::size_t first, std::size_t end);
-  // The first or last block of the contour violates: 90017, 90019 or 90038.
-  bool refuse_to_mask(const PathBlock& block);
-  bool refuse(Code code, const PathBlock& block);
+  // There is no way on over these blocks, among them the first or the last one of the contour:
+  // 90017, 90019 or 90038 of the block the tool cannot reach, with the largest tool that could.
+  bool refuse_to_mask(std::size_t first, std::size_t last);
+  bool refuse(Code code, const PathBlock& block, std::optional<double> largest_radius);
 
   [[nodiscard]] PathBlock& held(std::size_t index) { return *held_[index - base_]; }
   [[nodiscard]] const PathBlock& held(std::size_t index) const { return *held_[index - base_]; }
