@@ -57,7 +57,9 @@ void add_plot(CLI::App& app, Action& action) {
       ->required();
   command->add_flag("--numbers", call->numbers, "Write block numbers beside the contour");
   command->footer(
-      "Rapid moves are dashed, masked or removed blocks red, transition blocks light blue.\n"
+      "Rapid moves are dashed, masked or removed blocks red, transition blocks light blue; red and\n"
+      "dashed is what was programmed where another contour is compensated (CONV_CIR_TO_LIN,\n"
+      "KERF_MASKING). Warnings are yellow at their place.\n"
       "A refused program gives the picture of what was certain, with the place marked, and exit "
       "code 1.\n\n" +
       settings_help());
