@@ -4,10 +4,12 @@
 #include <array>
 #include <cstdint>
 #include <iterator>
+#include <map>
 #include <string_view>
 #include <utility>
 #include <vector>
 
+#include "client/plot/changed_contour.h"
 #include "core/trc/result/listing.h"
 
 namespace trc::plot {
@@ -85,6 +87,7 @@ class Composer {
     add_programmed();
     add_path();
     add_tools();
+    add_warnings();
     add_fault();
     std::stable_sort(picture_.strokes.begin(), picture_.strokes.end(),
                      [](const Stroke& a, const Stroke& b) { return a.layer < b.layer; });
@@ -122,6 +125,7 @@ class Composer {
 
   void add_programmed() {
     const NotTravelled masked(contents_);
+    changed_ = changed_contour(contents_.programmed, contents_.path);
     Position position{};
     for (const Block& block : contents_.programmed)
       std::visit(overloaded{[&](const MotionBlock& motion) {
@@ -145,6 +149,16 @@ class Composer {
 
   void show(const MotionBlock& motion, bool lost) {
     const Plane plane = motion.mode->plane;
+    const auto changed = changed_.find(motion.source.index);
+    if (changed != changed_.end()) {
+      add({.layer = Layer::replaced,
+           .segments = project(plane, motion.path, motion.normal, picture_.plane),
+           .title = number_of(motion.source) + " as programmed"});
+      add({.layer = Layer::programmed,
+           .segments = project(plane, changed->second, motion.normal, picture_.plane),
+           .title = number_of(motion.source) + " contour, changed"});
+      return;
+    }
     add({.layer = lost ? Layer::masked : Layer::programmed,
          .rapid = motion.rapid,
          .segments = project(plane, motion.path, motion.normal, picture_.plane),
@@ -169,14 +183,41 @@ class Composer {
   }
 
   void add_path() {
-    for (const CompensatedBlock& block : contents_.path) {
+    for (std::size_t at = 0; at < contents_.path.size(); ++at) {
+      const CompensatedBlock& block = contents_.path[at];
       if (block.origin == Origin::passthrough) continue;
-      add({.layer = layer_of(block.origin),
+      add({.layer = is_inserted(at) ? Layer::transition : layer_of(block.origin),
            .rapid = block.rapid,
            .segments = project(block.plane, block.path, block.normal, picture_.plane),
            .title = number_of(block.source) + " " + std::string(name_of(block.origin))});
     }
     flush_joined();
+  }
+
+  // What TRC inserts between the approach block and the contour, or between the contour and the
+  // retract block: the block itself is the first one of an approach and the last one of a retract.
+  [[nodiscard]] bool is_inserted(std::size_t at) const {
+    const CompensatedBlock& block = contents_.path[at];
+    const bool approach = block.origin == Origin::approach;
+    if (!approach && block.origin != Origin::retract) return false;
+    const std::size_t own = approach ? at - 1 : at + 1;
+    if (own >= contents_.path.size()) return false;
+    const CompensatedBlock& other = contents_.path[own];
+    if (other.origin != block.origin || (approach && other.source.index != block.source.index))
+      return false;
+    // Parts of one line, as SPLIT makes them, are the block itself.
+    const Vector way = place_at(block.path, 0.5).direction;
+    return is_arc(block.path) || is_arc(other.path) ||
+           (way - place_at(other.path, 0.5).direction).norm() > 1e-6;
+  }
+
+  void add_warnings() {
+    for (const Diagnostic& diagnostic : contents_.diagnostics) {
+      if (diagnostic.severity != Severity::warning) continue;
+      if (picture_.warnings.size() == most_warnings) return;
+      picture_.warnings.push_back(
+          {.place = place_of(diagnostic), .text = text_of("warning ", diagnostic)});
+    }
   }
 
   // The tool where the first approach begins and where it first touches.
@@ -214,7 +255,10 @@ class Composer {
   void add_fault() {
     for (const Diagnostic& diagnostic : contents_.diagnostics) {
       if (diagnostic.severity != Severity::error) continue;
-      picture_.fault = Fault{.place = place_of(diagnostic), .text = text_of(diagnostic)};
+      picture_.fault =
+          Fault{.place = place_of(diagnostic),
+                .text = text_of("error ", diagnostic),
+                .tool_radius = diagnostic.point ? tool_radius_at(diagnostic.source.index) : 0};
       return;
     }
   }
@@ -235,8 +279,20 @@ class Composer {
     return reached;
   }
 
-  static std::string text_of(const Diagnostic& diagnostic) {
-    std::string text = "error " + std::to_string(static_cast<std::int32_t>(diagnostic.code));
+  // Of the last motion up to there under TRC; behind its end the tool is still the same.
+  [[nodiscard]] double tool_radius_at(std::uint64_t index) const {
+    double radius = 0;
+    for (const Block& block : contents_.programmed) {
+      const auto* motion = std::get_if<MotionBlock>(&block);
+      if (!motion || !motion->mode) continue;
+      if (motion->source.index > index) break;
+      if (motion->mode->active()) radius = motion->mode->tool_radius;
+    }
+    return radius;
+  }
+
+  static std::string text_of(const std::string& severity, const Diagnostic& diagnostic) {
+    std::string text = severity + std::to_string(static_cast<std::int32_t>(diagnostic.code));
     if (diagnostic.source.line > 0) text += " in line " + std::to_string(diagnostic.source.line);
     if (diagnostic.source.number != Source::no_number)
       text += " (N" + std::to_string(diagnostic.source.number) + ")";
@@ -246,7 +302,8 @@ class Composer {
   const Contents& contents_;
   Picture picture_;
   bool single_ = true;
-  std::array<Stroke, 4> joined_{};
+  std::map<std::uint64_t, Segment> changed_{};
+  std::array<Stroke, 5> joined_{};
 };
 
 }  // namespace
