@@ -144,6 +144,13 @@ constexpr auto rows = std::to_array<CodeRow>({
     {Code::side_behind_end, error, "SIDE_BEHIND_END",
      "G41 or G42 stands behind the end of the program (M02, M30)",
      "Remove what follows the end, or compensate it as a program of its own."},
+    {Code::other_dialect, error, "OTHER_DIALECT",
+     "the word means something else in the dialect the program looks like",
+     "Declare the dialect of the program (--dialect, `dialect` in the setup). If it is ISG, remove "
+     "the word."},
+    {Code::turning, error, "TURNING",
+     "this is a program of a lathe: turning is not compensated here",
+     "Let the lathe compensate the nose of its tool."},
 
     {Code::circle_incomplete, error, "CIRCLE_INCOMPLETE",
      "a circular block has neither centre nor radius",

@@ -71,6 +71,8 @@ enum class Code : std::int32_t {
   tool_unknown = 900013,
   program_empty = 900014,
   side_behind_end = 900015,
+  other_dialect = 900016,
+  turning = 900018,
 
   // program rules
   circle_incomplete = 900101,
@@ -122,6 +124,7 @@ struct Diagnostic {
   std::string detail{};      // the word, key or field at fault, as written
   std::vector<DiagnosticValue> values{};
   std::optional<DiagnosticPoint> point{};
+  bool found_together = false;  // one of several errors of one run
 };
 
 // One row of the public table: everything that is known about a code before it

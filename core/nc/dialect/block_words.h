@@ -47,6 +47,22 @@ struct Interpreter::BlockWords {
   bool has_command = false;
   bool has_spindle = false;
   std::uint32_t words = 0;  // without N and comments
+  // The line is copied as it stands; the axes of `forget` go where only the control knows.
+  bool copied = false;
+  AxisBits forget = 0;
+  std::optional<Value> tool_data{};         // L of G10
+  std::optional<Value> tool_data_number{};  // P of G10
+  bool changes_tool = false;                // M06
+  bool to_skip = false;                     // `/` in front
+  std::optional<Value> offset{};            // H
+  // Of Sinumerik. References: 1 for AC(), -1 for IC(), 0 as G90 and G91 say.
+  std::array<std::int8_t, 3> end_reference{};
+  std::array<std::int8_t, 3> center_reference{};
+  std::optional<double> sweep{};                   // AR=, degrees
+  std::array<std::optional<Value>, 3> through{};   // I1= J1= K1=
+  bool is_through = false;                         // CIP
+  bool begins_tangent_arcs = false;                // CT
+  std::optional<std::uint32_t> unfollowed_word{};  // CT, TURN=, AP=, RP=
 };
 
 }  // namespace trc

@@ -39,6 +39,12 @@ WordRole role_of(GGroup group) {
   }
 }
 
+bool is_of_isg_alone(GGroup group) {
+  using enum GGroup;
+  return group == tangential || group == selection || group == masking || group == circle_center ||
+         group == circle_check || group == spatial_circle;
+}
+
 Code twice_code(GGroup group) {
   switch (group) {
     case GGroup::transition:
@@ -132,6 +138,7 @@ bool Interpreter::read_words(ProgramLine& line, BlockWords& block) {
       case WordKind::variable:
         if (block.tool) return refuse(line, word, Code::radius_and_tool_word_together);
         if (block.tool_radius) return refuse(line, word, Code::nc_word_twice);
+        isg_word_seen_ = true;
         block.tool_radius = {.value = word.value, .begin = word.begin};
         add(line, word, WordRole::trc);
         break;
@@ -164,6 +171,10 @@ bool Interpreter::read_g_function(const Word& word, ProgramLine& line, BlockWord
       word.has_argument || word.whole ? find_g_function(word.value) : nullptr;
   if (function == nullptr) return refuse(line, word, Code::nc_unknown_function);
   const GGroup group = function->group;
+  isg_word_seen_ |= is_of_isg_alone(group);
+  // No mirroring, which is initial here, is inch elsewhere: millimetres for inches.
+  if (function->number == 20 && !isg_word_seen_)
+    return refuse(line, word, Code::other_dialect, "G20, inch in fanuc and linuxcnc");
   const auto named = [&](std::string_view why) {
     return std::string("G").append(std::to_string(function->number)).append(why);
   };
@@ -175,7 +186,7 @@ bool Interpreter::read_g_function(const Word& word, ProgramLine& line, BlockWord
       code = Code::spatial_circle_after_deselection;
     return refuse(line, word, code, named(", ").append(function->meaning));
   }
-  if (group == GGroup::zero_shift && state_.contour_open())
+  if (group == GGroup::zero_shift && contour_open())
     return refuse(line, word, Code::nc_unsupported, named(" while TRC is active"));
   const bool may_have_argument = group == GGroup::zero_shift || group == GGroup::technology ||
                                  group == GGroup::axis_technology;
@@ -186,7 +197,7 @@ bool Interpreter::read_g_function(const Word& word, ProgramLine& line, BlockWord
   seen = {.function = function, .begin = word.begin};
   // Where there is nothing to end, G40 is a line of the program like any other.
   const bool ends_nothing = group == GGroup::side && function->number == 40;
-  add(line, word, ends_nothing && !state_.contour_open() ? WordRole::mode : role_of(group));
+  add(line, word, ends_nothing && !contour_open() ? WordRole::mode : role_of(group));
   return true;
 }
 
@@ -303,13 +314,31 @@ bool Interpreter::check_block(ProgramLine& line, const BlockWords& block) {
     return wrong(Code::nc_unsupported, block.of(axis_technology), " with axis words");
   if (block.has(tangential) && !block.has(side))
     return wrong(Code::nc_syntax, block.of(tangential), " without G40, G41 or G42");
+  if (!isg_word_seen_ && !contour_open() && block.axis && !block.has(motion) && !block.has(side)) {
+    // Working area limits and a local zero point elsewhere: no positions.
+    if (block.has(transition))
+      return wrong(Code::other_dialect, block.of(transition), " with axis words");
+    const auto g52 = std::ranges::find_if(line.words, [&](const WordRange& range) {
+      return line.word(range) == "G52" || line.word(range) == "g52";
+    });
+    if (g52 != line.words.end())
+      return refuse(line, TextFault{.code = Code::other_dialect,
+                                    .begin = g52->begin,
+                                    .detail = "G52 with axis words"});
+  }
   const bool preset = block.of(zero_shift).is(92);
   if (preset && (block.has(motion) || block.center || block.move.radius))
     return wrong(Code::nc_unsupported, block.of(zero_shift), " with a motion");
-  // Not feed per minute: the number is technology like any other.
+  return check_feed(line, block);
+}
+
+// Not feed per minute: the number is technology like any other.
+bool Interpreter::check_feed(ProgramLine& line, const BlockWords& block) {
+  using enum GGroup;
+  const bool preset = block.of(zero_shift).is(92);
   const int feed = block.has(feed_mode) ? block.of(feed_mode).function->number : feed_mode_;
-  const bool inch = block.has(unit) ? block.of(unit).is(70) : inch_;
-  if (block.feed && feed == 94 && !state_.is_feed(block.feed->value * (inch ? mm_per_inch : 1)))
+  const bool inch = block.has(unit) ? counts_in_inch(*block.of(unit).function) : inch_;
+  if (block.feed && feed == 94 && !state_.is_feed(block.feed->value * feed_unit(inch)))
     return refuse(line, TextFault{.code = Code::nc_number,
                                   .begin = block.feed->begin,
                                   .detail = "F, more than 0 and at most 1000000000 mm/min"});
@@ -324,6 +353,7 @@ bool Interpreter::check_block(ProgramLine& line, const BlockWords& block) {
 bool Interpreter::read_command(const Word& word, ProgramLine& line, BlockWords& block) {
   const std::string_view command = line.word({.begin = word.begin, .end = word.end});
   const std::string name = command_name(command);
+  isg_word_seen_ |= !name.empty() && name != " ";
   block.command = word.begin;
   block.has_command = true;
   const auto wrong = [&](TextFault fault) {
@@ -365,7 +395,7 @@ bool Interpreter::read_command(const Word& word, ProgramLine& line, BlockWords& 
   }
   const auto forbidden = std::ranges::find_if(
       forbidden_commands, [&](const auto& candidate) { return name.starts_with(candidate.name); });
-  const bool published = forbidden != forbidden_commands.end() && state_.contour_open();
+  const bool published = forbidden != forbidden_commands.end() && contour_open();
   return refuse(line, word, published ? forbidden->while_active : Code::nc_unsupported);
 }
 

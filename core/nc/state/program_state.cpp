@@ -43,6 +43,9 @@ ProgramState::ProgramState(const ProgramSetup& setup, const Tolerances& toleranc
   if (setup.tool_radius_given || setup.mode.tool_radius != 0) radius_giver_ = RadiusGiver::setup;
   if (setup.masking_switches_kerf && mode_.masking == Masking::on)
     mode_.options.kerf_masking = true;
+  // Programs in inch with three decimals.
+  constexpr double half_of_a_thousandth = 0.0127;
+  if (setup.dialect != DialectName::isg) circle_.largest_radius_shortfall = half_of_a_thousandth;
   update_side();
 }
 
@@ -202,6 +205,8 @@ bool ProgramState::enter_radius(double radius, RadiusGiver giver, const Source& 
 }
 
 bool ProgramState::set_tool(std::int64_t number, const Source& source) {
+  if (const auto defined = defined_tools_.find(number); defined != defined_tools_.end())
+    return set_tool_radius(defined->second, source);
   const auto tool = setup_.tools.find(number);
   if (tool != setup_.tools.end()) return set_tool_radius(tool->second, source);
   if (number == 0) {

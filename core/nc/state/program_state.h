@@ -13,6 +13,7 @@
 #include "core/base/tolerances.h"
 #include "core/nc/state/block.h"
 #include "core/nc/state/circle.h"
+#include "core/nc/state/dialect_name.h"
 
 namespace trc {
 
@@ -29,7 +30,14 @@ struct ProgramSetup {
   bool tool_radius_given = false;
   // P-CHAN-00284 = 0: G141 and G140 switch KERF_MASKING, the last writer wins (rule 7.1).
   bool masking_switches_kerf = false;
+  DialectName dialect = DialectName::isg;  // of NC text
+  bool inch = false;                       // NC text counts in inch before it says
+  bool copies_unknown_words = false;       // lines with unknown G functions, while TRC is off
 };
+
+// Some of X Y Z, a bit each.
+using AxisBits = std::uint8_t;
+inline constexpr AxisBits all_axes = 7;
 
 enum class MotionKind : std::uint8_t { rapid, linear, clockwise, counter_clockwise };
 
@@ -88,6 +96,12 @@ class ProgramState {
   // own; without any M06 a T word acts at once.
   void prepare_tool(std::int64_t number) { prepared_tool_ = number; }
   bool load_tool(const Source& source);
+  // The program itself gives a tool of the table its radius, mm: G10 L12 of Fanuc.
+  void define_tool(std::int64_t number, double radius) { defined_tools_[number] = radius; }
+  // Whether a D word may name it.
+  [[nodiscard]] bool has_tool(std::int64_t number) const {
+    return number == 0 || defined_tools_.contains(number) || setup_.tools.contains(number);
+  }
   // A STRETCH_FACTOR out of range becomes 1, with a warning (22007). 22125, 900005.
   bool set_options(const TrcOptions& options, const Source& source);
   void set_absolute_center(bool absolute) { absolute_center_ = absolute; }        // G161 / G162
@@ -130,6 +144,12 @@ class ProgramState {
   [[nodiscard]] const ProgramSetup& setup() const { return setup_; }
   // TRC is active, or its retract motion is still to come.
   [[nodiscard]] bool contour_open() const { return mode_.active() || retract_pending_; }
+  // Whether the place of a main axis is known.
+  [[nodiscard]] bool is_known(std::size_t axis) const { return known_[axis]; }
+  // TRC is selected; the motion that leads to the contour is still to come.
+  [[nodiscard]] bool awaits_approach() const { return mode_.active() && in_plane_blocks_ == 0; }
+  // That motion becomes an arc into the contour, as if G05 stood beside the selection.
+  void approach_tangentially() { change_mode().tangential = true; }
   // No motion in the plane has followed the last G40 yet.
   [[nodiscard]] bool just_deselected() const { return just_deselected_; }
 
@@ -139,7 +159,7 @@ class ProgramState {
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(column_, mode_, shared_mode_, programmed_side_, programmed_radius_,
+    archive(defined_tools_, column_, mode_, shared_mode_, programmed_side_, programmed_radius_,
             tangential_requested_, absolute_center_, circle_.correct_center, position_, target_,
             known_, position_forgotten_, displaced_, tracking_, radius_giver_, prepared_tool_,
             loads_tools_, missing_tool_, zero_radius_reported_, selected_, selections_,
@@ -212,6 +232,7 @@ class ProgramState {
   Diagnostics& diagnostics_;
   std::vector<Block>& blocks_;
 
+  std::map<std::int64_t, double> defined_tools_{};  // by the program
   std::uint32_t column_ = 0;
   TrcMode mode_;
   std::shared_ptr<const TrcMode> shared_mode_{};  // a copy of mode_; empty: out of date

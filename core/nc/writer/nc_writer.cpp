@@ -44,11 +44,12 @@ AxisSet plane_axes(Plane plane) {
 }  // namespace
 
 NcWriter::NcWriter(const Setup& setup)
-    : motions_(setup.decimals, setup.tracking_letters),
+    : motions_(setup.decimals, setup.tracking_letters, setup.points),
       tracking_letters_(setup.tracking_letters),
       center_letters_are_axes_(setup.tracking_letters.find_first_of("IJKR") != std::string::npos) {
   state_.absolute_center = setup.absolute_center;
   state_.plane = setup.plane;
+  state_.inch = setup.inch;
   state_.position = setup.start;
   state_.tracking.resize(setup.tracking_letters.size());
 }
@@ -364,7 +365,7 @@ void NcWriter::enter_modes(const Waiting& own) {
 AxisSet NcWriter::all_axes_named_in(const ProgramLine& line) const {
   AxisSet named = 0;
   for (const WordRange& word : line.words) {
-    if (word.role != WordRole::coordinate) continue;
+    if (word.role != WordRole::coordinate || !names_an_axis(line, word)) continue;
     const char letter = upper(line.text[word.begin]);
     if (letter >= 'X' && letter <= 'Z') {
       named |= axis_bit(static_cast<std::size_t>(letter - 'X'));
