@@ -5,6 +5,7 @@
 #include <set>
 
 #include "core/base/tolerances.h"
+#include "core/nc/dialect/dialect.h"
 #include "proto/wire/geometry.h"
 #include "proto/wire/modes.h"
 #include "proto/wire/options.h"
@@ -24,6 +25,26 @@ constexpr EnumTable<v1::ResponseLayout, Layout, 2> layouts{{
 constexpr EnumTable<v1::ProgramOutput, bool, 2> outputs{{
     {v1::PROGRAM_OUTPUT_NC, true},
     {v1::PROGRAM_OUTPUT_BLOCKS, false},
+}};
+
+constexpr EnumTable<v1::Dialect, DialectName, 5> dialects{{
+    {v1::DIALECT_ISG, DialectName::isg},
+    {v1::DIALECT_FANUC, DialectName::fanuc},
+    {v1::DIALECT_LINUXCNC, DialectName::linuxcnc},
+    {v1::DIALECT_SINUMERIK, DialectName::sinumerik},
+    {v1::DIALECT_HEIDENHAIN, DialectName::heidenhain},
+}};
+
+// Whether lengths count in inch.
+constexpr EnumTable<v1::LengthUnit, bool, 2> units{{
+    {v1::LENGTH_UNIT_MM, false},
+    {v1::LENGTH_UNIT_INCH, true},
+}};
+
+// Whether they are copied.
+constexpr EnumTable<v1::UnknownWords, bool, 2> unknown_words{{
+    {v1::UNKNOWN_WORDS_REFUSE, false},
+    {v1::UNKNOWN_WORDS_COPY, true},
 }};
 
 constexpr EnumTable<v1::KerfMethod, bool, 2> kerf_methods{{
@@ -162,6 +183,23 @@ void read_tools(const v1::ProgramSetup& message, const FieldPath& path,
   }
 }
 
+// What the dialect has in force at the start, where the setup does not say so itself.
+void read_dialect(const v1::ProgramSetup& message, const FieldPath& path, ProgramSetup& program,
+                  FieldFaults& faults) {
+  program.dialect = dialects.from_proto(message.dialect(), FieldPath(path, "dialect"), faults)
+                        .value_or(program.dialect);
+  program.inch =
+      units.from_proto(message.unit(), FieldPath(path, "unit"), faults).value_or(program.inch);
+  program.copies_unknown_words =
+      unknown_words.from_proto(message.unknown_words(), FieldPath(path, "unknown_words"), faults)
+          .value_or(program.copies_unknown_words);
+  const Dialect& dialect = dialect_of(program.dialect);
+  if (message.path().selection_mode() == v1::SELECTION_MODE_UNSPECIFIED)
+    program.mode.selection = dialect.selection;
+  if (message.path().transition() == v1::TRANSITION_UNSPECIFIED)
+    program.mode.transition = dialect.transition;
+}
+
 }  // namespace
 
 PathSettings from_proto(const v1::PathSetup& message, const FieldPath& path, FieldFaults& faults) {
@@ -200,6 +238,12 @@ ProgramSettings from_proto(const v1::ProgramSetup& message, const FieldPath& pat
   ProgramSettings settings;
   settings.path = from_proto(message.path(), FieldPath(path, "path"), faults);
   read_tools(message, path, settings.path.session.program.tools, faults);
+  read_dialect(message, path, settings.path.session.program, faults);
+  // Behind G40 without a motion of its own a tool change and whole drilling cycles may follow.
+  constexpr std::size_t most_passive_blocks = 10'000;
+  if (settings.path.session.program.dialect != DialectName::isg &&
+      !message.path().has_max_passive_blocks())
+    settings.path.session.compensator.limits.passive_blocks = most_passive_blocks;
   settings.nc_text = outputs.from_proto(message.output(), FieldPath(path, "output"), faults)
                          .value_or(settings.nc_text);
   if (message.has_decimals() &&
@@ -210,6 +254,8 @@ ProgramSettings from_proto(const v1::ProgramSetup& message, const FieldPath& pat
     add_fault(FieldPath(path, "file_name"), "is longer than 255 bytes", faults);
   return settings;
 }
+
+v1::Dialect to_proto(DialectName dialect) { return dialects.to_proto(dialect); }
 
 void to_proto(const PathSettings& settings, v1::PathSetup& message) {
   const PathSettings initial;
@@ -264,6 +310,13 @@ void to_proto(const ProgramSettings& settings, v1::ProgramSetup& message) {
   if (settings.decimals != ProgramSettings{}.decimals)
     message.set_decimals(static_cast<std::uint32_t>(settings.decimals));
   message.set_file_name(settings.file_name);
+  const ProgramSetup& program = settings.path.session.program;
+  if (program.inch) message.set_unit(units.to_proto(true));
+  if (program.copies_unknown_words) message.set_unknown_words(unknown_words.to_proto(true));
+  if (program.dialect == DialectName::isg) return;
+  message.set_dialect(dialects.to_proto(program.dialect));
+  message.mutable_path()->set_selection_mode(selections.to_proto(program.mode.selection));
+  message.mutable_path()->set_transition(transitions.to_proto(program.mode.transition));
 }
 
 }  // namespace trc::wire
