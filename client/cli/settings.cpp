@@ -239,7 +239,8 @@ std::string set_tools(std::string_view text, v1::ProgramSetup& setup) {
     const auto number = parts.size() == 2 ? number_from<std::uint32_t>(parts[0]) : std::nullopt;
     const auto radius = parts.size() == 2 ? finite_from(parts[1]) : std::nullopt;
     if (!number || !radius)
-      return "tools: \"" + std::string(entry) + "\" is no D word with its radius in mm, as in 1:5";
+      return "tools: \"" + std::string(entry) +
+             "\" is no D or T word with its radius in mm, as in 1:5";
     v1::Tool& tool = *setup.add_tools();
     tool.set_number(*number);
     tool.set_radius(*radius);
@@ -311,7 +312,8 @@ std::string apply_setting(std::string_view assignment, v1::ProgramSetup& setup) 
 std::vector<SettingRow> settings() {
   std::vector<SettingRow> rows;
   for (const Route& route : all_routes()) rows.push_back({key_of(route), values_of(*route.back())});
-  rows.push_back({"tools", "the tool table, D word:radius in mm, as in 1:5,2:3.5"});
+  rows.push_back(
+      {"tools", "the tool table, number of the D or T word:radius in mm, as in 1:5,2:3.5"});
   return rows;
 }
 
