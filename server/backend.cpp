@@ -9,12 +9,14 @@ namespace trc::server {
 
 Backend::Backend(const Config& settings, std::string resume_key)
     : config(settings),
-      telemetry(settings.log_level),
+      telemetry(settings),
       memory(std::uint64_t{settings.max_session_memory_mib} << 20U),
       resume_tokens(std::move(resume_key), settings.max_resume_token_bytes),
       streams(settings.max_streams, std::chrono::seconds(settings.idle_timeout_s),
               std::chrono::seconds(settings.heartbeat_s)),
+      pulse(std::chrono::seconds(settings.stall_timeout_s)),
       pool(settings.worker_threads) {
+  pulse.attach(pool);
   telemetry.metrics.set_limits(settings.max_streams, memory.most_bytes());
 }
 
@@ -22,6 +24,8 @@ void Backend::refresh_gauges() {
   telemetry.metrics.streams_active().Set(static_cast<double>(streams.count()));
   telemetry.metrics.session_memory().Set(static_cast<double>(memory.used_bytes()));
   telemetry.metrics.queue_depth().Set(static_cast<double>(pool.queue_depth()));
+  telemetry.metrics.set_pool(pulse.longest_wait_s(), pool.threads_missed());
+  telemetry.metrics.set_log(Log::counts());
 }
 
 }  // namespace trc::server

@@ -5,6 +5,7 @@
 #include "server/config.h"
 #include "server/memory_budget.h"
 #include "server/open_streams.h"
+#include "server/pulse.h"
 #include "server/rpc/resume_tokens.h"
 #include "server/telemetry/telemetry.h"
 #include "server/worker_pool.h"
@@ -23,6 +24,8 @@ struct Backend {
   MemoryBudget memory;
   const ResumeTokens resume_tokens;
   OpenStreams streams;
+  // Before the pool, which gives its last beat a turn.
+  Pulse pulse;
   // Last, so that its threads end before what they work with.
   WorkerPool pool;
 };

@@ -17,6 +17,8 @@ struct Config {
   bool insecure = false;
   // The same for the health port alone.
   bool insecure_health = false;
+  // The same for the admin port, which speaks no TLS.
+  bool insecure_admin = false;
 
   // PEM files. A certificate switches TLS on for TCP; the client CA makes client certificates
   // mandatory.
@@ -32,6 +34,8 @@ struct Config {
   std::string admin_listen;
   // HOST:PORT of the health service alone, in plain text; empty: none.
   std::string health_listen;
+  // As read from flags, environment and file it is off, unless asked for, where an address can be
+  // reached by other machines.
   bool reflection = true;
 
   // Threads that compute; 0: one per core.
@@ -57,12 +61,21 @@ struct Config {
   std::string resume_key_file;
   std::uint32_t max_resume_token_bytes = 64U * 1024U;
 
+  // What a connection may do without an answer to show for it before it is closed: streams it
+  // cancels within ten seconds before their first answer, and bytes that carry no message.
+  std::uint32_t max_early_cancels = 200;
+  std::uint32_t max_overhead_kib_per_s = 2048;
+
   std::uint32_t keepalive_time_s = 30;
   std::uint32_t keepalive_timeout_s = 10;
   std::uint32_t min_client_ping_interval_s = 10;
   std::uint32_t drain_timeout_s = 30;
 
-  std::string log_level = "info";  // debug, info, warning, error, off
+  // Health says NOT_SERVING while a turn has waited longer for a worker.
+  std::uint32_t stall_timeout_s = 10;
+
+  std::string log_level = "info";            // debug, info, warning, error, off
+  std::uint32_t max_log_lines_per_s = 1000;  // of each kind
 
   friend bool operator==(const Config&, const Config&) = default;
 };

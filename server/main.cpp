@@ -23,6 +23,7 @@ using trc::server::LogLine;
 namespace service_manager = trc::server::service_manager;
 
 constexpr auto look_interval = std::chrono::seconds(1);
+constexpr auto longest_flush = std::chrono::seconds(1);
 
 // Signals are waited for, not caught: blocked in every thread that is started later.
 sigset_t block_signals() {
@@ -41,8 +42,9 @@ const Log& grpc_log() {
 }
 
 // gRPC's own messages, a failed handshake say, join the log instead of going to standard error.
-void adopt_grpc_log(const std::string& level) {
-  grpc_log().set_level(level);
+void adopt_grpc_log(const trc::server::Config& config) {
+  grpc_log().set_level(config.log_level);
+  grpc_log().set_most_lines_per_second(config.max_log_lines_per_s);
   gpr_set_log_function([](gpr_log_func_args* message) {
     const LogLine line = LogLine("grpc").text("message", message->message);
     if (message->severity == GPR_LOG_SEVERITY_ERROR) {
@@ -151,7 +153,7 @@ int main(int argc, char** argv) {
   share_heap();
   const sigset_t signals = block_signals();
   std::signal(SIGPIPE, SIG_IGN);
-  adopt_grpc_log(command_line.config.log_level);
+  adopt_grpc_log(command_line.config);
   auto [server, fault, misconfigured] = trc::server::Server::start(command_line.config);
   if (server == nullptr) {
     std::fprintf(stderr, "trcd: error: %s\n", fault.c_str());
@@ -168,6 +170,7 @@ int main(int argc, char** argv) {
   log.info(LogLine("draining").number("streams", std::uint64_t{server->backend().streams.count()}));
   const std::size_t cut_off = server->drain();
   log.info(LogLine("stopped").number("streams_cut_off", std::uint64_t{cut_off}));
-  log.flush();
+  // Not for ever: where nobody reads the log, its writer never returns.
+  if (!Log::flush(longest_flush)) _exit(0);
   return 0;
 }

@@ -1,15 +1,14 @@
 #include "server/server.h"
 
-#include <grpcpp/ext/proto_server_reflection_plugin.h>
 #include <grpcpp/grpcpp.h>
 #include <grpcpp/health_check_service_interface.h>
 #include <grpcpp/resource_quota.h>
 
 #include <chrono>
+#include <ctime>
 #include <system_error>
 #include <utility>
 
-#include "grpc/health/v1/health.pb.h"
 #include "server/address.h"
 #include "server/credentials.h"
 
@@ -24,9 +23,15 @@ int milliseconds(std::uint32_t seconds) { return static_cast<int>(seconds) * 100
 // Probes need next to nothing, and what they use is not what streams may use: a full server still
 // tells its health.
 constexpr std::uint32_t health_buffer_mib = 8;
+// The name of a service.
+constexpr std::uint32_t health_message_bytes = 4096;
 
-void set_limits(grpc::ServerBuilder& builder, const Config& config, std::uint32_t buffer_mib) {
-  builder.SetMaxReceiveMessageSize(static_cast<int>(config.max_message_bytes));
+void set_limits(grpc::ServerBuilder& builder, const Config& config, std::uint32_t message_bytes,
+                std::uint32_t buffer_mib) {
+  // gRPC inflates a message before it looks at its size: a megabyte would become a gigabyte.
+  for (const auto algorithm : {GRPC_COMPRESS_GZIP, GRPC_COMPRESS_DEFLATE})
+    builder.SetCompressionAlgorithmSupportStatus(algorithm, false);
+  builder.SetMaxReceiveMessageSize(static_cast<int>(message_bytes));
   builder.SetMaxSendMessageSize(-1);
   builder.SetResourceQuota(grpc::ResourceQuota().Resize(std::size_t{buffer_mib} << 20U));
   const auto set = [&](const char* name, int value) { builder.AddChannelArgument(name, value); };
@@ -80,24 +85,27 @@ std::string Server::read_certificates() {
                           .client_authorities = config.tls_client_ca_file});
   std::string fault;
   if (certificates_->reload(fault) == Certificates::Reload::refused) return fault;
-  backend_.telemetry.metrics.set_certificate_expiry(certificates_->current()->expires_s);
+  const auto current = certificates_->current();
+  backend_.telemetry.metrics.set_certificate_expiry(current->expires_s);
+  if (current->begins_s > std::time(nullptr))
+    backend_.telemetry.log.warning(
+        LogLine("certificate_not_good_yet")
+            .number("begins_s", static_cast<std::uint64_t>(current->begins_s)));
   return {};
 }
 
 std::string Server::open(bool with_addresses) {
   const Config& config = backend_.config;
   grpc::EnableDefaultHealthCheckService(true);
-  if (config.reflection) {
-    grpc::reflection::InitProtoReflectionServerBuilderPlugin();
-    // Reflection lists the health service; it can describe it only with its descriptor linked in.
-    grpc::health::v1::HealthCheckRequest::descriptor();
-  }
-
   grpc::ServerBuilder builder;
-  set_limits(builder, config, config.max_grpc_buffer_mib);
+  set_limits(builder, config, config.max_message_bytes, config.max_grpc_buffer_mib);
   builder.RegisterService(&service_);
+  if (config.reflection) {
+    reflection_ = std::make_unique<Reflection>(backend_);
+    reflection_->add_to(builder);
+  }
   grpc::ServerBuilder health_builder;
-  set_limits(health_builder, config, health_buffer_mib);
+  set_limits(health_builder, config, health_message_bytes, health_buffer_mib);
   if (with_addresses) {
     for (const std::string& address : config.listen) {
       int port = 0;
@@ -112,7 +120,7 @@ std::string Server::open(bool with_addresses) {
     }
     if (!config.admin_listen.empty()) {
       admin_ = Admin::open(config.admin_listen, {.metrics = [this] { return exposition(); },
-                                                 .ready = [this] { return ready(); }});
+                                                 .unready = [this] { return readiness(); }});
       if (admin_ == nullptr) return "cannot listen on admin-listen " + config.admin_listen;
     }
   }
@@ -161,7 +169,36 @@ std::string Server::exposition() {
   return backend_.telemetry.metrics.exposition();
 }
 
-bool Server::ready() const { return started_ && !backend_.streams.draining(); }
+std::string Server::readiness() const {
+  if (!started_ || backend_.streams.draining()) return "draining";
+  return backend_.pulse.stalled() ? "stalled: streams wait for a worker" : "";
+}
+
+void Server::look_after_health() {
+  backend_.pulse.beat();
+  const bool stalled = backend_.pulse.stalled();
+  if (stalled == stalled_ || backend_.streams.draining()) return;
+  stalled_ = stalled;
+  set_serving(!stalled);
+  const auto& log = backend_.telemetry.log;
+  if (stalled)
+    log.error(LogLine("stalled")
+                  .number("longest_wait_s", backend_.pulse.longest_wait_s())
+                  .number("queue_depth", std::uint64_t{backend_.pool.queue_depth()}));
+  else
+    log.info(LogLine("serving_again"));
+}
+
+void Server::look_after_log() {
+  const Log::Counts counts = Log::counts();
+  if (counts.overwritten == dropped_lines_.overwritten &&
+      counts.over_rate == dropped_lines_.over_rate)
+    return;
+  dropped_lines_ = counts;
+  backend_.telemetry.log.warning(LogLine("log_lines_dropped")
+                                     .number("unread", counts.overwritten)
+                                     .number("over_rate", counts.over_rate));
+}
 
 void Server::reload_certificates() {
   if (certificates_ == nullptr) return;
@@ -191,6 +228,8 @@ void Server::reload_certificates() {
 }
 
 void Server::look_after() {
+  look_after_health();
+  look_after_log();
   const std::uint64_t refused = acceptor_.counts().refused;
   if (refused > refused_connections_) {
     backend_.telemetry.log.warning(
@@ -205,7 +244,7 @@ void Server::look_after() {
 
 bool Server::is_well() const {
   constexpr double longest_round_s = 10;
-  return acceptor_.seconds_since_last_round() < longest_round_s;
+  return acceptor_.seconds_since_last_round() < longest_round_s && !backend_.pulse.dead();
 }
 
 std::shared_ptr<grpc::Channel> Server::in_process_channel() {

@@ -13,6 +13,7 @@
 #include "server/backend.h"
 #include "server/certificates.h"
 #include "server/listener.h"
+#include "server/rpc/reflection.h"
 #include "server/service.h"
 #include "server/telemetry/admin.h"
 
@@ -47,7 +48,7 @@ class Server {
   void reload_certificates();
   // To be called about once a second, by the thread that reloads.
   void look_after();
-  // Connections are being accepted.
+  // Connections are being accepted, and the workers give turns.
   [[nodiscard]] bool is_well() const;
 
   // Takes no new streams, lets the open ones finish within the drain timeout, then ends. Health
@@ -66,11 +67,15 @@ class Server {
                      const std::shared_ptr<const Certificates>& certificates, int& port);
   void set_serving(bool serving);
   std::string exposition();
-  [[nodiscard]] bool ready() const;
+  // Why it takes no new streams; empty when it does.
+  [[nodiscard]] std::string readiness() const;
+  void look_after_health();
+  void look_after_log();
   void stop_grpc();
 
   Backend backend_;
   TrcService service_{backend_};
+  std::unique_ptr<Reflection> reflection_;  // where it is served
   std::shared_ptr<Certificates> certificates_;
   std::string refused_certificates_;  // why, the last time
   Clock::time_point next_certificate_look_{};
@@ -80,9 +85,11 @@ class Server {
   std::vector<int> ports_;
   int health_port_ = 0;
   std::uint64_t refused_connections_ = 0;  // as logged last
+  bool stalled_ = false;                   // as health says
+  Log::Counts dropped_lines_{};            // as logged last
   std::atomic<bool> started_ = false;
   // Last, so that no connection comes once the others go.
-  Acceptor acceptor_;
+  Acceptor acceptor_{backend_.telemetry.connections};
 };
 
 }  // namespace trc::server

@@ -145,6 +145,7 @@ class StreamReactor
 
   // From a reaction.
   void take_turn() {
+    if (input_ == Input::request) record_.carried(request_->ByteSizeLong());
     const bool here =
         !cancelled_ && work_->is_short(input_ == Input::request ? &*request_ : nullptr);
     if (here)

@@ -7,6 +7,8 @@
 #include <string>
 #include <string_view>
 
+#include "server/telemetry/log.h"
+
 namespace prometheus {
 class Registry;
 template <class Metric>
@@ -18,8 +20,14 @@ class Histogram;
 
 namespace trc::server {
 
-enum class Method { compensate_path, compensate_program, preview_path, get_server_info };
-inline constexpr std::size_t method_count = 4;
+enum class Method {
+  compensate_path,
+  compensate_program,
+  preview_path,
+  get_server_info,
+  reflection
+};
+inline constexpr std::size_t method_count = 5;
 
 // "CompensatePath", as in the proto.
 std::string_view name_of(Method method);
@@ -58,6 +66,11 @@ class Metrics {
 
   // Totals that are counted elsewhere.
   void set_connections(std::uint64_t accepted, std::uint64_t refused);
+  // How long the oldest turn has waited, s, and threads the system has refused.
+  void set_pool(double longest_wait_s, std::uint64_t threads_missed);
+  void set_log(const Log::Counts& counts);
+  // "early_cancels", "overhead" or "calls".
+  void count_connection_closed(std::string_view reason);
   // Seconds since 1970.
   void set_certificate_expiry(std::int64_t expires_s);
   // "taken" or "refused".
@@ -76,6 +89,12 @@ class Metrics {
   prometheus::Gauge* queue_depth_ = nullptr;
   prometheus::Counter* connections_accepted_ = nullptr;
   prometheus::Counter* connections_refused_ = nullptr;
+  prometheus::Family<prometheus::Counter>* connections_closed_ = nullptr;
+  prometheus::Gauge* longest_wait_ = nullptr;
+  prometheus::Counter* threads_missed_ = nullptr;
+  prometheus::Counter* log_overwritten_ = nullptr;
+  prometheus::Counter* log_over_rate_ = nullptr;
+  prometheus::Gauge* log_blocked_ = nullptr;
   prometheus::Family<prometheus::Gauge>* certificate_expiry_ = nullptr;
   prometheus::Family<prometheus::Counter>* certificate_reloads_ = nullptr;
 };

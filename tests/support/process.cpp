@@ -187,11 +187,15 @@ std::string ServerProcess::port_named(const std::string& field) const {
   return std::regex_search(text, found, pattern) ? "127.0.0.1:" + found[1].str() : "";
 }
 
-double ServerProcess::resident_mib() const {
+double ServerProcess::status(const std::string& name) const {
   std::ifstream status("/proc/" + std::to_string(process_.id()) + "/status");
   for (std::string line; std::getline(status, line);)
-    if (line.starts_with("VmRSS:")) return std::stod(line.substr(6)) / 1024;
+    if (line.starts_with(name + ":")) return std::stod(line.substr(name.size() + 1));
   return 0;
 }
+
+double ServerProcess::resident_mib() const { return status("VmRSS") / 1024; }
+double ServerProcess::address_space_mib() const { return status("VmSize") / 1024; }
+int ServerProcess::threads() const { return static_cast<int>(status("Threads")); }
 
 }  // namespace trc::testing_support

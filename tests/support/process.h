@@ -84,8 +84,12 @@ class ServerProcess {
   int wait() { return process_.wait(); }
   // Resident memory.
   [[nodiscard]] double resident_mib() const;
+  [[nodiscard]] double address_space_mib() const;
+  [[nodiscard]] int threads() const;
+  [[nodiscard]] pid_t id() const { return process_.id(); }
 
  private:
+  [[nodiscard]] double status(const std::string& name) const;
   [[nodiscard]] std::string port_named(const std::string& field) const;
 
   Process process_;
