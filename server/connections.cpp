@@ -2,6 +2,7 @@
 
 #include <arpa/inet.h>
 #include <linux/tcp.h>
+#include <malloc.h>
 #include <netinet/in.h>
 #include <sys/socket.h>
 
@@ -17,6 +18,10 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr std::chrono::seconds window{10};
+// A connection on which less has come since the last look does nothing worth asking gRPC about.
+constexpr std::uint64_t idle_bytes = 2U << 10U;
+// Until the calls of a connection that was shut down are gone.
+constexpr std::chrono::seconds clearing{5};
 // Frames and records of TLS around small messages.
 constexpr double bytes_for_a_byte = 1.5;
 
@@ -35,39 +40,27 @@ std::optional<std::uint64_t> bytes_received(int descriptor) {
   return info.tcpi_bytes_received;
 }
 
-std::string name_of(const void* address, int family, in_port_t port) {
+std::string name_of(const char* kind, const void* address, int family, in_port_t port) {
   std::array<char, INET6_ADDRSTRLEN> text{};
   inet_ntop(family, address, text.data(), text.size());
-  return std::string(text.data()) + ' ' + std::to_string(ntohs(port));
+  const bool six = family == AF_INET6;
+  return std::string(kind) + (six ? "%5B" : "") + text.data() + (six ? "%5D" : "") + ':' +
+         std::to_string(ntohs(port));
 }
 
-// ADDRESS PORT, without the zone of an address; empty when it is not one of TCP.
+// As gRPC names it; empty when it is not one of TCP. A local IPv6 address with a zone is not known
+// by this name, and not watched.
 std::string peer_name(int descriptor) {
   sockaddr_storage peer{};
   socklen_t size = sizeof(peer);
   if (getpeername(descriptor, reinterpret_cast<sockaddr*>(&peer), &size) != 0) return {};
   if (peer.ss_family == AF_INET) {
     const auto& address = *reinterpret_cast<const sockaddr_in*>(&peer);
-    return name_of(&address.sin_addr, AF_INET, address.sin_port);
+    return name_of("ipv4:", &address.sin_addr, AF_INET, address.sin_port);
   }
   if (peer.ss_family != AF_INET6) return {};
   const auto& address = *reinterpret_cast<const sockaddr_in6*>(&peer);
-  return name_of(&address.sin6_addr, AF_INET6, address.sin6_port);
-}
-
-// The same of "ipv4:10.0.0.7:40000" and "ipv6:%5Bfe80::1%25eth0%5D:40000".
-std::string peer_name(std::string_view grpc_name) {
-  constexpr std::size_t scheme = 5;
-  if (!grpc_name.starts_with("ipv4:") && !grpc_name.starts_with("ipv6:")) return {};
-  std::string_view rest = grpc_name.substr(scheme);
-  const std::size_t colon = rest.rfind(':');
-  if (colon == std::string_view::npos) return {};
-  const std::string_view port = rest.substr(colon + 1);
-  std::string_view address = rest.substr(0, colon);
-  for (const std::string_view open : {"%5B", "["})
-    if (address.starts_with(open)) address.remove_prefix(open.size());
-  address = address.substr(0, address.find_first_of("%]"));
-  return std::string(address) + ' ' + std::string(port);
+  return name_of("ipv6:", &address.sin6_addr, AF_INET6, address.sin6_port);
 }
 
 }  // namespace
@@ -86,7 +79,7 @@ std::string_view name_of(Connections::Reason reason) {
 
 class Connections::Connection {
  public:
-  Connection(const Connections& all, int descriptor, std::uint64_t cookie, std::string peer)
+  Connection(Connections& all, int descriptor, std::uint64_t cookie, std::string peer)
       : all_(all), descriptor_(descriptor), cookie_(cookie), peer_(std::move(peer)) {}
 
   [[nodiscard]] bool is_there() const { return cookie_of(descriptor_) == cookie_; }
@@ -112,9 +105,10 @@ class Connections::Connection {
   }
 
   // Bytes that came beyond those of messages, over what is allowed by now.
-  void look(Clock::time_point now) {
+  void look(Clock::time_point now, TransportCounts& counts) {
     const auto received = bytes_received(descriptor_);
     if (!received) return;
+    if (*received - received_ > idle_bytes) look_at_streams(now, counts);
     const double seconds = std::chrono::duration<double>(now - looked_at_).count();
     const auto more = static_cast<double>(*received - received_);
     const auto carried = static_cast<double>(carried_.exchange(0));
@@ -129,13 +123,31 @@ class Connections::Connection {
   }
 
  private:
+  // Streams that came and were not ended by the server: those its client has reset, and the few
+  // that are open.
+  void look_at_streams(Clock::time_point now, TransportCounts& counts) {
+    const auto number = counts.number_of(peer_);
+    const auto streams = number ? TransportCounts::streams_of(*number) : std::nullopt;
+    if (!streams) return counts.forget(peer_);
+    if (now - streams_since_ > window) {
+      streams_since_ = now;
+      streams_ = *streams;
+    }
+    const std::uint64_t started = streams->started - streams_.started;
+    const std::uint64_t succeeded = streams->succeeded - streams_.succeeded;
+    const std::uint64_t open = all_.limits_.calls;
+    if (started > succeeded + open + all_.limits_.early_cancels && started > 2 * succeeded)
+      close(Reason::early_cancels);
+  }
+
   void close(Reason reason) {
     if (shut_.exchange(true)) return;
+    all_.has_shut_ = true;
     if (is_there()) shutdown(descriptor_, SHUT_RDWR);
     if (all_.closed_) all_.closed_(peer_, reason);
   }
 
-  const Connections& all_;
+  Connections& all_;
   const int descriptor_;
   const std::uint64_t cookie_;
   const std::string peer_;
@@ -152,6 +164,8 @@ class Connections::Connection {
   Clock::time_point looked_at_ = Clock::now();
   std::uint64_t received_ = 0;
   double overhead_ = 0;
+  Clock::time_point streams_since_ = Clock::now();
+  TransportCounts::Streams streams_{};
 };
 
 Connections::Call::~Call() {
@@ -177,7 +191,7 @@ Connections::Call Connections::begin(std::string_view peer) {
   std::shared_ptr<Connection> connection;
   {
     const std::lock_guard lock(mutex_);
-    const auto found = by_peer_.find(peer_name(peer));
+    const auto found = by_peer_.find(std::string(peer));
     if (found == by_peer_.end()) return {};
     connection = found->second;
   }
@@ -194,7 +208,18 @@ void Connections::look() {
     for (const auto& [peer, connection] : by_peer_) here.push_back(connection);
   }
   const Clock::time_point now = Clock::now();
-  for (const auto& connection : here) connection->look(now);
+  counts_.begin_round();
+  for (const auto& connection : here) connection->look(now, counts_);
+  give_back_memory(now);
+}
+
+// gRPC hands over calls more slowly than it reads them, so what a flood has taken becomes free long
+// after.
+void Connections::give_back_memory(Clock::time_point now) {
+  if (has_shut_.exchange(false)) gives_back_at_ = now + clearing;
+  if (gives_back_at_ == Clock::time_point() || now < gives_back_at_) return;
+  gives_back_at_ = {};
+  malloc_trim(0);
 }
 
 std::size_t Connections::count() const {

@@ -10,6 +10,8 @@
 #include <string_view>
 #include <unordered_map>
 
+#include "server/transport_counts.h"
+
 namespace trc::server {
 
 // Watches the TCP connections for what HTTP/2 lets a client do at next to no cost of its own: begin
@@ -66,8 +68,14 @@ class Connections {
   [[nodiscard]] std::size_t count() const;
 
  private:
+  // Gives back what the calls of a connection have held that was shut down a while ago.
+  void give_back_memory(std::chrono::steady_clock::time_point now);
+
   const Limits limits_;
   Closed closed_;
+  TransportCounts counts_;  // of the thread that looks alone
+  std::atomic<bool> has_shut_ = false;
+  std::chrono::steady_clock::time_point gives_back_at_{};
   mutable std::mutex mutex_;
   std::unordered_map<std::string, std::shared_ptr<Connection>> by_peer_;
 };

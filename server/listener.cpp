@@ -27,7 +27,7 @@ namespace {
 constexpr int backlog = 1024;
 // How many descriptors connections leave to the rest of the process, at most an eighth of all.
 constexpr int kept_descriptors = 32;
-constexpr int round_ms = 250;
+constexpr int round_ms = 200;
 constexpr std::int64_t round_ns = round_ms * 1'000'000;
 // Without descriptors: until the next attempt. What waits in the backlog is served then.
 constexpr int exhausted_ms = 50;
