@@ -19,6 +19,10 @@ struct Tolerances {
   // The loops themselves are looked for at this part of the radius, or of 1 mm:
   // what rounding leaves of an equidistant in coordinates of a metre.
   double rounding = 1e-9;
+  // A self-crossing or bow tie of the contour smaller than this counts as touching, so much of a
+  // gap between two blocks that reverse as the same way back, and walls as parallel (D-44): how
+  // finely programs are written. The operator may set it.
+  double input_resolution = 1e-3;
   // A smaller turn is no corner. At R = 1000 mm the joint is off by 5e-12 mm.
   double tangent = 1e-7;
   // So near to 180 degrees a turn with a side change is a reversal: 0.001 degrees (D-23).

@@ -36,6 +36,7 @@ PathSettings every_setting() {
   compensator.implicit_contour_masking = true;
   compensator.circular_kerf_masking = false;
   compensator.smallest_feed_factor = 0.5;
+  compensator.tolerances.input_resolution = 0.01;
   compensator.inverse_path = true;
   settings.response_layout = Layout::columns;
   settings.want_resume_tokens = true;
@@ -76,6 +77,7 @@ TEST(Setup, ReadsBackEveryField) {
   EXPECT_FALSE(compensator.circular_kerf_masking);
   EXPECT_TRUE(compensator.inverse_path);
   EXPECT_EQ(compensator.smallest_feed_factor, 0.5);
+  EXPECT_EQ(compensator.tolerances.input_resolution, 0.01);
   EXPECT_EQ(read.path.response_layout, Layout::columns);
   EXPECT_TRUE(read.path.want_resume_tokens);
   EXPECT_EQ(read.path.client_tag, "cell 4");
