@@ -177,13 +177,25 @@ void declare(CLI::App& app, Config& config) {
                   "most non-relevant blocks between two relevant ones (90011)");
   settings.number("max-line-bytes", config.max_line_bytes, 80, 64U * 1024U * 1024U,
                   "longest line of NC text");
-  settings.number("max-streams", config.max_streams, 1, 1'000'000, "open streams in all");
+  settings.number("memory-limit-mib", config.memory_limit_mib, 0, 1U << 30U,
+                  "memory the process may have; 0: that of its cgroup, else of the machine");
+  settings.number("max-streams", config.max_streams, 0, 1'000'000,
+                  "open streams in all; 0: 1000, or as many as max-grpc-buffer-mib is enough for");
   settings.number("max-streams-per-connection", config.max_streams_per_connection, 1, 1'000'000,
                   "open streams of one connection");
-  settings.number("max-session-memory-mib", config.max_session_memory_mib, 1, 1U << 20U,
-                  "memory of the blocks all streams hold back");
-  settings.number("max-grpc-buffer-mib", config.max_grpc_buffer_mib, 1, 1U << 20U,
-                  "memory of gRPC's own buffers");
+  settings.number("max-streams-per-peer", config.max_streams_per_peer, 0, 1'000'000,
+                  "open streams of one client; 0: three quarters of all");
+  settings.number("max-session-memory-mib", config.max_session_memory_mib, 0, 1U << 20U,
+                  "memory that all streams may hold; 0: 1024, or half of memory-limit-mib");
+  settings.number("max-memory-per-peer-mib", config.max_memory_per_peer_mib, 0, 1U << 20U,
+                  "memory that the streams of one client may hold; 0: three quarters of all");
+  settings.number("max-grpc-buffer-mib", config.max_grpc_buffer_mib, 0, 1U << 20U,
+                  "memory of gRPC's own buffers; 0: what max-streams need, or a quarter of "
+                  "memory-limit-mib");
+  settings.number("max-selection-cpu-s", config.max_selection_cpu_s, 0, 86400,
+                  "computing time of a selection before anything of it comes out; 0: any");
+  settings.number("max-stream-cpu-s", config.max_stream_cpu_s, 0, 1'000'000,
+                  "computing time of a stream; 0: any");
   settings.number("idle-timeout-s", config.idle_timeout_s, 1, 86400,
                   "a stream without a request for so long is ended");
   settings.number("heartbeat-s", config.heartbeat_s, 0, 86400,

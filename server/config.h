@@ -48,10 +48,17 @@ struct Config {
   std::uint64_t max_blocks_per_selection = 20'000'000;
   std::uint32_t max_riders = 100;  // non-relevant blocks between two relevant ones (D-24)
   std::uint32_t max_line_bytes = 64U * 1024U;
-  std::uint32_t max_streams = 1000;
+  // Where 0 stands, fill_in_limits says what it is.
+  std::uint32_t memory_limit_mib = 0;  // of the process
+  std::uint32_t max_streams = 0;
   std::uint32_t max_streams_per_connection = 64;
-  std::uint32_t max_session_memory_mib = 1024;  // of all streams together
-  std::uint32_t max_grpc_buffer_mib = 96;
+  std::uint32_t max_streams_per_peer = 0;
+  std::uint32_t max_session_memory_mib = 0;  // of all streams together
+  std::uint32_t max_memory_per_peer_mib = 0;
+  std::uint32_t max_grpc_buffer_mib = 0;
+  // Computing time of a selection before anything of it comes out, and of a stream; 0: no limit.
+  std::uint32_t max_selection_cpu_s = 120;
+  std::uint32_t max_stream_cpu_s = 7200;
   std::uint32_t idle_timeout_s = 300;
   // A silent stream gets a sign of life that often; 0: never.
   std::uint32_t heartbeat_s = 20;

@@ -11,6 +11,7 @@
 
 #include "server/address.h"
 #include "server/credentials.h"
+#include "server/resources/limits.h"
 
 namespace trc::server {
 namespace {
@@ -46,7 +47,10 @@ void set_limits(grpc::ServerBuilder& builder, const Config& config, std::uint32_
 
 }  // namespace
 
-Server::Start Server::start(const Config& config) {
+Server::Start Server::start(const Config& settings) {
+  Config config = settings;
+  if (auto fault = fill_in_limits(config, memory_limit_bytes()))
+    return {.server = nullptr, .fault = std::move(*fault), .misconfigured = true};
   ResumeKey key = resume_key(config.resume_key_file);
   if (!key.fault.empty())
     return {.server = nullptr, .fault = std::move(key.fault), .misconfigured = true};
@@ -63,7 +67,16 @@ Server::Start Server::start(const Config& config) {
   return {.server = std::move(server), .fault = {}};
 }
 
-std::unique_ptr<Server> Server::start_in_process(const Config& config) {
+std::unique_ptr<Server> Server::start_in_process(const Config& settings) {
+  Config config = settings;
+  // Who serves only himself may use most of the memory.
+  const std::uint64_t memory = memory_limit_bytes();
+  constexpr std::uint64_t plenty = std::uint64_t{1} << 30U;
+  if (config.max_session_memory_mib == 0 && memory > plenty) {
+    config.max_session_memory_mib = static_cast<std::uint32_t>((memory >> 20U) / 8 * 5);
+    config.max_memory_per_peer_mib = config.max_session_memory_mib;
+  }
+  if (fill_in_limits(config, memory)) return nullptr;
   std::unique_ptr<Server> server(new Server(config, resume_key({}).key));
   return server->open(false).empty() ? std::move(server) : nullptr;
 }

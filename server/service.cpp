@@ -8,21 +8,20 @@
 #include "server/rpc/start_stream.h"
 
 namespace trc::server {
-grpc::ServerBidiReactor<v1::CompensatePathRequest, v1::CompensatePathResponse>*
-TrcService::CompensatePath(grpc::CallbackServerContext* context) {
+
+TrcService::BytesReactor* TrcService::CompensatePath(grpc::CallbackServerContext* context) {
   using Reactor = BidiReactor<v1::CompensatePathRequest, v1::CompensatePathResponse>;
   return start_stream<server::CompensatePath, Reactor>(backend_, *context, Method::compensate_path);
 }
 
-grpc::ServerBidiReactor<v1::CompensateProgramRequest, v1::CompensateProgramResponse>*
-TrcService::CompensateProgram(grpc::CallbackServerContext* context) {
+TrcService::BytesReactor* TrcService::CompensateProgram(grpc::CallbackServerContext* context) {
   using Reactor = BidiReactor<v1::CompensateProgramRequest, v1::CompensateProgramResponse>;
   return start_stream<server::CompensateProgram, Reactor>(backend_, *context,
                                                           Method::compensate_program);
 }
 
-grpc::ServerWriteReactor<v1::PreviewPathResponse>* TrcService::PreviewPath(
-    grpc::CallbackServerContext* context, const v1::PreviewPathRequest* request) {
+grpc::ServerWriteReactor<grpc::ByteBuffer>* TrcService::PreviewPath(
+    grpc::CallbackServerContext* context, const grpc::ByteBuffer* request) {
   using Reactor = AnswerReactor<v1::PreviewPathRequest, v1::PreviewPathResponse>;
   return start_stream<server::PreviewPath, Reactor>(backend_, *context, Method::preview_path,
                                                     *request);

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <string_view>
 
+#include "server/resources/peers.h"
+
 namespace trc::server {
 namespace {
 
@@ -30,6 +32,17 @@ Trace trace_of(grpc::CallbackServerContext& context) {
                                : std::string_view());
   context.AddInitialMetadata("trace-id", trace.trace_id);
   return trace;
+}
+
+std::string peer_of(const grpc::CallbackServerContext& context) {
+  const auto caller = context.auth_context();
+  if (caller != nullptr && caller->IsPeerAuthenticated())
+    for (const char* property : {GRPC_X509_CN_PROPERTY_NAME, GRPC_X509_SAN_PROPERTY_NAME}) {
+      const auto names = caller->FindPropertyValues(property);
+      if (!names.empty() && !names.front().empty())
+        return "certificate:" + std::string(names.front().data(), names.front().size());
+    }
+  return peer_of_address(context.peer());
 }
 
 std::optional<Ending> refuse_caller(const grpc::CallbackServerContext& context,

@@ -117,11 +117,13 @@ class ReflectionStream final : public StreamWork<Request, Response> {
 
 // One version of the protocol.
 template <class Service, class Request, class Response>
-class ReflectionService final : public Service::CallbackService {
+class ReflectionService final
+    : public Service::template WithRawCallbackMethod_ServerReflectionInfo<
+          typename Service::Service> {
  public:
   explicit ReflectionService(Backend& backend) : backend_(backend) {}
 
-  grpc::ServerBidiReactor<Request, Response>* ServerReflectionInfo(
+  grpc::ServerBidiReactor<grpc::ByteBuffer, grpc::ByteBuffer>* ServerReflectionInfo(
       grpc::CallbackServerContext* context) override {
     using Work = ReflectionStream<Request, Response>;
     return start_stream<Work, BidiReactor<Request, Response>>(backend_, *context,

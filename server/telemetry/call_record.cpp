@@ -44,6 +44,11 @@ void CallRecord::received(std::uint64_t blocks) {
   metrics_.blocks_in->Increment(static_cast<double>(blocks));
 }
 
+void CallRecord::taken(std::uint64_t blocks) {
+  blocks_in_ += blocks;
+  metrics_.blocks_in->Increment(static_cast<double>(blocks));
+}
+
 void CallRecord::sent(std::uint64_t blocks) {
   ++messages_out_;
   blocks_out_ += blocks;

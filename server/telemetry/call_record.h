@@ -25,6 +25,8 @@ class CallRecord {
   // A message of so many bytes has come.
   void carried(std::uint64_t bytes) const { call_.carried(bytes); }
   void received(std::uint64_t blocks);
+  // Blocks of a request that were not known when it was received.
+  void taken(std::uint64_t blocks);
   void sent(std::uint64_t blocks);
   // All answers to the last request are out.
   void answered();

@@ -112,8 +112,13 @@ Metrics::Metrics() : registry_(std::make_shared<prometheus::Registry>()) {
   handled_ = &counters(registry, "grpc_server_handled_total", "RPCs ended, by status.");
   errors_ = &counters(registry, "trc_errors_total", "RPCs that ended with an error, by reason.");
   streams_active_ = &gauge(registry, "trc_streams_active", "Open streams.");
-  session_memory_ =
-      &gauge(registry, "trc_session_memory_bytes", "Memory of the blocks all streams hold back.");
+  session_memory_ = &gauge(registry, "trc_session_memory_bytes", "Memory that all streams hold.");
+  resident_memory_ = &gauge(registry, "trc_resident_memory_bytes",
+                            "Resident memory of the process, without that of files.");
+  peers_active_ = &gauge(registry, "trc_peers_active", "Clients with something open, by name.");
+  evictions_ = &counters(registry, "trc_evictions_total",
+                         "Streams ended because the process came close to its memory.")
+                    .Add({});
   queue_depth_ = &gauge(registry, "trc_pool_queue_depth", "Streams that wait for a worker.");
   connections_accepted_ =
       &counters(registry, "trc_connections_accepted_total", "Connections accepted.").Add({});
@@ -153,12 +158,16 @@ Metrics::Metrics() : registry_(std::make_shared<prometheus::Registry>()) {
 
 Metrics::~Metrics() = default;
 
-void Metrics::set_limits(std::uint64_t streams, std::uint64_t session_memory_bytes) {
+void Metrics::count_eviction() { evictions_->Increment(); }
+
+void Metrics::set_limits(std::uint64_t streams, std::uint64_t session_memory_bytes,
+                         std::uint64_t process_memory_bytes) {
   gauge(*registry_, "trc_streams_limit", "Open streams there may be.")
       .Set(static_cast<double>(streams));
-  gauge(*registry_, "trc_session_memory_limit_bytes",
-        "Memory the blocks all streams hold back may take.")
+  gauge(*registry_, "trc_session_memory_limit_bytes", "Memory that all streams may hold.")
       .Set(static_cast<double>(session_memory_bytes));
+  gauge(*registry_, "trc_memory_limit_bytes", "Memory the process may have.")
+      .Set(static_cast<double>(process_memory_bytes));
 }
 
 void Metrics::count_handled(Method method, std::string_view grpc_code) {

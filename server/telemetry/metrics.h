@@ -60,9 +60,14 @@ class Metrics {
   [[nodiscard]] prometheus::Gauge& streams_active() { return *streams_active_; }
   [[nodiscard]] prometheus::Gauge& session_memory() { return *session_memory_; }
   [[nodiscard]] prometheus::Gauge& queue_depth() { return *queue_depth_; }
+  [[nodiscard]] prometheus::Gauge& peers_active() { return *peers_active_; }
+  [[nodiscard]] prometheus::Gauge& resident_memory() { return *resident_memory_; }
+  // A stream was ended because the process came close to its memory.
+  void count_eviction();
 
   // Once: what the gauges of streams and memory may rise to.
-  void set_limits(std::uint64_t streams, std::uint64_t session_memory_bytes);
+  void set_limits(std::uint64_t streams, std::uint64_t session_memory_bytes,
+                  std::uint64_t process_memory_bytes);
 
   // Totals that are counted elsewhere.
   void set_connections(std::uint64_t accepted, std::uint64_t refused);
@@ -87,6 +92,9 @@ class Metrics {
   prometheus::Gauge* streams_active_ = nullptr;
   prometheus::Gauge* session_memory_ = nullptr;
   prometheus::Gauge* queue_depth_ = nullptr;
+  prometheus::Gauge* peers_active_ = nullptr;
+  prometheus::Gauge* resident_memory_ = nullptr;
+  prometheus::Counter* evictions_ = nullptr;
   prometheus::Counter* connections_accepted_ = nullptr;
   prometheus::Counter* connections_refused_ = nullptr;
   prometheus::Family<prometheus::Counter>* connections_closed_ = nullptr;

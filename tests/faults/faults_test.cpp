@@ -218,7 +218,9 @@ TEST(Faults, ClientsThatNeverReadAreBounded) {
   constexpr int per_connection = 50;
   constexpr double quota_mib = 96;
   constexpr double allowance_mib = 64;
-  ServerProcess server({"--admin-listen", "127.0.0.1:0"});
+  ServerProcess server({"--admin-listen", "127.0.0.1:0", "--max-grpc-buffer-mib",
+                        std::to_string(static_cast<int>(quota_mib)), "--max-message-bytes",
+                        "65536"});
   ASSERT_TRUE(serves(server.address()));
   const double before = server.resident_mib();
   std::vector<std::unique_ptr<DeafStream>> deaf;
@@ -352,8 +354,9 @@ TEST(Faults, ThousandsOfStreamsAndTheLimitOfThem) {
   constexpr int most = 10'000;
   constexpr int per_connection = most / 10;
   ServerProcess server({"--max-streams", std::to_string(most), "--max-streams-per-connection",
-                        std::to_string(per_connection), "--max-grpc-buffer-mib", "1024",
-                        "--heartbeat-s", "0"});
+                        std::to_string(per_connection), "--max-streams-per-peer",
+                        std::to_string(most), "--max-message-bytes", "32768",
+                        "--max-grpc-buffer-mib", "625", "--heartbeat-s", "0"});
   std::vector<std::unique_ptr<WaitingStream>> streams;
   std::shared_ptr<grpc::Channel> channel;
   for (int i = 0; i < most; ++i) {

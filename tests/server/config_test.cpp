@@ -65,10 +65,13 @@ TEST(ServerConfig, StartsWithTheDocumentedDefaults) {
   EXPECT_EQ(config.listen, std::vector<std::string>{"127.0.0.1:50051"});
   EXPECT_EQ(config.max_message_bytes, 1048576U);
   EXPECT_EQ(config.max_blocks_per_selection, 20'000'000U);
-  EXPECT_EQ(config.max_session_memory_mib, 1024U);
-  EXPECT_EQ(config.max_grpc_buffer_mib, 96U);
+  for (const std::uint32_t open :
+       {config.memory_limit_mib, config.max_session_memory_mib, config.max_grpc_buffer_mib,
+        config.max_streams, config.max_streams_per_peer, config.max_memory_per_peer_mib})
+    EXPECT_EQ(open, 0U);
+  EXPECT_EQ(config.max_selection_cpu_s, 120U);
+  EXPECT_EQ(config.max_stream_cpu_s, 7200U);
   EXPECT_EQ(config.max_streams_per_connection, 64U);
-  EXPECT_EQ(config.max_streams, 1000U);
   EXPECT_EQ(config.max_line_bytes, 65536U);
   EXPECT_EQ(config.max_riders, 100U);
   EXPECT_EQ(config.idle_timeout_s, 300U);
@@ -187,7 +190,9 @@ TEST(ServerConfig, PrintedConfigurationReadsBackAsTheSame) {
             "--reflection=false", "--log-level=error", "--admin-listen=127.0.0.1:9464",
             "--health-listen=127.0.0.1:0", "--resume-key-file=/run/trcd/key", "--insecure-admin",
             "--max-early-cancels=3", "--max-overhead-kib-per-s=99", "--stall-timeout-s=4",
-            "--max-log-lines-per-s=17"});
+            "--max-log-lines-per-s=17", "--memory-limit-mib=2048",
+            "--max-streams-per-peer=3", "--max-memory-per-peer-mib=100", "--max-selection-cpu-s=7",
+            "--max-stream-cpu-s=8"});
   ASSERT_TRUE(printed.exit.has_value());
   ASSERT_EQ(printed.exit->code, 0) << printed.exit->text;
   const TextFile file(printed.exit->text);
@@ -218,7 +223,7 @@ TEST(ServerConfig, RefusesAFileThatIsNoToml) {
 }
 
 TEST(ServerConfig, RefusesValuesOutOfRange) {
-  expect_fault(read({"--max-streams=0"}), {"max-streams"});
+  expect_fault(read({"--max-streams=1000001"}), {"max-streams"});
   expect_fault(read({"--max-streams=-1"}), {"max-streams"});
   expect_fault(read({"--max-streams=many"}), {"max-streams"});
   expect_fault(read({"--max-message-bytes=99999999999"}), {"max-message-bytes"});

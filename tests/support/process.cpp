@@ -157,8 +157,9 @@ std::string Process::err() const { return content_of(folder_.path("err")); }
 namespace {
 
 std::vector<std::string> server_command(const std::vector<std::string>& flags,
-                                        const std::string& listen) {
-  std::vector<std::string> command{TRCD_PROGRAM, "--listen", listen};
+                                        const std::string& listen,
+                                        std::vector<std::string> command) {
+  command.insert(command.end(), {TRCD_PROGRAM, "--listen", listen});
   command.insert(command.end(), flags.begin(), flags.end());
   return command;
 }
@@ -166,8 +167,9 @@ std::vector<std::string> server_command(const std::vector<std::string>& flags,
 }  // namespace
 
 ServerProcess::ServerProcess(const std::vector<std::string>& flags, const std::string& listen,
-                             unsigned most_descriptors, const std::vector<std::string>& environment)
-    : process_(server_command(flags, listen), most_descriptors, environment) {
+                             unsigned most_descriptors, const std::vector<std::string>& environment,
+                             const std::vector<std::string>& launcher)
+    : process_(server_command(flags, listen, launcher), most_descriptors, environment) {
   const Clock::time_point end = Clock::now() + std::chrono::seconds(30);
   while (address_.empty() && Clock::now() < end) {
     address_ = port_named("ports");

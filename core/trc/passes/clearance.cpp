@@ -106,6 +106,7 @@ bool Clearance::check(const PathBlock& block, std::size_t number) {
   const double limit = radius - tolerances_.clearance * std::max(radius, 1.0);
   Violation worst{.distance = limit};
   boxes_.for_each_near(bounding_box(block.tool_path), limit, [&](std::size_t other) {
+    checkpoint_.pass();
     if (window_ > 0 && (other + window_ < number || other > number + window_)) return;
     const MotionBlock& contour = contour_[other - contour_base_];
     if (lies_across_change(number, other)) return;

@@ -137,6 +137,7 @@ bool ContourMasking::keep(std::size_t index) {
   const bool begins_contour = kept_.size() == 1 && !is_contour(*held_.front());
   if (block.masked) return !begins_contour || refuse_to_mask(index, index);
   while (true) {
+    checkpoint_.pass();
     const Kept& last = kept_.back();
     const PathBlock& before = held(last.index);
     const bool adjacent = last.index + 1 == index;
@@ -230,6 +231,7 @@ bool ContourMasking::are_passed(std::size_t before, std::size_t after,
   const double radius = std::abs(held(after).at_start.shift);
   const double reach = radius - tolerances_.clearance * std::max(radius, 1.0);
   for (std::size_t index = before + 1; index < after; ++index) {
+    checkpoint_.pass();
     const Segment& masked = held(index).programmed.path;
     if (nearness(path, masked, tolerances_.same_point).distance < reach) return false;
   }
