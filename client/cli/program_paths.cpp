@@ -49,6 +49,7 @@ ProgramPaths read_paths(const ServiceOptions& options, v1::ProgramSetup setup, I
   // would be another one.
   std::optional<ContourReader> reader;
   if (faults.empty()) reader.emplace(settings.path.session);
+  paths.leads = settings.path.session.compensator.leads;
   input.watch([&](std::string_view text) {
     if (reader) reader->feed(text);
   });

@@ -79,10 +79,13 @@ bool is_settable(const FieldDescriptor& field) {
   return field.type() != FieldDescriptor::TYPE_BYTES;
 }
 
-// A position is set as a whole or by coordinate; other fields of fields by their
+// A position is set as a whole or by coordinate, leads likewise; other fields of fields by their
 // parts only.
-bool is_position(const FieldDescriptor& field) {
-  return field.message_type() && field.message_type()->name() == "Position";
+bool is_leads(const FieldDescriptor& field) {
+  return field.message_type() == v1::Leads::descriptor();
+}
+bool is_set_as_a_whole(const FieldDescriptor& field) {
+  return field.message_type() == v1::Position::descriptor() || is_leads(field);
 }
 
 void collect(const google::protobuf::Descriptor& type, Route& above, std::vector<Route>& routes) {
@@ -90,7 +93,7 @@ void collect(const google::protobuf::Descriptor& type, Route& above, std::vector
     const FieldDescriptor& field = *type.field(i);
     if (!is_settable(field)) continue;
     above.push_back(&field);
-    if (!field.message_type() || is_position(field)) routes.push_back(above);
+    if (!field.message_type() || is_set_as_a_whole(field)) routes.push_back(above);
     if (field.message_type()) collect(*field.message_type(), above, routes);
     above.pop_back();
   }
@@ -133,6 +136,7 @@ std::string words_of(const EnumDescriptor& type) {
 }
 
 std::string values_of(const FieldDescriptor& field) {
+  if (is_leads(field)) return "auto, none or blocks:IN,OUT";
   if (field.message_type()) return "x,y,z in mm";
   if (field.is_repeated()) return "names with commas between";
   switch (field.cpp_type()) {
@@ -197,6 +201,24 @@ bool set_position(Message& position, std::string_view text) {
   return true;
 }
 
+// "auto", "none", or how many blocks at the begin and at the end: "blocks:2,1".
+bool set_leads(v1::Leads& leads, std::string_view text) {
+  const auto parts = split(text, ':');
+  const auto find = enum_from(*v1::Leads::Find_descriptor(), parts.front());
+  const bool counts = find == v1::Leads::FIND_BLOCKS;
+  if (!find || parts.size() != (counts ? 2U : 1U)) return false;
+  leads.Clear();
+  leads.set_find(static_cast<v1::Leads::Find>(*find));
+  if (!counts) return true;
+  const auto blocks = split(parts[1], ',');
+  const auto blocks_in = number_from<std::uint32_t>(blocks.front());
+  const auto blocks_out = number_from<std::uint32_t>(blocks.back());
+  if (blocks.size() != 2 || !blocks_in || !blocks_out) return false;
+  leads.set_blocks_in(*blocks_in);
+  leads.set_blocks_out(*blocks_out);
+  return true;
+}
+
 bool set_list(Message& owner, const FieldDescriptor& field, std::string_view text) {
   owner.GetReflection()->ClearField(&owner, &field);
   for (const std::string_view name : split(text, ','))
@@ -207,6 +229,8 @@ bool set_list(Message& owner, const FieldDescriptor& field, std::string_view tex
 // False when the text is no value of the field.
 bool set_field(Message& owner, const FieldDescriptor& field, std::string_view text) {
   const auto& reflection = *owner.GetReflection();
+  if (is_leads(field))
+    return set_leads(dynamic_cast<v1::Leads&>(*reflection.MutableMessage(&owner, &field)), text);
   if (field.message_type()) return set_position(*reflection.MutableMessage(&owner, &field), text);
   if (field.is_repeated()) return set_list(owner, field, text);
   switch (field.cpp_type()) {

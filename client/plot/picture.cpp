@@ -11,6 +11,7 @@
 
 #include "client/plot/changed_contour.h"
 #include "core/trc/result/listing.h"
+#include "core/trc/walls/selection_contours.h"
 
 namespace trc::plot {
 namespace {
@@ -75,6 +76,24 @@ class NotTravelled {
   std::vector<Range> ranges_{};  // apart from each other, in order
 };
 
+// Contour blocks that are no walls, by their Source::index.
+class LeadBlocks {
+ public:
+  explicit LeadBlocks(const Contents& contents) {
+    for (const SelectionContour& contour : contours_of(contents.programmed)) {
+      const SidedWalls walls = find_walls(contour, contents.leads);
+      for (std::size_t number = 0; number < contour.blocks.size(); ++number)
+        if (walls.is_lead(number)) indices_.push_back(contour.blocks[number]->source.index);
+    }
+  }
+  [[nodiscard]] bool contains(std::uint64_t index) const {
+    return std::binary_search(indices_.begin(), indices_.end(), index);
+  }
+
+ private:
+  std::vector<std::uint64_t> indices_{};  // in order
+};
+
 class Composer {
  public:
   explicit Composer(const Contents& contents) : contents_(contents) {
@@ -126,12 +145,13 @@ class Composer {
   void add_programmed() {
     const NotTravelled masked(contents_);
     changed_ = changed_contour(contents_.programmed, contents_.path);
+    const LeadBlocks leads(contents_);
     Position position{};
     for (const Block& block : contents_.programmed)
       std::visit(overloaded{[&](const MotionBlock& motion) {
                               if (!motion.mode) return;
                               const bool lost = masked.contains(motion.source.index);
-                              show(motion, lost);
+                              show(motion, lost, leads.contains(motion.source.index));
                               const PlaneAxes axes = axes_of(motion.mode->plane);
                               const Place end = place_at(motion.path, 1);
                               position[axes.first] = end.point.x();
@@ -147,7 +167,7 @@ class Composer {
     flush_joined();
   }
 
-  void show(const MotionBlock& motion, bool lost) {
+  void show(const MotionBlock& motion, bool lost, bool leads) {
     const Plane plane = motion.mode->plane;
     const auto changed = changed_.find(motion.source.index);
     if (changed != changed_.end()) {
@@ -159,10 +179,12 @@ class Composer {
            .title = number_of(motion.source) + " contour, changed"});
       return;
     }
-    add({.layer = lost ? Layer::masked : Layer::programmed,
+    const std::string what = leads ? " lead" : " contour";
+    const Layer drawn = leads ? Layer::lead : Layer::programmed;
+    add({.layer = lost ? Layer::masked : drawn,
          .rapid = motion.rapid,
          .segments = project(plane, motion.path, motion.normal, picture_.plane),
-         .title = number_of(motion.source) + (lost ? " contour, not travelled" : " contour")});
+         .title = number_of(motion.source) + what + (lost ? ", not travelled" : "")});
     if (plane != picture_.plane || !single_ || !is_finite(motion.path)) return;
     const Place middle = place_at(motion.path, 0.5);
     const Vector left = left_of(middle.direction);
@@ -303,7 +325,7 @@ class Composer {
   Picture picture_;
   bool single_ = true;
   std::map<std::uint64_t, Segment> changed_{};
-  std::array<Stroke, 5> joined_{};
+  std::array<Stroke, 6> joined_{};
 };
 
 }  // namespace

@@ -10,11 +10,13 @@
 #include "core/geometry/plane.h"
 #include "core/nc/state/block.h"
 #include "core/trc/result/compensated_block.h"
+#include "core/trc/walls/walls.h"
 
 namespace trc::plot {
 
 // What a stroke stands for; each has its colour, later ones lie on top.
 enum class Layer : std::uint8_t {
+  lead,        // the contour as written: lead-in and lead-out, no wall
   programmed,  // the contour as written, or what was put in its place
   replaced,    // programmed, but another contour was compensated in its place
   masked,      // programmed, but masked or removed: the tool does not get there
@@ -68,6 +70,7 @@ struct Contents {
   std::span<const Block> programmed{};
   std::span<const CompensatedBlock> path{};
   std::span<const Diagnostic> diagnostics{};
+  LeadSettings leads{};  // which blocks are drawn thinner
 };
 
 // Beyond this many blocks neighbours are joined to one stroke, so that a browser

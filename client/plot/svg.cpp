@@ -27,7 +27,8 @@ struct Style {
   bool dashed = false;  // also where it is no rapid motion
 };
 
-constexpr std::array<Style, 5> styles{{
+constexpr std::array<Style, 6> styles{{
+    {Layer::lead, "lead", "black", "0.9", "lead-in, lead-out"},
     {Layer::programmed, "programmed", "black", "2.4", "programmed contour"},
     {Layer::replaced, "replaced", "red", "1.6", "as programmed, replaced", true},
     {Layer::masked, "masked", "red", "2.4", "masked or removed"},

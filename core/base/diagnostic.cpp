@@ -223,6 +223,10 @@ constexpr auto rows = std::to_array<CodeRow>({
      "the side changes where the motion does not reverse (REVERSE): the tool crosses the corner "
      "nearer than its radius",
      "Let the motion reverse exactly there, or deselect with G40 before the other side."},
+    {Code::most_left_out, error, "MOST_LEFT_OUT",
+     "more of the contour than allowed would be left out in one stretch",
+     "Use a smaller tool. If a block that bounds no material is in the way, mark it as a lead. Where "
+     "the stretch may be left out, raise max_masked_share."},
     {Code::no_tool_radius, error, "NO_TOOL_RADIUS",
      "TRC is selected although no tool radius has been given",
      "Program a D word or T word whose radius the tool table of the setup holds, or "

@@ -100,6 +100,7 @@ enum class Code : std::int32_t {
   beyond_window = 900215,
   clearance_violated = 900216,
   side_changed_at_corner = 900217,
+  most_left_out = 900218,
   no_tool_radius = 900219,
   tool_radius_zero = 900220,
   center_corrected = 900221,

@@ -23,6 +23,9 @@ struct Tolerances {
   // gap between two blocks that reverse as the same way back, and walls as parallel (D-44): how
   // finely programs are written. The operator may set it.
   double input_resolution = 1e-3;
+  // Passes programmed on top of each other are as far apart as their coordinates are rounded: up to
+  // four decimals of an inch. That is a touch (D-38).
+  double on_top = 0.004;
   // A smaller turn is no corner. At R = 1000 mm the joint is off by 5e-12 mm.
   double tangent = 1e-7;
   // So near to 180 degrees a turn with a side change is a reversal: 0.001 degrees (D-23).

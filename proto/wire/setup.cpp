@@ -167,6 +167,25 @@ void read_limits(const v1::PathSetup& message, const FieldPath& path, Compensato
           .value_or(compensator.circular_kerf_masking);
 }
 
+void read_leads(const v1::PathSetup& message, const FieldPath& path, CompensatorSetup& compensator,
+                FieldFaults& faults) {
+  const FieldPath leads(path, "leads");
+  LeadSettings& settings = compensator.leads;
+  settings.find = lead_searches.from_proto(message.leads().find(), FieldPath(leads, "find"), faults)
+                      .value_or(settings.find);
+  settings.blocks_in = message.leads().blocks_in();
+  settings.blocks_out = message.leads().blocks_out();
+  const bool counted = settings.find == LeadSettings::Find::counted;
+  if (!counted && settings.blocks_in + settings.blocks_out > 0)
+    add_fault(leads, "counts blocks, which only FIND_BLOCKS does", faults);
+  if (message.has_closing_tolerance() && check_range(message.closing_tolerance(), 0, 1, "mm",
+                                                     FieldPath(path, "closing_tolerance"), faults))
+    settings.closing_tolerance = message.closing_tolerance();
+  if (message.has_max_masked_share() && check_range(message.max_masked_share(), 0, 1, "",
+                                                    FieldPath(path, "max_masked_share"), faults))
+    compensator.largest_masked_share = message.max_masked_share();
+}
+
 void read_tools(const v1::ProgramSetup& message, const FieldPath& path,
                 std::map<std::int64_t, double>& tools, FieldFaults& faults) {
   if (message.tools_size() > most_tools) {
@@ -224,6 +243,7 @@ PathSettings from_proto(const v1::PathSetup& message, const FieldPath& path, Fie
                                 .value_or(program.absolute_center);
   read_axis_names(message, path, program.tracking_axes, faults);
   read_limits(message, path, settings.session.compensator, faults);
+  read_leads(message, path, settings.session.compensator, faults);
   settings.response_layout =
       layouts.from_proto(message.response_layout(), FieldPath(path, "response_layout"), faults)
           .value_or(settings.response_layout);
@@ -290,6 +310,16 @@ void to_proto(const PathSettings& settings, v1::PathSetup& message) {
     message.set_input_resolution(compensator.tolerances.input_resolution);
   if (compensator.implicit_contour_masking) message.set_implicit_contour_masking(true);
   if (!compensator.circular_kerf_masking) message.set_kerf_method(kerf_methods.to_proto(false));
+  const LeadSettings& leads = compensator.leads;
+  if (leads.find != LeadSettings::Find::automatic) {
+    message.mutable_leads()->set_find(lead_searches.to_proto(leads.find));
+    message.mutable_leads()->set_blocks_in(static_cast<std::uint32_t>(leads.blocks_in));
+    message.mutable_leads()->set_blocks_out(static_cast<std::uint32_t>(leads.blocks_out));
+  }
+  if (leads.closing_tolerance != compensator_initial.leads.closing_tolerance)
+    message.set_closing_tolerance(leads.closing_tolerance);
+  if (compensator.largest_masked_share != compensator_initial.largest_masked_share)
+    message.set_max_masked_share(compensator.largest_masked_share);
   if (program.tracking_axes != initial.session.program.tracking_axes)
     message.mutable_axis_names()->Assign(program.tracking_axes.begin(),
                                          program.tracking_axes.end());

@@ -101,6 +101,18 @@ TEST(Svg, HasOneScaleForBothAxes) {
   EXPECT_EQ(down[0], across[2]);
 }
 
+TEST(Svg, DrawsLeadsThinner) {
+  const std::vector<Block> contour{motion(10, Line{{-20, -20}, {-10, -10}}, mode(Side::left)),
+                                   motion(20, Line{{-10, -10}, {0, 0}}, mode(Side::left)),
+                                   motion(30, Line{{0, 0}, {0, 50}}, mode(Side::left)),
+                                   motion(40, Line{{0, 50}, {50, 0}}, mode(Side::left)),
+                                   motion(50, Line{{50, 0}, {0, 0}}, mode(Side::left)),
+                                   motion(60, Line{{0, 0}, {-10, 10}}, mode(Side::left))};
+  const std::string svg = svg_of(contour, {});
+  EXPECT_EQ(paths_in(group(svg, "lead")).size(), 2u);
+  EXPECT_EQ(paths_in(group(svg, "programmed")).size(), 4u);
+}
+
 TEST(Svg, DrawsContourBlackPathBlueAndTransitionLighter) {
   const std::string svg = svg_of(corner_contour, corner_path);
   EXPECT_NE(group(svg, "programmed").find("stroke=\"black\""), std::string::npos);

@@ -25,6 +25,18 @@ TEST(Settings, TakeNumbersAndSwitches) {
   EXPECT_EQ(setup.path().max_passive_blocks(), 7u);
 }
 
+TEST(Settings, TakeLeads) {
+  const v1::Leads leads = set({"leads=blocks:2,1"}).path().leads();
+  EXPECT_EQ(leads.find(), v1::Leads::FIND_BLOCKS);
+  EXPECT_EQ(leads.blocks_in(), 2u);
+  EXPECT_EQ(leads.blocks_out(), 1u);
+  EXPECT_EQ(set({"leads=NONE"}).path().leads().find(), v1::Leads::FIND_NONE);
+  EXPECT_EQ(set({"leads.find=auto"}).path().leads().find(), v1::Leads::FIND_AUTO);
+  EXPECT_NE(fault_of("leads=blocks"), "");
+  EXPECT_NE(fault_of("leads=blocks:2"), "");
+  EXPECT_NE(fault_of("leads=none:2,1").find("auto, none or blocks:IN,OUT"), std::string::npos);
+}
+
 TEST(Settings, TakeWordsAndGFunctions) {
   EXPECT_EQ(set({"plane=zx"}).path().plane(), v1::PLANE_ZX);
   EXPECT_EQ(set({"plane=G19"}).path().plane(), v1::PLANE_YZ);

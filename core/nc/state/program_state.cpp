@@ -465,6 +465,7 @@ void ProgramState::append_motion(const MoveRequest& request, const Shape& path, 
   block.normal = {.from = position_[third], .to = end[third]};
   block.feed = request.feed;
   block.rapid = request.kind == MotionKind::rapid;
+  block.role = request.role;
   block.mode = mode;
   block.tracking = std::move(tracking);
   position_ = from_plane(mode_.plane, path.end, end[third]);

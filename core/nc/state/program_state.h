@@ -52,6 +52,7 @@ struct MoveRequest {
   bool incremental = false;        // G91: `end` and `tracking` are differences
   std::vector<std::optional<double>> tracking{};  // by index into tracking_axes
   double feed = 0;                                // mm/min in force
+  ContourRole role = ContourRole::unspecified;
 };
 
 // The modal state and the position of one NC channel: turns requests into

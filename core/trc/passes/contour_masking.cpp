@@ -11,6 +11,8 @@
 #include "core/trc/corner/joints.h"
 #include "core/trc/passes/reach.h"
 #include "core/trc/selection/selection_limit.h"
+#include "core/trc/walls/closing.h"
+#include "core/trc/walls/sided_walls.h"
 
 namespace trc {
 namespace {
@@ -111,10 +113,14 @@ bool ContourMasking::resolve(const PathBlock* after, PathBlocks& out) {
     }
   }
   if (!close(after)) return false;
+  find_walls();
+  if (!check_left_out()) return false;
   report_masked(base_, base_ + held_.size());
   for (PathBlockPtr& block : held_) out.push_back(std::move(block));
   held_.clear();
   base_ = 0;
+  longest_left_out_ = {};
+  contour_length_ = 0;
   return true;
 }
 
@@ -256,18 +262,82 @@ bool ContourMasking::mask_last_kept(std::size_t joining) {
   return true;
 }
 
+void ContourMasking::find_walls() {
+  walls_ = {};
+  if (base_ > 0) return;
+  const std::size_t first = is_contour(*held_.front()) ? 0 : 1;
+  double radius = 0;
+  bool has_roles = false;
+  for (const PathBlockPtr& block : held_) {
+    radius = std::max(radius, std::abs(block->at_end.shift));
+    has_roles = has_roles || block->programmed.role != ContourRole::unspecified;
+  }
+  ContourView view{.count = held_.size() - first, .segment = [&](std::size_t number) {
+                     return held(first + number).programmed.path;
+                   }};
+  if (has_roles)
+    view.role = [&](std::size_t number) { return held(first + number).programmed.role; };
+  walls_ = trc::find_walls(view, lead_settings_, radius);
+}
+
+double ContourMasking::wall_length(std::size_t index) const {
+  const PathBlock& block = held(index);
+  if (!is_contour(block)) return 0;
+  const std::size_t first = base_ == 0 && !is_contour(*held_.front()) ? 1 : 0;
+  const std::size_t number = index - first;
+  if (walls_.is_lead(number)) return 0;
+  return length_of(part_of(block.programmed.path, walls_.part_of(number)));
+}
+
+LeftOut ContourMasking::left_out(std::size_t first, std::size_t& end) const {
+  LeftOut stretch{.first = held(first).programmed.source,
+                  .tool_radius = std::abs(held(first).at_end.shift)};
+  std::size_t index = first;
+  for (; index < end && held(index).masked; ++index) {
+    stretch.length += wall_length(index);
+    stretch.last = held(index).programmed.source;
+  }
+  end = index;
+  return stretch;
+}
+
 // One note for each run of masked blocks.
 void ContourMasking::report_masked(std::size_t first, std::size_t end) {
   for (std::size_t index = first; index < end; ++index) {
-    if (!held(index).masked) continue;
-    const std::size_t begin = index;
-    while (index + 1 < end && held(index + 1).masked) ++index;
-    Diagnostic masked = diagnostic(Code::blocks_masked, held(begin).programmed.source);
-    append_place(masked.values, "first", held(begin).programmed.source);
-    append_place(masked.values, "last", held(index).programmed.source);
-    masked.values.push_back({"tool_radius", std::abs(held(begin).at_end.shift)});
-    diagnostics_.report(std::move(masked));
+    if (!held(index).masked) {
+      if (window_ > 0) contour_length_ += wall_length(index);
+      continue;
+    }
+    std::size_t behind = end;
+    const LeftOut stretch = left_out(index, behind);
+    if (window_ > 0) {
+      contour_length_ += stretch.length;
+      if (stretch.length > longest_left_out_.length) longest_left_out_ = stretch;
+    }
+    diagnostics_.report(note_of(stretch));
+    index = behind - 1;
   }
+}
+
+bool ContourMasking::check_left_out() {
+  LeftOut longest = std::exchange(longest_left_out_, {});
+  double of_walls = std::exchange(contour_length_, 0);
+  if (largest_masked_share_ >= 1) return true;
+  for (std::size_t index = base_; index < base_ + held_.size(); ++index) {
+    if (!held(index).masked) {
+      of_walls += wall_length(index);
+      continue;
+    }
+    std::size_t behind = base_ + held_.size();
+    const LeftOut stretch = left_out(index, behind);
+    of_walls += stretch.length;
+    if (stretch.length > longest.length) longest = stretch;
+    index = behind - 1;
+  }
+  if (longest.length == 0) return true;
+  longest.of_walls = of_walls;
+  if (!longest.is_more_than(largest_masked_share_)) return true;
+  return diagnostics_.report(refusal_of(longest, largest_masked_share_));
 }
 
 // The block at fault is the one that asks for the smallest tool; the first or last one, which could

@@ -1,4 +1,4 @@
-#include "core/trc/passes/clearance.h"
+#include "core/trc/passes/bottlenecks.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,6 +8,7 @@
 #include "core/geometry/box_tree.h"
 #include "core/geometry/distance.h"
 #include "core/trc/selection/selection_limit.h"
+#include "core/trc/walls/closing.h"
 
 namespace trc {
 namespace {
@@ -34,7 +35,7 @@ struct Violation {
 
 }  // namespace
 
-bool Clearance::feed(PathBlockPtr block, PathBlocks& out) {
+bool Bottlenecks::feed(PathBlockPtr block, PathBlocks& out) {
   // The approach waits too: the tool must not enter what it cannot get through.
   const bool begins = block->role == Role::approach || block->perpendicular_entry;
   const bool belongs = begins || is_contour(*block) || block->role == Role::inserted ||
@@ -54,8 +55,11 @@ bool Clearance::feed(PathBlockPtr block, PathBlocks& out) {
   return window_ == 0 || examine(false, out);
 }
 
-void Clearance::hold(PathBlockPtr block) {
+void Bottlenecks::hold(PathBlockPtr block) {
   if (is_contour(*block)) {
+    const std::size_t number = contour_base_ + contour_.size();
+    const bool first = contour_.empty();
+    if (!first && contour_.back().mode->side != block->mode().side) changes_.push_back(number);
     boxes_.append(bounding_box(block->programmed.path));
     contour_.push_back(block->programmed);
   }
@@ -64,18 +68,48 @@ void Clearance::hold(PathBlockPtr block) {
   held_.push_back(std::move(block));
 }
 
-bool Clearance::end_selection(PathBlocks& out) {
+bool Bottlenecks::end_selection(PathBlocks& out) {
   // Where nothing is searched, every block comes by here.
   if (held_.empty() && contour_.empty()) return true;
+  find_walls();
   if (!examine(true, out)) return false;
   contour_.clear();
   contour_base_ = 0;
+  changes_.clear();
+  walls_.reset();
   boxes_ = BoxTree();
   violating_ = false;
   return true;
 }
 
-bool Clearance::examine(bool ended, PathBlocks& out) {
+void Bottlenecks::find_walls() {
+  if (contour_base_ > 0) return;
+  double radius = 0;
+  bool has_roles = false;
+  for (const MotionBlock& block : contour_) {
+    radius = std::max(radius, block.mode->tool_radius);
+    has_roles = has_roles || block.role != ContourRole::unspecified;
+  }
+  ContourView view{.count = contour_.size(),
+                   .segment = [this](std::size_t number) { return contour_[number].path; }};
+  if (has_roles) view.role = [this](std::size_t number) { return contour_[number].role; };
+  walls_ = trc::find_walls(view, changes_, lead_settings_, radius);
+}
+
+std::optional<Bottlenecks::Wall> Bottlenecks::wall_for(std::size_t path, std::size_t other,
+                                                       double limit) const {
+  const Segment& programmed = contour_[other - contour_base_].path;
+  if (!walls_) {
+    const bool at_change =
+        std::binary_search(changes_.begin(), changes_.end(), std::max(path, other)) &&
+        std::max(path, other) == std::min(path, other) + 1;
+    return at_change ? std::nullopt : std::optional(Wall{programmed, limit});
+  }
+  if (!walls_->is_wall_for(other, path)) return std::nullopt;
+  return Wall{walls_->wall(other, programmed), limit - walls_->touch_between(other, path)};
+}
+
+bool Bottlenecks::examine(bool ended, PathBlocks& out) {
   std::size_t examined = 0;
   const std::size_t end = contour_base_ + contour_.size();
   while (examined < held_.size() && (ended || numbers_[examined] + window_ < end)) {
@@ -92,7 +126,7 @@ bool Clearance::examine(bool ended, PathBlocks& out) {
 }
 
 // Drops what no window reaches any more; not one by one, to keep it cheap.
-void Clearance::forget() {
+void Bottlenecks::forget() {
   if (numbers_.empty() || numbers_.front() <= contour_base_ + 2 * window_ + 64) return;
   const std::size_t gone = numbers_.front() - window_ - contour_base_;
   contour_.erase(contour_.begin(), contour_.begin() + static_cast<std::ptrdiff_t>(gone));
@@ -100,7 +134,7 @@ void Clearance::forget() {
   boxes_.drop_before(contour_base_);
 }
 
-bool Clearance::check(const PathBlock& block, std::size_t number) {
+bool Bottlenecks::check(const PathBlock& block, std::size_t number) {
   if (!is_monitored(block)) return true;
   const double radius = tool_radius(block);
   const double limit = radius - tolerances_.clearance * std::max(radius, 1.0);
@@ -109,9 +143,10 @@ bool Clearance::check(const PathBlock& block, std::size_t number) {
     checkpoint_.pass();
     if (window_ > 0 && (other + window_ < number || other > number + window_)) return;
     const MotionBlock& contour = contour_[other - contour_base_];
-    if (lies_across_change(number, other)) return;
-    const auto near = nearness(block.tool_path, contour.path, tolerances_.same_point);
-    if (near.distance < worst.distance)
+    const auto wall = wall_for(number, other, limit);
+    if (!wall) return;
+    const auto near = nearness(block.tool_path, wall->path, tolerances_.same_point);
+    if (near.distance < std::min(worst.distance, wall->limit))
       worst = {.contour = &contour, .distance = near.distance, .place = near.on_first};
   });
   const bool violates = worst.contour != nullptr;
@@ -120,14 +155,8 @@ bool Clearance::check(const PathBlock& block, std::size_t number) {
   return !first || report(block, *worst.contour, worst.distance, worst.place);
 }
 
-// Of the two blocks at a change of side each is in the way of the other (D-42).
-bool Clearance::lies_across_change(std::size_t number, std::size_t other) const {
-  if (number + 1 != other && other + 1 != number) return false;
-  return contour_[number - contour_base_].mode->side != contour_[other - contour_base_].mode->side;
-}
-
-bool Clearance::report(const PathBlock& path, const MotionBlock& contour, double distance,
-                       const Point& place) {
+bool Bottlenecks::report(const PathBlock& path, const MotionBlock& contour, double distance,
+                         const Point& place) {
   Diagnostic found = diagnostic(Code::bottleneck, path.programmed.source);
   const bool masking = path.mode().masking == Masking::on;
   if (path.mode().options.ignore_cont_damage || (masking && !implicit_))
