@@ -137,6 +137,8 @@ std::string Server::open(bool with_addresses) {
       if (admin_ == nullptr) return "cannot listen on admin-listen " + config.admin_listen;
     }
   }
+  // gRPC starts no server whose only service is its own one of health.
+  health_builder.RegisterCallbackGenericService(&no_service_);
   grpc_ = builder.BuildAndStart();
   if (health_port_ > 0) health_ = health_builder.BuildAndStart();
   if (grpc_ == nullptr || (health_port_ > 0 && health_ == nullptr))

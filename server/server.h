@@ -1,6 +1,7 @@
 #pragma once
 
 #include <grpcpp/channel.h>
+#include <grpcpp/generic/async_generic_service.h>
 #include <grpcpp/server.h>
 #include <grpcpp/server_builder.h>
 
@@ -76,6 +77,7 @@ class Server {
   Backend backend_;
   TrcService service_{backend_};
   std::unique_ptr<Reflection> reflection_;  // where it is served
+  grpc::CallbackGenericService no_service_;
   std::shared_ptr<Certificates> certificates_;
   std::string refused_certificates_;  // why, the last time
   Clock::time_point next_certificate_look_{};
