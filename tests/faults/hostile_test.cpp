@@ -108,7 +108,7 @@ TEST(Hostile, SilentReflectionTakesNoThreadsAndEnds) {
   const int before = server.threads();
   std::vector<std::unique_ptr<SilentReflection>> streams;
   std::shared_ptr<grpc::Channel> channel;
-  for (int i = 0; i < 150; ++i) {
+  for (int i = 0; i < 120; ++i) {
     if (i % 50 == 0) channel = channel_to(server.address());
     streams.push_back(std::make_unique<SilentReflection>(channel));
     EXPECT_TRUE(streams.back()->answered);
