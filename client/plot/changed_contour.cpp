@@ -1,5 +1,6 @@
 #include "client/plot/changed_contour.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <optional>
@@ -43,9 +44,10 @@ Vector direction_of(const Changed& block, double shift) {
   const bool from_start = !block.start_moved;
   const Vector to_tool = tool - (from_start ? start_of(programmed) : end_of(programmed));
   const double distance = to_tool.norm();
-  if ((block.start_moved && block.end_moved) || distance <= std::abs(shift))
+  if ((block.start_moved && block.end_moved) || distance <= same_point)
     return tangent_at_start(programmed);
-  const double angle = std::asin(shift / distance);
+  // Where the tool touches that end itself, rounding may have it nearer than its radius.
+  const double angle = std::asin(std::clamp(shift / distance, -1.0, 1.0));
   return turned(to_tool / distance, from_start ? -angle : angle - std::numbers::pi);
 }
 
