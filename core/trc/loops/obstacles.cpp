@@ -208,7 +208,7 @@ bool Obstacles::comes_nearer(std::size_t block, double from, double to, Nearness
   if (!(from < to) || limit <= 0) return false;
   const Segment segment = path(block).path;
   find_neighbours(block, bounding_box(segment), limit, is_surveyed(block));
-  return !neighbours_.empty() && neighbours_come_nearer(PathPart(segment, from, to), limit);
+  return !neighbours_.empty() && neighbours_come_nearer(block, PathPart(segment, from, to), limit);
 }
 
 bool Obstacles::comes_nearer(std::size_t block, const Segment& way, Nearness nearness) const {
@@ -216,10 +216,11 @@ bool Obstacles::comes_nearer(std::size_t block, const Segment& way, Nearness nea
   const double length = length_of(way);
   if (length == 0 || limit <= 0) return false;
   find_neighbours(block, bounding_box(way), limit, false);
-  return !neighbours_.empty() && neighbours_come_nearer(PathPart(way, 0, length), limit);
+  return !neighbours_.empty() && neighbours_come_nearer(block, PathPart(way, 0, length), limit);
 }
 
-bool Obstacles::neighbours_come_nearer(const PathPart& part, double limit) const {
+bool Obstacles::neighbours_come_nearer(std::size_t block, const PathPart& part,
+                                       double limit) const {
   const FourBoxes::Course course = part.course(limit);
   bool nearer = false;
   for (const NearFour& four : neighbours_) {

@@ -147,7 +147,8 @@ class Obstacles {
   // All contour blocks it may come nearer to than `limit`: neighbours_. With some that are a
   // little farther off. `surveyed`: what has been surveyed is all of them.
   void find_neighbours(std::size_t block, const Box& area, double limit, bool surveyed) const;
-  [[nodiscard]] bool neighbours_come_nearer(const PathPart& part, double limit) const;
+  [[nodiscard]] bool neighbours_come_nearer(std::size_t block, const PathPart& part,
+                                            double limit) const;
   // Whether they are more than is worth asking for the nearest one.
   [[nodiscard]] bool are_many(const Box& area, double limit) const;
   // Whether those still are that are not out of question for a part of the block. Behind
