@@ -266,8 +266,8 @@ std::vector<CamContour> cam_contours() {
                                   .line(0, -20)
                                   .blocks()});
   // Inside, begun on an arc.
-  contours.push_back({.name = "bore", .ring = Pen({15, 0}).arc(0, 0, pi).arc(0, 0, pi).blocks()});
-  contours.push_back({.name = "boss", .ring = Pen({0, 15}).arc(0, 0, -2 * pi).blocks()});
+  contours.push_back({.name = "bore", .ring = Pen({25, 0}).arc(0, 0, pi).arc(0, 0, pi).blocks()});
+  contours.push_back({.name = "boss", .ring = Pen({0, 25}).arc(0, 0, -2 * pi).blocks()});
   contours.push_back({.name = "wave", .ring = wave()});
   // Outside, with a slot the tool does not fit into: one loop.
   contours.push_back({.name = "slotted_plate",
