@@ -449,10 +449,9 @@ void LoopRemoval::tolerate(const Onset& onset, Nearness nearness) {
   const Segment segment = path(at_.block).path;
   const double limit = obstacles_.reach(
       at_.block, nearness == Nearness::passable ? Nearness::exact : Nearness::passable);
-  const double end = first_exit(segment, onset.along, length_of(segment),
-                                obstacles_.wall(onset.obstacle),
-                                obstacles_.reach_to(onset.obstacle, at_.block, limit),
-                                slack_of_places(tolerances_));
+  const double end = first_exit(
+      segment, onset.along, length_of(segment), obstacles_.wall(onset.obstacle),
+      obstacles_.reach_to(onset.obstacle, at_.block, limit), slack_of_places(tolerances_));
   tolerated_ = {{at_.block, std::max(end, onset.along + tolerances_.same_point)}, nearness};
 }
 
