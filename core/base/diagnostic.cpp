@@ -225,7 +225,8 @@ constexpr auto rows = std::to_array<CodeRow>({
      "Let the motion reverse exactly there, or deselect with G40 before the other side."},
     {Code::most_left_out, error, "MOST_LEFT_OUT",
      "more of the contour than allowed would be left out in one stretch",
-     "Use a smaller tool. If a block that bounds no material is in the way, mark it as a lead. Where "
+     "Use a smaller tool. If a block that bounds no material is in the way, mark it as a lead. "
+     "Where "
      "the stretch may be left out, raise max_masked_share."},
     {Code::no_tool_radius, error, "NO_TOOL_RADIUS",
      "TRC is selected although no tool radius has been given",

@@ -157,9 +157,8 @@ void read_limits(const v1::PathSetup& message, const FieldPath& path, Compensato
   if (message.has_min_feed_factor() && check_range(message.min_feed_factor(), 1e-6, 1, "",
                                                    FieldPath(path, "min_feed_factor"), faults))
     compensator.smallest_feed_factor = message.min_feed_factor();
-  if (message.has_input_resolution() &&
-      check_range(message.input_resolution(), 0, 0.1, "mm", FieldPath(path, "input_resolution"),
-                  faults))
+  if (message.has_input_resolution() && check_range(message.input_resolution(), 0, 0.1, "mm",
+                                                    FieldPath(path, "input_resolution"), faults))
     compensator.tolerances.input_resolution = message.input_resolution();
   compensator.implicit_contour_masking = message.implicit_contour_masking();
   compensator.circular_kerf_masking =
