@@ -2,9 +2,9 @@
 
 #include <iostream>
 
-#include "client/cli/settings.h"
 #include "client/cli/tool_file.h"
 #include "core/nc/dialect/dialect.h"
+#include "proto/wire/settings.h"
 #include "proto/wire/setup.h"
 
 namespace trc::cli {
@@ -43,7 +43,7 @@ void add_program_options(CLI::App& command, ProgramOptions& options) {
 
 bool setup_of(const ProgramOptions& options, v1::ProgramSetup& setup) {
   for (const std::string& assignment : options.assignments) {
-    const std::string fault = apply_setting(assignment, setup);
+    const std::string fault = wire::apply_setting(assignment, setup);
     if (fault.empty()) continue;
     std::cerr << "trc: --set: " << fault << '\n';
     return false;
@@ -68,7 +68,8 @@ bool setup_of(const ProgramOptions& options, v1::ProgramSetup& setup) {
 
 std::string settings_help() {
   std::string text = "Settings (--set KEY=VALUE):\n";
-  for (const SettingRow& row : settings()) text += "  " + row.key + ": " + row.values + "\n";
+  for (const wire::SettingRow& row : wire::settings())
+    text += "  " + row.key + ": " + row.values + "\n";
   text += "The last part of a key will do where no other key ends in it: stretch_factor=2.";
   return text;
 }

@@ -46,36 +46,6 @@ Plane plane_to_show(const Contents& contents) {
   return contents.path.empty() ? Plane::xy : contents.path.front().plane;
 }
 
-// Contour blocks the tool does not travel, as the notes name them. A transition behind such a block
-// may be travelled all the same.
-class NotTravelled {
- public:
-  explicit NotTravelled(const Contents& contents) {
-    for (const Diagnostic& note : contents.diagnostics)
-      if (note.code == Code::blocks_masked)
-        ranges_.emplace_back(value_of(note, "first_index"), value_of(note, "last_index"));
-    std::sort(ranges_.begin(), ranges_.end());
-  }
-
-  [[nodiscard]] bool contains(std::uint64_t index) const {
-    const auto behind =
-        std::upper_bound(ranges_.begin(), ranges_.end(), index,
-                         [](std::uint64_t at, const Range& range) { return at < range.first; });
-    return behind != ranges_.begin() && index <= std::prev(behind)->second;
-  }
-
- private:
-  using Range = std::pair<std::uint64_t, std::uint64_t>;
-
-  static std::uint64_t value_of(const Diagnostic& note, std::string_view name) {
-    for (const auto& value : note.values)
-      if (value.name == name && value.value >= 0) return static_cast<std::uint64_t>(value.value);
-    return note.source.index;
-  }
-
-  std::vector<Range> ranges_{};  // apart from each other, in order
-};
-
 // Contour blocks that are no walls, by their Source::index.
 class LeadBlocks {
  public:
@@ -143,7 +113,7 @@ class Composer {
   }
 
   void add_programmed() {
-    const NotTravelled masked(contents_);
+    const NotTravelled masked(contents_.diagnostics);
     changed_ = changed_contour(contents_.programmed, contents_.path);
     const LeadBlocks leads(contents_);
     Position position{};

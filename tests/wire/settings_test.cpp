@@ -1,8 +1,8 @@
-#include "client/cli/settings.h"
+#include "proto/wire/settings.h"
 
 #include <gtest/gtest.h>
 
-namespace trc::cli {
+namespace trc::wire {
 namespace {
 
 v1::ProgramSetup set(std::initializer_list<const char*> assignments) {
@@ -102,4 +102,4 @@ TEST(Settings, ListEveryFieldOfAPathSetup) {
 }
 
 }  // namespace
-}  // namespace trc::cli
+}  // namespace trc::wire

@@ -6,7 +6,7 @@
 
 #include "trc/v1/setup.pb.h"
 
-namespace trc::cli {
+namespace trc::wire {
 
 // Applies one "key=value" to the setup. Keys are the names of the fields of
 // PathSetup, with "." into a field of fields (`options.stretch_factor`); the last
@@ -28,4 +28,4 @@ struct SettingRow {
 };
 [[nodiscard]] std::vector<SettingRow> settings();
 
-}  // namespace trc::cli
+}  // namespace trc::wire

@@ -1,4 +1,4 @@
-#include "client/cli/settings.h"
+#include "proto/wire/settings.h"
 
 #include <google/protobuf/descriptor.h>
 #include <google/protobuf/message.h>
@@ -11,7 +11,7 @@
 #include <optional>
 #include <utility>
 
-namespace trc::cli {
+namespace trc::wire {
 namespace {
 
 using google::protobuf::EnumDescriptor;
@@ -341,4 +341,4 @@ std::vector<SettingRow> settings() {
   return rows;
 }
 
-}  // namespace trc::cli
+}  // namespace trc::wire
