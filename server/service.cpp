@@ -3,6 +3,7 @@
 #include "server/rpc/caller.h"
 #include "server/rpc/compensate_path.h"
 #include "server/rpc/compensate_program.h"
+#include "server/rpc/compensate_program_once.h"
 #include "server/rpc/get_server_info.h"
 #include "server/rpc/preview_path.h"
 #include "server/rpc/start_stream.h"
@@ -25,6 +26,14 @@ grpc::ServerWriteReactor<grpc::ByteBuffer>* TrcService::PreviewPath(
   using Reactor = AnswerReactor<v1::PreviewPathRequest, v1::PreviewPathResponse>;
   return start_stream<server::PreviewPath, Reactor>(backend_, *context, Method::preview_path,
                                                     *request);
+}
+
+grpc::ServerUnaryReactor* TrcService::CompensateProgramOnce(grpc::CallbackServerContext* context,
+                                                            const grpc::ByteBuffer* request,
+                                                            grpc::ByteBuffer* response) {
+  using Reactor = UnaryReactor<v1::CompensateProgramOnceRequest, v1::CompensateProgramOnceResponse>;
+  return start_stream<server::CompensateProgramOnce, Reactor>(
+      backend_, *context, Method::compensate_program_once, *request, *response);
 }
 
 grpc::ServerUnaryReactor* TrcService::GetServerInfo(grpc::CallbackServerContext* context,

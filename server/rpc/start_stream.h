@@ -7,10 +7,10 @@
 namespace trc::server {
 
 // The reactor of one stream, started; it lives until gRPC is done with it.
-template <class Work, class Reactor, class... Request>
+template <class Work, class Reactor, class... Messages>
 Reactor* start_stream(Backend& backend, grpc::CallbackServerContext& context, Method method,
-                      const Request&... request) {
-  const auto reactor = std::make_shared<Reactor>(backend, context, method, request...);
+                      Messages&... messages) {
+  const auto reactor = std::make_shared<Reactor>(backend, context, method, messages...);
   reactor->start(std::make_unique<Work>(reactor->stream_context()));
   return reactor.get();
 }

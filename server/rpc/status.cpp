@@ -22,7 +22,7 @@ struct Row {
   int retry_after_s = 0;  // 0: waiting does not help
 };
 
-constexpr std::array<Row, 26> table{{
+constexpr std::array<Row, 27> table{{
     {Refusal::setup_missing, StatusCode::FAILED_PRECONDITION, "SETUP_MISSING",
      "the first request must carry the setup"},
     {Refusal::setup_repeated, StatusCode::FAILED_PRECONDITION, "SETUP_REPEATED",
@@ -46,6 +46,8 @@ constexpr std::array<Row, 26> table{{
     {Refusal::batch_too_large, StatusCode::RESOURCE_EXHAUSTED, "BATCH_TOO_LARGE",
      "the batch has more blocks than the setting max-blocks-per-batch allows; send smaller "
      "batches"},
+    {Refusal::answer_too_large, StatusCode::RESOURCE_EXHAUSTED, "ANSWER_TOO_LARGE",
+     "the answer is larger than the setting max-message-bytes allows; use CompensateProgram"},
     {Refusal::stream_limit, StatusCode::RESOURCE_EXHAUSTED, "STREAM_LIMIT",
      "as many streams are open as the setting max-streams allows; try again later", 1},
     {Refusal::stream_limit_of_peer, StatusCode::RESOURCE_EXHAUSTED, "STREAM_LIMIT",

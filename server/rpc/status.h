@@ -25,6 +25,7 @@ enum class Refusal {
   field_invalid,
   batch_too_large,
   request_unreadable,
+  answer_too_large,
   stream_limit,
   stream_limit_of_peer,
   memory_limit,

@@ -445,4 +445,38 @@ class AnswerReactor final
   bool asked_ = false;
 };
 
+// Gives a call with one answer the face of a stream of answers: what is written is put where gRPC
+// expects the answer, to be sent with the status.
+class OneAnswer : public grpc::ServerUnaryReactor {
+ public:
+  virtual void OnWriteDone(bool ok) = 0;
+
+ protected:
+  void StartWrite(const grpc::ByteBuffer* answer) {
+    *answer_ = *answer;
+    OnWriteDone(true);
+  }
+  void answer_goes_to(grpc::ByteBuffer& answer) { answer_ = &answer; }
+
+ private:
+  grpc::ByteBuffer* answer_ = nullptr;
+};
+
+// One request, one answer that takes computing.
+template <class Request, class Response>
+class UnaryReactor final : public StreamReactor<OneAnswer, Request, Response> {
+ public:
+  using Base = StreamReactor<OneAnswer, Request, Response>;
+
+  UnaryReactor(Backend& backend, grpc::CallbackServerContext& context, Method method,
+               const grpc::ByteBuffer& request, grpc::ByteBuffer& response)
+      : Base(backend, context, method) {
+    this->request_bytes_ = request;
+    this->answer_goes_to(response);
+  }
+
+ private:
+  void read() override { this->arrived(Base::Input::request); }
+};
+
 }  // namespace trc::server

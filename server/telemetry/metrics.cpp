@@ -51,6 +51,8 @@ std::string_view name_of(Method method) {
       return "CompensatePath";
     case Method::compensate_program:
       return "CompensateProgram";
+    case Method::compensate_program_once:
+      return "CompensateProgramOnce";
     case Method::preview_path:
       return "PreviewPath";
     case Method::get_server_info:
@@ -69,6 +71,7 @@ std::string_view kind_of(Method method) {
       return "bidi_stream";
     case Method::preview_path:
       return "server_stream";
+    case Method::compensate_program_once:
     case Method::get_server_info:
       return "unary";
   }

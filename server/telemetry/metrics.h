@@ -23,11 +23,12 @@ namespace trc::server {
 enum class Method {
   compensate_path,
   compensate_program,
+  compensate_program_once,
   preview_path,
   get_server_info,
   reflection
 };
-inline constexpr std::size_t method_count = 5;
+inline constexpr std::size_t method_count = 6;
 
 // "CompensatePath", as in the proto.
 std::string_view name_of(Method method);

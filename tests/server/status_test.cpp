@@ -47,6 +47,7 @@ const Case cases[] = {
     {Refusal::stream_idle, grpc::ABORTED, "STREAM_IDLE", false},
     {Refusal::field_invalid, grpc::INVALID_ARGUMENT, "FIELD_INVALID", false},
     {Refusal::batch_too_large, grpc::RESOURCE_EXHAUSTED, "BATCH_TOO_LARGE", false},
+    {Refusal::answer_too_large, grpc::RESOURCE_EXHAUSTED, "ANSWER_TOO_LARGE", false},
     {Refusal::stream_limit, grpc::RESOURCE_EXHAUSTED, "STREAM_LIMIT", true},
     {Refusal::stream_limit_of_peer, grpc::RESOURCE_EXHAUSTED, "STREAM_LIMIT", true},
     {Refusal::memory_limit, grpc::RESOURCE_EXHAUSTED, "MEMORY_LIMIT", true},
