@@ -160,6 +160,26 @@ void declare(CLI::App& app, Config& config) {
                "HOST:PORT of /metrics, /healthz and /readyz; empty: none");
   settings.add("health-listen", config.health_listen,
                "HOST:PORT of grpc.health.v1 alone in plain text, for probes; empty: none");
+  settings.add("http-listen", config.http_listen,
+               "HOST:PORT of HTTP/1.1: JSON, NC text and the page; empty: none");
+  settings.toggle("insecure-http", config.insecure_http,
+                  "allow plain text on a http-listen other machines can reach");
+  settings
+      .add("http-cors-origins", config.http_cors_origins,
+           "origins whose pages may use HTTP, as in https://mes.example; empty: its own only")
+      ->delimiter(',')
+      ->expected(0, 64);
+  settings.number("http-max-connections", config.http_max_connections, 1, 65536,
+                  "open connections of HTTP; beyond them the one that has waited longest goes");
+  settings.number("http-max-body-mib", config.http_max_body_mib, 1, 1024,
+                  "largest NC program over HTTP");
+  settings.number("http-max-memory-mib", config.http_max_memory_mib, 1, 1U << 20U,
+                  "memory of bodies, answers and views of HTTP together");
+  settings.number("http-max-views", config.http_max_views, 1, 10000,
+                  "programs kept for those who look at them; the oldest gives way to a new one");
+  settings.number("http-timeout-s", config.http_timeout_s, 1, 3600,
+                  "a request, each 64 KiB of its body and each 64 KiB of its answer may take so "
+                  "long");
   settings.toggle(
       "reflection", config.reflection,
       "serve gRPC reflection; if not said, only where all addresses are this machine's");
@@ -272,6 +292,20 @@ std::optional<std::string> fault_of_file(const std::string& name, const std::str
   return name + ": cannot read '" + path + "'";
 }
 
+std::optional<std::string> fault_of_http(const Config& config, bool tls) {
+  if (config.http_listen.empty()) return std::nullopt;
+  if (!split_host_port(config.http_listen))
+    return "http-listen: '" + config.http_listen + "' is not HOST:PORT";
+  if (!tls && !is_local_address(config.http_listen) && !config.insecure_http)
+    return "http-listen: '" + config.http_listen +
+           "' can be reached by other machines; give tls-cert-file and tls-key-file, or allow "
+           "plain text with insecure-http";
+  for (const std::string& origin : config.http_cors_origins)
+    if (!origin.starts_with("https://") && !origin.starts_with("http://"))
+      return "http-cors-origins: '" + origin + "' is no origin, as in https://mes.example";
+  return std::nullopt;
+}
+
 std::string one_line(std::string text) {
   std::replace(text.begin(), text.end(), '\n', ' ');
   while (!text.empty() && text.back() == ' ') text.pop_back();
@@ -292,6 +326,7 @@ std::optional<std::string> first_fault(const Config& config) {
     return fault;
 
   const bool tls = !config.tls_cert_file.empty();
+  if (auto fault = fault_of_http(config, tls)) return fault;
   if (tls != !config.tls_key_file.empty())
     return "tls-cert-file and tls-key-file must be given together";
   if (!tls && !config.tls_client_ca_file.empty())

@@ -34,6 +34,18 @@ struct Config {
   std::string admin_listen;
   // HOST:PORT of the health service alone, in plain text; empty: none.
   std::string health_listen;
+  // HOST:PORT of HTTP: JSON, NC text and the page; empty: none.
+  std::string http_listen;
+  // Allows plain text on a HTTP address other machines can reach.
+  bool insecure_http = false;
+  // Origins whose pages may use it, "https://mes.example"; empty: none but its own.
+  std::vector<std::string> http_cors_origins;
+  std::uint32_t http_max_connections = 256;
+  std::uint32_t http_max_body_mib = 64;
+  std::uint32_t http_max_memory_mib = 512;  // bodies, answers and views together
+  std::uint32_t http_max_views = 32;
+  // For the head of a request, for each 64 KiB of its body, and of its answer.
+  std::uint32_t http_timeout_s = 20;
   // As read from flags, environment and file it is off, unless asked for, where an address can be
   // reached by other machines.
   bool reflection = true;

@@ -137,6 +137,7 @@ void log_start(trc::server::Server& server) {
           .text("ports", ports)
           .number("admin_port", static_cast<std::uint64_t>(server.admin_port()))
           .number("health_port", static_cast<std::uint64_t>(server.health_port()))
+          .number("http_port", static_cast<std::uint64_t>(server.http_port()))
           .number("memory_limit_mib", std::uint64_t{config.memory_limit_mib})
           .number("max_session_memory_mib", std::uint64_t{config.max_session_memory_mib})
           .number("max_grpc_buffer_mib", std::uint64_t{config.max_grpc_buffer_mib})

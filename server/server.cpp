@@ -81,6 +81,15 @@ std::unique_ptr<Server> Server::start_in_process(const Config& settings) {
   return server->open(false).empty() ? std::move(server) : nullptr;
 }
 
+Server::Start Server::start_http(const Config& config, http::Offer offer) {
+  std::unique_ptr<Server> server = start_in_process(config);
+  if (server == nullptr) return {.server = nullptr, .fault = "gRPC did not start"};
+  std::string fault = server->listen_for_http(std::move(offer));
+  if (!fault.empty()) return {.server = nullptr, .fault = std::move(fault)};
+  server->acceptor_.start();
+  return {.server = std::move(server), .fault = {}};
+}
+
 Server::Server(const Config& config, std::string resume_key)
     : backend_(config, std::move(resume_key)) {}
 
@@ -143,6 +152,10 @@ std::string Server::open(bool with_addresses) {
   if (health_port_ > 0) health_ = health_builder.BuildAndStart();
   if (grpc_ == nullptr || (health_port_ > 0 && health_ == nullptr))
     return "gRPC did not start; its messages say why";
+  if (with_addresses) {
+    std::string fault = listen_for_http(std::nullopt);
+    if (!fault.empty()) return fault;
+  }
   set_serving(true);
   if (with_addresses) acceptor_.start();
   started_ = true;
@@ -164,6 +177,23 @@ std::string Server::listen(grpc::ServerBuilder& builder, const std::string& addr
       parameters.fd = connection.release();
       entrance->HandleNewConnection(&parameters);
     });
+  }
+  return opened.fault;
+}
+
+std::string Server::listen_for_http(std::optional<http::Offer> offer) {
+  const Config& config = backend_.config;
+  if (config.http_listen.empty()) return {};
+  Listener::Opened opened = Listener::open(config.http_listen);
+  http_ = std::make_unique<http::HttpServer>(
+      backend_, http::HttpServer::Options{.channel = in_process_channel(),
+                                          .certificates = certificates_,
+                                          .local = is_local_address(config.http_listen),
+                                          .offer = std::move(offer)});
+  for (Listener& listener : opened.listeners) {
+    http_port_ = listener.port();
+    acceptor_.add(std::move(listener),
+                  [this](Descriptor connection) { http_->take(std::move(connection)); });
   }
   return opened.fault;
 }
@@ -272,6 +302,8 @@ std::size_t Server::drain() {
   const auto timeout = std::chrono::seconds(backend_.config.drain_timeout_s);
   std::size_t cut_off = 0;
   if (!backend_.streams.wait_until_none(Clock::now() + timeout)) cut_off = backend_.streams.count();
+  // The last bytes of an answer are on their way when its stream has ended.
+  if (http_) http_->wait_until_idle(Clock::now() + shutdown_grace);
   stop_grpc();
   return cut_off;
 }
@@ -279,6 +311,7 @@ std::size_t Server::drain() {
 void Server::stop_grpc() {
   admin_.reset();
   acceptor_.stop();
+  http_.reset();
   for (std::unique_ptr<grpc::Server>* server : {&grpc_, &health_}) {
     if (*server == nullptr) continue;
     // Shutdown waits for idle clients as long as it is allowed to, so it is allowed little.

@@ -144,6 +144,18 @@ TEST(ServerConfig, HealthInPlainTextStaysOnThisMachineUnlessAllowed) {
   expect_fault(read({"--listen=0.0.0.0:50051", "--insecure-health"}), {"listen", "insecure"});
 }
 
+TEST(ServerConfig, HttpInPlainTextStaysOnThisMachineUnlessAllowed) {
+  EXPECT_TRUE(read({}).config.http_listen.empty());
+  expect_fault(read({"--http-listen=0.0.0.0:8080"}), {"http-listen", "insecure-http"});
+  expect_fault(read({"--http-listen=nowhere"}), {"http-listen"});
+  // What allows it for gRPC does not for HTTP.
+  expect_fault(read({"--http-listen=0.0.0.0:8080", "--insecure"}), {"insecure-http"});
+  EXPECT_FALSE(read({"--http-listen=127.0.0.1:8080"}).exit.has_value());
+  EXPECT_FALSE(read({"--http-listen=0.0.0.0:8080", "--insecure-http"}).exit.has_value());
+  expect_fault(read({"--http-listen=127.0.0.1:8080", "--http-cors-origins=mes.example"}),
+               {"http-cors-origins", "https://"});
+}
+
 TEST(ServerConfig, AdminInPlainTextStaysOnThisMachineUnlessAllowed) {
   for (const char* address : {"--admin-listen=0.0.0.0:9464", "--admin-listen=[::]:9464"})
     expect_fault(read({address}), {"admin-listen", "insecure-admin"});
