@@ -33,6 +33,7 @@ Backend::Backend(const Config& settings, std::string resume_key)
                         },
                     .counted_bytes = [this] { return memory.used_bytes(); },
                     .resident_bytes = resident_bytes}),
+      pulse(std::chrono::seconds(config.stall_timeout_s)),
       pool(config.worker_threads) {
   pulse.attach(pool);
   telemetry.metrics.set_limits(config.max_streams, memory.most_bytes(), memory_watch.limit_bytes());
