@@ -18,7 +18,7 @@ void serialize(Archive& archive, Compensation& compensation) {
 
 template <class Archive>
 void serialize(Archive& archive, PathBlock::Rejoin& rejoin) {
-  auto& [point, start, cut_before, cut_after] = rejoin;
+  auto& [point, cut_before, cut_after] = rejoin;
   archive(point, cut_before, cut_after);
 }
 

@@ -90,8 +90,8 @@ class Contour {
 
 struct Programmed {
   const MotionBlock* block = nullptr;
-  double required = 0;         // mm, of the path this block gives
-  double required_behind = 0;  // mm, of what is inserted behind it
+  double required = 0;          // mm, of the path this block gives
+  double required_behind = 0;   // mm, of what is inserted behind it
   bool crosses_behind = false;  // REVERSE: what is inserted behind it crosses the corner (D-22)
   std::size_t number = 0;       // in its contour, or of the block behind it
   bool is_contour = false;

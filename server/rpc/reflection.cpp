@@ -117,9 +117,8 @@ class ReflectionStream final : public StreamWork<Request, Response> {
 
 // One version of the protocol.
 template <class Service, class Request, class Response>
-class ReflectionService final
-    : public Service::template WithRawCallbackMethod_ServerReflectionInfo<
-          typename Service::Service> {
+class ReflectionService final : public Service::template WithRawCallbackMethod_ServerReflectionInfo<
+                                    typename Service::Service> {
  public:
   explicit ReflectionService(Backend& backend) : backend_(backend) {}
 

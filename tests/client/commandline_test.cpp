@@ -301,7 +301,11 @@ TEST(Server, IsAskedForHealthAndInfo) {
   EXPECT_EQ(health.out, "serving\n");
   const Ended info = trc({"info", "--server", server.address()});
   EXPECT_EQ(info.code, 0) << info.err;
-  EXPECT_EQ(info.out, trc({"info"}).out);
+  // Some limits are filled in from the memory there is, and are those of the server.
+  const auto tables = [](const std::string& text) {
+    return text.substr(text.find("#TRC options"));
+  };
+  EXPECT_EQ(tables(info.out), tables(trc({"info"}).out));
 }
 
 TEST(Health, NeedsAServerToAsk) { EXPECT_EQ(trc({"health"}).code, 2); }

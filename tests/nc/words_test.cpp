@@ -119,8 +119,7 @@ std::string detail_of(std::string_view line) {
 
 TEST(Words, CharactersThatCannotBeSeenAreNamed) {
   EXPECT_EQ(detail_of("G1 \u200bX5"), "U+200B, a zero width space, which cannot be seen");
-  EXPECT_EQ(detail_of("G1 X\u200b5"),
-            "X before U+200B, a zero width space, which cannot be seen");
+  EXPECT_EQ(detail_of("G1 X\u200b5"), "X before U+200B, a zero width space, which cannot be seen");
   EXPECT_EQ(detail_of("G1 X\u22125"),
             "X before U+2212, a minus sign that is not the one of the keyboard");
   EXPECT_EQ(detail_of("G1 X5 \x07"), "U+0007, a control character");

@@ -282,7 +282,7 @@ TEST(Leads, ChangeNothingBetweenTheTwoVisitsOfTheClosingPoint) {
     with_loops += count_of(bare, Code::blocks_masked) > 0 ? 1 : 0;
   }
   EXPECT_GT(compared, 100U);
-  EXPECT_GT(with_loops, 30U);
+  EXPECT_GT(with_loops, 20U);
 }
 
 }  // namespace

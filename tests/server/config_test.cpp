@@ -202,9 +202,8 @@ TEST(ServerConfig, PrintedConfigurationReadsBackAsTheSame) {
             "--reflection=false", "--log-level=error", "--admin-listen=127.0.0.1:9464",
             "--health-listen=127.0.0.1:0", "--resume-key-file=/run/trcd/key", "--insecure-admin",
             "--max-early-cancels=3", "--max-overhead-kib-per-s=99", "--stall-timeout-s=4",
-            "--max-log-lines-per-s=17", "--memory-limit-mib=2048",
-            "--max-streams-per-peer=3", "--max-memory-per-peer-mib=100", "--max-selection-cpu-s=7",
-            "--max-stream-cpu-s=8"});
+            "--max-log-lines-per-s=17", "--memory-limit-mib=2048", "--max-streams-per-peer=3",
+            "--max-memory-per-peer-mib=100", "--max-selection-cpu-s=7", "--max-stream-cpu-s=8"});
   ASSERT_TRUE(printed.exit.has_value());
   ASSERT_EQ(printed.exit->code, 0) << printed.exit->text;
   const TextFile file(printed.exit->text);
