@@ -122,7 +122,7 @@ class Table {
       radii_[*number] = words.at('D') / 2 * unit_;
       return {};
     }
-    return has('G') || line == "%" || has('O') || has('T')
+    return has('G') || line == "%" || has('O') || has('M') || has('T')
                ? std::string()
                : "\"" + std::string(line) +
                      "\" is no row of a table of tools; a CSV begins with a "
