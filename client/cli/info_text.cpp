@@ -47,8 +47,7 @@ Table options_of(const v1::GetServerInfoResponse& info) {
   for (const v1::TrcKeyword& keyword : info.trc_keywords())
     table.rows.push_back({keyword.name(), range_of(keyword),
                           range_of(keyword).empty() ? "" : number(keyword.default_value()),
-                          keyword.available() ? "yes" : "no, refused",
-                          keyword.meaning()});
+                          keyword.available() ? "yes" : "no, refused", keyword.meaning()});
   return table;
 }
 
