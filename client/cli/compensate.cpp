@@ -62,6 +62,7 @@ std::vector<std::string> axis_names(const v1::ProgramSetup& setup) {
 Exit run(const Call& call) {
   v1::ProgramSetup setup;
   if (!setup_of(call.program, setup)) return Exit::wrong_call;
+  report_clearance(setup);
   const bool as_nc = call.format == "nc";
   const bool as_json = call.format == "jsonl";
   setup.set_output(as_nc ? v1::PROGRAM_OUTPUT_NC : v1::PROGRAM_OUTPUT_BLOCKS);
@@ -111,7 +112,11 @@ void add_compensate(CLI::App& app, Action& action) {
   command->add_option("--decimals", call->decimals, "Decimal places of coordinates, 1 to 8")
       ->check(CLI::Range(1, 8))
       ->capture_default_str();
-  command->footer(settings_help());
+  command->footer(
+      "The path is measured against the contour on its way (verify=report): where it comes nearer "
+      "than the tool\nradius, warning 900216 says where. verify=enforce refuses such a program, "
+      "verify=off measures nothing.\n\n" +
+      settings_help());
   command->callback([call, &action] { action = [call] { return run(*call); }; });
 }
 

@@ -22,6 +22,7 @@ struct Call {
 Exit run(const Call& call) {
   v1::ProgramSetup setup;
   if (!setup_of(call.program, setup)) return Exit::wrong_call;
+  report_clearance(setup);
   const std::string ending = std::filesystem::path(call.output).extension().string();
   const bool as_page = ending == ".html" || ending == ".htm";
   if (!as_page && ending != ".svg" && call.output != "-") {
@@ -58,7 +59,10 @@ void add_plot(CLI::App& app, Action& action) {
   command->add_flag("--numbers", call->numbers, "Write block numbers beside the contour");
   command->footer(
       "Rapid moves are dashed, masked or removed blocks red, transition blocks light blue.\n"
-      "A refused program gives the picture of what was certain, with the place marked, and exit "
+      "Where the measured path comes nearer to the contour than the tool radius, warning 900216 "
+      "says "
+      "where.\nA refused program gives the picture of what was certain, with the place marked, and "
+      "exit "
       "code 1.\n\n" +
       settings_help());
   command->callback([call, &action] { action = [call] { return run(*call); }; });

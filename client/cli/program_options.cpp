@@ -32,6 +32,11 @@ bool setup_of(const ProgramOptions& options, v1::ProgramSetup& setup) {
   return true;
 }
 
+void report_clearance(v1::ProgramSetup& setup) {
+  if (setup.path().verify() == v1::VERIFICATION_UNSPECIFIED)
+    setup.mutable_path()->set_verify(v1::VERIFICATION_REPORT);
+}
+
 std::string settings_help() {
   std::string text = "Settings (--set KEY=VALUE):\n";
   for (const SettingRow& row : settings()) text += "  " + row.key + ": " + row.values + "\n";

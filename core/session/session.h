@@ -18,7 +18,7 @@ namespace trc {
 struct SessionSetup {
   ProgramSetup program{};
   CompensatorSetup compensator{};
-  bool verify = false;  // measure the path against the contour as it comes out
+  Verify verify = Verify::off;  // measure the path against the walls as it comes out
 };
 
 // One NC channel fed with motion blocks: no network, no text. Not thread-safe;
@@ -54,6 +54,8 @@ class PathSession {
   [[nodiscard]] const verify::ClearanceReport* clearance() const {
     return compensator_.clearance();
   }
+  // Memory the measurement holds, and what it will take in addition, bytes.
+  [[nodiscard]] std::size_t verification_bytes() const { return compensator_.verification_bytes(); }
 
  private:
   void compensate_before(std::uint64_t index, std::span<Block>& left, ProgramOutput& out);

@@ -8,14 +8,19 @@
 
 namespace trc {
 
-VerifiedCompensator::VerifiedCompensator(const CompensatorSetup& setup, bool verify,
+VerifiedCompensator::VerifiedCompensator(const CompensatorSetup& setup, Verify verify,
                                          Diagnostics& diagnostics)
     : compensator_(measuring(setup, verify), diagnostics), diagnostics_(diagnostics) {
-  if (verify) verification_.emplace(setup.tolerances.on_contour, diagnostics);
+  if (verify == Verify::off) return;
+  verification_.emplace(verify::VerificationSetup{.verify = verify,
+                                                  .allowed = setup.tolerances.on_contour,
+                                                  .selection_blocks = setup.limits.selection_blocks,
+                                                  .interrupt = setup.interrupt},
+                        diagnostics);
 }
 
-CompensatorSetup VerifiedCompensator::measuring(CompensatorSetup setup, bool verify) {
-  if (!verify || !setup.take_portion) return setup;
+CompensatorSetup VerifiedCompensator::measuring(CompensatorSetup setup, Verify verify) {
+  if (verify == Verify::off || !setup.take_portion) return setup;
   setup.take_portion = [this, take = std::move(setup.take_portion)](auto& out) {
     measure(out);
     take(out);
@@ -45,7 +50,7 @@ std::size_t VerifiedCompensator::feed_until_report(std::span<Block> blocks,
 }
 
 bool VerifiedCompensator::take(Block& block, std::vector<CompensatedBlock>& out) {
-  verification_->programmed(block);
+  if (!verification_->programmed(block)) return false;
   measured_ = out.size();
   compensator_.feed_until_report({&block, 1}, out);
   return !diagnostics_.stopped() && measure(out);

@@ -1,16 +1,22 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <span>
 
+#include "core/base/checkpoint.h"
 #include "core/geometry/plane.h"
 #include "core/nc/state/block.h"
 #include "core/trc/result/compensated_block.h"
+#include "core/verify/held_path.h"
 
 namespace trc::verify {
 
-// How near one block of the path comes to the contour.
+// Counts the ways this has been measured in; a certificate names it.
+inline constexpr std::uint32_t method_version = 2;
+
+// How near one block of the path comes to a wall.
 struct Clearance {
   double distance = 0;  // mm; negative on the wrong side of the contour
   double required = 0;  // mm, the tool radius
@@ -25,18 +31,29 @@ struct Clearance {
 struct ClearanceReport {
   std::optional<Clearance> worst{};  // the smallest margin; empty: nothing to check
   std::uint64_t checked = 0;         // blocks of the path
+  std::uint64_t walls = 0;           // blocks of the contour they were compared with
   std::uint64_t gouging = 0;         // of these, with a margin below -`allowed`
   std::uint64_t accepted = 0;        // of these, under IGNORE_CONT_DAMAGE
+
+  std::uint64_t steps = 0;  // pairs compared and stretches of contour looked at: the cost
+
+  // That of another part of the path.
+  void add(const ClearanceReport& other);
 };
 
-// Measures every block of the compensated path between approach and retract
-// against every contour block of its selection, pair by pair with the exact
-// distance of lines and arcs. Shares no code with the compensation and decides
-// nothing by it: only source positions link path and contour.
+// Measures every block of the compensated path between approach and retract against all walls of
+// its selection, with the exact distance of lines and arcs. Shares no code with the compensation
+// and decides nothing by it: only source positions link path and contour.
 //
-// Where the tool radius changes, the smaller one is required.
+// Where the tool radius changes, the smaller one is required. The smallest margin is found up to
+// `margin_resolution`: where the whole path runs at one distance, all of it is as near.
+inline constexpr double margin_resolution = 1e-6;  // mm
 [[nodiscard]] ClearanceReport measure_clearance(std::span<const Block> programmed,
                                                 std::span<const CompensatedBlock> path,
                                                 double allowed);
+
+// The same of what is held, as far as it stems from programmed pieces before the number `end`.
+[[nodiscard]] ClearanceReport measure_clearance(const HeldPath& held, std::size_t end,
+                                                double allowed, Checkpoint& checkpoint);
 
 }  // namespace trc::verify

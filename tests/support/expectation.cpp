@@ -185,7 +185,7 @@ ProgramSessionSetup read_setup(std::string_view program) {
     } else if (key == "look_ahead") {
       setup.session.compensator.limits.look_ahead_blocks = static_cast<std::size_t>(words.number());
     } else if (key == "verify") {
-      setup.session.verify = true;
+      setup.session.verify = Verify::enforce;
     } else if (key == "implicit_masking") {
       setup.session.compensator.implicit_contour_masking = true;
     } else {

@@ -1,0 +1,122 @@
+#include "core/verify/held_path.h"
+
+#include <cmath>
+
+#include "core/verify/shape.h"
+#include "core/verify/wall_tree.h"
+
+namespace trc::verify {
+namespace {
+
+// Whether the second motion goes back on the way the first one came.
+bool reverses(const Segment& before, const Segment& after) {
+  constexpr double same_way = 1e-4;  // rad
+  const Vector in = place_at(before, 1).direction;
+  const Vector out = place_at(after, 0).direction;
+  return in.dot(out) < 0 && std::abs(cross(in, out)) < same_way;
+}
+
+bool is_measured(Origin origin) {
+  switch (origin) {
+    case Origin::programmed:
+    case Origin::transition:
+    case Origin::radius_change:
+    case Origin::kerf:
+    case Origin::converted_circle:
+      return true;
+    case Origin::approach:
+    case Origin::retract:
+    case Origin::masked:
+    case Origin::passthrough:
+    case Origin::uncompensated:
+      break;
+  }
+  return false;
+}
+
+}  // namespace
+
+std::uint32_t HeldPath::number_of(const TrcMode& mode) {
+  const bool follows = !mode.options.suppress_trc && mode.tool_radius > 0;
+  const Rule rule{.selection = mode.selection_number,
+                  .required = follows ? mode.tool_radius : 0,
+                  .side = mode.side,
+                  .plane = mode.plane,
+                  .accepts = mode.options.ignore_cont_damage,
+                  .reverses = mode.options.reverse,
+                  .follows = follows};
+  if (rules_.empty() || rules_.back() != rule) rules_.push_back(rule);
+  return static_cast<std::uint32_t>(rules_.size() - 1);
+}
+
+// The approach block is no contour, and neither is the block that carries the
+// change to the other side, unless it turns on the spot (REVERSE).
+bool HeldPath::is_contour(const MotionBlock& block) const {
+  const TrcMode& mode = *block.mode;
+  const Rule* before = programmed_.empty() ? nullptr : &rule_of(programmed_.back());
+  if (before == nullptr || before->selection != mode.selection_number)
+    return mode.selection == Selection::perpendicular && !mode.tangential;
+  if (before->side == mode.side) return true;
+  return mode.options.reverse && reverses(segment_of(programmed_.back().piece), block.path);
+}
+
+void HeldPath::add(const MotionBlock& block) {
+  if (!is_finite(block.path)) return;
+  const bool is_wall = is_contour(block);
+  programmed_.push_back({.piece = piece_of(block.path),
+                         .source = block.source,
+                         .rule = number_of(*block.mode),
+                         .is_wall = is_wall});
+}
+
+void HeldPath::add(const CompensatedBlock& block) {
+  if (!is_measured(block.origin) || programmed_.empty() || !is_finite(block.path) ||
+      !find(block.source.index))
+    return;
+  path_.push_back(
+      {.piece = piece_of(block.path),
+       .height = block.normal.to,
+       .programmed = last_,
+       .inserted = block.origin == Origin::transition || block.origin == Origin::radius_change,
+       .on_contour = block.origin == Origin::programmed});
+}
+
+std::size_t HeldPath::first_from(std::uint64_t index) const {
+  std::size_t low = programmed_.begin();
+  std::size_t high = programmed_.end();
+  while (low < high) {
+    const std::size_t middle = low + (high - low) / 2;
+    if (programmed_[middle].source.index < index)
+      low = middle + 1;
+    else
+      high = middle;
+  }
+  return low;
+}
+
+// The path follows the program, but for the seam of a closed contour: the next one is near.
+bool HeldPath::find(std::uint64_t index) {
+  const auto index_at = [&](std::size_t number) { return programmed_[number].source.index; };
+  last_ = std::max(last_, programmed_.begin());
+  if (last_ >= programmed_.end() || index_at(last_) > index) {
+    const std::size_t behind = first_from(index + 1);
+    if (behind == programmed_.begin()) return false;
+    last_ = behind - 1;
+  }
+  while (last_ + 1 < programmed_.end() && index_at(last_ + 1) <= index) ++last_;
+  return index_at(last_) == index;
+}
+
+void HeldPath::forget_before(std::size_t number) {
+  programmed_.drop_before(number);
+  path_.drop_before(path_.end());
+  if (!programmed_.empty()) return;
+  rules_.clear();
+}
+
+std::size_t HeldPath::bytes() const {
+  return programmed_.size() * sizeof(ProgrammedPiece) + path_.size() * sizeof(PathPiece) +
+         rules_.capacity() * sizeof(Rule) + WallTree::bytes_for(programmed_.size());
+}
+
+}  // namespace trc::verify
