@@ -37,6 +37,8 @@ class VerifiedCompensator {
 
  private:
   [[nodiscard]] CompensatorSetup measuring(CompensatorSetup setup, Verify verify);
+  // Of blocks that end no selection. Returns how many.
+  std::size_t take_held(std::span<Block> blocks, std::vector<CompensatedBlock>& out);
   // Of one block, measured.
   bool take(Block& block, std::vector<CompensatedBlock>& out);
   // What is new in `out`.
@@ -45,7 +47,8 @@ class VerifiedCompensator {
   Compensator compensator_;
   Diagnostics& diagnostics_;
   std::optional<verify::Verification> verification_;
-  std::size_t measured_ = 0;  // of `out`
+  std::size_t measured_ = 0;    // of `out`
+  std::size_t told_ahead_ = 0;  // of the next blocks: the verification knows them
 };
 
 }  // namespace trc

@@ -1,5 +1,6 @@
 #include "core/verify/held_path.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/verify/shape.h"
@@ -36,7 +37,10 @@ bool is_measured(Origin origin) {
 
 }  // namespace
 
-std::uint32_t HeldPath::number_of(const TrcMode& mode) {
+std::uint32_t HeldPath::number_of(const std::shared_ptr<const TrcMode>& shared) {
+  if (shared == last_mode_ && !rules_.empty()) return static_cast<std::uint32_t>(rules_.size() - 1);
+  last_mode_ = shared;
+  const TrcMode& mode = *shared;
   const bool follows = !mode.options.suppress_trc && mode.tool_radius > 0;
   const Rule rule{.selection = mode.selection_number,
                   .required = follows ? mode.tool_radius : 0,
@@ -65,7 +69,7 @@ void HeldPath::add(const MotionBlock& block) {
   const bool is_wall = is_contour(block);
   programmed_.push_back({.piece = piece_of(block.path),
                          .source = block.source,
-                         .rule = number_of(*block.mode),
+                         .rule = number_of(block.mode),
                          .is_wall = is_wall});
 }
 

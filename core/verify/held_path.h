@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "core/base/numbered_queue.h"
@@ -71,7 +72,7 @@ class HeldPath {
   }
 
  private:
-  std::uint32_t number_of(const TrcMode& mode);
+  std::uint32_t number_of(const std::shared_ptr<const TrcMode>& mode);
   [[nodiscard]] bool is_contour(const MotionBlock& block) const;
   // The last programmed piece with this Source::index; false: there is none.
   bool find(std::uint64_t index);
@@ -79,7 +80,8 @@ class HeldPath {
   NumberedQueue<ProgrammedPiece> programmed_;
   NumberedQueue<PathPiece> path_;
   std::vector<Rule> rules_;
-  std::size_t last_ = 0;  // found: the path goes on there
+  std::shared_ptr<const TrcMode> last_mode_;  // that gave the last rule; none: not known
+  std::size_t last_ = 0;                      // found: the path goes on there
 };
 
 }  // namespace trc::verify

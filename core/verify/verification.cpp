@@ -1,5 +1,6 @@
 #include "core/verify/verification.h"
 
+#include <algorithm>
 #include <limits>
 #include <utility>
 #include <variant>
@@ -21,6 +22,22 @@ Diagnostic gouge(const ClearanceReport& found) {
 }
 
 }  // namespace
+
+std::size_t Verification::held_only(std::span<const Block> blocks) const {
+  if (!ends_.empty()) return 0;
+  bool holds = !held_.programmed().empty();
+  std::size_t room =
+      setup_.selection_blocks - std::min(setup_.selection_blocks, held_.programmed().size());
+  std::size_t count = 0;
+  for (const Block& block : blocks) {
+    if (const auto* motion = std::get_if<MotionBlock>(&block)) {
+      if (motion->mode->active() ? room-- == 0 : holds) break;
+      holds = holds || motion->mode->active();
+    }
+    ++count;
+  }
+  return count;
+}
 
 bool Verification::programmed(const Block& block) {
   const auto* motion = std::get_if<MotionBlock>(&block);

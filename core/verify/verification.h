@@ -41,6 +41,10 @@ class Verification {
   Verification(VerificationSetup setup, Diagnostics& diagnostics)
       : setup_(std::move(setup)), diagnostics_(diagnostics), checkpoint_(setup_.interrupt) {}
 
+  // So many of the next blocks are only held: none ends a selection, none is too many, and no path
+  // of them is measured.
+  [[nodiscard]] std::size_t held_only(std::span<const Block> blocks) const;
+
   // All return whether the stream goes on.
   bool programmed(const Block& block);
   bool compensated(std::span<const CompensatedBlock> path);
