@@ -55,10 +55,21 @@ Box around(const Box& a, const Box& b) {
   return best;
 }
 
-double least_gap(const Box& a, const Box& b) {
+double least_gap(const Box& a, const Box& b, double enough) {
   const double cosine = a.along.dot(b.along);
   const double sine = cross(a.along, b.along);
-  return std::max(gap_in_frame_of(a, b, cosine, sine), gap_in_frame_of(b, a, cosine, -sine));
+  const double gap = gap_in_frame_of(a, b, cosine, sine);
+  return gap >= enough ? gap : std::max(gap, gap_in_frame_of(b, a, cosine, -sine));
+}
+
+void UprightBox::add(const Box& box) {
+  const Vector half = half_in(box.half, box.along.x(), box.along.y());
+  low_ = low_.cwiseMin(Point(box.center - half));
+  high_ = high_.cwiseMax(Point(box.center + half));
+}
+
+Box UprightBox::box() const {
+  return {.center = 0.5 * (low_ + high_), .half = 0.5 * (high_ - low_)};
 }
 
 Ring ring_of(const Box& box, const Point& center) {

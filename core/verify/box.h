@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <limits>
 
 #include "core/geometry/segment.h"
 
@@ -17,8 +18,20 @@ struct Box {
 // Around both: along one of them or from one to the other, whatever is smallest.
 [[nodiscard]] Box around(const Box& a, const Box& b);
 
-// No point of one box is nearer to one of the other, mm.
-[[nodiscard]] double least_gap(const Box& a, const Box& b);
+// No point of one box is nearer to one of the other, mm. Where it is `enough` or more, it need not
+// be all.
+[[nodiscard]] double least_gap(const Box& a, const Box& b, double enough);
+
+// Upright around all that is added.
+class UprightBox {
+ public:
+  void add(const Box& box);
+  [[nodiscard]] Box box() const;
+
+ private:
+  Point low_ = Point::Constant(std::numeric_limits<double>::infinity());
+  Point high_ = Point::Constant(-std::numeric_limits<double>::infinity());
+};
 
 // Everything between two circles about one centre. Tells concentric arcs apart, whose boxes
 // overlap.

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <utility>
+#include <vector>
 
 #include "core/verify/nearest.h"
 #include "core/verify/shape.h"
@@ -13,7 +14,10 @@ namespace trc::verify {
 namespace {
 
 // Longer arcs are compared part by part: their boxes would be near to too much.
-constexpr double longest_probe = 1;  // rad
+constexpr double longest_probe = 2;  // rad
+
+// Pieces one behind the other are near to the same walls: those are looked for together.
+constexpr std::size_t group_size = 16;
 
 // Where one piece of path was clear, those as near to it need not be searched again.
 constexpr double slack = margin_resolution / 2;  // mm
@@ -31,6 +35,36 @@ class Selection {
         checkpoint_(checkpoint),
         tree_(held, begin, end, checkpoint) {
     report_.walls = tree_.walls();
+  }
+
+  // The pieces of the path from `next` on that stem from this selection. Returns the one behind.
+  std::size_t measure_from(std::size_t next) {
+    while (has(next)) {
+      std::size_t behind = next;
+      UprightBox around;
+      double required = 0;
+      for (; behind < next + group_size && has(behind); ++behind) {
+        const PathPiece& path = held_.path()[behind];
+        around.add(box_of(path.piece));
+        required = std::max(required, required_of(path));
+      }
+      gouges_ = false;
+      const double reach = required + margin_of_interest() + slack;
+      if (!report_.worst || !tree_.find_near(around.box(), reach, near_))
+        near_.assign(1, tree_.whole());
+      for (; next < behind; ++next) {
+        checkpoint_.pass();
+        measure(held_.path()[next]);
+      }
+    }
+    return next;
+  }
+
+  [[nodiscard]] const ClearanceReport& report() const { return report_; }
+
+ private:
+  [[nodiscard]] bool has(std::size_t number) const {
+    return number < held_.path().end() && held_.path()[number].programmed < end_;
   }
 
   void measure(const PathPiece& path) {
@@ -53,9 +87,6 @@ class Selection {
     if (held_.rule_of(own).accepts) ++report_.accepted;
   }
 
-  [[nodiscard]] const ClearanceReport& report() const { return report_; }
-
- private:
   [[nodiscard]] double required_at(std::size_t number) const {
     const double own = held_.rule_of(held_.programmed()[number]).required;
     return number == begin_ ? own
@@ -83,7 +114,7 @@ class Selection {
 
   void search(const PathPiece& path, const Piece& part) {
     tree_.for_each_near(
-        Probe(part),
+        tree_.probe(part), near_,
         [this](double required) {
           ++report_.steps;
           return std::min(required_, required) + margin_of_interest() + slack;
@@ -152,6 +183,7 @@ class Selection {
   Checkpoint& checkpoint_;
   WallTree tree_;
   ClearanceReport report_;
+  std::vector<WallTree::Stretch> near_;  // to the group of pieces that is being measured
   // A place of the path that is clear with `slack` to spare.
   struct Clear {
     Point place = Point::Zero();
@@ -193,10 +225,7 @@ ClearanceReport measure_clearance(const HeldPath& held, std::size_t end, double 
   for (std::size_t begin = held.programmed().begin(); begin < end;) {
     const std::size_t behind = end_of_selection(held, begin, end, checkpoint);
     Selection selection(held, begin, behind, allowed, checkpoint);
-    for (; next < held.path().end() && held.path()[next].programmed < behind; ++next) {
-      checkpoint.pass();
-      selection.measure(held.path()[next]);
-    }
+    next = selection.measure_from(next);
     report.add(selection.report());
     begin = behind;
   }

@@ -47,7 +47,7 @@ struct ClearanceReport {
 //
 // Where the tool radius changes, the smaller one is required. The smallest margin is found up to
 // `margin_resolution`: where the whole path runs at one distance, all of it is as near.
-inline constexpr double margin_resolution = 1e-6;  // mm
+inline constexpr double margin_resolution = 1e-5;  // mm
 [[nodiscard]] ClearanceReport measure_clearance(std::span<const Block> programmed,
                                                 std::span<const CompensatedBlock> path,
                                                 double allowed);

@@ -6,13 +6,12 @@
 namespace trc::verify {
 namespace {
 
-// Shorter arcs lie in boxes thin enough.
+// Shorter arcs lie in boxes thin enough, and turn about no centre of their own.
 constexpr double long_sweep = 0.5;  // rad
 
-// Of what lies in the box and in the ring, where there is one, about another centre.
+// Of what lies in the box and in the ring, about another centre.
 Ring seen_from(const Point& center, const Box& box, const Ring& ring) {
   Ring seen = ring_of(box, center);
-  if (!ring.exists()) return seen;
   const double apart = (ring.center - center).norm();
   seen.inner = std::max({seen.inner, ring.inner - apart, apart - ring.outer});
   seen.outer = std::min(seen.outer, ring.outer + apart);
@@ -30,16 +29,23 @@ WallTree::WallTree(const HeldPath& held, std::size_t begin, std::size_t end, Che
     total += size;
     if (size == 1) break;
   }
-  for (std::size_t number = begin; number < end && !has_rings_; ++number) {
-    checkpoint.pass();
-    const ProgrammedPiece& piece = held.programmed()[number];
-    has_rings_ = piece.is_wall && std::abs(piece.piece.sweep) > long_sweep;
-  }
+  find_middle(checkpoint);
   nodes_.reserve(total);
-  if (has_rings_) rings_.reserve(total);
   build_buckets(checkpoint);
   for (std::size_t level = 1; level < levels_.size(); ++level)
     build_level(levels_[level - 1], checkpoint);
+}
+
+void WallTree::find_middle(Checkpoint& checkpoint) {
+  UprightBox all;
+  for (std::size_t number = begin_; number < end_; ++number) {
+    checkpoint.pass();
+    if (const ProgrammedPiece& wall = held_.programmed()[number]; wall.is_wall) {
+      all.add({.center = wall.piece.start});
+      ++walls_;
+    }
+  }
+  if (walls_ > 0) middle_ = all.box().center;
 }
 
 void WallTree::build_buckets(Checkpoint& checkpoint) {
@@ -48,63 +54,75 @@ void WallTree::build_buckets(Checkpoint& checkpoint) {
     const Piece* longest = nullptr;
     visit_bucket(index, [&](const ProgrammedPiece& wall) {
       checkpoint.pass();
-      ++walls_;
       const Box box = box_of(wall.piece);
       node.box = node.required < 0 ? box : around(node.box, box);
       node.required = std::max(node.required, held_.rule_of(wall).required);
       if (longest == nullptr || std::abs(wall.piece.sweep) > std::abs(longest->sweep))
         longest = &wall.piece;
     });
+    const bool turns = longest != nullptr && std::abs(longest->sweep) > long_sweep;
+    const Point& center = turns ? longest->center : middle_;
+    visit_bucket(index, [&](const ProgrammedPiece& wall) {
+      const Ring own = ring_of(wall.piece, center);
+      node.ring = node.ring.exists() ? around(node.ring, own) : own;
+    });
     nodes_.push_back(node);
-    if (!has_rings_) continue;
-    Ring ring;
-    if (longest != nullptr && longest->is_arc())
-      visit_bucket(index, [&](const ProgrammedPiece& wall) {
-        const Ring own = ring_of(wall.piece, longest->center);
-        ring = ring.exists() ? around(ring, own) : own;
-      });
-    rings_.push_back(ring);
   }
 }
 
 void WallTree::build_level(const Level& below, Checkpoint& checkpoint) {
   for (std::size_t index = below.first; index < below.first + below.size; index += 2) {
     checkpoint.pass();
-    const bool pair = index + 1 < below.first + below.size && nodes_[index + 1].required >= 0;
-    const bool second_only = pair && nodes_[index].required < 0;
-    Node node = nodes_[second_only ? index + 1 : index];
-    if (has_rings_)
-      rings_.push_back(pair && !second_only ? ring_around(index, index + 1)
-                                            : rings_[second_only ? index + 1 : index]);
-    if (pair && !second_only) {
-      node.box = around(node.box, nodes_[index + 1].box);
-      node.required = std::max(node.required, nodes_[index + 1].required);
+    Node node = nodes_[index];
+    if (index + 1 < below.first + below.size) {
+      const Node& second = nodes_[index + 1];
+      node = node.required < 0 ? second : second.required < 0 ? node : both(node, second);
     }
     nodes_.push_back(node);
   }
 }
 
-// About the centre of one of the two, whatever is narrowest.
-Ring WallTree::ring_around(std::size_t a, std::size_t b) const {
-  Ring best;
-  for (const Ring& kept : {rings_[a], rings_[b]}) {
-    if (!kept.exists()) continue;
-    const Ring ring = around(seen_from(kept.center, nodes_[a].box, rings_[a]),
-                             seen_from(kept.center, nodes_[b].box, rings_[b]));
-    if (!best.exists() || ring.outer - ring.inner < best.outer - best.inner) best = ring;
+// The ring is about the centre of one of the two, whatever is narrowest.
+WallTree::Node WallTree::both(const Node& a, const Node& b) {
+  Node node{.box = around(a.box, b.box), .required = std::max(a.required, b.required)};
+  for (const Point& center : {a.ring.center, b.ring.center}) {
+    const Ring ring = around(seen_from(center, a.box, a.ring), seen_from(center, b.box, b.ring));
+    if (!node.ring.exists() || ring.outer - ring.inner < node.ring.outer - node.ring.inner)
+      node.ring = ring;
   }
-  return best;
+  return node;
 }
 
-double WallTree::gap_of(const Probe& probe, std::size_t level, std::size_t index) const {
-  const std::size_t place = levels_[level].first + index;
-  const Node& node = nodes_[place];
-  double gap = least_gap(probe.box, node.box);
+bool WallTree::find_near(const Box& box, double reach, std::vector<Stretch>& found) const {
+  constexpr std::size_t short_enough = 2;  // levels above the leaves
+  found.assign(1, whole());
+  for (std::size_t next = 0; next < found.size();) {
+    const Stretch stretch = found[next];
+    const Node& node = node_at(stretch);
+    if (node.required < 0 || least_gap(node.box, box, reach) >= reach) {
+      found[next] = found.back();
+      found.pop_back();
+    } else if (stretch.level <= short_enough) {
+      ++next;
+    } else {
+      found[next] = {.level = stretch.level - 1, .index = 2 * stretch.index};
+      if (2 * stretch.index + 1 < levels_[stretch.level - 1].size)
+        found.push_back({.level = stretch.level - 1, .index = 2 * stretch.index + 1});
+    }
+    if (found.size() > most_stretches) return false;
+  }
+  return true;
+}
+
+double WallTree::gap_of(const Probe& probe, const Stretch& stretch, double reach) const {
+  const Node& node = node_at(stretch);
+  double gap = least_gap(node.box, probe.box, reach);
+  if (gap >= reach) return gap;
   if (probe.ring.exists() && std::abs(probe.piece.sweep) > long_sweep)
     gap = std::max(gap, least_gap(probe.ring, ring_of(node.box, probe.ring.center)));
-  if (has_rings_ && rings_[place].exists())
-    gap = std::max(gap, least_gap(rings_[place], ring_of(probe.piece, rings_[place].center)));
-  return gap;
+  const Ring& ring = node.ring;
+  return std::max(gap, least_gap(ring, ring.center == middle_ ? probe.about_middle
+                                                              : ring_of(probe.piece, ring.center)));
 }
 
 }  // namespace trc::verify

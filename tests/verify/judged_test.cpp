@@ -210,8 +210,8 @@ TEST(Judged, EqualDistancesCostLittle) {
   const auto expect_cheap = [](auto pairs, const char* what) {
     const double few = pairs(2'000).cost();
     const double many = pairs(20'000).cost();
-    EXPECT_LT(few, 150) << what;
-    EXPECT_LT(many, 1.6 * few + 20) << what;
+    EXPECT_LT(few, 100) << what;
+    EXPECT_LT(many, 1.5 * few + 10) << what;
   };
   expect_cheap(rings, "rings");
   expect_cheap(hatch, "hatch");
