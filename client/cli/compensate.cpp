@@ -1,15 +1,11 @@
-#include <iostream>
 #include <memory>
 
 #include "client/cli/command.h"
 #include "client/cli/files.h"
+#include "client/cli/job.h"
+#include "client/cli/job_record.h"
 #include "client/cli/program_options.h"
 #include "client/cli/progress.h"
-#include "client/cli/service.h"
-#include "core/nc/state/program_state.h"
-#include "core/trc/result/listing.h"
-#include "proto/wire/compensated_block.h"
-#include "proto/wire/json_lines.h"
 
 namespace trc::cli {
 namespace {
@@ -19,80 +15,35 @@ struct Call {
   std::string format = "nc";
   std::string output;
   std::uint32_t decimals = 4;
+  std::string record;
 };
-
-// Path items as the lines of --format jsonl.
-class JsonWriter {
- public:
-  std::string lines_for(const Answer& answer) {
-    std::string text;
-    for (const CompensatedBlock& block : answer.blocks) {
-      wire::to_proto(block, *item_.mutable_block());
-      lines_.append(item_, text);
-    }
-    for (const wire::ReceivedDiagnostic& received : answer.diagnostics) {
-      v1::Diagnostic& message = *item_.mutable_diagnostic();
-      wire::to_proto(received.diagnostic, message);
-      message.set_message(received.message);
-      message.set_remedy(received.remedy);
-      message.set_reason(received.reason);
-      lines_.append(item_, text);
-    }
-    return text;
-  }
-
-  std::string line_for(const wire::PathSummary& summary) {
-    std::string text;
-    wire::to_proto(summary, *item_.mutable_summary());
-    lines_.append(item_, text);
-    return text;
-  }
-
- private:
-  wire::JsonLines lines_;
-  v1::PathItem item_;
-};
-
-std::vector<std::string> axis_names(const v1::ProgramSetup& setup) {
-  const auto& names = setup.path().axis_names();
-  if (names.empty()) return ProgramSetup{}.tracking_axes;
-  return {names.begin(), names.end()};
-}
 
 Exit run(const Call& call) {
   v1::ProgramSetup setup;
   if (!setup_of(call.program, setup)) return Exit::wrong_call;
   report_clearance(setup);
-  const bool as_nc = call.format == "nc";
-  const bool as_json = call.format == "jsonl";
-  setup.set_output(as_nc ? v1::PROGRAM_OUTPUT_NC : v1::PROGRAM_OUTPUT_BLOCKS);
   setup.set_decimals(call.decimals);
 
   Input input(call.program.file);
   Output output(call.output);
+  Output record(call.record);
   if (!input.open() || !output.open()) return Exit::wrong_call;
+  if (!call.record.empty() && !record.open()) return Exit::wrong_call;
   Progress progress(output.is_standard_output());
-  JsonWriter json;
-  const std::vector<std::string> axes = axis_names(setup);
-
-  const Outcome outcome =
-      compensate_program(call.program.service, setup, input, progress, [&](const Answer& answer) {
-        if (as_nc) return output.write(answer.text);
-        if (as_json) return output.write(json.lines_for(answer));
-        std::string text;
-        for (const CompensatedBlock& block : answer.blocks) {
-          append_listing(text, block, axes, static_cast<int>(call.decimals));
-          text += '\n';
-        }
-        return output.write(text);
-      });
-  if (as_json && outcome.summary && !output.write(json.line_for(outcome.summary->path)))
-    return Exit::wrong_call;
+  Job job{.service = call.program.service,
+          .setup = setup,
+          .format = call.format,
+          .input_name = call.program.file,
+          .output_name = call.output.empty() ? "-" : call.output,
+          .recorded = !call.record.empty()};
+  const Exit exit =
+      do_job(job, input, progress, [&](const std::string& text) { return output.write(text); });
   // What was certain before a refusal is shown on the screen; a file of it could
   // be taken for a whole path.
-  const bool keep = outcome.exit == Exit::done || output.is_standard_output();
+  const bool keep = exit == Exit::done || output.is_standard_output();
   if (keep && !output.commit()) return Exit::wrong_call;
-  return outcome.exit;
+  if (call.record.empty() || (exit != Exit::done && exit != Exit::refused)) return exit;
+  return record.write(text_of(job.record)) && record.commit() ? exit : Exit::wrong_call;
 }
 
 }  // namespace
@@ -112,6 +63,11 @@ void add_compensate(CLI::App& app, Action& action) {
   command->add_option("--decimals", call->decimals, "Decimal places of coordinates, 1 to 8")
       ->check(CLI::Range(1, 8))
       ->capture_default_str();
+  command
+      ->add_option("--record", call->record,
+                   "File to write a record of the job to: what was made of which bytes with which "
+                   "settings, and how it was measured. trc verify --record checks it")
+      ->type_name("FILE.json");
   command->footer(
       "The path is measured against the contour on its way (verify=report): where it comes nearer "
       "than the tool\nradius, warning 900216 says where. verify=enforce refuses such a program, "
