@@ -10,6 +10,10 @@ void add_program_options(CLI::App& command, ProgramOptions& options) {
   command.add_option("file", options.file, "NC program; - reads standard input")
       ->type_name("FILE")
       ->required();
+  add_setup_options(command, options);
+}
+
+void add_setup_options(CLI::App& command, ProgramOptions& options) {
   command
       .add_option("--set", options.assignments,
                   "What holds before the first line, as in tool_radius=5; may be repeated")

@@ -16,6 +16,8 @@ struct ProgramOptions {
   ServiceOptions service{};
 };
 void add_program_options(CLI::App& command, ProgramOptions& options);
+// The same but for the file.
+void add_setup_options(CLI::App& command, ProgramOptions& options);
 
 // The setup the options describe. Says on standard error what is wrong with them
 // and returns false then.

@@ -493,6 +493,45 @@ TEST(Record, TellsOfARefusedProgramToo) {
   EXPECT_EQ(trc({"verify", "--record", record}).code, 0);
 }
 
+TEST(Folder, IsCompensatedAndOnlyWhatChangedAgain) {
+  const Folder folder;
+  const std::string out = folder.path("out");
+  std::vector<std::string> call{"compensate", "--output-dir", out, "--jobs", "2",
+                                "--set",      "allowance=0.1"};
+  for (const char* name : {"a.nc", "b.nc", "bad.nc"}) {
+    write_file(folder.path(name), std::string(name) == "bad.nc" ? violating : demo);
+    call.push_back(folder.path(name));
+  }
+  const Ended first = trc(call);
+  EXPECT_EQ(first.code, 1) << first.err;
+  EXPECT_NE(first.out.find("3 programs, 2 done, 1 refused"), std::string::npos) << first.out;
+  EXPECT_NE(first.out.find("clearance 10.1000 of 10.1000 mm"), std::string::npos) << first.out;
+  EXPECT_NE(first.err.find("bad.nc:"), std::string::npos) << first.err;
+  const std::string made = read_file(out + "/a.nc");
+  EXPECT_EQ(made, trc({"compensate", folder.path("a.nc"), "--set", "allowance=0.1"}).out);
+  EXPECT_EQ(read_file(out + "/bad.nc"), "");
+
+  const Ended second = trc(call);
+  EXPECT_NE(second.out.find("3 programs, 1 refused, 2 unchanged"), std::string::npos) << second.out;
+  write_file(out + "/a.nc", made + "M0\n");
+  write_file(folder.path("b.nc"), std::regex_replace(demo, std::regex("X120"), "X121"));
+  EXPECT_NE(trc(call).out.find("2 done, 1 refused"), std::string::npos);
+  EXPECT_EQ(read_file(out + "/a.nc"), made);
+  call[6] = "allowance=0.2";
+  EXPECT_NE(trc(call).out.find("2 done, 1 refused"), std::string::npos);
+}
+
+TEST(Folder, IsNotMixedUp) {
+  const Folder folder;
+  write_file(folder.path("a.nc"), demo);
+  const std::string file = folder.path("a.nc");
+  EXPECT_EQ(trc({"compensate", file, file, "--output-dir", folder.path("out")}).code, 2);
+  EXPECT_EQ(trc({"compensate", file, file}).code, 2);
+  EXPECT_EQ(trc({"compensate", file, "--output-dir", folder.path("")}).code, 2);
+  EXPECT_EQ(trc({"compensate", file, "--jobs", "2"}).code, 2);
+  EXPECT_EQ(read_file(file), demo);
+}
+
 TEST(Generate, WritesTheSameTextAgain) {
   const std::vector<std::string> call{"generate", "--shape", "random", "--blocks",
                                       "50",       "--seed",  "3"};
