@@ -444,12 +444,12 @@ TEST(Record, HoldsWhereTheSameComesOutAgain) {
   write_file(part, demo);
   for (const char* format : {"nc", "jsonl", "listing"}) {
     SCOPED_TRACE(format);
-    const Ended made = trc({"compensate", part, "-o", folder.path("out"), "--format", format,
-                            "--record", record, "--set", "allowance=0.1"});
+    const Ended made =
+        trc({"compensate", part, "-o", folder.path("out"), "--format", format, "--record", record});
     ASSERT_EQ(made.code, 0) << made.err;
     const std::string filed = read_file(record);
-    for (const char* key : {"\"sha256\"", "\"certificate\"", "\"effectiveRadius\": 10.1",
-                            "\"clientVersion\"", "\"serverCommit\"", "\"started\""})
+    for (const char* key : {"\"sha256\"", "\"certificate\"", "\"method", "\"clientVersion\"",
+                            "\"serverCommit\"", "\"started\""})
       EXPECT_NE(filed.find(key), std::string::npos) << key << '\n' << filed;
     const Ended held = trc({"verify", "--record", record});
     EXPECT_EQ(held.code, 0) << held.err;
@@ -473,9 +473,8 @@ TEST(Record, ShowsWhatWasTamperedWith) {
   };
   expect_shown(std::regex_replace(filed, std::regex("\"clearance\": 10"), "\"clearance\": 11"),
                "summary");
-  expect_shown(
-      std::regex_replace(filed, std::regex("\"verify\""), "\"allowance\": 0.1, \"verify\""),
-      "output");
+  expect_shown(std::regex_replace(filed, std::regex("\"decimals\": 4"), "\"decimals\": 3"),
+               "output");
   write_file(part, std::regex_replace(demo, std::regex("N70 X120"), "N70 X121"));
   expect_shown(filed + "\n", "input");
   write_file(record, "{\"format\": \"something\"}");
@@ -496,8 +495,8 @@ TEST(Record, TellsOfARefusedProgramToo) {
 TEST(Folder, IsCompensatedAndOnlyWhatChangedAgain) {
   const Folder folder;
   const std::string out = folder.path("out");
-  std::vector<std::string> call{"compensate", "--output-dir", out, "--jobs", "2",
-                                "--set",      "allowance=0.1"};
+  std::vector<std::string> call{"compensate", "--output-dir", out, "--jobs",
+                                "2",          "--decimals",   "4"};
   for (const char* name : {"a.nc", "b.nc", "bad.nc"}) {
     write_file(folder.path(name), std::string(name) == "bad.nc" ? violating : demo);
     call.push_back(folder.path(name));
@@ -505,10 +504,10 @@ TEST(Folder, IsCompensatedAndOnlyWhatChangedAgain) {
   const Ended first = trc(call);
   EXPECT_EQ(first.code, 1) << first.err;
   EXPECT_NE(first.out.find("3 programs, 2 done, 1 refused"), std::string::npos) << first.out;
-  EXPECT_NE(first.out.find("clearance 10.1000 of 10.1000 mm"), std::string::npos) << first.out;
+  EXPECT_NE(first.out.find("clearance 10.0000 of 10.0000 mm"), std::string::npos) << first.out;
   EXPECT_NE(first.err.find("bad.nc:"), std::string::npos) << first.err;
   const std::string made = read_file(out + "/a.nc");
-  EXPECT_EQ(made, trc({"compensate", folder.path("a.nc"), "--set", "allowance=0.1"}).out);
+  EXPECT_EQ(made, trc({"compensate", folder.path("a.nc")}).out);
   EXPECT_EQ(read_file(out + "/bad.nc"), "");
 
   const Ended second = trc(call);
@@ -517,7 +516,7 @@ TEST(Folder, IsCompensatedAndOnlyWhatChangedAgain) {
   write_file(folder.path("b.nc"), std::regex_replace(demo, std::regex("X120"), "X121"));
   EXPECT_NE(trc(call).out.find("2 done, 1 refused"), std::string::npos);
   EXPECT_EQ(read_file(out + "/a.nc"), made);
-  call[6] = "allowance=0.2";
+  call[6] = "3";
   EXPECT_NE(trc(call).out.find("2 done, 1 refused"), std::string::npos);
 }
 
