@@ -56,7 +56,7 @@ Exit run_folder(const Call& call, const std::vector<std::string>& words) {
                 .format = call.format,
                 .jobs = call.jobs};
   if (!setup_for(call, run.setup)) return Exit::wrong_call;
-  ResultText(call.format, run.setup);
+  const ResultText asks_for_output(call.format, run.setup);
   v1::GetServerInfoResponse info;
   if (const Exit exit = server_info(call.program.service, info); exit != Exit::done) return exit;
   run.server_version = info.version();
