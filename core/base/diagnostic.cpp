@@ -204,6 +204,10 @@ constexpr auto rows = std::to_array<CodeRow>({
      "measured anew, the compensated path comes nearer to the contour than the tool radius",
      "Do not machine it. Use a smaller tool or correct the contour, or let G141 with "
      "REMOVE_MASKED_BLOCKS take the loops out."},
+    {Code::wear_too_large, error, "WEAR_TOO_LARGE",
+     "the wear of the tool is larger than max_wear; with nominal_radius the program is a centre "
+     "path, and the tool radius only what the tool differs from that",
+     "Is this the whole radius? Give the difference from the nominal one, or raise max_wear."},
 });
 
 static_assert(std::ranges::is_sorted(rows, {}, &CodeRow::code));

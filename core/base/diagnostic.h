@@ -95,6 +95,7 @@ enum class Code : std::int32_t {
   bottleneck = 900214,
   beyond_window = 900215,
   clearance_violated = 900216,
+  wear_too_large = 900222,
 };
 
 struct DiagnosticValue {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/verify/part_wall.h"
 #include "core/verify/shape.h"
 #include "core/verify/wall_tree.h"
 
@@ -41,10 +42,14 @@ std::uint32_t HeldPath::number_of(const std::shared_ptr<const TrcMode>& shared) 
   if (shared == last_mode_ && !rules_.empty()) return static_cast<std::uint32_t>(rules_.size() - 1);
   last_mode_ = shared;
   const TrcMode& mode = *shared;
-  const bool follows = !mode.options.suppress_trc && mode.tool_radius > 0;
+  const bool wear_mode = mode.nominal_radius > 0;
+  const double required = mode.cutting_radius(mode.tool_radius);
+  const bool follows = !mode.options.suppress_trc && required > 0;
+  const Side other = mode.side == Side::left ? Side::right : Side::left;
   const Rule rule{.selection = mode.selection_number,
-                  .required = follows ? mode.tool_radius : 0,
-                  .side = mode.side,
+                  .required = follows ? required : 0,
+                  .side = mode.below_nominal ? other : mode.side,
+                  .nominal = wear_mode && follows ? mode.nominal_radius : 0,
                   .plane = mode.plane,
                   .accepts = mode.options.ignore_cont_damage,
                   .reverses = mode.options.reverse,
@@ -55,22 +60,40 @@ std::uint32_t HeldPath::number_of(const std::shared_ptr<const TrcMode>& shared) 
 
 // The approach block is no contour, and neither is the block that carries the
 // change to the other side, unless it turns on the spot (REVERSE).
-bool HeldPath::is_contour(const MotionBlock& block) const {
+bool HeldPath::is_contour(const MotionBlock& block, Side side) const {
   const TrcMode& mode = *block.mode;
   const Rule* before = programmed_.empty() ? nullptr : &rule_of(programmed_.back());
   if (before == nullptr || before->selection != mode.selection_number)
     return mode.selection == Selection::perpendicular && !mode.tangential;
-  if (before->side == mode.side) return true;
+  if (before->side == side) return true;
   return mode.options.reverse && reverses(segment_of(programmed_.back().piece), block.path);
 }
 
 void HeldPath::add(const MotionBlock& block) {
   if (!is_finite(block.path)) return;
-  const bool is_wall = is_contour(block);
+  const std::uint32_t rule = number_of(block.mode);
+  const bool is_wall = is_contour(block, rules_[rule].side);
   programmed_.push_back({.piece = piece_of(block.path),
                          .source = block.source,
-                         .rule = number_of(block.mode),
+                         .rule = rule,
                          .is_wall = is_wall});
+  if (rule_of(programmed_.back()).nominal > 0) put_at_part();
+}
+
+void HeldPath::put_at_part() {
+  ProgrammedPiece& last = programmed_.back();
+  const Rule& rule = rule_of(last);
+  PartWall wall = part_wall(last.piece, rule.side, rule.nominal);
+  wall.exists = wall.exists && last.is_wall;
+  if (programmed_.size() > 1) {
+    ProgrammedPiece& before = programmed_[programmed_.end() - 2];
+    PartWall wall_before{.piece = before.piece, .exists = before.is_wall};
+    if (rule_of(before).selection == rule.selection) end_at_corner(wall_before, wall, rule.side);
+    before.piece = wall_before.piece;
+    before.is_wall = wall_before.exists;
+  }
+  last.piece = wall.piece;
+  last.is_wall = wall.exists;
 }
 
 void HeldPath::add(const CompensatedBlock& block) {

@@ -17,8 +17,9 @@ namespace trc::verify {
 // What was in force when a block was programmed, as far as measuring it asks.
 struct Rule {
   std::uint32_t selection = 0;
-  double required = 0;  // mm, the least distance of path and wall: the tool radius
-  Side side = Side::off;
+  double required = 0;    // mm, the least distance of path and wall: what the tool cuts with
+  Side side = Side::off;  // of the wall
+  double nominal = 0;     // mm; above 0: wear mode, the walls are beside the program (part_wall.h)
   Plane plane = Plane::xy;
   bool accepts = false;   // IGNORE_CONT_DAMAGE
   bool reverses = false;  // REVERSE
@@ -73,7 +74,9 @@ class HeldPath {
 
  private:
   std::uint32_t number_of(const std::shared_ptr<const TrcMode>& mode);
-  [[nodiscard]] bool is_contour(const MotionBlock& block) const;
+  [[nodiscard]] bool is_contour(const MotionBlock& block, Side side) const;
+  // The last piece becomes the wall it stands for in wear mode.
+  void put_at_part();
   // The last programmed piece with this Source::index; false: there is none.
   bool find(std::uint64_t index);
 

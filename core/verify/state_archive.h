@@ -20,8 +20,8 @@ void serialize(Archive& archive, Piece& piece) {
 
 template <class Archive>
 void serialize(Archive& archive, Rule& rule) {
-  auto& [selection, required, side, plane, accepts, reverses, follows] = rule;
-  archive(selection, required, side, plane, accepts, reverses, follows);
+  auto& [selection, required, side, nominal, plane, accepts, reverses, follows] = rule;
+  archive(selection, required, side, nominal, plane, accepts, reverses, follows);
 }
 
 template <class Archive>

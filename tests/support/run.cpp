@@ -36,6 +36,7 @@ SessionSetup setup_for(const TrcMode& mode, const Point& start,
   setup.compensator = compensator;
   setup.program.mode = mode;
   setup.program.mode.side = Side::off;
+  setup.program.nominal_radius = mode.nominal_radius;
   setup.program.absolute_center = true;
   setup.program.start = from_plane(mode.plane, start, 0);
   return setup;

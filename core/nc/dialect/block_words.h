@@ -38,6 +38,7 @@ struct Interpreter::BlockWords {
   std::optional<Value> feed{};
   std::optional<Value> tool{};          // D
   std::optional<Value> tool_radius{};   // V.G.WZ_AKT.R
+  bool radius_is_change = false;        // it is what that one grows by
   std::optional<TrcOptions> options{};  // #TRC
   std::optional<double> tangfeed{};     // #TANGFEED
   std::optional<std::uint32_t> number_alone{};

@@ -137,6 +137,7 @@ bool Interpreter::read_words(ProgramLine& line, BlockWords& block) {
         if (block.tool) return refuse(line, word, Code::radius_and_tool_word_together);
         if (block.tool_radius) return refuse(line, word, Code::nc_word_twice);
         block.tool_radius = {.value = word.value, .begin = word.begin};
+        block.radius_is_change = word.relative;
         add(line, word, WordRole::trc);
         break;
       case WordKind::command:

@@ -35,7 +35,10 @@ ProgramState::ProgramState(const ProgramSetup& setup, const Tolerances& toleranc
       diagnostics_(diagnostics),
       blocks_(blocks),
       mode_(setup.mode),
-      programmed_radius_(setup.mode.tool_radius),
+      terms_{.radius = setup.mode.tool_radius,
+             .wear = setup.wear,
+             .allowance = setup.allowance,
+             .nominal = setup.nominal_radius},
       absolute_center_(setup.absolute_center),
       circle_(setup.circle),
       position_(setup.start),
@@ -64,9 +67,12 @@ void ProgramState::share_mode() { shared_mode_ = std::make_shared<const TrcMode>
 
 void ProgramState::update_side() {
   TrcMode& mode = change_mode();
-  mode.tool_radius = std::abs(programmed_radius_);
+  const double beside = terms_.beside();
+  mode.tool_radius = std::abs(beside);
+  mode.nominal_radius = terms_.nominal;
+  mode.below_nominal = terms_.nominal > 0 && beside < 0;
   mode.side = programmed_side_;
-  if (programmed_radius_ < 0 && programmed_side_ != Side::off)
+  if (beside < 0 && programmed_side_ != Side::off)
     mode.side = programmed_side_ == Side::left ? Side::right : Side::left;
 }
 
@@ -83,6 +89,7 @@ bool ProgramState::select(Side side, const Source& source) {
   }
   programmed_side_ = side;
   update_side();
+  if (!check_wear(source)) return false;
   mode_.tangential = std::exchange(tangential_requested_, false);
   return true;
 }
@@ -170,22 +177,59 @@ bool ProgramState::set_plane(Plane plane, const Source& source) {
 }
 
 bool ProgramState::set_tool_radius(double radius, const Source& source) {
-  if (!in_range(radius, -largest_tool_radius, largest_tool_radius))
+  RadiusTerms terms = terms_;
+  terms.radius = radius;
+  return set_terms(terms, source);
+}
+
+bool ProgramState::set_wear(double wear, const Source& source) {
+  RadiusTerms terms = terms_;
+  terms.wear = wear;
+  return set_terms(terms, source);
+}
+
+bool ProgramState::set_allowance(double allowance, const Source& source) {
+  RadiusTerms terms = terms_;
+  terms.allowance = allowance;
+  return set_terms(terms, source);
+}
+
+bool ProgramState::set_terms(const RadiusTerms& terms, const Source& source) {
+  const auto fits = [](double value) {
+    return in_range(value, -largest_tool_radius, largest_tool_radius);
+  };
+  if (!fits(terms.radius) || !fits(terms.effective()))
     return report(source, Code::tool_radius_out_of_range, {},
-                  {{"tool_radius", radius}, {"largest", largest_tool_radius}});
-  if (radius == programmed_radius_) return true;
-  if (mode_.active() && mode_.selection == Selection::inside_corner)
-    return report(source, Code::radius_change_under_inside_corner, {}, {{"tool_radius", radius}});
-  programmed_radius_ = radius;
+                  {{"tool_radius", fits(terms.radius) ? terms.effective() : terms.radius},
+                   {"largest", largest_tool_radius}});
+  if (terms == terms_) return true;
+  if (mode_.active() && mode_.selection == Selection::inside_corner &&
+      terms.beside() != terms_.beside())
+    return report(source, Code::radius_change_under_inside_corner, {},
+                  {{"tool_radius", terms.effective()}});
+  terms_ = terms;
   update_side();
-  return true;
+  return !mode_.active() || check_wear(source);
+}
+
+bool ProgramState::check_wear(const Source& source) {
+  const bool wear_mode = terms_.nominal > 0;
+  const double wear = wear_mode ? terms_.radius + terms_.wear : terms_.wear;
+  if (std::abs(wear) <= setup_.max_wear) return true;
+  std::vector<DiagnosticValue> values{{"wear", wear}, {"max_wear", setup_.max_wear}};
+  if (wear_mode) values.push_back({"nominal_radius", terms_.nominal});
+  return report(source, Code::wear_too_large, {}, std::move(values));
 }
 
 bool ProgramState::set_tool(std::int64_t number, const Source& source) {
   const auto tool = setup_.tools.find(number);
-  if (tool != setup_.tools.end()) return set_tool_radius(tool->second, source);
-  if (number == 0) return set_tool_radius(0, source);
-  return report(source, Code::tool_unknown, std::string("D").append(std::to_string(number)));
+  if (tool == setup_.tools.end() && number != 0)
+    return report(source, Code::tool_unknown, std::string("D").append(std::to_string(number)));
+  const ToolRow row = tool != setup_.tools.end() ? tool->second : ToolRow();
+  RadiusTerms terms = terms_;
+  terms.radius = row.radius;
+  terms.wear = row.wear;
+  return set_terms(terms, source);
 }
 
 bool ProgramState::set_options(const TrcOptions& options, const Source& source) {

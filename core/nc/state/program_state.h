@@ -16,6 +16,35 @@
 
 namespace trc {
 
+// A row of the tool table; a radius alone is one.
+struct ToolRow {
+  ToolRow(double tool_radius = 0, double tool_wear = 0) : radius(tool_radius), wear(tool_wear) {}
+
+  double radius;  // mm; negative swaps the side
+  double wear;    // mm, what the tool is larger by
+
+  bool operator==(const ToolRow&) const = default;
+};
+
+// The parts of the tool radius in force (D-43), mm.
+struct RadiusTerms {
+  double radius = 0;  // as programmed; negative swaps the side
+  double wear = 0;
+  double allowance = 0;
+  double nominal = 0;  // above 0: wear mode, the program is the centre path of such a tool
+
+  // How far the path is beside the program; negative: on the side that was not programmed.
+  [[nodiscard]] double beside() const {
+    const double size = nominal > 0 || radius >= 0 ? radius : -radius;
+    const double sum = size + wear + allowance;
+    return nominal > 0 || radius >= 0 ? sum : -sum;
+  }
+  // What the tool cuts with, allowance included.
+  [[nodiscard]] double effective() const { return nominal + beside(); }
+
+  bool operator==(const RadiusTerms&) const = default;
+};
+
 // What holds before the first block.
 struct ProgramSetup {
   TrcMode mode{};                // plane, mode, radius, options; side must be off
@@ -23,7 +52,11 @@ struct ProgramSetup {
   bool absolute_center = false;  // G161; G162 is the initial state (rule 10.4)
   CircleCheck circle{};
   std::vector<std::string> tracking_axes{"A", "B", "C", "U", "V", "W"};
-  std::map<std::int64_t, double> tools{};  // D word -> tool radius, mm
+  std::map<std::int64_t, ToolRow> tools{};  // by D word
+  double wear = 0;            // mm, of the tool whose radius `mode` has; a D word brings its own
+  double allowance = 0;       // mm; positive leaves stock on the part
+  double nominal_radius = 0;  // mm; above 0: wear mode (RadiusTerms::nominal)
+  double max_wear = 1;        // mm; beyond that in size 900222
 };
 
 enum class MotionKind : std::uint8_t { rapid, linear, clockwise, counter_clockwise };
@@ -75,9 +108,16 @@ class ProgramState {
   // mm; negative swaps the side (rule 1.5). At most `largest_tool_radius` in
   // size (900104); not under an active G238 (90127).
   bool set_tool_radius(double radius, const Source& source);
-  // D word, with the radius of the tool table; D0 without entry is no tool,
+  // Likewise, by so much more: V.G.WZ_AKT.R = V.G.WZ_AKT.R + 0.2.
+  bool change_tool_radius(double more, const Source& source) {
+    return set_tool_radius(terms_.radius + more, source);
+  }
+  // D word, with the radius and the wear of the tool table; D0 without entry is no tool,
   // radius 0. 900013.
   bool set_tool(std::int64_t number, const Source& source);
+  // Both as set_tool_radius, mm. 900222.
+  bool set_wear(double wear, const Source& source);
+  bool set_allowance(double allowance, const Source& source);
   // A STRETCH_FACTOR out of range becomes 1, with a warning (22007). 22125, 900005.
   bool set_options(const TrcOptions& options, const Source& source);
   void set_absolute_center(bool absolute) { absolute_center_ = absolute; }        // G161 / G162
@@ -105,6 +145,8 @@ class ProgramState {
   bool end(const Source& source);
 
   [[nodiscard]] const TrcMode& mode() const { return mode_; }
+  // Of the radius in force.
+  [[nodiscard]] const RadiusTerms& radius_terms() const { return terms_; }
   // Where the last block ended, mm.
   [[nodiscard]] const Position& position() const { return position_; }
   // Whether this is a feed, mm/min: 0 is none.
@@ -122,10 +164,10 @@ class ProgramState {
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(column_, mode_, shared_mode_, programmed_side_, programmed_radius_,
-            tangential_requested_, absolute_center_, circle_.correct_center, position_, target_,
-            known_, tracking_, selections_, in_plane_blocks_, has_approach_, last_path_, last_mode_,
-            retract_pending_, just_deselected_, ended_);
+    archive(column_, mode_, shared_mode_, programmed_side_, terms_.radius, terms_.wear,
+            terms_.allowance, tangential_requested_, absolute_center_, circle_.correct_center,
+            position_, target_, known_, tracking_, selections_, in_plane_blocks_, has_approach_,
+            last_path_, last_mode_, retract_pending_, just_deselected_, ended_);
   }
 
  private:
@@ -148,6 +190,10 @@ class ProgramState {
   }
   void share_mode();
   void update_side();
+  // What takes the place of the terms in force.
+  bool set_terms(const RadiusTerms& terms, const Source& source);
+  // Whether the wear is no whole radius.
+  bool check_wear(const Source& source);
 
   // Where the request ends on an axis that it names.
   [[nodiscard]] double end_on(std::size_t axis, const MoveRequest& request) const {
@@ -181,7 +227,7 @@ class ProgramState {
   TrcMode mode_;
   std::shared_ptr<const TrcMode> shared_mode_{};  // a copy of mode_; empty: out of date
   Side programmed_side_ = Side::off;              // G41, G42 before a negative radius swaps
-  double programmed_radius_ = 0;                  // with its sign
+  RadiusTerms terms_{};
   bool tangential_requested_ = false;
   bool absolute_center_ = false;
   CircleCheck circle_;
