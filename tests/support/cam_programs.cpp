@@ -234,6 +234,99 @@ class Writer {
   Point at_ = Point::Zero();
 };
 
+// Puts one program together: leads, laps, overrun.
+class Composer {
+ public:
+  explicit Composer(const CamProgram& program)
+      : program_(program),
+        ring_(program.contour.ring),
+        start_(start_of(ring_.front())),
+        size_(size_of_leads(program.contour)),
+        overrun_(beginning_of(ring_, overrun_of(program))),
+        in_(lead_in(program.in, start_, direction_at_start(ring_), size_)),
+        writer_(program) {
+    end_ = overrun_.empty() ? start_ : end_of(overrun_.back());
+    leaves_ = tangent_at_end(overrun_.empty() ? ring_.back() : overrun_.back());
+    entry_ = in_.empty() ? start_ : start_of(in_.front());
+  }
+
+  std::string compose(const std::string& modes) {
+    begin(modes);
+    write_laps();
+    if (!merges()) writer_.blocks(overrun_);
+    const std::vector<Segment> out = lead_out(program_.out, end_, leaves_, size_);
+    writer_.blocks(out);
+    const Point left = out.empty() ? end_ : end_of(out.back());
+    const Vector away = out.empty() ? leaves_ : tangent_at_end(out.back());
+    writer_.straight("G40 G1", left + run_ * (left_of(away) + away));
+    writer_.line("M30");
+    return writer_.text();
+  }
+
+ private:
+  [[nodiscard]] bool merges() const { return program_.overrun == Overrun::in_the_last_block; }
+
+  void begin(const std::string& modes) {
+    writer_.line(program_.inch ? "G17 G90 G70" : "G17 G90 G71");
+    writer_.line("V.G.WZ_AKT.R=" + writer_.number(program_.contour.tool_radius));
+    std::istringstream lines(modes);
+    for (std::string line; std::getline(lines, line);) writer_.line(line);
+    const Vector entered = in_.empty() ? direction_at_start(ring_) : tangent_at_start(in_.front());
+    writer_.straight("G0", entry_ + run_ * (left_of(entered) - entered));
+    writer_.line("F" + writer_.number(800));
+    writer_.straight("G41 G1", entry_);
+    writer_.blocks(in_);
+  }
+  void write_laps() {
+    switch (program_.laps) {
+      case Laps::one:
+        return lap(ring_, true);
+      case Laps::two:
+      case Laps::three:
+        for (int count = program_.laps == Laps::two ? 2 : 3; count-- > 0;) lap(ring_, count == 0);
+        return;
+      case Laps::rough_and_finish:
+        lap(ring_, false);
+        return lap(rounded(ring_, 3), true);
+      case Laps::depths:
+      case Laps::depths_and_leads:
+        lap(ring_, false);
+        step_down(-1);
+        lap(ring_, false);
+        step_down(-2);
+        return lap(ring_, true);
+    }
+  }
+  void lap(const std::vector<Segment>& blocks, bool last) {
+    for (std::size_t index = 0; index + 1 < blocks.size(); ++index) writer_.block(blocks[index]);
+    if (last && merges())
+      writer_.straight("G1", end_);
+    else
+      writer_.block(blocks.back());
+  }
+  void step_down(double z) {
+    if (program_.laps == Laps::depths) return writer_.depth(z);
+    const auto off = lead_out(program_.out, start_, tangent_at_end(ring_.back()), size_);
+    writer_.blocks(off);
+    const bool returns = !off.empty() && (end_of(off.back()) - entry_).norm() > 1e-6;
+    if (returns) writer_.straight("G1", entry_);
+    writer_.depth(z);
+    writer_.blocks(in_);
+  }
+
+  const CamProgram& program_;
+  const std::vector<Segment>& ring_;
+  Point start_;
+  double size_;
+  std::vector<Segment> overrun_;
+  std::vector<Segment> in_;
+  Writer writer_;
+  double run_ = 2 * program_.contour.tool_radius;  // mm of approach and retract
+  Point end_ = Point::Zero();
+  Vector leaves_ = Vector::UnitX();
+  Point entry_ = Point::Zero();
+};
+
 }  // namespace
 
 std::vector<CamContour> cam_contours() {
@@ -317,72 +410,7 @@ bool is_possible(const CamProgram& program) {
 }
 
 std::string text_of(const CamProgram& program, const std::string& modes) {
-  const CamContour& contour = program.contour;
-  const std::vector<Segment>& ring = contour.ring;
-  const Point start = start_of(ring.front());
-  const double size = size_of_leads(contour);
-  const Vector tangent = direction_at_start(ring);
-  const std::vector<Segment> in = lead_in(program.in, start, tangent, size);
-  std::vector<Segment> overrun = beginning_of(ring, overrun_of(program));
-  const Vector leaves = tangent_at_end(overrun.empty() ? ring.back() : overrun.back());
-  const Point end = overrun.empty() ? start : end_of(overrun.back());
-  const std::vector<Segment> out = lead_out(program.out, end, leaves, size);
-
-  Writer writer(program);
-  writer.line(program.inch ? "G17 G90 G70" : "G17 G90 G71");
-  writer.line("V.G.WZ_AKT.R=" + writer.number(contour.tool_radius));
-  std::istringstream lines(modes);
-  for (std::string line; std::getline(lines, line);) writer.line(line);
-  const Point entry = in.empty() ? start : start_of(in.front());
-  const Vector entered = in.empty() ? tangent : tangent_at_start(in.front());
-  const Point before = entry + 2 * contour.tool_radius * (left_of(entered) - entered);
-  writer.straight("G0", before);
-  writer.line("F" + writer.number(800));
-  writer.straight("G41 G1", entry);
-  writer.blocks(in);
-  const bool merges = program.overrun == Overrun::in_the_last_block;
-  const auto lap = [&](const std::vector<Segment>& blocks, bool last) {
-    for (std::size_t index = 0; index + 1 < blocks.size(); ++index) writer.block(blocks[index]);
-    if (last && merges)
-      writer.straight("G1", end);
-    else
-      writer.block(blocks.back());
-  };
-  switch (program.laps) {
-    case Laps::one:
-      lap(ring, true);
-      break;
-    case Laps::two:
-    case Laps::three:
-      for (int count = program.laps == Laps::two ? 2 : 3; count-- > 0;) lap(ring, count == 0);
-      break;
-    case Laps::rough_and_finish:
-      lap(ring, false);
-      lap(rounded(ring, 3), true);
-      break;
-    case Laps::depths:
-    case Laps::depths_and_leads:
-      for (int count = 3; count-- > 0;) {
-        lap(ring, count == 0);
-        if (count == 0) break;
-        if (program.laps == Laps::depths_and_leads) {
-          const auto off = lead_out(program.out, start, tangent_at_end(ring.back()), size);
-          writer.blocks(off);
-          if (!off.empty() && (end_of(off.back()) - entry).norm() > 1e-6)
-            writer.straight("G1", entry);
-        }
-        writer.depth(-1.0 * (3 - count));
-        if (program.laps == Laps::depths_and_leads) writer.blocks(in);
-      }
-      break;
-  }
-  if (!merges) writer.blocks(overrun);
-  writer.blocks(out);
-  const Point left = out.empty() ? end : end_of(out.back());
-  const Vector away = out.empty() ? leaves : tangent_at_end(out.back());
-  writer.straight("G40 G1", left + 2 * contour.tool_radius * (left_of(away) + away));
-  writer.line("M30");
-  return writer.text();
+  return Composer(program).compose(modes);
 }
 
 }  // namespace trc::support
