@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <chrono>
 #include <ctime>
-#include <exception>
 #include <new>
 #include <optional>
 #include <system_error>
@@ -22,9 +21,6 @@ std::chrono::nanoseconds time_computed() {
 // When the turn of this thread began, or went on; none in a thread of somebody else.
 thread_local std::optional<std::chrono::nanoseconds> began;
 
-// Of the turn of this thread.
-thread_local WorkerPool::Group* group_of_turn = nullptr;
-
 // Several turns of batches: giving way costs two changes of thread.
 constexpr std::chrono::milliseconds share_of_time{5};
 
@@ -33,7 +29,7 @@ constexpr std::chrono::milliseconds share_of_time{5};
 WorkerPool::WorkerPool(unsigned places)
     : places_(places > 0 ? places : std::max(1U, std::thread::hardware_concurrency())) {
   // No thread is lost for want of a place to note it down.
-  threads_.reserve(2 * places_ + TurnQueue::most_standing);
+  threads_.reserve(places_ + most_standing);
   try {
     for (std::size_t i = 0; i < places_; ++i) threads_.emplace_back([this] { run(); });
   } catch (const std::system_error&) {
@@ -53,49 +49,36 @@ void WorkerPool::stop() {
   for (std::thread& thread : threads_) thread.join();
 }
 
-void WorkerPool::submit(Job& job, Group& group) {
+void WorkerPool::submit(Job& job) {
   {
     const std::lock_guard lock(mutex_);
-    queue_.push({.group = &group, .job = &job, .since = std::chrono::steady_clock::now()});
+    queue_.push_back({.job = &job, .since = std::chrono::steady_clock::now()});
   }
   changed_.notify_one();
-}
-
-bool WorkerPool::have_thread_for_place() {
-  if (idle_ >= places_ - taken_ + 1) return true;
-  if (threads_.size() == threads_.capacity()) return false;
-  try {
-    threads_.emplace_back([this] { run(); });
-    return true;
-  } catch (const std::exception&) {
-    ++threads_missed_;
-    return false;
-  }
 }
 
 void WorkerPool::give_way() {
   if (!began || time_computed() - *began < share_of_time) return;
   {
     std::unique_lock lock(mutex_);
-    if (queue_.empty() || stopping_) return;
-    TurnQueue::Standing standing;
+    if (queue_.empty() || stopping_ || standing_ == most_standing) return;
+    Standing standing;
+    // What may fail comes first: a turn that cannot be replaced goes on in its place.
     try {
-      queue_.push({.group = group_of_turn,
-                   .standing = &standing,
-                   .since = std::chrono::steady_clock::now()});
+      if (idle_ < places_ - taken_ + 1) threads_.emplace_back([this] { run(); });
+      queue_.push_back({.standing = &standing, .since = std::chrono::steady_clock::now()});
+    } catch (const std::system_error&) {
+      ++threads_missed_;
+      began = time_computed();
+      return;
     } catch (const std::bad_alloc&) {
       return;
     }
-    if (have_thread_for_place()) {
-      --taken_;
-      changed_.notify_one();
-    } else {
-      // Perhaps this one.
-      TurnQueue::Standing& next = *queue_.pop_standing().standing;
-      next.goes_on = true;
-      next.changed.notify_one();
-    }
+    --taken_;
+    ++standing_;
+    changed_.notify_one();
     standing.changed.wait(lock, [&] { return standing.goes_on; });
+    --standing_;
   }
   began = time_computed();
 }
@@ -108,7 +91,7 @@ std::size_t WorkerPool::queue_depth() const {
 std::chrono::nanoseconds WorkerPool::longest_wait() const {
   const std::lock_guard lock(mutex_);
   if (queue_.empty()) return {};
-  return std::chrono::steady_clock::now() - queue_.oldest();
+  return std::chrono::steady_clock::now() - queue_.front().since;
 }
 
 std::size_t WorkerPool::thread_count() const {
@@ -132,7 +115,8 @@ void WorkerPool::run() {
       changed_.notify_all();
       return;
     }
-    const TurnQueue::Waiting next = queue_.pop();
+    const Waiting next = queue_.front();
+    queue_.pop_front();
     ++taken_;
     if (next.standing != nullptr) {
       next.standing->goes_on = true;
@@ -141,7 +125,6 @@ void WorkerPool::run() {
     }
     lock.unlock();
     began = time_computed();
-    group_of_turn = next.group;
     next.job->turn();
     lock.lock();
     --taken_;

@@ -1,6 +1,5 @@
 #include "server/rpc/answers.h"
 
-#include <algorithm>
 #include <utility>
 #include <vector>
 
@@ -9,9 +8,7 @@ namespace trc::server {
 void Answers::place(Diagnostics& diagnostics) {
   if (diagnostics.pending().empty()) return;
   std::vector<Diagnostic> raised = diagnostics.take();
-  // Several faults of reading may have been found in one run; the status tells the first.
-  const auto error = std::ranges::find(raised, Severity::error, &Diagnostic::severity);
-  if (diagnostics.stopped() && error != raised.end()) end_with(refuse(*error));
+  if (diagnostics.stopped()) end_with(refuse(raised.back()));
   outbox_.place(std::move(raised));
 }
 

@@ -1,20 +1,17 @@
 #pragma once
 
-#include "server/connections.h"
+#include <string_view>
+
 #include "server/telemetry/log.h"
 #include "server/telemetry/metrics.h"
 
 namespace trc::server {
 
-struct Config;
-
-// What is known about the work of one server: what was done, and on which connections.
 struct Telemetry {
-  explicit Telemetry(const Config& config);
+  explicit Telemetry(std::string_view log_level) : log(log_level) {}
 
   Log log;
   Metrics metrics;
-  Connections connections;
 };
 
 }  // namespace trc::server

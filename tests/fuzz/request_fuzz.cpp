@@ -92,9 +92,7 @@ template <class Rpc>
 Answers<Rpc> play(std::span<const typename Rpc::Request> requests) {
   server::CallRecord record(backend().telemetry, Rpc::method, "fuzz", {});
   const std::atomic<bool> cancelled = false;
-  const auto peer = backend().peers.of("fuzz");
-  server::StreamAccount account(backend(), *peer);
-  typename Rpc::Work work({backend(), record, cancelled, account});
+  typename Rpc::Work work({backend(), record, cancelled});
   Answers<Rpc> answers;
   typename Rpc::Response response;
   // Whether the stream goes on.

@@ -61,9 +61,8 @@ TEST(ImplicitMasking, StopsExactlyWhereSamplingFindsAGouge) {  // D-34
   std::size_t gouged = 0;
   std::size_t clear = 0;
   for_each_sample(1'000'000, [&](const Sample& tested, const Outcome& plain) {
-    Feeding feeding;
-    feeding.compensator.implicit_contour_masking = true;
-    const Outcome outcome = compensate(tested.contour, tested.mode, feeding);
+    const Outcome outcome = compensate(tested.contour, tested.mode,
+                                       {.compensator = {.implicit_contour_masking = true}});
     if (tested.spare >= -1e-7) {
       ++clear;
       ASSERT_FALSE(outcome.stopped) << message_of(*outcome.error());

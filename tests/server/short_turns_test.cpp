@@ -31,9 +31,7 @@ struct Stream {
                   std::string(32, 'k')};
   CallRecord record{backend.telemetry, Method::compensate_path, "peer", {}};
   std::atomic<bool> cancelled = false;
-  std::shared_ptr<Peer> peer = backend.peers.of("peer");
-  StreamAccount account{backend, *peer};
-  Work work{StreamContext{backend, record, cancelled, account}};
+  Work work{StreamContext{backend, record, cancelled}};
   Response response;
 };
 using PathStream = Stream<CompensatePath, v1::CompensatePathRequest, v1::CompensatePathResponse>;

@@ -3,18 +3,15 @@
 #include <gtest/gtest.h>
 #include <pthread.h>
 
-#include <array>
 #include <atomic>
 #include <chrono>
 #include <ctime>
-#include <deque>
 #include <functional>
 #include <future>
 #include <mutex>
 #include <string>
 #include <system_error>
 #include <thread>
-#include <vector>
 
 namespace trc::server {
 namespace {
@@ -29,12 +26,11 @@ class Task final : public WorkerPool::Job {
 };
 
 TEST(WorkerPool, RunsEveryJobBeforeItEnds) {
-  WorkerPool::Group group;
   std::atomic<int> runs = 0;
   Task task([&] { ++runs; });
   {
     WorkerPool pool(2);
-    for (int i = 0; i < 1000; ++i) pool.submit(task, group);
+    for (int i = 0; i < 1000; ++i) pool.submit(task);
   }
   EXPECT_EQ(runs, 1000);
 }
@@ -45,7 +41,6 @@ TEST(WorkerPool, HasAThreadPerCoreUnlessTold) {
 }
 
 TEST(WorkerPool, GivesTurnsInTheOrderOfTheQueue) {
-  WorkerPool::Group group;
   std::promise<void> gate;
   std::string order;
   Task first([&] { gate.get_future().wait(); });
@@ -53,10 +48,10 @@ TEST(WorkerPool, GivesTurnsInTheOrderOfTheQueue) {
   Task b([&] { order += 'b'; });
   {
     WorkerPool pool(1);
-    pool.submit(first, group);
-    pool.submit(a, group);
-    pool.submit(b, group);
-    pool.submit(a, group);
+    pool.submit(first);
+    pool.submit(a);
+    pool.submit(b);
+    pool.submit(a);
     EXPECT_GE(pool.queue_depth(), 3U);
     gate.set_value();
   }
@@ -64,14 +59,13 @@ TEST(WorkerPool, GivesTurnsInTheOrderOfTheQueue) {
 }
 
 TEST(WorkerPool, TellsHowLongATurnHasWaited) {
-  WorkerPool::Group group;
   std::promise<void> gate;
   Task first([&] { gate.get_future().wait(); });
   Task waiting([] {});
   WorkerPool pool(1);
   EXPECT_EQ(pool.longest_wait(), std::chrono::nanoseconds(0));
-  pool.submit(first, group);
-  pool.submit(waiting, group);
+  pool.submit(first);
+  pool.submit(waiting);
   std::this_thread::sleep_for(std::chrono::milliseconds(50));
   EXPECT_GE(pool.longest_wait(), std::chrono::milliseconds(50));
   gate.set_value();
@@ -80,7 +74,6 @@ TEST(WorkerPool, TellsHowLongATurnHasWaited) {
 }
 
 TEST(WorkerPool, OneLongStreamDoesNotHoldUpAShortOne) {
-  WorkerPool::Group group;
   std::promise<void> gate;
   std::string order;
   WorkerPool* shared = nullptr;
@@ -89,16 +82,16 @@ TEST(WorkerPool, OneLongStreamDoesNotHoldUpAShortOne) {
   Task longest([&] { again(); });
   again = [&] {
     order += 'l';
-    if (--left > 0) shared->submit(longest, group);
+    if (--left > 0) shared->submit(longest);
   };
   Task shortest([&] { order += 's'; });
   Task first([&] { gate.get_future().wait(); });
   {
     WorkerPool pool(1);
     shared = &pool;
-    pool.submit(first, group);
-    pool.submit(longest, group);
-    pool.submit(shortest, group);
+    pool.submit(first);
+    pool.submit(longest);
+    pool.submit(shortest);
     gate.set_value();
     while (pool.queue_depth() > 0) std::this_thread::yield();
   }
@@ -107,7 +100,6 @@ TEST(WorkerPool, OneLongStreamDoesNotHoldUpAShortOne) {
 
 // Turns without an end hold every place, and all others still get theirs.
 TEST(WorkerPool, LongTurnsGiveWay) {
-  WorkerPool::Group group;
   constexpr unsigned places = 2;
   std::atomic<bool> done = false;
   std::atomic<unsigned> computing = 0;
@@ -133,14 +125,14 @@ TEST(WorkerPool, LongTurnsGiveWay) {
   {
     WorkerPool pool(places);
     shared = &pool;
-    for (Task* task : {&first, &second, &third}) pool.submit(*task, group);
+    for (Task* task : {&first, &second, &third}) pool.submit(*task);
     for (int round = 0; round < 20; ++round) {
       std::promise<void> served;
       Task small([&] {
         compute();
         served.set_value();
       });
-      pool.submit(small, group);
+      pool.submit(small);
       EXPECT_EQ(served.get_future().wait_for(std::chrono::seconds(10)), std::future_status::ready);
     }
     done = true;
@@ -149,7 +141,6 @@ TEST(WorkerPool, LongTurnsGiveWay) {
 }
 
 TEST(WorkerPool, KeepsItsThreadsForWhenTheyAreNeeded) {
-  WorkerPool::Group group;
   std::atomic<int> turns = 0;
   WorkerPool pool(1);
   Task task([&] {
@@ -158,8 +149,8 @@ TEST(WorkerPool, KeepsItsThreadsForWhenTheyAreNeeded) {
     ++turns;
   });
   for (int round = 0; round < 5; ++round) {
-    pool.submit(task, group);
-    pool.submit(task, group);
+    pool.submit(task);
+    pool.submit(task);
     while (turns < 2 * (round + 1)) std::this_thread::yield();
   }
   EXPECT_LE(pool.thread_count(), 3U);
@@ -189,7 +180,6 @@ class NoThreads {
 };
 
 TEST(WorkerPool, SurvivesAThreadThatCannotBeMade) {
-  WorkerPool::Group group;
   std::atomic<bool> done = false;
   std::atomic<int> served = 0;
   WorkerPool* shared = nullptr;
@@ -207,8 +197,8 @@ TEST(WorkerPool, SurvivesAThreadThatCannotBeMade) {
   shared = &pool;
   {
     const NoThreads none;
-    pool.submit(endless, group);
-    pool.submit(small, group);
+    pool.submit(endless);
+    pool.submit(small);
     while (pool.threads_missed() == 0) std::this_thread::yield();
     EXPECT_EQ(served, 0);
   }
@@ -216,7 +206,7 @@ TEST(WorkerPool, SurvivesAThreadThatCannotBeMade) {
   EXPECT_TRUE(is_served(1));
   done = true;
   for (int round = 2; round < 10; ++round) {
-    pool.submit(small, group);
+    pool.submit(small);
     EXPECT_TRUE(is_served(round));
   }
 }
@@ -226,60 +216,15 @@ TEST(WorkerPool, ThrowsWhenItsThreadsCannotBeMade) {
   EXPECT_THROW(WorkerPool(2), std::system_error);
 }
 
-// A hundred long turns of one group cannot keep another one from its own.
-TEST(WorkerPool, GroupsTakeTurnsHoweverManyJobsTheyHave) {
-  constexpr int jobs = 150;
-  WorkerPool::Group many;
-  WorkerPool::Group few;
-  std::atomic<bool> done = false;
-  WorkerPool* shared = nullptr;
-  std::deque<Task> endless;
-  for (int i = 0; i < jobs; ++i)
-    endless.emplace_back([&] {
-      while (!done) shared->give_way();
-    });
-  WorkerPool pool(2);
-  shared = &pool;
-  for (Task& task : endless) pool.submit(task, many);
-  const auto most = std::chrono::seconds(10);
-  for (int round = 0; round < 5; ++round) {
-    std::promise<void> served;
-    Task small([&] { served.set_value(); });
-    pool.submit(small, few);
-    EXPECT_EQ(served.get_future().wait_for(most), std::future_status::ready);
-  }
-  // The threads that many keep are bounded.
-  EXPECT_LE(pool.thread_count(), TurnQueue::most_standing_of_group + 2 * 2U + 1);
-  done = true;
-}
-
-TEST(TurnQueue, GroupsComeRoundWhateverWaitsInThem) {
-  class Nothing final : public TurnQueue::Job {
-   public:
-    void turn() noexcept override {}
-  };
-  std::array<Nothing, 5> jobs;
-  TurnQueue::Group many;
-  TurnQueue::Group few;
-  TurnQueue queue;
-  for (std::size_t i = 0; i < 4; ++i) queue.push({.group = &many, .job = &jobs[i]});
-  queue.push({.group = &few, .job = &jobs[4]});
-  std::vector<TurnQueue::Job*> order;
-  while (!queue.empty()) order.push_back(queue.pop().job);
-  EXPECT_EQ(order,
-            (std::vector<TurnQueue::Job*>{&jobs[0], &jobs[4], &jobs[1], &jobs[2], &jobs[3]}));
-}
-
 TEST(WorkerPool, AThreadOfSomebodyElseDoesNotGiveWay) {
-  WorkerPool::Group group;
   std::promise<void> gate;
   std::atomic<int> runs = 0;
   Task first([&] { gate.get_future().wait(); });
   Task waiting([&] { ++runs; });
   {
     WorkerPool pool(1);
-    pool.submit(first, group);
-    pool.submit(waiting, group);
+    pool.submit(first);
+    pool.submit(waiting);
     // Computes for longer than a share of time.
     while (std::clock() < CLOCKS_PER_SEC / 50) std::this_thread::yield();
     pool.give_way();
