@@ -3,8 +3,11 @@
 #include <string>
 
 #include "server/config.h"
-#include "server/memory_budget.h"
 #include "server/open_streams.h"
+#include "server/pulse.h"
+#include "server/resources/memory_budget.h"
+#include "server/resources/memory_watch.h"
+#include "server/resources/peers.h"
 #include "server/rpc/resume_tokens.h"
 #include "server/telemetry/telemetry.h"
 #include "server/worker_pool.h"
@@ -13,6 +16,7 @@ namespace trc::server {
 
 // What every RPC of one server shares.
 struct Backend {
+  // Limits the settings leave open are filled in (fill_in_limits).
   Backend(const Config& settings, std::string resume_key);
 
   // Brings the gauges up to date, which nobody sets in between.
@@ -21,9 +25,13 @@ struct Backend {
   const Config config;
   Telemetry telemetry;
   MemoryBudget memory;
+  Peers peers;
   const ResumeTokens resume_tokens;
   OpenStreams streams;
-  // Last, so that its threads end before what they work with.
+  // Behind what their threads work with: they end first.
+  MemoryWatch memory_watch;
+  // Before the pool, which gives its last beat a turn.
+  Pulse pulse;
   WorkerPool pool;
 };
 

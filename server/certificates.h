@@ -12,12 +12,15 @@ struct Certificate {
   std::string chain{};
   std::string key{};
   std::string client_authorities{};  // empty: clients need no certificate
-  std::int64_t expires_s = 0;        // of the chain's first one, seconds since 1970
-  std::uint64_t version = 0;         // counts what was taken into use
+  // When all of the chain is good, seconds since 1970.
+  std::int64_t begins_s = 0;
+  std::int64_t expires_s = 0;
+  std::uint64_t version = 0;  // counts what was taken into use
 };
 
 // The certificate in use. Files are read again on demand; what cannot be used leaves the old one in
-// place: a key that does not fit its certificate would break every new connection.
+// place, as it would break every new connection: a key that does not fit its certificate, a chain
+// that is none, a certificate that has expired.
 class Certificates {
  public:
   struct Files {

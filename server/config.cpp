@@ -142,6 +142,8 @@ void declare(CLI::App& app, Config& config) {
                   "allow plain text on an address other machines can reach");
   settings.toggle("insecure-health", config.insecure_health,
                   "allow it for health-listen alone, which tells health and nothing else");
+  settings.toggle("insecure-admin", config.insecure_admin,
+                  "allow it for admin-listen alone, which tells metrics and health");
   settings.add("tls-cert-file", config.tls_cert_file, "PEM certificate chain; switches TLS on");
   settings.add("tls-key-file", config.tls_key_file, "PEM private key of the certificate");
   settings.add("tls-client-ca-file", config.tls_client_ca_file,
@@ -158,7 +160,29 @@ void declare(CLI::App& app, Config& config) {
                "HOST:PORT of /metrics, /healthz and /readyz; empty: none");
   settings.add("health-listen", config.health_listen,
                "HOST:PORT of grpc.health.v1 alone in plain text, for probes; empty: none");
-  settings.toggle("reflection", config.reflection, "serve gRPC reflection");
+  settings.add("http-listen", config.http_listen,
+               "HOST:PORT of HTTP/1.1: JSON, NC text and the page; empty: none");
+  settings.toggle("insecure-http", config.insecure_http,
+                  "allow plain text on a http-listen other machines can reach");
+  settings
+      .add("http-cors-origins", config.http_cors_origins,
+           "origins whose pages may use HTTP, as in https://mes.example; empty: its own only")
+      ->delimiter(',')
+      ->expected(0, 64);
+  settings.number("http-max-connections", config.http_max_connections, 1, 65536,
+                  "open connections of HTTP; beyond them the one that has waited longest goes");
+  settings.number("http-max-body-mib", config.http_max_body_mib, 1, 1024,
+                  "largest NC program over HTTP");
+  settings.number("http-max-memory-mib", config.http_max_memory_mib, 1, 1U << 20U,
+                  "memory of bodies, answers and views of HTTP together");
+  settings.number("http-max-views", config.http_max_views, 1, 10000,
+                  "programs kept for those who look at them; the oldest gives way to a new one");
+  settings.number("http-timeout-s", config.http_timeout_s, 1, 3600,
+                  "a request, each 64 KiB of its body and each 64 KiB of its answer may take so "
+                  "long");
+  settings.toggle(
+      "reflection", config.reflection,
+      "serve gRPC reflection; if not said, only where all addresses are this machine's");
   settings.number("worker-threads", config.worker_threads, 0, 1024,
                   "threads that compute; 0: one per core");
   settings.number("max-message-bytes", config.max_message_bytes, 4096, 1U << 30U,
@@ -173,13 +197,25 @@ void declare(CLI::App& app, Config& config) {
                   "most non-relevant blocks between two relevant ones (90011)");
   settings.number("max-line-bytes", config.max_line_bytes, 80, 64U * 1024U * 1024U,
                   "longest line of NC text");
-  settings.number("max-streams", config.max_streams, 1, 1'000'000, "open streams in all");
+  settings.number("memory-limit-mib", config.memory_limit_mib, 0, 1U << 30U,
+                  "memory the process may have; 0: that of its cgroup, else of the machine");
+  settings.number("max-streams", config.max_streams, 0, 1'000'000,
+                  "open streams in all; 0: 1000, or as many as max-grpc-buffer-mib is enough for");
   settings.number("max-streams-per-connection", config.max_streams_per_connection, 1, 1'000'000,
                   "open streams of one connection");
-  settings.number("max-session-memory-mib", config.max_session_memory_mib, 1, 1U << 20U,
-                  "memory of the blocks all streams hold back");
-  settings.number("max-grpc-buffer-mib", config.max_grpc_buffer_mib, 1, 1U << 20U,
-                  "memory of gRPC's own buffers");
+  settings.number("max-streams-per-peer", config.max_streams_per_peer, 0, 1'000'000,
+                  "open streams of one client; 0: three quarters of all");
+  settings.number("max-session-memory-mib", config.max_session_memory_mib, 0, 1U << 20U,
+                  "memory that all streams may hold; 0: 1024, or half of memory-limit-mib");
+  settings.number("max-memory-per-peer-mib", config.max_memory_per_peer_mib, 0, 1U << 20U,
+                  "memory that the streams of one client may hold; 0: three quarters of all");
+  settings.number("max-grpc-buffer-mib", config.max_grpc_buffer_mib, 0, 1U << 20U,
+                  "memory of gRPC's own buffers; 0: what max-streams need, or a quarter of "
+                  "memory-limit-mib");
+  settings.number("max-selection-cpu-s", config.max_selection_cpu_s, 0, 86400,
+                  "computing time of a selection before anything of it comes out; 0: any");
+  settings.number("max-stream-cpu-s", config.max_stream_cpu_s, 0, 1'000'000,
+                  "computing time of a stream; 0: any");
   settings.number("idle-timeout-s", config.idle_timeout_s, 1, 86400,
                   "a stream without a request for so long is ended");
   settings.number("heartbeat-s", config.heartbeat_s, 0, 86400,
@@ -189,6 +225,11 @@ void declare(CLI::App& app, Config& config) {
                "servers that resume each other's streams; empty: tokens end with the process");
   settings.number("max-resume-token-bytes", config.max_resume_token_bytes, 1024, 1U << 20U,
                   "largest resume token; where more would be needed none is given");
+  settings.number("max-early-cancels", config.max_early_cancels, 1, 1'000'000,
+                  "a connection that cancels more streams in ten seconds, and before their first "
+                  "answer, is closed");
+  settings.number("max-overhead-kib-per-s", config.max_overhead_kib_per_s, 16, 1U << 20U,
+                  "a connection that goes on sending more bytes that carry no message is closed");
   settings.number("keepalive-time-s", config.keepalive_time_s, 1, 86400,
                   "a silent connection is asked after so long");
   settings.number("keepalive-timeout-s", config.keepalive_timeout_s, 1, 3600,
@@ -197,6 +238,10 @@ void declare(CLI::App& app, Config& config) {
                   "clients that ask more often are disconnected");
   settings.number("drain-timeout-s", config.drain_timeout_s, 0, 86400,
                   "open streams may go on so long after SIGTERM");
+  settings.number("stall-timeout-s", config.stall_timeout_s, 1, 3600,
+                  "health is NOT_SERVING while a stream has waited longer for a worker");
+  settings.number("max-log-lines-per-s", config.max_log_lines_per_s, 1, 1'000'000,
+                  "log lines of one kind; what is more is dropped and counted");
   settings.add("log-level", config.log_level, "debug, info, warning, error or off")
       ->check(CLI::IsMember({"debug", "info", "warning", "error", "off"}));
 }
@@ -214,9 +259,51 @@ std::optional<std::string> fault_of_address(const std::string& address) {
   return std::nullopt;
 }
 
+// A port without TLS: HOST:PORT of this machine, unless more is allowed; empty: none.
+std::optional<std::string> fault_of_plain_port(const std::string& name, const std::string& address,
+                                               const std::string& permission, bool allowed) {
+  if (address.empty()) return std::nullopt;
+  if (!split_host_port(address)) return name + ": '" + address + "' is not HOST:PORT";
+  if (allowed || is_local_address(address)) return std::nullopt;
+  return name + ": '" + address +
+         "' can be reached by other machines in plain text; allow that with " + permission;
+}
+
+// A guard that stands empty, as one does that a variable was to be put into, would be switched off
+// without a word. In a file it may be: there it is written down as such.
+std::optional<std::string> fault_of_empty_guard(int argc, const char* const* argv) {
+  for (const std::string guard :
+       {"tls-cert-file", "tls-key-file", "tls-client-ca-file", "tls-allowed-clients"}) {
+    const std::string variable = environment_name(guard);
+    const char* value = std::getenv(variable.c_str());
+    if (value != nullptr && *value == '\0')
+      return variable + " is set but empty; give it a value or unset it";
+    for (int i = 1; i < argc; ++i) {
+      const std::string_view word = argv[i];
+      const bool alone = word == "--" + guard && (i + 1 == argc || *argv[i + 1] == '\0');
+      if (alone || word == "--" + guard + "=") return guard + " is given but empty";
+    }
+  }
+  return std::nullopt;
+}
+
 std::optional<std::string> fault_of_file(const std::string& name, const std::string& path) {
   if (path.empty() || std::ifstream(path).good()) return std::nullopt;
   return name + ": cannot read '" + path + "'";
+}
+
+std::optional<std::string> fault_of_http(const Config& config, bool tls) {
+  if (config.http_listen.empty()) return std::nullopt;
+  if (!split_host_port(config.http_listen))
+    return "http-listen: '" + config.http_listen + "' is not HOST:PORT";
+  if (!tls && !is_local_address(config.http_listen) && !config.insecure_http)
+    return "http-listen: '" + config.http_listen +
+           "' can be reached by other machines; give tls-cert-file and tls-key-file, or allow "
+           "plain text with insecure-http";
+  for (const std::string& origin : config.http_cors_origins)
+    if (!origin.starts_with("https://") && !origin.starts_with("http://"))
+      return "http-cors-origins: '" + origin + "' is no origin, as in https://mes.example";
+  return std::nullopt;
 }
 
 std::string one_line(std::string text) {
@@ -231,18 +318,15 @@ std::optional<std::string> first_fault(const Config& config) {
   if (config.listen.empty()) return "listen: at least one address is needed";
   for (const std::string& address : config.listen)
     if (auto fault = fault_of_address(address)) return fault;
-  if (!config.admin_listen.empty() && !split_host_port(config.admin_listen))
-    return "admin-listen: '" + config.admin_listen + "' is not HOST:PORT";
-
-  if (!config.health_listen.empty()) {
-    if (!split_host_port(config.health_listen))
-      return "health-listen: '" + config.health_listen + "' is not HOST:PORT";
-    if (!is_local_address(config.health_listen) && !config.insecure_health && !config.insecure)
-      return "health-listen: '" + config.health_listen +
-             "' can be reached by other machines in plain text; allow that with insecure-health";
-  }
+  if (auto fault = fault_of_plain_port("admin-listen", config.admin_listen, "insecure-admin",
+                                       config.insecure_admin || config.insecure))
+    return fault;
+  if (auto fault = fault_of_plain_port("health-listen", config.health_listen, "insecure-health",
+                                       config.insecure_health || config.insecure))
+    return fault;
 
   const bool tls = !config.tls_cert_file.empty();
+  if (auto fault = fault_of_http(config, tls)) return fault;
   if (tls != !config.tls_key_file.empty())
     return "tls-cert-file and tls-key-file must be given together";
   if (!tls && !config.tls_client_ca_file.empty())
@@ -291,10 +375,19 @@ CommandLine read_command_line(int argc, const char* const* argv) {
     result.exit = CommandLine::Exit{.code = 0, .text = text.str()};
     return result;
   } catch (const CLI::Error& fault) {
-    result.exit = CommandLine::Exit{.code = 2, .text = one_line(fault.what())};
+    const auto guard = fault_of_empty_guard(argc, argv);
+    result.exit = CommandLine::Exit{.code = 2, .text = guard.value_or(one_line(fault.what()))};
     return result;
   }
-  if (auto fault = first_fault(result.config)) {
+  CLI::Option& reflection = *app.get_option("--reflection");
+  if (reflection.count() == 0) {
+    const auto& listen = result.config.listen;
+    result.config.reflection = std::all_of(listen.begin(), listen.end(), is_local_address);
+    reflection.default_str(result.config.reflection ? "true" : "false");
+  }
+  if (auto fault = fault_of_empty_guard(argc, argv)) {
+    result.exit = CommandLine::Exit{.code = 2, .text = *fault};
+  } else if ((fault = first_fault(result.config))) {
     result.exit = CommandLine::Exit{.code = 2, .text = *fault};
   } else if (print) {
     result.exit = CommandLine::Exit{.code = 0, .text = app.config_to_str(true, false)};

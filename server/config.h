@@ -17,6 +17,8 @@ struct Config {
   bool insecure = false;
   // The same for the health port alone.
   bool insecure_health = false;
+  // The same for the admin port, which speaks no TLS.
+  bool insecure_admin = false;
 
   // PEM files. A certificate switches TLS on for TCP; the client CA makes client certificates
   // mandatory.
@@ -32,6 +34,20 @@ struct Config {
   std::string admin_listen;
   // HOST:PORT of the health service alone, in plain text; empty: none.
   std::string health_listen;
+  // HOST:PORT of HTTP: JSON, NC text and the page; empty: none.
+  std::string http_listen;
+  // Allows plain text on a HTTP address other machines can reach.
+  bool insecure_http = false;
+  // Origins whose pages may use it, "https://mes.example"; empty: none but its own.
+  std::vector<std::string> http_cors_origins;
+  std::uint32_t http_max_connections = 256;
+  std::uint32_t http_max_body_mib = 64;
+  std::uint32_t http_max_memory_mib = 512;  // bodies, answers and views together
+  std::uint32_t http_max_views = 32;
+  // For the head of a request, for each 64 KiB of its body, and of its answer.
+  std::uint32_t http_timeout_s = 20;
+  // As read from flags, environment and file it is off, unless asked for, where an address can be
+  // reached by other machines.
   bool reflection = true;
 
   // Threads that compute; 0: one per core.
@@ -44,10 +60,17 @@ struct Config {
   std::uint64_t max_blocks_per_selection = 20'000'000;
   std::uint32_t max_riders = 100;  // non-relevant blocks between two relevant ones (D-24)
   std::uint32_t max_line_bytes = 64U * 1024U;
-  std::uint32_t max_streams = 1000;
+  // Where 0 stands, fill_in_limits says what it is.
+  std::uint32_t memory_limit_mib = 0;  // of the process
+  std::uint32_t max_streams = 0;
   std::uint32_t max_streams_per_connection = 64;
-  std::uint32_t max_session_memory_mib = 1024;  // of all streams together
-  std::uint32_t max_grpc_buffer_mib = 96;
+  std::uint32_t max_streams_per_peer = 0;
+  std::uint32_t max_session_memory_mib = 0;  // of all streams together
+  std::uint32_t max_memory_per_peer_mib = 0;
+  std::uint32_t max_grpc_buffer_mib = 0;
+  // Computing time of a selection before anything of it comes out, and of a stream; 0: no limit.
+  std::uint32_t max_selection_cpu_s = 120;
+  std::uint32_t max_stream_cpu_s = 7200;
   std::uint32_t idle_timeout_s = 300;
   // A silent stream gets a sign of life that often; 0: never.
   std::uint32_t heartbeat_s = 20;
@@ -57,12 +80,21 @@ struct Config {
   std::string resume_key_file;
   std::uint32_t max_resume_token_bytes = 64U * 1024U;
 
+  // What a connection may do without an answer to show for it before it is closed: streams it
+  // cancels within ten seconds before their first answer, and bytes that carry no message.
+  std::uint32_t max_early_cancels = 200;
+  std::uint32_t max_overhead_kib_per_s = 2048;
+
   std::uint32_t keepalive_time_s = 30;
   std::uint32_t keepalive_timeout_s = 10;
   std::uint32_t min_client_ping_interval_s = 10;
   std::uint32_t drain_timeout_s = 30;
 
-  std::string log_level = "info";  // debug, info, warning, error, off
+  // Health says NOT_SERVING while a turn has waited longer for a worker.
+  std::uint32_t stall_timeout_s = 10;
+
+  std::string log_level = "info";            // debug, info, warning, error, off
+  std::uint32_t max_log_lines_per_s = 1000;  // of each kind
 
   friend bool operator==(const Config&, const Config&) = default;
 };

@@ -20,6 +20,8 @@ class InProcessServer {
   static Config quiet() {
     Config config;
     config.log_level = "off";
+    config.max_selection_cpu_s = 0;
+    config.max_stream_cpu_s = 0;
     return config;
   }
 

@@ -7,6 +7,7 @@
 #include <sys/eventfd.h>
 #include <sys/resource.h>
 #include <sys/socket.h>
+#include <sys/stat.h>
 #include <sys/un.h>
 #include <unistd.h>
 
@@ -15,6 +16,7 @@
 #include <chrono>
 #include <cstring>
 #include <memory>
+#include <new>
 #include <utility>
 
 #include "server/address.h"
@@ -25,7 +27,8 @@ namespace {
 constexpr int backlog = 1024;
 // How many descriptors connections leave to the rest of the process, at most an eighth of all.
 constexpr int kept_descriptors = 32;
-constexpr int round_ms = 1000;
+constexpr int round_ms = 200;
+constexpr std::int64_t round_ns = round_ms * 1'000'000;
 // Without descriptors: until the next attempt. What waits in the backlog is served then.
 constexpr int exhausted_ms = 50;
 
@@ -118,7 +121,15 @@ Listener::Opened Listener::open(const std::string& address) {
       opened.fault = refused(address, "another server answers there");
       return opened;
     }
-    unlink(path.c_str());
+    struct stat there {};
+    if (lstat(path.c_str(), &there) == 0) {
+      // A file that holds somebody's work is not taken away for a misspelt address.
+      if (!S_ISSOCK(there.st_mode)) {
+        opened.fault = refused(address, "there is a file which is no socket");
+        return opened;
+      }
+      unlink(path.c_str());
+    }
     Socket made = listening(AF_UNIX, reinterpret_cast<const sockaddr*>(&name), sizeof(name));
     if (!made.descriptor.valid()) {
       opened.fault = refused(address, made.why);
@@ -171,7 +182,8 @@ Listener::~Listener() {
   if (socket_.valid() && !file_.empty()) unlink(file_.c_str());
 }
 
-Acceptor::Acceptor() : stop_(eventfd(0, EFD_CLOEXEC)) {
+Acceptor::Acceptor(Connections& connections)
+    : connections_(connections), stop_(eventfd(0, EFD_CLOEXEC)) {
   const int limit = descriptor_limit();
   last_usable_ = limit - 1 - std::min(kept_descriptors, limit / 8);
 }
@@ -205,15 +217,32 @@ void Acceptor::run() {
   for (const Door& door : doors_)
     waits.push_back({.fd = door.listener.socket(), .events = POLLIN, .revents = 0});
   bool exhausted = false;
+  std::int64_t looked_at_ns = now_ns();
   for (;;) {
     last_round_ns_ = now_ns();
+    if (last_round_ns_ - looked_at_ns >= round_ns) {
+      looked_at_ns = last_round_ns_;
+      look_after_connections();
+    }
     // What could not be accepted would wake this thread at once: only the stop is waited for.
     const auto watched = exhausted ? 1 : static_cast<nfds_t>(waits.size());
     const int ready = poll(waits.data(), watched, exhausted ? exhausted_ms : round_ms);
     if (ready < 0 && errno != EINTR) return;
     if ((waits[0].revents & POLLIN) != 0) return;
     exhausted = false;
-    for (const Door& door : doors_) exhausted = !accept_from(door) || exhausted;
+    try {
+      for (const Door& door : doors_) exhausted = !accept_from(door) || exhausted;
+    } catch (const std::bad_alloc&) {
+      exhausted = true;  // as without descriptors: later there may be some
+    }
+  }
+}
+
+void Acceptor::look_after_connections() noexcept {
+  try {
+    connections_.look();
+  } catch (const std::bad_alloc&) {
+    // The next round looks again.
   }
 }
 
@@ -228,6 +257,7 @@ bool Acceptor::accept_from(const Door& door) {
         continue;
       }
       ++accepted_;
+      connections_.add(connection.number());
       door.take(std::move(connection));
       continue;
     }

@@ -7,6 +7,8 @@
 #include <thread>
 #include <vector>
 
+#include "server/connections.h"
+
 namespace trc::server {
 
 // A file descriptor that is closed with this object.
@@ -57,7 +59,8 @@ struct Listener::Opened {
 // Accepts connections and hands them on. gRPC 1.51 does this itself too, but stops for good once
 // the process has run out of descriptors (CVE-2023-4785); this thread goes on when there are some
 // again. The last descriptors are kept for the files and sockets of the server itself: a connection
-// that would take one of them is closed at once.
+// that would take one of them is closed at once. Between times it looks after the connections there
+// are.
 class Acceptor {
  public:
   // Takes the connection over.
@@ -68,7 +71,8 @@ class Acceptor {
     std::uint64_t refused = 0;  // closed for want of descriptors
   };
 
-  Acceptor();
+  // Is given every connection to watch.
+  explicit Acceptor(Connections& connections);
   // Stops accepting.
   ~Acceptor();
   Acceptor(const Acceptor&) = delete;
@@ -90,9 +94,11 @@ class Acceptor {
   };
 
   void run();
+  void look_after_connections() noexcept;
   // False when there is something that should be waited for: descriptors or memory.
   bool accept_from(const Door& door);
 
+  Connections& connections_;
   std::vector<Door> doors_;
   Descriptor stop_;
   int last_usable_ = 0;

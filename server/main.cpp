@@ -23,6 +23,7 @@ using trc::server::LogLine;
 namespace service_manager = trc::server::service_manager;
 
 constexpr auto look_interval = std::chrono::seconds(1);
+constexpr auto longest_flush = std::chrono::seconds(1);
 
 // Signals are waited for, not caught: blocked in every thread that is started later.
 sigset_t block_signals() {
@@ -41,8 +42,9 @@ const Log& grpc_log() {
 }
 
 // gRPC's own messages, a failed handshake say, join the log instead of going to standard error.
-void adopt_grpc_log(const std::string& level) {
-  grpc_log().set_level(level);
+void adopt_grpc_log(const trc::server::Config& config) {
+  grpc_log().set_level(config.log_level);
+  grpc_log().set_most_lines_per_second(config.max_log_lines_per_s);
   gpr_set_log_function([](gpr_log_func_args* message) {
     const LogLine line = LogLine("grpc").text("message", message->message);
     if (message->severity == GPR_LOG_SEVERITY_ERROR) {
@@ -92,20 +94,31 @@ void serve(int argc, char** argv, const sigset_t& signals, trc::server::Server& 
   }
 }
 
-// Who sends the signal twice does not want to wait for open streams. Meanwhile the watchdog is told
-// that draining is no hang.
-void exit_at_next(const sigset_t& signals) {
-  std::thread([signals] {
+// Who sends the signal twice does not want to wait for open streams, and whatever still runs when
+// draining should be over is not waited for either. Meanwhile the watchdog is told that draining is
+// no hang.
+void exit_at_next(const sigset_t& signals, std::chrono::seconds drain_timeout, const Log& log) {
+  constexpr auto grace = std::chrono::milliseconds(1500);
+  const auto latest = std::chrono::steady_clock::now() + drain_timeout + grace;
+  std::thread([signals, latest, &log] {
     for (;;) {
-      const int signal = wait_for(signals, look_interval);
+      const auto left = latest - std::chrono::steady_clock::now();
+      const int signal = wait_for(
+          signals, std::min<std::chrono::microseconds>(
+                       look_interval, std::chrono::duration_cast<std::chrono::microseconds>(left)));
       if (signal == SIGTERM || signal == SIGINT) _exit(1);
+      if (std::chrono::steady_clock::now() >= latest) {
+        log.error(LogLine("drain_overrun"));
+        _exit(1);
+      }
       service_manager::alive();
     }
   }).detach();
 }
 
 void log_start(trc::server::Server& server) {
-  const auto& listen = server.backend().config.listen;
+  const trc::server::Config& config = server.backend().config;
+  const auto& listen = config.listen;
   std::string addresses;
   std::string ports;
   for (std::size_t i = 0; i < listen.size(); ++i) {
@@ -123,7 +136,12 @@ void log_start(trc::server::Server& server) {
           .text("listen", addresses)
           .text("ports", ports)
           .number("admin_port", static_cast<std::uint64_t>(server.admin_port()))
-          .number("health_port", static_cast<std::uint64_t>(server.health_port())));
+          .number("health_port", static_cast<std::uint64_t>(server.health_port()))
+          .number("http_port", static_cast<std::uint64_t>(server.http_port()))
+          .number("memory_limit_mib", std::uint64_t{config.memory_limit_mib})
+          .number("max_session_memory_mib", std::uint64_t{config.max_session_memory_mib})
+          .number("max_grpc_buffer_mib", std::uint64_t{config.max_grpc_buffer_mib})
+          .number("max_streams", std::uint64_t{config.max_streams}));
 }
 
 // Streams wander from thread to thread. With a heap for each thread, as glibc gives them
@@ -151,7 +169,7 @@ int main(int argc, char** argv) {
   share_heap();
   const sigset_t signals = block_signals();
   std::signal(SIGPIPE, SIG_IGN);
-  adopt_grpc_log(command_line.config.log_level);
+  adopt_grpc_log(command_line.config);
   auto [server, fault, misconfigured] = trc::server::Server::start(command_line.config);
   if (server == nullptr) {
     std::fprintf(stderr, "trcd: error: %s\n", fault.c_str());
@@ -163,11 +181,12 @@ int main(int argc, char** argv) {
 
   serve(argc, argv, signals, *server);
   service_manager::stopping();
-  exit_at_next(signals);
   const auto& log = server->backend().telemetry.log;
+  exit_at_next(signals, std::chrono::seconds(command_line.config.drain_timeout_s), log);
   log.info(LogLine("draining").number("streams", std::uint64_t{server->backend().streams.count()}));
   const std::size_t cut_off = server->drain();
   log.info(LogLine("stopped").number("streams_cut_off", std::uint64_t{cut_off}));
-  log.flush();
+  // Not for ever: where nobody reads the log, its writer never returns.
+  if (!Log::flush(longest_flush)) _exit(0);
   return 0;
 }

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <utility>
-#include <vector>
 
 namespace trc::server {
 
@@ -48,6 +47,28 @@ OpenStreams::Admission OpenStreams::admit(std::weak_ptr<OpenStream> stream) {
   return {.answer = Answer::admitted, .ticket = Ticket(*this, std::prev(streams_.end()))};
 }
 
+std::vector<std::shared_ptr<OpenStream>> OpenStreams::held() const {
+  std::vector<std::shared_ptr<OpenStream>> open;
+  open.reserve(streams_.size());
+  for (const auto& stream : streams_)
+    if (auto alive = stream.lock()) open.push_back(std::move(alive));
+  return open;
+}
+
+bool OpenStreams::evict_largest() {
+  std::vector<std::shared_ptr<OpenStream>> open;
+  {
+    const std::lock_guard lock(mutex_);
+    open = held();
+  }
+  const auto largest = std::max_element(open.begin(), open.end(), [](const auto& a, const auto& b) {
+    return a->held_bytes() < b->held_bytes();
+  });
+  if (largest == open.end() || (*largest)->held_bytes() == 0) return false;
+  (*largest)->evict();
+  return true;
+}
+
 void OpenStreams::drain() {
   const std::lock_guard lock(mutex_);
   draining_ = true;
@@ -81,17 +102,13 @@ void OpenStreams::watch() {
   const Clock::duration interval = std::min<Clock::duration>(std::chrono::seconds(1), shortest / 4);
   std::unique_lock lock(mutex_);
   while (!changed_.wait_for(lock, interval, [this] { return stopping_; })) {
-    // A stream may end while it is looked at, so each is held, and not under the lock: its end
-    // gives a ticket back.
-    std::vector<std::shared_ptr<OpenStream>> held;
-    for (const auto& stream : streams_)
-      if (auto alive = stream.lock()) held.push_back(std::move(alive));
+    std::vector<std::shared_ptr<OpenStream>> open = held();
     lock.unlock();
-    for (const auto& stream : held) {
+    for (const auto& stream : open) {
       stream->end_if_idle(Clock::now() - idle_timeout_);
       if (beats) stream->beat_if_silent(Clock::now() - heartbeat_);
     }
-    held.clear();
+    open.clear();
     lock.lock();
   }
 }

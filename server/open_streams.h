@@ -3,10 +3,12 @@
 #include <chrono>
 #include <condition_variable>
 #include <cstddef>
+#include <cstdint>
 #include <list>
 #include <memory>
 #include <mutex>
 #include <thread>
+#include <vector>
 
 namespace trc::server {
 
@@ -20,6 +22,9 @@ class OpenStream {
   virtual void end_if_idle(Clock::time_point since) = 0;
   // Sends a heartbeat when nothing was sent since then.
   virtual void beat_if_silent(Clock::time_point since) = 0;
+  // Ends the stream at once, or where its turn passes by next: its memory is needed.
+  virtual void evict() = 0;
+  [[nodiscard]] virtual std::uint64_t held_bytes() const = 0;
 };
 
 // The open streams: how many there may be, which of them are idle, and whether all have ended.
@@ -59,6 +64,9 @@ class OpenStreams {
 
   Admission admit(std::weak_ptr<OpenStream> stream);
 
+  // Evicts the stream that holds most. False when none holds anything.
+  bool evict_largest();
+
   // From now on no stream is admitted.
   void drain();
   // True once no stream is open; false when that has not come by the deadline.
@@ -69,6 +77,9 @@ class OpenStreams {
 
  private:
   void leave(Ticket::Place place);
+  // A stream may end while it is looked at, so each is held; not to be let go under the lock: its
+  // end gives a ticket back.
+  [[nodiscard]] std::vector<std::shared_ptr<OpenStream>> held() const;
   void watch();
 
   const std::size_t most_;

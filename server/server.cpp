@@ -1,17 +1,17 @@
 #include "server/server.h"
 
-#include <grpcpp/ext/proto_server_reflection_plugin.h>
 #include <grpcpp/grpcpp.h>
 #include <grpcpp/health_check_service_interface.h>
 #include <grpcpp/resource_quota.h>
 
 #include <chrono>
+#include <ctime>
 #include <system_error>
 #include <utility>
 
-#include "grpc/health/v1/health.pb.h"
 #include "server/address.h"
 #include "server/credentials.h"
+#include "server/resources/limits.h"
 
 namespace trc::server {
 namespace {
@@ -24,9 +24,15 @@ int milliseconds(std::uint32_t seconds) { return static_cast<int>(seconds) * 100
 // Probes need next to nothing, and what they use is not what streams may use: a full server still
 // tells its health.
 constexpr std::uint32_t health_buffer_mib = 8;
+// The name of a service.
+constexpr std::uint32_t health_message_bytes = 4096;
 
-void set_limits(grpc::ServerBuilder& builder, const Config& config, std::uint32_t buffer_mib) {
-  builder.SetMaxReceiveMessageSize(static_cast<int>(config.max_message_bytes));
+void set_limits(grpc::ServerBuilder& builder, const Config& config, std::uint32_t message_bytes,
+                std::uint32_t buffer_mib) {
+  // gRPC inflates a message before it looks at its size: a megabyte would become a gigabyte.
+  for (const auto algorithm : {GRPC_COMPRESS_GZIP, GRPC_COMPRESS_DEFLATE})
+    builder.SetCompressionAlgorithmSupportStatus(algorithm, false);
+  builder.SetMaxReceiveMessageSize(static_cast<int>(message_bytes));
   builder.SetMaxSendMessageSize(-1);
   builder.SetResourceQuota(grpc::ResourceQuota().Resize(std::size_t{buffer_mib} << 20U));
   const auto set = [&](const char* name, int value) { builder.AddChannelArgument(name, value); };
@@ -41,7 +47,10 @@ void set_limits(grpc::ServerBuilder& builder, const Config& config, std::uint32_
 
 }  // namespace
 
-Server::Start Server::start(const Config& config) {
+Server::Start Server::start(const Config& settings) {
+  Config config = settings;
+  if (auto fault = fill_in_limits(config, memory_limit_bytes()))
+    return {.server = nullptr, .fault = std::move(*fault), .misconfigured = true};
   ResumeKey key = resume_key(config.resume_key_file);
   if (!key.fault.empty())
     return {.server = nullptr, .fault = std::move(key.fault), .misconfigured = true};
@@ -58,9 +67,27 @@ Server::Start Server::start(const Config& config) {
   return {.server = std::move(server), .fault = {}};
 }
 
-std::unique_ptr<Server> Server::start_in_process(const Config& config) {
+std::unique_ptr<Server> Server::start_in_process(const Config& settings) {
+  Config config = settings;
+  // Who serves only himself may use most of the memory.
+  const std::uint64_t memory = memory_limit_bytes();
+  constexpr std::uint64_t plenty = std::uint64_t{1} << 30U;
+  if (config.max_session_memory_mib == 0 && memory > plenty) {
+    config.max_session_memory_mib = static_cast<std::uint32_t>((memory >> 20U) / 8 * 5);
+    config.max_memory_per_peer_mib = config.max_session_memory_mib;
+  }
+  if (fill_in_limits(config, memory)) return nullptr;
   std::unique_ptr<Server> server(new Server(config, resume_key({}).key));
   return server->open(false).empty() ? std::move(server) : nullptr;
+}
+
+Server::Start Server::start_http(const Config& config, http::Offer offer) {
+  std::unique_ptr<Server> server = start_in_process(config);
+  if (server == nullptr) return {.server = nullptr, .fault = "gRPC did not start"};
+  std::string fault = server->listen_for_http(std::move(offer));
+  if (!fault.empty()) return {.server = nullptr, .fault = std::move(fault)};
+  server->acceptor_.start();
+  return {.server = std::move(server), .fault = {}};
 }
 
 Server::Server(const Config& config, std::string resume_key)
@@ -80,24 +107,27 @@ std::string Server::read_certificates() {
                           .client_authorities = config.tls_client_ca_file});
   std::string fault;
   if (certificates_->reload(fault) == Certificates::Reload::refused) return fault;
-  backend_.telemetry.metrics.set_certificate_expiry(certificates_->current()->expires_s);
+  const auto current = certificates_->current();
+  backend_.telemetry.metrics.set_certificate_expiry(current->expires_s);
+  if (current->begins_s > std::time(nullptr))
+    backend_.telemetry.log.warning(
+        LogLine("certificate_not_good_yet")
+            .number("begins_s", static_cast<std::uint64_t>(current->begins_s)));
   return {};
 }
 
 std::string Server::open(bool with_addresses) {
   const Config& config = backend_.config;
   grpc::EnableDefaultHealthCheckService(true);
-  if (config.reflection) {
-    grpc::reflection::InitProtoReflectionServerBuilderPlugin();
-    // Reflection lists the health service; it can describe it only with its descriptor linked in.
-    grpc::health::v1::HealthCheckRequest::descriptor();
-  }
-
   grpc::ServerBuilder builder;
-  set_limits(builder, config, config.max_grpc_buffer_mib);
+  set_limits(builder, config, config.max_message_bytes, config.max_grpc_buffer_mib);
   builder.RegisterService(&service_);
+  if (config.reflection) {
+    reflection_ = std::make_unique<Reflection>(backend_);
+    reflection_->add_to(builder);
+  }
   grpc::ServerBuilder health_builder;
-  set_limits(health_builder, config, health_buffer_mib);
+  set_limits(health_builder, config, health_message_bytes, health_buffer_mib);
   if (with_addresses) {
     for (const std::string& address : config.listen) {
       int port = 0;
@@ -112,14 +142,20 @@ std::string Server::open(bool with_addresses) {
     }
     if (!config.admin_listen.empty()) {
       admin_ = Admin::open(config.admin_listen, {.metrics = [this] { return exposition(); },
-                                                 .ready = [this] { return ready(); }});
+                                                 .unready = [this] { return readiness(); }});
       if (admin_ == nullptr) return "cannot listen on admin-listen " + config.admin_listen;
     }
   }
+  // gRPC starts no server whose only service is its own one of health.
+  health_builder.RegisterCallbackGenericService(&no_service_);
   grpc_ = builder.BuildAndStart();
   if (health_port_ > 0) health_ = health_builder.BuildAndStart();
   if (grpc_ == nullptr || (health_port_ > 0 && health_ == nullptr))
     return "gRPC did not start; its messages say why";
+  if (with_addresses) {
+    std::string fault = listen_for_http(std::nullopt);
+    if (!fault.empty()) return fault;
+  }
   set_serving(true);
   if (with_addresses) acceptor_.start();
   started_ = true;
@@ -145,6 +181,23 @@ std::string Server::listen(grpc::ServerBuilder& builder, const std::string& addr
   return opened.fault;
 }
 
+std::string Server::listen_for_http(std::optional<http::Offer> offer) {
+  const Config& config = backend_.config;
+  if (config.http_listen.empty()) return {};
+  Listener::Opened opened = Listener::open(config.http_listen);
+  http_ = std::make_unique<http::HttpServer>(
+      backend_, http::HttpServer::Options{.channel = in_process_channel(),
+                                          .certificates = certificates_,
+                                          .local = is_local_address(config.http_listen),
+                                          .offer = std::move(offer)});
+  for (Listener& listener : opened.listeners) {
+    http_port_ = listener.port();
+    acceptor_.add(std::move(listener),
+                  [this](Descriptor connection) { http_->take(std::move(connection)); });
+  }
+  return opened.fault;
+}
+
 void Server::set_serving(bool serving) {
   for (grpc::Server* server : {grpc_.get(), health_.get()}) {
     if (server == nullptr) continue;
@@ -161,7 +214,36 @@ std::string Server::exposition() {
   return backend_.telemetry.metrics.exposition();
 }
 
-bool Server::ready() const { return started_ && !backend_.streams.draining(); }
+std::string Server::readiness() const {
+  if (!started_ || backend_.streams.draining()) return "draining";
+  return backend_.pulse.stalled() ? "stalled: streams wait for a worker" : "";
+}
+
+void Server::look_after_health() {
+  backend_.pulse.beat();
+  const bool stalled = backend_.pulse.stalled();
+  if (stalled == stalled_ || backend_.streams.draining()) return;
+  stalled_ = stalled;
+  set_serving(!stalled);
+  const auto& log = backend_.telemetry.log;
+  if (stalled)
+    log.error(LogLine("stalled")
+                  .number("longest_wait_s", backend_.pulse.longest_wait_s())
+                  .number("queue_depth", std::uint64_t{backend_.pool.queue_depth()}));
+  else
+    log.info(LogLine("serving_again"));
+}
+
+void Server::look_after_log() {
+  const Log::Counts counts = Log::counts();
+  if (counts.overwritten == dropped_lines_.overwritten &&
+      counts.over_rate == dropped_lines_.over_rate)
+    return;
+  dropped_lines_ = counts;
+  backend_.telemetry.log.warning(LogLine("log_lines_dropped")
+                                     .number("unread", counts.overwritten)
+                                     .number("over_rate", counts.over_rate));
+}
 
 void Server::reload_certificates() {
   if (certificates_ == nullptr) return;
@@ -191,6 +273,8 @@ void Server::reload_certificates() {
 }
 
 void Server::look_after() {
+  look_after_health();
+  look_after_log();
   const std::uint64_t refused = acceptor_.counts().refused;
   if (refused > refused_connections_) {
     backend_.telemetry.log.warning(
@@ -205,7 +289,7 @@ void Server::look_after() {
 
 bool Server::is_well() const {
   constexpr double longest_round_s = 10;
-  return acceptor_.seconds_since_last_round() < longest_round_s;
+  return acceptor_.seconds_since_last_round() < longest_round_s && !backend_.pulse.dead();
 }
 
 std::shared_ptr<grpc::Channel> Server::in_process_channel() {
@@ -218,6 +302,8 @@ std::size_t Server::drain() {
   const auto timeout = std::chrono::seconds(backend_.config.drain_timeout_s);
   std::size_t cut_off = 0;
   if (!backend_.streams.wait_until_none(Clock::now() + timeout)) cut_off = backend_.streams.count();
+  // The last bytes of an answer are on their way when its stream has ended.
+  if (http_) http_->wait_until_idle(Clock::now() + shutdown_grace);
   stop_grpc();
   return cut_off;
 }
@@ -225,6 +311,7 @@ std::size_t Server::drain() {
 void Server::stop_grpc() {
   admin_.reset();
   acceptor_.stop();
+  http_.reset();
   for (std::unique_ptr<grpc::Server>* server : {&grpc_, &health_}) {
     if (*server == nullptr) continue;
     // Shutdown waits for idle clients as long as it is allowed to, so it is allowed little.

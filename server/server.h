@@ -1,18 +1,22 @@
 #pragma once
 
 #include <grpcpp/channel.h>
+#include <grpcpp/generic/async_generic_service.h>
 #include <grpcpp/server.h>
 #include <grpcpp/server_builder.h>
 
 #include <atomic>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "server/backend.h"
 #include "server/certificates.h"
+#include "server/http/http_server.h"
 #include "server/listener.h"
+#include "server/rpc/reflection.h"
 #include "server/service.h"
 #include "server/telemetry/admin.h"
 
@@ -28,6 +32,8 @@ class Server {
   };
   // Opens every address of the configuration, or none. The configuration must be free of faults.
   static Start start(const Config& config);
+  // Serves HTTP alone, on `Config::http_listen`, for `trc view`.
+  static Start start_http(const Config& config, http::Offer offer);
   // Serves `in_process_channel` alone and opens no address.
   static std::unique_ptr<Server> start_in_process(const Config& config);
 
@@ -40,6 +46,7 @@ class Server {
   [[nodiscard]] const std::vector<int>& ports() const { return ports_; }
   [[nodiscard]] int admin_port() const { return admin_ ? admin_->port() : 0; }
   [[nodiscard]] int health_port() const { return health_port_; }
+  [[nodiscard]] int http_port() const { return http_port_; }
   [[nodiscard]] std::shared_ptr<grpc::Channel> in_process_channel();
 
   // Reads the PEM files again: at once, and in `look_after` when it is time. New connections get
@@ -47,7 +54,7 @@ class Server {
   void reload_certificates();
   // To be called about once a second, by the thread that reloads.
   void look_after();
-  // Connections are being accepted.
+  // Connections are being accepted, and the workers give turns.
   [[nodiscard]] bool is_well() const;
 
   // Takes no new streams, lets the open ones finish within the drain timeout, then ends. Health
@@ -64,13 +71,19 @@ class Server {
   std::string open(bool with_addresses);
   std::string listen(grpc::ServerBuilder& builder, const std::string& address,
                      const std::shared_ptr<const Certificates>& certificates, int& port);
+  std::string listen_for_http(std::optional<http::Offer> offer);
   void set_serving(bool serving);
   std::string exposition();
-  [[nodiscard]] bool ready() const;
+  // Why it takes no new streams; empty when it does.
+  [[nodiscard]] std::string readiness() const;
+  void look_after_health();
+  void look_after_log();
   void stop_grpc();
 
   Backend backend_;
   TrcService service_{backend_};
+  std::unique_ptr<Reflection> reflection_;  // where it is served
+  grpc::CallbackGenericService no_service_;
   std::shared_ptr<Certificates> certificates_;
   std::string refused_certificates_;  // why, the last time
   Clock::time_point next_certificate_look_{};
@@ -79,10 +92,14 @@ class Server {
   std::unique_ptr<Admin> admin_;
   std::vector<int> ports_;
   int health_port_ = 0;
+  std::unique_ptr<http::HttpServer> http_;
+  int http_port_ = 0;
   std::uint64_t refused_connections_ = 0;  // as logged last
+  bool stalled_ = false;                   // as health says
+  Log::Counts dropped_lines_{};            // as logged last
   std::atomic<bool> started_ = false;
   // Last, so that no connection comes once the others go.
-  Acceptor acceptor_;
+  Acceptor acceptor_{backend_.telemetry.connections};
 };
 
 }  // namespace trc::server

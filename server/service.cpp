@@ -1,44 +1,39 @@
 #include "server/service.h"
 
-#include <memory>
-
 #include "server/rpc/caller.h"
 #include "server/rpc/compensate_path.h"
 #include "server/rpc/compensate_program.h"
+#include "server/rpc/compensate_program_once.h"
 #include "server/rpc/get_server_info.h"
 #include "server/rpc/preview_path.h"
-#include "server/rpc/stream_reactor.h"
+#include "server/rpc/start_stream.h"
 
 namespace trc::server {
-namespace {
 
-// The reactor of one stream, started; it lives until gRPC is done with it.
-template <class Work, class Reactor, class... Request>
-Reactor* start(Backend& backend, grpc::CallbackServerContext& context, Method method,
-               const Request&... request) {
-  const auto reactor = std::make_shared<Reactor>(backend, context, method, request...);
-  reactor->start(std::make_unique<Work>(reactor->stream_context()));
-  return reactor.get();
-}
-
-}  // namespace
-
-grpc::ServerBidiReactor<v1::CompensatePathRequest, v1::CompensatePathResponse>*
-TrcService::CompensatePath(grpc::CallbackServerContext* context) {
+TrcService::BytesReactor* TrcService::CompensatePath(grpc::CallbackServerContext* context) {
   using Reactor = BidiReactor<v1::CompensatePathRequest, v1::CompensatePathResponse>;
-  return start<server::CompensatePath, Reactor>(backend_, *context, Method::compensate_path);
+  return start_stream<server::CompensatePath, Reactor>(backend_, *context, Method::compensate_path);
 }
 
-grpc::ServerBidiReactor<v1::CompensateProgramRequest, v1::CompensateProgramResponse>*
-TrcService::CompensateProgram(grpc::CallbackServerContext* context) {
+TrcService::BytesReactor* TrcService::CompensateProgram(grpc::CallbackServerContext* context) {
   using Reactor = BidiReactor<v1::CompensateProgramRequest, v1::CompensateProgramResponse>;
-  return start<server::CompensateProgram, Reactor>(backend_, *context, Method::compensate_program);
+  return start_stream<server::CompensateProgram, Reactor>(backend_, *context,
+                                                          Method::compensate_program);
 }
 
-grpc::ServerWriteReactor<v1::PreviewPathResponse>* TrcService::PreviewPath(
-    grpc::CallbackServerContext* context, const v1::PreviewPathRequest* request) {
+grpc::ServerWriteReactor<grpc::ByteBuffer>* TrcService::PreviewPath(
+    grpc::CallbackServerContext* context, const grpc::ByteBuffer* request) {
   using Reactor = AnswerReactor<v1::PreviewPathRequest, v1::PreviewPathResponse>;
-  return start<server::PreviewPath, Reactor>(backend_, *context, Method::preview_path, *request);
+  return start_stream<server::PreviewPath, Reactor>(backend_, *context, Method::preview_path,
+                                                    *request);
+}
+
+grpc::ServerUnaryReactor* TrcService::CompensateProgramOnce(grpc::CallbackServerContext* context,
+                                                            const grpc::ByteBuffer* request,
+                                                            grpc::ByteBuffer* response) {
+  using Reactor = UnaryReactor<v1::CompensateProgramOnceRequest, v1::CompensateProgramOnceResponse>;
+  return start_stream<server::CompensateProgramOnce, Reactor>(
+      backend_, *context, Method::compensate_program_once, *request, *response);
 }
 
 grpc::ServerUnaryReactor* TrcService::GetServerInfo(grpc::CallbackServerContext* context,

@@ -6,16 +6,26 @@
 namespace trc::server {
 
 // Registers the RPCs; each lives in a file of its own under rpc/.
-class TrcService final : public v1::TrcService::CallbackService {
+//
+// The streams take bytes instead of messages: see StreamReactor.
+class TrcService final : public v1::TrcService::WithRawCallbackMethod_CompensatePath<
+                             v1::TrcService::WithRawCallbackMethod_CompensateProgram<
+                                 v1::TrcService::WithRawCallbackMethod_CompensateProgramOnce<
+                                     v1::TrcService::WithRawCallbackMethod_PreviewPath<
+                                         v1::TrcService::WithCallbackMethod_GetServerInfo<
+                                             v1::TrcService::Service>>>>> {
  public:
   explicit TrcService(Backend& backend) : backend_(backend) {}
 
-  grpc::ServerBidiReactor<v1::CompensatePathRequest, v1::CompensatePathResponse>* CompensatePath(
-      grpc::CallbackServerContext* context) override;
-  grpc::ServerBidiReactor<v1::CompensateProgramRequest, v1::CompensateProgramResponse>*
-  CompensateProgram(grpc::CallbackServerContext* context) override;
-  grpc::ServerWriteReactor<v1::PreviewPathResponse>* PreviewPath(
-      grpc::CallbackServerContext* context, const v1::PreviewPathRequest* request) override;
+  using BytesReactor = grpc::ServerBidiReactor<grpc::ByteBuffer, grpc::ByteBuffer>;
+
+  BytesReactor* CompensatePath(grpc::CallbackServerContext* context) override;
+  BytesReactor* CompensateProgram(grpc::CallbackServerContext* context) override;
+  grpc::ServerWriteReactor<grpc::ByteBuffer>* PreviewPath(grpc::CallbackServerContext* context,
+                                                          const grpc::ByteBuffer* request) override;
+  grpc::ServerUnaryReactor* CompensateProgramOnce(grpc::CallbackServerContext* context,
+                                                  const grpc::ByteBuffer* request,
+                                                  grpc::ByteBuffer* response) override;
   grpc::ServerUnaryReactor* GetServerInfo(grpc::CallbackServerContext* context,
                                           const v1::GetServerInfoRequest* request,
                                           v1::GetServerInfoResponse* response) override;

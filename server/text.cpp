@@ -21,14 +21,29 @@ std::size_t utf8_length(std::string_view text) {
   return length;
 }
 
+std::uint32_t code_point(std::string_view character) {
+  const auto lead = static_cast<unsigned char>(character.front());
+  if (character.size() == 1) return lead;
+  std::uint32_t point = lead & (0xFFU >> (character.size() + 1));
+  for (const char c : character.substr(1))
+    point = point << 6U | (static_cast<unsigned char>(c) & 0x3FU);
+  return point;
+}
+
+bool acts_on_display(std::uint32_t code_point) {
+  const auto lies = [&](std::uint32_t first, std::uint32_t last) {
+    return code_point >= first && code_point <= last;
+  };
+  return lies(0, 0x1F) || lies(0x7F, 0x9F) || lies(0x200E, 0x200F) || lies(0x2028, 0x202E) ||
+         lies(0x2066, 0x2069);
+}
+
 std::string presentable(std::string_view text, std::size_t most) {
   std::string result;
   while (!text.empty()) {
-    const auto lead = static_cast<unsigned char>(text.front());
     const std::size_t length = utf8_length(text);
-    const std::string_view character = length == 0                   ? replacement_character
-                                       : lead < 0x20 || lead == 0x7F ? std::string_view(" ")
-                                                                     : text.substr(0, length);
+    std::string_view character = length == 0 ? replacement_character : text.substr(0, length);
+    if (acts_on_display(code_point(character))) character = " ";
     if (result.size() + character.size() > most) return result + "...";
     result += character;
     text.remove_prefix(length == 0 ? 1 : length);

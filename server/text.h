@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <string_view>
 
@@ -10,9 +11,15 @@ namespace trc::server {
 // none. Overlong forms, surrogates and code points beyond U+10FFFF are none.
 std::size_t utf8_length(std::string_view text);
 
+// The code point of one UTF-8 character.
+std::uint32_t code_point(std::string_view character);
+// Whether a character is none to be seen, but does something where it is shown: control characters
+// (C0, DEL, C1), line separators, and those that turn the direction of writing.
+bool acts_on_display(std::uint32_t code_point);
+
 // The text as a person may be shown it, and as a protobuf string may hold it: bytes that are not
-// UTF-8 become U+FFFD, control characters a blank, and what is longer than `most` bytes is cut
-// between two characters.
+// UTF-8 become U+FFFD, characters that act on the display a blank, and what is longer than `most`
+// bytes is cut between two characters.
 std::string presentable(std::string_view text, std::size_t most = 200);
 
 inline constexpr std::string_view replacement_character = "\xEF\xBF\xBD";

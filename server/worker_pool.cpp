@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <ctime>
+#include <exception>
 #include <new>
 #include <optional>
 #include <system_error>
@@ -21,6 +22,9 @@ std::chrono::nanoseconds time_computed() {
 // When the turn of this thread began, or went on; none in a thread of somebody else.
 thread_local std::optional<std::chrono::nanoseconds> began;
 
+// Of the turn of this thread.
+thread_local WorkerPool::Group* group_of_turn = nullptr;
+
 // Several turns of batches: giving way costs two changes of thread.
 constexpr std::chrono::milliseconds share_of_time{5};
 
@@ -29,7 +33,7 @@ constexpr std::chrono::milliseconds share_of_time{5};
 WorkerPool::WorkerPool(unsigned places)
     : places_(places > 0 ? places : std::max(1U, std::thread::hardware_concurrency())) {
   // No thread is lost for want of a place to note it down.
-  threads_.reserve(places_ + most_standing);
+  threads_.reserve(2 * places_ + TurnQueue::most_standing);
   try {
     for (std::size_t i = 0; i < places_; ++i) threads_.emplace_back([this] { run(); });
   } catch (const std::system_error&) {
@@ -49,36 +53,49 @@ void WorkerPool::stop() {
   for (std::thread& thread : threads_) thread.join();
 }
 
-void WorkerPool::submit(Job& job) {
+void WorkerPool::submit(Job& job, Group& group) {
   {
     const std::lock_guard lock(mutex_);
-    queue_.push_back({.job = &job, .since = std::chrono::steady_clock::now()});
+    queue_.push({.group = &group, .job = &job, .since = std::chrono::steady_clock::now()});
   }
   changed_.notify_one();
+}
+
+bool WorkerPool::have_thread_for_place() {
+  if (idle_ >= places_ - taken_ + 1) return true;
+  if (threads_.size() == threads_.capacity()) return false;
+  try {
+    threads_.emplace_back([this] { run(); });
+    return true;
+  } catch (const std::exception&) {
+    ++threads_missed_;
+    return false;
+  }
 }
 
 void WorkerPool::give_way() {
   if (!began || time_computed() - *began < share_of_time) return;
   {
     std::unique_lock lock(mutex_);
-    if (queue_.empty() || stopping_ || standing_ == most_standing) return;
-    Standing standing;
-    // What may fail comes first: a turn that cannot be replaced goes on in its place.
+    if (queue_.empty() || stopping_) return;
+    TurnQueue::Standing standing;
     try {
-      if (idle_ < places_ - taken_ + 1) threads_.emplace_back([this] { run(); });
-      queue_.push_back({.standing = &standing, .since = std::chrono::steady_clock::now()});
-    } catch (const std::system_error&) {
-      ++threads_missed_;
-      began = time_computed();
-      return;
+      queue_.push({.group = group_of_turn,
+                   .standing = &standing,
+                   .since = std::chrono::steady_clock::now()});
     } catch (const std::bad_alloc&) {
       return;
     }
-    --taken_;
-    ++standing_;
-    changed_.notify_one();
+    if (have_thread_for_place()) {
+      --taken_;
+      changed_.notify_one();
+    } else {
+      // Perhaps this one.
+      TurnQueue::Standing& next = *queue_.pop_standing().standing;
+      next.goes_on = true;
+      next.changed.notify_one();
+    }
     standing.changed.wait(lock, [&] { return standing.goes_on; });
-    --standing_;
   }
   began = time_computed();
 }
@@ -91,7 +108,7 @@ std::size_t WorkerPool::queue_depth() const {
 std::chrono::nanoseconds WorkerPool::longest_wait() const {
   const std::lock_guard lock(mutex_);
   if (queue_.empty()) return {};
-  return std::chrono::steady_clock::now() - queue_.front().since;
+  return std::chrono::steady_clock::now() - queue_.oldest();
 }
 
 std::size_t WorkerPool::thread_count() const {
@@ -115,8 +132,7 @@ void WorkerPool::run() {
       changed_.notify_all();
       return;
     }
-    const Waiting next = queue_.front();
-    queue_.pop_front();
+    const TurnQueue::Waiting next = queue_.pop();
     ++taken_;
     if (next.standing != nullptr) {
       next.standing->goes_on = true;
@@ -125,6 +141,7 @@ void WorkerPool::run() {
     }
     lock.unlock();
     began = time_computed();
+    group_of_turn = next.group;
     next.job->turn();
     lock.lock();
     --taken_;

@@ -4,10 +4,11 @@
 #include <condition_variable>
 #include <cstddef>
 #include <cstdint>
-#include <deque>
 #include <mutex>
 #include <thread>
 #include <vector>
+
+#include "server/turn_queue.h"
 
 namespace trc::server {
 
@@ -16,19 +17,14 @@ namespace trc::server {
 // here instead.
 //
 // Jobs wait in one queue and get one turn each: a stream with much to do goes to the back after
-// every batch, so that streams share the threads evenly. A stream has at most one job in the queue,
-// so the limit of streams bounds the queue too. A batch that ends a selection of millions of blocks
-// makes a turn of seconds, which gives way in between.
+// every batch, so that streams share the threads evenly, and the groups of streams do: those of one
+// peer. A stream has at most one job in the queue, so the limit of streams bounds the queue too. A
+// batch that ends a selection of millions of blocks makes a turn of seconds, which gives way in
+// between.
 class WorkerPool {
  public:
-  class Job {
-   public:
-    // One batch of work. May end in the destruction of the job; must not throw.
-    virtual void turn() noexcept = 0;
-
-   protected:
-    ~Job() = default;
-  };
+  using Group = TurnQueue::Group;
+  using Job = TurnQueue::Job;
 
   // How many turns go on at once: 0 stands for one per core. Throws std::system_error when the
   // threads cannot be made.
@@ -38,13 +34,15 @@ class WorkerPool {
   WorkerPool(const WorkerPool&) = delete;
   WorkerPool& operator=(const WorkerPool&) = delete;
 
-  // The job must live until its turn is over.
-  void submit(Job& job);
+  // The job must live until its turn is over, and its group as long.
+  void submit(Job& job, Group& group);
+  // The same in a group of those that name none.
+  void submit(Job& job) { submit(job, others_); }
 
   // To be called again and again in a turn that may take long. Once it has computed for
   // some milliseconds and others wait, the turn goes to the back of the queue: it stands still, and
-  // another thread takes its place; when none can be made for it, the turn keeps its place. Does
-  // nothing in a thread that is not of the pool.
+  // another thread takes its place; when none can be made for it, another turn that stands still
+  // goes on, or this one. Does nothing in a thread that is not of the pool.
   void give_way();
 
   [[nodiscard]] std::size_t queue_depth() const;
@@ -57,30 +55,18 @@ class WorkerPool {
   [[nodiscard]] std::uint64_t threads_missed() const;
 
  private:
-  // A turn that stands still.
-  struct Standing {
-    std::condition_variable changed{};
-    bool goes_on = false;
-  };
-  // One of the two.
-  struct Waiting {
-    Job* job = nullptr;
-    Standing* standing = nullptr;
-    std::chrono::steady_clock::time_point since{};
-  };
-  // A turn beyond so many does not stand still, but keeps its place: threads are not for nothing.
-  static constexpr std::size_t most_standing = 64;
-
   void run();
   void stop();
+  // Under the lock; false: no thread can be had.
+  bool have_thread_for_place();
 
   mutable std::mutex mutex_;
   std::condition_variable changed_;
-  std::deque<Waiting> queue_;
+  Group others_;
+  TurnQueue queue_;
   const std::size_t places_;
-  std::size_t taken_ = 0;     // places
-  std::size_t idle_ = 0;      // threads
-  std::size_t standing_ = 0;  // turns
+  std::size_t taken_ = 0;  // places
+  std::size_t idle_ = 0;   // threads
   std::uint64_t threads_missed_ = 0;
   bool stopping_ = false;
   std::vector<std::thread> threads_;

@@ -20,6 +20,7 @@ using Action = std::function<Exit()>;
 void add_compensate(CLI::App& app, Action& action);
 void add_plot(CLI::App& app, Action& action);
 void add_verify(CLI::App& app, Action& action);
+void add_view(CLI::App& app, Action& action);
 void add_generate(CLI::App& app, Action& action);
 void add_load(CLI::App& app, Action& action);
 void add_info(CLI::App& app, Action& action);

@@ -19,7 +19,17 @@ struct Call {
   std::string format = "nc";
   std::string output;
   std::uint32_t decimals = 4;
+  bool force = false;
 };
+
+// The program a path came from is worth more than the path.
+bool may_write(const Call& call) {
+  if (call.force || call.output.empty() || !is_same_file(call.program.file, call.output))
+    return true;
+  std::cerr << "trc: -o " << call.output
+            << " is the program itself; write another file, or say --force\n";
+  return false;
+}
 
 // Path items as the lines of --format jsonl.
 class JsonWriter {
@@ -66,9 +76,10 @@ Exit run(const Call& call) {
   const bool as_json = call.format == "jsonl";
   setup.set_output(as_nc ? v1::PROGRAM_OUTPUT_NC : v1::PROGRAM_OUTPUT_BLOCKS);
   setup.set_decimals(call.decimals);
+  if (!may_write(call)) return Exit::wrong_call;
 
   Input input(call.program.file);
-  Output output(call.output);
+  Output output(call.output, as_nc ? Output::OnScreen::with_commit : Output::OnScreen::at_once);
   if (!input.open() || !output.open()) return Exit::wrong_call;
   Progress progress(output.is_standard_output());
   JsonWriter json;
@@ -87,9 +98,9 @@ Exit run(const Call& call) {
       });
   if (as_json && outcome.summary && !output.write(json.line_for(outcome.summary->path)))
     return Exit::wrong_call;
-  // What was certain before a refusal is shown on the screen; a file of it could
-  // be taken for a whole path.
-  const bool keep = outcome.exit == Exit::done || output.is_standard_output();
+  // Half a program must not look like a whole one. Listings and JSON lines of what was certain
+  // before a refusal are shown on the screen: no control runs them.
+  const bool keep = outcome.exit == Exit::done || (output.is_standard_output() && !as_nc);
   if (keep && !output.commit()) return Exit::wrong_call;
   return outcome.exit;
 }
@@ -107,7 +118,9 @@ void add_compensate(CLI::App& app, Action& action) {
       ->check(CLI::IsMember({"nc", "jsonl", "listing"}))
       ->capture_default_str();
   command->add_option("-o,--output", call->output,
-                      "File to write; it appears only when all went well. Else standard output");
+                      "File to write, else standard output. An NC program appears there, too, only "
+                      "when all of it was compensated");
+  command->add_flag("--force", call->force, "Let -o replace the program itself");
   command->add_option("--decimals", call->decimals, "Decimal places of coordinates, 1 to 8")
       ->check(CLI::Range(1, 8))
       ->capture_default_str();

@@ -8,6 +8,7 @@
 #include <array>
 #include <cerrno>
 #include <cstring>
+#include <filesystem>
 #include <iostream>
 #include <utility>
 
@@ -80,7 +81,8 @@ std::string_view Input::read() {
   }
 }
 
-Output::Output(std::string path) : path_(path == "-" ? std::string() : std::move(path)) {}
+Output::Output(std::string path, OnScreen on_screen)
+    : path_(path == "-" ? std::string() : std::move(path)), on_screen_(on_screen) {}
 
 Output::~Output() {
   if (descriptor_ > STDOUT_FILENO) ::close(descriptor_);
@@ -105,6 +107,7 @@ bool Output::open() {
   // A reader that goes away is an error to report, not a reason to be killed.
   ::signal(SIGPIPE, SIG_IGN);
   if (is_standard_output()) {
+    if (on_screen_ == OnScreen::with_commit) return open_held();
     descriptor_ = STDOUT_FILENO;
     return true;
   }
@@ -127,6 +130,27 @@ bool Output::open() {
          complain("write");
 }
 
+// In a file without a name: the program may be larger than memory.
+bool Output::open_held() {
+  std::string pattern = (std::filesystem::temp_directory_path() / "trc.XXXXXX").string();
+  descriptor_ = ::mkstemp(pattern.data());
+  if (descriptor_ < 0) return complain("hold back");
+  ::unlink(pattern.c_str());
+  return true;
+}
+
+bool Output::release_held() {
+  if (::lseek(descriptor_, 0, SEEK_SET) < 0) return complain("write");
+  std::string text(piece, '\0');
+  for (;;) {
+    const ssize_t count = ::read(descriptor_, text.data(), text.size());
+    if (count == 0) return true;
+    if (count < 0 && errno == EINTR) continue;
+    if (count < 0 || !write_all(STDOUT_FILENO, {text.data(), static_cast<std::size_t>(count)}))
+      return complain("write");
+  }
+}
+
 bool Output::flush() {
   if (!write_all(descriptor_, buffer_)) return complain("write");
   buffer_.clear();
@@ -141,12 +165,18 @@ bool Output::write(std::string_view text) {
 
 bool Output::commit() {
   if (failed_ || !flush()) return false;
+  if (is_standard_output() && on_screen_ == OnScreen::with_commit) return release_held();
   if (temporary_.empty()) return true;
   if (::close(std::exchange(descriptor_, -1)) != 0) return complain("write");
   if (::rename(temporary_.c_str(), path_.c_str()) != 0) return complain("write");
   temporary_.clear();
   unfinished[0] = '\0';
   return true;
+}
+
+bool is_same_file(const std::string& a, const std::string& b) {
+  std::error_code none;
+  return std::filesystem::equivalent(a, b, none);
 }
 
 }  // namespace trc::cli

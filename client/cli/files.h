@@ -38,11 +38,12 @@ class Input {
 
 // Where a result goes. A file gets its name only with `commit`: until then, and
 // when the program ends early, an older file of that name stays as it was. What
-// goes to standard output is gone at once.
+// goes to standard output is gone at once, or held back until then as well.
 class Output {
  public:
+  enum class OnScreen { at_once, with_commit };
   // "-" or nothing: standard output.
-  explicit Output(std::string path);
+  explicit Output(std::string path, OnScreen on_screen = OnScreen::at_once);
   ~Output();
   Output(const Output&) = delete;
   Output& operator=(const Output&) = delete;
@@ -57,12 +58,18 @@ class Output {
  private:
   bool complain(const char* what);
   bool flush();
+  bool open_held();
+  bool release_held();
 
   std::string path_;
+  OnScreen on_screen_;
   std::string temporary_;  // empty: written in place (a device or a pipe)
   int descriptor_ = -1;
   bool failed_ = false;
   std::string buffer_;
 };
+
+// Whether both names mean one file.
+[[nodiscard]] bool is_same_file(const std::string& a, const std::string& b);
 
 }  // namespace trc::cli

@@ -1,9 +1,11 @@
 #include "client/cli/info_text.h"
 
 #include <algorithm>
+#include <map>
 #include <string_view>
 #include <vector>
 
+#include "core/nc/dialect/dialect.h"
 #include "core/nc/text/number_format.h"
 
 namespace trc::cli {
@@ -45,8 +47,7 @@ Table options_of(const v1::GetServerInfoResponse& info) {
   for (const v1::TrcKeyword& keyword : info.trc_keywords())
     table.rows.push_back({keyword.name(), range_of(keyword),
                           range_of(keyword).empty() ? "" : number(keyword.default_value()),
-                          keyword.available() ? "yes" : "no, refused with 900102",
-                          keyword.meaning()});
+                          keyword.available() ? "yes" : "no, refused", keyword.meaning()});
   return table;
 }
 
@@ -125,7 +126,64 @@ std::string markdown(const Table& table) {
   return text;
 }
 
+// What becomes of the functions of a group while TRC is off.
+std::string_view state_of(GGroup group) {
+  switch (group) {
+    case GGroup::technology:
+    case GGroup::axis_technology:
+    case GGroup::dwell:
+    case GGroup::feed_mode:
+      return "passed on";
+    case GGroup::zero_shift:
+    case GGroup::cycle:
+    case GGroup::single_move:
+    case GGroup::frame:
+    case GGroup::tool_data:
+    case GGroup::unfollowed:
+    case GGroup::unfollowed_end:
+      return "copied while TRC is off";
+    case GGroup::turning:
+    case GGroup::call:
+    case GGroup::refused:
+    case GGroup::spatial_circle:
+      return "refused";
+    default:
+      return "followed";
+  }
+}
+
+std::string name_of(const GFunction& function) {
+  std::string name = "G" + std::to_string(function.number);
+  if (function.tenth != 0) name += "." + std::to_string(function.tenth);
+  return name;
+}
+
+Table dialects_of() {
+  Table table{{{"Function"}}};
+  std::map<int, std::map<DialectName, const GFunction*>> functions;
+  for (const Dialect& dialect : all_dialects()) {
+    if (!dialect.available) continue;
+    table.rows.front().push_back(std::string(dialect.spelling));
+    for (const GFunction& function : dialect.functions)
+      functions[function.tenths()][dialect.name] = &function;
+  }
+  for (const auto& [tenths, known] : functions) {
+    Row row{name_of(*known.begin()->second)};
+    for (const Dialect& dialect : all_dialects()) {
+      if (!dialect.available) continue;
+      const auto found = known.find(dialect.name);
+      row.push_back(found == known.end() ? std::string()
+                                         : std::string(found->second->meaning) + ": " +
+                                               std::string(state_of(found->second->group)));
+    }
+    table.rows.push_back(std::move(row));
+  }
+  return table;
+}
+
 }  // namespace
+
+std::string markdown_dialects() { return markdown(dialects_of()); }
 
 std::string text_of(const v1::GetServerInfoResponse& info) {
   std::string text = "trc " + info.version() + " (" + info.commit() + ")\n";

@@ -11,10 +11,10 @@
 #include "client/cli/command.h"
 #include "client/cli/program_options.h"
 #include "client/cli/service.h"
-#include "client/cli/settings.h"
 #include "client/load/generator.h"
 #include "client/load/load_report.h"
 #include "client/load/process_meter.h"
+#include "proto/wire/settings.h"
 
 namespace trc::cli {
 namespace {
@@ -72,7 +72,7 @@ bool read_setup(const Call& call, v1::ProgramSetup& setup) {
     path.mutable_options()->set_remove_masked_blocks(true);
   }
   for (const std::string& assignment : call.assignments) {
-    const std::string fault = apply_setting(assignment, setup);
+    const std::string fault = wire::apply_setting(assignment, setup);
     if (fault.empty()) continue;
     std::cerr << "trc: " << fault << '\n';
     return false;

@@ -22,6 +22,7 @@ int run(int argc, char** argv) {
   trc::cli::add_compensate(app, action);
   trc::cli::add_plot(app, action);
   trc::cli::add_verify(app, action);
+  trc::cli::add_view(app, action);
   trc::cli::add_generate(app, action);
   trc::cli::add_load(app, action);
   trc::cli::add_info(app, action);

@@ -38,7 +38,8 @@ Exit run(const Call& call) {
       plot::compose({.title = std::filesystem::path(input.name()).filename().string(),
                      .programmed = paths.programmed,
                      .path = paths.compensated,
-                     .diagnostics = paths.diagnostics});
+                     .diagnostics = paths.diagnostics,
+                     .leads = paths.leads});
   const std::string drawing = as_page ? plot::to_html(picture, call.numbers)
                                       : plot::to_svg(picture, {.numbers = call.numbers});
   if (!output.write(drawing) || !output.commit()) return Exit::wrong_call;
@@ -57,7 +58,9 @@ void add_plot(CLI::App& app, Action& action) {
       ->required();
   command->add_flag("--numbers", call->numbers, "Write block numbers beside the contour");
   command->footer(
-      "Rapid moves are dashed, masked or removed blocks red, transition blocks light blue.\n"
+      "Leads are thin, rapid moves dashed, masked or removed blocks red, transition blocks light "
+      "blue; red\nand dashed is what was programmed where another contour is compensated "
+      "(CONV_CIR_TO_LIN,\nKERF_MASKING). Warnings are yellow at their place.\n"
       "A refused program gives the picture of what was certain, with the place marked, and exit "
       "code 1.\n\n" +
       settings_help());

@@ -2,7 +2,10 @@
 
 #include <iostream>
 
-#include "client/cli/settings.h"
+#include "client/cli/tool_file.h"
+#include "core/nc/dialect/dialect.h"
+#include "proto/wire/settings.h"
+#include "proto/wire/setup.h"
 
 namespace trc::cli {
 
@@ -15,15 +18,46 @@ void add_program_options(CLI::App& command, ProgramOptions& options) {
                   "What holds before the first line, as in tool_radius=5; may be repeated")
       ->type_name("KEY=VALUE")
       ->allow_extra_args(false);
+  std::vector<std::string> dialects;
+  for (const Dialect& dialect : all_dialects())
+    if (dialect.available) dialects.emplace_back(dialect.spelling);
+  command.add_option("--dialect", options.dialect, "Language of the program; isg without it")
+      ->transform(CLI::IsMember(dialects, CLI::ignore_case));
+  command
+      .add_option("--unit", options.unit,
+                  "What lengths count in before the program says; mm "
+                  "without it")
+      ->transform(CLI::IsMember({"mm", "inch"}, CLI::ignore_case));
+  command
+      .add_option("--unknown-words", options.unknown_words,
+                  "copy: lines with unknown G functions come out as they are while TRC is off")
+      ->transform(CLI::IsMember({"refuse", "copy"}, CLI::ignore_case));
+  command
+      .add_option("--tools", options.tools,
+                  "Table of tools: CSV with the header number,radius, a tool table of LinuxCNC, "
+                  "G10 lines of Fanuc")
+      ->type_name("FILE")
+      ->check(CLI::ExistingFile);
   add_service_options(command, options.service);
 }
 
 bool setup_of(const ProgramOptions& options, v1::ProgramSetup& setup) {
   for (const std::string& assignment : options.assignments) {
-    const std::string fault = apply_setting(assignment, setup);
+    const std::string fault = wire::apply_setting(assignment, setup);
     if (fault.empty()) continue;
     std::cerr << "trc: --set: " << fault << '\n';
     return false;
+  }
+  if (const auto dialect = dialect_spelled(options.dialect))
+    setup.set_dialect(wire::to_proto(*dialect));
+  if (options.unknown_words == "copy") setup.set_unknown_words(v1::UNKNOWN_WORDS_COPY);
+  if (options.unit == "inch") setup.set_unit(v1::LENGTH_UNIT_INCH);
+  if (!options.tools.empty()) {
+    const std::string fault = read_tool_file(options.tools, setup);
+    if (!fault.empty()) {
+      std::cerr << "trc: --tools: " << fault << '\n';
+      return false;
+    }
   }
   // The server shows the name in its log; the end says more than the directory.
   constexpr std::size_t longest_name = 255;
@@ -34,7 +68,8 @@ bool setup_of(const ProgramOptions& options, v1::ProgramSetup& setup) {
 
 std::string settings_help() {
   std::string text = "Settings (--set KEY=VALUE):\n";
-  for (const SettingRow& row : settings()) text += "  " + row.key + ": " + row.values + "\n";
+  for (const wire::SettingRow& row : wire::settings())
+    text += "  " + row.key + ": " + row.values + "\n";
   text += "The last part of a key will do where no other key ends in it: stretch_factor=2.";
   return text;
 }

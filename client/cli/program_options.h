@@ -13,6 +13,10 @@ namespace trc::cli {
 struct ProgramOptions {
   std::string file{};
   std::vector<std::string> assignments{};  // key=value
+  std::string dialect{};                   // empty: ISG
+  std::string unit{};                      // empty: mm
+  std::string tools{};                     // file
+  std::string unknown_words{};             // empty: refuse
   ServiceOptions service{};
 };
 void add_program_options(CLI::App& command, ProgramOptions& options);

@@ -4,40 +4,10 @@
 #include <string_view>
 
 #include "client/cli/progress.h"
-#include "core/nc/dialect/interpreter.h"
+#include "core/session/contour_reader.h"
 #include "proto/wire/setup.h"
 
 namespace trc::cli {
-namespace {
-
-// Reads the blocks of the text while it passes by on its way to the service.
-class ContourReader {
- public:
-  explicit ContourReader(const SessionSetup& session)
-      : state_(session.program, session.compensator.tolerances, diagnostics_, blocks_),
-        interpreter_({}, state_, diagnostics_) {}
-
-  void feed(std::string_view text) {
-    reading_ = reading_ && interpreter_.feed(text, lines_);
-    for (LinePointer& line : lines_) interpreter_.recycle(std::move(line));
-    lines_.clear();
-  }
-
-  std::vector<Block> finish() {
-    if (reading_) interpreter_.finish(lines_);
-    return std::move(blocks_);
-  }
-
- private:
-  Diagnostics diagnostics_;
-  std::vector<Block> blocks_;
-  ProgramState state_;
-  Interpreter interpreter_;
-  std::vector<LinePointer> lines_;
-  bool reading_ = true;
-};
-
-}  // namespace
 
 ProgramPaths read_paths(const ServiceOptions& options, v1::ProgramSetup setup, Input& input) {
   ProgramPaths paths;
@@ -49,6 +19,7 @@ ProgramPaths read_paths(const ServiceOptions& options, v1::ProgramSetup setup, I
   // would be another one.
   std::optional<ContourReader> reader;
   if (faults.empty()) reader.emplace(settings.path.session);
+  paths.leads = settings.path.session.compensator.leads;
   input.watch([&](std::string_view text) {
     if (reader) reader->feed(text);
   });

@@ -8,6 +8,7 @@
 #include "core/base/diagnostic.h"
 #include "core/nc/state/block.h"
 #include "core/trc/result/compensated_block.h"
+#include "core/trc/walls/walls.h"
 
 namespace trc::cli {
 
@@ -19,6 +20,7 @@ struct ProgramPaths {
   std::vector<Block> programmed{};
   std::vector<CompensatedBlock> compensated{};  // what was certain, if refused
   std::vector<Diagnostic> diagnostics{};        // also told on standard error
+  LeadSettings leads{};                         // of the setup
 };
 
 [[nodiscard]] ProgramPaths read_paths(const ServiceOptions& options, v1::ProgramSetup setup,

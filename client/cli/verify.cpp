@@ -18,6 +18,12 @@ std::string mm(double value) {
   return text;
 }
 
+std::string percent(double share) {
+  std::string text;
+  append_fixed(text, 100 * share, 1);
+  return text + " %";
+}
+
 std::string block_name(const Source& source) {
   std::string name =
       source.number == Source::no_number ? "" : "N" + std::to_string(source.number) + " ";
@@ -41,13 +47,16 @@ Exit run(const ProgramOptions& options) {
 
   const double allowed = Tolerances{}.on_contour;
   const verify::ClearanceReport report =
-      verify::measure_clearance(paths.programmed, paths.compensated, allowed);
+      verify::measure_clearance(paths.programmed, paths.compensated, allowed, paths.leads);
   if (!report.worst) {
     std::cout << "nothing to verify: no compensated contour\n";
     return Exit::done;
   }
   std::cout << report.checked << " blocks of the path checked, " << worst_line(*report.worst)
             << '\n';
+  if (report.wall_length > 0)
+    std::cout << "the path touches " << percent(report.coverage()) << " of "
+              << mm(report.wall_length) << " mm of wall\n";
   if (report.gouging == 0) return Exit::done;
   const Source& place = report.worst->path;
   std::cerr << input.name() << ':' << place.line << ": gouge: " << report.gouging

@@ -17,7 +17,8 @@ const svg = document.querySelector('svg');
 svg.setAttribute('preserveAspectRatio', 'xMidYMid meet');
 const box = svg.viewBox.baseVal;
 const home = [box.x, box.y, box.width, box.height];
-const layers = [['programmed', 'programmed contour'], ['masked', 'masked or removed'],
+const layers = [['programmed', 'programmed contour'], ['lead', 'leads'],
+  ['replaced', 'as programmed, replaced'], ['masked', 'masked or removed'], ['warning', 'warnings'],
   ['path', 'compensated path'], ['transition', 'transition blocks'], ['arrows', 'arrows'],
   ['tool', 'tool'], ['numbers', 'block numbers'], ['grid', 'grid']];
 for (const [name, text] of layers) {

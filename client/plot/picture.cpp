@@ -4,11 +4,14 @@
 #include <array>
 #include <cstdint>
 #include <iterator>
+#include <map>
 #include <string_view>
 #include <utility>
 #include <vector>
 
+#include "client/plot/changed_contour.h"
 #include "core/trc/result/listing.h"
+#include "core/trc/walls/selection_contours.h"
 
 namespace trc::plot {
 namespace {
@@ -43,34 +46,22 @@ Plane plane_to_show(const Contents& contents) {
   return contents.path.empty() ? Plane::xy : contents.path.front().plane;
 }
 
-// Contour blocks the tool does not travel, as the notes name them. A transition behind such a block
-// may be travelled all the same.
-class NotTravelled {
+// Contour blocks that are no walls, by their Source::index.
+class LeadBlocks {
  public:
-  explicit NotTravelled(const Contents& contents) {
-    for (const Diagnostic& note : contents.diagnostics)
-      if (note.code == Code::blocks_masked)
-        ranges_.emplace_back(value_of(note, "first_index"), value_of(note, "last_index"));
-    std::sort(ranges_.begin(), ranges_.end());
+  explicit LeadBlocks(const Contents& contents) {
+    for (const SelectionContour& contour : contours_of(contents.programmed)) {
+      const SidedWalls walls = find_walls(contour, contents.leads);
+      for (std::size_t number = 0; number < contour.blocks.size(); ++number)
+        if (walls.is_lead(number)) indices_.push_back(contour.blocks[number]->source.index);
+    }
   }
-
   [[nodiscard]] bool contains(std::uint64_t index) const {
-    const auto behind =
-        std::upper_bound(ranges_.begin(), ranges_.end(), index,
-                         [](std::uint64_t at, const Range& range) { return at < range.first; });
-    return behind != ranges_.begin() && index <= std::prev(behind)->second;
+    return std::binary_search(indices_.begin(), indices_.end(), index);
   }
 
  private:
-  using Range = std::pair<std::uint64_t, std::uint64_t>;
-
-  static std::uint64_t value_of(const Diagnostic& note, std::string_view name) {
-    for (const auto& value : note.values)
-      if (value.name == name && value.value >= 0) return static_cast<std::uint64_t>(value.value);
-    return note.source.index;
-  }
-
-  std::vector<Range> ranges_{};  // apart from each other, in order
+  std::vector<std::uint64_t> indices_{};  // in order
 };
 
 class Composer {
@@ -85,6 +76,7 @@ class Composer {
     add_programmed();
     add_path();
     add_tools();
+    add_warnings();
     add_fault();
     std::stable_sort(picture_.strokes.begin(), picture_.strokes.end(),
                      [](const Stroke& a, const Stroke& b) { return a.layer < b.layer; });
@@ -121,13 +113,15 @@ class Composer {
   }
 
   void add_programmed() {
-    const NotTravelled masked(contents_);
+    const NotTravelled masked(contents_.diagnostics);
+    changed_ = changed_contour(contents_.programmed, contents_.path);
+    const LeadBlocks leads(contents_);
     Position position{};
     for (const Block& block : contents_.programmed)
       std::visit(overloaded{[&](const MotionBlock& motion) {
                               if (!motion.mode) return;
                               const bool lost = masked.contains(motion.source.index);
-                              show(motion, lost);
+                              show(motion, lost, leads.contains(motion.source.index));
                               const PlaneAxes axes = axes_of(motion.mode->plane);
                               const Place end = place_at(motion.path, 1);
                               position[axes.first] = end.point.x();
@@ -143,12 +137,24 @@ class Composer {
     flush_joined();
   }
 
-  void show(const MotionBlock& motion, bool lost) {
+  void show(const MotionBlock& motion, bool lost, bool leads) {
     const Plane plane = motion.mode->plane;
-    add({.layer = lost ? Layer::masked : Layer::programmed,
+    const auto changed = changed_.find(motion.source.index);
+    if (changed != changed_.end()) {
+      add({.layer = Layer::replaced,
+           .segments = project(plane, motion.path, motion.normal, picture_.plane),
+           .title = number_of(motion.source) + " as programmed"});
+      add({.layer = Layer::programmed,
+           .segments = project(plane, changed->second, motion.normal, picture_.plane),
+           .title = number_of(motion.source) + " contour, changed"});
+      return;
+    }
+    const std::string what = leads ? " lead" : " contour";
+    const Layer drawn = leads ? Layer::lead : Layer::programmed;
+    add({.layer = lost ? Layer::masked : drawn,
          .rapid = motion.rapid,
          .segments = project(plane, motion.path, motion.normal, picture_.plane),
-         .title = number_of(motion.source) + (lost ? " contour, not travelled" : " contour")});
+         .title = number_of(motion.source) + what + (lost ? ", not travelled" : "")});
     if (plane != picture_.plane || !single_ || !is_finite(motion.path)) return;
     const Place middle = place_at(motion.path, 0.5);
     const Vector left = left_of(middle.direction);
@@ -169,14 +175,41 @@ class Composer {
   }
 
   void add_path() {
-    for (const CompensatedBlock& block : contents_.path) {
+    for (std::size_t at = 0; at < contents_.path.size(); ++at) {
+      const CompensatedBlock& block = contents_.path[at];
       if (block.origin == Origin::passthrough) continue;
-      add({.layer = layer_of(block.origin),
+      add({.layer = is_inserted(at) ? Layer::transition : layer_of(block.origin),
            .rapid = block.rapid,
            .segments = project(block.plane, block.path, block.normal, picture_.plane),
            .title = number_of(block.source) + " " + std::string(name_of(block.origin))});
     }
     flush_joined();
+  }
+
+  // What TRC inserts between the approach block and the contour, or between the contour and the
+  // retract block: the block itself is the first one of an approach and the last one of a retract.
+  [[nodiscard]] bool is_inserted(std::size_t at) const {
+    const CompensatedBlock& block = contents_.path[at];
+    const bool approach = block.origin == Origin::approach;
+    if (!approach && block.origin != Origin::retract) return false;
+    const std::size_t own = approach ? at - 1 : at + 1;
+    if (own >= contents_.path.size()) return false;
+    const CompensatedBlock& other = contents_.path[own];
+    if (other.origin != block.origin || (approach && other.source.index != block.source.index))
+      return false;
+    // Parts of one line, as SPLIT makes them, are the block itself.
+    const Vector way = place_at(block.path, 0.5).direction;
+    return is_arc(block.path) || is_arc(other.path) ||
+           (way - place_at(other.path, 0.5).direction).norm() > 1e-6;
+  }
+
+  void add_warnings() {
+    for (const Diagnostic& diagnostic : contents_.diagnostics) {
+      if (diagnostic.severity != Severity::warning) continue;
+      if (picture_.warnings.size() == most_warnings) return;
+      picture_.warnings.push_back(
+          {.place = place_of(diagnostic), .text = text_of("warning ", diagnostic)});
+    }
   }
 
   // The tool where the first approach begins and where it first touches.
@@ -214,7 +247,10 @@ class Composer {
   void add_fault() {
     for (const Diagnostic& diagnostic : contents_.diagnostics) {
       if (diagnostic.severity != Severity::error) continue;
-      picture_.fault = Fault{.place = place_of(diagnostic), .text = text_of(diagnostic)};
+      picture_.fault =
+          Fault{.place = place_of(diagnostic),
+                .text = text_of("error ", diagnostic),
+                .tool_radius = diagnostic.point ? tool_radius_at(diagnostic.source.index) : 0};
       return;
     }
   }
@@ -235,8 +271,20 @@ class Composer {
     return reached;
   }
 
-  static std::string text_of(const Diagnostic& diagnostic) {
-    std::string text = "error " + std::to_string(static_cast<std::int32_t>(diagnostic.code));
+  // Of the last motion up to there under TRC; behind its end the tool is still the same.
+  [[nodiscard]] double tool_radius_at(std::uint64_t index) const {
+    double radius = 0;
+    for (const Block& block : contents_.programmed) {
+      const auto* motion = std::get_if<MotionBlock>(&block);
+      if (!motion || !motion->mode) continue;
+      if (motion->source.index > index) break;
+      if (motion->mode->active()) radius = motion->mode->tool_radius;
+    }
+    return radius;
+  }
+
+  static std::string text_of(const std::string& severity, const Diagnostic& diagnostic) {
+    std::string text = severity + std::to_string(static_cast<std::int32_t>(diagnostic.code));
     if (diagnostic.source.line > 0) text += " in line " + std::to_string(diagnostic.source.line);
     if (diagnostic.source.number != Source::no_number)
       text += " (N" + std::to_string(diagnostic.source.number) + ")";
@@ -246,7 +294,8 @@ class Composer {
   const Contents& contents_;
   Picture picture_;
   bool single_ = true;
-  std::array<Stroke, 4> joined_{};
+  std::map<std::uint64_t, Segment> changed_{};
+  std::array<Stroke, 6> joined_{};
 };
 
 }  // namespace

@@ -24,10 +24,13 @@ struct Style {
   const char* color;
   const char* width;
   const char* legend;
+  bool dashed = false;  // also where it is no rapid motion
 };
 
-constexpr std::array<Style, 4> styles{{
+constexpr std::array<Style, 6> styles{{
+    {Layer::lead, "lead", "black", "0.9", "lead-in, lead-out"},
     {Layer::programmed, "programmed", "black", "2.4", "programmed contour"},
+    {Layer::replaced, "replaced", "red", "1.6", "as programmed, replaced", true},
     {Layer::masked, "masked", "red", "2.4", "masked or removed"},
     {Layer::path, "path", "blue", "1.5", "compensated path"},
     {Layer::transition, "transition", "deepskyblue", "2.4", "transition block"},
@@ -57,7 +60,13 @@ Bounds bounds_of(const Picture& picture) {
     bounds.add(Point(tool.center - Vector::Constant(tool.radius)));
     bounds.add(Point(tool.center + Vector::Constant(tool.radius)));
   }
-  if (picture.fault && picture.fault->place) bounds.add(*picture.fault->place);
+  for (const Warning& warning : picture.warnings)
+    if (warning.place) bounds.add(*warning.place);
+  if (picture.fault && picture.fault->place) {
+    const Vector room = Vector::Constant(picture.fault->tool_radius);
+    bounds.add(Point(*picture.fault->place - room));
+    bounds.add(Point(*picture.fault->place + room));
+  }
   return bounds;
 }
 
@@ -96,10 +105,11 @@ class Sheet {
     draw_arrows();
     draw_tools();
     if (options_.numbers) draw_numbers();
+    draw_warnings();
     draw_fault();
     double below = frame_.top + frame_.height + 42;
     below = draw_legend(below);
-    below = draw_fault_text(below);
+    below = draw_texts(below);
     return opening(below) + body_ + "</svg>\n";
   }
 
@@ -205,8 +215,8 @@ class Sheet {
     body_ += std::string("<g class=\"") + style.name + (rapid ? " rapid" : "") +
              "\" fill=\"none\" stroke=\"" + style.color + "\" stroke-width=\"" + style.width +
              "\" stroke-linejoin=\"round\"" +
-             (rapid ? std::string(" stroke-dasharray=\"") + dash + "\""
-                    : std::string(" stroke-linecap=\"round\"")) +
+             (rapid || style.dashed ? std::string(" stroke-dasharray=\"") + dash + "\""
+                                    : std::string(" stroke-linecap=\"round\"")) +
              ">\n";
     shown_.push_back({&style, rapid});
   }
@@ -273,9 +283,27 @@ class Sheet {
     body_ += "</g>\n";
   }
 
+  void draw_warnings() {
+    bool open = false;
+    for (const Warning& warning : picture_.warnings) {
+      if (!warning.place) continue;
+      if (!std::exchange(open, true))
+        body_ += "<g class=\"warning\" stroke=\"#8a6d00\" stroke-width=\"1.2\" fill=\"gold\">\n";
+      const Point at = frame_.on_sheet(*warning.place);
+      body_ += "<path d=\"M" + pair(at - Vector(0, 9)) + "L" + pair(at + Vector(8, 6)) + "L" +
+               pair(at + Vector(-8, 6)) + "Z\"><title>" + escaped(warning.text) +
+               "</title></path>\n";
+    }
+    if (open) body_ += "</g>\n";
+  }
+
   void draw_fault() {
     if (!picture_.fault || !picture_.fault->place) return;
     const Point at = frame_.on_sheet(*picture_.fault->place);
+    if (picture_.fault->tool_radius > 0)
+      body_ += "<circle class=\"fault\" cx=\"" + px(at.x()) + "\" cy=\"" + px(at.y()) + "\" r=\"" +
+               px(picture_.fault->tool_radius * frame_.scale) +
+               "\" fill=\"red\" fill-opacity=\"0.08\" stroke=\"red\"/>\n";
     body_ +=
         "<g class=\"fault\" stroke=\"red\" stroke-width=\"2.5\" fill=\"none\">\n<circle cx=\"" +
         px(at.x()) + "\" cy=\"" + px(at.y()) + "\" r=\"11\"/>\n";
@@ -303,7 +331,9 @@ class Sheet {
     for (const auto& [style, rapid] : shown_)
       entry(std::string("<line x1=\"0\" y1=\"0\" x2=\"34\" y2=\"0\" stroke=\"") + style->color +
                 "\" stroke-width=\"" + style->width + "\"" +
-                (rapid ? std::string(" stroke-dasharray=\"") + dash + "\"" : std::string()) + "/>",
+                (rapid || style->dashed ? std::string(" stroke-dasharray=\"") + dash + "\""
+                                        : std::string()) +
+                "/>",
             34, std::string(style->legend) + (rapid ? ", rapid" : ""));
     if (!picture_.tools.empty())
       entry(
@@ -313,12 +343,22 @@ class Sheet {
     return y + line_height;
   }
 
-  double draw_fault_text(double y) {
-    if (!picture_.fault) return y;
-    y += 6;
+  // The first warnings and the error, in words.
+  double draw_texts(double y) {
+    constexpr std::size_t most_told = 4;
+    const std::size_t told = std::min(picture_.warnings.size(), most_told);
+    for (std::size_t i = 0; i < told; ++i)
+      y = draw_wrapped(picture_.warnings[i].text, "#8a6d00", y + (i == 0 ? 6 : 0));
+    if (picture_.warnings.size() > told)
+      y = draw_wrapped(std::to_string(picture_.warnings.size() - told) + " more warnings",
+                       "#8a6d00", y);
+    return picture_.fault ? draw_wrapped(picture_.fault->text, "red", y + 6) : y;
+  }
+
+  double draw_wrapped(const std::string& text, const std::string& color, double y) {
     const auto letters = static_cast<std::size_t>((width_ - 2 * edge) / text_width);
-    for (const std::string& line : wrapped(picture_.fault->text, letters)) {
-      draw_text({edge, y}, line, " fill=\"red\"");
+    for (const std::string& line : wrapped(text, letters)) {
+      draw_text({edge, y}, line, " fill=\"" + color + "\"");
       y += line_height;
     }
     return y;

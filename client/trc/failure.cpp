@@ -54,20 +54,27 @@ void read_detail(const google::protobuf::Any& detail, Failure& failure) {
 }  // namespace
 
 bool Failure::unreachable() const {
-  return status == "UNAVAILABLE" || status == "INTERNAL" || status == "UNKNOWN" ||
-         status == "DEADLINE_EXCEEDED" || status == "CANCELLED" || status == "UNAUTHENTICATED" ||
-         status == "PERMISSION_DENIED";
+  return is_crowded_out() || status == "UNAVAILABLE" || status == "INTERNAL" ||
+         status == "UNKNOWN" || status == "DEADLINE_EXCEEDED" || status == "CANCELLED" ||
+         status == "UNAUTHENTICATED" || status == "PERMISSION_DENIED";
+}
+
+// gRPC itself says so when its buffers are full, and ends whichever stream comes to hand; what
+// passes a limit of the server has a reason, and a message that is too large will be so again.
+bool Failure::is_crowded_out() const {
+  return status == "RESOURCE_EXHAUSTED" && reason.empty() &&
+         message.find("larger than max") == std::string::npos;
 }
 
 // Balancers report a server that died as CANCELLED or INTERNAL, gRPC itself some resets as UNKNOWN;
 // what the server itself says has a reason.
 bool Failure::stream_lost() const {
-  if (status == "UNAVAILABLE" || reason == "STREAM_IDLE") return true;
+  if (status == "UNAVAILABLE" || reason == "STREAM_IDLE" || is_crowded_out()) return true;
   return reason.empty() && (status == "CANCELLED" || status == "INTERNAL" || status == "UNKNOWN");
 }
 
 bool Failure::not_taken() const {
-  return status == "UNAVAILABLE" || (status == "CANCELLED" && reason.empty());
+  return status == "UNAVAILABLE" || (status == "CANCELLED" && reason.empty()) || is_crowded_out();
 }
 
 std::optional<Failure> failure_of(const grpc::Status& status) {

@@ -31,6 +31,14 @@ struct Failure {
   // Of a stream that no server has accepted: the one it was given to died or stops, another one may
   // take it.
   [[nodiscard]] bool not_taken() const;
+  // A place, or memory, is missing there for a moment.
+  [[nodiscard]] bool asks_to_wait() const {
+    return retry_after_seconds.has_value() && reason != "INTERNAL";
+  }
+
+ private:
+  // Ended for want of buffers, not for what it had sent.
+  [[nodiscard]] bool is_crowded_out() const;
 };
 
 // Nothing when the status is OK.

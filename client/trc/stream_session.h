@@ -179,14 +179,13 @@ class StreamSession {
     return true;
   }
 
-  // A server that was never there is not waited for. And while all input since the token is at
-  // hand.
+  // A server that was never there is not waited for; one that has no place now is, as long as it
+  // says. And while all input since the token is at hand.
   [[nodiscard]] bool may_resume() const {
     if (policy_.patience <= policy_.patience.zero() || stopped_) return false;
-    if (!ever_accepted_) return reached_ && failure_->not_taken();
+    if (!ever_accepted_) return failure_->asks_to_wait() || (reached_ && failure_->not_taken());
     if (token_position_ < lost_through_) return false;
-    return failure_->stream_lost() ||
-           (!accepted_ && failure_->retry_after_seconds && failure_->reason != "INTERNAL");
+    return failure_->stream_lost() || failure_->asks_to_wait();
   }
 
   bool fail(Failure why) {

@@ -17,8 +17,8 @@ constexpr auto rows = std::to_array<CodeRow>({
      "Program the centre with I, J, K instead of R."},
     {Code::circle_center_misfit, error, "CIRCLE_CENTER_MISFIT",
      "the circle centre does not fit the start and end point of the arc",
-     "Correct I, J, K or the end point. After G40 under G239 the arc starts at the compensated "
-     "point: move in a straight line first."},
+     "Correct I, J, K or the end point. After G40 under G239 the tool stands at the compensated "
+     "point, not where the arc is programmed to start: move in a straight line first."},
     {Code::circle_radius_zero, error, "CIRCLE_RADIUS_ZERO", "the radius of the circle is zero",
      "Program a centre (I, J, K) away from the start point, or a radius other than 0."},
     {Code::radius_and_tool_word_together, error, "RADIUS_AND_TOOL_WORD_TOGETHER",
@@ -60,6 +60,9 @@ constexpr auto rows = std::to_array<CodeRow>({
      "Correct I, J, K or the end point, or let G165 correct the centre."},
     {Code::stretch_factor_out_of_range, warning, "STRETCH_FACTOR_OUT_OF_RANGE",
      "STRETCH_FACTOR is outside 1 to 9 and is set to 1", "Program a value from 1 to 9."},
+    {Code::spatial_circle_while_active, error, "SPATIAL_CIRCLE_WHILE_ACTIVE",
+     "G303 is programmed while TRC is active",
+     "Deselect TRC with G40 and a straight motion in the plane before G303."},
     {Code::inverse_without_online, error, "INVERSE_WITHOUT_ONLINE", "INVERSE is set without ONLINE",
      "Remove INVERSE; ask for the inverse path in the setup."},
     {Code::real_time_loop_while_active, error, "REAL_TIME_LOOP_WHILE_ACTIVE",
@@ -78,10 +81,12 @@ constexpr auto rows = std::to_array<CodeRow>({
      "Correct I, J, K or the end point, or let G165 correct the centre."},
     {Code::line_reversed, error, "LINE_REVERSED",
      "the compensated line runs against the programmed one: the contour would be damaged",
-     "Use a smaller tool, or mask such blocks with G141."},
+     "Use a smaller tool. G141 masks such blocks, and with #TRC [REMOVE_MASKED_BLOCKS=1] leaves "
+     "out whole loops."},
     {Code::arc_wrapped, error, "ARC_WRAPPED",
      "the compensated arc is longer than the programmed one: the contour would be damaged",
-     "Use a smaller tool, or mask such blocks with G141."},
+     "Use a smaller tool. G141 masks such blocks, and with #TRC [REMOVE_MASKED_BLOCKS=1] leaves "
+     "out whole loops."},
     {Code::no_feed_adaptation_in_tangential_block, warning,
      "NO_FEED_ADAPTATION_IN_TANGENTIAL_BLOCK",
      "the feed of the G05 block cannot be adapted (G11): the tool radius is too large",
@@ -136,6 +141,16 @@ constexpr auto rows = std::to_array<CodeRow>({
      "Add the tool and its radius to the setup, or write V.G.WZ_AKT.R in place of the D word."},
     {Code::program_empty, error, "PROGRAM_EMPTY", "the program has no block",
      "Check that the file is the one meant and is complete."},
+    {Code::side_behind_end, error, "SIDE_BEHIND_END",
+     "G41 or G42 stands behind the end of the program (M02, M30)",
+     "Remove what follows the end, or compensate it as a program of its own."},
+    {Code::other_dialect, error, "OTHER_DIALECT",
+     "the word means something else in the dialect the program looks like",
+     "Declare the dialect of the program (--dialect, `dialect` in the setup). If it is ISG, remove "
+     "the word."},
+    {Code::turning, error, "TURNING",
+     "this is a program of a lathe: turning is not compensated here",
+     "Let the lathe compensate the nose of its tool."},
 
     {Code::circle_incomplete, error, "CIRCLE_INCOMPLETE",
      "a circular block has neither centre nor radius",
@@ -204,6 +219,25 @@ constexpr auto rows = std::to_array<CodeRow>({
      "measured anew, the compensated path comes nearer to the contour than the tool radius",
      "Do not machine it. Use a smaller tool or correct the contour, or let G141 with "
      "REMOVE_MASKED_BLOCKS take the loops out."},
+    {Code::side_changed_at_corner, warning, "SIDE_CHANGED_AT_CORNER",
+     "the side changes where the motion does not reverse (REVERSE): the tool crosses the corner "
+     "nearer than its radius",
+     "Let the motion reverse exactly there, or deselect with G40 before the other side."},
+    {Code::most_left_out, error, "MOST_LEFT_OUT",
+     "more of the contour than allowed would be left out in one stretch",
+     "Use a smaller tool. If a block that bounds no material is in the way, mark it as a lead. "
+     "Where "
+     "the stretch may be left out, raise max_masked_share."},
+    {Code::no_tool_radius, error, "NO_TOOL_RADIUS",
+     "TRC is selected although no tool radius has been given",
+     "Program a D word or T word whose radius the tool table of the setup holds, or "
+     "V.G.WZ_AKT.R; or give tool_radius in the setup."},
+    {Code::tool_radius_zero, warning, "TOOL_RADIUS_ZERO",
+     "the tool radius is given as 0: nothing is compensated",
+     "Check that the radius is meant to be 0."},
+    {Code::center_corrected, warning, "CENTER_CORRECTED",
+     "the circle centre does not fit start and end point and is shifted (G165)",
+     "Correct I, J, K or the end point; the arc runs about the shifted centre."},
 });
 
 static_assert(std::ranges::is_sorted(rows, {}, &CodeRow::code));
@@ -213,6 +247,24 @@ void append_number(std::string& text, double value) {
   const auto written = std::to_chars(digits.data(), digits.data() + digits.size(), value,
                                      std::chars_format::general, 9);
   text.append(digits.data(), written.ptr);
+}
+
+// Takes the values of one append_place() from the front.
+void append_named_block(std::string& text, std::span<const DiagnosticValue>& values) {
+  const std::string_view index = values.front().name;
+  const std::string name(index.substr(0, index.rfind('_')));
+  Source source{.index = static_cast<std::uint64_t>(values.front().value)};
+  values = values.subspan(1);
+  if (!values.empty() && values.front().name == name + "_line") {
+    source.line = static_cast<std::uint32_t>(values.front().value);
+    values = values.subspan(1);
+  }
+  if (!values.empty() && values.front().name == name + "_number") {
+    source.number = static_cast<std::int64_t>(values.front().value);
+    values = values.subspan(1);
+  }
+  text.append(name).append(" block ").append(
+      std::string_view(place_of(source)).substr(std::string_view("in ").size()));
 }
 
 }  // namespace
@@ -238,13 +290,35 @@ Diagnostic diagnostic(Code code, const Source& source, std::string detail) {
           .detail = std::move(detail)};
 }
 
+std::string place_of(const Source& source) {
+  std::string place = source.line > 0 ? "in line " + std::to_string(source.line)
+                                      : "in block " + std::to_string(source.index);
+  if (source.number != Source::no_number) place += " (N" + std::to_string(source.number) + ")";
+  return place;
+}
+
+void append_place(std::vector<DiagnosticValue>& values, const std::string& name,
+                  const Source& source) {
+  values.push_back({name + "_index", static_cast<double>(source.index)});
+  if (source.line > 0) values.push_back({name + "_line", static_cast<double>(source.line)});
+  if (source.number != Source::no_number)
+    values.push_back({name + "_number", static_cast<double>(source.number)});
+}
+
 std::string message_of(const Diagnostic& diagnostic) {
   std::string text(row_of(diagnostic.code).cause);
   if (!diagnostic.detail.empty()) text.append(": ").append(diagnostic.detail);
   const char* separator = " (";
-  for (const DiagnosticValue& value : diagnostic.values) {
-    text.append(separator).append(value.name).append(" ");
-    append_number(text, value.value);
+  std::span<const DiagnosticValue> values(diagnostic.values);
+  while (!values.empty()) {
+    text.append(separator);
+    if (values.front().name.ends_with("_index")) {
+      append_named_block(text, values);
+    } else {
+      text.append(values.front().name).append(" ");
+      append_number(text, values.front().value);
+      values = values.subspan(1);
+    }
     separator = ", ";
   }
   if (!diagnostic.values.empty()) text.append(")");

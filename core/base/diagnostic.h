@@ -38,6 +38,7 @@ enum class Code : std::int32_t {
   point_to_point_while_active = 21525,
   circle_radii_differ = 21758,
   stretch_factor_out_of_range = 22007,
+  spatial_circle_while_active = 22081,
   inverse_without_online = 22125,
   real_time_loop_while_active = 22158,
   circular_selection_block = 90008,
@@ -69,6 +70,9 @@ enum class Code : std::int32_t {
   nc_group_twice = 900012,
   tool_unknown = 900013,
   program_empty = 900014,
+  side_behind_end = 900015,
+  other_dialect = 900016,
+  turning = 900018,
 
   // program rules
   circle_incomplete = 900101,
@@ -95,6 +99,11 @@ enum class Code : std::int32_t {
   bottleneck = 900214,
   beyond_window = 900215,
   clearance_violated = 900216,
+  side_changed_at_corner = 900217,
+  most_left_out = 900218,
+  no_tool_radius = 900219,
+  tool_radius_zero = 900220,
+  center_corrected = 900221,
 };
 
 struct DiagnosticValue {
@@ -116,6 +125,7 @@ struct Diagnostic {
   std::string detail{};      // the word, key or field at fault, as written
   std::vector<DiagnosticValue> values{};
   std::optional<DiagnosticPoint> point{};
+  bool found_together = false;  // one of several errors of one run
 };
 
 // One row of the public table: everything that is known about a code before it
@@ -135,8 +145,17 @@ struct CodeRow {
 // The diagnostic with the severity its row gives.
 [[nodiscard]] Diagnostic diagnostic(Code code, const Source& source, std::string detail = {});
 
+// Another block a diagnostic speaks of, as values: NAME_index, and where they are known NAME_line
+// and NAME_number. `message_of` names it by its line.
+void append_place(std::vector<DiagnosticValue>& values, const std::string& name,
+                  const Source& source);
+
+// "in line 7 (N70)", "in block 6" where there is no line.
+[[nodiscard]] std::string place_of(const Source& source);
+
 // "tool radius 10 is not smaller than …: R 10, contour_radius 6": cause, detail
-// and values in one sentence, without place and code.
+// and values in one sentence, without place and code. Another block is named by line and N number:
+// "other block in line 7 (N70)".
 [[nodiscard]] std::string message_of(const Diagnostic& diagnostic);
 
 }  // namespace trc

@@ -16,11 +16,24 @@ class Diagnostics {
   // Returns whether the stream goes on. After an error everything is dropped:
   // what follows is a consequence of it.
   bool report(Diagnostic diagnostic) {
-    if (stopped_) return false;
+    const bool belongs_to_the_error = stopped_ && diagnostic.found_together && !pending_.empty() &&
+                                      pending_.back().found_together;
+    if (stopped_ && !belongs_to_the_error) return false;
     ++counts_[static_cast<std::size_t>(diagnostic.severity)];
-    stopped_ = diagnostic.severity == Severity::error;
+    stopped_ |= diagnostic.severity == Severity::error;
     pending_.push_back(std::move(diagnostic));
     return !stopped_;
+  }
+
+  // Several errors that were found together: all of them are told, and the stream stops.
+  bool report_together(std::vector<Diagnostic> errors) {
+    if (stopped_) return false;
+    for (Diagnostic& error : errors) {
+      stopped_ = false;
+      error.found_together = true;
+      report(std::move(error));
+    }
+    return false;
   }
 
   [[nodiscard]] bool stopped() const { return stopped_; }

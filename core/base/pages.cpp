@@ -9,6 +9,8 @@
 #include <new>
 #include <vector>
 
+#include "core/base/page_account.h"
+
 namespace trc {
 namespace {
 
@@ -19,6 +21,8 @@ std::byte* map_piece() {
   return static_cast<std::byte*>(memory);
 }
 
+thread_local std::int64_t of_thread = 0;  // pieces taken, less those given back
+
 class Pieces {
  public:
   // Room for all there may be: a piece that comes back must not fail.
@@ -28,10 +32,12 @@ class Pieces {
     std::byte* piece = take_spare();
     if (piece == nullptr) piece = map_piece();
     ++in_use_;
+    ++of_thread;
     return piece;
   }
   void give_back(std::byte* piece) {
     --in_use_;
+    --of_thread;
     if (!keep(piece)) munmap(piece, PagePiece::bytes);
   }
   // One by one: other threads get pages in between.
@@ -76,6 +82,10 @@ PagePiece::~PagePiece() {
 
 std::size_t PagePiece::count() { return pieces().in_use(); }
 void PagePiece::give_back_spare() { pieces().give_back_spare(); }
+
+std::int64_t page_bytes_of_thread() {
+  return of_thread * static_cast<std::int64_t>(PagePiece::bytes);
+}
 
 void give_back_pages(void* memory, std::size_t bytes) {
   static const auto page = static_cast<std::size_t>(sysconf(_SC_PAGESIZE));

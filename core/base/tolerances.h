@@ -19,6 +19,9 @@ struct Tolerances {
   // The loops themselves are looked for at this part of the radius, or of 1 mm:
   // what rounding leaves of an equidistant in coordinates of a metre.
   double rounding = 1e-9;
+  // Passes programmed on top of each other are as far apart as their coordinates are rounded: up to
+  // four decimals of an inch. That is a touch (D-38).
+  double on_top = 0.004;
   // A smaller turn is no corner. At R = 1000 mm the joint is off by 5e-12 mm.
   double tangent = 1e-7;
   // So near to 180 degrees a turn with a side change is a reversal: 0.001 degrees (D-23).

@@ -134,11 +134,10 @@ bool PathPart::comes_nearer(const Segment& obstacle, double reach) const {
   return apart < reach || first_entry(obstacle, apart, reach).has_value();
 }
 
-std::optional<double> PathPart::first_entry(const Segment& obstacle, double apart,
-                                            double reach) const {
-  if (apart >= reach + half_) return std::nullopt;
+template <class Visit>
+void PathPart::for_each_stretch(const Segment& obstacle, double apart, double reach,
+                                Visit visit) const {
   const auto* line = std::get_if<Line>(&obstacle);
-  if (line != nullptr && stays_off(*line, apart, reach)) return std::nullopt;
   Places places(track_, from_, to_, middle_);
   if (line != nullptr)
     add_outline(*line, reach, track_.radius(), places);
@@ -155,10 +154,40 @@ std::optional<double> PathPart::first_entry(const Segment& obstacle, double apar
   double begin = from_;
   for (std::size_t i = 0; i <= count; ++i) {
     const double end = i < count ? places[i] : to_;
-    if (end > begin && is_nearer(begin, end)) return begin;
+    if (visit(begin, end, is_nearer)) return;
     begin = end;
   }
-  return std::nullopt;
+}
+
+std::optional<double> PathPart::first_entry(const Segment& obstacle, double apart,
+                                            double reach) const {
+  if (apart >= reach + half_) return std::nullopt;
+  const auto* line = std::get_if<Line>(&obstacle);
+  if (line != nullptr && stays_off(*line, apart, reach)) return std::nullopt;
+  std::optional<double> entry;
+  for_each_stretch(obstacle, apart, reach, [&](double begin, double end, const auto& is_nearer) {
+    if (end > begin && is_nearer(begin, end)) entry = begin;
+    return entry.has_value();
+  });
+  return entry;
+}
+
+// A little of it may lie before that.
+double PathPart::first_exit(const Segment& obstacle, double reach, double slack) const {
+  double exit = from_;
+  const auto leaves = [&](double begin, double end, const auto& is_nearer) {
+    if (end <= begin) return false;
+    const bool nearer = is_nearer(begin, end);
+    if (nearer) exit = end;
+    return !nearer && end > from_ + slack;
+  };
+  for_each_stretch(obstacle, distance(middle_, obstacle), reach, leaves);
+  return exit;
+}
+
+double first_exit(const Segment& path, double from, double to, const Segment& obstacle,
+                  double reach, double slack) {
+  return PathPart(path, from, to).first_exit(obstacle, reach, slack);
 }
 
 // The distance from a line is a convex function of the point, so that along the tangent in the

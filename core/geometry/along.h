@@ -41,6 +41,11 @@ namespace trc {
 [[nodiscard]] std::optional<double> first_entry(const Segment& path, double from, double to,
                                                 const Segment& obstacle, double reach);
 
+// How far along `path`, up to `to`, it stays nearer than that once it is so, from `from` on but for
+// `slack`.
+[[nodiscard]] double first_exit(const Segment& path, double from, double to,
+                                const Segment& obstacle, double reach, double slack);
+
 // A path between two places, for one such question after the other.
 class PathPart {
  public:
@@ -58,6 +63,8 @@ class PathPart {
   [[nodiscard]] std::optional<double> first_entry(const Segment& obstacle, double reach) const;
   // Whether there is one.
   [[nodiscard]] bool comes_nearer(const Segment& obstacle, double reach) const;
+  // As above.
+  [[nodiscard]] double first_exit(const Segment& obstacle, double reach, double slack) const;
 
  private:
   PathPart(const Track& track, double from, double to)
@@ -73,6 +80,9 @@ class PathPart {
   // `apart` is the distance of its middle.
   [[nodiscard]] std::optional<double> first_entry(const Segment& obstacle, double apart,
                                                   double reach) const;
+  // Calls visit(begin, end, is_nearer), until it returns true, for all stretches of it in order.
+  template <class Visit>
+  void for_each_stretch(const Segment& obstacle, double apart, double reach, Visit visit) const;
   // How far it departs from the tangent in the middle, at most.
   [[nodiscard]] double bend() const { return 0.5 * half_ * half_ * track_.curvature(); }
   // Whether it is certain that it does not come nearer.

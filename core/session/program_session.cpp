@@ -33,7 +33,9 @@ NcWriter::Setup writer_setup(const ProgramSessionSetup& setup) {
   NcWriter::Setup writer{.decimals = std::clamp(setup.decimals, 0, most_decimals - 1),
                          .start = program.start,
                          .absolute_center = program.absolute_center,
-                         .plane = program.mode.plane};
+                         .plane = program.mode.plane,
+                         .inch = program.inch,
+                         .points = dialect_of(program.dialect).writes_points};
   // Text has no word for an axis with a longer name.
   for (const std::string& axis : program.tracking_axes)
     writer.tracking_letters += axis.size() == 1 ? axis.front() : '?';
@@ -64,12 +66,16 @@ void add(const Block& block, NcWriter::Meaning& meaning) {
 struct ProgramSession::Parts {
   explicit Parts(const ProgramSessionSetup& given)
       : setup(given),
-        program(setup.session.program, setup.session.compensator.tolerances, read_diagnostics,
-                blocks),
-        interpreter({.longest_line = setup.longest_line}, program, read_diagnostics),
+        program(program_setup(setup.session), setup.session.compensator.tolerances,
+                read_diagnostics, blocks),
+        interpreter({.longest_line = setup.longest_line, .most_faults = setup.most_faults}, program,
+                    read_diagnostics),
         compensator(compensator_setup(), setup.session.verify, diagnostics),
         writer(writer_setup(setup)),
         meaning{.end = setup.session.program.start} {
+    if (const Dialect& dialect = dialect_of(setup.session.program.dialect); !dialect.available)
+      diagnostics.report(diagnostic(Code::not_available, {},
+                                    std::string("the dialect ").append(dialect.spelling)));
     if (setup.decimals >= 0 && setup.decimals < most_decimals) return;
     Diagnostic invalid = diagnostic(Code::field_invalid, {}, "decimals");
     invalid.values = {{"decimals", static_cast<double>(setup.decimals)}};
@@ -186,9 +192,15 @@ bool ProgramSession::Parts::report_until(std::uint32_t line, ProgramOutput& out)
   for (; reports_taken < reported.size(); ++reports_taken) {
     Diagnostic& next = reported[reports_taken];
     if (next.source.line > line) break;
-    if (!compensate(out) || !diagnostics.report(std::move(next))) return false;
+    if (diagnostics.stopped() && !next.found_together) return false;
+    if (!diagnostics.stopped()) {
+      if (!compensate(out)) return false;
+      // Where nothing is selected, all that was read before an error is certain.
+      if (next.severity == Severity::error && !program.contour_open() && !end(out)) return false;
+    }
+    diagnostics.report(std::move(next));
   }
-  return true;
+  return !diagnostics.stopped();
 }
 
 bool ProgramSession::Parts::compensate(ProgramOutput& out) {

@@ -17,6 +17,8 @@ struct ProgramSessionSetup {
   bool nc_text = true;                   // output as NC text; false: compensated blocks
   int decimals = 4;                      // of coordinates in NC text, mm; one more for inch
   std::size_t longest_line = 64 * 1024;  // bytes; 900006 beyond
+  // So many different faults of reading are told in one run: at the end of the text at the latest.
+  std::size_t most_faults = 50;
 };
 
 // One NC channel fed with NC text. The text may be cut anywhere, also inside a

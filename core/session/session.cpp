@@ -18,8 +18,14 @@ CompensatorSetup compensator_setup(const SessionSetup& setup) {
 
 }  // namespace
 
+ProgramSetup program_setup(const SessionSetup& setup) {
+  ProgramSetup result = setup.program;
+  result.masking_switches_kerf = !setup.compensator.circular_kerf_masking;
+  return result;
+}
+
 PathSession::PathSession(const SessionSetup& setup)
-    : program_(setup.program, setup.compensator.tolerances, read_diagnostics_, blocks_),
+    : program_(program_setup(setup), setup.compensator.tolerances, read_diagnostics_, blocks_),
       compensator_(compensator_setup(setup), setup.verify, diagnostics_) {}
 
 bool PathSession::advance(ProgramOutput& out) {
@@ -28,6 +34,9 @@ bool PathSession::advance(ProgramOutput& out) {
   for (Diagnostic& found : read_diagnostics_.take()) {
     const std::uint64_t index = found.source.index;
     compensate_before(index, left, out);
+    // Where nothing is selected, all that was given before an error is certain.
+    if (found.severity == Severity::error && !program_.contour_open() && !diagnostics_.stopped())
+      compensator_.finish(program_.mode(), out.blocks);
     if (!diagnostics_.report(std::move(found))) break;
     compensate_before(index + 1, left, out);
     place(out);

@@ -21,6 +21,10 @@ struct SessionSetup {
   bool verify = false;  // measure the path against the contour as it comes out
 };
 
+// The program as the setup of the compensation has it: with P-CHAN-00284 = 0 masking switches
+// KERF_MASKING.
+[[nodiscard]] ProgramSetup program_setup(const SessionSetup& setup);
+
 // One NC channel fed with motion blocks: no network, no text. Not thread-safe;
 // may move between threads between calls.
 class PathSession {

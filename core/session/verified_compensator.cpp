@@ -11,7 +11,7 @@ namespace trc {
 VerifiedCompensator::VerifiedCompensator(const CompensatorSetup& setup, bool verify,
                                          Diagnostics& diagnostics)
     : compensator_(measuring(setup, verify), diagnostics), diagnostics_(diagnostics) {
-  if (verify) verification_.emplace(setup.tolerances.on_contour, diagnostics);
+  if (verify) verification_.emplace(setup.tolerances.on_contour, setup.leads, diagnostics);
 }
 
 CompensatorSetup VerifiedCompensator::measuring(CompensatorSetup setup, bool verify) {

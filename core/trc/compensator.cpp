@@ -3,7 +3,7 @@
 #include "core/trc/contour_run.h"
 #include "core/trc/loops/loop_removal.h"
 #include "core/trc/pass.h"
-#include "core/trc/passes/clearance.h"
+#include "core/trc/passes/bottlenecks.h"
 #include "core/trc/passes/contour_masking.h"
 #include "core/trc/passes/contour_violations.h"
 #include "core/trc/passes/convert_circles.h"
@@ -24,19 +24,17 @@ struct Compensator::Passes {
       : diagnostics(log),
         checkpoint(setup.interrupt),
         take_portion(setup.take_portion),
+        engine(setup.engine),
         relevant_blocks(setup, log),
         convert_circles(setup.tolerances),
         kerf_masking(setup.circular_kerf_masking, setup.tolerances),
         offset(setup.tolerances, log),
         inside_corner(setup.limits.selection_blocks, setup.tolerances, log, checkpoint),
-        contour_masking(setup.limits.look_ahead_blocks, setup.limits.selection_blocks,
-                        setup.tolerances, log, checkpoint),
+        contour_masking(setup, log, checkpoint),
         transitions(setup.tolerances, log),
-        loop_removal(setup.limits.look_ahead_blocks, setup.limits.selection_blocks,
-                     setup.tolerances, log, checkpoint),
+        loop_removal(setup, log, checkpoint),
         contour_violations(setup.tolerances, log),
-        clearance(setup.implicit_contour_masking, setup.limits.look_ahead_blocks,
-                  setup.limits.selection_blocks, setup.tolerances, log, checkpoint),
+        bottlenecks(setup, log, checkpoint),
         reporting(setup, log),
         contour_run(
             setup.inverse_path, setup.tolerances, log, loop_removal,
@@ -63,8 +61,8 @@ struct Compensator::Passes {
   // few go through the passes.
   bool let_go(std::vector<CompensatedBlock>& out) {
     checkpoint.pass();
-    const bool is_idle = path.blocks.empty() && clearance.is_empty();
-    if (is_idle && contour_run.let_go(out, out.size() + some)) return true;
+    const bool is_idle = path.blocks.empty() && bottlenecks.is_empty();
+    if (is_idle && engine != Engine::passes && contour_run.let_go(out, out.size() + some)) return true;
     return loop_removal.let_go_some(path.blocks) && finish_path(Input::more, out);
   }
   bool find_path(Input input) {
@@ -79,7 +77,7 @@ struct Compensator::Passes {
   }
   bool finish_path(Input input, std::vector<CompensatedBlock>& out) {
     return apply  (contour_violations, path.blocks)
-        && advance(clearance,          path,        input, checkpoint)
+        && advance(bottlenecks,        path,        input, checkpoint)
         && advance(split,              path,        input, checkpoint)
         && advance(reporting,          path.blocks, out,   input, checkpoint);
   }
@@ -89,12 +87,13 @@ struct Compensator::Passes {
   template <class Archive>
   void serialize(Archive& archive) {
     archive(relevant_blocks, kerf_masking, inside_corner, contour_masking, transitions,
-            loop_removal, clearance, reporting);
+            loop_removal, bottlenecks, reporting);
   }
 
   // Takes blocks from the front the short way, as far as that goes: ContourRun. Returns how many.
   std::size_t run(std::span<Block> blocks, std::vector<CompensatedBlock>& out) {
-    constexpr std::size_t worthwhile = 3;
+    if (engine == Engine::passes) return 0;
+    const std::size_t worthwhile = engine == Engine::short_way ? 1 : 3;
     PathBlock* held = relevant_blocks.held();
     PathBlock* open = transitions.open_block();
     if (blocks.size() < worthwhile || held == nullptr || open == nullptr) return 0;
@@ -107,7 +106,7 @@ struct Compensator::Passes {
     return !relevant_blocks.counts_for_window(block) && kerf_masking.ignores(block) &&
            inside_corner.ignores(block) && contour_masking.ignores(block) &&
            (loop_removal.takes_contour() ||
-            (loop_removal.ignores(block) && clearance.ignores(block)));
+            (loop_removal.ignores(block) && bottlenecks.ignores(block)));
   }
 
   static constexpr std::size_t portion = 1024;
@@ -116,6 +115,7 @@ struct Compensator::Passes {
   Diagnostics& diagnostics;
   Checkpoint checkpoint;
   TakePortion take_portion;
+  Engine engine;
   RelevantBlocks relevant_blocks;
   ConvertCircles convert_circles;
   KerfMasking kerf_masking;
@@ -125,7 +125,7 @@ struct Compensator::Passes {
   Transitions transitions;
   LoopRemoval loop_removal;
   ContourViolations contour_violations;
-  Clearance clearance;
+  Bottlenecks bottlenecks;
   selection::Split split;
   Reporting reporting;
   ContourRun contour_run;
@@ -187,7 +187,7 @@ const Summary& Compensator::summary() const { return passes_->reporting.summary(
 std::size_t Compensator::look_ahead() const {
   return passes_->relevant_blocks.look_ahead() + passes_->kerf_masking.look_ahead() +
          passes_->contour_masking.look_ahead() + passes_->transitions.look_ahead() +
-         passes_->loop_removal.look_ahead() + passes_->clearance.look_ahead();
+         passes_->loop_removal.look_ahead() + passes_->bottlenecks.look_ahead();
 }
 
 }  // namespace trc

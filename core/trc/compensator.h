@@ -14,6 +14,7 @@
 #include "core/base/tolerances.h"
 #include "core/nc/state/block.h"
 #include "core/trc/result/compensated_block.h"
+#include "core/trc/walls/walls.h"
 
 namespace trc {
 
@@ -30,15 +31,25 @@ struct Limits {
 // in one call, which would be as large as the selection otherwise. Without it all stays there.
 using TakePortion = std::function<void(std::vector<CompensatedBlock>&)>;
 
+// Which way blocks in the middle of a contour go. What comes out is the same: for tests.
+enum class Engine : std::uint8_t {
+  automatic,  // the short way where enough of them come at once
+  passes,     // each through all passes, also out of loop removal
+  short_way,  // the short way for each that may take it
+};
+
 struct CompensatorSetup {
   Position start{};  // of the tool before the first block, mm
   Limits limits{};
   Tolerances tolerances{};
   bool implicit_contour_masking = false;  // P-CHAN-00219, D-34
   bool circular_kerf_masking = true;      // P-CHAN-00284
+  LeadSettings leads{};                   // D-38
+  double largest_masked_share = 0.5;      // of the walls, left out in one stretch (D-39)
   double smallest_feed_factor = 0.01;     // D-31
   bool inverse_path = false;              // CompensatedBlock::inverse
-  Checkpoint::Interrupt interrupt{};      // of long work
+  Engine engine = Engine::automatic;
+  Checkpoint::Interrupt interrupt{};  // of long work
   TakePortion take_portion{};
 };
 

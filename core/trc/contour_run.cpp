@@ -16,14 +16,29 @@
 namespace trc {
 namespace {
 
+// Whether the short way knows all the options that are on. Each one is named: a new one does not
+// compile until it is decided what it means here. Those marked so change nothing between two blocks
+// in the middle of a contour, or are asked for where they do.
+bool knows(const TrcOptions& options, bool removes_loops) {
+  [[maybe_unused]] const auto& [conv_cir_to_lin, kerf_masking, reverse /* at a change of side */,
+                                ignore_cont_damage, remove_masked_blocks /* removes_loops */,
+                                ext_angle_block_intersection, g236_lin /* at the ends */,
+                                stretch_factor /* asked for */, tangential_limit /* Reporting */,
+                                perpendicular_radius_change /* at a change of radius */,
+                                gen_cir_block_in_corner, suppress_trc /* the shift */, inverse,
+                                split /* at the ends */] = options;
+  return !conv_cir_to_lin && !kerf_masking && !ext_angle_block_intersection &&
+         !gen_cir_block_in_corner && !inverse && (removes_loops || !ignore_cont_damage);
+}
+
 bool is_plain(const TrcMode& mode, bool removes_loops) {
-  const TrcOptions& options = mode.options;
-  if (options.kerf_masking || options.conv_cir_to_lin || options.ext_angle_block_intersection ||
-      options.gen_cir_block_in_corner || options.inverse)
-    return false;
-  return removes_loops ||
-         (mode.masking == Masking::off && mode.feed_adaptation == FeedAdaptation::off &&
-          !options.ignore_cont_damage);
+  [[maybe_unused]] const auto& [plane, side /* the shift */, tool_radius /* the shift */,
+                                selection_number, selection /* at the ends */,
+                                deselection /* at the ends */, tangential /* at the ends */,
+                                transition /* asked for */, masking, feed_adaptation,
+                                tangfeed_minimum /* of feed_adaptation */, options] = mode;
+  const bool adapts = masking == Masking::on || feed_adaptation == FeedAdaptation::on;
+  return knows(options, removes_loops) && (removes_loops || !adapts);
 }
 
 // In the middle of a contour, under one compensation, and nothing else.

@@ -5,6 +5,8 @@
 #include "core/nc/state/state_archive.h"
 #include "core/trc/compensator.h"
 #include "core/trc/path_block.h"
+#include "core/trc/walls/left_out.h"
+#include "core/trc/walls/walls.h"
 
 namespace trc {
 
@@ -30,6 +32,30 @@ void serialize_rejoin(Archive& archive, std::optional<PathBlock::Rejoin>& rejoin
   auto value = rejoin ? *rejoin : PathBlock::Rejoin{};
   archive(value);
   rejoin = value;
+}
+
+template <class Archive>
+void serialize(Archive& archive, Walls::Range& range) {
+  auto& [first, end] = range;
+  archive(first, end);
+}
+
+template <class Archive>
+void serialize(Archive& archive, Walls::Part& part) {
+  auto& [number, from, to] = part;
+  archive(number, from, to);
+}
+
+template <class Archive>
+void serialize(Archive& archive, Walls& walls) {
+  auto& [leads, parts, rings, head, tail, touch, touch_of_rings] = walls;
+  archive(leads, parts, rings, head, tail, touch, touch_of_rings);
+}
+
+template <class Archive>
+void serialize(Archive& archive, LeftOut& stretch) {
+  auto& [first, last, length, of_walls, tool_radius] = stretch;
+  archive(first, last, length, of_walls, tool_radius);
 }
 
 template <class Archive>

@@ -5,6 +5,8 @@
 #include <unordered_map>
 #include <vector>
 
+#include "core/trc/walls/selection_contours.h"
+#include "core/verify/coverage.h"
 #include "core/verify/nearest.h"
 #include "core/verify/shape.h"
 
@@ -15,9 +17,15 @@ namespace {
 // them: neighbours in the program are neighbours in the plane.
 class Contour {
  public:
-  void add(const MotionBlock& block) { blocks_.push_back(&block); }
+  void add(const MotionBlock& block) {
+    if (!blocks_.empty() && blocks_.back()->mode->side != block.mode->side)
+      changes_.push_back(blocks_.size());
+    blocks_.push_back(&block);
+  }
+  [[nodiscard]] std::size_t size() const { return blocks_.size(); }
 
-  void build() {
+  void build(const LeadSettings& leads) {
+    walls_ = find_walls({.blocks = blocks_, .changes = changes_}, leads);
     leaves_ = 1;
     while (leaves_ < blocks_.size()) leaves_ *= 2;
     tree_.assign(2 * leaves_, {});
@@ -31,16 +39,35 @@ class Contour {
     }
   }
 
-  // Calls `visit` for every block whose rectangle comes as near as `reach`.
+  // What of a block is a wall; nothing where none of it is.
+  [[nodiscard]] Stretch wall_of(std::size_t number) const {
+    if (walls_.is_lead(number)) return {};
+    const double length = extent_of(blocks_[number]->path);
+    const auto part = walls_.part_of(number);
+    return part ? Stretch{part->from, std::min(part->to, length)} : Stretch{0, length};
+  }
+  [[nodiscard]] double wall_length() const {
+    double length = 0;
+    for (std::size_t number = 0; number < blocks_.size(); ++number)
+      length += wall_of(number).length();
+    return length;
+  }
+  // Calls visit(block, wall, touch) for every wall for the path of the block `own` whose rectangle
+  // comes as near as `reach`; `touch` is how much nearer than the radius that may be, mm.
   template <class Visit>
-  void for_each_near(const Bounds& place, double reach, const Visit& visit) const {
+  void for_each_near(const Bounds& place, std::size_t own, double reach, const Visit& visit) const {
     std::vector<std::size_t> open{1};
     while (!open.empty()) {
       const std::size_t node = open.back();
       open.pop_back();
       if (tree_[node].empty || distance(tree_[node], place) > reach) continue;
       if (node >= leaves_) {
-        visit(*blocks_[node - leaves_]);
+        const std::size_t number = node - leaves_;
+        if (!walls_.is_wall_for(number, own)) continue;
+        const MotionBlock& block = *blocks_[number];
+        const auto part = walls_.part_of(number);
+        visit(block, part ? part_of(block.path, wall_of(number)) : block.path,
+              walls_.touch_between(number, own));
       } else {
         open.push_back(2 * node + 1);
         open.push_back(2 * node);
@@ -55,14 +82,19 @@ class Contour {
   }
 
   std::vector<const MotionBlock*> blocks_;
+  std::vector<std::size_t> changes_;  // of side
+  SidedWalls walls_;
   std::vector<Bounds> tree_;
   std::size_t leaves_ = 1;
 };
 
 struct Programmed {
   const MotionBlock* block = nullptr;
-  double required = 0;         // mm, of the path this block gives
-  double required_behind = 0;  // mm, of what is inserted behind it
+  double required = 0;          // mm, of the path this block gives
+  double required_behind = 0;   // mm, of what is inserted behind it
+  bool crosses_behind = false;  // REVERSE: what is inserted behind it crosses the corner (D-22)
+  std::size_t number = 0;       // in its contour, or of the block behind it
+  bool is_contour = false;
 };
 
 struct Plan {
@@ -70,24 +102,16 @@ struct Plan {
   std::unordered_map<std::uint64_t, Programmed> blocks;  // by source
 };
 
-// Whether the second motion goes back on the way the first one came.
-bool reverses(const Segment& before, const Segment& after) {
-  constexpr double same_way = 1e-4;  // rad
-  const Vector in = place_at(before, 1).direction;
-  const Vector out = place_at(after, 0).direction;
-  return in.dot(out) < 0 && std::abs(cross(in, out)) < same_way;
-}
-
 // The approach block is no contour, and neither is the block that carries the
-// change to the other side, unless it turns on the spot (REVERSE).
+// change to the other side, unless the side changes at its corner (REVERSE).
 bool is_contour(const MotionBlock& block, const MotionBlock* before) {
   const bool first = !before || before->mode->selection_number != block.mode->selection_number;
   if (first) return block.mode->selection == Selection::perpendicular && !block.mode->tangential;
   if (before->mode->side == block.mode->side) return true;
-  return block.mode->options.reverse && reverses(before->path, block.path);
+  return block.mode->options.reverse;
 }
 
-Plan plan_of(std::span<const Block> programmed) {
+Plan plan_of(std::span<const Block> programmed, const LeadSettings& leads) {
   Plan plan;
   const MotionBlock* before = nullptr;
   for (const Block& block : programmed) {
@@ -100,12 +124,19 @@ Plan plan_of(std::span<const Block> programmed) {
       required = std::min(required, before->mode->tool_radius);
       plan.blocks[before->source.index].required_behind = required;
     }
-    plan.blocks[motion->source.index] = {
-        .block = motion, .required = required, .required_behind = required};
-    if (is_contour(*motion, before)) plan.contours[mode.selection_number].add(*motion);
+    Contour& contour = plan.contours[mode.selection_number];
+    const bool is_on_contour = is_contour(*motion, before);
+    plan.blocks[motion->source.index] = {.block = motion,
+                                         .required = required,
+                                         .required_behind = required,
+                                         .number = contour.size(),
+                                         .is_contour = is_on_contour};
+    if (is_on_contour && same && before->mode->side != mode.side)
+      plan.blocks[before->source.index].crosses_behind = true;
+    if (is_on_contour) contour.add(*motion);
     before = motion;
   }
-  for (auto& [selection, contour] : plan.contours) contour.build();
+  for (auto& [selection, contour] : plan.contours) contour.build(leads);
   return plan;
 }
 
@@ -140,19 +171,23 @@ bool on_programmed_side(const CompensatedBlock& block, const MotionBlock& contou
 }  // namespace
 
 ClearanceReport measure_clearance(std::span<const Block> programmed,
-                                  std::span<const CompensatedBlock> path, double allowed) {
-  const Plan plan = plan_of(programmed);
+                                  std::span<const CompensatedBlock> path, double allowed,
+                                  const LeadSettings& leads) {
+  const Plan plan = plan_of(programmed, leads);
   ClearanceReport report;
+  for (const auto& [selection, contour] : plan.contours)
+    report.wall_length += contour.wall_length();
   for (const CompensatedBlock& block : path) {
     if (!is_checked(block.origin) || !is_finite(block.path)) continue;
     const auto own = plan.blocks.find(block.source.index);
     if (own == plan.blocks.end()) continue;
     const auto contour = plan.contours.find(own->second.block->mode->selection_number);
-    if (contour == plan.contours.end()) continue;
+    if (contour == plan.contours.end() || contour->second.size() == 0) continue;
 
-    ++report.checked;
     const bool inserted =
         block.origin == Origin::transition || block.origin == Origin::radius_change;
+    if (inserted && own->second.crosses_behind) continue;
+    ++report.checked;
     const double own_required = inserted
                                     ? std::min(own->second.required, own->second.required_behind)
                                     : own->second.required;
@@ -171,12 +206,18 @@ ClearanceReport measure_clearance(std::span<const Block> programmed,
     bounds.add(block.path);
     // A little farther than the tool reaches: the blocks it just touches count.
     const double reach = own_required * 1.01 + 1;
-    contour->second.for_each_near(bounds, reach, [&](const MotionBlock& near) {
-      const Gap gap = gap_between(block.path, near.path);
-      const double required =
-          std::min(own_required, near.mode->options.suppress_trc ? 0 : near.mode->tool_radius);
-      note(gap.distance, required, gap.on_a, near.source);
-    });
+    contour->second.for_each_near(
+        bounds, own->second.number, reach,
+        [&](const MotionBlock& near, const Segment& wall, double touch) {
+          const Gap gap = gap_between(block.path, wall);
+          const double required =
+              std::min(own_required, near.mode->options.suppress_trc ? 0 : near.mode->tool_radius);
+          note(gap.distance, required - touch, gap.on_a, near.source);
+        });
+    if (!inserted && own->second.is_contour)
+      report.touched_length +=
+          touched_length(own->second.block->path, contour->second.wall_of(own->second.number),
+                         block.path, own_required);
     if (block.origin == Origin::programmed && !on_programmed_side(block, *own->second.block)) {
       const Point middle = place_at(block.path, 0.5).point;
       const Point foot = nearest_point(own->second.block->path, middle);

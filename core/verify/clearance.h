@@ -7,6 +7,7 @@
 #include "core/geometry/plane.h"
 #include "core/nc/state/block.h"
 #include "core/trc/result/compensated_block.h"
+#include "core/trc/walls/walls.h"
 
 namespace trc::verify {
 
@@ -27,16 +28,23 @@ struct ClearanceReport {
   std::uint64_t checked = 0;         // blocks of the path
   std::uint64_t gouging = 0;         // of these, with a margin below -`allowed`
   std::uint64_t accepted = 0;        // of these, under IGNORE_CONT_DAMAGE
+  double wall_length = 0;            // mm, of all walls
+  double touched_length = 0;         // mm, of these, that the path touches
+
+  // The share of the walls the path touches; walls have a length.
+  [[nodiscard]] double coverage() const { return touched_length / wall_length; }
 };
 
 // Measures every block of the compensated path between approach and retract
-// against every contour block of its selection, pair by pair with the exact
+// against every wall of its selection (D-38), pair by pair with the exact
 // distance of lines and arcs. Shares no code with the compensation and decides
-// nothing by it: only source positions link path and contour.
+// nothing by it: only source positions link path and contour. What is a wall is
+// data: it follows from the program alone. Looks across a change of side, but
+// for the blocks at the change itself (D-42).
 //
 // Where the tool radius changes, the smaller one is required.
 [[nodiscard]] ClearanceReport measure_clearance(std::span<const Block> programmed,
                                                 std::span<const CompensatedBlock> path,
-                                                double allowed);
+                                                double allowed, const LeadSettings& leads = {});
 
 }  // namespace trc::verify

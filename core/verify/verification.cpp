@@ -14,8 +14,8 @@ Diagnostic gouge(const ClearanceReport& found) {
   if (found.gouging == found.accepted) problem.severity = Severity::warning;
   problem.values = {{"clearance", worst.distance},
                     {"tool_radius", worst.required},
-                    {"other_index", static_cast<double>(worst.contour.index)},
                     {"blocks", static_cast<double>(found.gouging)}};
+  append_place(problem.values, "other", worst.contour);
   problem.point = DiagnosticPoint{.x = worst.place[0], .y = worst.place[1], .z = worst.place[2]};
   return problem;
 }
@@ -51,12 +51,15 @@ bool Verification::measure_before(std::uint64_t end) {
   const auto behind =
       std::partition_point(programmed_.begin(), programmed_.end(),
                            [&](const Block& motion) { return index_of(motion) < end; });
-  const ClearanceReport found = measure_clearance({programmed_.begin(), behind}, path_, allowed_);
+  const ClearanceReport found =
+      measure_clearance({programmed_.begin(), behind}, path_, allowed_, leads_);
   programmed_.erase(programmed_.begin(), behind);
   path_.clear();
   report_.checked += found.checked;
   report_.gouging += found.gouging;
   report_.accepted += found.accepted;
+  report_.wall_length += found.wall_length;
+  report_.touched_length += found.touched_length;
   if (!found.worst) return true;
   if (!report_.worst || found.worst->margin() < report_.worst->margin())
     report_.worst = found.worst;

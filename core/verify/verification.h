@@ -19,8 +19,8 @@ namespace trc::verify {
 class Verification {
  public:
   // `allowed`: how much nearer it may come, mm.
-  Verification(double allowed, Diagnostics& diagnostics)
-      : allowed_(allowed), diagnostics_(diagnostics) {}
+  Verification(double allowed, const LeadSettings& leads, Diagnostics& diagnostics)
+      : allowed_(allowed), leads_(leads), diagnostics_(diagnostics) {}
 
   void programmed(const Block& block);
   bool compensated(std::span<const CompensatedBlock> path);
@@ -33,7 +33,7 @@ class Verification {
   template <class Archive>
   void serialize(Archive& archive) {
     archive(programmed_, path_, ends_, report_.worst, report_.checked, report_.gouging,
-            report_.accepted);
+            report_.accepted, report_.wall_length, report_.touched_length);
   }
 
  private:
@@ -41,6 +41,7 @@ class Verification {
   bool measure_before(std::uint64_t end);
 
   double allowed_;
+  LeadSettings leads_;
   Diagnostics& diagnostics_;
   std::vector<Block> programmed_;  // the motions of selections
   std::vector<CompensatedBlock> path_;

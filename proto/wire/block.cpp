@@ -3,6 +3,7 @@
 #include "core/geometry/segment.h"
 #include "proto/wire/block_values.h"
 #include "proto/wire/geometry.h"
+#include "proto/wire/modes.h"
 
 namespace trc::wire {
 namespace {
@@ -45,11 +46,18 @@ bool read_tracking(const google::protobuf::RepeatedPtrField<v1::AxisPosition>& p
   return true;
 }
 
+bool read_role(v1::BlockRole role, const FieldPath& path, MoveRequest& move, FieldFaults& faults) {
+  const std::size_t before = faults.count();
+  move.role = block_roles.from_proto(role, FieldPath(path, "role"), faults).value_or(move.role);
+  return faults.count() == before;
+}
+
 bool read_move(const v1::LinearMove& message, std::size_t axes, const FieldPath& path,
                MoveRequest& move, double& feed, FieldFaults& faults) {
   move.kind = message.rapid() ? MotionKind::rapid : MotionKind::linear;
   return from_proto(message.end(), FieldPath(path, "end"), move.end, faults) &&
          read_tracking(message.tracking_axes(), axes, path, move.tracking, faults) &&
+         read_role(message.role(), path, move, faults) &&
          read_feed(message.has_feed(), message.feed(), path, feed, faults);
 }
 
@@ -71,6 +79,7 @@ bool read_move(const v1::CircularMove& message, std::size_t axes, const FieldPat
       return false;
   }
   return read_tracking(message.tracking_axes(), axes, path, move.tracking, faults) &&
+         read_role(message.role(), path, move, faults) &&
          read_feed(message.has_feed(), message.feed(), path, feed, faults);
 }
 
@@ -92,6 +101,7 @@ void write_move(const MoveRequest& move, bool with_feed, v1::LinearMove& message
   if (has_coordinate(move.end)) to_proto(move.end, *message.mutable_end());
   message.set_rapid(move.kind == MotionKind::rapid);
   if (with_feed) message.set_feed(move.feed);
+  message.set_role(block_roles.to_proto(move.role));
   write_tracking(move, *message.mutable_tracking_axes());
 }
 
@@ -103,6 +113,7 @@ void write_move(const MoveRequest& move, bool with_feed, v1::CircularMove& messa
   else
     to_proto(move.center, *message.mutable_center());
   if (with_feed) message.set_feed(move.feed);
+  message.set_role(block_roles.to_proto(move.role));
   write_tracking(move, *message.mutable_tracking_axes());
 }
 
@@ -131,6 +142,7 @@ MoveRequest& BlockReader::fresh_move() {
   move->end = {};
   move->center = {};
   move->radius.reset();
+  move->role = ContourRole::unspecified;
   move->tracking.clear();
   return *move;
 }

@@ -4,6 +4,7 @@
 #include "core/geometry/segment.h"
 #include "proto/wire/block.h"
 #include "proto/wire/block_values.h"
+#include "proto/wire/modes.h"
 
 namespace trc::wire {
 namespace {
@@ -93,6 +94,30 @@ bool check_kinds(const Columns& message, const FieldPath& path, FieldFaults& fau
   return faults.count() == before;
 }
 
+bool check_roles(const Columns& message, const FieldPath& path, FieldFaults& faults) {
+  const std::string& roles = message.roles();
+  if (roles.empty()) return true;
+  const FieldPath place(path, "roles");
+  if (roles.size() != message.kinds().size()) {
+    add_fault(place,
+              "has " + std::to_string(roles.size()) + " bytes, kinds has " +
+                  std::to_string(message.kinds().size()),
+              faults);
+    return false;
+  }
+  for (std::size_t i = 0; i < roles.size(); ++i) {
+    if (roles[i] == 0) continue;
+    const FieldPath entry(path, "roles", i);
+    if (!is_motion(byte_at(message.kinds(), i))) {
+      add_fault(entry, "marks what is no motion of these columns", faults);
+      return false;
+    }
+    const auto role = static_cast<v1::BlockRole>(byte_at(roles, i));
+    if (!block_roles.from_proto(role, entry, faults)) return false;
+  }
+  return true;
+}
+
 bool check_lengths(const Columns& message, const FieldPath& path, FieldFaults& faults) {
   const std::size_t before = faults.count();
   const Presence presence(message);
@@ -144,6 +169,7 @@ bool check_places(const List& list, unsigned kind, std::string_view name, const 
 
 bool check_columns(const Columns& message, const FieldPath& path, FieldFaults& faults) {
   return check_kinds(message, path, faults) && check_lengths(message, path, faults) &&
+         check_roles(message, path, faults) &&
          check_places(message.commands(), Columns::KIND_COMMAND, "commands", message, path,
                       faults) &&
          check_places(message.passthroughs(), Columns::KIND_PASSTHROUGH, "passthroughs", message,
@@ -298,6 +324,10 @@ bool BlockReader::read(const v1::BlockColumns& columns, const Sink& sink, FieldF
         if (!check_feed(feed_, feeds.place(path), faults)) return false;
       }
       move.feed = feed_;
+      if (!columns.roles().empty() && columns.roles()[i] != 0)
+        move.role = static_cast<v1::BlockRole>(columns.roles()[i]) == v1::BLOCK_ROLE_LEAD
+                        ? ContourRole::lead
+                        : ContourRole::wall;
     }
     ++next_block_;
     if (!sink(item_)) return false;
@@ -328,6 +358,11 @@ void BlockWriter::write(std::span<const PathInput> items, bool final, v1::BlockC
       kind = kind_of(move->kind);
       bits = write_coordinates(move->end, ends);
       if (is_arc(kind)) bits |= write_coordinates(move->center, centers) << center_shift;
+      if (move->role != ContourRole::unspecified) {
+        std::string& roles = *columns.mutable_roles();
+        roles.resize(items.size());
+        roles[i] = static_cast<char>(block_roles.to_proto(move->role));
+      }
       if (move->feed != feed_) {
         columns.add_feed(move->feed);
         bits |= feed_bit;

@@ -1,7 +1,10 @@
 #pragma once
 
+#include "core/nc/state/block.h"
 #include "core/nc/state/trc_mode.h"
+#include "core/trc/walls/walls.h"
 #include "proto/wire/enums.h"
+#include "trc/v1/block.pb.h"
 #include "trc/v1/setup.pb.h"
 
 namespace trc::wire {
@@ -36,6 +39,17 @@ inline constexpr EnumTable<v1::ContourMasking, Masking, 2> maskings{{
 inline constexpr EnumTable<v1::FeedAdaptation, FeedAdaptation, 2> feed_adaptations{{
     {v1::FEED_ADAPTATION_OFF, FeedAdaptation::off},
     {v1::FEED_ADAPTATION_ON, FeedAdaptation::on},
+}};
+
+inline constexpr EnumTable<v1::BlockRole, ContourRole, 2> block_roles{{
+    {v1::BLOCK_ROLE_WALL, ContourRole::wall},
+    {v1::BLOCK_ROLE_LEAD, ContourRole::lead},
+}};
+
+inline constexpr EnumTable<v1::Leads::Find, LeadSettings::Find, 3> lead_searches{{
+    {v1::Leads::FIND_AUTO, LeadSettings::Find::automatic},
+    {v1::Leads::FIND_NONE, LeadSettings::Find::none},
+    {v1::Leads::FIND_BLOCKS, LeadSettings::Find::counted},
 }};
 
 // Whether centres are absolute.

@@ -52,6 +52,7 @@ void to_proto(const PathSummary& summary, v1::PathSummary& message) {
   message.set_programmed_length(core.programmed_length);
   message.set_compensated_length(core.compensated_length);
   if (summary.clearance.worst) to_proto(summary.clearance, *message.mutable_min_clearance());
+  if (summary.clearance.wall_length > 0) message.set_coverage(summary.clearance.coverage());
   for (std::size_t origin = 0; origin < core.blocks_by_origin.size(); ++origin) {
     if (core.blocks_by_origin[origin] == 0) continue;
     v1::OriginCount& entry = *message.add_blocks_by_origin();
@@ -82,6 +83,11 @@ PathSummary from_proto(const v1::PathSummary& message) {
   core.programmed_length = message.programmed_length();
   core.compensated_length = message.compensated_length();
   if (message.has_min_clearance()) summary.clearance = from_proto(message.min_clearance());
+  // The lengths themselves are not sent.
+  if (message.has_coverage()) {
+    summary.clearance.wall_length = 1;
+    summary.clearance.touched_length = message.coverage();
+  }
   for (const v1::OriginCount& entry : message.blocks_by_origin()) {
     // A newer server may know more origins; its total still counts them.
     FieldFaults ignored;

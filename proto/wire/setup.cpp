@@ -5,6 +5,7 @@
 #include <set>
 
 #include "core/base/tolerances.h"
+#include "core/nc/dialect/dialect.h"
 #include "proto/wire/geometry.h"
 #include "proto/wire/modes.h"
 #include "proto/wire/options.h"
@@ -26,6 +27,26 @@ constexpr EnumTable<v1::ProgramOutput, bool, 2> outputs{{
     {v1::PROGRAM_OUTPUT_BLOCKS, false},
 }};
 
+constexpr EnumTable<v1::Dialect, DialectName, 5> dialects{{
+    {v1::DIALECT_ISG, DialectName::isg},
+    {v1::DIALECT_FANUC, DialectName::fanuc},
+    {v1::DIALECT_LINUXCNC, DialectName::linuxcnc},
+    {v1::DIALECT_SINUMERIK, DialectName::sinumerik},
+    {v1::DIALECT_HEIDENHAIN, DialectName::heidenhain},
+}};
+
+// Whether lengths count in inch.
+constexpr EnumTable<v1::LengthUnit, bool, 2> units{{
+    {v1::LENGTH_UNIT_MM, false},
+    {v1::LENGTH_UNIT_INCH, true},
+}};
+
+// Whether they are copied.
+constexpr EnumTable<v1::UnknownWords, bool, 2> unknown_words{{
+    {v1::UNKNOWN_WORDS_REFUSE, false},
+    {v1::UNKNOWN_WORDS_COPY, true},
+}};
+
 constexpr EnumTable<v1::KerfMethod, bool, 2> kerf_methods{{
     {v1::KERF_METHOD_LINEAR, false},
     {v1::KERF_METHOD_CIRCULAR, true},
@@ -45,6 +66,8 @@ CircleCheck from_proto(const v1::CircleCenterMode& message, const FieldPath& pat
         check.largest_shift);
   limit(message.has_max_shift_factor(), message.max_shift_factor(), 1, "max_shift_factor",
         check.largest_shift_factor);
+  limit(message.has_warn_shift(), message.warn_shift(), largest_length, "warn_shift",
+        check.reported_shift);
   limit(message.has_max_radius_difference(), message.max_radius_difference(), largest_length,
         "max_radius_difference", check.largest_radius_difference);
   limit(message.has_max_radius_difference_factor(), message.max_radius_difference_factor(), 1,
@@ -57,6 +80,7 @@ void to_proto(const CircleCheck& check, bool absolute_center, v1::CircleCenterMo
   message.set_correction(center_corrections.to_proto(check.correct_center));
   message.set_max_shift(check.largest_shift);
   message.set_max_shift_factor(check.largest_shift_factor);
+  message.set_warn_shift(check.reported_shift);
   message.set_max_radius_difference(check.largest_radius_difference);
   message.set_max_radius_difference_factor(check.largest_radius_factor);
 }
@@ -139,6 +163,25 @@ void read_limits(const v1::PathSetup& message, const FieldPath& path, Compensato
           .value_or(compensator.circular_kerf_masking);
 }
 
+void read_leads(const v1::PathSetup& message, const FieldPath& path, CompensatorSetup& compensator,
+                FieldFaults& faults) {
+  const FieldPath leads(path, "leads");
+  LeadSettings& settings = compensator.leads;
+  settings.find = lead_searches.from_proto(message.leads().find(), FieldPath(leads, "find"), faults)
+                      .value_or(settings.find);
+  settings.blocks_in = message.leads().blocks_in();
+  settings.blocks_out = message.leads().blocks_out();
+  const bool counted = settings.find == LeadSettings::Find::counted;
+  if (!counted && settings.blocks_in + settings.blocks_out > 0)
+    add_fault(leads, "counts blocks, which only FIND_BLOCKS does", faults);
+  if (message.has_closing_tolerance() && check_range(message.closing_tolerance(), 0, 1, "mm",
+                                                     FieldPath(path, "closing_tolerance"), faults))
+    settings.closing_tolerance = message.closing_tolerance();
+  if (message.has_max_masked_share() && check_range(message.max_masked_share(), 0, 1, "",
+                                                    FieldPath(path, "max_masked_share"), faults))
+    compensator.largest_masked_share = message.max_masked_share();
+}
+
 void read_tools(const v1::ProgramSetup& message, const FieldPath& path,
                 std::map<std::int64_t, double>& tools, FieldFaults& faults) {
   if (message.tools_size() > most_tools) {
@@ -159,12 +202,30 @@ void read_tools(const v1::ProgramSetup& message, const FieldPath& path,
   }
 }
 
+// What the dialect has in force at the start, where the setup does not say so itself.
+void read_dialect(const v1::ProgramSetup& message, const FieldPath& path, ProgramSetup& program,
+                  FieldFaults& faults) {
+  program.dialect = dialects.from_proto(message.dialect(), FieldPath(path, "dialect"), faults)
+                        .value_or(program.dialect);
+  program.inch =
+      units.from_proto(message.unit(), FieldPath(path, "unit"), faults).value_or(program.inch);
+  program.copies_unknown_words =
+      unknown_words.from_proto(message.unknown_words(), FieldPath(path, "unknown_words"), faults)
+          .value_or(program.copies_unknown_words);
+  const Dialect& dialect = dialect_of(program.dialect);
+  if (message.path().selection_mode() == v1::SELECTION_MODE_UNSPECIFIED)
+    program.mode.selection = dialect.selection;
+  if (message.path().transition() == v1::TRANSITION_UNSPECIFIED)
+    program.mode.transition = dialect.transition;
+}
+
 }  // namespace
 
 PathSettings from_proto(const v1::PathSetup& message, const FieldPath& path, FieldFaults& faults) {
   PathSettings settings;
   ProgramSetup& program = settings.session.program;
   program.mode = read_mode(message, path, faults);
+  program.tool_radius_given = message.has_tool_radius();
   OptionalPosition start;
   from_proto(message.start_position(), FieldPath(path, "start_position"), start, faults);
   for (std::size_t axis = 0; axis < start.size(); ++axis)
@@ -178,6 +239,7 @@ PathSettings from_proto(const v1::PathSetup& message, const FieldPath& path, Fie
                                 .value_or(program.absolute_center);
   read_axis_names(message, path, program.tracking_axes, faults);
   read_limits(message, path, settings.session.compensator, faults);
+  read_leads(message, path, settings.session.compensator, faults);
   settings.response_layout =
       layouts.from_proto(message.response_layout(), FieldPath(path, "response_layout"), faults)
           .value_or(settings.response_layout);
@@ -196,6 +258,12 @@ ProgramSettings from_proto(const v1::ProgramSetup& message, const FieldPath& pat
   ProgramSettings settings;
   settings.path = from_proto(message.path(), FieldPath(path, "path"), faults);
   read_tools(message, path, settings.path.session.program.tools, faults);
+  read_dialect(message, path, settings.path.session.program, faults);
+  // Behind G40 without a motion of its own a tool change and whole drilling cycles may follow.
+  constexpr std::size_t most_passive_blocks = 10'000;
+  if (settings.path.session.program.dialect != DialectName::isg &&
+      !message.path().has_max_passive_blocks())
+    settings.path.session.compensator.limits.passive_blocks = most_passive_blocks;
   settings.nc_text = outputs.from_proto(message.output(), FieldPath(path, "output"), faults)
                          .value_or(settings.nc_text);
   if (message.has_decimals() &&
@@ -207,6 +275,8 @@ ProgramSettings from_proto(const v1::ProgramSetup& message, const FieldPath& pat
   return settings;
 }
 
+v1::Dialect to_proto(DialectName dialect) { return dialects.to_proto(dialect); }
+
 void to_proto(const PathSettings& settings, v1::PathSetup& message) {
   const PathSettings initial;
   const ProgramSetup& program = settings.session.program;
@@ -216,7 +286,7 @@ void to_proto(const PathSettings& settings, v1::PathSetup& message) {
   message.Clear();
   if (mode.plane != Plane::xy) message.set_plane(to_proto(mode.plane));
   if (program.start != Position{}) to_proto(program.start, *message.mutable_start_position());
-  if (mode.tool_radius != 0) message.set_tool_radius(mode.tool_radius);
+  if (mode.tool_radius != 0 || program.tool_radius_given) message.set_tool_radius(mode.tool_radius);
   if (mode.selection != Selection::indirect)
     message.set_selection_mode(selections.to_proto(mode.selection));
   if (mode.transition != Transition::linear)
@@ -234,6 +304,16 @@ void to_proto(const PathSettings& settings, v1::PathSetup& message) {
     message.set_look_ahead_blocks(static_cast<std::uint32_t>(compensator.limits.look_ahead_blocks));
   if (compensator.implicit_contour_masking) message.set_implicit_contour_masking(true);
   if (!compensator.circular_kerf_masking) message.set_kerf_method(kerf_methods.to_proto(false));
+  const LeadSettings& leads = compensator.leads;
+  if (leads.find != LeadSettings::Find::automatic) {
+    message.mutable_leads()->set_find(lead_searches.to_proto(leads.find));
+    message.mutable_leads()->set_blocks_in(static_cast<std::uint32_t>(leads.blocks_in));
+    message.mutable_leads()->set_blocks_out(static_cast<std::uint32_t>(leads.blocks_out));
+  }
+  if (leads.closing_tolerance != compensator_initial.leads.closing_tolerance)
+    message.set_closing_tolerance(leads.closing_tolerance);
+  if (compensator.largest_masked_share != compensator_initial.largest_masked_share)
+    message.set_max_masked_share(compensator.largest_masked_share);
   if (program.tracking_axes != initial.session.program.tracking_axes)
     message.mutable_axis_names()->Assign(program.tracking_axes.begin(),
                                          program.tracking_axes.end());
@@ -260,6 +340,13 @@ void to_proto(const ProgramSettings& settings, v1::ProgramSetup& message) {
   if (settings.decimals != ProgramSettings{}.decimals)
     message.set_decimals(static_cast<std::uint32_t>(settings.decimals));
   message.set_file_name(settings.file_name);
+  const ProgramSetup& program = settings.path.session.program;
+  if (program.inch) message.set_unit(units.to_proto(true));
+  if (program.copies_unknown_words) message.set_unknown_words(unknown_words.to_proto(true));
+  if (program.dialect == DialectName::isg) return;
+  message.set_dialect(dialects.to_proto(program.dialect));
+  message.mutable_path()->set_selection_mode(selections.to_proto(program.mode.selection));
+  message.mutable_path()->set_transition(transitions.to_proto(program.mode.transition));
 }
 
 }  // namespace trc::wire

@@ -37,6 +37,8 @@ struct ProgramSettings {
 [[nodiscard]] ProgramSettings from_proto(const v1::ProgramSetup& message, const FieldPath& path,
                                          FieldFaults& faults);
 
+[[nodiscard]] v1::Dialect to_proto(DialectName dialect);
+
 // Values at their default are left out, those of circles excepted.
 void to_proto(const PathSettings& settings, v1::PathSetup& message);
 void to_proto(const ProgramSettings& settings, v1::ProgramSetup& message);

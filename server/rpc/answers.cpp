@@ -1,5 +1,6 @@
 #include "server/rpc/answers.h"
 
+#include <algorithm>
 #include <utility>
 #include <vector>
 
@@ -8,7 +9,9 @@ namespace trc::server {
 void Answers::place(Diagnostics& diagnostics) {
   if (diagnostics.pending().empty()) return;
   std::vector<Diagnostic> raised = diagnostics.take();
-  if (diagnostics.stopped()) end_with(refuse(raised.back()));
+  // Several faults of reading may have been found in one run; the status tells the first.
+  const auto error = std::ranges::find(raised, Severity::error, &Diagnostic::severity);
+  if (diagnostics.stopped() && error != raised.end()) end_with(refuse(*error));
   outbox_.place(std::move(raised));
 }
 

@@ -56,6 +56,13 @@ class Answers {
   }
   // The summary comes once the outbox is empty.
   void finish() { summary_due_ = true; }
+  // Whether input of the request is still to be taken, once the outbox is empty. What has become
+  // certain of a large request leaves before the rest of it is taken.
+  void input_is_left(bool left) {
+    // The last answer to a request says that all of it was taken.
+    if (input_left_ && !left) answered_ = false;
+    input_left_ = left;
+  }
 
   [[nodiscard]] bool failed() const { return error_.has_value(); }
 
@@ -69,10 +76,10 @@ class Answers {
       const Outbox::Slice slice = outbox_.take(
           layout, std::min<std::size_t>(most_answer_bytes, backend_.config.max_message_bytes));
       write_slice(slice, layout, response);
-      finish_slice(slice, outbox_.empty());
+      finish_slice(slice, outbox_.empty() && !input_left_);
       record_.sent(slice.blocks.size());
       outbox_.forget_taken();
-      const bool more = !outbox_.empty() || error_ || summary_due_;
+      const bool more = !outbox_.empty() || input_left_ || error_ || summary_due_;
       return {.write = true, .next = more ? Turn::Next::proceed : Turn::Next::read, .ending = {}};
     }
     if (error_) return end(*error_);
@@ -95,6 +102,7 @@ class Answers {
   std::optional<Ending> error_;
   bool summary_due_ = false;
   bool answered_ = false;
+  bool input_left_ = false;
 };
 
 }  // namespace trc::server

@@ -6,14 +6,21 @@
 #include <algorithm>
 #include <string_view>
 
+#include "server/resources/peers.h"
+
 namespace trc::server {
 namespace {
 
-bool is_among(const std::vector<grpc::string_ref>& names, const std::vector<std::string>& allowed) {
-  return std::any_of(names.begin(), names.end(), [&](const grpc::string_ref& name) {
-    return std::find(allowed.begin(), allowed.end(), std::string_view(name.data(), name.size())) !=
-           allowed.end();
-  });
+// Whether a certificate carries a name. A URI is taken for one only where the list says a URI: one
+// that reads like the name of a machine must not pass for that machine.
+bool carries(const grpc::AuthContext& certificate, const std::string& name) {
+  const auto has = [&](const char* kind) {
+    const auto values = certificate.FindPropertyValues(kind);
+    return std::find(values.begin(), values.end(), grpc::string_ref(name)) != values.end();
+  };
+  if (name.find("://") != std::string::npos) return has(GRPC_PEER_URI_PROPERTY_NAME);
+  return has(GRPC_X509_CN_PROPERTY_NAME) || has(GRPC_PEER_DNS_PROPERTY_NAME) ||
+         has(GRPC_PEER_IP_PROPERTY_NAME) || has(GRPC_PEER_EMAIL_PROPERTY_NAME);
 }
 
 }  // namespace
@@ -27,13 +34,24 @@ Trace trace_of(grpc::CallbackServerContext& context) {
   return trace;
 }
 
+std::string peer_of(const grpc::CallbackServerContext& context) {
+  const auto caller = context.auth_context();
+  if (caller != nullptr && caller->IsPeerAuthenticated())
+    for (const char* property : {GRPC_X509_CN_PROPERTY_NAME, GRPC_X509_SAN_PROPERTY_NAME}) {
+      const auto names = caller->FindPropertyValues(property);
+      if (!names.empty() && !names.front().empty())
+        return "certificate:" + std::string(names.front().data(), names.front().size());
+    }
+  return peer_of_address(context.peer());
+}
+
 std::optional<Ending> refuse_caller(const grpc::CallbackServerContext& context,
                                     const std::vector<std::string>& allowed) {
   if (allowed.empty()) return std::nullopt;
   const auto caller = context.auth_context();
   if (caller == nullptr || !caller->IsPeerAuthenticated()) return std::nullopt;
-  if (is_among(caller->FindPropertyValues(GRPC_X509_CN_PROPERTY_NAME), allowed) ||
-      is_among(caller->FindPropertyValues(GRPC_X509_SAN_PROPERTY_NAME), allowed))
+  if (std::any_of(allowed.begin(), allowed.end(),
+                  [&](const std::string& name) { return carries(*caller, name); }))
     return std::nullopt;
   return refuse(Refusal::client_not_allowed);
 }

@@ -14,6 +14,10 @@ namespace trc::server {
 // The trace the caller's metadata name; its id goes back to the caller as `trace-id`.
 [[nodiscard]] Trace trace_of(grpc::CallbackServerContext& context);
 
+// Whose limits and share the call counts against: the name in the client's certificate, else where
+// it comes from.
+[[nodiscard]] std::string peer_of(const grpc::CallbackServerContext& context);
+
 // The refusal of a caller whose certificate has none of the names; no names allow all. Who has
 // shown no certificate came through a socket file or from this process: where TLS is spoken and
 // names are given, certificates are demanded.

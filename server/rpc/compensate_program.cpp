@@ -13,26 +13,30 @@ namespace {
 constexpr std::size_t bytes_per_piece = 16U << 10U;
 // A few lines, or blocks.
 constexpr std::size_t few_bytes = 16U << 10U;
+// So much output leaves before more input is taken.
+constexpr std::size_t much_output_bytes = 512U << 10U;
 
 }  // namespace
 
 CompensateProgram::Run::Run(const StreamContext& stream, const wire::PathSettings& settings,
                             const ProgramSessionSetup& setup)
-    : layout(settings.response_layout),
+    : account(stream.account),
+      layout(settings.response_layout),
       session(in_portions(setup)),
       answers(stream.backend, stream.record),
-      meter(stream.backend.memory, settings.session.compensator.limits),
+      meter(settings.session.compensator.limits),
       verifies(settings.session.verify) {}
 
 ProgramSessionSetup CompensateProgram::Run::in_portions(ProgramSessionSetup setup) {
   setup.session.compensator.take_portion = [this](auto& blocks) {
     answers.outbox().keep_portion(blocks);
+    account.progressed();
   };
   return setup;
 }
 
 bool CompensateProgram::Run::is_soon_done(std::uint64_t lines) const {
-  return !verifies && meter.holds_few() && lines <= Meter::few_blocks &&
+  return !verifies && input.empty() && meter.holds_few() && lines <= Meter::few_blocks &&
          answers.outbox().held_bytes() <= few_bytes;
 }
 
@@ -89,31 +93,39 @@ void CompensateProgram::feed(const v1::ProgramText& chunk) {
                                    "expected " + expected + ", got " + got,
                                    {{"expected", expected}, {"got", got}}));
   }
+  stream_.record.received(0);
   run_->bytes_in += chunk.text().size();
+  run_->input = chunk.text();
+  run_->input_taken = 0;
+  run_->input_is_final = chunk.final();
+  go_on();
+}
 
+void CompensateProgram::go_on() {
+  Answers& answers = run_->answers;
   const Meter::Running running(run_->meter);
-  std::string_view text = chunk.text();
+  const std::string_view input = run_->input;
   bool goes_on = true;
-  while (goes_on && !text.empty()) {
-    const std::string_view piece = text.substr(0, bytes_per_piece);
+  while (goes_on && run_->input_taken < input.size() &&
+         answers.outbox().held_bytes() < much_output_bytes) {
+    const std::string_view piece = input.substr(run_->input_taken, bytes_per_piece);
     goes_on = give(piece);
-    text.remove_prefix(piece.size());
+    run_->input_taken += piece.size();
   }
-  if (goes_on && chunk.final()) finish();
+  const bool is_left = goes_on && run_->input_taken < input.size();
+  if (goes_on && !is_left && run_->input_is_final) finish();
+  if (!is_left) run_->input = std::string();
+  answers.input_is_left(is_left);
 
   const Summary& so_far = run_->session.summary();
-  stream_.record.received(so_far.blocks_in - run_->blocks_seen);
+  stream_.record.taken(so_far.blocks_in - run_->blocks_seen);
   run_->blocks_seen = so_far.blocks_in;
-  if (!run_->meter.holds(so_far, answers.outbox().held_bytes()))
-    answers.end_with(refuse(Refusal::memory_limit));
+  if (run_->meter.note(so_far)) stream_.account.progressed();
 }
 
 bool CompensateProgram::give(std::string_view text) {
+  stream_.pass();
   Answers& answers = run_->answers;
-  if (stream_.cancelled.load(std::memory_order_relaxed)) {
-    answers.end_with(refuse(Refusal::cancelled));
-    return false;
-  }
   const bool goes_on = run_->session.feed(text, answers.outbox().content());
   answers.place(run_->session.diagnostics());
   return goes_on;
@@ -127,6 +139,7 @@ void CompensateProgram::finish() {
 }
 
 Turn CompensateProgram::proceed(v1::CompensateProgramResponse& response) {
+  if (run_->answers.outbox().empty() && !run_->input.empty()) go_on();
   return run_->answers.next(
       run_->layout, response,
       [&](const Outbox::Slice& slice, bool last) {

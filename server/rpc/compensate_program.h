@@ -43,6 +43,7 @@ class CompensateProgram final
     // As of PathRun.
     [[nodiscard]] bool is_soon_done(std::uint64_t lines) const;
 
+    StreamAccount& account;
     wire::Layout layout;
     ProgramSession session;
     Answers answers;
@@ -51,12 +52,18 @@ class CompensateProgram final
     std::uint64_t bytes_answered = 0;  // input whose output is all out
     std::uint64_t bytes_out = 0;
     std::uint64_t blocks_seen = 0;
+    // Of the request that is being taken.
+    std::string input{};
+    std::size_t input_taken = 0;
+    bool input_is_final = false;
     bool verifies = false;
     bool finished = false;
   };
 
   Turn set_up(const v1::ProgramSetup& message, v1::CompensateProgramResponse& response);
   void feed(const v1::ProgramText& chunk);
+  // Takes input until much has come out, or all of it.
+  void go_on();
   bool give(std::string_view text);
   void finish();
   // As of PathRun.

@@ -9,9 +9,11 @@
 #include "core/base/diagnostic.h"
 #include "core/base/tolerances.h"
 #include "core/base/version.h"
+#include "core/nc/dialect/dialect.h"
 #include "core/nc/dialect/g_function.h"
 #include "core/nc/dialect/trc_command.h"
 #include "proto/wire/diagnostic.h"
+#include "proto/wire/setup.h"
 
 namespace trc::server {
 namespace {
@@ -68,6 +70,8 @@ void describe(const Config& config, v1::GetServerInfoResponse& response) {
     row.set_initial(function.initial);
     row.set_meaning(std::string(function.meaning));
   }
+  for (const Dialect& dialect : all_dialects())
+    if (dialect.available) response.add_dialects(wire::to_proto(dialect.name));
   for (const CodeRow& code : code_table()) {
     v1::DiagnosticRow& row = *response.add_diagnostics();
     row.set_code(static_cast<std::int32_t>(code.code));

@@ -12,9 +12,6 @@ double thread_cpu_seconds() {
   return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
 
-// A block inside the passes, with what its vectors add.
-constexpr std::uint64_t held_block_bytes = 800;
-
 }  // namespace
 
 Meter::Running::Running(Meter& meter) : meter_(meter), started_s_(thread_cpu_seconds()) {}
@@ -23,14 +20,15 @@ Meter::Running::~Running() { meter_.cpu_seconds_ += thread_cpu_seconds() - start
 
 // What the passes hold is known from outside only by what they let go: all blocks since something
 // came out last, or a full window.
-bool Meter::holds(const Summary& so_far, std::size_t outbox_bytes) {
-  if (so_far.blocks_out > blocks_out_) {
+bool Meter::note(const Summary& so_far) {
+  const bool came_out = so_far.blocks_out > blocks_out_;
+  if (came_out) {
     blocks_out_ = so_far.blocks_out;
     let_go_through_ = blocks_in_;
   }
   blocks_in_ = so_far.blocks_in;
   held_blocks_ = std::max(blocks_in_ - let_go_through_, std::min(look_ahead_blocks_, blocks_in_));
-  return share_.resize(held_blocks_ * held_block_bytes + outbox_bytes);
+  return came_out;
 }
 
 wire::PathSummary Meter::summary_of(const Summary& core, const Diagnostics& diagnostics) const {

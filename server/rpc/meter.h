@@ -1,21 +1,18 @@
 #pragma once
 
 #include <chrono>
-#include <cstddef>
 #include <cstdint>
 
 #include "core/base/diagnostics.h"
 #include "core/trc/compensator.h"
 #include "proto/wire/path_item.h"
-#include "server/memory_budget.h"
 
 namespace trc::server {
 
-// What a session costs: time for its summary, memory for the budget of all streams.
+// What a session has computed, and how much it holds back, as far as is seen from outside.
 class Meter {
  public:
-  Meter(MemoryBudget& memory, const Limits& limits)
-      : share_(memory), look_ahead_blocks_(limits.look_ahead_blocks) {}
+  explicit Meter(const Limits& limits) : look_ahead_blocks_(limits.look_ahead_blocks) {}
 
   // Counts the CPU time of its thread as long as it lives.
   class Running {
@@ -30,11 +27,10 @@ class Meter {
     double started_s_;
   };
 
-  // To be asked after every request. False when all streams together would now hold more than they
-  // may.
-  bool holds(const Summary& so_far, std::size_t outbox_bytes);
+  // To be told after every request. Returns whether something came out.
+  bool note(const Summary& so_far);
 
-  // Whether so few blocks were held when it was asked last that whatever sets them free is soon
+  // Whether so few blocks were held when it was told last that whatever sets them free is soon
   // done.
   [[nodiscard]] bool holds_few() const { return held_blocks_ <= few_blocks; }
   // So many take no longer than two changes of thread.
@@ -57,7 +53,6 @@ class Meter {
   [[nodiscard]] wire::PathSummary summary_of(const Summary& core,
                                              const Diagnostics& diagnostics) const;
 
-  MemoryBudget::Share share_;
   std::uint64_t look_ahead_blocks_;
   std::uint64_t blocks_in_ = 0;
   std::uint64_t blocks_out_ = 0;

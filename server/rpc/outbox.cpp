@@ -61,6 +61,7 @@ void Outbox::forget_taken() {
 }
 
 void Outbox::place(std::vector<Diagnostic> diagnostics) {
+  diagnostics_waiting_ += diagnostics.size();
   std::size_t placed = 0;
   const auto place_through = [&](const ProgramOutput::Place& place) {
     if (place.diagnostics <= placed) return;
@@ -124,6 +125,7 @@ void Outbox::take_diagnostics(std::size_t bytes, std::size_t most_bytes, Slice& 
   while (next_diagnostic_ < diagnostics.size() && (bytes == 0 || bytes < most_bytes)) {
     bytes += message_bytes(diagnostics[next_diagnostic_]);
     slice.diagnostics.push_back(std::move(diagnostics[next_diagnostic_++]));
+    --diagnostics_waiting_;
   }
   if (next_diagnostic_ < diagnostics.size()) return;
   next_diagnostic_ = 0;
@@ -132,7 +134,8 @@ void Outbox::take_diagnostics(std::size_t bytes, std::size_t most_bytes, Slice& 
 
 std::size_t Outbox::held_bytes() const {
   // Not what is reserved: memory that was never written to is none.
-  return blocks_waiting() * sizeof(CompensatedBlock) + content_.text.size();
+  return blocks_waiting() * sizeof(CompensatedBlock) + content_.text.size() +
+         diagnostics_waiting_ * sizeof(Diagnostic);
 }
 
 }  // namespace trc::server

@@ -47,6 +47,7 @@ class Outbox {
   // Valid until the content changes or the next one is taken.
   [[nodiscard]] Slice take(wire::Layout layout, std::size_t most_bytes);
 
+  // About what it holds.
   [[nodiscard]] std::size_t held_bytes() const;
   [[nodiscard]] std::size_t blocks_waiting() const {
     return content_.blocks_before + content_.blocks.size() - next_block_;
@@ -85,6 +86,7 @@ class Outbox {
   std::uint64_t next_block_ = 0;  // in the whole path
   std::size_t next_byte_ = 0;
   std::size_t next_diagnostic_ = 0;  // of the first placed ones
+  std::size_t diagnostics_waiting_ = 0;
 };
 
 }  // namespace trc::server

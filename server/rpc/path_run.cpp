@@ -13,11 +13,14 @@ PathRun::PathRun(const StreamContext& stream, const wire::PathSettings& settings
       session_(in_portions(stream.interruptible(settings.session))),
       reader_(settings.session.program.tracking_axes.size()),
       answers_(stream.backend, stream.record),
-      meter_(stream.backend.memory, settings.session.compensator.limits),
+      meter_(settings.session.compensator.limits),
       verifies_(settings.session.verify) {}
 
 SessionSetup PathRun::in_portions(SessionSetup setup) {
-  setup.compensator.take_portion = [this](auto& blocks) { answers_.outbox().keep_portion(blocks); };
+  setup.compensator.take_portion = [this](auto& blocks) {
+    answers_.outbox().keep_portion(blocks);
+    stream_.account.progressed();
+  };
   return setup;
 }
 
@@ -56,8 +59,7 @@ void PathRun::read(const Batch& batch) {
       batch, [&](const wire::PathInput& input) { return give(input); }, faults);
   if (answers_.failed()) return;
   if (advance() && !faults.empty()) answers_.end_with(refuse(faults));
-  if (!meter_.holds(session_.summary(), answers_.outbox().held_bytes()))
-    answers_.end_with(refuse(Refusal::memory_limit));
+  if (meter_.note(session_.summary())) stream_.account.progressed();
 }
 
 void PathRun::feed(const v1::BlockBatch& batch) { feed_batch(batch, "batch", batch.blocks_size()); }
@@ -67,14 +69,12 @@ void PathRun::feed(const v1::BlockColumns& columns) {
 }
 
 bool PathRun::give(const wire::PathInput& input) {
-  if (stream_.cancelled.load(std::memory_order_relaxed)) {
-    answers_.end_with(refuse(Refusal::cancelled));
-    return false;
-  }
   // So many items at once: few enough to lie in the caches still.
   constexpr std::size_t group = 256;
   if (!wire::apply(input, session_.program())) return false;
-  return ++items_ % group != 0 || advance();
+  if (++items_ % group != 0) return true;
+  stream_.pass();
+  return advance();
 }
 
 bool PathRun::advance() {

@@ -1,27 +1,30 @@
 #include "server/rpc/resume_tokens.h"
 
+#include <elf.h>
 #include <fcntl.h>
 #include <google/protobuf/io/coded_stream.h>
 #include <google/protobuf/io/zero_copy_stream_impl_lite.h>
 #include <google/protobuf/message.h>
+#include <link.h>
 #include <openssl/crypto.h>
 #include <openssl/evp.h>
 #include <openssl/hmac.h>
 #include <openssl/rand.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
-#include <fstream>
 #include <istream>
-#include <iterator>
 #include <ostream>
+#include <set>
 #include <streambuf>
 
 #include "core/base/archive.h"
 #include "core/base/version.h"
+#include "server/listener.h"
 
 namespace trc::server {
 namespace {
@@ -32,6 +35,44 @@ constexpr std::string_view format = "TRCR\x01";
 constexpr std::size_t digest_bytes = std::tuple_size_v<Digest>;
 constexpr std::size_t head_bytes = format.size() + 2 * digest_bytes;
 constexpr std::size_t key_bytes = 32;
+constexpr std::size_t longest_key = 4096;
+constexpr std::size_t fewest_different_bytes = 8;
+
+// Of ELF notes the one with the build id; empty without.
+std::string build_id_in(std::string_view notes) {
+  while (notes.size() >= sizeof(ElfW(Nhdr))) {
+    ElfW(Nhdr) head{};
+    std::memcpy(&head, notes.data(), sizeof(head));
+    const auto padded = [](std::size_t size) { return (size + 3) & ~std::size_t{3}; };
+    const std::size_t begin = sizeof(head) + padded(head.n_namesz);
+    if (notes.size() < begin + padded(head.n_descsz)) return {};
+    if (head.n_type == NT_GNU_BUILD_ID) return std::string(notes.substr(begin, head.n_descsz));
+    notes.remove_prefix(begin + padded(head.n_descsz));
+  }
+  return {};
+}
+
+// The build id the linker has put into this program; random bytes when there is none, so that the
+// tokens of two such programs never pass for each other's.
+std::string linker_build_id() {
+  std::string id;
+  const auto look = [](dl_phdr_info* program, std::size_t /*size*/, void* found) {
+    std::string& result = *static_cast<std::string*>(found);
+    for (int i = 0; i < program->dlpi_phnum && result.empty(); ++i) {
+      const auto& part = program->dlpi_phdr[i];
+      if (part.p_type == PT_NOTE)
+        result = build_id_in(
+            {reinterpret_cast<const char*>(program->dlpi_addr + part.p_vaddr), part.p_memsz});
+    }
+    return 1;  // the first one is the program itself
+  };
+  dl_iterate_phdr(look, &id);
+  if (id.empty()) {
+    id.resize(digest_bytes);
+    RAND_bytes(reinterpret_cast<unsigned char*>(id.data()), static_cast<int>(id.size()));
+  }
+  return id;
+}
 
 std::string_view text_of(const Digest& digest) {
   return {reinterpret_cast<const char*>(digest.data()), digest.size()};
@@ -50,9 +91,11 @@ Digest mac_of(std::string_view text, const std::string& key) {
   return mac;
 }
 
-// Releases differ in what a session holds, and so do commits between them.
+// Releases differ in what a session holds, and so do commits between them. Where the commit is not
+// known, outside of a clone, the linker's number of the program stands for it.
 const Digest& build_digest() {
-  static const Digest digest = sha256(std::string(version()) + "+" + std::string(commit()));
+  static const Digest digest = sha256(std::string(version()) + "+" + std::string(commit()) +
+                                      (commit() == "unknown" ? linker_build_id() : ""));
   return digest;
 }
 
@@ -140,17 +183,51 @@ std::optional<Ending> ResumeTokens::open(std::string_view token, const Digest& s
   return std::nullopt;
 }
 
-ResumeKey resume_key(const std::string& path) {
-  ResumeKey result;
-  if (!path.empty()) {
-    std::ifstream file(path, std::ios::binary);
-    if (file) {
-      result.key.assign(std::istreambuf_iterator<char>(file), {});
-      if (result.key.size() < key_bytes)
-        result.fault = "resume-key-file: '" + path + "' holds fewer than 32 bytes";
-      return result;
-    }
+namespace {
+
+std::string key_fault(const std::string& path, const std::string& what) {
+  return "resume-key-file: '" + path + "' " + what;
+}
+
+// Of a file that guards nothing.
+std::string fault_of_key(const std::string& path, const struct stat& file, const std::string& key) {
+  if ((file.st_mode & (S_IWGRP | S_IWOTH)) != 0)
+    return key_fault(path, "can be written by others than its owner; chmod 600");
+  if (key.size() < key_bytes) return key_fault(path, "holds fewer than 32 bytes");
+  // Random bytes have some thirty different ones, their digits sixteen.
+  if (std::set<char>(key.begin(), key.end()).size() < fewest_different_bytes)
+    return key_fault(path, "holds no random bytes");
+  return {};
+}
+
+// The key of a file that is there; no value when there is none.
+std::optional<ResumeKey> key_there(const std::string& path) {
+  const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
+  if (!file.valid()) {
+    const int why = errno;
+    struct stat link {};
+    // A link to nothing is there too, and would have to be replaced.
+    if (why == ENOENT && lstat(path.c_str(), &link) != 0) return std::nullopt;
+    return ResumeKey{.fault =
+                         key_fault(path, std::string("cannot be read: ") + std::strerror(why))};
   }
+  struct stat status {};
+  if (fstat(file.number(), &status) != 0 || !S_ISREG(status.st_mode))
+    return ResumeKey{.fault = key_fault(path, "is no file")};
+  ResumeKey result;
+  result.key.resize(longest_key);
+  const ssize_t size = read(file.number(), result.key.data(), result.key.size());
+  result.key.resize(size > 0 ? static_cast<std::size_t>(size) : 0);
+  result.fault = fault_of_key(path, status, result.key);
+  return result;
+}
+
+}  // namespace
+
+ResumeKey resume_key(const std::string& path) {
+  if (!path.empty())
+    if (auto there = key_there(path)) return std::move(*there);
+  ResumeKey result;
   result.key.resize(key_bytes);
   if (RAND_bytes(reinterpret_cast<unsigned char*>(result.key.data()), key_bytes) != 1) {
     result.fault = "resume-key-file: no random numbers to make a key from";
@@ -162,14 +239,15 @@ ResumeKey resume_key(const std::string& path) {
   // and the others read it, never half of it. Process numbers would not tell them apart: in
   // containers each of them is number 1.
   std::string draft = path + ".XXXXXX";
-  const int file = ::mkostemp(draft.data(), O_CLOEXEC);
-  const bool written = file >= 0 && write(file, result.key.data(), key_bytes) == key_bytes;
-  if (file >= 0) close(file);
+  const Descriptor file(::mkostemp(draft.data(), O_CLOEXEC));
+  const bool written =
+      file.valid() && write(file.number(), result.key.data(), key_bytes) == key_bytes;
   const bool linked = written && link(draft.c_str(), path.c_str()) == 0;
   const int why = errno;
-  if (file >= 0) unlink(draft.c_str());
+  if (file.valid()) unlink(draft.c_str());
   if (linked) return result;
-  if (written && why == EEXIST) return resume_key(path);
+  if (written && why == EEXIST)
+    if (auto there = key_there(path)) return std::move(*there);
   result.fault = "resume-key-file: cannot make '" + path + "': " + std::strerror(why);
   return result;
 }

@@ -1,5 +1,7 @@
 #include "server/rpc/setup.h"
 
+#include <algorithm>
+#include <cstddef>
 #include <string>
 
 #include "core/base/version.h"
@@ -10,7 +12,10 @@ namespace {
 void apply_limits(const v1::PathSetup& message, const Config& config, SessionSetup& session) {
   Limits& limits = session.compensator.limits;
   limits.selection_blocks = config.max_blocks_per_selection;
-  if (!message.has_max_passive_blocks()) limits.passive_blocks = config.max_riders;
+  // The client may ask for less.
+  limits.passive_blocks = message.has_max_passive_blocks()
+                              ? std::min<std::size_t>(limits.passive_blocks, config.max_riders)
+                              : config.max_riders;
 }
 
 }  // namespace

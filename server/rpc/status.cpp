@@ -22,13 +22,15 @@ struct Row {
   int retry_after_s = 0;  // 0: waiting does not help
 };
 
-constexpr std::array<Row, 20> table{{
+constexpr std::array<Row, 27> table{{
     {Refusal::setup_missing, StatusCode::FAILED_PRECONDITION, "SETUP_MISSING",
      "the first request must carry the setup"},
     {Refusal::setup_repeated, StatusCode::FAILED_PRECONDITION, "SETUP_REPEATED",
      "the setup may be sent once only, as the first request"},
     {Refusal::request_empty, StatusCode::INVALID_ARGUMENT, "REQUEST_EMPTY",
      "the request carries nothing this server knows"},
+    {Refusal::request_unreadable, StatusCode::INVALID_ARGUMENT, "REQUEST_UNREADABLE",
+     "the request is no message of this service"},
     {Refusal::input_after_final, StatusCode::FAILED_PRECONDITION, "INPUT_AFTER_FINAL",
      "nothing may follow the request marked final"},
     {Refusal::batch_out_of_sequence, StatusCode::OUT_OF_RANGE, "BATCH_OUT_OF_SEQUENCE",
@@ -44,13 +46,30 @@ constexpr std::array<Row, 20> table{{
     {Refusal::batch_too_large, StatusCode::RESOURCE_EXHAUSTED, "BATCH_TOO_LARGE",
      "the batch has more blocks than the setting max-blocks-per-batch allows; send smaller "
      "batches"},
+    {Refusal::answer_too_large, StatusCode::RESOURCE_EXHAUSTED, "ANSWER_TOO_LARGE",
+     "the answer is larger than the setting max-message-bytes allows; use CompensateProgram"},
     {Refusal::stream_limit, StatusCode::RESOURCE_EXHAUSTED, "STREAM_LIMIT",
      "as many streams are open as the setting max-streams allows; try again later", 1},
-    {Refusal::memory_limit, StatusCode::RESOURCE_EXHAUSTED, "MEMORY_LIMIT",
-     "the blocks held back by all streams pass the setting max-session-memory-mib; try again "
-     "later, "
-     "or set look_ahead_blocks",
+    {Refusal::stream_limit_of_peer, StatusCode::RESOURCE_EXHAUSTED, "STREAM_LIMIT",
+     "as many streams of this client are open as the setting max-streams-per-peer allows; try "
+     "again later",
      1},
+    {Refusal::memory_limit, StatusCode::RESOURCE_EXHAUSTED, "MEMORY_LIMIT",
+     "what all streams hold passes the setting max-session-memory-mib; try again later, or set "
+     "look_ahead_blocks",
+     1},
+    {Refusal::memory_limit_of_peer, StatusCode::RESOURCE_EXHAUSTED, "MEMORY_LIMIT",
+     "what the streams of this client hold passes the setting max-memory-per-peer-mib; try again "
+     "later, or set look_ahead_blocks",
+     1},
+    {Refusal::memory_limit_of_stream, StatusCode::RESOURCE_EXHAUSTED, "MEMORY_LIMIT",
+     "this stream alone holds more than the settings max-session-memory-mib and "
+     "max-memory-per-peer-mib allow; set look_ahead_blocks"},
+    {Refusal::memory_limit_of_process, StatusCode::RESOURCE_EXHAUSTED, "MEMORY_LIMIT",
+     "the server is close to the memory it may have, the setting memory-limit-mib; try again later",
+     1},
+    {Refusal::cpu_limit, StatusCode::RESOURCE_EXHAUSTED, "CPU_LIMIT",
+     "the stream has computed for longer than the server allows"},
     {Refusal::resume_token_invalid, StatusCode::INVALID_ARGUMENT, "RESUME_TOKEN_INVALID",
      "the resume token cannot be used"},
     {Refusal::resume_token_of_other_version, StatusCode::FAILED_PRECONDITION,

@@ -4,6 +4,7 @@
 
 #include "core/session/session.h"
 #include "server/backend.h"
+#include "server/rpc/stream_account.h"
 #include "server/telemetry/call_record.h"
 
 namespace trc::server {
@@ -17,13 +18,18 @@ struct StreamContext {
   CallRecord& record;
   // Set when nobody waits for the result any more; work looks at it every few blocks.
   const std::atomic<bool>& cancelled;
+  StreamAccount& account;
 
-  // For the core: long work ends when it is abandoned, and gives way to other streams.
+  // Where long work passes by: it ends when it is abandoned or passes a limit, and gives way to
+  // other streams.
+  void pass() const {
+    if (cancelled.load(std::memory_order_relaxed)) throw Abandoned{};
+    if (!account.is_due()) return;
+    account.check();
+    backend.pool.give_way();
+  }
   [[nodiscard]] SessionSetup interruptible(SessionSetup setup) const {
-    setup.compensator.interrupt = [&pool = backend.pool, &abandoned = cancelled] {
-      if (abandoned) throw Abandoned{};
-      pool.give_way();
-    };
+    setup.compensator.interrupt = [stream = *this] { stream.pass(); };
     return setup;
   }
 };

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <grpcpp/grpcpp.h>
-#include <malloc.h>
 
 #include <atomic>
 #include <chrono>
@@ -9,12 +8,14 @@
 #include <exception>
 #include <memory>
 #include <mutex>
+#include <new>
+#include <optional>
 #include <utility>
 
-#include "core/base/pages.h"
 #include "server/backend.h"
 #include "server/rpc/arena_message.h"
 #include "server/rpc/caller.h"
+#include "server/rpc/stream_account.h"
 #include "server/rpc/stream_context.h"
 #include "server/rpc/stream_work.h"
 #include "server/telemetry/call_record.h"
@@ -31,6 +32,9 @@ namespace trc::server {
 // the stream, so that Finish is called once: by the owner, or by the watch for idle streams, which
 // takes the ownership away from a pending read. The watch also writes the heartbeats of a silent
 // stream.
+//
+// gRPC hands over bytes: as a message a request may take forty times as much, and what reads it
+// should be a turn, which is limited and whose memory is counted.
 template <class GrpcReactor, class Request, class Response>
 class StreamReactor
     : public GrpcReactor,
@@ -43,6 +47,8 @@ class StreamReactor
   StreamReactor(Backend& backend, grpc::CallbackServerContext& context, Method method)
       : backend_(backend),
         context_(context),
+        peer_(backend.peers.of(peer_of(context))),
+        account_(backend, *peer_),
         record_(backend.telemetry, method, context.peer(), trace_of(context)) {}
 
   // Admits the stream or refuses it. The reactor keeps itself alive until OnDone.
@@ -51,6 +57,16 @@ class StreamReactor
     work_ = std::move(work);
     if (const auto refused = refuse_caller(context_, backend_.config.tls_allowed_clients))
       return finish(*refused);
+    const Config& config = backend_.config;
+    if (!backend_.streams.draining()) {
+      if (backend_.memory_watch.state() != MemoryWatch::State::ample)
+        return finish(refuse(Refusal::memory_limit_of_process));
+      place_ = Peer::Place(*peer_);
+      if (peer_->streams() > config.max_streams_per_peer)
+        return finish(
+            refuse(Refusal::stream_limit_of_peer, {},
+                   {{"max_streams_per_peer", std::to_string(config.max_streams_per_peer)}}));
+    }
     OpenStreams::Admission admission = backend_.streams.admit(self_);
     switch (admission.answer) {
       case OpenStreams::Answer::admitted:
@@ -58,54 +74,36 @@ class StreamReactor
         return read();
       case OpenStreams::Answer::full:
         return finish(refuse(Refusal::stream_limit, {},
-                             {{"max_streams", std::to_string(backend_.config.max_streams)}}));
+                             {{"max_streams", std::to_string(config.max_streams)}}));
       case OpenStreams::Answer::draining:
         return finish(refuse(Refusal::draining));
     }
   }
 
   // Valid as long as the reactor.
-  [[nodiscard]] StreamContext stream_context() { return {backend_, record_, cancelled_}; }
+  [[nodiscard]] StreamContext stream_context() { return {backend_, record_, cancelled_, account_}; }
 
-  void end_if_idle(Clock::time_point since) final {
-    bool waits_for_request = false;
-    bool was_reading = false;
-    {
-      const std::lock_guard lock(mutex_);
-      if (phase_since_ > since) return;
-      if (phase_ != Phase::reading && phase_ != Phase::writing) return;
-      was_reading = phase_ == Phase::reading;
-      waits_for_request = was_reading && !beating_;
-      phase_ = waits_for_request ? Phase::finished : Phase::cancelling;
-      stalled_ = !waits_for_request;
-    }
-    if (waits_for_request) return finish(idle());
+  void end_if_idle(Clock::time_point since) final { give_up(since, Refusal::stream_idle); }
 
-    // The client does not read. The status would wait behind the answer, so the call is cancelled.
-    // Finish is held back meanwhile: it would allow gRPC to destroy the context.
-    context_.TryCancel();
-    {
-      const std::lock_guard lock(mutex_);
-      if (beating_ || !written_while_cancelling_) {
-        const bool still_reading = was_reading && !arrived_while_cancelling_;
-        phase_ = still_reading ? Phase::reading : Phase::writing;
-        return;
-      }
-    }
-    finish(gone());
+  void evict() final {
+    account_.evict();
+    give_up(Clock::time_point::max(), Refusal::memory_limit_of_process);
   }
+  [[nodiscard]] std::uint64_t held_bytes() const final { return account_.held_bytes(); }
 
   // A beat is a write beside a pending read or a running turn. What the turn wants written, and the
   // end of the stream, wait for it.
   void beat_if_silent(Clock::time_point since) final {
-    if constexpr (requires { beat_.mutable_heartbeat(); }) {
+    if constexpr (requires(Response beat) { beat.mutable_heartbeat(); }) {
       {
         const std::lock_guard lock(mutex_);
         if (answers_written_ == 0 || beating_ || written_at_ > since) return;
         if (phase_ != Phase::reading && phase_ != Phase::working) return;
         beating_ = true;
       }
-      beat_.mutable_heartbeat();
+      Response beat;
+      beat.mutable_heartbeat();
+      write_down(beat, beat_);
       this->StartWrite(&beat_);
     }
   }
@@ -132,7 +130,7 @@ class StreamReactor
     take_turn();
   }
 
-  ArenaMessage<Request> request_;
+  grpc::ByteBuffer request_bytes_;
 
  private:
   enum class Phase { working, reading, writing, cancelling, finished };
@@ -143,56 +141,153 @@ class StreamReactor
     phase_since_ = Clock::now();
   }
 
+  // Of a stream that waits for its client since then. A turn at work is left alone.
+  void give_up(Clock::time_point since, Refusal why) {
+    bool waits_for_request = false;
+    bool was_reading = false;
+    {
+      const std::lock_guard lock(mutex_);
+      if (phase_since_ > since) return;
+      if (phase_ != Phase::reading && phase_ != Phase::writing) return;
+      was_reading = phase_ == Phase::reading;
+      waits_for_request = was_reading && !beating_;
+      phase_ = waits_for_request ? Phase::finished : Phase::cancelling;
+      if (!waits_for_request) given_up_ = why;
+    }
+    if (waits_for_request) {
+      let_go_of_work();
+      return finish(end_of_given_up(why));
+    }
+
+    // The client does not read. The status would wait behind the answer, so the call is cancelled.
+    // Finish is held back meanwhile: it would allow gRPC to destroy the context.
+    context_.TryCancel();
+    {
+      const std::lock_guard lock(mutex_);
+      if (beating_ || !written_while_cancelling_) {
+        const bool still_reading = was_reading && !arrived_while_cancelling_;
+        phase_ = still_reading ? Phase::reading : Phase::writing;
+        return;
+      }
+    }
+    finish(gone());
+  }
+
   // From a reaction.
   void take_turn() {
-    const bool here =
-        !cancelled_ && work_->is_short(input_ == Input::request ? &*request_ : nullptr);
-    if (here)
+    if (input_ == Input::request) record_.carried(request_bytes_.Length());
+    if (!cancelled_ && is_short())
       turn();
     else
-      backend_.pool.submit(*this);
+      backend_.pool.submit(*this, peer_->turns);
+  }
+
+  // Whether the next turn takes no longer than handing it to a worker would. A small request is
+  // read for that.
+  [[nodiscard]] bool is_short() {
+    constexpr std::size_t small = 16U << 10U;
+    if (input_ != Input::request) return work_->is_short(nullptr);
+    if (request_bytes_.Length() > small) return false;
+    const StreamAccount::Turn accounted(account_);
+    try {
+      return read_request() && work_->is_short(&*request_);
+    } catch (const std::bad_alloc&) {
+      return false;
+    }
+  }
+
+  // False when it is no such message.
+  bool read_request() {
+    if (!is_read_) {
+      using Bytes = grpc::SerializationTraits<Request>;
+      is_unreadable_ = !Bytes::Deserialize(&request_bytes_, &*request_).ok();
+      request_bytes_.Clear();
+      is_read_ = true;
+    }
+    return !is_unreadable_;
+  }
+
+  // False when there is no memory.
+  static bool write_down(const Response& message, grpc::ByteBuffer& bytes) {
+    bool own = false;
+    return grpc::SerializationTraits<Response>::Serialize(message, &bytes, &own).ok();
   }
 
   void turn() noexcept final {
-    if (cancelled_ || context_.IsCancelled()) return abandon();
-    try {
-      turn_ = work();
-      // Not held while the answer waits for its reader.
-      request_.reset();
-    } catch (const Abandoned&) {
-      return abandon();
-    } catch (const std::exception& bug) {
-      turn_ = end(record_.incident(bug.what()));
+    {
+      const StreamAccount::Turn accounted(account_);
+      take_turn_here();
+      if (turn_.next == Turn::Next::finish) let_go_of_work();
     }
-    if (turn_.next == Turn::Next::finish) let_go_of_work();
     conclude();
+  }
+
+  // A failure lets go of the work first: it may be memory that is wanted.
+  void take_turn_here() noexcept {
+    if (cancelled_ || context_.IsCancelled()) return give_up_work();
+    try {
+      account_.check();
+      turn_ = work();
+      account_.check();
+    } catch (const Abandoned&) {
+      give_up_work();
+    } catch (Refused& refused) {
+      turn_ = end(std::move(refused.ending));
+    } catch (const std::bad_alloc&) {
+      let_go_of_work();
+      turn_ = end_for_want_of_memory();
+    } catch (const std::exception& bug) {
+      let_go_of_work();
+      try {
+        turn_ = end(record_.incident(bug.what()));
+      } catch (const std::bad_alloc&) {
+        turn_ = end_for_want_of_memory();
+      }
+    }
+  }
+
+  void give_up_work() noexcept {
+    let_go_of_work();
+    try {
+      turn_ = end(gone());
+    } catch (const std::bad_alloc&) {
+      turn_ = end_for_want_of_memory();
+    }
+  }
+
+  // Takes no memory: short texts lie in the strings themselves.
+  static Turn end_for_want_of_memory() noexcept {
+    return end(
+        {.status = grpc::Status(grpc::RESOURCE_EXHAUSTED, "no memory"), .reason = "MEMORY_LIMIT"});
   }
 
   // Here in the pool: a session may hold so much that a reaction should not have to free it.
-  void let_go_of_work() {
+  void let_go_of_work() noexcept {
     constexpr std::uint64_t large = 32U << 20U;
-    const std::uint64_t held = backend_.memory.used_bytes();
+    const bool held_much = account_.held_bytes() > large;
+    account_.close();
     work_.reset();
-    if (held <= backend_.memory.used_bytes() + large) return;
-    PagePiece::give_back_spare();
-    // The heap keeps what lies between small blocks that are still in use.
-    malloc_trim(0);
-  }
-
-  void abandon() {
-    let_go_of_work();
-    end_with(gone());
-  }
-
-  void end_with(Ending ending) {
-    turn_ = end(std::move(ending));
-    conclude();
+    request_.reset();
+    response_.reset();
+    if (held_much) backend_.memory_watch.give_back_soon();
   }
 
   Turn work() {
     response_.reset_if_large();
+    Turn turn = compute();
+    // Not held while the answer waits for its reader.
+    request_.reset();
+    if (turn.write && !write_down(*response_, answer_)) throw std::bad_alloc();
+    account_.answers(turn.write ? answer_.Length() : 0);
+    response_.reset_if_large();
+    return turn;
+  }
+
+  Turn compute() {
     switch (std::exchange(input_, Input::none)) {
       case Input::request:
+        if (!read_request()) return end(refuse(Refusal::request_unreadable));
+        is_read_ = false;
         return work_->take(*request_, *response_);
       case Input::ended:
         return work_->ended(*response_);
@@ -214,7 +309,7 @@ class StreamReactor
       }
       if (beating_) return;
     }
-    if (turn_.write) return write();
+    if (turn_.write) return this->StartWrite(&answer_);
     switch (turn_.next) {
       case Turn::Next::proceed:
         return take_turn();
@@ -224,17 +319,6 @@ class StreamReactor
       case Turn::Next::finish:
         return finish(turn_.ending);
     }
-  }
-
-  // gRPC has made bytes of the answer when StartWrite returns, so that it need not be held as a
-  // message as well until the client reads it. The first answer gRPC may still have to look at: it
-  // can come before the handler has returned. Whoever goes on behind the write waits for the mutex.
-  void write() {
-    const std::shared_ptr<StreamReactor> alive = self_;
-    const std::uint64_t before = answers_written_;
-    this->StartWrite(&*response_);
-    const std::lock_guard lock(mutex_);
-    if (before > 0 && answers_written_ == before) response_.reset_if_large();
   }
 
   void OnWriteDone(bool ok) final {
@@ -250,11 +334,14 @@ class StreamReactor
       // After a beat that failed the call is over, which the read or the turn finds out.
       if (was_beat && phase_ != Phase::writing) return;
       phase_ = Phase::working;
-      if (!was_beat) turn_.write = false;
+      if (!was_beat) {
+        turn_.write = false;
+        answer_.Clear();
+      }
     }
     if (ok) return conclude();
     cancelled_ = true;
-    backend_.pool.submit(*this);
+    backend_.pool.submit(*this, peer_->turns);
   }
 
   void OnCancel() final { cancelled_ = true; }
@@ -273,13 +360,13 @@ class StreamReactor
     this->Finish(ending.status);
   }
 
-  [[nodiscard]] Ending idle() const {
-    return refuse(Refusal::stream_idle, {},
-                  {{"idle_timeout_s", std::to_string(backend_.config.idle_timeout_s)}});
+  [[nodiscard]] Ending end_of_given_up(Refusal why) const {
+    if (why != Refusal::stream_idle) return refuse(why);
+    return refuse(why, {}, {{"idle_timeout_s", std::to_string(backend_.config.idle_timeout_s)}});
   }
 
   [[nodiscard]] Ending gone() const {
-    if (stalled_) return idle();
+    if (given_up_) return end_of_given_up(*given_up_);
     return refuse(context_.deadline() <= std::chrono::system_clock::now()
                       ? Refusal::deadline_exceeded
                       : Refusal::cancelled);
@@ -287,13 +374,20 @@ class StreamReactor
 
   Backend& backend_;
   grpc::CallbackServerContext& context_;
+  const std::shared_ptr<Peer> peer_;
+  Peer::Place place_;
+  StreamAccount account_;
   CallRecord record_;
   std::unique_ptr<Work> work_;
   OpenStreams::Ticket ticket_;
   std::shared_ptr<StreamReactor> self_;
 
+  ArenaMessage<Request> request_;
+  bool is_read_ = false;  // of its bytes
+  bool is_unreadable_ = false;
   ArenaMessage<Response> response_;
-  Response beat_;
+  grpc::ByteBuffer answer_;
+  grpc::ByteBuffer beat_;
   Input input_ = Input::none;
   Turn turn_;
 
@@ -304,7 +398,7 @@ class StreamReactor
   Clock::time_point written_at_ = Clock::now();
   std::uint64_t answers_written_ = 0;
   bool beating_ = false;
-  bool stalled_ = false;
+  std::optional<Refusal> given_up_;
   bool written_while_cancelling_ = false;
   bool arrived_while_cancelling_ = false;
 };
@@ -312,16 +406,18 @@ class StreamReactor
 // A stream in both directions.
 template <class Request, class Response>
 class BidiReactor final
-    : public StreamReactor<grpc::ServerBidiReactor<Request, Response>, Request, Response> {
+    : public StreamReactor<grpc::ServerBidiReactor<grpc::ByteBuffer, grpc::ByteBuffer>, Request,
+                           Response> {
+  using Base =
+      StreamReactor<grpc::ServerBidiReactor<grpc::ByteBuffer, grpc::ByteBuffer>, Request, Response>;
+
  public:
-  using StreamReactor<grpc::ServerBidiReactor<Request, Response>, Request, Response>::StreamReactor;
+  using Base::Base;
 
  private:
-  using Base = StreamReactor<grpc::ServerBidiReactor<Request, Response>, Request, Response>;
-
   void read() override {
     this->await_request();
-    this->StartRead(&*this->request_);
+    this->StartRead(&this->request_bytes_);
   }
   void OnReadDone(bool ok) override {
     this->arrived(ok ? Base::Input::request : Base::Input::ended);
@@ -331,14 +427,14 @@ class BidiReactor final
 // One request, a stream of answers.
 template <class Request, class Response>
 class AnswerReactor final
-    : public StreamReactor<grpc::ServerWriteReactor<Response>, Request, Response> {
+    : public StreamReactor<grpc::ServerWriteReactor<grpc::ByteBuffer>, Request, Response> {
  public:
-  using Base = StreamReactor<grpc::ServerWriteReactor<Response>, Request, Response>;
+  using Base = StreamReactor<grpc::ServerWriteReactor<grpc::ByteBuffer>, Request, Response>;
 
   AnswerReactor(Backend& backend, grpc::CallbackServerContext& context, Method method,
-                const Request& request)
+                const grpc::ByteBuffer& request)
       : Base(backend, context, method) {
-    *this->request_ = request;
+    this->request_bytes_ = request;
   }
 
  private:
@@ -347,6 +443,40 @@ class AnswerReactor final
   }
 
   bool asked_ = false;
+};
+
+// Gives a call with one answer the face of a stream of answers: what is written is put where gRPC
+// expects the answer, to be sent with the status.
+class OneAnswer : public grpc::ServerUnaryReactor {
+ public:
+  virtual void OnWriteDone(bool ok) = 0;
+
+ protected:
+  void StartWrite(const grpc::ByteBuffer* answer) {
+    *answer_ = *answer;
+    OnWriteDone(true);
+  }
+  void answer_goes_to(grpc::ByteBuffer& answer) { answer_ = &answer; }
+
+ private:
+  grpc::ByteBuffer* answer_ = nullptr;
+};
+
+// One request, one answer that takes computing.
+template <class Request, class Response>
+class UnaryReactor final : public StreamReactor<OneAnswer, Request, Response> {
+ public:
+  using Base = StreamReactor<OneAnswer, Request, Response>;
+
+  UnaryReactor(Backend& backend, grpc::CallbackServerContext& context, Method method,
+               const grpc::ByteBuffer& request, grpc::ByteBuffer& response)
+      : Base(backend, context, method) {
+    this->request_bytes_ = request;
+    this->answer_goes_to(response);
+  }
+
+ private:
+  void read() override { this->arrived(Base::Input::request); }
 };
 
 }  // namespace trc::server

@@ -46,9 +46,10 @@ std::unique_ptr<Admin> Admin::open(const std::string& address, Answers answers) 
       return Answer{.status = 200, .body = metrics()};
     });
     add("/healthz", [] { return Answer{.status = 200, .body = "ok\n"}; });
-    add("/readyz", [ready = std::move(answers.ready)] {
-      return ready() ? Answer{.status = 200, .body = "ready\n"}
-                     : Answer{.status = 503, .body = "draining\n"};
+    add("/readyz", [unready = std::move(answers.unready)] {
+      const std::string why = unready();
+      return why.empty() ? Answer{.status = 200, .body = "ready\n"}
+                         : Answer{.status = 503, .body = why + "\n"};
     });
     return admin;
   } catch (const CivetException&) {

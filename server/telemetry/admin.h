@@ -10,12 +10,13 @@ class CivetServer;
 namespace trc::server {
 
 // The HTTP port for machines that watch the server: /metrics for Prometheus, /healthz (the process
-// answers) and /readyz (it takes new streams; 503 while draining). Read only.
+// answers) and /readyz (it takes new streams; 503 and the reason when not). Read only.
 class Admin {
  public:
   struct Answers {
     std::function<std::string()> metrics;
-    std::function<bool()> ready;
+    // Why no new streams are taken; empty when they are.
+    std::function<std::string()> unready;
   };
 
   // Address: HOST:PORT; port 0 takes a free one. Null when it cannot be opened.

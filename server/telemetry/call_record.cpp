@@ -5,6 +5,8 @@
 
 #include <array>
 #include <cstdio>
+#include <exception>
+#include <new>
 #include <random>
 #include <utility>
 
@@ -29,6 +31,7 @@ CallRecord::CallRecord(Telemetry& telemetry, Method method, std::string peer, Tr
       metrics_(telemetry.metrics.of(method)),
       method_(method),
       peer_(std::move(peer)),
+      call_(telemetry.connections.begin(peer_)),
       trace_(std::move(trace)) {
   metrics_.started->Increment();
 }
@@ -41,6 +44,11 @@ void CallRecord::received(std::uint64_t blocks) {
   metrics_.blocks_in->Increment(static_cast<double>(blocks));
 }
 
+void CallRecord::taken(std::uint64_t blocks) {
+  blocks_in_ += blocks;
+  metrics_.blocks_in->Increment(static_cast<double>(blocks));
+}
+
 void CallRecord::sent(std::uint64_t blocks) {
   ++messages_out_;
   blocks_out_ += blocks;
@@ -50,13 +58,23 @@ void CallRecord::sent(std::uint64_t blocks) {
 
 void CallRecord::answered() { metrics_.batch->Observe(seconds_since(received_)); }
 
-void CallRecord::ended(const Ending& ending) {
-  const double seconds = seconds_since(started_);
-  const std::string_view code = name_of(ending.status.error_code());
-  metrics_.handling->Observe(seconds);
-  telemetry_.metrics.count_handled(method_, code);
-  if (!ending.reason.empty()) telemetry_.metrics.count_error(ending.reason);
+void CallRecord::ended(const Ending& ending) noexcept {
+  try {
+    const double seconds = seconds_since(started_);
+    // What has given an answer, or was thought over, was meant.
+    call_.ended(ending.status.error_code() == grpc::StatusCode::CANCELLED && blocks_out_ == 0 &&
+                seconds < 1);
+    metrics_.handling->Observe(seconds);
+    telemetry_.metrics.count_handled(method_, name_of(ending.status.error_code()));
+    if (!ending.reason.empty()) telemetry_.metrics.count_error(ending.reason);
+    log_end(ending, seconds);
+  } catch (const std::bad_alloc&) {
+    // The call has ended all the same.
+  }
+}
 
+void CallRecord::log_end(const Ending& ending, double seconds) const {
+  const std::string_view code = name_of(ending.status.error_code());
   LogLine line("rpc");
   line.text("method", name_of(method_)).text("peer", peer_).text("code", code);
   if (!ending.reason.empty()) line.text("reason", ending.reason);
@@ -76,13 +94,28 @@ void CallRecord::add_trace(LogLine& line) const {
   if (!trace_.parent_id.empty()) line.text("parent_id", trace_.parent_id);
 }
 
-Ending CallRecord::incident(std::string_view what) {
-  const std::string id = new_incident_id();
-  LogLine line("incident");
-  line.text("incident_id", id).text("method", name_of(method_)).text("what", what);
-  add_trace(line);
-  telemetry_.log.error(line);
-  return refuse(Refusal::internal, "incident " + id, {{"incident_id", id}});
+Ending CallRecord::incident(std::string_view what) noexcept {
+  try {
+    const std::string id = new_incident_id();
+    LogLine line("incident");
+    line.text("incident_id", id).text("method", name_of(method_)).text("what", what);
+    add_trace(line);
+    telemetry_.log.error(line);
+    return refuse(Refusal::internal, "incident " + id, {{"incident_id", id}});
+  } catch (const std::exception&) {
+    return out_of_memory();
+  }
+}
+
+Ending CallRecord::out_of_memory() noexcept {
+  try {
+    return refuse(Refusal::memory_limit);
+  } catch (const std::exception&) {
+    // Texts that need no heap. Without a reason a client takes the stream for lost and goes on
+    // elsewhere, which is what it should do.
+    return {.status = grpc::Status(grpc::StatusCode::RESOURCE_EXHAUSTED, "no memory"),
+            .reason = "MEMORY_LIMIT"};
+  }
 }
 
 }  // namespace trc::server

@@ -22,17 +22,25 @@ class CallRecord {
 
   [[nodiscard]] const Trace& trace() const { return trace_; }
 
+  // A message of so many bytes has come.
+  void carried(std::uint64_t bytes) const { call_.carried(bytes); }
   void received(std::uint64_t blocks);
+  // Blocks of a request that were not known when it was received.
+  void taken(std::uint64_t blocks);
   void sent(std::uint64_t blocks);
   // All answers to the last request are out.
   void answered();
-  void ended(const Ending& ending);
+  // Without memory for a line, nothing is logged.
+  void ended(const Ending& ending) noexcept;
 
   // A bug: logs what was thrown, and returns the status with the incident's id.
-  Ending incident(std::string_view what);
+  Ending incident(std::string_view what) noexcept;
+  // The heap has nothing left.
+  [[nodiscard]] static Ending out_of_memory() noexcept;
 
  private:
   void add_trace(LogLine& line) const;
+  void log_end(const Ending& ending, double seconds) const;
 
   using Clock = std::chrono::steady_clock;
 
@@ -40,6 +48,7 @@ class CallRecord {
   const Metrics::OfMethod& metrics_;
   Method method_;
   std::string peer_;
+  Connections::Call call_;
   Trace trace_;
   std::string client_tag_;
   Clock::time_point started_ = Clock::now();

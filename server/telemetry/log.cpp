@@ -1,16 +1,111 @@
 #include "server/telemetry/log.h"
 
-#include <spdlog/logger.h>
+#include <spdlog/async_logger.h>
+#include <spdlog/details/null_mutex.h>
+#include <spdlog/details/thread_pool.h>
 #include <spdlog/pattern_formatter.h>
-#include <spdlog/sinks/stdout_sinks.h>
+#include <spdlog/sinks/base_sink.h>
+#include <unistd.h>
 
+#include <algorithm>
 #include <array>
+#include <atomic>
+#include <cerrno>
 #include <cmath>
 #include <cstdio>
+#include <exception>
+#include <thread>
 
 #include "server/text.h"
 
 namespace trc::server {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+// Lines that wait to be written. spdlog has a place ready for each of them.
+constexpr std::size_t most_waiting = 1024;
+
+// Writes the bytes without a buffer of its own, so that nothing is left for the end of the process
+// to write, which would wait for a reader.
+class StandardOutput final : public spdlog::sinks::base_sink<spdlog::details::null_mutex> {
+ public:
+  [[nodiscard]] std::uint64_t written() const { return written_; }
+  [[nodiscard]] double blocked_s() const {
+    const Clock::rep since = writing_since_;
+    if (since == 0) return 0;
+    return std::chrono::duration<double>(Clock::now().time_since_epoch() - Clock::duration(since))
+        .count();
+  }
+
+ private:
+  void sink_it_(const spdlog::details::log_msg& message) override {
+    spdlog::memory_buf_t line;
+    formatter_->format(message, line);
+    writing_since_ = Clock::now().time_since_epoch().count();
+    for (std::size_t at = 0; at < line.size();) {
+      const ssize_t count = ::write(STDOUT_FILENO, line.data() + at, line.size() - at);
+      if (count < 0 && errno != EINTR) break;  // nobody is there any more
+      if (count > 0) at += static_cast<std::size_t>(count);
+    }
+    writing_since_ = 0;
+    ++written_;
+  }
+  void flush_() override {}
+
+  std::atomic<Clock::rep> writing_since_ = 0;  // 0: not writing
+  std::atomic<std::uint64_t> written_ = 0;
+};
+
+// Standard output and the thread that writes it, shared by all logs of the process. It is never
+// destroyed: its thread may wait for a reader for ever.
+class Output {
+ public:
+  static Output& get() {
+    static Output& output = *new Output;
+    return output;
+  }
+  // False as long as nobody has logged anything.
+  static bool exists() { return exists_; }
+
+  void put(spdlog::level::level_enum level, const std::string& line) {
+    ++put_;
+    logger_->log(level, "{}", line);
+  }
+  void count_over_rate() { ++over_rate_; }
+
+  [[nodiscard]] Log::Counts counts() const {
+    return {.written = sink_->written(),
+            .overwritten = threads_->overrun_counter(),
+            .over_rate = over_rate_,
+            .blocked_s = sink_->blocked_s()};
+  }
+  [[nodiscard]] bool is_empty() const {
+    return sink_->written() + threads_->overrun_counter() >= put_;
+  }
+
+ private:
+  Output()
+      : sink_(std::make_shared<StandardOutput>()),
+        threads_(std::make_shared<spdlog::details::thread_pool>(most_waiting, 1)),
+        logger_(std::make_shared<spdlog::async_logger>(
+            "trcd", sink_, threads_, spdlog::async_overflow_policy::overrun_oldest)) {
+    logger_->set_formatter(std::make_unique<spdlog::pattern_formatter>(
+        R"({"ts":"%Y-%m-%dT%H:%M:%S.%fZ","level":"%l",%v})", spdlog::pattern_time_type::utc));
+    logger_->set_level(spdlog::level::trace);
+    exists_ = true;
+  }
+
+  static inline std::atomic<bool> exists_ = false;
+  std::shared_ptr<StandardOutput> sink_;
+  std::shared_ptr<spdlog::details::thread_pool> threads_;
+  std::shared_ptr<spdlog::async_logger> logger_;
+  std::atomic<std::uint64_t> put_ = 0;
+  std::atomic<std::uint64_t> over_rate_ = 0;
+};
+
+}  // namespace
+
 std::string json_escaped(std::string_view text) {
   std::string escaped;
   escaped.reserve(text.size());
@@ -22,9 +117,10 @@ std::string json_escaped(std::string_view text) {
     } else if (c == '"' || c == '\\') {
       escaped += '\\';
       escaped += static_cast<char>(c);
-    } else if (c < 0x20 || c == 0x7F) {
+    } else if (const std::uint32_t point = code_point(text.substr(0, length));
+               acts_on_display(point)) {
       std::array<char, 8> code{};
-      std::snprintf(code.data(), code.size(), "\\u%04x", c);
+      std::snprintf(code.data(), code.size(), "\\u%04x", point & 0xFFFFU);
       escaped += code.data();
     } else {
       escaped += text.substr(0, length);
@@ -63,22 +159,66 @@ LogLine& LogLine::number(std::string_view field, double value) {
   return *this;
 }
 
-Log::Log(std::string_view level)
-    : logger_(std::make_shared<spdlog::logger>("trcd",
-                                               std::make_shared<spdlog::sinks::stdout_sink_mt>())) {
-  logger_->set_formatter(std::make_unique<spdlog::pattern_formatter>(
-      R"({"ts":"%Y-%m-%dT%H:%M:%S.%fZ","level":"%l",%v})", spdlog::pattern_time_type::utc));
-  set_level(level);
-  logger_->flush_on(spdlog::level::info);
+bool LineRate::takes(std::string_view kind, std::chrono::steady_clock::time_point now) {
+  const std::lock_guard lock(mutex_);
+  auto found = std::find_if(kinds_.begin(), kinds_.end(),
+                            [&](const Kind& known) { return known.name == kind; });
+  if (found == kinds_.end())
+    found = kinds_.insert(found, Kind{.name = std::string(kind), .second = now});
+  if (now - found->second >= std::chrono::seconds(1)) {
+    found->second = now;
+    found->lines = 0;
+  }
+  return ++found->lines <= most_;
 }
 
-void Log::set_level(std::string_view level) const {
-  logger_->set_level(spdlog::level::from_str(std::string(level)));
+struct Log::State {
+  State(spdlog::level::level_enum first_level, std::uint32_t most_lines_per_second)
+      : level(first_level), rate(most_lines_per_second) {}
+  std::atomic<spdlog::level::level_enum> level;
+  LineRate rate;
+
+  void put(spdlog::level::level_enum line_level, const LogLine& line) noexcept {
+    if (line_level < level) return;
+    try {
+      Output& output = Output::get();
+      if (rate.takes(line.event(), std::chrono::steady_clock::now()))
+        output.put(line_level, line.str());
+      else
+        output.count_over_rate();
+    } catch (const std::exception&) {
+      // Without memory for a line there is none.
+    }
+  }
+};
+
+Log::Log(std::string_view level, std::uint32_t most_lines_per_second)
+    : state_(std::make_unique<State>(spdlog::level::from_str(std::string(level)),
+                                     most_lines_per_second)) {}
+Log::~Log() = default;
+
+void Log::set_level(std::string_view level) const noexcept {
+  state_->level = spdlog::level::from_str(std::string(level));
 }
 
-void Log::info(const LogLine& line) const { logger_->info("{}", line.str()); }
-void Log::warning(const LogLine& line) const { logger_->warn("{}", line.str()); }
-void Log::error(const LogLine& line) const { logger_->error("{}", line.str()); }
-void Log::flush() const { logger_->flush(); }
+void Log::set_most_lines_per_second(std::uint32_t most) const noexcept {
+  state_->rate.set_most(most);
+}
+
+void Log::info(const LogLine& line) const noexcept { state_->put(spdlog::level::info, line); }
+void Log::warning(const LogLine& line) const noexcept { state_->put(spdlog::level::warn, line); }
+void Log::error(const LogLine& line) const noexcept { state_->put(spdlog::level::err, line); }
+
+Log::Counts Log::counts() noexcept { return Output::exists() ? Output::get().counts() : Counts{}; }
+
+bool Log::flush(std::chrono::milliseconds longest) noexcept {
+  if (!Output::exists()) return true;
+  const auto end = std::chrono::steady_clock::now() + longest;
+  while (!Output::get().is_empty()) {
+    if (std::chrono::steady_clock::now() > end) return false;
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  return true;
+}
 
 }  // namespace trc::server

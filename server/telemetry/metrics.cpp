@@ -9,6 +9,7 @@
 #include <map>
 
 #include "core/base/version.h"
+#include "server/connections.h"
 
 namespace trc::server {
 namespace {
@@ -19,7 +20,9 @@ using prometheus::Gauge;
 using prometheus::Histogram;
 using Labels = std::map<std::string, std::string>;
 
-constexpr std::string_view service_name = "trc.v1.TrcService";
+std::string_view service_of(Method method) {
+  return method == Method::reflection ? "grpc.reflection.v1.ServerReflection" : "trc.v1.TrcService";
+}
 
 Family<Counter>& counters(prometheus::Registry& registry, const char* name, const char* help) {
   return prometheus::BuildCounter().Name(name).Help(help).Register(registry);
@@ -29,9 +32,14 @@ Gauge& gauge(prometheus::Registry& registry, const char* name, const char* help)
   return prometheus::BuildGauge().Name(name).Help(help).Register(registry).Add({});
 }
 
+// Of what is counted elsewhere.
+void set_total(Counter& counter, std::uint64_t total) {
+  counter.Increment(static_cast<double>(total) - counter.Value());
+}
+
 Labels labels_of(Method method) {
   return {{"grpc_type", std::string(kind_of(method))},
-          {"grpc_service", std::string(service_name)},
+          {"grpc_service", std::string(service_of(method))},
           {"grpc_method", std::string(name_of(method))}};
 }
 
@@ -43,10 +51,14 @@ std::string_view name_of(Method method) {
       return "CompensatePath";
     case Method::compensate_program:
       return "CompensateProgram";
+    case Method::compensate_program_once:
+      return "CompensateProgramOnce";
     case Method::preview_path:
       return "PreviewPath";
     case Method::get_server_info:
       return "GetServerInfo";
+    case Method::reflection:
+      return "ServerReflectionInfo";
   }
   return "";
 }
@@ -55,9 +67,11 @@ std::string_view kind_of(Method method) {
   switch (method) {
     case Method::compensate_path:
     case Method::compensate_program:
+    case Method::reflection:
       return "bidi_stream";
     case Method::preview_path:
       return "server_stream";
+    case Method::compensate_program_once:
     case Method::get_server_info:
       return "unary";
   }
@@ -101,14 +115,36 @@ Metrics::Metrics() : registry_(std::make_shared<prometheus::Registry>()) {
   handled_ = &counters(registry, "grpc_server_handled_total", "RPCs ended, by status.");
   errors_ = &counters(registry, "trc_errors_total", "RPCs that ended with an error, by reason.");
   streams_active_ = &gauge(registry, "trc_streams_active", "Open streams.");
-  session_memory_ =
-      &gauge(registry, "trc_session_memory_bytes", "Memory of the blocks all streams hold back.");
+  session_memory_ = &gauge(registry, "trc_session_memory_bytes", "Memory that all streams hold.");
+  resident_memory_ = &gauge(registry, "trc_resident_memory_bytes",
+                            "Resident memory of the process, without that of files.");
+  peers_active_ = &gauge(registry, "trc_peers_active", "Clients with something open, by name.");
+  evictions_ = &counters(registry, "trc_evictions_total",
+                         "Streams ended because the process came close to its memory.")
+                    .Add({});
   queue_depth_ = &gauge(registry, "trc_pool_queue_depth", "Streams that wait for a worker.");
   connections_accepted_ =
       &counters(registry, "trc_connections_accepted_total", "Connections accepted.").Add({});
   connections_refused_ = &counters(registry, "trc_connections_refused_total",
                                    "Connections closed for want of file descriptors.")
                               .Add({});
+  connections_closed_ =
+      &counters(registry, "trc_connections_closed_total", "Connections shut down for misuse.");
+  for (std::size_t i = 0; i < Connections::reason_count; ++i)
+    connections_closed_->Add(
+        {{"reason", std::string(name_of(static_cast<Connections::Reason>(i)))}});
+  longest_wait_ = &gauge(registry, "trc_pool_longest_wait_seconds",
+                         "How long the stream that waits longest has waited for a worker.");
+  threads_missed_ = &counters(registry, "trc_pool_threads_missed_total",
+                              "Threads the system refused: a long turn kept its worker.")
+                         .Add({});
+  auto& log_dropped = counters(registry, "trc_log_lines_dropped_total",
+                               "Log lines dropped: as nobody read them, or more than a second may "
+                               "have of a kind.");
+  log_overwritten_ = &log_dropped.Add({{"cause", "unread"}});
+  log_over_rate_ = &log_dropped.Add({{"cause", "rate"}});
+  log_blocked_ = &gauge(registry, "trc_log_blocked_seconds",
+                        "How long whoever reads the log has taken nothing.");
   certificate_expiry_ = &prometheus::BuildGauge()
                              .Name("trc_tls_certificate_expiry_timestamp_seconds")
                              .Help("When the certificate in use expires.")
@@ -125,12 +161,16 @@ Metrics::Metrics() : registry_(std::make_shared<prometheus::Registry>()) {
 
 Metrics::~Metrics() = default;
 
-void Metrics::set_limits(std::uint64_t streams, std::uint64_t session_memory_bytes) {
+void Metrics::count_eviction() { evictions_->Increment(); }
+
+void Metrics::set_limits(std::uint64_t streams, std::uint64_t session_memory_bytes,
+                         std::uint64_t process_memory_bytes) {
   gauge(*registry_, "trc_streams_limit", "Open streams there may be.")
       .Set(static_cast<double>(streams));
-  gauge(*registry_, "trc_session_memory_limit_bytes",
-        "Memory the blocks all streams hold back may take.")
+  gauge(*registry_, "trc_session_memory_limit_bytes", "Memory that all streams may hold.")
       .Set(static_cast<double>(session_memory_bytes));
+  gauge(*registry_, "trc_memory_limit_bytes", "Memory the process may have.")
+      .Set(static_cast<double>(process_memory_bytes));
 }
 
 void Metrics::count_handled(Method method, std::string_view grpc_code) {
@@ -144,8 +184,23 @@ void Metrics::count_error(std::string_view reason) {
 }
 
 void Metrics::set_connections(std::uint64_t accepted, std::uint64_t refused) {
-  connections_accepted_->Increment(static_cast<double>(accepted) - connections_accepted_->Value());
-  connections_refused_->Increment(static_cast<double>(refused) - connections_refused_->Value());
+  set_total(*connections_accepted_, accepted);
+  set_total(*connections_refused_, refused);
+}
+
+void Metrics::set_pool(double longest_wait_s, std::uint64_t threads_missed) {
+  longest_wait_->Set(longest_wait_s);
+  set_total(*threads_missed_, threads_missed);
+}
+
+void Metrics::set_log(const Log::Counts& counts) {
+  set_total(*log_overwritten_, counts.overwritten);
+  set_total(*log_over_rate_, counts.over_rate);
+  log_blocked_->Set(counts.blocked_s);
+}
+
+void Metrics::count_connection_closed(std::string_view reason) {
+  connections_closed_->Add({{"reason", std::string(reason)}}).Increment();
 }
 
 void Metrics::set_certificate_expiry(std::int64_t expires_s) {

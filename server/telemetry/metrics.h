@@ -7,6 +7,8 @@
 #include <string>
 #include <string_view>
 
+#include "server/telemetry/log.h"
+
 namespace prometheus {
 class Registry;
 template <class Metric>
@@ -18,8 +20,15 @@ class Histogram;
 
 namespace trc::server {
 
-enum class Method { compensate_path, compensate_program, preview_path, get_server_info };
-inline constexpr std::size_t method_count = 4;
+enum class Method {
+  compensate_path,
+  compensate_program,
+  compensate_program_once,
+  preview_path,
+  get_server_info,
+  reflection
+};
+inline constexpr std::size_t method_count = 6;
 
 // "CompensatePath", as in the proto.
 std::string_view name_of(Method method);
@@ -52,12 +61,22 @@ class Metrics {
   [[nodiscard]] prometheus::Gauge& streams_active() { return *streams_active_; }
   [[nodiscard]] prometheus::Gauge& session_memory() { return *session_memory_; }
   [[nodiscard]] prometheus::Gauge& queue_depth() { return *queue_depth_; }
+  [[nodiscard]] prometheus::Gauge& peers_active() { return *peers_active_; }
+  [[nodiscard]] prometheus::Gauge& resident_memory() { return *resident_memory_; }
+  // A stream was ended because the process came close to its memory.
+  void count_eviction();
 
   // Once: what the gauges of streams and memory may rise to.
-  void set_limits(std::uint64_t streams, std::uint64_t session_memory_bytes);
+  void set_limits(std::uint64_t streams, std::uint64_t session_memory_bytes,
+                  std::uint64_t process_memory_bytes);
 
   // Totals that are counted elsewhere.
   void set_connections(std::uint64_t accepted, std::uint64_t refused);
+  // How long the oldest turn has waited, s, and threads the system has refused.
+  void set_pool(double longest_wait_s, std::uint64_t threads_missed);
+  void set_log(const Log::Counts& counts);
+  // "early_cancels", "overhead" or "calls".
+  void count_connection_closed(std::string_view reason);
   // Seconds since 1970.
   void set_certificate_expiry(std::int64_t expires_s);
   // "taken" or "refused".
@@ -74,8 +93,17 @@ class Metrics {
   prometheus::Gauge* streams_active_ = nullptr;
   prometheus::Gauge* session_memory_ = nullptr;
   prometheus::Gauge* queue_depth_ = nullptr;
+  prometheus::Gauge* peers_active_ = nullptr;
+  prometheus::Gauge* resident_memory_ = nullptr;
+  prometheus::Counter* evictions_ = nullptr;
   prometheus::Counter* connections_accepted_ = nullptr;
   prometheus::Counter* connections_refused_ = nullptr;
+  prometheus::Family<prometheus::Counter>* connections_closed_ = nullptr;
+  prometheus::Gauge* longest_wait_ = nullptr;
+  prometheus::Counter* threads_missed_ = nullptr;
+  prometheus::Counter* log_overwritten_ = nullptr;
+  prometheus::Counter* log_over_rate_ = nullptr;
+  prometheus::Gauge* log_blocked_ = nullptr;
   prometheus::Family<prometheus::Gauge>* certificate_expiry_ = nullptr;
   prometheus::Family<prometheus::Counter>* certificate_reloads_ = nullptr;
 };

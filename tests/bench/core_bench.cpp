@@ -6,7 +6,7 @@
 #include "core/trc/compensator.h"
 #include "core/trc/loops/loop_removal.h"
 #include "core/trc/pass.h"
-#include "core/trc/passes/clearance.h"
+#include "core/trc/passes/bottlenecks.h"
 #include "core/trc/passes/contour_masking.h"
 #include "core/trc/passes/contour_violations.h"
 #include "core/trc/passes/convert_circles.h"
@@ -69,7 +69,7 @@ class Passes {
     timed([&] { return advance(transitions_, path_, Input::more, checkpoint_); });
     timed([&] { return advance(loop_removal_, path_, Input::more, checkpoint_); });
     timed([&] { return apply(contour_violations_, path_.blocks); });
-    timed([&] { return advance(clearance_, path_, Input::more, checkpoint_); });
+    timed([&] { return advance(bottlenecks_, path_, Input::more, checkpoint_); });
     timed([&] { return advance(split_, path_, Input::more, checkpoint_); });
     timed([&] {
       out_.clear();
@@ -97,14 +97,11 @@ class Passes {
   Offset offset_{setup().tolerances, diagnostics_};
   selection::InsideCorner inside_corner_{setup().limits.selection_blocks, setup().tolerances,
                                          diagnostics_, checkpoint_};
-  ContourMasking contour_masking_{0, setup().limits.selection_blocks, setup().tolerances,
-                                  diagnostics_, checkpoint_};
+  ContourMasking contour_masking_{setup(), diagnostics_, checkpoint_};
   Transitions transitions_{setup().tolerances, diagnostics_};
-  LoopRemoval loop_removal_{0, setup().limits.selection_blocks, setup().tolerances, diagnostics_,
-                            checkpoint_};
+  LoopRemoval loop_removal_{setup(), diagnostics_, checkpoint_};
   ContourViolations contour_violations_{setup().tolerances, diagnostics_};
-  Clearance clearance_{
-      false, 0, setup().limits.selection_blocks, setup().tolerances, diagnostics_, checkpoint_};
+  Bottlenecks bottlenecks_{setup(), diagnostics_, checkpoint_};
   selection::Split split_;
   Reporting reporting_{setup(), diagnostics_};
 

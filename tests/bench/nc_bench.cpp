@@ -36,7 +36,12 @@ void words(benchmark::State& state) {
 // Text and blocks of a lap, read again and again.
 class Reading {
  public:
-  Reading() { require(interpreter_.feed(part().prologue, lines)); }
+  explicit Reading(DialectName dialect = DialectName::isg)
+      : state_(setup_of(dialect), {}, diagnostics_, blocks),
+        interpreter_({}, state_, diagnostics_) {
+    require(
+        interpreter_.feed(dialect == DialectName::isg ? part().prologue : plain_prologue, lines));
+  }
 
   void forget() {
     for (LinePointer& line : lines) interpreter_.recycle(std::move(line));
@@ -53,12 +58,21 @@ class Reading {
   std::vector<LinePointer> lines;
 
  private:
-  ProgramState state_{{}, {}, diagnostics_, blocks};
-  Interpreter interpreter_{{}, state_, diagnostics_};
+  // Of the dialects that know no words of ISG.
+  static constexpr std::string_view plain_prologue = "G0 X0 Y0\nG1 F600\nG41 D1 X1 Y0\n";
+  static ProgramSetup setup_of(DialectName dialect) {
+    ProgramSetup setup;
+    setup.dialect = dialect;
+    setup.mode.tool_radius = 1;
+    return setup;
+  }
+
+  ProgramState state_;
+  Interpreter interpreter_;
 };
 
-void reading(benchmark::State& state) {
-  Reading reading;
+void reading_as(benchmark::State& state, DialectName dialect) {
+  Reading reading(dialect);
   run_timed(
       state, Part::blocks_per_lap, [] {},
       [&] {
@@ -152,7 +166,12 @@ void program(benchmark::State& state, bool nc_text) {
 
 const bool registered = [] {
   add("nc: words", words);
-  add("nc: reading", reading);
+  add("nc: reading", [](benchmark::State& state) { reading_as(state, DialectName::isg); });
+  add("nc: reading, fanuc", [](benchmark::State& state) { reading_as(state, DialectName::fanuc); });
+  add("nc: reading, linuxcnc",
+      [](benchmark::State& state) { reading_as(state, DialectName::linuxcnc); });
+  add("nc: reading, sinumerik",
+      [](benchmark::State& state) { reading_as(state, DialectName::sinumerik); });
   add("nc: writing", writing);
   add("nc: motion words", motions);
   add("nc: text to blocks", [](benchmark::State& state) { program(state, false); });

@@ -101,6 +101,18 @@ TEST(Svg, HasOneScaleForBothAxes) {
   EXPECT_EQ(down[0], across[2]);
 }
 
+TEST(Svg, DrawsLeadsThinner) {
+  const std::vector<Block> contour{motion(10, Line{{-20, -20}, {-10, -10}}, mode(Side::left)),
+                                   motion(20, Line{{-10, -10}, {0, 0}}, mode(Side::left)),
+                                   motion(30, Line{{0, 0}, {0, 50}}, mode(Side::left)),
+                                   motion(40, Line{{0, 50}, {50, 0}}, mode(Side::left)),
+                                   motion(50, Line{{50, 0}, {0, 0}}, mode(Side::left)),
+                                   motion(60, Line{{0, 0}, {-10, 10}}, mode(Side::left))};
+  const std::string svg = svg_of(contour, {});
+  EXPECT_EQ(paths_in(group(svg, "lead")).size(), 2u);
+  EXPECT_EQ(paths_in(group(svg, "programmed")).size(), 4u);
+}
+
 TEST(Svg, DrawsContourBlackPathBlueAndTransitionLighter) {
   const std::string svg = svg_of(corner_contour, corner_path);
   EXPECT_NE(group(svg, "programmed").find("stroke=\"black\""), std::string::npos);
@@ -257,6 +269,105 @@ TEST(Svg, ShowsWhyAndWhereAProgramWasRefused) {
   const auto at_fault = numbers_in(paths_in(group(svg, "programmed")).at(2));
   EXPECT_NEAR(std::stod(place[1]), at_fault[0], 2e-3);
   EXPECT_NEAR(std::stod(place[2]), (at_fault[1] + at_fault[3]) / 2, 2e-3);
+}
+
+// R 10: the notch (50,0) (53,-8) (56,0) has its bottom raised to (53,-2), so that the path
+// runs beside the new sides.
+TEST(Svg, ShowsTheMovedPointOfAKerfAndWhatWasProgrammed) {
+  const std::vector<Block> programmed{
+      motion(10, Line{{50, 0}, {53, -8}}, mode(Side::left)),
+      motion(20, Line{{53, -8}, {56, 0}}, mode(Side::left)),
+  };
+  const auto beside = [](const Point& start, const Point& end) {
+    const Vector shift = 10 * left_of((end - start).normalized());
+    return Line{.start = start + shift, .end = end + shift};
+  };
+  const std::vector<CompensatedBlock> path{
+      compensated(10, Origin::kerf, beside({50, 0}, {53, -2})),
+      compensated(20, Origin::kerf, beside({53, -2}, {56, 0})),
+  };
+  const Picture picture = compose({.programmed = programmed, .path = path});
+  std::vector<Point> corners;
+  for (const Stroke& stroke : picture.strokes)
+    if (stroke.layer == Layer::programmed) corners.push_back(end_of(stroke.segments.at(0)));
+  ASSERT_EQ(corners.size(), 2U);
+  EXPECT_LT((corners[0] - Point(53, -2)).norm(), 1e-9);
+  EXPECT_LT((corners[1] - Point(56, 0)).norm(), 1e-9);
+  const std::string replaced = group(svg_of(programmed, path), "replaced");
+  EXPECT_EQ(paths_in(replaced).size(), 2U);
+  EXPECT_NE(replaced.find("stroke=\"red\""), std::string::npos);
+  EXPECT_NE(replaced.find("stroke-dasharray"), std::string::npos);
+}
+
+// The tool stands still in the raised notch: both sides touch it.
+TEST(Picture, FindsTheMovedPointOfAKerfThatLeavesNoPath) {
+  const std::vector<Block> programmed{
+      motion(10, Line{{-5, 0}, {0, -20}}, mode(Side::left)),
+      motion(20, Line{{0, -20}, {5, 0}}, mode(Side::left)),
+  };
+  const Point bottom(0, -2);
+  // R 10 above the sides from (-5,0) and (5,0) to the bottom.
+  const double slope = std::atan2(2, 5);
+  const Point tool(0, -2 + 10 / std::cos(slope));
+  const std::vector<CompensatedBlock> path{
+      compensated(10, Origin::kerf, Line{tool, tool}),
+      compensated(20, Origin::kerf, Line{tool, tool}),
+  };
+  const Picture picture = compose({.programmed = programmed, .path = path});
+  std::vector<Line> sides;
+  for (const Stroke& stroke : picture.strokes)
+    if (stroke.layer == Layer::programmed) sides.push_back(std::get<Line>(stroke.segments.at(0)));
+  ASSERT_EQ(sides.size(), 2U);
+  EXPECT_LT((sides[0].end - bottom).norm(), 1e-9);
+  EXPECT_EQ(sides[0].end, sides[1].start);
+}
+
+TEST(Svg, ShowsTheChordOfAConvertedCircle) {
+  const std::vector<Block> programmed{
+      motion(10, Arc{{0, 0}, {2, 2}, {0, 2}, pi / 2}, mode(Side::left))};
+  const Vector shift = 10 * left_of(Vector(1, 1).normalized());
+  const std::vector<CompensatedBlock> path{
+      compensated(10, Origin::converted_circle, Line{Point(shift), Point(shift + Vector(2, 2))})};
+  const Picture picture = compose({.programmed = programmed, .path = path});
+  ASSERT_EQ(picture.strokes.size(), 3U);
+  EXPECT_EQ(picture.strokes[0].layer, Layer::programmed);
+  EXPECT_EQ(std::get<Line>(picture.strokes[0].segments.at(0)), (Line{{0, 0}, {2, 2}}));
+  EXPECT_EQ(picture.strokes[1].layer, Layer::replaced);
+  EXPECT_TRUE(is_arc(picture.strokes[1].segments.at(0)));
+}
+
+TEST(Picture, ShowsWhatIsInsertedAtTheApproachAsATransition) {
+  const std::vector<Block> programmed{motion(10, Line{{0, 0}, {50, 0}}, mode(Side::left))};
+  const std::vector<CompensatedBlock> path{
+      compensated(10, Origin::approach, Line{{0, 0}, {40, 0}}),
+      compensated(10, Origin::approach, Arc{{40, 0}, {50, 10}, {50, 0}, -pi / 2}),
+      compensated(20, Origin::retract, Arc{{90, 10}, {100, 0}, {90, 0}, -pi / 2}),
+      compensated(30, Origin::retract, Line{{100, 0}, {100, -20}}),
+      compensated(40, Origin::approach, Line{{0, 0}, {25, 0}}),
+      compensated(40, Origin::approach, Line{{25, 0}, {30, 0}}),
+  };
+  const Picture picture = compose({.programmed = programmed, .path = path});
+  std::size_t inserted = 0;
+  for (const Stroke& stroke : picture.strokes) inserted += stroke.layer == Layer::transition;
+  EXPECT_EQ(inserted, 2U);
+}
+
+TEST(Svg, MarksWarningsAtTheirPlace) {
+  Diagnostic warning = diagnostic(Code::side_changed_at_corner, source(20));
+  warning.point = DiagnosticPoint{.x = 100, .y = 0};
+  const std::string svg = svg_of(corner_contour, {}, {}, {warning});
+  EXPECT_EQ(paths_in(group(svg, "warning")).size(), 1U);
+  EXPECT_NE(group(svg, "warning").find("gold"), std::string::npos);
+  EXPECT_NE(svg.find("warning 900217 in line 3 (N20)"), std::string::npos);
+}
+
+TEST(Picture, DrawsTheToolAtTheFault) {
+  Diagnostic error = diagnostic(Code::line_reversed, source(20));
+  error.point = DiagnosticPoint{.x = 100, .y = 10};
+  const std::vector<Diagnostic> found{error};
+  const Picture picture = compose({.programmed = corner_contour, .diagnostics = found});
+  ASSERT_TRUE(picture.fault);
+  EXPECT_EQ(picture.fault->tool_radius, 10);
 }
 
 TEST(Svg, WritesBlockNumbersOnDemandOnly) {

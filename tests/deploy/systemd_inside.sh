@@ -75,7 +75,7 @@ systemctl reload trcd
 has_reloaded() { journal | grep '"event":"reloaded"' | grep -c debug; }
 wait_until 10 has_reloaded || fail "not reloaded"
 sed -i '$d' /etc/trcd/trcd.toml
-sed -i '$a max-streams = 0' /etc/trcd/trcd.toml
+sed -i '$a max-streams = -1' /etc/trcd/trcd.toml
 systemctl reload trcd
 has_refused() { journal | grep -c reload_refused; }
 wait_until 10 has_refused || fail "took a configuration with a fault"

@@ -32,13 +32,14 @@ using testing_support::ServerProcess;
 
 // A certificate that is its own authority, made for one test.
 struct MadeCertificate {
-  MadeCertificate(const Folder& folder, const std::string& name) {
+  MadeCertificate(const Folder& folder, const std::string& name,
+                  const std::string& alternative_names = "IP:127.0.0.1,DNS:localhost") {
     const std::string cert_file = folder.path(name + ".pem");
     const std::string key_file = folder.path(name + ".key");
     const auto made = testing_support::run(
         {"/usr/bin/openssl", "req", "-x509", "-newkey", "ec", "-pkeyopt", "ec_paramgen_curve:P-256",
          "-nodes", "-days", "2", "-subj", "/CN=" + name, "-addext",
-         "subjectAltName=IP:127.0.0.1,DNS:localhost", "-keyout", key_file, "-out", cert_file});
+         "subjectAltName=" + alternative_names, "-keyout", key_file, "-out", cert_file});
     EXPECT_EQ(made.code, 0) << made.err;
     cert = content_of(cert_file);
     key = content_of(key_file);
@@ -56,6 +57,31 @@ std::shared_ptr<grpc::Channel> secure_channel(const std::string& address,
 
 Answer call(const std::shared_ptr<grpc::Channel>& channel) {
   return server::run_program(channel, {}, server::g239_program);
+}
+
+// A certificate another one has signed, with the dates it is good on.
+std::string signed_certificate(const Folder& folder, const std::string& name,
+                               const std::string& authority, const std::string& begin,
+                               const std::string& end) {
+  const auto command = [](const std::vector<std::string>& words) {
+    const auto made = testing_support::run(words);
+    EXPECT_EQ(made.code, 0) << made.err;
+  };
+  const std::string request = folder.path(name + ".csr");
+  const std::string cert = folder.path(name + ".pem");
+  command({"/usr/bin/openssl", "req", "-newkey", "ec", "-pkeyopt", "ec_paramgen_curve:P-256",
+           "-nodes", "-subj", "/CN=" + name, "-keyout", folder.path(name + ".key"), "-out",
+           request});
+  folder.write("index.txt", "");
+  const std::string config = folder.write(
+      "ca.cnf", "[ca]\ndefault_ca=x\n[x]\ndatabase=" + folder.path("index.txt") +
+                    "\nnew_certs_dir=" + folder.path("") +
+                    "\nrand_serial=yes\ndefault_md=sha256\npolicy=p\nx509_extensions=e\n[p]\n"
+                    "commonName=supplied\n[e]\nsubjectAltName=IP:127.0.0.1\n");
+  command({"/usr/bin/openssl", "ca", "-batch", "-notext", "-config", config, "-in", request,
+           "-cert", folder.path(authority + ".pem"), "-keyfile", folder.path(authority + ".key"),
+           "-startdate", begin, "-enddate", end, "-out", cert});
+  return content_of(cert);
 }
 
 // The pair of files the server reads, replaced as one would on a running machine.
@@ -152,6 +178,69 @@ TEST(Certificates, PairThatDoesNotMatchLeavesTheOldOne) {
   EXPECT_EQ(server.log().find("PRIVATE"), std::string::npos);
 }
 
+TEST(Certificates, ThatWouldBreakNewConnectionsLeaveTheOldOne) {
+  const Folder folder;
+  const MadeCertificate first(folder, "first");
+  const MadeCertificate second(folder, "second");
+  const std::string expired =
+      signed_certificate(folder, "expired", "second", "20200101000000Z", "20200201000000Z");
+  const std::string expired_key = content_of(folder.path("expired.key"));
+  const std::string later =
+      signed_certificate(folder, "later", "second", "20990101000000Z", "20990201000000Z");
+  const std::string later_key = content_of(folder.path("later.key"));
+  const std::string good =
+      signed_certificate(folder, "good", "second", "20200101000000Z", "20990201000000Z");
+  const std::string good_key = content_of(folder.path("good.key"));
+  const Pair pair(folder);
+  pair.put(first.cert, first.key);
+  ServerProcess server(pair.flags());
+  grpc::SslCredentialsOptions trusting;
+  trusting.pem_root_certs = first.cert + second.cert;
+
+  const std::string torn = second.cert.substr(0, second.cert.size() / 2);
+  struct Case {
+    std::string cert;
+    std::string key;
+    std::string reason;
+  };
+  for (const auto& [cert, key, reason] :
+       {Case{expired, expired_key, "has expired on 2020-02-01T00:00:00Z"},
+        Case{later, later_key, "is not good before 2099-01-01T00:00:00Z"},
+        Case{good + expired, good_key, "has not signed the one before it"},
+        Case{good + torn, good_key, "holds a block that is no certificate, number 2"}}) {
+    SCOPED_TRACE(reason);
+    pair.put(cert, key);
+    server.signal(SIGHUP);
+    EXPECT_TRUE(eventually([&] { return has_line(server, reason); }));
+    EXPECT_TRUE(call(secure_channel(server.address(), trusting)).status.ok());
+  }
+  EXPECT_NE(http_get(server.admin(), "/metrics")
+                .find("trc_tls_certificate_reloads_total{result=\"refused\"} 4"),
+            std::string::npos);
+  pair.put(good + second.cert, good_key);
+  server.signal(SIGHUP);
+  EXPECT_TRUE(eventually([&] { return has_line(server, "certificate_taken"); }));
+  EXPECT_TRUE(call(secure_channel(server.address(), trusting)).status.ok());
+}
+
+TEST(Certificates, AuthoritiesAreReadToTheLastOne) {
+  const Folder folder;
+  const MadeCertificate own(folder, "own");
+  const Pair pair(folder);
+  pair.put(own.cert, own.key);
+  std::vector<std::string> command{TRCD_PROGRAM};
+  for (const std::string& flag : pair.flags()) command.push_back(flag);
+  command.insert(command.end(),
+                 {"--tls-client-ca-file",
+                  folder.write("clients.pem", own.cert + "-----BEGIN CERTIFICATE-----\nAAAA\n"
+                                                         "-----END CERTIFICATE-----\n")});
+  const auto ended = testing_support::run(command);
+  EXPECT_EQ(ended.code, 2);
+  EXPECT_NE(ended.err.find("clients.pem' holds a block that is no certificate, number 2"),
+            std::string::npos)
+      << ended.err;
+}
+
 TEST(Certificates, ExpiryIsAMetric) {
   const Folder folder;
   const MadeCertificate first(folder, "first");
@@ -196,6 +285,32 @@ TEST(Certificates, OnlyNamedClientsAreServed) {
   v1::GetServerInfoResponse info;
   EXPECT_EQ(v1::TrcService::NewStub(as(other))->GetServerInfo(&context, {}, &info).error_code(),
             grpc::PERMISSION_DENIED);
+}
+
+// A URI may read like the name of somebody else's machine.
+TEST(Certificates, NameThatIsAUriIsNoName) {
+  const Folder folder;
+  const MadeCertificate own(folder, "own");
+  const MadeCertificate plain(folder, "stranger", "URI:mill-7");
+  const MadeCertificate named(folder, "another", "URI:spiffe://plant/mill-7");
+  const MadeCertificate host(folder, "third", "DNS:mill-7");
+  const Pair pair(folder);
+  pair.put(own.cert, own.key);
+  const auto served = [&](const MadeCertificate& client, const std::string& allowed) {
+    std::vector<std::string> flags = pair.flags();
+    flags.insert(flags.end(), {"--tls-client-ca-file", folder.write("clients.pem", client.cert),
+                               "--tls-allowed-clients", allowed});
+    const ServerProcess server(flags);
+    grpc::SslCredentialsOptions files;
+    files.pem_root_certs = own.cert;
+    files.pem_cert_chain = client.cert;
+    files.pem_private_key = client.key;
+    return call(secure_channel(server.address(), files)).status.error_code();
+  };
+  EXPECT_EQ(served(plain, "mill-7"), grpc::PERMISSION_DENIED);
+  EXPECT_EQ(served(named, "mill-7"), grpc::PERMISSION_DENIED);
+  EXPECT_EQ(served(named, "spiffe://plant/mill-7"), grpc::OK);
+  EXPECT_EQ(served(host, "mill-7"), grpc::OK);
 }
 
 TEST(Certificates, ThatCannotBeUsedIsSaidBeforeAPortOpens) {

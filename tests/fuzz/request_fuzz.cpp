@@ -92,7 +92,9 @@ template <class Rpc>
 Answers<Rpc> play(std::span<const typename Rpc::Request> requests) {
   server::CallRecord record(backend().telemetry, Rpc::method, "fuzz", {});
   const std::atomic<bool> cancelled = false;
-  typename Rpc::Work work({backend(), record, cancelled});
+  const auto peer = backend().peers.of("fuzz");
+  server::StreamAccount account(backend(), *peer);
+  typename Rpc::Work work({backend(), record, cancelled, account});
   Answers<Rpc> answers;
   typename Rpc::Response response;
   // Whether the stream goes on.

@@ -48,7 +48,10 @@ TEST(BadPrograms, EveryCodeOfTextAndProgramIsRaisedByOne) {
     const std::string text{std::istreambuf_iterator<char>(file), {}};
     const Expectation expected = expectation_of(text);
     EXPECT_NE(expected.code, 0) << entry.path() << " does not say what to expect";
-    for (const Diagnostic& reported : read(text).diagnostics)
+    ProgramSetup setup;
+    if (text.find("; setup: dialect fanuc\n") != std::string::npos)
+      setup.dialect = DialectName::fanuc;
+    for (const Diagnostic& reported : read(text, setup).diagnostics)
       if (static_cast<int>(reported.code) == expected.code && reported.source.line == expected.line)
         raised.insert(expected.code);
   }

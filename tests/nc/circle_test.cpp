@@ -111,8 +111,16 @@ TEST(CircleCentreCorrection, MakesBothRadiiEqualAndMovesByTheNamedShift) {
     const CircleResult result = about(center, start, end, i % 2 == 0);
     if (const CircleFault* fault = std::get_if<CircleFault>(&result)) {
       EXPECT_EQ(fault->code, Code::circle_center_misfit);
-      EXPECT_GT(value_of(result, "center_shift"), 2);
-      EXPECT_GT(value_of(result, "center_shift"), 0.05 * value_of(result, "corrected_radius"));
+      const double smallest =
+          std::min({value_of(result, "start_radius"), value_of(result, "end_radius"),
+                    value_of(result, "corrected_radius")});
+      const double shift = value_of(result, "center_shift");
+      if (smallest < 20) {
+        EXPECT_GT(shift, 0.05 * smallest);
+      } else {
+        EXPECT_GT(shift, 2);
+        EXPECT_GT(shift, 0.05 * value_of(result, "corrected_radius"));
+      }
       continue;
     }
     ++corrected;
@@ -139,13 +147,24 @@ TEST(CircleCentreCorrection, RefusesTheMisfitOfTheWorkedExample) {
   EXPECT_NEAR(value_of(result, "end_radius"), 58.31, 5e-3);
 }
 
-TEST(CircleCentreCorrection, RefusesOnlyBeyondBothLimits) {
+TEST(CircleCentreCorrection, RefusesOnlyBeyondBothLimitsFromTwentyMillimetresOn) {
   // Radius 100: a shift of 4 is more than 2 mm but less than 5 %.
   EXPECT_EQ(code_of(about({4, -60}, {-80, 0}, {80, 0}, true)), Code{});
-  // Radius 10: a shift of 1.5 is more than 5 % but less than 2 mm.
-  EXPECT_EQ(code_of(about({1.5, -6}, {-8, 0}, {8, 0}, true)), Code{});
-  // Radius 10: a shift of 2.5 is more than either.
-  EXPECT_EQ(code_of(about({2.5, -6}, {-8, 0}, {8, 0}, true)), Code::circle_center_misfit);
+  // Radius 30: a shift of 1.8 is more than 5 % but less than 2 mm.
+  EXPECT_EQ(code_of(about({1.8, -18}, {-24, 0}, {24, 0}, true)), Code{});
+  // Radius 30: a shift of 2.5 is more than either.
+  EXPECT_EQ(code_of(about({2.5, -18}, {-24, 0}, {24, 0}, true)), Code::circle_center_misfit);
+}
+
+TEST(CircleCentreCorrection, AllowsFivePercentOfSmallArcs) {
+  EXPECT_EQ(code_of(about({0.4, -6}, {-8, 0}, {8, 0}, true)), Code{});
+  const CircleResult refused = about({1.5, -6}, {-8, 0}, {8, 0}, true);
+  EXPECT_EQ(code_of(refused), Code::circle_center_misfit);
+  EXPECT_NEAR(value_of(refused, "largest_shift"), 0.05 * std::hypot(6.5, 6), 1e-9);
+  // The programmed radius counts: an arc of 1 mm is no arc of 5 mm.
+  EXPECT_EQ(code_of(about({0.9, 0}, {0, 0}, {5, 5}, true)), Code::circle_center_misfit);
+  // Three decimals of the smallest arcs.
+  EXPECT_EQ(code_of(about({0.0104, 0}, {0, 0}, {0.02, 0}, true)), Code{});
 }
 
 TEST(CircleWithoutCorrection, RefusesRadiiThatDifferTooMuch) {

@@ -243,7 +243,9 @@ TEST(Dialect, DWordsTakeTheRadiusOfTheToolTable) {
   const Reading negative = read("D2\nG41 X1", setup);
   EXPECT_EQ(negative.last_motion().mode->tool_radius, 3);
   EXPECT_EQ(negative.last_motion().mode->side, Side::right);
-  EXPECT_EQ(read("D1\nD0\nG41 X1", setup).last_motion().mode->tool_radius, 0);
+  const Reading none = read("D1\nD0\nG41 X1", setup);
+  ASSERT_FALSE(none.diagnostics.empty());
+  EXPECT_EQ(none.diagnostics.back().code, Code::no_tool_radius);
 }
 
 TEST(Dialect, ZeroShiftsPassWhileTrcIsOff) {

@@ -11,7 +11,11 @@ namespace {
 
 class Program : public ::testing::Test {
  protected:
-  ProgramState make(const ProgramSetup& setup = {}) {
+  ProgramState make(ProgramSetup setup = {}) {
+    if (setup.mode.tool_radius == 0 && !setup.tool_radius_given) setup.mode.tool_radius = 1;
+    return ProgramState(setup, {}, diagnostics_, blocks_);
+  }
+  ProgramState make_without_radius(const ProgramSetup& setup = {}) {
     return ProgramState(setup, {}, diagnostics_, blocks_);
   }
   static Source at(std::int64_t number) { return {.number = number}; }
@@ -286,19 +290,150 @@ TEST_F(Program, AnAbsoluteCentreThatIsHalfProgrammedTakesTheStartForTheRest) {
   EXPECT_EQ(std::get<Arc>(motion().path).center, Point(30, 5));
 }
 
-TEST_F(Program, AfterAShiftThePlaneAxesMustBeProgrammed) {
+TEST_F(Program, AfterAShiftStraightMotionsGoOnWhileTrcIsOff) {
   ProgramState state = make();
-  state.forget_position();
-  EXPECT_FALSE(state.move({.end = {5.0, std::nullopt, std::nullopt}}));
+  state.forget_position({true, true, true}, {.index = 3, .number = 7, .line = 4});
+  EXPECT_TRUE(state.move({.end = {5.0, std::nullopt, std::nullopt}}));
+  state.select(Side::left, at(1));
+  EXPECT_FALSE(state.move(line(20, 20)));
   EXPECT_EQ(code(), Code::position_unknown);
-  EXPECT_EQ(diagnostics_.pending().back().detail, "Y");
+  EXPECT_EQ(diagnostics_.pending().back().detail, "Y, unknown since the change in line 4 (N7)");
+}
+
+TEST_F(Program, AShiftOfOneAxisLeavesTheOthersKnown) {
+  ProgramState state = make();
+  state.forget_position({false, false, true}, at(7));
+  state.select(Side::left, at(1));
+  EXPECT_TRUE(state.move(line(20, 20)));
+  EXPECT_EQ(code(), Code{});
+}
+
+TEST_F(Program, ASelectionNeedsARadiusWithItsFirstMotion) {
+  ProgramState state = make_without_radius();
+  EXPECT_TRUE(state.select(Side::left, at(40)));
+  EXPECT_TRUE(state.pass(at(45), "M8"));
+  EXPECT_TRUE(state.move({.end = {std::nullopt, std::nullopt, -5.0}}));
+  EXPECT_FALSE(state.move(line(10, 0)));
+  EXPECT_EQ(code(), Code::no_tool_radius);
+  EXPECT_NE(diagnostics_.pending().back().detail.find("N40"), std::string::npos);
+}
+
+TEST_F(Program, ARadiusBehindG41IsGivenInTime) {
+  ProgramState state = make_without_radius();
+  state.select(Side::left, at(40));
+  state.set_tool_radius(3, at(50));
+  EXPECT_TRUE(state.move(line(10, 0)));
+  EXPECT_EQ(motion().mode->tool_radius, 3);
+}
+
+TEST_F(Program, ARadiusOfZeroIsToldOnceUntilAnotherOneIsGiven) {
+  ProgramState state = make_without_radius({.tool_radius_given = true});
+  const auto count = [&] { return diagnostics_.pending().size(); };
+  for (const int selection : {1, 2}) {
+    state.select(Side::left, at(selection));
+    EXPECT_TRUE(state.move({.end = {10.0, std::nullopt, std::nullopt}, .incremental = true}));
+    EXPECT_TRUE(state.move({.end = {10.0, std::nullopt, std::nullopt}, .incremental = true}));
+    state.deselect(at(selection));
+    EXPECT_TRUE(state.move({.end = {10.0, std::nullopt, std::nullopt}, .incremental = true}));
+  }
+  EXPECT_EQ(code(), Code::tool_radius_zero);
+  EXPECT_EQ(count(), 1U);
+  state.set_tool_radius(2, at(3));
+  state.select(Side::left, at(4));
+  EXPECT_TRUE(state.move({.end = {10.0, std::nullopt, std::nullopt}, .incremental = true}));
+  EXPECT_EQ(count(), 1U);
+  EXPECT_TRUE(state.set_tool_radius(0, at(5)));
+  EXPECT_EQ(count(), 2U);
+}
+
+TEST_F(Program, ATWordGivesItsRadiusWithM06) {
+  ProgramState state = make_without_radius({.tools = {{1, 4.0}, {2, 6.0}}});
+  state.prepare_tool(1);
+  EXPECT_TRUE(state.load_tool(at(1)));
+  state.prepare_tool(2);
+  EXPECT_EQ(state.mode().tool_radius, 4);
+  EXPECT_TRUE(state.load_tool(at(2)));
+  EXPECT_EQ(state.mode().tool_radius, 6);
+}
+
+TEST_F(Program, ATWordAloneActsInAProgramWithoutM06) {
+  ProgramState state = make_without_radius({.tools = {{2, 6.0}}});
+  state.prepare_tool(2);
+  state.select(Side::left, at(1));
+  EXPECT_TRUE(state.move(line(10, 0)));
+  EXPECT_EQ(motion().mode->tool_radius, 6);
+}
+
+TEST_F(Program, TheRadiusOfTheProgramIsNotThatOfTheToolInTheSpindle) {
+  ProgramState state = make_without_radius({.tools = {{1, 4.0}, {2, 6.0}}});
+  state.set_tool(1, at(1));
+  state.prepare_tool(2);
+  EXPECT_TRUE(state.load_tool(at(2)));
+  EXPECT_EQ(state.mode().tool_radius, 4);
+}
+
+TEST_F(Program, AToolThatTheTableDoesNotHoldTakesTheRadiusAway) {
+  ProgramState state = make_without_radius({.tools = {{1, 4.0}}});
+  state.prepare_tool(1);
+  state.load_tool(at(1));
+  state.prepare_tool(9);
+  state.load_tool(at(2));
+  state.select(Side::left, at(3));
+  EXPECT_FALSE(state.move(line(10, 0)));
+  EXPECT_EQ(code(), Code::no_tool_radius);
+  EXPECT_NE(diagnostics_.pending().back().detail.find("T9"), std::string::npos);
+}
+
+TEST_F(Program, G141AndKerfMaskingAreOneSwitchOfWhichTheLastWriterWins) {
+  ProgramState state = make({.masking_switches_kerf = true});
+  const auto write = [&](bool on) {
+    TrcOptions options = state.mode().options;
+    options.kerf_masking = on;
+    state.set_options(options, at(1));
+  };
+  const auto is_on = [&] { return state.mode().options.kerf_masking; };
+  state.set_masking(Masking::on, at(1));
+  EXPECT_TRUE(is_on());
+  write(false);
+  EXPECT_FALSE(is_on());
+  state.set_masking(Masking::on, at(1));
+  EXPECT_TRUE(is_on());
+  state.set_masking(Masking::off, at(1));
+  EXPECT_FALSE(is_on());
+  write(true);
+  state.set_masking(Masking::off, at(1));
+  EXPECT_FALSE(is_on());
+}
+
+TEST_F(Program, G141LeavesKerfMaskingAloneWithTheNewMethod) {
+  ProgramState state = make();
+  state.set_masking(Masking::on, at(1));
+  EXPECT_FALSE(state.mode().options.kerf_masking);
+}
+
+TEST_F(Program, ACentreThatIsShiftedIsToldWithTheShift) {
+  ProgramState state = make();
+  EXPECT_TRUE(state.move({.kind = MotionKind::clockwise,
+                          .end = {60.05, 0.0, std::nullopt},
+                          .center = {30.0, std::nullopt, std::nullopt}}));
+  EXPECT_EQ(code(), Code::center_corrected);
+  ASSERT_FALSE(diagnostics_.pending().empty());
+  EXPECT_NEAR(diagnostics_.pending().back().values.at(0).value, 0.025, 1e-9);
+}
+
+TEST_F(Program, ACentreThatRoundingHasShiftedIsNotTold) {
+  ProgramState state = make();
+  EXPECT_TRUE(state.move({.kind = MotionKind::clockwise,
+                          .end = {60.019, 0.0, std::nullopt},
+                          .center = {30.0, std::nullopt, std::nullopt}}));
+  EXPECT_EQ(code(), Code{});
 }
 
 TEST_F(Program, AfterAShiftNeitherIncrementsNorCirclesNorTheApproachAreKnown) {
   for (const int kind : {0, 1, 2}) {
     diagnostics_ = {};
     ProgramState state = make();
-    state.forget_position();
+    state.forget_position({true, true, true}, at(7));
     MoveRequest request = line(5, 5);
     if (kind == 0) request.incremental = true;
     if (kind == 1) {
@@ -313,7 +448,7 @@ TEST_F(Program, AfterAShiftNeitherIncrementsNorCirclesNorTheApproachAreKnown) {
 
 TEST_F(Program, AStraightMotionInBothAxesMakesThePositionKnownAgain) {
   ProgramState state = make();
-  state.forget_position();
+  state.forget_position({true, true, true}, at(7));
   EXPECT_TRUE(state.move({.end = {std::nullopt, std::nullopt, 50.0}}));
   EXPECT_TRUE(state.move(line(5, 5)));
   state.select(Side::left, at(1));

@@ -51,10 +51,13 @@ struct Reading {
 };
 
 // Reads `text` given in pieces of `piece` bytes; 0: in one.
-inline Reading read(std::string_view text, const ProgramSetup& setup = {}, std::size_t piece = 0,
+// Unless told otherwise the tool has a radius: 1 mm.
+inline Reading read(std::string_view text, const ProgramSetup& given = {}, std::size_t piece = 0,
                     const ReaderLimits& limits = {}) {
   Reading reading;
   Diagnostics diagnostics;
+  ProgramSetup setup = given;
+  if (setup.mode.tool_radius == 0 && !setup.tool_radius_given) setup.mode.tool_radius = 1;
   ProgramState state(setup, {}, diagnostics, reading.blocks);
   Interpreter interpreter(limits, state, diagnostics);
   std::vector<LinePointer> lines;

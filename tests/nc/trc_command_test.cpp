@@ -32,7 +32,19 @@ INSTANTIATE_TEST_SUITE_P(OfTheTrcCommand, Spelling,
                                            "#TRC [ REVERSE = 1 ]", "#TRC[REVERSE1]",
                                            "#TRC [REVERSE 1]", "#trc[reverse=1]",
                                            "#TRC [ [REVERSE=1] ]", "#TRC[REVERSE=1.0]",
-                                           "# TRC [REVERSE=+1]", "#TRC[,REVERSE=1,]"));
+                                           "# TRC [REVERSE=+1]", "#TRC[,REVERSE=1,]",
+                                           "#TRC [REVERSE=[2-1]]", "#TRC [REVERSE=2-1]",
+                                           "#TRC [REVERSE [ 2 - 1 ] ]", "#TRC [REVERSE= -[1-2] ]",
+                                           "#TRC [REVERSE=[2+4]/[2*3]]", "#TRC [REVERSE=4/2**2]",
+                                           "#TRC\u00a0[REVERSE\u00a0=\u00a01\u00a0]"));
+
+TEST(TrcCommand, AVariableIsNamed) {
+  TrcOptions options;
+  EXPECT_EQ(read_trc_command("#TRC [REVERSE=P1]", options)->detail,
+            "REVERSE=P1, a variable or function");
+  EXPECT_EQ(read_trc_command("#TRC [KERF_MASKING=[1-V.P.ON]]", options)->detail,
+            "KERF_MASKING=V.P.ON, a variable or function");
+}
 
 TEST(TrcCommand, TakesSeveralKeysAtOnce) {
   const TrcOptions expected{.conv_cir_to_lin = true,
@@ -87,9 +99,13 @@ TEST(TrcCommand, FaultsAreFoundAtTheirPlace) {
   EXPECT_EQ(fault_of("#TRC REVERSE=1"), "900001 at 5");
   EXPECT_EQ(fault_of("#TRC [REVERSE=1] X1"), "900001 at 17");
   EXPECT_EQ(fault_of("#TRC [REVERSE=1 REVERSE=0]"), "900010 at 16");
-  EXPECT_EQ(fault_of("#TRC [REVERSE=[1]]"), "900003 at 6");
-  EXPECT_EQ(fault_of("#TRC [REVERSE=P1]"), "900003 at 6");
-  EXPECT_EQ(fault_of("#TRC [REVERSE=1+0]"), "900003 at 6");
+  EXPECT_EQ(fault_of("#TRC [REVERSE=P1]"), "900003 at 14");
+  EXPECT_EQ(fault_of("#TRC [REVERSE=1+V.L.A]"), "900003 at 16");
+  EXPECT_EQ(fault_of("#TRC [REVERSE=[1+0]"), "900009 at 5");
+  EXPECT_EQ(fault_of("#TRC [REVERSE=[1"), "900009 at 14");
+  EXPECT_EQ(fault_of("#TRC [REVERSE=1/[2-2]]"), "900008 at 15");
+  EXPECT_EQ(fault_of("#TRC [REVERSE=[3-1]]"), "900005 at 6");
+  EXPECT_EQ(fault_of("#TRC [REVERSE=]"), "900005 at 6");
   EXPECT_EQ(fault_of("#TRC [TANGENTIAL_LIMIT=4]"), "900005 at 6");
   EXPECT_EQ(fault_of("#TRC [!]"), "900001 at 6");
 }

@@ -75,9 +75,11 @@ TEST(Words, ANumberWithoutLetterIsAWordOfItsOwn) {
   EXPECT_EQ(words_of("G04 2.13"), "G4 2.1299999999999999");
 }
 
-TEST(Words, CommentsNestAndEndWithTheLine) {
+TEST(Words, CommentsNestAndEndInTheirLine) {
   EXPECT_EQ(words_of("X1 (a (b) c) Y2"), "X1 (a (b) c) Y2");
-  EXPECT_EQ(words_of("X1 (open"), "X1 (open");
+  EXPECT_EQ(words_of("X1 (open Y2"), "X1 fault 900009 at 3");
+  EXPECT_EQ(words_of("X1 (open (b) Y2"), "X1 fault 900009 at 3");
+  EXPECT_EQ(words_of("X1 (open \\\nY2)"), "X1 fault 900009 at 3");
   EXPECT_EQ(words_of("X1 ;a (b Y2"), "X1 ;a (b Y2");
 }
 
@@ -96,6 +98,34 @@ TEST(Words, AContinuedLineIsOneLine) {
 
 TEST(Words, ABackslashElsewhereIsAFault) {
   EXPECT_EQ(words_of("G01 \\ X10"), "G1 fault 900001 at 4");
+}
+
+TEST(Words, ANoBreakSpaceIsABlank) {
+  EXPECT_EQ(words_of("\u00a0N10\u00a0G1 X \u00a05\u00a0=\u00a02 \\\u00a0\nY\u00a01\u00a0"),
+            words_of(" N10 G1 X  5 = 2 \\ \nY 1 "));
+  EXPECT_EQ(words_of("#TRC\u00a0[REVERSE=1]\u00a0"), "#TRC\u00a0[REVERSE=1]");
+  EXPECT_EQ(words_of("#MSG voil\u00e0 "), "#MSG voil\u00e0");
+  EXPECT_TRUE(is_continued("G1 X10 \\\u00a0"));
+}
+
+std::string detail_of(std::string_view line) {
+  WordReader reader(line);
+  while (true) {
+    const Word word = reader.next();
+    if (word.kind == WordKind::fault) return reader.fault().detail;
+    if (word.kind == WordKind::end) return {};
+  }
+}
+
+TEST(Words, CharactersThatCannotBeSeenAreNamed) {
+  EXPECT_EQ(detail_of("G1 \u200bX5"), "U+200B, a zero width space, which cannot be seen");
+  EXPECT_EQ(detail_of("G1 X\u200b5"), "X before U+200B, a zero width space, which cannot be seen");
+  EXPECT_EQ(detail_of("G1 X\u22125"),
+            "X before U+2212, a minus sign that is not the one of the keyboard");
+  EXPECT_EQ(detail_of("G1 X5 \x07"), "U+0007, a control character");
+  EXPECT_EQ(detail_of("G1 X5 \u00e4"), "\u00e4, U+00E4");
+  EXPECT_EQ(detail_of("G1 X5 &"), "&");
+  EXPECT_EQ(detail_of("G1 X5 \xC3"), "no UTF-8");
 }
 
 TEST(Words, ANumberThatIsMissingOrBrokenIsAFaultAtItsLetter) {

@@ -61,8 +61,9 @@ TEST(ImplicitMasking, StopsExactlyWhereSamplingFindsAGouge) {  // D-34
   std::size_t gouged = 0;
   std::size_t clear = 0;
   for_each_sample(1'000'000, [&](const Sample& tested, const Outcome& plain) {
-    const Outcome outcome = compensate(tested.contour, tested.mode,
-                                       {.compensator = {.implicit_contour_masking = true}});
+    Feeding feeding;
+    feeding.compensator.implicit_contour_masking = true;
+    const Outcome outcome = compensate(tested.contour, tested.mode, feeding);
     if (tested.spare >= -1e-7) {
       ++clear;
       ASSERT_FALSE(outcome.stopped) << message_of(*outcome.error());

@@ -360,8 +360,33 @@ TEST_P(EveryContour, IsTheSameInEveryBatching) {
   });
 }
 
-// Single blocks go through all passes; several at once take the short way (ContourRun) wherever
-// nothing is about them: up to a violation, a text and what each batch leaves.
+// Every option the short way may have to do with, at random, on and off.
+TrcMode with_random_options(Random& random, TrcMode mode) {
+  const auto at_random = [&] { return random.chance(0.25); };
+  mode.masking = random.chance(0.5) ? Masking::on : Masking::off;
+  mode.feed_adaptation = at_random() ? FeedAdaptation::on : FeedAdaptation::off;
+  mode.tangfeed_minimum = at_random() ? mode.tool_radius : 0;
+  TrcOptions& options = mode.options;
+  options.remove_masked_blocks = random.chance(0.5);
+  options.conv_cir_to_lin = at_random();
+  options.kerf_masking = at_random();
+  options.ignore_cont_damage = random.chance(0.5);
+  options.ext_angle_block_intersection = at_random();
+  options.tangential_limit = at_random() ? 0.5 : 3;
+  options.perpendicular_radius_change = at_random();
+  options.gen_cir_block_in_corner = at_random();
+  options.suppress_trc = random.chance(0.1);
+  if (at_random())
+    options.split = {.where = SplitOption::Where::combined,
+                     .along_path = true,
+                     .distance_1 = 0.5 * mode.tool_radius,
+                     .feed_1 = 100};
+  return mode;
+}
+
+// Blocks in the middle of a contour take the short way (ContourRun) wherever nothing is about them:
+// up to a violation, a text and what each batch leaves. All passes put out the same, bit for bit,
+// whatever is on, into loop removal and out of it.
 TEST_P(EveryContour, IsTheSameTheShortWay) {
   constexpr std::size_t long_ones = 40;
   const auto flavor_seed = (101 + static_cast<std::uint64_t>(GetParam())) * 1'000'000;
@@ -370,18 +395,25 @@ TEST_P(EveryContour, IsTheSameTheShortWay) {
     Sample tested{.mode = random_mode(random)};
     const auto& make = seed % 8 == 0 ? random_clean_contour : random_contour;
     tested.contour = make(random, GetParam(), tested.mode, long_ones);
+    if (seed % 2 == 0) tested.mode = with_random_options(random, tested.mode);
     Feeding feeding = full_feeding();
     feeding.texts = [](std::size_t ordinal) {
       return std::vector<std::string>(ordinal % 17 == 11 ? 1 : 0, "M7");
     };
-    const Outcome single = compensate(tested.contour, tested.mode, feeding);
-    for (const std::size_t batch : {0, 4, 7}) {
-      feeding.batch = batch;
-      const Outcome batched = compensate(tested.contour, tested.mode, feeding);
-      ASSERT_TRUE(same(batched, single)) << story(seed, tested) << "batch of " << batch << '\n'
-                                         << text_of(batched.blocks) << "single blocks\n"
-                                         << text_of(single.blocks);
-    }
+    if (seed % 3 == 0) feeding.third = feeding.tracking = nullptr;
+    feeding.compensator.limits.look_ahead_blocks = seed % 5 == 0 ? 6 : 0;
+    feeding.compensator.inverse_path = seed % 7 == 0;
+    feeding.compensator.engine = Engine::passes;
+    const Outcome passes = compensate(tested.contour, tested.mode, feeding);
+    for (const Engine engine : {Engine::short_way, Engine::automatic})
+      for (const std::size_t batch : {1, 0, 4}) {
+        feeding.compensator.engine = engine;
+        feeding.batch = batch;
+        const Outcome outcome = compensate(tested.contour, tested.mode, feeding);
+        ASSERT_TRUE(same(outcome, passes)) << story(seed, tested) << "batch of " << batch << '\n'
+                                           << text_of(outcome.blocks) << "all passes\n"
+                                           << text_of(passes.blocks);
+      }
   }
 }
 

@@ -102,7 +102,7 @@ TEST(LoopRemoval, SeesInAWindowWhatTheWholeContourShows) {  // D-10
     // as it may where two equidistants lie on top of each other.
     const bool mitres = mode.transition == Transition::linear;
     for (const std::int64_t window : {mitres ? 2 * loop + 2 : loop + 1, loop + 20}) {
-      CompensatorSetup setup;
+      CompensatorSetup setup = all_walls();
       setup.limits.look_ahead_blocks = static_cast<std::size_t>(window);
       const Outcome seen = compensate(contour, mode, {.compensator = setup});
       ASSERT_FALSE(seen.stopped) << "window " << window << ": " << message_of(*seen.error());
@@ -128,7 +128,7 @@ TEST(LoopRemoval, LetsABlockGoWhenItsWindowHasCome) {  // D-10
     for (const bool removing : {true, false}) {
       TrcMode masking = mode;
       masking.options.remove_masked_blocks = removing;
-      CompensatorSetup setup;
+      CompensatorSetup setup = all_walls();
       setup.limits.look_ahead_blocks = 5;
       // How far the path had come, and should have come, behind each block.
       std::vector<std::pair<std::int64_t, std::int64_t>> progress;

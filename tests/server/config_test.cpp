@@ -65,15 +65,22 @@ TEST(ServerConfig, StartsWithTheDocumentedDefaults) {
   EXPECT_EQ(config.listen, std::vector<std::string>{"127.0.0.1:50051"});
   EXPECT_EQ(config.max_message_bytes, 1048576U);
   EXPECT_EQ(config.max_blocks_per_selection, 20'000'000U);
-  EXPECT_EQ(config.max_session_memory_mib, 1024U);
-  EXPECT_EQ(config.max_grpc_buffer_mib, 96U);
+  for (const std::uint32_t open :
+       {config.memory_limit_mib, config.max_session_memory_mib, config.max_grpc_buffer_mib,
+        config.max_streams, config.max_streams_per_peer, config.max_memory_per_peer_mib})
+    EXPECT_EQ(open, 0U);
+  EXPECT_EQ(config.max_selection_cpu_s, 120U);
+  EXPECT_EQ(config.max_stream_cpu_s, 7200U);
   EXPECT_EQ(config.max_streams_per_connection, 64U);
-  EXPECT_EQ(config.max_streams, 1000U);
   EXPECT_EQ(config.max_line_bytes, 65536U);
   EXPECT_EQ(config.max_riders, 100U);
   EXPECT_EQ(config.idle_timeout_s, 300U);
   EXPECT_EQ(config.keepalive_time_s, 30U);
   EXPECT_EQ(config.drain_timeout_s, 30U);
+  EXPECT_EQ(config.max_early_cancels, 200U);
+  EXPECT_EQ(config.max_overhead_kib_per_s, 2048U);
+  EXPECT_EQ(config.stall_timeout_s, 10U);
+  EXPECT_EQ(config.max_log_lines_per_s, 1000U);
 }
 
 TEST(ServerConfig, FlagWinsOverEnvironmentAndEnvironmentOverFile) {
@@ -137,6 +144,54 @@ TEST(ServerConfig, HealthInPlainTextStaysOnThisMachineUnlessAllowed) {
   expect_fault(read({"--listen=0.0.0.0:50051", "--insecure-health"}), {"listen", "insecure"});
 }
 
+TEST(ServerConfig, HttpInPlainTextStaysOnThisMachineUnlessAllowed) {
+  EXPECT_TRUE(read({}).config.http_listen.empty());
+  expect_fault(read({"--http-listen=0.0.0.0:8080"}), {"http-listen", "insecure-http"});
+  expect_fault(read({"--http-listen=nowhere"}), {"http-listen"});
+  // What allows it for gRPC does not for HTTP.
+  expect_fault(read({"--http-listen=0.0.0.0:8080", "--insecure"}), {"insecure-http"});
+  EXPECT_FALSE(read({"--http-listen=127.0.0.1:8080"}).exit.has_value());
+  EXPECT_FALSE(read({"--http-listen=0.0.0.0:8080", "--insecure-http"}).exit.has_value());
+  expect_fault(read({"--http-listen=127.0.0.1:8080", "--http-cors-origins=mes.example"}),
+               {"http-cors-origins", "https://"});
+}
+
+TEST(ServerConfig, AdminInPlainTextStaysOnThisMachineUnlessAllowed) {
+  for (const char* address : {"--admin-listen=0.0.0.0:9464", "--admin-listen=[::]:9464"})
+    expect_fault(read({address}), {"admin-listen", "insecure-admin"});
+  EXPECT_FALSE(read({"--admin-listen=127.0.0.1:9464"}).exit.has_value());
+  EXPECT_FALSE(read({"--admin-listen=0.0.0.0:9464", "--insecure-admin"}).exit.has_value());
+  EXPECT_FALSE(read({"--admin-listen=0.0.0.0:9464", "--insecure"}).exit.has_value());
+  // It opens no other port.
+  expect_fault(read({"--listen=0.0.0.0:50051", "--insecure-admin"}), {"listen", "insecure"});
+  expect_fault(read({"--health-listen=0.0.0.0:50052", "--insecure-admin"}), {"health-listen"});
+}
+
+TEST(ServerConfig, ReflectionIsForThisMachineUnlessAskedFor) {
+  EXPECT_TRUE(read({"--listen=127.0.0.1:0,unix:/run/trcd.sock"}).config.reflection);
+  EXPECT_FALSE(read({"--listen=127.0.0.1:0,0.0.0.0:50051", "--insecure"}).config.reflection);
+  EXPECT_TRUE(read({"--listen=0.0.0.0:50051", "--insecure", "--reflection"}).config.reflection);
+  EXPECT_FALSE(read({"--reflection=false"}).config.reflection);
+  const CommandLine printed = read({"--print-config", "--listen=0.0.0.0:50051", "--insecure"});
+  EXPECT_NE(printed.exit->text.find("reflection=false"), std::string::npos) << printed.exit->text;
+  const Environment asked("TRCD_REFLECTION", "true");
+  EXPECT_TRUE(read({"--listen=0.0.0.0:50051", "--insecure"}).config.reflection);
+}
+
+TEST(ServerConfig, EmptyGuardOfTheEnvironmentIsAFault) {
+  for (const char* name : {"TRCD_TLS_ALLOWED_CLIENTS", "TRCD_TLS_CLIENT_CA_FILE",
+                           "TRCD_TLS_CERT_FILE", "TRCD_TLS_KEY_FILE"}) {
+    const Environment empty(name, "");
+    expect_fault(read({}), {name, "empty"});
+  }
+}
+
+TEST(ServerConfig, EmptyGuardOfTheCommandLineIsAFault) {
+  expect_fault(read({"--tls-allowed-clients="}), {"tls-allowed-clients", "empty"});
+  expect_fault(read({"--tls-allowed-clients", ""}), {"tls-allowed-clients", "empty"});
+  expect_fault(read({"--tls-client-ca-file", ""}), {"tls-client-ca-file", "empty"});
+}
+
 TEST(ServerConfig, AllowedClientsNeedTheirAuthority) {
   expect_fault(read({"--tls-allowed-clients=mill"}), {"tls-allowed-clients", "tls-client-ca-file"});
 }
@@ -145,7 +200,10 @@ TEST(ServerConfig, PrintedConfigurationReadsBackAsTheSame) {
   const CommandLine printed =
       read({"--print-config", "--listen=127.0.0.1:0,unix:/tmp/x.sock", "--max-streams=7",
             "--reflection=false", "--log-level=error", "--admin-listen=127.0.0.1:9464",
-            "--health-listen=127.0.0.1:0", "--resume-key-file=/run/trcd/key"});
+            "--health-listen=127.0.0.1:0", "--resume-key-file=/run/trcd/key", "--insecure-admin",
+            "--max-early-cancels=3", "--max-overhead-kib-per-s=99", "--stall-timeout-s=4",
+            "--max-log-lines-per-s=17", "--memory-limit-mib=2048", "--max-streams-per-peer=3",
+            "--max-memory-per-peer-mib=100", "--max-selection-cpu-s=7", "--max-stream-cpu-s=8"});
   ASSERT_TRUE(printed.exit.has_value());
   ASSERT_EQ(printed.exit->code, 0) << printed.exit->text;
   const TextFile file(printed.exit->text);
@@ -176,7 +234,7 @@ TEST(ServerConfig, RefusesAFileThatIsNoToml) {
 }
 
 TEST(ServerConfig, RefusesValuesOutOfRange) {
-  expect_fault(read({"--max-streams=0"}), {"max-streams"});
+  expect_fault(read({"--max-streams=1000001"}), {"max-streams"});
   expect_fault(read({"--max-streams=-1"}), {"max-streams"});
   expect_fault(read({"--max-streams=many"}), {"max-streams"});
   expect_fault(read({"--max-message-bytes=99999999999"}), {"max-message-bytes"});

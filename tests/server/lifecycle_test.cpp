@@ -7,6 +7,7 @@
 #include <atomic>
 #include <chrono>
 #include <filesystem>
+#include <future>
 #include <string>
 #include <thread>
 #include <vector>
@@ -14,6 +15,7 @@
 #include "grpc/health/v1/health.grpc.pb.h"
 #include "server/server.h"
 #include "tests/server/calls.h"
+#include "tests/support/process.h"
 
 namespace trc::server {
 namespace {
@@ -352,6 +354,46 @@ TEST(Server, HealthAnswersWhileManyStreamsCompute) {
   for (int i = 0; i < 50; ++i) EXPECT_EQ(health_of(channel, ""), serving);
   stop = true;
   for (std::thread& client : clients) client.join();
+}
+
+// A turn that ends when this test says so.
+class Blocking final : public WorkerPool::Job {
+ public:
+  void turn() noexcept override { gate_.get_future().wait(); }
+  void open() { gate_.set_value(); }
+
+ private:
+  std::promise<void> gate_;
+};
+
+TEST(Server, HealthSaysThatTheWorkersGiveNoTurns) {
+  Config config = loopback();
+  config.worker_threads = 1;
+  config.stall_timeout_s = 1;
+  config.admin_listen = "127.0.0.1:0";
+  const Running running(config);
+  const std::string admin = "127.0.0.1:" + std::to_string(running.server->admin_port());
+  const auto channel = running.channel();
+  using grpc::health::v1::HealthCheckResponse;
+  const auto says = [&](HealthCheckResponse::ServingStatus status, const std::string& readiness) {
+    return eventually([&] {
+      running.server->look_after();
+      return health_of(channel, "") == status &&
+             health_of(channel, "trc.v1.TrcService") == status &&
+             testing_support::http_get(admin, "/readyz") == readiness;
+    });
+  };
+  EXPECT_TRUE(says(HealthCheckResponse::SERVING, "ready\n"));
+  Blocking blocking;
+  running.server->backend().pool.submit(blocking);
+  EXPECT_TRUE(says(HealthCheckResponse::NOT_SERVING, "stalled: streams wait for a worker\n"));
+  // Later the service manager is not told that the server is alive, either.
+  EXPECT_TRUE(eventually([&] { return !running.server->is_well(); }));
+  EXPECT_NE(testing_support::http_get(admin, "/metrics").find("trc_pool_longest_wait_seconds "),
+            std::string::npos);
+  blocking.open();
+  EXPECT_TRUE(says(HealthCheckResponse::SERVING, "ready\n"));
+  EXPECT_TRUE(running.server->is_well());
 }
 
 TEST(Server, AdminPortTellsMetricsAndReadiness) {

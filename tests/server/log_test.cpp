@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <string>
 
 #include "server/text.h"
@@ -16,6 +17,11 @@ TEST(Log, NoValueCanEndItsStringOrItsLine) {
   EXPECT_EQ(json_escaped("tag\n{\"level\":\"error\"}"), "tag\\u000a{\\\"level\\\":\\\"error\\\"}");
   EXPECT_EQ(json_escaped("nul\0end"s), "nul\\u0000end");
   EXPECT_EQ(json_escaped("\x1b[31m"), "\\u001b[31m");
+  // The same escape as one character of its own, and a line that runs backwards.
+  EXPECT_EQ(json_escaped("\xC2\x9B"
+                         "31m"),
+            "\\u009b31m");
+  EXPECT_EQ(json_escaped("\xE2\x80\xA8 \xE2\x80\xAE \xE2\x81\xA6"), "\\u2028 \\u202e \\u2066");
 }
 
 TEST(Log, KeepsTextAndReplacesWhatIsNone) {
@@ -37,10 +43,23 @@ TEST(Log, LineHoldsItsFieldsInOrder) {
   EXPECT_EQ(LogLine("x").number("ms", 1.5).str(), R"("event":"x","ms":1.5)");
 }
 
+TEST(Log, EachKindHasItsLinesOfASecond) {
+  LineRate rate(3);
+  const auto begin = std::chrono::steady_clock::now();
+  for (int i = 0; i < 3; ++i) EXPECT_TRUE(rate.takes("rpc", begin));
+  EXPECT_FALSE(rate.takes("rpc", begin));
+  EXPECT_TRUE(rate.takes("incident", begin));
+  EXPECT_FALSE(rate.takes("rpc", begin + std::chrono::milliseconds(999)));
+  EXPECT_TRUE(rate.takes("rpc", begin + std::chrono::milliseconds(1000)));
+}
+
 TEST(Text, PresentableTextIsCutBetweenCharacters) {
   EXPECT_EQ(presentable("abc\x01"
                         "d"),
             "abc d");
+  EXPECT_EQ(presentable("a\xC2\x9B"
+                        "b\xE2\x80\xAE"),
+            "a b ");
   EXPECT_EQ(presentable("\xC3\xA4\xC3\xA4", 3), "\xC3\xA4...");
   EXPECT_EQ(presentable("\xC3\xA4\xC3\xA4", 4), "\xC3\xA4\xC3\xA4");
   EXPECT_EQ(presentable("\xC3"), "\xEF\xBF\xBD");

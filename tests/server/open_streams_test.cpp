@@ -6,8 +6,6 @@
 #include <chrono>
 #include <thread>
 
-#include "server/memory_budget.h"
-
 namespace trc::server {
 namespace {
 
@@ -18,6 +16,10 @@ class Stream final : public OpenStream {
  public:
   void end_if_idle(Clock::time_point since) override { asked_until = since; }
   void beat_if_silent(Clock::time_point since) override { silent_since = since; }
+  void evict() override { evicted = true; }
+  [[nodiscard]] std::uint64_t held_bytes() const override { return holds; }
+  std::atomic<bool> evicted = false;
+  std::uint64_t holds = 0;
   std::atomic<Clock::time_point> silent_since{Clock::time_point::min()};
   std::atomic<Clock::time_point> asked_until{Clock::time_point::min()};
 };
@@ -69,21 +71,18 @@ TEST(OpenStreams, AsksStreamsWhetherTheyAreIdle) {
   EXPECT_LE(stream->asked_until.load(), Clock::now() - seconds(1));
 }
 
-TEST(MemoryBudget, IsSharedAndGivenBack) {
-  MemoryBudget budget(100);
-  {
-    MemoryBudget::Share one(budget);
-    MemoryBudget::Share other(budget);
-    EXPECT_TRUE(one.resize(60));
-    EXPECT_FALSE(other.resize(41));
-    EXPECT_TRUE(other.resize(40));
-    EXPECT_TRUE(one.resize(10));
-    EXPECT_EQ(budget.used_bytes(), 50U);
-    EXPECT_TRUE(other.resize(90));
-    EXPECT_FALSE(other.resize(91));
-    EXPECT_EQ(budget.used_bytes(), 100U);
-  }
-  EXPECT_EQ(budget.used_bytes(), 0U);
+TEST(OpenStreams, EvictsTheLargest) {
+  OpenStreams streams(3, seconds(300));
+  const auto small = std::make_shared<Stream>();
+  const auto large = std::make_shared<Stream>();
+  small->holds = 10;
+  large->holds = 20;
+  const auto tickets = {streams.admit(small), streams.admit(large)};
+  EXPECT_TRUE(streams.evict_largest());
+  EXPECT_TRUE(large->evicted);
+  EXPECT_FALSE(small->evicted);
+  small->holds = large->holds = 0;
+  EXPECT_FALSE(streams.evict_largest());
 }
 
 }  // namespace

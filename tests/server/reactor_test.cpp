@@ -21,7 +21,8 @@ using Response = v1::CompensatePathResponse;
 using Work = StreamWork<Request, Response>;
 
 // The real reactor around a work of the test.
-class TestService final : public v1::TrcService::CallbackService {
+class TestService final
+    : public v1::TrcService::WithRawCallbackMethod_CompensatePath<v1::TrcService::Service> {
  public:
   using MakeWork = std::function<std::unique_ptr<Work>(const StreamContext&)>;
 
@@ -32,7 +33,7 @@ class TestService final : public v1::TrcService::CallbackService {
   }
   ~TestService() override { server_->Shutdown(std::chrono::system_clock::now()); }
 
-  grpc::ServerBidiReactor<Request, Response>* CompensatePath(
+  grpc::ServerBidiReactor<grpc::ByteBuffer, grpc::ByteBuffer>* CompensatePath(
       grpc::CallbackServerContext* context) override {
     const auto reactor = std::make_shared<BidiReactor<Request, Response>>(backend, *context,
                                                                           Method::compensate_path);

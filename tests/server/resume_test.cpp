@@ -238,6 +238,35 @@ TEST(ResumeKey, ThatCannotBeUsedIsAFaultBeforeAPortOpens) {
   }
 }
 
+// One line says what is wrong with it: no recursion, no abort, and no key that is none.
+TEST(ResumeKey, OddFilesAreFaultsWithTheirReason) {
+  const Folder folder;
+  const auto fault = [](const std::string& path) { return resume_key(path).fault; };
+  const auto has = [](const std::string& text, const std::string& part) {
+    return text.find(part) != std::string::npos;
+  };
+  std::filesystem::create_symlink(folder.path("nowhere"), folder.path("dangling"));
+  EXPECT_TRUE(has(fault(folder.path("dangling")), "cannot be read"));
+  std::filesystem::create_symlink(folder.path("circle"), folder.path("circle"));
+  EXPECT_TRUE(has(fault(folder.path("circle")), "cannot be read"));
+  std::filesystem::create_directory(folder.path("directory"));
+  EXPECT_TRUE(has(fault(folder.path("directory")), "is no file"));
+  EXPECT_TRUE(has(fault(folder.write("zeros", std::string(64, '\0'))), "no random bytes"));
+  EXPECT_TRUE(has(fault(folder.write("empty", "")), "fewer than 32 bytes"));
+
+  const std::string good = folder.write("good", "0123456789abcdef0123456789abcdef");
+  EXPECT_EQ(fault(good), "");
+  for (const auto writers :
+       {std::filesystem::perms::others_write, std::filesystem::perms::group_write}) {
+    std::filesystem::permissions(good, std::filesystem::perms::owner_all | writers);
+    EXPECT_TRUE(has(fault(good), "can be written by others"));
+  }
+  // A link to a good one serves: secrets are mounted so.
+  std::filesystem::permissions(good, std::filesystem::perms::owner_read);
+  std::filesystem::create_symlink(good, folder.path("link"));
+  EXPECT_EQ(fault(folder.path("link")), "");
+}
+
 TEST(Heartbeat, KeepsASilentStreamAlive) {
   Config config = InProcessServer::quiet();
   config.heartbeat_s = 1;

@@ -31,7 +31,9 @@ struct Stream {
                   std::string(32, 'k')};
   CallRecord record{backend.telemetry, Method::compensate_path, "peer", {}};
   std::atomic<bool> cancelled = false;
-  Work work{StreamContext{backend, record, cancelled}};
+  std::shared_ptr<Peer> peer = backend.peers.of("peer");
+  StreamAccount account{backend, *peer};
+  Work work{StreamContext{backend, record, cancelled, account}};
   Response response;
 };
 using PathStream = Stream<CompensatePath, v1::CompensatePathRequest, v1::CompensatePathResponse>;

@@ -3,15 +3,18 @@
 #include <gtest/gtest.h>
 #include <pthread.h>
 
+#include <array>
 #include <atomic>
 #include <chrono>
 #include <ctime>
+#include <deque>
 #include <functional>
 #include <future>
 #include <mutex>
 #include <string>
 #include <system_error>
 #include <thread>
+#include <vector>
 
 namespace trc::server {
 namespace {
@@ -26,11 +29,12 @@ class Task final : public WorkerPool::Job {
 };
 
 TEST(WorkerPool, RunsEveryJobBeforeItEnds) {
+  WorkerPool::Group group;
   std::atomic<int> runs = 0;
   Task task([&] { ++runs; });
   {
     WorkerPool pool(2);
-    for (int i = 0; i < 1000; ++i) pool.submit(task);
+    for (int i = 0; i < 1000; ++i) pool.submit(task, group);
   }
   EXPECT_EQ(runs, 1000);
 }
@@ -41,6 +45,7 @@ TEST(WorkerPool, HasAThreadPerCoreUnlessTold) {
 }
 
 TEST(WorkerPool, GivesTurnsInTheOrderOfTheQueue) {
+  WorkerPool::Group group;
   std::promise<void> gate;
   std::string order;
   Task first([&] { gate.get_future().wait(); });
@@ -48,10 +53,10 @@ TEST(WorkerPool, GivesTurnsInTheOrderOfTheQueue) {
   Task b([&] { order += 'b'; });
   {
     WorkerPool pool(1);
-    pool.submit(first);
-    pool.submit(a);
-    pool.submit(b);
-    pool.submit(a);
+    pool.submit(first, group);
+    pool.submit(a, group);
+    pool.submit(b, group);
+    pool.submit(a, group);
     EXPECT_GE(pool.queue_depth(), 3U);
     gate.set_value();
   }
@@ -59,13 +64,14 @@ TEST(WorkerPool, GivesTurnsInTheOrderOfTheQueue) {
 }
 
 TEST(WorkerPool, TellsHowLongATurnHasWaited) {
+  WorkerPool::Group group;
   std::promise<void> gate;
   Task first([&] { gate.get_future().wait(); });
   Task waiting([] {});
   WorkerPool pool(1);
   EXPECT_EQ(pool.longest_wait(), std::chrono::nanoseconds(0));
-  pool.submit(first);
-  pool.submit(waiting);
+  pool.submit(first, group);
+  pool.submit(waiting, group);
   std::this_thread::sleep_for(std::chrono::milliseconds(50));
   EXPECT_GE(pool.longest_wait(), std::chrono::milliseconds(50));
   gate.set_value();
@@ -74,6 +80,7 @@ TEST(WorkerPool, TellsHowLongATurnHasWaited) {
 }
 
 TEST(WorkerPool, OneLongStreamDoesNotHoldUpAShortOne) {
+  WorkerPool::Group group;
   std::promise<void> gate;
   std::string order;
   WorkerPool* shared = nullptr;
@@ -82,16 +89,16 @@ TEST(WorkerPool, OneLongStreamDoesNotHoldUpAShortOne) {
   Task longest([&] { again(); });
   again = [&] {
     order += 'l';
-    if (--left > 0) shared->submit(longest);
+    if (--left > 0) shared->submit(longest, group);
   };
   Task shortest([&] { order += 's'; });
   Task first([&] { gate.get_future().wait(); });
   {
     WorkerPool pool(1);
     shared = &pool;
-    pool.submit(first);
-    pool.submit(longest);
-    pool.submit(shortest);
+    pool.submit(first, group);
+    pool.submit(longest, group);
+    pool.submit(shortest, group);
     gate.set_value();
     while (pool.queue_depth() > 0) std::this_thread::yield();
   }
@@ -100,6 +107,7 @@ TEST(WorkerPool, OneLongStreamDoesNotHoldUpAShortOne) {
 
 // Turns without an end hold every place, and all others still get theirs.
 TEST(WorkerPool, LongTurnsGiveWay) {
+  WorkerPool::Group group;
   constexpr unsigned places = 2;
   std::atomic<bool> done = false;
   std::atomic<unsigned> computing = 0;
@@ -125,14 +133,14 @@ TEST(WorkerPool, LongTurnsGiveWay) {
   {
     WorkerPool pool(places);
     shared = &pool;
-    for (Task* task : {&first, &second, &third}) pool.submit(*task);
+    for (Task* task : {&first, &second, &third}) pool.submit(*task, group);
     for (int round = 0; round < 20; ++round) {
       std::promise<void> served;
       Task small([&] {
         compute();
         served.set_value();
       });
-      pool.submit(small);
+      pool.submit(small, group);
       EXPECT_EQ(served.get_future().wait_for(std::chrono::seconds(10)), std::future_status::ready);
     }
     done = true;
@@ -141,6 +149,7 @@ TEST(WorkerPool, LongTurnsGiveWay) {
 }
 
 TEST(WorkerPool, KeepsItsThreadsForWhenTheyAreNeeded) {
+  WorkerPool::Group group;
   std::atomic<int> turns = 0;
   WorkerPool pool(1);
   Task task([&] {
@@ -149,8 +158,8 @@ TEST(WorkerPool, KeepsItsThreadsForWhenTheyAreNeeded) {
     ++turns;
   });
   for (int round = 0; round < 5; ++round) {
-    pool.submit(task);
-    pool.submit(task);
+    pool.submit(task, group);
+    pool.submit(task, group);
     while (turns < 2 * (round + 1)) std::this_thread::yield();
   }
   EXPECT_LE(pool.thread_count(), 3U);
@@ -180,6 +189,7 @@ class NoThreads {
 };
 
 TEST(WorkerPool, SurvivesAThreadThatCannotBeMade) {
+  WorkerPool::Group group;
   std::atomic<bool> done = false;
   std::atomic<int> served = 0;
   WorkerPool* shared = nullptr;
@@ -197,8 +207,8 @@ TEST(WorkerPool, SurvivesAThreadThatCannotBeMade) {
   shared = &pool;
   {
     const NoThreads none;
-    pool.submit(endless);
-    pool.submit(small);
+    pool.submit(endless, group);
+    pool.submit(small, group);
     while (pool.threads_missed() == 0) std::this_thread::yield();
     EXPECT_EQ(served, 0);
   }
@@ -206,7 +216,7 @@ TEST(WorkerPool, SurvivesAThreadThatCannotBeMade) {
   EXPECT_TRUE(is_served(1));
   done = true;
   for (int round = 2; round < 10; ++round) {
-    pool.submit(small);
+    pool.submit(small, group);
     EXPECT_TRUE(is_served(round));
   }
 }
@@ -216,15 +226,60 @@ TEST(WorkerPool, ThrowsWhenItsThreadsCannotBeMade) {
   EXPECT_THROW(WorkerPool(2), std::system_error);
 }
 
+// A hundred long turns of one group cannot keep another one from its own.
+TEST(WorkerPool, GroupsTakeTurnsHoweverManyJobsTheyHave) {
+  constexpr int jobs = 150;
+  WorkerPool::Group many;
+  WorkerPool::Group few;
+  std::atomic<bool> done = false;
+  WorkerPool* shared = nullptr;
+  std::deque<Task> endless;
+  for (int i = 0; i < jobs; ++i)
+    endless.emplace_back([&] {
+      while (!done) shared->give_way();
+    });
+  WorkerPool pool(2);
+  shared = &pool;
+  for (Task& task : endless) pool.submit(task, many);
+  const auto most = std::chrono::seconds(10);
+  for (int round = 0; round < 5; ++round) {
+    std::promise<void> served;
+    Task small([&] { served.set_value(); });
+    pool.submit(small, few);
+    EXPECT_EQ(served.get_future().wait_for(most), std::future_status::ready);
+  }
+  // The threads that many keep are bounded.
+  EXPECT_LE(pool.thread_count(), TurnQueue::most_standing_of_group + 2 * 2U + 1);
+  done = true;
+}
+
+TEST(TurnQueue, GroupsComeRoundWhateverWaitsInThem) {
+  class Nothing final : public TurnQueue::Job {
+   public:
+    void turn() noexcept override {}
+  };
+  std::array<Nothing, 5> jobs;
+  TurnQueue::Group many;
+  TurnQueue::Group few;
+  TurnQueue queue;
+  for (std::size_t i = 0; i < 4; ++i) queue.push({.group = &many, .job = &jobs[i]});
+  queue.push({.group = &few, .job = &jobs[4]});
+  std::vector<TurnQueue::Job*> order;
+  while (!queue.empty()) order.push_back(queue.pop().job);
+  EXPECT_EQ(order,
+            (std::vector<TurnQueue::Job*>{&jobs[0], &jobs[4], &jobs[1], &jobs[2], &jobs[3]}));
+}
+
 TEST(WorkerPool, AThreadOfSomebodyElseDoesNotGiveWay) {
+  WorkerPool::Group group;
   std::promise<void> gate;
   std::atomic<int> runs = 0;
   Task first([&] { gate.get_future().wait(); });
   Task waiting([&] { ++runs; });
   {
     WorkerPool pool(1);
-    pool.submit(first);
-    pool.submit(waiting);
+    pool.submit(first, group);
+    pool.submit(waiting, group);
     // Computes for longer than a share of time.
     while (std::clock() < CLOCKS_PER_SEC / 50) std::this_thread::yield();
     pool.give_way();

@@ -33,7 +33,7 @@ TEST(UntouchedLines, ComeOutByteForByte) {
       "    Y40\n"
       "G91 X1 Y1\n"
       "M30\n"
-      "what follows the end (stays) G41 as it is\n"
+      "what follows the end (also G41 here) stays as it is\n"
       "\n"
       "even without a line end";
   EXPECT_FALSE(to_text(program).completed);

@@ -55,6 +55,36 @@ TEST(PathSession, BlocksComeOutWhenTheyAreCertain) {
   EXPECT_EQ(session.summary().blocks_in, 4U);
 }
 
+// D-37: in messages as in text. The path up to where the tool stands is certain.
+TEST(PathSession, AnArcBehindADeselectionUnderG239IsRefusedWhereverItsCentreIs) {
+  for (const Point& center : {Point(0, -50), Point(0, -10), Point(20, 0)}) {
+    SessionSetup setup;
+    setup.program.mode.tool_radius = 10;
+    setup.program.mode.selection = Selection::without_block;
+    PathSession session(setup);
+    std::vector<CompensatedBlock> out;
+    ProgramState& program = session.program();
+    ASSERT_TRUE(program.select(Side::left, {.index = 0}));
+    ASSERT_TRUE(program.move(line_to(1, 30, 20)));
+    ASSERT_TRUE(program.move(line_to(2, 60, 20)));
+    ASSERT_TRUE(program.deselect({.index = 3}));
+    MoveRequest arc = line_to(4, 90, 20);
+    arc.kind = MotionKind::clockwise;
+    arc.center = {center.x(), center.y(), std::nullopt};
+    EXPECT_FALSE(program.move(arc));
+    EXPECT_FALSE(session.advance(out));
+    EXPECT_EQ(listed(out),
+              "1 approach line 0 0 0 -> 30 30 0\n"
+              "2 programmed line 30 30 0 -> 60 30 0\n");
+    const auto& reported = session.diagnostics().pending();
+    ASSERT_EQ(reported.size(), 1U);
+    EXPECT_EQ(reported[0].code, Code::circle_center_misfit);
+    ASSERT_TRUE(reported[0].point);
+    EXPECT_EQ(reported[0].point->x, 60);
+    EXPECT_EQ(reported[0].point->y, 30);
+  }
+}
+
 // A long staircase whose end sets free some thousand blocks at once, in the motion behind it or at
 // the end of the program.
 bool compensate_staircase(SessionSetup setup, bool deselected, std::vector<CompensatedBlock>& out) {

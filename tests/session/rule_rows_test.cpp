@@ -14,10 +14,10 @@ namespace trc::testing {
 namespace {
 
 // The path behind `G0` to the start: one line a block, without numbers and feeds.
-std::string path_of(const std::string& program) {
+std::string path_of(const std::string& program, const std::string& reports = "") {
   const ProgramRun run = to_blocks(program);
   EXPECT_TRUE(run.completed) << run.reports();
-  EXPECT_EQ(run.reports(), "");
+  EXPECT_EQ(run.reports(), reports);
   std::string path;
   for (const CompensatedBlock& block : run.blocks) {
     if (block.origin == Origin::passthrough || block.origin == Origin::uncompensated) continue;
@@ -114,7 +114,8 @@ TEST(GenCirBlockInCorner, PutsACircleOfRadiusZeroIntoInsideCornersOnly) {
             "- programmed line 60.0000 45.0000 0.0000 -> 90.0000 45.0000 0.0000\n"
             "- retract line 90.0000 45.0000 0.0000 -> 120.0000 40.0000 0.0000\n");
   EXPECT_EQ(path_of(program_of("X0 Y0", "V.G.WZ_AKT.R=0\n#TRC[GEN_CIR_BLOCK_IN_CORNER=1]",
-                               "G41 G1 X20\nX60\nY40\nG40 Y80")),
+                               "G41 G1 X20\nX60\nY40\nG40 Y80"),
+                    "900220 at line 5"),
             "- approach line 0.0000 0.0000 0.0000 -> 20.0000 0.0000 0.0000\n"
             "- programmed line 20.0000 0.0000 0.0000 -> 60.0000 0.0000 0.0000\n"
             "- programmed line 60.0000 0.0000 0.0000 -> 60.0000 40.0000 0.0000\n"

@@ -85,7 +85,9 @@ TEST(ProgramWithoutCompensation, ComesOutByteForByteHoweverItIsSpelt) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     const ProgramRun run = to_text(program, {}, seed % 40);
     ASSERT_TRUE(run.completed) << run.reports() << '\n' << program;
-    ASSERT_EQ(run.reports(), "");
+    // Random centres may be corrected by more than is left untold (D-41).
+    for (const Diagnostic& reported : run.diagnostics)
+      ASSERT_EQ(reported.code, Code::center_corrected) << run.reports();
     ASSERT_EQ(run.text, program);
   }
 }

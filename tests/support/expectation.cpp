@@ -6,6 +6,7 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "core/nc/dialect/dialect.h"
 #include "tests/support/run.h"
 
 namespace trc::support {
@@ -184,6 +185,21 @@ ProgramSessionSetup read_setup(std::string_view program) {
       for (double& coordinate : setup.session.program.start) coordinate = words.number();
     } else if (key == "look_ahead") {
       setup.session.compensator.limits.look_ahead_blocks = static_cast<std::size_t>(words.number());
+    } else if (key == "dialect") {
+      ProgramSetup& start = setup.session.program;
+      start.dialect = dialect_spelled(words.word()).value();
+      start.mode.selection = dialect_of(start.dialect).selection;
+      start.mode.transition = dialect_of(start.dialect).transition;
+    } else if (key == "leads") {
+      LeadSettings& leads = setup.session.compensator.leads;
+      leads.find = LeadSettings::Find::none;
+      if (words.more()) {
+        leads.find = LeadSettings::Find::counted;
+        leads.blocks_in = static_cast<std::size_t>(words.number());
+        leads.blocks_out = static_cast<std::size_t>(words.number());
+      }
+    } else if (key == "max_masked_share") {
+      setup.session.compensator.largest_masked_share = words.number();
     } else if (key == "verify") {
       setup.session.verify = true;
     } else if (key == "implicit_masking") {

@@ -157,8 +157,9 @@ std::string Process::err() const { return content_of(folder_.path("err")); }
 namespace {
 
 std::vector<std::string> server_command(const std::vector<std::string>& flags,
-                                        const std::string& listen) {
-  std::vector<std::string> command{TRCD_PROGRAM, "--listen", listen};
+                                        const std::string& listen,
+                                        std::vector<std::string> command) {
+  command.insert(command.end(), {TRCD_PROGRAM, "--listen", listen});
   command.insert(command.end(), flags.begin(), flags.end());
   return command;
 }
@@ -166,8 +167,9 @@ std::vector<std::string> server_command(const std::vector<std::string>& flags,
 }  // namespace
 
 ServerProcess::ServerProcess(const std::vector<std::string>& flags, const std::string& listen,
-                             unsigned most_descriptors, const std::vector<std::string>& environment)
-    : process_(server_command(flags, listen), most_descriptors, environment) {
+                             unsigned most_descriptors, const std::vector<std::string>& environment,
+                             const std::vector<std::string>& launcher)
+    : process_(server_command(flags, listen, launcher), most_descriptors, environment) {
   const Clock::time_point end = Clock::now() + std::chrono::seconds(30);
   while (address_.empty() && Clock::now() < end) {
     address_ = port_named("ports");
@@ -187,11 +189,15 @@ std::string ServerProcess::port_named(const std::string& field) const {
   return std::regex_search(text, found, pattern) ? "127.0.0.1:" + found[1].str() : "";
 }
 
-double ServerProcess::resident_mib() const {
+double ServerProcess::status(const std::string& name) const {
   std::ifstream status("/proc/" + std::to_string(process_.id()) + "/status");
   for (std::string line; std::getline(status, line);)
-    if (line.starts_with("VmRSS:")) return std::stod(line.substr(6)) / 1024;
+    if (line.starts_with(name + ":")) return std::stod(line.substr(name.size() + 1));
   return 0;
 }
+
+double ServerProcess::resident_mib() const { return status("VmRSS") / 1024; }
+double ServerProcess::address_space_mib() const { return status("VmSize") / 1024; }
+int ServerProcess::threads() const { return static_cast<int>(status("Threads")); }
 
 }  // namespace trc::testing_support

@@ -64,12 +64,13 @@ class Process {
 };
 
 // trcd at a loopback port, a free one unless another is named, until this object goes: then it is
-// asked to end.
+// asked to end. A launcher is a command that runs the one behind it.
 class ServerProcess {
  public:
   explicit ServerProcess(const std::vector<std::string>& flags = {},
                          const std::string& listen = "127.0.0.1:0", unsigned most_descriptors = 0,
-                         const std::vector<std::string>& environment = {});
+                         const std::vector<std::string>& environment = {},
+                         const std::vector<std::string>& launcher = {});
   ~ServerProcess();
   ServerProcess(const ServerProcess&) = delete;
   ServerProcess& operator=(const ServerProcess&) = delete;
@@ -84,8 +85,12 @@ class ServerProcess {
   int wait() { return process_.wait(); }
   // Resident memory.
   [[nodiscard]] double resident_mib() const;
+  [[nodiscard]] double address_space_mib() const;
+  [[nodiscard]] int threads() const;
+  [[nodiscard]] pid_t id() const { return process_.id(); }
 
  private:
+  [[nodiscard]] double status(const std::string& name) const;
   [[nodiscard]] std::string port_named(const std::string& field) const;
 
   Process process_;

@@ -36,6 +36,7 @@ SessionSetup setup_for(const TrcMode& mode, const Point& start,
   setup.compensator = compensator;
   setup.program.mode = mode;
   setup.program.mode.side = Side::off;
+  setup.program.tool_radius_given = true;
   setup.program.absolute_center = true;
   setup.program.start = from_plane(mode.plane, start, 0);
   return setup;
@@ -132,6 +133,10 @@ std::string difference(std::vector<Plain> actual, std::vector<Plain> expected, d
 }
 
 }  // namespace
+
+CompensatorSetup all_walls() {
+  return {.leads = {.find = LeadSettings::Find::none}, .largest_masked_share = 1};
+}
 
 const Diagnostic* Outcome::error() const {
   for (const Diagnostic& diagnostic : diagnostics)
@@ -259,8 +264,14 @@ bool same(const Outcome& a, const Outcome& b) {
            x.rapid == y.rapid && x.tangential == y.tangential && x.path == y.path &&
            x.normal == y.normal && x.feed == y.feed && x.tracking == y.tracking && x.text == y.text;
   };
-  return a.stopped == b.stopped && a.blocks.size() == b.blocks.size() &&
-         std::equal(a.blocks.begin(), a.blocks.end(), b.blocks.begin(), same_block);
+  const auto same_report = [](const Diagnostic& x, const Diagnostic& y) {
+    return x.code == y.code && x.severity == y.severity && x.source == y.source;
+  };
+  return a.stopped == b.stopped &&
+         std::equal(a.blocks.begin(), a.blocks.end(), b.blocks.begin(), b.blocks.end(),
+                    same_block) &&
+         std::equal(a.diagnostics.begin(), a.diagnostics.end(), b.diagnostics.begin(),
+                    b.diagnostics.end(), same_report);
 }
 
 SlowPoint wide(const Point& p) { return {p.x(), p.y()}; }

@@ -25,13 +25,16 @@ struct Outcome {
   [[nodiscard]] const Diagnostic* error() const;
 };
 
+// No block is a lead, and any share may be masked: random contours run over themselves.
+[[nodiscard]] CompensatorSetup all_walls();
+
 // A PathSession fed with motions in the plane of its mode, from a start point.
 // Modal words go to `program()` in between.
 class Channel {
  public:
   // `mode` holds before the first block; its side counts as off.
   Channel(const TrcMode& mode, const Point& start, std::size_t batch = 1,
-          const CompensatorSetup& compensator = {});
+          const CompensatorSetup& compensator = all_walls());
 
   [[nodiscard]] ProgramState& program() { return session_.program(); }
   // The place of the next item, with `ordinal` as its number.
@@ -72,7 +75,7 @@ struct Feeding {
   // End position of the third main axis and of tracking axis A, block by block.
   std::function<double(std::size_t ordinal)> third{};
   std::function<double(std::size_t ordinal)> tracking{};
-  CompensatorSetup compensator{};
+  CompensatorSetup compensator = all_walls();
   // Called behind each block with its ordinal and what has come out so far.
   std::function<void(std::size_t ordinal, const std::vector<CompensatedBlock>& out)> watch{};
 };

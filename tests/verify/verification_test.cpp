@@ -120,7 +120,7 @@ TEST(Verification, FindsAPathThatWasMovedByAMicrometreOrTwo) {
   const Line contour{.start = {0, 0}, .end = {100, 0}};
   for (const double moved : {0.0, 2e-3}) {
     Diagnostics diagnostics;
-    Verification verification(1e-3, diagnostics);
+    Verification verification(1e-3, {}, diagnostics);
     verification.programmed(MotionBlock{.source = {.index = 0}, .path = approach, .mode = on});
     verification.programmed(MotionBlock{.source = {.index = 1}, .path = contour, .mode = on});
     const std::vector<CompensatedBlock> path{

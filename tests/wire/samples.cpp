@@ -57,6 +57,7 @@ AssertionResult same_move(const MoveRequest& a, const MoveRequest& b) {
   if (a.incremental != b.incremental) return differs("incremental");
   if (!all_same_bits(a.tracking, b.tracking)) return differs("tracking");
   if (!same_bits(a.feed, b.feed)) return differs("feed");
+  if (a.role != b.role) return differs("role");
   return AssertionSuccess();
 }
 
@@ -92,6 +93,7 @@ MoveRequest random_move(Numbers& numbers) {
     move.tracking.resize(2);
     move.tracking[numbers.below(2)] = numbers.coordinate();
   }
+  if (numbers.chance(10)) move.role = numbers.chance(50) ? ContourRole::lead : ContourRole::wall;
   return move;
 }
 
@@ -125,7 +127,10 @@ std::vector<PathInput> every_path_input() {
                   .end = {10, 20, -1},
                   .center = {5, std::nullopt, 0},
                   .feed = 1000},
-      MoveRequest{.kind = MotionKind::counter_clockwise, .center = {}, .feed = 500},
+      MoveRequest{.kind = MotionKind::counter_clockwise,
+                  .center = {},
+                  .feed = 500,
+                  .role = ContourRole::lead},
       MoveRequest{.kind = MotionKind::clockwise, .end = {1, 2, {}}, .radius = -7.5, .feed = 500},
       MoveRequest{.kind = MotionKind::linear,
                   .end = {3, {}, {}},

@@ -35,6 +35,11 @@ PathSettings every_setting() {
   compensator.limits.passive_blocks = 7;
   compensator.implicit_contour_masking = true;
   compensator.circular_kerf_masking = false;
+  compensator.leads = {.find = LeadSettings::Find::counted,
+                       .blocks_in = 3,
+                       .blocks_out = 1,
+                       .closing_tolerance = 0.05};
+  compensator.largest_masked_share = 0.25;
   compensator.smallest_feed_factor = 0.5;
   compensator.inverse_path = true;
   settings.response_layout = Layout::columns;
@@ -74,6 +79,11 @@ TEST(Setup, ReadsBackEveryField) {
   EXPECT_EQ(compensator.limits.passive_blocks, 7U);
   EXPECT_TRUE(compensator.implicit_contour_masking);
   EXPECT_FALSE(compensator.circular_kerf_masking);
+  EXPECT_EQ(compensator.leads.find, LeadSettings::Find::counted);
+  EXPECT_EQ(compensator.leads.blocks_in, 3U);
+  EXPECT_EQ(compensator.leads.blocks_out, 1U);
+  EXPECT_EQ(compensator.leads.closing_tolerance, 0.05);
+  EXPECT_EQ(compensator.largest_masked_share, 0.25);
   EXPECT_TRUE(compensator.inverse_path);
   EXPECT_EQ(compensator.smallest_feed_factor, 0.5);
   EXPECT_EQ(read.path.response_layout, Layout::columns);

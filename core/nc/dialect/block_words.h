@@ -37,6 +37,8 @@ struct Interpreter::BlockWords {
   std::optional<std::uint32_t> center{};  // the first I J K R
   std::optional<Value> feed{};
   std::optional<Value> tool{};          // D
+  std::optional<Value> tool_number{};   // T
+  bool loads_tool = false;              // M06
   std::optional<Value> tool_radius{};   // V.G.WZ_AKT.R
   std::optional<TrcOptions> options{};  // #TRC
   std::optional<double> tangfeed{};     // #TANGFEED
@@ -44,8 +46,23 @@ struct Interpreter::BlockWords {
   std::uint32_t command = 0;  // where a # command stands
   bool has_command = false;
   bool has_spindle = false;
-  bool has_tool_number = false;
   std::uint32_t words = 0;  // without N and comments
+  // The line is copied as it stands; the axes of `forget` go where only the control knows.
+  bool copied = false;
+  AxisBits forget = 0;
+  std::optional<Value> tool_data{};         // L of G10
+  std::optional<Value> tool_data_number{};  // P of G10
+  bool changes_tool = false;                // M06
+  bool to_skip = false;                     // `/` in front
+  std::optional<Value> offset{};            // H
+  // Of Sinumerik. References: 1 for AC(), -1 for IC(), 0 as G90 and G91 say.
+  std::array<std::int8_t, 3> end_reference{};
+  std::array<std::int8_t, 3> center_reference{};
+  std::optional<double> sweep{};                   // AR=, degrees
+  std::array<std::optional<Value>, 3> through{};   // I1= J1= K1=
+  bool is_through = false;                         // CIP
+  bool begins_tangent_arcs = false;                // CT
+  std::optional<std::uint32_t> unfollowed_word{};  // CT, TURN=, AP=, RP=
 };
 
 }  // namespace trc

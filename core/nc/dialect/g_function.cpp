@@ -177,7 +177,17 @@ std::string_view name_of(GGroup group) {
     case technology:
     case axis_technology:
       return "technology, passed on";
+    case cycle:
+    case cycle_end:
+    case single_move:
+    case frame:
+    case tool_data:
+    case unfollowed:
+    case unfollowed_end:
+      return "copied while TRC is off";
     case spatial_circle:
+    case turning:
+    case call:
     case refused:
       return "refused with 900003";
   }

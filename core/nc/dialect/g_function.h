@@ -27,7 +27,18 @@ enum class GGroup : std::uint8_t {
   technology,       // passes, does not change the path
   axis_technology,  // likewise, but axis letters beside it are no positions
   spatial_circle,   // G303
-  refused,          // changes the path in a way that is not followed here
+  // Of other dialects than ISG, where a line may be copied while TRC is off although it is not
+  // followed:
+  cycle,        // modal: until `cycle_end` or a motion function each position is one of a cycle
+  cycle_end,    // G80
+  single_move,  // the axes of this line go where only the control knows: G28, G53, a cycle once
+  frame,        // what coordinates mean changes; axis letters beside it are no positions
+  tool_data,    // G10 of Fanuc: zero points or tool data, as its L says
+  unfollowed,   // until `unfollowed_end` coordinates mean something else: polar, scaling
+  unfollowed_end,
+  turning,  // of lathes only
+  call,     // subprograms and macros
+  refused,  // changes the path in a way that is not followed here
 };
 inline constexpr std::size_t g_group_count = static_cast<std::size_t>(GGroup::refused) + 1;
 
@@ -35,7 +46,11 @@ struct GFunction {
   std::int16_t number = 0;
   GGroup group = GGroup::refused;
   std::string_view meaning{};
-  bool initial = false;  // holds before the first line
+  bool initial = false;    // holds before the first line
+  std::int16_t tenth = 0;  // of G54.1: 1
+
+  // 54.1 is 541.
+  [[nodiscard]] constexpr int tenths() const { return number * 10 + tenth; }
 };
 
 // All functions known, in ascending order, those that are refused included.

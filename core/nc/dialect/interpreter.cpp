@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "core/nc/dialect/block_words.h"
+#include "core/nc/text/characters.h"
 
 namespace trc {
 namespace {
@@ -12,11 +13,6 @@ constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
 constexpr std::size_t spare_lines = 2048;  // as many as a message of 64 KiB holds
 constexpr std::size_t longest_spare_line = 256;
 constexpr std::size_t usual_words = 8;
-
-std::string_view without_blanks_in_front(std::string_view text) {
-  while (!text.empty() && (text.front() == ' ' || text.front() == '\t')) text.remove_prefix(1);
-  return text;
-}
 
 constexpr std::string_view center_letters = "IJKR";
 
@@ -34,6 +30,7 @@ void sum_up_words(ProgramLine& line) {
   for (const WordRange& word : line.words) {
     line.roles |= bit(word.role);
     if (word.role != WordRole::coordinate) continue;
+    if (!names_an_axis(line, word)) continue;
     const char letter = upper(line.text[word.begin]);
     if (letter >= 'X' && letter <= 'Z') {
       line.main_axes |= static_cast<std::uint8_t>(1U << (letter - 'X'));
@@ -45,12 +42,29 @@ void sum_up_words(ProgramLine& line) {
 
 // Few lines get past this.
 bool may_be_continued(std::string_view line) {
-  return !line.empty() && (line.back() == '\\' || line.back() == ' ' || line.back() == '\t');
+  return !line.empty() && std::string_view("\\ \t\xA0").find(line.back()) != std::string_view::npos;
 }
 
 std::string_view last_line_of(std::string_view text) {
   const std::size_t line_end = text.find_last_of("\r\n");
   return line_end == std::string_view::npos ? text : text.substr(line_end + 1);
+}
+
+// Where G41 or G42 stands in a line that is not read, outside of comments; npos: nowhere.
+std::size_t place_of_side(std::string_view text) {
+  std::size_t depth = 0;
+  for (std::size_t at = 0; at < text.size(); ++at) {
+    if (text[at] == '(') ++depth;
+    if (text[at] == ')' && depth > 0) --depth;
+    if (depth > 0) continue;
+    if (text[at] == ';') break;
+    if (upper(text[at]) != 'G') continue;
+    std::string_view number = without_blanks_in_front(text.substr(at + 1));
+    number.remove_prefix(std::min(number.find_first_not_of('0'), number.size()));
+    const bool is_side = number.starts_with("41") || number.starts_with("42");
+    if (is_side && (number.size() == 2 || number[2] < '0' || number[2] > '9')) return at;
+  }
+  return std::string_view::npos;
 }
 
 Side side_of(int g_number) {
@@ -81,9 +95,12 @@ constexpr std::array<MotionKind, 4> motions{MotionKind::rapid, MotionKind::linea
 
 Interpreter::Interpreter(const ReaderLimits& limits, ProgramState& state, Diagnostics& diagnostics)
     : limits_(limits),
+      dialect_(dialect_of(state.setup().dialect)),
       state_(state),
       diagnostics_(diagnostics),
-      absolute_center_(state.setup().absolute_center) {
+      inch_(state.setup().inch),
+      absolute_center_(state.setup().absolute_center),
+      reads_plain_lines_(state.setup().dialect == DialectName::isg) {
   axis_of_letter_.fill(-1);
   for (const char main : {'X', 'Y', 'Z'})
     axis_of_letter_[static_cast<std::size_t>(main - 'A')] = static_cast<std::int16_t>(main - 'X');
@@ -162,7 +179,10 @@ bool Interpreter::take_line(std::string_view text, std::string_view line_end,
   partial_.clear();
   const bool goes_on = read_line(line);
   enter_modes(line);
-  return goes_on;
+  if (faults_.empty()) return goes_on;
+  recycle(std::move(lines.back()));
+  lines.pop_back();
+  return !diagnostics_.stopped();
 }
 
 ProgramLine& Interpreter::append_line(std::string_view text, std::string_view line_end,
@@ -209,6 +229,7 @@ bool Interpreter::finish(std::vector<LinePointer>& lines) {
   const bool continued_to_nothing = !partial_.empty() && is_line_end(partial_.back());
   if (continued_to_nothing) return refuse_open_line();
   if (!partial_.empty() && !take_line({}, {}, lines)) return false;
+  if (!faults_.empty()) return report_faults();
   const auto last_line = static_cast<std::uint32_t>(std::max<std::uint64_t>(lines_read_, 1));
   if (comment_block_ != 0)
     return diagnostics_.report(
@@ -248,7 +269,53 @@ bool Interpreter::refuse(const ProgramLine& line, const TextFault& fault) {
   }
   Diagnostic refused = diagnostic(fault.code, source, fault.detail);
   refused.column = static_cast<std::uint32_t>(fault.begin - line_begin + 1);
-  return diagnostics_.report(std::move(refused));
+  guard_against_other_dialects(line, refused);
+  return collect(std::move(refused));
+}
+
+// What cannot be read as ISG, in a program that has no word of its own, may be of another dialect.
+void Interpreter::guard_against_other_dialects(const ProgramLine& line, Diagnostic& fault) const {
+  constexpr std::array codes{Code::nc_syntax, Code::nc_unknown_function, Code::nc_unsupported,
+                             Code::nc_number, Code::nc_axis_unknown,     Code::nc_word_twice};
+  if (dialect_.name != DialectName::isg || isg_word_seen_ ||
+      std::ranges::find(codes, fault.code) == codes.end())
+    return;
+  const auto other = looks_like(line.text);
+  if (!other) return;
+  fault.code = Code::other_dialect;
+  fault.detail.append(", as in ").append(dialect_of(*other).spelling);
+}
+
+// Faults of one kind, word and reason alike, are one with the number of its lines.
+bool Interpreter::collect(Diagnostic fault) {
+  if (limits_.most_faults <= 1) return diagnostics_.report(std::move(fault));
+  if (faults_.empty()) scanned_trc_ = state_.contour_open();
+  reads_plain_lines_ = false;
+  const auto alike = std::ranges::find_if(faults_, [&](const Fault& known) {
+    return known.code == fault.code && known.detail == fault.detail;
+  });
+  if (alike != faults_.end()) {
+    if (alike->last_line != fault.source.line) ++alike->lines;
+    alike->last_line = fault.source.line;
+    return false;
+  }
+  faults_.push_back({.code = fault.code,
+                     .source = fault.source,
+                     .column = fault.column,
+                     .detail = std::move(fault.detail),
+                     .last_line = fault.source.line});
+  return faults_.size() >= limits_.most_faults && report_faults();
+}
+
+bool Interpreter::report_faults() {
+  std::vector<Diagnostic> all;
+  for (const Fault& fault : faults_) {
+    Diagnostic found = diagnostic(fault.code, fault.source, fault.detail);
+    found.column = fault.column;
+    if (fault.lines > 1) found.values = {{"lines", static_cast<double>(fault.lines)}};
+    all.push_back(std::move(found));
+  }
+  return diagnostics_.report_together(std::move(all));
 }
 
 bool Interpreter::refuse(const ProgramLine& line, const Word& word, Code code, std::string detail) {
@@ -268,6 +335,13 @@ bool Interpreter::read_line(ProgramLine& line) {
   line.words.clear();
   const std::string_view text = without_blanks_in_front(line.text);
   const bool is_name = text.starts_with('%');
+  if (dialect_.name != DialectName::isg && (ended_ || is_name)) {
+    // The `%` in front of the first block begins the tape, the next one ends it. What stands
+    // behind may be in any encoding.
+    if (ended_) return read_line_behind_end(line);
+    ended_ |= blocks_read_ > 0;
+    return true;
+  }
   if (!ended_ && comment_block_ == 0 && !is_name) return text.empty() || read_block(line);
 
   const std::size_t bad =
@@ -276,7 +350,7 @@ bool Interpreter::read_line(ProgramLine& line) {
     return refuse(line, TextFault{.code = Code::nc_not_text,
                                   .begin = static_cast<std::uint32_t>(bad),
                                   .detail = "in a text that is only passed on"});
-  if (ended_) return true;
+  if (ended_) return read_line_behind_end(line);
   if (comment_block_ != 0) return read_comment_block(line);
   const auto place_of_name = static_cast<std::uint32_t>(line.text.size() - text.size());
   const bool local =
@@ -288,23 +362,38 @@ bool Interpreter::read_line(ProgramLine& line) {
   return true;
 }
 
+bool Interpreter::read_line_behind_end(ProgramLine& line) {
+  const std::size_t place = place_of_side(line.text);
+  return place == std::string::npos ||
+         refuse(line,
+                TextFault{.code = Code::side_behind_end,
+                          .begin = static_cast<std::uint32_t>(place),
+                          .detail = line.text.substr(
+                              place, line.text.find_first_not_of("Gg0123456789 ", place) - place)});
+}
+
 bool Interpreter::read_block(ProgramLine& line) {
   BlockWords block;
-  const bool readable = read_words(line, block);
+  const bool is_isg = dialect_.name == DialectName::isg;
+  const bool readable = is_isg                                    ? read_words(line, block)
+                        : dialect_.name == DialectName::sinumerik ? read_named_words(line, block)
+                                                                  : read_code_words(line, block);
   sum_up_words(line);
-  if (!readable) return false;
+  if (!faults_.empty() && block.has(GGroup::side)) scanned_trc_ = !block.of(GGroup::side).is(40);
+  if (!readable || !faults_.empty()) return false;
   if ((line.roles & ~bit(WordRole::comment)) == 0) return true;
   line.has_words = true;
   ++blocks_read_;
-  if (!check_block(line, block)) return false;
+  if (!(is_isg ? check_block(line, block) : check_feed(line, block))) return false;
   sum_up_words(line);
   return apply(line, block);
 }
 
 // Whether the line can be read in one pass, with nothing to refuse before its motion.
 bool Interpreter::is_plain(ProgramLine& line, PlainMotion& plain) const {
-  return !ended_ && comment_block_ == 0 && feed_mode_ == 94 && plain.read(line.text, line.words) &&
-         (!plain.has_feed() || state_.is_feed(plain.feed() * length_unit()));
+  return !ended_ && comment_block_ == 0 && feed_mode_ == 94 && reads_plain_lines_ &&
+         plain.read(line.text, line.words) &&
+         (!plain.has_feed() || state_.is_feed(plain.feed() * feed_unit(inch_)));
 }
 
 bool Interpreter::apply(ProgramLine& line, const PlainMotion& plain) {
@@ -314,7 +403,7 @@ bool Interpreter::apply(ProgramLine& line, const PlainMotion& plain) {
   line.has_words = true;
   ++blocks_read_;
   if (plain.has_function()) motion_ = plain.motion();
-  if (plain.has_feed()) feed_ = plain.feed() * length_unit();
+  if (plain.has_feed()) feed_ = plain.feed() * feed_unit(inch_);
   state_.place(plain.first_coordinate() + 1);
   MoveRequest request;
   plain.enter(request);
@@ -328,6 +417,7 @@ bool Interpreter::apply(ProgramLine& line, BlockWords& block) {
                        pass(WordRole::technology) && apply_motion(line, block) &&
                        pass(WordRole::stop);
   if (!goes_on) return false;
+  if (block.of(GGroup::zero_shift).is(53)) forget_position(line, block);
   if (!line.ends_program) return true;
   ended_ = true;
   state_.place(0);
@@ -338,16 +428,26 @@ bool Interpreter::apply_modes(const ProgramLine& line, const BlockWords& block) 
   using enum GGroup;
   if (block.has(motion))
     motion_ = motions[static_cast<std::size_t>(block.of(motion).function->number)];
-  if (block.has(unit)) inch_ = block.of(unit).is(70);
+  if (block.has(unit)) {
+    inch_ = counts_in_inch(*block.of(unit).function);
+    feed_in_mm_ = dialect_.name == DialectName::sinumerik && block.of(unit).function->number < 100;
+  }
   if (block.has(dimension)) incremental_ = block.of(dimension).is(91);
   if (block.has(feed_mode)) feed_mode_ = block.of(feed_mode).function->number;
-  if (block.feed) feed_ = block.feed->value * length_unit();
+  if (block.feed) feed_ = block.feed->value * feed_unit(inch_);
   if (block.has(circle_center)) {
-    absolute_center_ = block.of(circle_center).is(161);
+    const GFunction& function = *block.of(circle_center).function;
+    absolute_center_ = function.number == 161 || function.tenths() == 901;
     state_.set_absolute_center(absolute_center_);
   }
   if (block.has(circle_check)) state_.set_circle_correction(block.of(circle_check).is(165));
-  if (block.has(zero_shift)) state_.forget_position();
+  if (block.has(zero_shift)) forget_position(line, block);
+  if (block.forget != 0) {
+    std::array<bool, 3> axes{};
+    for (std::size_t axis = 0; axis < axes.size(); ++axis)
+      axes[axis] = (block.forget >> axis & 1) != 0;
+    state_.forget_position(axes, line.source);
+  }
   if (!block.has(plane)) return true;
   place(line, block.of(plane).begin);
   const int number = block.of(plane).function->number;
@@ -355,6 +455,15 @@ bool Interpreter::apply_modes(const ProgramLine& line, const BlockWords& block) 
                           : number == 18 ? Plane::zx
                                          : Plane::yz,
                           line.source);
+}
+
+// G92 shifts the axes it names. Controls differ in whether G53 holds for its own block only, so
+// that the place its motion leads to is known to none of them.
+void Interpreter::forget_position(const ProgramLine& line, const BlockWords& block) {
+  std::array<bool, 3> axes{};
+  for (std::size_t axis = 0; axis < axes.size(); ++axis)
+    axes[axis] = !block.axis || !block.of(GGroup::zero_shift).is(92) || block.move.end[axis];
+  state_.forget_position(axes, line.source);
 }
 
 // Modes and radius before the side, so that G41 begins with all of its block.
@@ -365,8 +474,10 @@ bool Interpreter::apply_trc(const ProgramLine& line, const BlockWords& block) {
   const auto has = [&](GGroup group) { return block.has(group) && at(block.of(group).begin); };
 
   if (has(transition) &&
-      !state_.set_transition(
-          block.of(transition).is(25) ? Transition::linear : Transition::circular, source))
+      !state_.set_transition(block.of(transition).is(25) || block.of(transition).is(451)
+                                 ? Transition::linear
+                                 : Transition::circular,
+                             source))
     return false;
   if (has(masking) &&
       !state_.set_masking(block.of(masking).is(141) ? Masking::on : Masking::off, source))
@@ -386,6 +497,8 @@ bool Interpreter::apply_trc(const ProgramLine& line, const BlockWords& block) {
   if (block.tool_radius && at(block.tool_radius->begin) &&
       !state_.set_tool_radius(block.tool_radius->value * length_unit(), source))
     return false;
+  if (block.tool_number) state_.prepare_tool(static_cast<std::int64_t>(block.tool_number->value));
+  if (block.loads_tool && at(0) && !state_.load_tool(source)) return false;
   if (block.tool && at(block.tool->begin) &&
       !state_.set_tool(static_cast<std::int64_t>(block.tool->value), source))
     return false;
@@ -395,6 +508,10 @@ bool Interpreter::apply_trc(const ProgramLine& line, const BlockWords& block) {
 }
 
 bool Interpreter::apply_motion(ProgramLine& line, BlockWords& block) {
+  if (block.copied) return true;
+  if (dialect_.name == DialectName::sinumerik && (block.axis || block.center) &&
+      !resolve_references(line, block))
+    return false;
   const bool axis_is_position = !block.has(GGroup::dwell) && !block.of(GGroup::zero_shift).is(92);
   if ((!block.axis || !axis_is_position) && !block.center) return true;
   const std::uint32_t begin = std::min(block.axis.value_or(~0U), block.center.value_or(~0U));
@@ -418,6 +535,17 @@ bool Interpreter::move(ProgramLine& line, MoveRequest& request) {
   request.incremental = incremental_;
   request.feed = feed_mode_ == 94 ? feed_ : 0;
   if (inch_) scale(request);
+  // Many post-processors write all three centre words.
+  auto& across = request.center[axes_of(state_.mode().plane).third];
+  if (dialect_.name != DialectName::isg && across == 0.0) across.reset();
+  if (dialect_.arcs_to_the_contour && state_.awaits_approach() &&
+      (motion_ == MotionKind::clockwise || motion_ == MotionKind::counter_clockwise)) {
+    // An arc leads to the contour tangentially, as G05 does it: which arc, the contour says.
+    request.kind = MotionKind::linear;
+    request.center = {};
+    request.radius.reset();
+    state_.approach_tangentially();
+  }
   line.is_motion = true;
   return state_.move(request);
 }

@@ -8,9 +8,12 @@
 #include <vector>
 
 #include "core/base/diagnostics.h"
+#include "core/nc/dialect/dialect.h"
 #include "core/nc/dialect/plain_motion.h"
 #include "core/nc/state/program_line.h"
 #include "core/nc/state/program_state.h"
+#include "core/nc/text/code_words.h"
+#include "core/nc/text/named_words.h"
 #include "core/nc/text/number_format.h"
 #include "core/nc/text/words.h"
 
@@ -18,14 +21,19 @@ namespace trc {
 
 struct ReaderLimits {
   std::size_t longest_line = 64 * 1024;  // bytes, continued lines together; 900006 beyond
+  // So many different faults of reading are told together, at the end of the text at the latest:
+  // nothing comes out behind the first one.
+  std::size_t most_faults = 1;
 };
 
-// Reads NC text of the ISG dialect and tells `state` what it means; blocks come
+// Reads NC text of the dialect of the setup and tells `state` what it means; blocks come
 // out there. The text may be cut anywhere, also inside a word, a line end or a
 // UTF-8 character: lines, blocks and diagnostics are the same.
 //
 // What cannot be carried safely is an error with line, column and remedy. After
-// an error nothing more is read.
+// an error nothing more is read, but for further faults of reading (ReaderLimits::most_faults).
+//
+// Of ISG:
 //
 //   - The words of a block act together, whatever their order: modes, radius,
 //     G40 … G42, technology, motion, stop. A function excludes all others of its
@@ -35,12 +43,14 @@ struct ReaderLimits {
 //     circles: R is not modal here.
 //   - G70 counts coordinates, centres, radii and F in inch, also the tool radius
 //     that a program writes; the radii of the tool table are mm.
-//   - Zero shifts and G92 pass while TRC is off. The position is unknown then:
-//     ProgramState::forget_position.
+//   - Zero shifts and G92 pass while TRC is off. The position is unknown then, with
+//     axis words behind G92 on those axes, behind G53 also after the motion of its
+//     block: ProgramState::forget_position.
 //   - F is a feed per minute under G94 only; under G93, G95 and G194 it passes as
 //     technology and blocks have no feed. TRC cannot be active under G93, nor G11
 //     under any of them.
-//   - Behind M02, M30 and between #COMMENT BEGIN and END lines are text only.
+//   - Behind M02, M30 and between #COMMENT BEGIN and END lines are text only; G41
+//     and G42 behind the end are refused (900015), as nothing resolves them.
 class Interpreter {
  public:
   Interpreter(const ReaderLimits& limits, ProgramState& state, Diagnostics& diagnostics);
@@ -61,7 +71,8 @@ class Interpreter {
   template <class Archive>
   void serialize(Archive& archive) {
     archive(partial_, continued_, carriage_return_, lines_read_, blocks_read_, comment_block_,
-            ended_, motion_, incremental_, inch_, absolute_center_, feed_mode_, feed_);
+            ended_, motion_, incremental_, inch_, absolute_center_, feed_mode_, feed_,
+            isg_word_seen_, reads_plain_lines_, feed_in_mm_, code_, faults_, scanned_trc_);
   }
 
  private:
@@ -72,6 +83,7 @@ class Interpreter {
                            std::vector<LinePointer>& lines);
   void enter_modes(ProgramLine& line) const;
   bool read_line(ProgramLine& line);
+  bool read_line_behind_end(ProgramLine& line);
   bool read_comment_block(ProgramLine& line);
   bool read_block(ProgramLine& line);
   [[nodiscard]] bool is_plain(ProgramLine& line, PlainMotion& plain) const;
@@ -82,11 +94,40 @@ class Interpreter {
   bool read_axis(const Word& word, ProgramLine& line, BlockWords& block);
   bool read_number(const Word& word, ProgramLine& line, BlockWords& block);
   bool read_command(const Word& word, ProgramLine& line, BlockWords& block);
+  bool check_feed(ProgramLine& line, const BlockWords& block);
+
+  // Of the dialects of plain letters and numbers: code_block.cpp.
+  bool read_code_words(ProgramLine& line, BlockWords& block);
+  bool read_code_word(const CodeWord& word, ProgramLine& line, BlockWords& block);
+  bool read_code_function(const CodeWord& word, ProgramLine& line, BlockWords& block);
+  bool read_code_axis(const CodeWord& word, ProgramLine& line, BlockWords& block);
+  bool read_code_address(const CodeWord& word, ProgramLine& line, BlockWords& block);
+  bool read_code_machine_function(const CodeWord& word, ProgramLine& line, BlockWords& block);
+  bool complete_code_block(ProgramLine& line, BlockWords& block);
+  void take_unit_of_old(ProgramLine& line, BlockWords& block) const;
+  void forget_what_ends_nothing(BlockWords& block);
+  bool copy_code_block(ProgramLine& line, BlockWords& block);
+  bool check_code_selection(ProgramLine& line, BlockWords& block);
+  bool take_tool_data(ProgramLine& line, BlockWords& block);
+  bool refuse_code(const ProgramLine& line, const CodeWord& word, Code code,
+                   std::string_view meaning = {});
+
+  // Of Sinumerik: sinumerik_block.cpp.
+  bool read_named_words(ProgramLine& line, BlockWords& block);
+  bool read_named_address(const NamedWord& word, ProgramLine& line, BlockWords& block);
+  bool read_assignment(const NamedWord& word, ProgramLine& line, BlockWords& block);
+  bool read_name(const NamedWord& word, ProgramLine& line, BlockWords& block);
+  bool resolve_references(ProgramLine& line, BlockWords& block);
+  bool take_sweep(ProgramLine& line, BlockWords& block);
+  bool take_point_between(ProgramLine& line, BlockWords& block);
+  bool choose_tool_of_edge(ProgramLine& line, BlockWords& block);
+
   bool check_block(ProgramLine& line, const BlockWords& block);
 
   bool apply(ProgramLine& line, const PlainMotion& plain);
   bool apply(ProgramLine& line, BlockWords& block);
   bool apply_modes(const ProgramLine& line, const BlockWords& block);
+  void forget_position(const ProgramLine& line, const BlockWords& block);
   bool apply_trc(const ProgramLine& line, const BlockWords& block);
   bool apply_motion(ProgramLine& line, BlockWords& block);
   bool move(ProgramLine& line, MoveRequest& request);
@@ -95,12 +136,69 @@ class Interpreter {
 
   bool refuse(const ProgramLine& line, const TextFault& fault);
   bool refuse(const ProgramLine& line, const Word& word, Code code, std::string detail = {});
+  void guard_against_other_dialects(const ProgramLine& line, Diagnostic& fault) const;
+  bool collect(Diagnostic fault);
+  bool report_faults();
+  // TRC is active, or its retract motion is still to come, as far as the text has been read.
+  [[nodiscard]] bool contour_open() const {
+    return faults_.empty() ? state_.contour_open() : scanned_trc_;
+  }
+  [[nodiscard]] bool trc_active() const {
+    return faults_.empty() ? state_.mode().active() : scanned_trc_;
+  }
   bool refuse_long_line();
   bool refuse_open_line();
   void place(const ProgramLine& line, std::uint32_t begin);
   [[nodiscard]] double length_unit() const { return inch_ ? mm_per_inch : 1; }
+  // Under G70 of Sinumerik feeds stay in mm.
+  [[nodiscard]] double feed_unit(bool inch) const { return inch && !feed_in_mm_ ? mm_per_inch : 1; }
+  [[nodiscard]] bool counts_in_inch(const GFunction& function) const {
+    return function.number == dialect_.inch_function || function.number == 700;
+  }
+
+  // What a program of a dialect of plain letters and numbers has in force besides.
+  struct CodeModes {
+    bool cycle = false;                // each position is one of a drilling cycle
+    std::int32_t unfollowed = -1;      // the function, in tenths, under which coordinates mean
+                                       // something else; -1: none
+    bool turning = false;              // a word that only lathes have has been seen
+    bool y_seen = false;               // a Y word has
+    bool dimension_uncertain = false;  // the last G90 or G91 may be skipped
+    bool turned = false;               // coordinates are rotated or mirrored
+    std::int64_t next_tool = 0;        // T
+    std::int64_t spindle_tool = 0;
+    std::int64_t missing_tool = -1;  // of the last D word, which the table has not
+    std::string tool_name{};         // of T="…"
+    std::string only_tool_name{};
+    bool tangent_arcs = false;   // CT
+    bool edge_off = false;       // D0
+    bool changes_by_m6 = false;  // T only prepares a tool
+    // The one register that stands for the radius of the setup, where it has no tools.
+    std::optional<std::int64_t> only_register{};
+
+    template <class Archive>
+    void serialize(Archive& archive) {
+      archive(cycle, unfollowed, turning, y_seen, dimension_uncertain, turned, next_tool,
+              spindle_tool, tool_name, edge_off, changes_by_m6, only_register);
+    }
+  };
+  // The first of its kind; the others only count.
+  struct Fault {
+    Code code{};
+    Source source{};
+    std::uint32_t column = 0;
+    std::string detail{};
+    std::uint64_t lines = 1;
+    std::uint32_t last_line = 0;
+
+    template <class Archive>
+    void serialize(Archive& archive) {
+      archive(code, source, column, detail, lines, last_line);
+    }
+  };
 
   ReaderLimits limits_;
+  const Dialect& dialect_;
   ProgramState& state_;
   Diagnostics& diagnostics_;
   std::array<std::int16_t, 26> axis_of_letter_{};  // 0 … 2 X Y Z, then tracking axes; -1: none
@@ -119,9 +217,16 @@ class Interpreter {
   MotionKind motion_ = MotionKind::rapid;
   bool incremental_ = false;
   bool inch_ = false;
+  bool feed_in_mm_ = false;  // whatever lengths count in
   bool absolute_center_ = false;
   std::int16_t feed_mode_ = 94;
   double feed_ = 0;  // mm/min
+  // A line of a motion and nothing else means what its words say.
+  bool reads_plain_lines_ = true;
+  bool isg_word_seen_ = false;  // one that no other dialect has
+  CodeModes code_{};
+  std::vector<Fault> faults_{};
+  bool scanned_trc_ = false;  // behind the first fault: TRC is active
 };
 
 }  // namespace trc

@@ -3,6 +3,7 @@
 
 #include "core/nc/dialect/block_words.h"
 #include "core/nc/dialect/trc_command.h"
+#include "core/nc/text/characters.h"
 #include "core/nc/text/number_format.h"
 
 namespace trc {
@@ -10,11 +11,6 @@ namespace {
 
 char upper(char letter) {
   return letter >= 'a' && letter <= 'z' ? static_cast<char>(letter - 'a' + 'A') : letter;
-}
-
-std::string_view trimmed(std::string_view text) {
-  const std::size_t last = text.find_last_not_of(" \t");
-  return text.substr(0, last == std::string_view::npos ? 0 : last + 1);
 }
 
 bool same_name(std::string_view a, std::string_view b) {
@@ -43,6 +39,12 @@ WordRole role_of(GGroup group) {
   }
 }
 
+bool is_of_isg_alone(GGroup group) {
+  using enum GGroup;
+  return group == tangential || group == selection || group == masking || group == circle_center ||
+         group == circle_check || group == spatial_circle;
+}
+
 Code twice_code(GGroup group) {
   switch (group) {
     case GGroup::transition:
@@ -65,7 +67,7 @@ std::string command_name(std::string_view command) {
   std::string name;
   std::size_t at = 1;
   for (int part = 0; part < 2; ++part) {
-    while (at < command.size() && (command[at] == ' ' || command[at] == '\t')) ++at;
+    while (const std::size_t blank = blank_at_start(command.substr(at))) at += blank;
     if (part > 0) name += ' ';
     for (; at < command.size(); ++at) {
       const char letter = upper(command[at]);
@@ -136,6 +138,7 @@ bool Interpreter::read_words(ProgramLine& line, BlockWords& block) {
       case WordKind::variable:
         if (block.tool) return refuse(line, word, Code::radius_and_tool_word_together);
         if (block.tool_radius) return refuse(line, word, Code::nc_word_twice);
+        isg_word_seen_ = true;
         block.tool_radius = {.value = word.value, .begin = word.begin};
         add(line, word, WordRole::trc);
         break;
@@ -152,8 +155,9 @@ bool Interpreter::read_number(const Word& word, ProgramLine& line, BlockWords&) 
   if (word.has_argument || !word.whole || !is_whole(word.value))
     return refuse(line, word, Code::nc_number);
   if (line.source.number != Source::no_number) {
-    const std::size_t before = line.text.find_last_not_of(" \t", word.begin - 1U);
-    const bool new_line = line.text[before] == '\n' || line.text[before] == '\r';
+    const std::string_view before =
+        without_blanks_behind(std::string_view(line.text).substr(0, word.begin));
+    const bool new_line = before.ends_with('\n') || before.ends_with('\r');
     if (!new_line) return refuse(line, word, Code::nc_word_twice);
   } else {
     line.source.number = static_cast<std::int64_t>(word.value);
@@ -167,16 +171,22 @@ bool Interpreter::read_g_function(const Word& word, ProgramLine& line, BlockWord
       word.has_argument || word.whole ? find_g_function(word.value) : nullptr;
   if (function == nullptr) return refuse(line, word, Code::nc_unknown_function);
   const GGroup group = function->group;
+  isg_word_seen_ |= is_of_isg_alone(group);
+  // No mirroring, which is initial here, is inch elsewhere: millimetres for inches.
+  if (function->number == 20 && !isg_word_seen_)
+    return refuse(line, word, Code::other_dialect, "G20, inch in fanuc and linuxcnc");
   const auto named = [&](std::string_view why) {
     return std::string("G").append(std::to_string(function->number)).append(why);
   };
   if (group == GGroup::refused || group == GGroup::spatial_circle) {
-    const bool published = group == GGroup::spatial_circle && state_.just_deselected();
-    return refuse(line, word,
-                  published ? Code::spatial_circle_after_deselection : Code::nc_unsupported,
-                  named(", ").append(function->meaning));
+    Code code = Code::nc_unsupported;
+    if (group == GGroup::spatial_circle && state_.mode().active())
+      code = Code::spatial_circle_while_active;
+    else if (group == GGroup::spatial_circle && state_.just_deselected())
+      code = Code::spatial_circle_after_deselection;
+    return refuse(line, word, code, named(", ").append(function->meaning));
   }
-  if (group == GGroup::zero_shift && state_.contour_open())
+  if (group == GGroup::zero_shift && contour_open())
     return refuse(line, word, Code::nc_unsupported, named(" while TRC is active"));
   const bool may_have_argument = group == GGroup::zero_shift || group == GGroup::technology ||
                                  group == GGroup::axis_technology;
@@ -187,7 +197,7 @@ bool Interpreter::read_g_function(const Word& word, ProgramLine& line, BlockWord
   seen = {.function = function, .begin = word.begin};
   // Where there is nothing to end, G40 is a line of the program like any other.
   const bool ends_nothing = group == GGroup::side && function->number == 40;
-  add(line, word, ends_nothing && !state_.contour_open() ? WordRole::mode : role_of(group));
+  add(line, word, ends_nothing && !contour_open() ? WordRole::mode : role_of(group));
   return true;
 }
 
@@ -225,7 +235,9 @@ bool Interpreter::read_address(const Word& word, ProgramLine& line, BlockWords& 
       add(line, word, WordRole::technology);
       return true;
     case 'T':
-      if (std::exchange(block.has_tool_number, true)) return twice();
+      if (block.tool_number) return twice();
+      if (!is_whole(word.value)) return refuse(line, word, Code::nc_number);
+      block.tool_number = {.value = word.value, .begin = word.begin};
       add(line, word, WordRole::technology);
       return true;
     case 'S':
@@ -240,6 +252,7 @@ bool Interpreter::read_address(const Word& word, ProgramLine& line, BlockWords& 
         return refuse(line, word, Code::nc_unsupported, "M17, M29, the end of a subprogram");
       const bool ends = word.value == 2 || word.value == 30;
       line.ends_program |= ends;
+      block.loads_tool |= word.value == 6;
       add(line, word,
           ends || word.value == 0 || word.value == 1 ? WordRole::stop : WordRole::technology);
       return true;
@@ -257,7 +270,7 @@ bool Interpreter::read_axis(const Word& word, ProgramLine& line, BlockWords& blo
   double value = word.value;
   if (word.has_argument) {  // an axis with a name of its own
     const std::string_view text = line.word({.begin = word.begin, .end = word.end});
-    const std::string_view name = trimmed(text.substr(0, text.find('=')));
+    const std::string_view name = without_blanks_behind(text.substr(0, text.find('=')));
     const auto& names = state_.setup().tracking_axes;
     const auto found = std::ranges::find_if(
         names, [&](const std::string& candidate) { return same_name(candidate, name); });
@@ -301,13 +314,31 @@ bool Interpreter::check_block(ProgramLine& line, const BlockWords& block) {
     return wrong(Code::nc_unsupported, block.of(axis_technology), " with axis words");
   if (block.has(tangential) && !block.has(side))
     return wrong(Code::nc_syntax, block.of(tangential), " without G40, G41 or G42");
+  if (!isg_word_seen_ && !contour_open() && block.axis && !block.has(motion) && !block.has(side)) {
+    // Working area limits and a local zero point elsewhere: no positions.
+    if (block.has(transition))
+      return wrong(Code::other_dialect, block.of(transition), " with axis words");
+    const auto g52 = std::ranges::find_if(line.words, [&](const WordRange& range) {
+      return line.word(range) == "G52" || line.word(range) == "g52";
+    });
+    if (g52 != line.words.end())
+      return refuse(line, TextFault{.code = Code::other_dialect,
+                                    .begin = g52->begin,
+                                    .detail = "G52 with axis words"});
+  }
   const bool preset = block.of(zero_shift).is(92);
   if (preset && (block.has(motion) || block.center || block.move.radius))
     return wrong(Code::nc_unsupported, block.of(zero_shift), " with a motion");
-  // Not feed per minute: the number is technology like any other.
+  return check_feed(line, block);
+}
+
+// Not feed per minute: the number is technology like any other.
+bool Interpreter::check_feed(ProgramLine& line, const BlockWords& block) {
+  using enum GGroup;
+  const bool preset = block.of(zero_shift).is(92);
   const int feed = block.has(feed_mode) ? block.of(feed_mode).function->number : feed_mode_;
-  const bool inch = block.has(unit) ? block.of(unit).is(70) : inch_;
-  if (block.feed && feed == 94 && !state_.is_feed(block.feed->value * (inch ? mm_per_inch : 1)))
+  const bool inch = block.has(unit) ? counts_in_inch(*block.of(unit).function) : inch_;
+  if (block.feed && feed == 94 && !state_.is_feed(block.feed->value * feed_unit(inch)))
     return refuse(line, TextFault{.code = Code::nc_number,
                                   .begin = block.feed->begin,
                                   .detail = "F, more than 0 and at most 1000000000 mm/min"});
@@ -322,6 +353,7 @@ bool Interpreter::check_block(ProgramLine& line, const BlockWords& block) {
 bool Interpreter::read_command(const Word& word, ProgramLine& line, BlockWords& block) {
   const std::string_view command = line.word({.begin = word.begin, .end = word.end});
   const std::string name = command_name(command);
+  isg_word_seen_ |= !name.empty() && name != " ";
   block.command = word.begin;
   block.has_command = true;
   const auto wrong = [&](TextFault fault) {
@@ -363,7 +395,7 @@ bool Interpreter::read_command(const Word& word, ProgramLine& line, BlockWords& 
   }
   const auto forbidden = std::ranges::find_if(
       forbidden_commands, [&](const auto& candidate) { return name.starts_with(candidate.name); });
-  const bool published = forbidden != forbidden_commands.end() && state_.contour_open();
+  const bool published = forbidden != forbidden_commands.end() && contour_open();
   return refuse(line, word, published ? forbidden->while_active : Code::nc_unsupported);
 }
 

@@ -7,6 +7,9 @@
 #include <string>
 #include <utility>
 
+#include "core/nc/text/characters.h"
+#include "core/nc/text/expression.h"
+
 namespace trc {
 namespace {
 
@@ -23,7 +26,7 @@ constexpr auto keywords = std::to_array<TrcKeyword>({
     {"PERPENDICULAR_RADIUS_CHANGE", 0, 1, 0, true, "a new radius acts at once, across the contour"},
     {"GEN_CIR_BLOCK_IN_CORNER", 0, 1, 0, true, "inside corners get a circle of radius 0"},
     {"SUPPRESS_TRC", 0, 1, 0, true, "only KERF_MASKING acts, nothing is offset"},
-    {"INVERSE", 0, 1, 0, true, "needs ONLINE", "", false},
+    {"INVERSE", 0, 1, 0, true, "needs ONLINE, 22125 without it", "", false},
     {"ONLINE", 0, 3, 0, true, "compensation of a radius that changes while machining", "", false},
     {"ONLINE_BY_VECTOR", 0, 1, 0, true, "ONLINE for a wire that is inclined", "", false},
     {"SPLIT", 0, 0, 0, false, "splits selection and deselection by the travel of an axis"},
@@ -148,7 +151,12 @@ class CommandReader {
 
 // Blanks, commas, and the `\` of continued lines.
 void CommandReader::skip_separators() {
-  while (!at_end() && std::string_view(" \t,\\\r\n").find(peek()) != std::string_view::npos) ++at_;
+  while (!at_end()) {
+    const bool separates = std::string_view(",\\\r\n").find(peek()) != std::string_view::npos;
+    const std::size_t length = separates ? 1 : blank_at_start(text_.substr(at_));
+    if (length == 0) return;
+    at_ += length;
+  }
 }
 
 std::string CommandReader::identifier() {
@@ -163,17 +171,16 @@ CommandReader::Fault CommandReader::value(std::string_view name, std::size_t beg
   const bool assigned = peek() == '=';
   if (assigned) ++at_;
   skip_separators();
-  bool whole = false;
-  const std::size_t length = read_number(text_.substr(at_), number, whole);
-  if (length == 0) {
-    if (assigned && (peek() == '[' || is_letter(peek())))
-      return fault(Code::nc_unsupported, begin, std::string(name) + " with an expression");
+  // Without its = a name is the next keyword.
+  if (at_end() || peek() == ']' || (!assigned && is_letter(peek())))
     return fault(Code::trc_option_out_of_range, begin, std::string(name) + " without value");
+  std::size_t length = 0;
+  if (Fault wrong = read_expression(text_.substr(at_), number, length)) {
+    wrong->begin += static_cast<std::uint32_t>(at_);
+    wrong->detail.insert(0, std::string(name) + "=");
+    return wrong;
   }
   at_ += length;
-  if (!std::isfinite(number)) return fault(Code::nc_number, begin, std::string(name));
-  if (std::string_view("+-*/").find(peek()) != std::string_view::npos && !at_end())
-    return fault(Code::nc_unsupported, begin, std::string(name) + " with an expression");
   return {};
 }
 

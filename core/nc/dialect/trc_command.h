@@ -18,7 +18,7 @@ struct TrcKeyword {
   bool takes_value = true;
   std::string_view meaning{};
   std::string_view unit{};
-  bool available = true;  // else known, but refused with 900102
+  bool available = true;  // else known, but refused: 900102, INVERSE alone 22125
 };
 
 // All keywords, also those that are refused as not available (D-15).

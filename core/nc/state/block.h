@@ -25,6 +25,9 @@ struct AxisTravel {
 // when the session has none or none was ever programmed.
 using TrackingTravel = std::vector<AxisTravel>;
 
+// Whether a block bounds material, where its programmer says so (D-38).
+enum class ContourRole : std::uint8_t { unspecified, wall, lead };
+
 // A relevant block: it moves in the compensation plane. Absolute, mm, circles
 // checked.
 struct MotionBlock {
@@ -33,6 +36,7 @@ struct MotionBlock {
   AxisTravel normal{};  // the third main axis, across the plane
   double feed = 0;      // mm/min as programmed; 0: none programmed yet
   bool rapid = false;
+  ContourRole role = ContourRole::unspecified;
   std::shared_ptr<const TrcMode> mode{};
   TrackingTravel tracking{};
 };

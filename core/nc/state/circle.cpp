@@ -9,6 +9,11 @@ namespace {
 
 constexpr double full_turn = 2 * std::numbers::pi;
 
+// mm; on smaller arcs the share of the radius limits the shift of a centre alone (D-41).
+constexpr double small_radius = 20;
+// mm; what rounded coordinates do to the centre of the smallest arcs is no misfit.
+constexpr double rounded_shift = 0.01;
+
 bool is_full_circle(const CircleEnds& ends, double same_point) {
   return (ends.end - ends.start).norm() <= same_point;
 }
@@ -48,10 +53,15 @@ CircleResult arc_about(const Point& center, const CircleEnds& ends, const Circle
   const double radius = (ends.start - corrected).norm();
 
   if (check.correct_center) {
-    if (shift > check.largest_shift && shift > check.largest_shift_factor * radius)  // D-35
+    const double smallest_radius = std::min({start_radius, end_radius, radius});
+    const double limit =
+        smallest_radius < small_radius
+            ? std::max(rounded_shift, check.largest_shift_factor * smallest_radius)
+            : std::max(check.largest_shift, check.largest_shift_factor * radius);  // D-35
+    if (shift > limit)
       return CircleFault{.code = Code::circle_center_misfit,
                          .values = {{"center_shift", shift},
-                                    {"largest_shift", check.largest_shift},
+                                    {"largest_shift", limit},
                                     {"corrected_radius", radius},
                                     {"start_radius", start_radius},
                                     {"end_radius", end_radius}}};

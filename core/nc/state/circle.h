@@ -14,8 +14,9 @@ namespace trc {
 // radii at start and end may differ within limits.
 struct CircleCheck {
   bool correct_center = true;              // G165 / G164
-  double largest_shift = 2.0;              // mm, P-CHAN-00059
+  double largest_shift = 2.0;              // mm, P-CHAN-00059; not on small arcs (D-41)
   double largest_shift_factor = 0.05;      // of the corrected radius, P-CHAN-00060
+  double reported_shift = 0.01;            // mm; a larger one gets a warning, 900221 (D-41)
   double largest_radius_difference = 0.1;  // mm, G164, P-CHAN-00171
   double largest_radius_factor = 0.01;     // of the radius, G164, P-CHAN-00172
   // mm; by how much half the chord may exceed the R word: one digit of a program

@@ -85,6 +85,12 @@ struct ProgramLine {
   }
 };
 
+// Whether a coordinate word begins with the letter of its axis: not CR= and the like.
+[[nodiscard]] inline bool names_an_axis(const ProgramLine& line, const WordRange& word) {
+  const char second = word.end > word.begin + 1 ? line.text[word.begin + 1] : ' ';
+  return !((second >= 'A' && second <= 'Z') || (second >= 'a' && second <= 'z'));
+}
+
 // Lines stay where they are on their way from the reader to the writer and back, with the memory
 // their text takes.
 using LinePointer = std::unique_ptr<ProgramLine>;

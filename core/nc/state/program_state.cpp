@@ -40,6 +40,12 @@ ProgramState::ProgramState(const ProgramSetup& setup, const Tolerances& toleranc
       circle_(setup.circle),
       position_(setup.start),
       target_(setup.start) {
+  if (setup.tool_radius_given || setup.mode.tool_radius != 0) radius_giver_ = RadiusGiver::setup;
+  if (setup.masking_switches_kerf && mode_.masking == Masking::on)
+    mode_.options.kerf_masking = true;
+  // Programs in inch with three decimals.
+  constexpr double half_of_a_thousandth = 0.0127;
+  if (setup.dialect != DialectName::isg) circle_.largest_radius_shortfall = half_of_a_thousandth;
   update_side();
 }
 
@@ -52,7 +58,11 @@ bool ProgramState::report(const Source& source, Code code, std::string detail,
 }
 
 bool ProgramState::refuse(const Source& source, Refusal refusal) {
-  return report(source, refusal.code, refusal.detail, std::move(refusal.values));
+  Diagnostic refused = diagnostic(refusal.code, source, std::move(refusal.detail));
+  refused.column = column_;
+  refused.values = std::move(refusal.values);
+  refused.point = refusal.point;
+  return diagnostics_.report(std::move(refused));
 }
 
 TrcMode& ProgramState::change_mode() {
@@ -78,7 +88,9 @@ bool ProgramState::select(Side side, const Source& source) {
   }
   if (!mode_.active()) {
     if (retract_pending_) return report(source, Code::deselection_without_motion);
+    if (mode_.options.inverse) return report(source, Code::inverse_without_online);
     in_plane_blocks_ = 0;
+    selected_ = source;
     change_mode().selection_number = ++selections_;
   }
   programmed_side_ = side;
@@ -94,6 +106,7 @@ bool ProgramState::deselect(const Source& source) {
   if (has_contour && mode_.selection == Selection::without_block) {
     const Point point = last_equidistant_point();
     const double third = position_[axes_of(mode_.plane).third];
+    displaced_ |= (point - trc::end_of(last_path_)).norm() > tolerances_.same_point;
     position_ = from_plane(mode_.plane, point, third);
     target_ = position_;
   }
@@ -116,7 +129,7 @@ Point ProgramState::last_equidistant_point() const {
   const double shift = mode.side == Side::left ? mode.tool_radius : -mode.tool_radius;
   if (const Arc* arc = std::get_if<Arc>(&path);
       arc != nullptr && mode.options.conv_cir_to_lin && mode.masking == Masking::on &&
-      parallel_radius(*arc, shift) <= 0 && arc->start != arc->end)
+      parallel_radius(*arc, shift) < -tolerances_.on_contour && arc->start != arc->end)
     path = Line{.start = arc->start, .end = arc->end};  // the chord, D-18
   return parallel_point(end, tangent_at_end(path), shift);
 }
@@ -144,6 +157,9 @@ bool ProgramState::set_transition(Transition transition, const Source&) {
 }
 
 bool ProgramState::set_masking(Masking masking, const Source&) {
+  const bool on = masking == Masking::on;
+  if (setup_.masking_switches_kerf && mode_.options.kerf_masking != on)
+    change_mode().options.kerf_masking = on;
   if (masking != mode_.masking) change_mode().masking = masking;
   return true;
 }
@@ -173,19 +189,70 @@ bool ProgramState::set_tool_radius(double radius, const Source& source) {
   if (!in_range(radius, -largest_tool_radius, largest_tool_radius))
     return report(source, Code::tool_radius_out_of_range, {},
                   {{"tool_radius", radius}, {"largest", largest_tool_radius}});
+  return enter_radius(radius, RadiusGiver::program, source);
+}
+
+bool ProgramState::enter_radius(double radius, RadiusGiver giver, const Source& source) {
+  radius_giver_ = giver;
+  missing_tool_ = no_tool;
   if (radius == programmed_radius_) return true;
   if (mode_.active() && mode_.selection == Selection::inside_corner)
     return report(source, Code::radius_change_under_inside_corner, {}, {{"tool_radius", radius}});
   programmed_radius_ = radius;
   update_side();
-  return true;
+  if (radius != 0) zero_radius_reported_ = false;
+  return !mode_.active() || in_plane_blocks_ == 0 || check_radius(source);
 }
 
 bool ProgramState::set_tool(std::int64_t number, const Source& source) {
+  if (const auto defined = defined_tools_.find(number); defined != defined_tools_.end())
+    return set_tool_radius(defined->second, source);
   const auto tool = setup_.tools.find(number);
   if (tool != setup_.tools.end()) return set_tool_radius(tool->second, source);
-  if (number == 0) return set_tool_radius(0, source);
+  if (number == 0) {
+    radius_giver_ = RadiusGiver::nobody;
+    missing_tool_ = 0;
+    prepared_tool_ = no_tool;
+    return !mode_.active() || in_plane_blocks_ == 0 || check_radius(source);
+  }
   return report(source, Code::tool_unknown, std::string("D").append(std::to_string(number)));
+}
+
+bool ProgramState::load_tool(const Source& source) {
+  loads_tools_ = true;
+  return prepared_tool_ == no_tool || take_tool(std::exchange(prepared_tool_, no_tool), source);
+}
+
+// A radius the setup has given stands for tools that the table does not hold.
+bool ProgramState::take_tool(std::int64_t number, const Source& source) {
+  if (radius_giver_ == RadiusGiver::program) return true;
+  const auto tool = setup_.tools.find(number);
+  if (tool != setup_.tools.end())
+    return enter_radius(tool->second, RadiusGiver::tool_in_spindle, source);
+  if (radius_giver_ == RadiusGiver::setup) return true;
+  radius_giver_ = RadiusGiver::nobody;
+  missing_tool_ = number;
+  return !mode_.active() || in_plane_blocks_ == 0 || check_radius(source);
+}
+
+bool ProgramState::check_radius(const Source& source) {
+  if (prepared_tool_ != no_tool && !loads_tools_ && in_plane_blocks_ == 0 &&
+      !take_tool(prepared_tool_, source))
+    return false;
+  if (radius_giver_ == RadiusGiver::nobody)
+    return report(source, Code::no_tool_radius, missing_radius());
+  if (programmed_radius_ != 0 || std::exchange(zero_radius_reported_, true)) return true;
+  return report(source, Code::tool_radius_zero);
+}
+
+std::string ProgramState::missing_radius() const {
+  std::string text = "G41 or G42 " + place_of(selected_);
+  if (missing_tool_ == 0) return text + ", D0 or T0 is no tool";
+  if (missing_tool_ != no_tool)
+    return text + ", the tool table has no T" + std::to_string(missing_tool_);
+  if (prepared_tool_ != no_tool)
+    return text + ", T" + std::to_string(prepared_tool_) + " without M06";
+  return text;
 }
 
 bool ProgramState::set_options(const TrcOptions& options, const Source& source) {
@@ -211,6 +278,12 @@ bool ProgramState::set_options(const TrcOptions& options, const Source& source) 
   mode.options.stretch_factor = 1;
   return report(source, Code::stretch_factor_out_of_range, "STRETCH_FACTOR",
                 {{"value", options.stretch_factor}});
+}
+
+void ProgramState::forget_position(const std::array<bool, 3>& axes, const Source& source) {
+  for (std::size_t axis = 0; axis < known_.size(); ++axis)
+    if (axes[axis]) known_[axis] = false;
+  position_forgotten_ = source;
 }
 
 bool ProgramState::find_end(const MoveRequest& request, Position& end) const {
@@ -245,16 +318,23 @@ std::optional<ProgramState::Refusal> ProgramState::unknown_start(const MoveReque
   for (std::size_t axis = 0; axis < known_.size(); ++axis) {
     if (known_[axis]) continue;
     const bool counts_from_start = request.end[axis] && request.incremental;
-    const bool needed = axis != axes.third && in_plane &&
-                        (!request.end[axis] || is_circle(request.kind) || mode_.active());
+    const bool needed =
+        axis != axes.third && in_plane && (is_circle(request.kind) || mode_.active());
     if (counts_from_start || needed)
-      return Refusal{.code = Code::position_unknown, .detail = axis_words[axis]};
+      return Refusal{.code = Code::position_unknown,
+                     .detail = std::string(axis_words[axis]) + ", unknown since the change " +
+                               place_of(position_forgotten_)};
   }
   return {};
 }
 
 std::optional<ProgramState::Refusal> ProgramState::circle(const MoveRequest& request,
-                                                          const Position& end, Arc& arc) const {
+                                                          const Position& end,
+                                                          ProgrammedCircle& programmed) const {
+  if (displaced_)
+    return Refusal{.code = Code::circle_center_misfit,
+                   .detail = "an arc behind G40 under G239, before a straight motion",
+                   .point = standing_point()};
   const PlaneAxes axes = axes_of(mode_.plane);
   if (request.center[axes.third])
     return Refusal{.code = Code::nc_unsupported, .detail = center_words[axes.third]};
@@ -272,11 +352,12 @@ std::optional<ProgramState::Refusal> ProgramState::circle(const MoveRequest& req
     return !(point.cwiseAbs().maxCoeff() <= tolerances_.largest_coordinate);
   };
   CircleResult result;
+  Point center = Point::Zero();
   if (has_center) {
     const Point base = absolute_center_ ? Point::Zero() : ends.start;
     const Point missing = absolute_center_ ? ends.start : Point::Zero();
-    const Point center = base + Point(request.center[axes.first].value_or(missing.x()),
-                                      request.center[axes.second].value_or(missing.y()));
+    center = base + Point(request.center[axes.first].value_or(missing.x()),
+                          request.center[axes.second].value_or(missing.y()));
     if (too_large(center))
       return Refusal{.code = center.allFinite() ? Code::center_out_of_range : Code::field_invalid,
                      .detail = "I, J, K"};
@@ -286,9 +367,12 @@ std::optional<ProgramState::Refusal> ProgramState::circle(const MoveRequest& req
     result = arc_of_radius(*request.radius, ends, circle_, tolerances_);
   }
   if (CircleFault* fault = std::get_if<CircleFault>(&result))
-    return Refusal{.code = fault->code, .values = std::move(fault->values)};
-  arc = std::get<Arc>(result);
-  if (too_large(arc.center)) return Refusal{.code = Code::center_out_of_range};
+    return Refusal{
+        .code = fault->code, .values = std::move(fault->values), .point = standing_point()};
+  programmed.arc = std::get<Arc>(result);
+  if (too_large(programmed.arc.center)) return Refusal{.code = Code::center_out_of_range};
+  if (has_center && circle_.correct_center)
+    programmed.center_shift = (programmed.arc.center - center).norm();
   return {};
 }
 
@@ -329,12 +413,19 @@ bool ProgramState::move(const MoveRequest& request) {
 }
 
 bool ProgramState::move_on_circle(const MoveRequest& request, const Position& end) {
-  Arc arc;
-  if (auto refusal = circle(request, end, arc)) return refuse(request.source, std::move(*refusal));
+  ProgrammedCircle programmed;
+  if (auto refusal = circle(request, end, programmed))
+    return refuse(request.source, std::move(*refusal));
+  if (programmed.center_shift > circle_.reported_shift &&
+      !report(request.source, Code::center_corrected, {},
+              {{"center_shift", programmed.center_shift},
+               {"corrected_radius", radius_of(programmed.arc)}}))
+    return false;
+  if (mode_.active() && in_plane_blocks_ == 0 && !check_radius(request.source)) return false;
   TrackingTravel tracking;
   if (!move_tracking(request, tracking)) return false;
   enter_target(request, end);
-  append_motion(request, arc, end, std::move(tracking));
+  append_motion(request, programmed.arc, end, std::move(tracking));
   return true;
 }
 
@@ -346,6 +437,8 @@ bool ProgramState::move_straight(const MoveRequest& request, const Position& end
   enter_target(request, end);
   const Line line{.start = to_plane(mode_.plane, position_), .end = to_plane(mode_.plane, end)};
   if ((line.end - line.start).norm() > tolerances_.same_point) {
+    if (mode_.active() && in_plane_blocks_ == 0 && !check_radius(request.source)) return false;
+    displaced_ = false;
     append_motion(request, line, end, std::move(tracking));
   } else {
     const bool tracking_moves = std::ranges::any_of(tracking, &AxisTravel::moves);
@@ -372,6 +465,7 @@ void ProgramState::append_motion(const MoveRequest& request, const Shape& path, 
   block.normal = {.from = position_[third], .to = end[third]};
   block.feed = request.feed;
   block.rapid = request.kind == MotionKind::rapid;
+  block.role = request.role;
   block.mode = mode;
   block.tracking = std::move(tracking);
   position_ = from_plane(mode_.plane, path.end, end[third]);

@@ -13,6 +13,7 @@
 #include "core/base/tolerances.h"
 #include "core/nc/state/block.h"
 #include "core/nc/state/circle.h"
+#include "core/nc/state/dialect_name.h"
 
 namespace trc {
 
@@ -23,8 +24,20 @@ struct ProgramSetup {
   bool absolute_center = false;  // G161; G162 is the initial state (rule 10.4)
   CircleCheck circle{};
   std::vector<std::string> tracking_axes{"A", "B", "C", "U", "V", "W"};
-  std::map<std::int64_t, double> tools{};  // D word -> tool radius, mm
+  std::map<std::int64_t, double> tools{};  // number of D or T word -> tool radius, mm
+  // The tool radius of `mode` is meant as it stands. One that is not 0 always is; 0 without this
+  // is none at all (D-40).
+  bool tool_radius_given = false;
+  // P-CHAN-00284 = 0: G141 and G140 switch KERF_MASKING, the last writer wins (rule 7.1).
+  bool masking_switches_kerf = false;
+  DialectName dialect = DialectName::isg;  // of NC text
+  bool inch = false;                       // NC text counts in inch before it says
+  bool copies_unknown_words = false;       // lines with unknown G functions, while TRC is off
 };
+
+// Some of X Y Z, a bit each.
+using AxisBits = std::uint8_t;
+inline constexpr AxisBits all_axes = 7;
 
 enum class MotionKind : std::uint8_t { rapid, linear, clockwise, counter_clockwise };
 
@@ -39,6 +52,7 @@ struct MoveRequest {
   bool incremental = false;        // G91: `end` and `tracking` are differences
   std::vector<std::optional<double>> tracking{};  // by index into tracking_axes
   double feed = 0;                                // mm/min in force
+  ContourRole role = ContourRole::unspecified;
 };
 
 // The modal state and the position of one NC channel: turns requests into
@@ -75,19 +89,31 @@ class ProgramState {
   // mm; negative swaps the side (rule 1.5). At most `largest_tool_radius` in
   // size (900104); not under an active G238 (90127).
   bool set_tool_radius(double radius, const Source& source);
-  // D word, with the radius of the tool table; D0 without entry is no tool,
-  // radius 0. 900013.
+  // D word, with the radius of the tool table; D0 without entry is no tool, and
+  // there is no radius. 900013; 900219 while TRC is active.
   bool set_tool(std::int64_t number, const Source& source);
+  // T word: the tool of that number is made ready. M06: it is the one in the spindle. Its radius
+  // in the tool table holds as long as the program has neither a D word nor another radius of its
+  // own; without any M06 a T word acts at once.
+  void prepare_tool(std::int64_t number) { prepared_tool_ = number; }
+  bool load_tool(const Source& source);
+  // The program itself gives a tool of the table its radius, mm: G10 L12 of Fanuc.
+  void define_tool(std::int64_t number, double radius) { defined_tools_[number] = radius; }
+  // Whether a D word may name it.
+  [[nodiscard]] bool has_tool(std::int64_t number) const {
+    return number == 0 || defined_tools_.contains(number) || setup_.tools.contains(number);
+  }
   // A STRETCH_FACTOR out of range becomes 1, with a warning (22007). 22125, 900005.
   bool set_options(const TrcOptions& options, const Source& source);
   void set_absolute_center(bool absolute) { absolute_center_ = absolute; }        // G161 / G162
   void set_circle_correction(bool correct) { circle_.correct_center = correct; }  // G165 / G164
 
   // The coordinates mean something else from here on (zero shift, preset): where
-  // the machine stands is not known until all axes of the plane are programmed
-  // absolutely in a straight motion; until then 900106. That motion is shown as
-  // starting from the old coordinates, so that joints stay shared.
-  void forget_position() { known_.fill(false); }
+  // the machine stands is not known on the axes given (X Y Z) until each is
+  // programmed absolutely in a straight motion. Such motions are shown as starting
+  // from the old coordinates, so that joints stay shared; what needs to know more,
+  // an arc, G91 or a selection, is refused (900106).
+  void forget_position(const std::array<bool, 3>& axes, const Source& source);
 
   // Appends one block: a MotionBlock, or a PassiveBlock when nothing moves in the
   // plane by more than `same_point` (D-29). Such small steps add up: the sum is
@@ -95,8 +121,13 @@ class ProgramState {
   //
   // A circle needs a centre or a radius; a centre word that is missing is 0
   // relative to the start point (G162), or the coordinate of the start point
-  // (G161). 20034, 20035, 20036, 21024, 21758, 90018, 90133, 90134, 900003 (centre
-  // word across the plane), 900101, 900105, 900106.
+  // (G161). Behind a deselection under G239 that left the programmed point there
+  // is none before a straight motion in the plane (D-37). 20034, 20035, 20036,
+  // 21024, 21758, 90018, 90133, 90134, 900003 (centre word across the plane),
+  // 900101, 900105, 900106. A centre that is shifted gets a warning (900221).
+  //
+  // The first motion in the plane of a selection needs a tool radius: 900219; one
+  // given as 0 gets a warning once (900220).
   bool move(const MoveRequest& request);
   // Technology text, dwell …: comes out in its place, never interpreted.
   bool pass(const Source& source, std::string text);
@@ -114,26 +145,39 @@ class ProgramState {
   [[nodiscard]] const ProgramSetup& setup() const { return setup_; }
   // TRC is active, or its retract motion is still to come.
   [[nodiscard]] bool contour_open() const { return mode_.active() || retract_pending_; }
+  // Whether the place of a main axis is known.
+  [[nodiscard]] bool is_known(std::size_t axis) const { return known_[axis]; }
+  // TRC is selected; the motion that leads to the contour is still to come.
+  [[nodiscard]] bool awaits_approach() const { return mode_.active() && in_plane_blocks_ == 0; }
+  // That motion becomes an arc into the contour, as if G05 stood beside the selection.
+  void approach_tangentially() { change_mode().tangential = true; }
   // No motion in the plane has followed the last G40 yet.
   [[nodiscard]] bool just_deselected() const { return just_deselected_; }
 
   // mm; the reference control keeps 32 bits of 0.1 um.
   static constexpr double largest_tool_radius = 214748.3647;
+  static constexpr std::int64_t no_tool = -1;
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(column_, mode_, shared_mode_, programmed_side_, programmed_radius_,
+    archive(defined_tools_, column_, mode_, shared_mode_, programmed_side_, programmed_radius_,
             tangential_requested_, absolute_center_, circle_.correct_center, position_, target_,
-            known_, tracking_, selections_, in_plane_blocks_, has_approach_, last_path_, last_mode_,
-            retract_pending_, just_deselected_, ended_);
+            known_, position_forgotten_, displaced_, tracking_, radius_giver_, prepared_tool_,
+            loads_tools_, missing_tool_, zero_radius_reported_, selected_, selections_,
+            in_plane_blocks_, has_approach_, last_path_, last_mode_, retract_pending_,
+            just_deselected_, ended_);
   }
 
  private:
   struct Refusal {
     Code code = Code::field_invalid;
-    const char* detail = "";
+    std::string detail{};
     std::vector<DiagnosticValue> values{};
+    std::optional<DiagnosticPoint> point{};
   };
+
+  // Who has given the radius in force.
+  enum class RadiusGiver : std::uint8_t { nobody, setup, tool_in_spindle, program };
 
   bool report(const Source& source, Code code, std::string detail = {},
               std::vector<DiagnosticValue> values = {});
@@ -148,6 +192,11 @@ class ProgramState {
   }
   void share_mode();
   void update_side();
+  bool enter_radius(double radius, RadiusGiver giver, const Source& source);
+  bool take_tool(std::int64_t number, const Source& source);
+  // What D-40 asks of the first motion of a selection, and of a change while active.
+  bool check_radius(const Source& source);
+  [[nodiscard]] std::string missing_radius() const;
 
   // Where the request ends on an axis that it names.
   [[nodiscard]] double end_on(std::size_t axis, const MoveRequest& request) const {
@@ -160,8 +209,15 @@ class ProgramState {
   [[nodiscard]] std::optional<Refusal> unknown_start(const MoveRequest& request) const;
   bool move_straight(const MoveRequest& request, const Position& end);
   bool move_on_circle(const MoveRequest& request, const Position& end);
+  struct ProgrammedCircle {
+    Arc arc{};
+    double center_shift = 0;  // mm, by which G165 has corrected the centre
+  };
   [[nodiscard]] std::optional<Refusal> circle(const MoveRequest& request, const Position& end,
-                                              Arc& arc) const;
+                                              ProgrammedCircle& programmed) const;
+  [[nodiscard]] DiagnosticPoint standing_point() const {
+    return {.x = position_[0], .y = position_[1], .z = position_[2]};
+  }
   bool move_tracking(const MoveRequest& request, TrackingTravel& travel);
   bool travel_on_tracking_axes(const MoveRequest& request, TrackingTravel& travel);
   void enter_target(const MoveRequest& request, const Position& end);
@@ -177,11 +233,18 @@ class ProgramState {
   Diagnostics& diagnostics_;
   std::vector<Block>& blocks_;
 
+  std::map<std::int64_t, double> defined_tools_{};  // by the program
   std::uint32_t column_ = 0;
   TrcMode mode_;
   std::shared_ptr<const TrcMode> shared_mode_{};  // a copy of mode_; empty: out of date
   Side programmed_side_ = Side::off;              // G41, G42 before a negative radius swaps
   double programmed_radius_ = 0;                  // with its sign
+  RadiusGiver radius_giver_ = RadiusGiver::nobody;
+  std::int64_t prepared_tool_ = no_tool;  // of a T word, until it is loaded
+  bool loads_tools_ = false;              // the program has an M06
+  std::int64_t missing_tool_ = no_tool;   // asked for last, without a radius
+  bool zero_radius_reported_ = false;
+  Source selected_{};  // the G41 or G42 in force
   bool tangential_requested_ = false;
   bool absolute_center_ = false;
   CircleCheck circle_;
@@ -190,6 +253,10 @@ class ProgramState {
   // As programmed. Differs from position_ by steps that were too short to travel.
   Position target_{};
   std::array<bool, 3> known_{true, true, true};
+  Source position_forgotten_{};  // by what, unless all is known
+  // A deselection under G239 has left the tool beside the programmed point, and no straight motion
+  // in the plane has followed.
+  bool displaced_ = false;
   std::vector<double> tracking_{};  // positions; empty until one is programmed
 
   // The selection in force, or the last one.

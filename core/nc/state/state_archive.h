@@ -65,8 +65,8 @@ void serialize(Archive& archive, TrcMode& mode) {
 
 template <class Archive>
 void serialize(Archive& archive, MotionBlock& block) {
-  auto& [source, path, normal, feed, rapid, mode, tracking] = block;
-  archive(source, path, normal, feed, rapid, mode, tracking);
+  auto& [source, path, normal, feed, rapid, role, mode, tracking] = block;
+  archive(source, path, normal, feed, rapid, role, mode, tracking);
 }
 
 template <class Archive>

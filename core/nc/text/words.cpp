@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/nc/text/characters.h"
 #include "core/nc/text/decimal.h"
 
 namespace trc {
@@ -49,49 +50,30 @@ constexpr std::array<Class, 256> classes = make_classes();
 
 Class class_of(char byte) { return classes[static_cast<unsigned char>(byte)]; }
 bool is_digit(char byte) { return byte >= '0' && byte <= '9'; }
-bool is_blank(char byte) { return byte == ' ' || byte == '\t'; }
 bool is_line_end(char byte) { return byte == '\n' || byte == '\r'; }
 char upper(char letter) {
   return letter >= 'a' && letter <= 'z' ? static_cast<char>(letter - 'a' + 'A') : letter;
 }
 
-// Where the comment that starts at `begin` with a parenthesis ends: behind its
-// closing one, or at the line end.
-std::size_t end_of_comment(std::string_view text, std::size_t begin) {
+struct CommentEnd {
+  std::size_t at = 0;  // behind the closing parenthesis, or at the line end
+  bool closed = false;
+};
+
+// Of the comment that starts at `begin` with a parenthesis.
+CommentEnd end_of_comment(std::string_view text, std::size_t begin) {
   std::size_t depth = 0;
   std::size_t at = begin;
   for (; at < text.size() && !is_line_end(text[at]); ++at) {
     if (text[at] == '(') ++depth;
-    if (text[at] == ')' && --depth == 0) return at + 1;
+    if (text[at] == ')' && --depth == 0) return {.at = at + 1, .closed = true};
   }
-  return at;
+  return {.at = at};
 }
 
 std::size_t end_of_line(std::string_view text, std::size_t begin) {
   const std::size_t end = text.find_first_of("\r\n", begin);
   return end == std::string_view::npos ? text.size() : end;
-}
-
-// How many bytes the UTF-8 character at the start of `text` takes; 0: it is none.
-std::size_t utf8_character(std::string_view text) {
-  const auto byte = [&](std::size_t at) {
-    return at < text.size() ? static_cast<unsigned char>(text[at]) : 0U;
-  };
-  const auto follows = [&](std::size_t at) { return (byte(at) & 0xc0U) == 0x80U; };
-  const unsigned lead = byte(0);
-  if (lead < 0x80) return 1;
-  if (lead >= 0xc2 && lead <= 0xdf) return follows(1) ? 2 : 0;
-  if (lead >= 0xe0 && lead <= 0xef) {
-    const bool overlong = lead == 0xe0 && byte(1) < 0xa0;
-    const bool surrogate = lead == 0xed && byte(1) > 0x9f;
-    return follows(1) && follows(2) && !overlong && !surrogate ? 3 : 0;
-  }
-  if (lead >= 0xf0 && lead <= 0xf4) {
-    const bool overlong = lead == 0xf0 && byte(1) < 0x90;
-    const bool too_large = lead == 0xf4 && byte(1) > 0x8f;
-    return follows(1) && follows(2) && follows(3) && !overlong && !too_large ? 4 : 0;
-  }
-  return 0;
 }
 
 std::size_t first_bad_byte(std::string_view text, bool control_characters_pass) {
@@ -134,14 +116,12 @@ std::size_t first_byte_that_is_no_text(std::string_view text) {
 std::size_t first_byte_that_is_no_utf8(std::string_view text) { return first_bad_byte(text, true); }
 
 bool is_continued(std::string_view line) {
-  std::size_t size = line.size();
-  while (size > 0 && is_blank(line[size - 1])) --size;
-  if (size == 0 || line[size - 1] != '\\') return false;
-  const std::size_t last = size - 1;
-  if (line[line.find_first_not_of(" \t")] == '%') return false;
+  const std::string_view block = without_blanks_behind(line);
+  if (!block.ends_with('\\') || without_blanks_in_front(line).starts_with('%')) return false;
+  const std::size_t last = block.size() - 1;
   for (std::size_t at = 0; at < last; ++at) {
     if (line[at] == '(') {
-      at = end_of_comment(line, at) - 1;
+      at = end_of_comment(line, at).at - 1;
     } else if (line[at] == ';') {
       return false;
     }
@@ -157,13 +137,17 @@ Word WordReader::fail(Code code, const char* at, std::string_view detail) {
 
 Word WordReader::no_text(const char* begin, std::size_t bad) {
   const char* at = begin + bad;
-  return fail(Code::nc_not_text, at,
-              class_of(*at) == Class::high ? "no UTF-8" : "control character");
+  return fail(Code::nc_not_text, at, name_of_character({at, static_cast<std::size_t>(end_ - at)}));
+}
+
+inline void WordReader::pass_blanks() {
+  while (const std::size_t length = blank_at_start({at_, static_cast<std::size_t>(end_ - at_)}))
+    at_ += length;
 }
 
 inline bool WordReader::skip_blanks() {
   for (;;) {
-    while (at_ != end_ && is_blank(*at_)) ++at_;
+    pass_blanks();
     if (at_ == end_ || *at_ != '\\') return true;
     if (!skip_line_end()) return false;
   }
@@ -172,7 +156,9 @@ inline bool WordReader::skip_blanks() {
 // A `\` with the line end of a continued line. False at any other `\`.
 bool WordReader::skip_line_end() {
   const char* behind = at_ + 1;
-  while (behind != end_ && is_blank(*behind)) ++behind;
+  while (const std::size_t length =
+             blank_at_start({behind, static_cast<std::size_t>(end_ - behind)}))
+    behind += length;
   if (behind == end_ || !is_line_end(*behind)) return false;
   if (*behind == '\r' && behind + 1 != end_ && behind[1] == '\n') ++behind;
   at_ = behind + 1;
@@ -199,21 +185,11 @@ Word WordReader::next() {
 }
 
 Word WordReader::other_sign() {
-  const auto rest = static_cast<std::size_t>(end_ - at_);
-  std::size_t length = 1;
-  switch (class_of(*at_)) {
-    case Class::control:
-      return no_text(at_, 0);
-    case Class::high:
-      length = utf8_character({at_, rest});
-      if (length == 0) return no_text(at_, 0);
-      break;
-    default:
-      break;
-  }
+  const std::string_view rest(at_, static_cast<std::size_t>(end_ - at_));
+  if (class_of(*at_) == Class::control || utf8_character(rest) == 0) return no_text(at_, 0);
   if (*at_ == '$') return fail(Code::nc_unsupported, at_, "$, a control statement");
   if (*at_ == '/') return fail(Code::nc_unsupported, at_, "/, a block to skip on demand");
-  return fail(Code::nc_syntax, at_, {at_, length});
+  return fail(Code::nc_syntax, at_, name_of_character(rest));
 }
 
 Word WordReader::number_alone() {
@@ -228,7 +204,12 @@ Word WordReader::comment() {
   const char* const begin = at_;
   const std::size_t place = place_of(begin);
   const bool in_parentheses = *begin == '(';
-  at_ = line_.data() + (in_parentheses ? end_of_comment(line_, place) : end_of_line(line_, place));
+  const CommentEnd comment_end = in_parentheses
+                                     ? end_of_comment(line_, place)
+                                     : CommentEnd{.at = end_of_line(line_, place), .closed = true};
+  at_ = line_.data() + comment_end.at;
+  // Whatever stands behind a forgotten parenthesis would be lost without a word.
+  if (!comment_end.closed) return fail(Code::nc_unclosed, begin, "(, a comment without )");
   // One closing parenthesis too many is common and harms nobody.
   while (in_parentheses && peek() == ')') ++at_;
   const std::size_t bad =
@@ -251,10 +232,12 @@ Word WordReader::command() {
   const std::string_view text(begin, static_cast<std::size_t>(at_ - begin));
   const std::size_t bad = first_byte_that_is_no_text(text);
   if (bad != std::string_view::npos) return no_text(begin, bad);
-  const std::size_t last = text.find_last_not_of(" \t\r\n");
+  std::string_view words = without_blanks_behind(text);
+  while (is_line_end(words.back()))
+    words = without_blanks_behind(words.substr(0, words.size() - 1));
   return {.kind = WordKind::command,
           .begin = place_of(begin),
-          .end = static_cast<std::uint32_t>(place_of(begin) + last + 1)};
+          .end = static_cast<std::uint32_t>(place_of(begin) + words.size())};
 }
 
 inline bool WordReader::number(double& value, bool& whole) {
@@ -278,7 +261,7 @@ Word WordReader::address() {
   word.end = place_of(at_);
 
   // G159=3, S2=500; or an axis with a name of its own: X1=10.
-  while (at_ != end_ && is_blank(*at_)) ++at_;
+  pass_blanks();
   if (peek() != '=') return word;
   ++at_;
   if (!skip_blanks() || !number(word.argument, word.whole))
@@ -296,7 +279,11 @@ Word WordReader::no_number(const Word& word) {
   if (sign == '[' || sign == 'P' || variable || name)
     return fail(Code::nc_unsupported, begin,
                 std::string(begin, at_ + 1).append(", an expression or a name"));
-  return fail(Code::nc_number, begin, {&word.letter, 1});
+  std::string detail(1, word.letter);
+  if (class_of(sign) == Class::high)
+    detail.append(" before ")
+        .append(name_of_character({at_, static_cast<std::size_t>(end_ - at_)}));
+  return fail(Code::nc_number, begin, detail);
 }
 
 Word WordReader::variable() {

@@ -41,9 +41,9 @@ struct TextFault {
 // the bytes. The lines of a continued block are given together, with their `\`.
 //
 // Words need no blanks between them; blanks may stand between a letter, its `=`
-// and its number. A comment in parentheses nests and ends with the line at the
-// latest, as in the dialect. Numbers are decimal without exponent: E is a letter
-// of its own.
+// and its number. A no-break space is a blank: text copied from a manual holds it.
+// A comment in parentheses nests and ends in its line (900009). Numbers are
+// decimal without exponent: E is a letter of its own.
 class WordReader {
  public:
   explicit WordReader(std::string_view line)
@@ -54,6 +54,7 @@ class WordReader {
   [[nodiscard]] const TextFault& fault() const { return fault_; }
 
  private:
+  void pass_blanks();
   [[nodiscard]] bool skip_blanks();
   [[nodiscard]] bool skip_line_end();
   [[nodiscard]] Word address();

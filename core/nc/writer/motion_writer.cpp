@@ -34,13 +34,8 @@ Point middle_of(const Arc& arc) {
   return arc.center + std::cos(arc.sweep / 2) * radial + std::sin(arc.sweep / 2) * left_of(radial);
 }
 
-// " X30": a blank, the address letter and the number, in room for `room_of_word` bytes.
-constexpr std::size_t room_of_word = 2 + room_of_units;
-char* write_word(char* at, char letter, std::int64_t units, int decimals) {
-  *at++ = ' ';
-  *at++ = letter;
-  return write_units(at, units, decimals);
-}
+// " X30.": a blank, the address letter, the number and a decimal point.
+constexpr std::size_t room_of_word = 3 + room_of_units;
 
 // " G01"
 char* write_function(char* at, char digit) {
@@ -132,11 +127,21 @@ std::array<Arc, 2> halves_of(const Arc& arc) {
           Arc{.start = middle, .end = arc.end, .center = arc.center, .sweep = half}};
 }
 
-MotionWriter::MotionWriter(int decimals, std::string tracking_letters)
+MotionWriter::MotionWriter(int decimals, std::string tracking_letters, bool points)
     : decimals_(decimals),
       unit_of_mm_(from_units(1, decimals)),
       unit_of_inch_(from_units(1, decimals + 1) * mm_per_inch),
-      tracking_letters_(std::move(tracking_letters)) {}
+      tracking_letters_(std::move(tracking_letters)),
+      points_(points) {}
+
+inline char* MotionWriter::write_word(char* at, char letter, std::int64_t units,
+                                      int decimals) const {
+  *at++ = ' ';
+  *at++ = letter;
+  at = write_units(at, units, decimals);
+  if (points_ && units % units_per_one(decimals) == 0) *at++ = '.';
+  return at;
+}
 
 // I, J, K: from the start of the arc, or absolute.
 MotionWriter::Written MotionWriter::written_center(double center, double start,

@@ -46,7 +46,8 @@ using AxisSet = std::uint64_t;
 class MotionWriter {
  public:
   // `tracking_letters`: one letter per tracking axis. 0 <= decimals < most_decimals.
-  MotionWriter(int decimals, std::string tracking_letters);
+  // `points`: whole numbers end in a decimal point.
+  MotionWriter(int decimals, std::string tracking_letters, bool points = false);
 
   // How an arc can be written from the position the reader is at.
   enum class ArcForm : std::uint8_t {
@@ -117,6 +118,8 @@ class MotionWriter {
   [[nodiscard]] int decimals_of(bool inch) const { return inch ? decimals_ + 1 : decimals_; }
   [[nodiscard]] double unit(bool inch) const { return inch ? unit_of_inch_ : unit_of_mm_; }
 
+  [[nodiscard]] char* write_word(char* at, char letter, std::int64_t units, int decimals) const;
+
   // `known`: the numbers of main axes that have been asked for already.
   using KnownNumbers = std::array<const Written*, 3>;
   [[nodiscard]] char* write_axes(char* at, AxisSet always, AxisSet never, const Position& end,
@@ -128,6 +131,7 @@ class MotionWriter {
   double unit_of_mm_;
   double unit_of_inch_;
   std::string tracking_letters_;
+  bool points_;
 };
 
 }  // namespace trc

@@ -33,6 +33,8 @@ class NcWriter {
     Position start{};  // mm
     bool absolute_center = false;
     Plane plane = Plane::xy;
+    bool inch = false;
+    bool points = false;             // numbers are written with a decimal point
     std::string tracking_letters{};  // one per tracking axis
   };
   explicit NcWriter(const Setup& setup);

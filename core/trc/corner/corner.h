@@ -81,6 +81,12 @@ enum class CornerKind { tangential, inside, outside };
   return corner.cosine_of_turn() < 0 && is_parallel(corner, tolerances);
 }
 
+// Whether the motion goes back the way it came, near enough for a change of side (D-23).
+[[nodiscard]] inline bool turns_back(const Vector& before, const Vector& after,
+                                     const Tolerances& tolerances) {
+  return before.dot(after) < 0 && std::abs(cross(before, after)) <= std::sin(tolerances.reversal);
+}
+
 // An exact reversal is an outside corner of 360 degrees (D-05), or, where it
 // leaves a slit, an inside corner of none.
 [[nodiscard]] inline CornerKind kind_of(const Corner& corner, const Tolerances& tolerances) {

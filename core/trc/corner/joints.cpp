@@ -166,9 +166,12 @@ Corner corner_between(const PathBlock& before, const PathBlock& after,
 
 JointResult joint_between(const PathBlock& before, const PathBlock& after, const Corner& corner,
                           const Tolerances& tolerances) {
-  // The side changes at a reversal point: both equidistants end there (rule 9).
+  // REVERSE: at a reversal both equidistants end in one point (rule 9), at any other corner the
+  // tool goes straight across it (D-22).
   if (is_contour(before) && is_contour(after) && before.at_end.shift * after.at_start.shift < 0)
-    return JoinedBlocks{.joint = tangential_joint(corner)};
+    return JoinedBlocks{.joint = turns_back(corner.before.tangent, corner.after.tangent, tolerances)
+                                     ? tangential_joint(corner)
+                                     : joint_across(corner.before.anchor, corner.after.anchor)};
   if (!is_contour(before)) return approach(before, after, corner, tolerances);
   if (after.role == Role::retract)
     return retract(after, after.mode().deselection, corner, tolerances);

@@ -15,8 +15,7 @@ void HeldPath::append(PathBlock& block) {
     const MotionBlock& programmed = block.programmed;
     limit_radius_of_inserted(std::abs(block.at_start.shift));
     const Cuts cuts{block.cut_at_start, block.cut_at_end};
-    std::visit([&](const auto& path) { keep_contour(programmed.source, path, cuts); },
-               programmed.path);
+    std::visit([&](const auto& path) { keep_contour(programmed, path, cuts); }, programmed.path);
   }
   if (!block.riders.empty()) riders_.push_back({blocks_.end(), std::move(block.riders)});
   const bool apart = !is_contour && stands_apart(block);
@@ -141,6 +140,7 @@ PathBlockPtr HeldPath::restored(std::size_t number) {
         block.cut_at_end = cuts.at_end;
       };
       visit_programmed(kept.number, overloaded{give, [&](const Line& line) { give(line, {}); }});
+      programmed.role = contour_[kept.number].role;
       give_offsets(block);
     }
   }
@@ -172,6 +172,7 @@ void HeldPath::clear() {
   settings_.clear();
   riders_.clear();
   apart_.clear();
+  has_roles_ = false;
 }
 
 void HeldPath::forget_path_before(std::size_t block) {

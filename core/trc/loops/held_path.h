@@ -43,6 +43,7 @@ class HeldPath {
     Segment programmed{};
     Source source{};
     Number block = 0;  // its path
+    ContourRole role = ContourRole::unspecified;
   };
   // What one block after the other has in common.
   struct Setting {
@@ -94,6 +95,8 @@ class HeldPath {
   [[nodiscard]] bool empty() const { return blocks_.empty(); }
   [[nodiscard]] std::size_t size() const { return blocks_.size(); }
   [[nodiscard]] std::size_t begin_of_contour() const { return contour_.begin(); }
+  // Whether the role of a contour block has been given.
+  [[nodiscard]] bool has_roles() const { return has_roles_; }
   [[nodiscard]] std::size_t end_of_contour() const { return contour_.end(); }
 
   // Of these mostly a single part is wanted; nothing is done for the others then.
@@ -178,7 +181,7 @@ class HeldPath {
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(blocks_, arcs_, contour_, circles_, settings_, riders_, apart_);
+    archive(blocks_, arcs_, contour_, circles_, settings_, riders_, apart_, has_roles_);
   }
 
  private:
@@ -224,10 +227,11 @@ class HeldPath {
     Number block = 0;
     Number circle = 0;  // its own, or the next one
     bool is_arc = false;
+    ContourRole role = ContourRole::unspecified;
 
     template <class Archive>
     void serialize(Archive& archive) {
-      archive(start, end, index, n_word, line, block, circle, is_arc);
+      archive(start, end, index, n_word, line, block, circle, is_arc, role);
     }
   };
   struct KeptCircle {
@@ -286,7 +290,7 @@ class HeldPath {
   [[nodiscard]] Number last_setting() const { return static_cast<Number>(settings_.end() - 1); }
   void limit_radius_of_inserted(double radius);
   template <class Programmed>
-  void keep_contour(const Source& source, const Programmed& programmed, const Cuts& cuts);
+  void keep_contour(const MotionBlock& block, const Programmed& programmed, const Cuts& cuts);
   template <class Path>
   KeptBlock& keep_path(const Path& path, Number setting, Role role, Origin origin,
                        bool unreachable);
@@ -302,6 +306,7 @@ class HeldPath {
   NumberedQueue<Setting, 16> settings_;
   NumberedQueue<Riders, 16> riders_;
   NumberedQueue<Apart, 64> apart_;
+  bool has_roles_ = false;
 };
 
 template <class Programmed, class Path>
@@ -309,7 +314,7 @@ template <class Programmed, class Path>
                                                             const Programmed& programmed,
                                                             const Path& path, const Cuts& cuts,
                                                             bool unreachable) {
-  keep_contour(block.source, programmed, cuts);
+  keep_contour(block, programmed, cuts);
   keep_path(path, note_setting_like_last(block), Role::contour, Origin::programmed, unreachable);
 }
 
@@ -326,18 +331,20 @@ template <class Path>
 }
 
 template <class Programmed>
-[[gnu::always_inline]] inline void HeldPath::keep_contour(const Source& source,
+[[gnu::always_inline]] inline void HeldPath::keep_contour(const MotionBlock& block,
                                                           const Programmed& programmed,
                                                           const Cuts& cuts) {
+  has_roles_ = has_roles_ || block.role != ContourRole::unspecified;
   contour_.push_made([&] {
     return KeptContour{.start = programmed.start,
                        .end = programmed.end,
-                       .index = source.index,
-                       .n_word = source.number,
-                       .line = source.line,
+                       .index = block.source.index,
+                       .n_word = block.source.number,
+                       .line = block.source.line,
                        .block = static_cast<Number>(blocks_.end()),
                        .circle = static_cast<Number>(circles_.end()),
-                       .is_arc = std::is_same_v<Programmed, Arc>};
+                       .is_arc = std::is_same_v<Programmed, Arc>,
+                       .role = block.role};
   });
   if constexpr (std::is_same_v<Programmed, Arc>)
     circles_.push_back({.arc = {programmed.center, programmed.sweep}, .cuts = cuts});
@@ -459,7 +466,8 @@ inline HeldPath::Reader HeldPath::read_from(std::size_t block) const {
   return {
       .programmed = kept.is_arc ? Segment(arc_of(kept, circles_[kept.circle].arc)) : line_of(kept),
       .source = source_of(number),
-      .block = kept.block};
+      .block = kept.block,
+      .role = kept.role};
 }
 
 inline Box HeldPath::box_about(std::size_t block, const Point& start, const Point& end) const {

@@ -2,14 +2,21 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "core/geometry/along.h"
 #include "core/trc/loops/removed_loop.h"
 #include "core/trc/selection/selection_limit.h"
+#include "core/trc/walls/closing.h"
 
 namespace trc {
 namespace {
+
+// The line REVERSE puts between the two sides of a corner (D-22): it is near to both by intent.
+bool crosses_contour(const PathBlock& block) {
+  return block.role == Role::inserted && block.at_start.shift * block.at_end.shift < 0;
+}
 
 // Approach and retract have their own rules (D-11).
 bool is_compensated(const PathBlock& block) {
@@ -26,9 +33,13 @@ bool LoopRemoval::feed(PathBlockPtr block, PathBlocks& out) {
     return true;
   }
   const bool enters = block->role == Role::inserted && block->origin == Origin::approach;
-  const bool belongs =
-      block->removes_loops() && (block->role == Role::approach || enters || is_compensated(*block));
-  const bool goes_on = is_compensated(*block) && !block->perpendicular_entry;
+  const bool belongs = block->removes_loops() && !crosses_contour(*block) &&
+                       (block->role == Role::approach || enters || is_compensated(*block));
+  // A change of side ends the contour, also on the spot (D-42).
+  const bool changes_side =
+      end_of_contour() > 0 && path_.mode_of(end_of_path() - 1).side != block->mode().side;
+  const bool goes_on =
+      is_compensated(*block) && !block->perpendicular_entry && !(is_holding() && changes_side);
   if (is_holding() && (!belongs || (!goes_on && end_of_contour() > 0))) {
     behind_.push_back(std::move(block));
     return end_selection();
@@ -51,7 +62,8 @@ bool LoopRemoval::drain(PathBlocks& /*out*/) {
 
 bool LoopRemoval::end_selection() {
   leaving_ = is_holding();
-  if (!walk(true)) return false;
+  find_walls();
+  if (!walk(true) || !check_left_out()) return false;
   // Nothing is near anything any more.
   obstacles_.clear();
   walked_.drop_boxes();
@@ -61,10 +73,11 @@ bool LoopRemoval::end_selection() {
 bool LoopRemoval::let_go_some(PathBlocks& out) {
   let_go_to(end_of_portion(), out);
   if (!walked_.empty()) {
-    path_.forget_path_before(next_);
+    // What is left out behind a block may begin on it.
+    path_.forget_path_before(next_ - std::min<std::size_t>(next_ - path_.begin(), 1));
     return true;
   }
-  if (next_ < end_of_path()) pass_by(end_of_path(), at_.start, out);
+  if (next_ < end_of_path()) pass_by({end_of_path(), 0}, at_.start, out);
   begin_selection();
   for (PathBlockPtr& block : std::exchange(behind_, {}))
     if (!feed(std::move(block), out)) return false;
@@ -111,6 +124,7 @@ const PathPiece* LoopRemoval::next_part() const {
 
 void LoopRemoval::part_has_left() {
   const HeldPath::Number cut = walked_.kept(walked_.begin()).cut;
+  left_to_ = {walked_.cut(cut).block, walked_.cut(cut).to};
   have_left(1);
   walked_.drop_cuts_before(cut + 1);
 }
@@ -119,8 +133,10 @@ void LoopRemoval::pass_by_without_trace() {
   if (!leaving_ || !entering_.empty() || walked_.empty()) return;
   const auto& [block, cut] = walked_.kept(walked_.begin());
   if (next_ >= block || !leave_no_trace(block)) return;
-  const bool is_whole = cut == WalkedPath::Kept::whole;
-  report_masked(next_, block - 1, is_whole ? path_.begins_at(block) : walked_.cut(cut).start);
+  if (cut == WalkedPath::Kept::whole)
+    report_masked({block, 0}, path_.begins_at(block));
+  else
+    report_masked({block, walked_.cut(cut).from}, walked_.cut(cut).start);
   next_ = block;
 }
 
@@ -138,7 +154,26 @@ void LoopRemoval::begin_selection() {
   at_ = {};
   tolerated_ = {};
   next_ = 0;
+  left_to_ = none_left;
+  longest_left_out_ = {};
+  contour_length_ = 0;
+  obstacles_.set_walls({});
   leaving_ = false;
+}
+
+void LoopRemoval::find_walls() {
+  if (path_.empty() || path_.begin_of_contour() > 0) return;
+  ContourView view{.count = end_of_contour(),
+                   .segment = [this](std::size_t number) { return contour(number).programmed; }};
+  if (path_.has_roles()) view.role = [this](std::size_t number) { return contour(number).role; };
+  Walls walls = trc::find_walls(view, lead_settings_, largest_radius_);
+  if (walls.are_plain()) return;
+  obstacles_.set_walls(std::move(walls));
+  // What has been walked in a window, with leads for walls, is walked again.
+  if (!walking_ || walked_.empty()) return;
+  at_ = walked_[walked_.begin()];
+  drop_pieces(walked_.begin());
+  tolerated_ = {};
 }
 
 [[gnu::noinline]] bool LoopRemoval::has_no_room_for(const Source& source) {
@@ -161,6 +196,7 @@ bool LoopRemoval::hold(PathBlock& block) {
 void LoopRemoval::note_contour_block(const Box& programmed, const Certificate::Block& course) {
   obstacles_.append(course, programmed, std::exchange(apart_, false));
   if (window_ == 0) return;
+  contour_length_ += length_of(contour(end_of_contour() - 1).programmed);
   keep_waiting();
   reconsider(end_of_contour() - 1, programmed);
 }
@@ -419,7 +455,8 @@ bool LoopRemoval::violates(const PathPlace& from, const PathPlace& to, std::size
     // Mostly it is what the loop begins at: one of the neighbours there, which need not be found.
     const double limit = obstacles_.reach(block, Nearness::passable);
     if (block == from.block && begin < end && limit > 0 &&
-        PathPart(segment, begin, end).comes_nearer(contour(obstacle).programmed, limit))
+        PathPart(segment, begin, end)
+            .comes_nearer(obstacles_.wall(obstacle), obstacles_.reach_to(obstacle, block, limit)))
       return true;
     const bool whole = block != from.block && block != to.block;
     if (whole && (path_.is_unreachable(block) || runs_backwards(block))) return true;
@@ -473,8 +510,9 @@ bool LoopRemoval::leave_no_trace(std::size_t end) const {
   return !path_.has_riders(last) && path_.have_one_setting(next_, last) && path_.stays_put(last);
 }
 
-void LoopRemoval::pass_by(std::size_t end, const Point& place, PathBlocks& out) {
-  report_masked(next_, end - 1, place);
+void LoopRemoval::pass_by(const PathPlace& next, const Point& place, PathBlocks& out) {
+  const std::size_t end = next.block;
+  report_masked(next, place);
   if (leave_no_trace(end)) {
     next_ = end;
     return;
@@ -501,14 +539,15 @@ void LoopRemoval::let_go_to(std::size_t end, PathBlocks& out) {
 void LoopRemoval::let_go(std::size_t number, PathBlocks& out) {
   const auto& [at, cut] = walked_.kept(number);
   if (cut == WalkedPath::Kept::whole) {
-    if (next_ < at) pass_by(at, start_of(path(at).path), out);
+    if (next_ < at) pass_by({at, 0}, start_of(path(at).path), out);
     next_ = at + 1;
     out.push_back(path_.restored(at));
     return;
   }
   const PathPiece& piece = walked_.cut(cut);
-  if (next_ < at) pass_by(at, piece.start, out);
+  if (next_ < at) pass_by({at, piece.from}, piece.start, out);
   next_ = at + 1;
+  left_to_ = {at, piece.to};
   PathBlockPtr block = path_.restored(at);
   if (piece.behind_loop && block->mode().options.gen_cir_block_in_corner)
     out.push_back(circle_behind_loop(piece.start, piece.arrives, *block, piece.from));
@@ -518,21 +557,63 @@ void LoopRemoval::let_go(std::size_t number, PathBlocks& out) {
   walked_.drop_cuts_before(cut + 1);
 }
 
-void LoopRemoval::report_masked(std::size_t first, std::size_t last, const Point& place) {
+void LoopRemoval::report_masked(const PathPlace& next, const Point& place) {
+  std::size_t first = next_;
+  std::size_t last = next.block - 1;
   while (first <= last && !path_.is_contour(first)) ++first;
   while (last > first && !path_.is_contour(last)) --last;
   if (first > last) return;
-  const Source masked = path_.source_of(number_of(first));
-  Diagnostic note = diagnostic(Code::blocks_masked, masked);
-  const Source last_masked = path_.source_of(number_of(last));
-  // One by one: a list of them would be made of copies.
-  note.values.reserve(3);
-  note.values.push_back({"first_index", static_cast<double>(masked.index)});
-  note.values.push_back({"last_index", static_cast<double>(last_masked.index)});
-  note.values.push_back({"tool_radius", path_.radius_of_tool(first)});
+  LeftOut stretch = left_out(left_to_.block + 1 == next_ ? left_to_ : PathPlace{next_, 0}, next);
+  stretch.first = path_.source_of(number_of(first));
+  stretch.last = path_.source_of(number_of(last));
+  if (window_ > 0 && stretch.length > longest_left_out_.length) longest_left_out_ = stretch;
+  Diagnostic note = note_of(stretch);
   const Position position = from_plane(path_.mode_of(first).plane, place, path_.height_of(first));
   note.point = DiagnosticPoint{.x = position[0], .y = position[1], .z = position[2]};
   diagnostics_.report(std::move(note));
+}
+
+LeftOut LoopRemoval::left_out(const PathPlace& from, const PathPlace& to) const {
+  LeftOut stretch{.tool_radius = path_.radius_of_tool(from.block)};
+  // The share of a wall that lies along the part of its path.
+  const auto add = [&](std::size_t block, double begin, double end) {
+    if (!path_.is_contour(block)) return;
+    const double length = length_of(path(block).path);
+    const double share = length > 0 ? (std::min(end, length) - begin) / length : 1;
+    stretch.length += std::max(share, 0.0) * obstacles_.wall_length(number_of(block));
+  };
+  for (std::size_t block = from.block; block < to.block; ++block)
+    add(block, block == from.block ? from.along : 0, std::numeric_limits<double>::infinity());
+  if (to.block < end_of_path() && to.along > 0)
+    add(to.block, to.block == from.block ? from.along : 0, to.along);
+  stretch.first = path_.source_of(number_of(from.block));
+  stretch.last = path_.source_of(number_of(std::min(to.block, end_of_path() - 1)));
+  return stretch;
+}
+
+bool LoopRemoval::check_left_out() {
+  if (largest_masked_share_ >= 1 || path_.empty()) return true;
+  LeftOut longest = longest_left_out_;
+  PathPlace reached{next_, 0};
+  const auto consider = [&](const PathPlace& next) {
+    if (next.block <= reached.block) return;
+    const LeftOut stretch = left_out(reached, next);
+    if (stretch.length > longest.length) longest = stretch;
+  };
+  for (std::size_t number = walked_.begin(); number < walked_.end(); ++number) {
+    const auto& [block, cut] = walked_.kept(number);
+    const bool whole = cut == WalkedPath::Kept::whole;
+    consider({block, whole ? 0 : walked_.cut(cut).from});
+    reached = whole ? PathPlace{block + std::size_t{1}, 0} : PathPlace{block, walked_.cut(cut).to};
+  }
+  consider({end_of_path(), 0});
+  if (longest.length == 0) return true;
+  longest.of_walls = path_.begin_of_contour() > 0 ? contour_length_ : 0;
+  if (path_.begin_of_contour() == 0)
+    for (std::size_t number = 0; number < end_of_contour(); ++number)
+      longest.of_walls += obstacles_.wall_length(number);
+  if (!longest.is_more_than(largest_masked_share_)) return true;
+  return diagnostics_.report(refusal_of(longest, largest_masked_share_));
 }
 
 bool LoopRemoval::refuse(const Onset& onset) {
@@ -542,8 +623,8 @@ bool LoopRemoval::refuse(const Onset& onset) {
   Diagnostic violation =
       diagnostic(is_arc(own.programmed) ? Code::arc_wrapped : Code::line_reversed, own.source);
   const Source other = contour(onset.obstacle).source;
-  violation.values = {{"other_index", static_cast<double>(other.index)},
-                      {"tool_radius", path_.radius_of_tool(at_.block)}};
+  violation.values = {{"tool_radius", path_.radius_of_tool(at_.block)}};
+  append_place(violation.values, "other", other);
   const Position position =
       from_plane(mode.plane, point_along(travelled, onset.along), path_.height_of(at_.block));
   violation.point = DiagnosticPoint{.x = position[0], .y = position[1], .z = position[2]};

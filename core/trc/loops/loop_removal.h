@@ -8,11 +8,13 @@
 #include "core/base/diagnostics.h"
 #include "core/base/tolerances.h"
 #include "core/geometry/box_tree.h"
+#include "core/trc/compensator.h"
 #include "core/trc/loops/held_path.h"
 #include "core/trc/loops/loop_exit.h"
 #include "core/trc/loops/obstacles.h"
 #include "core/trc/loops/walked_path.h"
 #include "core/trc/path_block.h"
+#include "core/trc/walls/left_out.h"
 
 namespace trc {
 
@@ -34,17 +36,17 @@ namespace trc {
 // it has come. All else passes through at once.
 class LoopRemoval {
  public:
-  // `window` in contour blocks; 0: the whole selection.
-  LoopRemoval(std::size_t window, std::size_t selection_blocks, const Tolerances& tolerances,
-              Diagnostics& diagnostics, Checkpoint& checkpoint)
-      : window_(window),
-        selection_blocks_(selection_blocks),
-        tolerances_(tolerances),
+  LoopRemoval(const CompensatorSetup& setup, Diagnostics& diagnostics, Checkpoint& checkpoint)
+      : window_(setup.limits.look_ahead_blocks),
+        selection_blocks_(setup.limits.selection_blocks),
+        lead_settings_(setup.leads),
+        largest_masked_share_(setup.largest_masked_share),
+        tolerances_(setup.tolerances),
         diagnostics_(diagnostics),
         checkpoint_(checkpoint),
-        obstacles_(path_, window, tolerances, checkpoint),
-        walked_(path_, window > 0),
-        way_out_(path_, walked_, obstacles_, tolerances, checkpoint) {}
+        obstacles_(path_, window_, tolerances_, checkpoint),
+        walked_(path_, window_ > 0),
+        way_out_(path_, walked_, obstacles_, tolerances_, checkpoint) {}
 
   bool feed(PathBlockPtr block, PathBlocks& out);
   bool drain(PathBlocks& out);
@@ -106,7 +108,7 @@ class LoopRemoval {
   template <class Archive>
   void serialize(Archive& archive) {
     archive(entering_, path_, largest_radius_, apart_, obstacles_, walking_, walked_, at_,
-            tolerated_, next_);
+            tolerated_, next_, left_to_, longest_left_out_, contour_length_);
     if constexpr (Archive::is_loading::value) exact_from_ = walked_.end();
   }
 
@@ -127,6 +129,8 @@ class LoopRemoval {
   // Returns false.
   bool has_no_room_for(const Source& source);
   void note_contour_block(const Box& programmed, const Certificate::Block& course);
+  // Once the contour has ended, if its begin is still known: what of it is a wall (D-38).
+  void find_walls();
   [[nodiscard]] bool note_transition(bool unreachable, PathBlocks& out);
   void reconsider(std::size_t number, const Box& area);
   void walk_again_from(std::size_t piece, const Onset& onset);
@@ -181,17 +185,24 @@ class LoopRemoval {
   [[nodiscard]] std::size_t end_of_portion() const;
   void let_go_to(std::size_t end, PathBlocks& out);
   void let_go(std::size_t number, PathBlocks& out);
-  // The blocks before `end` that are not travelled: a loop, left out at `place`.
-  void pass_by(std::size_t end, const Point& place, PathBlocks& out);
+  // The blocks before `next` that are not travelled: a loop, left out at `place`.
+  void pass_by(const PathPlace& next, const Point& place, PathBlocks& out);
   // The last contour block of those, or else the first of them; there is at least one.
   [[nodiscard]] std::size_t last_dropped_before(std::size_t end) const;
   // Whether nothing comes out in their place.
   [[nodiscard]] bool leave_no_trace(std::size_t end) const;
-  void report_masked(std::size_t first, std::size_t last, const Point& place);
+  // What is left out before the next place, at the point.
+  void report_masked(const PathPlace& next, const Point& place);
+  // From one place of the path to another one, which are next to a loop (D-39).
+  [[nodiscard]] LeftOut left_out(const PathPlace& from, const PathPlace& to) const;
+  // Refuses a contour most of which goes in one loop.
+  bool check_left_out();
   bool refuse(const Onset& onset);
 
   std::size_t window_;
   std::size_t selection_blocks_;
+  LeadSettings lead_settings_;
+  double largest_masked_share_;
   Tolerances tolerances_;
   Diagnostics& diagnostics_;
   Checkpoint& checkpoint_;
@@ -216,6 +227,11 @@ class LoopRemoval {
   PathPiece at_{};         // the piece being walked
   PathPlace tolerated_{};  // up to here the path is in a loop that does not violate
   std::size_t next_ = 0;   // the first block that has neither left nor been dropped
+  static constexpr PathPlace none_left{HeldPath::most_blocks, 0};
+  PathPlace left_to_ = none_left;  // up to here a part of a block has left
+  // For a window only: of what has left, and of all contour blocks, mm.
+  LeftOut longest_left_out_{};
+  double contour_length_ = 0;
 
   bool leaving_ = false;
   PathBlocks behind_;

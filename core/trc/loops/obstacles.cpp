@@ -4,6 +4,7 @@
 #include <bit>
 
 #include "core/geometry/distance.h"
+#include "core/trc/walls/sided_walls.h"
 
 namespace trc {
 namespace {
@@ -27,6 +28,21 @@ void Obstacles::append(const Certificate::Block& course, const Box& area, bool a
 void Obstacles::drop_before(std::size_t number) {
   boxes_.drop_before(number);
   certificate_.drop_before(number);
+}
+
+Segment Obstacles::wall(std::size_t number) const {
+  return trc::part_of(path_.contour_block(number).programmed, walls_.part_of(number));
+}
+
+double Obstacles::wall_length(std::size_t number) const {
+  return walls_.is_lead(number) ? 0 : length_of(wall(number));
+}
+
+void Obstacles::keep_walls(NearFour& four, std::size_t own) const {
+  const NearFour all = four;
+  all.for_each([&](std::size_t number, std::size_t /*place*/) {
+    if (!walls_.is_wall_for(number, own)) four.drop(number, number + 1);
+  });
 }
 
 void Obstacles::clear() {
@@ -70,6 +86,7 @@ void Obstacles::find_neighbours(std::size_t block, const Box& area, double limit
     checkpoint_.pass();
     four.drop(skipped.first, skipped.last + 1);
     if (!sees_own) four.drop(own, own + 1);
+    if (!all_are_walls_) keep_walls(four, own);
     if (window_ > 0) {
       four.drop(0, own - std::min(own, window_));
       four.drop(own + window_ + 1, end_of_contour());
@@ -162,7 +179,7 @@ std::optional<Obstacles::Onset> Obstacles::onset(std::size_t block, double from,
   PathPart part(segment, from, to);
   std::optional<Onset> first;
   const auto compare = [&](std::size_t number) {
-    const auto entry = part.first_entry(programmed(number), limit);
+    const auto entry = part.first_entry(programmed(number), reach_to(number, block, limit));
     if (!entry) return false;
     first = {*entry, number};
     part = part.until(*entry);
@@ -196,7 +213,7 @@ bool Obstacles::comes_nearer(std::size_t block, double from, double to, Nearness
   bool nearer = false;
   for (const NearFour& four : neighbours_) {
     four.only(four.boxes->entered_by(course)).for_each([&](std::size_t number, std::size_t) {
-      nearer = nearer || part.comes_nearer(programmed(number), limit);
+      nearer = nearer || part.comes_nearer(programmed(number), reach_to(number, block, limit));
     });
     if (nearer) return true;
   }
@@ -210,7 +227,8 @@ const std::vector<std::size_t>& Obstacles::at(std::size_t block, const Point& pl
   const auto consider = [&](std::size_t number) {
     const HeldPath::ContourBlock other = path_.contour_block(number);
     if (number == obstacle || other.block == block) return;
-    if (distance(place, other.programmed) <= limit) numbers_.push_back(number);
+    if (!all_are_walls_ && !walls_.is_wall_for(number, path_.number_of(block))) return;
+    if (distance(place, programmed(number)) <= limit) numbers_.push_back(number);
   };
   const auto consider_four = [&](const NearFour& four) {
     four.for_each([&](std::size_t number, std::size_t /*place*/) { consider(number); });

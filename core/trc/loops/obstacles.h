@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "core/base/checkpoint.h"
@@ -12,6 +13,7 @@
 #include "core/trc/loops/certificate.h"
 #include "core/trc/loops/held_path.h"
 #include "core/trc/path_block.h"
+#include "core/trc/walls/walls.h"
 
 namespace trc {
 
@@ -40,6 +42,16 @@ class Obstacles {
   // The contour block that has been appended to the path; `apart`: its equidistant does not meet
   // that of the block before.
   void append(const Certificate::Block& course, const Box& area, bool apart);
+  // Which of them are walls, and for whose path; all for all until it is said (D-38).
+  void set_walls(Walls walls) {
+    walls_ = std::move(walls);
+    all_are_walls_ = walls_.are_plain();
+  }
+  // What of a contour block is a wall.
+  [[nodiscard]] Segment wall(std::size_t number) const;
+  // mm
+  [[nodiscard]] double wall_length(std::size_t number) const;
+
   // Forgets contour blocks.
   void drop_before(std::size_t number);
   // Forgets all: a new selection begins.
@@ -53,6 +65,11 @@ class Obstacles {
   [[nodiscard]] double reach(std::size_t block, Nearness nearness) const {
     const double radius = path_.radius_of_tool(block);
     return radius - part_of(nearness) * std::max(radius, 1.0);
+  }
+  // The same for one contour block: `limit` is how near is too near for walls.
+  [[nodiscard]] double reach_to(std::size_t number, std::size_t block, double limit) const {
+    if (all_are_walls_) return limit;
+    return limit - walls_.touch_between(number, path_.number_of(block));
   }
   // The first contour block of the certified chain that ends with this one.
   [[nodiscard]] std::size_t chain_before(std::size_t number) const {
@@ -91,7 +108,7 @@ class Obstacles {
   // Behind the path.
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(certificate_);
+    archive(certificate_, walls_, all_are_walls_);
     if constexpr (Archive::is_loading::value) rebuild_boxes();
   }
 
@@ -100,8 +117,10 @@ class Obstacles {
     return path_.block(block);
   }
   [[nodiscard, gnu::always_inline]] Segment programmed(std::size_t number) const {
-    return path_.contour_block(number).programmed;
+    return all_are_walls_ ? path_.contour_block(number).programmed : wall(number);
   }
+  // Leaves those that are walls for the path of the contour block `own`.
+  void keep_walls(NearFour& four, std::size_t own) const;
   [[nodiscard]] std::size_t end_of_contour() const { return path_.end_of_contour(); }
 
   using Fours = std::vector<NearFour>;
@@ -134,6 +153,8 @@ class Obstacles {
 
   BoxTree boxes_;
   Certificate certificate_;
+  Walls walls_{};
+  bool all_are_walls_ = true;
   // A stretch of the path, and all contour blocks that may be near one of its blocks. Whatever lies
   // in the same area and has no larger radius has no others.
   struct Survey {

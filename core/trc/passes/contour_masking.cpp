@@ -9,7 +9,10 @@
 #include "core/geometry/distance.h"
 #include "core/geometry/parallel.h"
 #include "core/trc/corner/joints.h"
+#include "core/trc/passes/reach.h"
 #include "core/trc/selection/selection_limit.h"
+#include "core/trc/walls/closing.h"
+#include "core/trc/walls/sided_walls.h"
 
 namespace trc {
 namespace {
@@ -91,16 +94,20 @@ bool ContourMasking::resolve(const PathBlock* after, PathBlocks& out) {
     }
   }
   if (!close(after)) return false;
+  find_walls();
+  if (!check_left_out()) return false;
   report_masked(base_, base_ + held_.size());
   for (PathBlockPtr& block : held_) out.push_back(std::move(block));
   held_.clear();
   base_ = 0;
+  longest_left_out_ = {};
+  contour_length_ = 0;
   return true;
 }
 
 bool ContourMasking::let_go(PathBlocks& out) {
   // So many masked blocks that the window does not see the end of them.
-  if (kept_.size() == 1) return refuse_to_mask(*held_.front());
+  if (kept_.size() == 1) return refuse_to_mask(base_, base_ + held_.size() - 1);
   const std::size_t next = kept_[1].index;
   report_masked(base_, next);
   const auto gone = static_cast<std::ptrdiff_t>(next - base_);
@@ -115,8 +122,9 @@ bool ContourMasking::let_go(PathBlocks& out) {
 bool ContourMasking::keep(std::size_t index) {
   PathBlock& block = held(index);
   const bool begins_contour = kept_.size() == 1 && !is_contour(*held_.front());
-  if (block.masked) return !begins_contour || refuse_to_mask(block);
+  if (block.masked) return !begins_contour || refuse_to_mask(index, index);
   while (true) {
+    checkpoint_.pass();
     const Kept& last = kept_.back();
     const PathBlock& before = held(last.index);
     const bool adjacent = last.index + 1 == index;
@@ -133,14 +141,15 @@ bool ContourMasking::keep(std::size_t index) {
       block.masked = true;
       return true;
     }
-    if (!mask_last_kept()) return false;
+    if (!mask_last_kept(index)) return false;
   }
 }
 
 // The last block must survive its end: nothing lies behind it to join anew.
 bool ContourMasking::close(const PathBlock* after) {
   PathBlock& last = *held_.back();
-  if (last.masked) return refuse_to_mask(last);
+  const std::size_t last_index = base_ + held_.size() - 1;
+  if (last.masked) return refuse_to_mask(kept_.back().index, last_index);
   double cut_at_end = 0;
   if (after != nullptr) {
     const Corner corner = corner_between(last, *after, tolerances_);
@@ -149,7 +158,7 @@ bool ContourMasking::close(const PathBlock* after) {
     // What cannot be joined is refused by Transitions, with its reason.
     if (joined != nullptr) cut_at_end = joined->joint.cut_before;
   }
-  return survives(kept_.back(), cut_at_end) || refuse_to_mask(last);
+  return survives(kept_.back(), cut_at_end) || refuse_to_mask(last_index, last_index);
 }
 
 std::optional<ContourMasking::Meeting> ContourMasking::meet(std::size_t before,
@@ -208,6 +217,7 @@ bool ContourMasking::are_passed(std::size_t before, std::size_t after,
   const double radius = std::abs(held(after).at_start.shift);
   const double reach = radius - tolerances_.clearance * std::max(radius, 1.0);
   for (std::size_t index = before + 1; index < after; ++index) {
+    checkpoint_.pass();
     const Segment& masked = held(index).programmed.path;
     if (nearness(path, masked, tolerances_.same_point).distance < reach) return false;
   }
@@ -221,43 +231,124 @@ bool ContourMasking::survives(const Kept& kept, double cut_at_end) const {
   return left * radius_at(block, block.at_end.shift) >= -tolerances_.on_contour;
 }
 
-bool ContourMasking::mask_last_kept() {
+bool ContourMasking::mask_last_kept(std::size_t joining) {
   PathBlock& block = held(kept_.back().index);
   const bool first_of_contour =
       kept_.size() == 1 || (kept_.size() == 2 && !is_contour(*held_.front()));
-  if (first_of_contour) return refuse_to_mask(block);
+  if (first_of_contour) return refuse_to_mask(kept_.back().index, joining);
   block.masked = true;
   block.rejoin.reset();
   kept_.pop_back();
   return true;
 }
 
+void ContourMasking::find_walls() {
+  walls_ = {};
+  if (base_ > 0) return;
+  const std::size_t first = is_contour(*held_.front()) ? 0 : 1;
+  double radius = 0;
+  bool has_roles = false;
+  for (const PathBlockPtr& block : held_) {
+    radius = std::max(radius, std::abs(block->at_end.shift));
+    has_roles = has_roles || block->programmed.role != ContourRole::unspecified;
+  }
+  ContourView view{.count = held_.size() - first, .segment = [&](std::size_t number) {
+                     return held(first + number).programmed.path;
+                   }};
+  if (has_roles)
+    view.role = [&](std::size_t number) { return held(first + number).programmed.role; };
+  walls_ = trc::find_walls(view, lead_settings_, radius);
+}
+
+double ContourMasking::wall_length(std::size_t index) const {
+  const PathBlock& block = held(index);
+  if (!is_contour(block)) return 0;
+  const std::size_t first = base_ == 0 && !is_contour(*held_.front()) ? 1 : 0;
+  const std::size_t number = index - first;
+  if (walls_.is_lead(number)) return 0;
+  return length_of(part_of(block.programmed.path, walls_.part_of(number)));
+}
+
+LeftOut ContourMasking::left_out(std::size_t first, std::size_t& end) const {
+  LeftOut stretch{.first = held(first).programmed.source,
+                  .tool_radius = std::abs(held(first).at_end.shift)};
+  std::size_t index = first;
+  for (; index < end && held(index).masked; ++index) {
+    stretch.length += wall_length(index);
+    stretch.last = held(index).programmed.source;
+  }
+  end = index;
+  return stretch;
+}
+
 // One note for each run of masked blocks.
 void ContourMasking::report_masked(std::size_t first, std::size_t end) {
   for (std::size_t index = first; index < end; ++index) {
-    if (!held(index).masked) continue;
-    const std::size_t begin = index;
-    while (index + 1 < end && held(index + 1).masked) ++index;
-    Diagnostic masked = diagnostic(Code::blocks_masked, held(begin).programmed.source);
-    const auto number = [&](std::size_t at) {
-      return static_cast<double>(held(at).programmed.source.index);
-    };
-    masked.values = {{"first_index", number(begin)},
-                     {"last_index", number(index)},
-                     {"tool_radius", std::abs(held(begin).at_end.shift)}};
-    diagnostics_.report(std::move(masked));
+    if (!held(index).masked) {
+      if (window_ > 0) contour_length_ += wall_length(index);
+      continue;
+    }
+    std::size_t behind = end;
+    const LeftOut stretch = left_out(index, behind);
+    if (window_ > 0) {
+      contour_length_ += stretch.length;
+      if (stretch.length > longest_left_out_.length) longest_left_out_ = stretch;
+    }
+    diagnostics_.report(note_of(stretch));
+    index = behind - 1;
   }
 }
 
-bool ContourMasking::refuse_to_mask(const PathBlock& block) {
-  if (!is_arc(block.programmed.path)) return refuse(Code::line_reversed, block);
-  const bool fits = radius_at(block, block.at_end.shift) >= tolerances_.on_contour;
-  return refuse(fits ? Code::arc_wrapped : Code::tool_not_smaller_than_arc, block);
+bool ContourMasking::check_left_out() {
+  LeftOut longest = std::exchange(longest_left_out_, {});
+  double of_walls = std::exchange(contour_length_, 0);
+  if (largest_masked_share_ >= 1) return true;
+  for (std::size_t index = base_; index < base_ + held_.size(); ++index) {
+    if (!held(index).masked) {
+      of_walls += wall_length(index);
+      continue;
+    }
+    std::size_t behind = base_ + held_.size();
+    const LeftOut stretch = left_out(index, behind);
+    of_walls += stretch.length;
+    if (stretch.length > longest.length) longest = stretch;
+    index = behind - 1;
+  }
+  if (longest.length == 0) return true;
+  longest.of_walls = of_walls;
+  if (!longest.is_more_than(largest_masked_share_)) return true;
+  return diagnostics_.report(refusal_of(longest, largest_masked_share_));
 }
 
-bool ContourMasking::refuse(Code code, const PathBlock& block) {
-  Diagnostic problem = diagnostic(code, block.programmed.source);
+// The block at fault is the one that asks for the smallest tool; the first or last one, which could
+// not be masked, is mostly sound.
+bool ContourMasking::refuse_to_mask(std::size_t first, std::size_t last) {
+  std::size_t worst = last;
+  std::optional<double> largest_radius;
+  for (std::size_t index = std::max(first, base_ + 1); index <= last; ++index) {
+    const bool has_neighbours = index + 1 < base_ + held_.size();
+    if (!has_neighbours || !is_contour(held(index))) continue;
+    checkpoint_.pass();
+    const PathBlock& before = held(index - 1);
+    const PathBlock& after = held(index + 1);
+    const double most = largest_radius.value_or(std::abs(held(index).at_end.shift));
+    if (is_reached(before, held(index), after, most, tolerances_)) continue;
+    largest_radius = largest_radius_for(before, held(index), after, tolerances_);
+    worst = index;
+  }
+  const PathBlock& block = held(worst);
+  if (!is_arc(block.programmed.path)) return refuse(Code::line_reversed, block, largest_radius);
+  const bool fits = radius_at(block, block.at_end.shift) >= tolerances_.on_contour;
+  return refuse(fits ? Code::arc_wrapped : Code::tool_not_smaller_than_arc, block, largest_radius);
+}
+
+bool ContourMasking::refuse(Code code, const PathBlock& block,
+                            std::optional<double> largest_radius) {
+  Diagnostic problem = diagnostic(
+      code, block.programmed.source,
+      "G141 finds no way past this block; #TRC [REMOVE_MASKED_BLOCKS=1] leaves out whole loops");
   problem.values = {{"tool_radius", std::abs(block.at_end.shift)}};
+  if (largest_radius) problem.values.push_back({"largest_radius", *largest_radius});
   const Position place =
       from_plane(block.mode().plane, block.offset_end, block.programmed.normal.to);
   problem.point = DiagnosticPoint{.x = place[0], .y = place[1], .z = place[2]};

@@ -7,8 +7,11 @@
 #include "core/base/checkpoint.h"
 #include "core/base/diagnostics.h"
 #include "core/base/tolerances.h"
+#include "core/trc/compensator.h"
 #include "core/trc/corner/corner.h"
 #include "core/trc/path_block.h"
+#include "core/trc/walls/left_out.h"
+#include "core/trc/walls/walls.h"
 
 namespace trc {
 
@@ -29,12 +32,12 @@ namespace trc {
 // through at once.
 class ContourMasking {
  public:
-  // `window` in contour blocks; 0: the whole selection.
-  ContourMasking(std::size_t window, std::size_t selection_blocks, const Tolerances& tolerances,
-                 Diagnostics& diagnostics, Checkpoint& checkpoint)
-      : window_(window),
-        selection_blocks_(selection_blocks),
-        tolerances_(tolerances),
+  ContourMasking(const CompensatorSetup& setup, Diagnostics& diagnostics, Checkpoint& checkpoint)
+      : window_(setup.limits.look_ahead_blocks),
+        selection_blocks_(setup.limits.selection_blocks),
+        lead_settings_(setup.leads),
+        largest_masked_share_(setup.largest_masked_share),
+        tolerances_(setup.tolerances),
         diagnostics_(diagnostics),
         checkpoint_(checkpoint) {}
 
@@ -47,7 +50,7 @@ class ContourMasking {
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(held_, base_, kept_);
+    archive(held_, base_, kept_, longest_left_out_, contour_length_);
   }
 
  private:
@@ -84,25 +87,40 @@ class ContourMasking {
   [[nodiscard]] bool are_passed(std::size_t before, std::size_t after,
                                 const PathBlock::Rejoin& in_line) const;
   [[nodiscard]] bool survives(const Kept& kept, double cut_at_end) const;
-  bool mask_last_kept();
+  // The block that could not be joined to it is `joining`.
+  bool mask_last_kept(std::size_t joining);
   // The first kept block, and the masked ones behind it.
   bool let_go(PathBlocks& out);
   void report_masked(std::size_t first, std::size_t end);
-  // The first or last block of the contour violates: 90017, 90019 or 90038.
-  bool refuse_to_mask(const PathBlock& block);
-  bool refuse(Code code, const PathBlock& block);
+  // Of masked blocks from `first` on and before `end`, which is moved to the first one behind them.
+  [[nodiscard]] LeftOut left_out(std::size_t first, std::size_t& end) const;
+  // Of the contour that is held: what of it is a wall, as far as its begin is known (D-38).
+  void find_walls();
+  [[nodiscard]] double wall_length(std::size_t index) const;
+  // Refuses a contour most of which is masked in one stretch (D-39).
+  bool check_left_out();
+  // There is no way on over these blocks, among them the first or the last one of the contour:
+  // 90017, 90019 or 90038 of the block the tool cannot reach, with the largest tool that could.
+  bool refuse_to_mask(std::size_t first, std::size_t last);
+  bool refuse(Code code, const PathBlock& block, std::optional<double> largest_radius);
 
   [[nodiscard]] PathBlock& held(std::size_t index) { return *held_[index - base_]; }
   [[nodiscard]] const PathBlock& held(std::size_t index) const { return *held_[index - base_]; }
 
   std::size_t window_;
   std::size_t selection_blocks_;
+  LeadSettings lead_settings_;
+  double largest_masked_share_;
   Tolerances tolerances_;
   Diagnostics& diagnostics_;
   Checkpoint& checkpoint_;
   PathBlocks held_;
   std::size_t base_ = 0;  // blocks of the selection that have left
   std::vector<Kept> kept_;
+  Walls walls_{};  // of a contour that has ended
+  // For a window only: of what has left, and of all contour blocks, mm.
+  LeftOut longest_left_out_{};
+  double contour_length_ = 0;
 };
 
 }  // namespace trc

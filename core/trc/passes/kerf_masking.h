@@ -18,7 +18,7 @@ namespace trc {
 //
 // The programmed contour itself is changed, before it is offset and also where it is
 // not (SUPPRESS_TRC, D-17). P-CHAN-00284 = 0 is the older method: between two lines,
-// up to 90 degrees, and under G141 without being asked.
+// up to 90 degrees; that G141 and G140 switch it then is a matter of the program.
 class KerfMasking {
  public:
   KerfMasking(bool circular, const Tolerances& tolerances)
@@ -40,8 +40,7 @@ class KerfMasking {
  private:
   [[nodiscard]] bool wanted(const PathBlock& block) const {
     if (block.role == Role::passive || !block.at_end.active) return false;
-    const TrcMode& mode = block.mode();
-    return mode.options.kerf_masking || (!circular_ && mode.masking == Masking::on);
+    return block.mode().options.kerf_masking;
   }
   void let_go(PathBlocks& out);
   // The corner of the two held blocks; `next` follows them, if anything does.

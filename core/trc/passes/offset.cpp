@@ -51,6 +51,9 @@ bool Offset::report_not_smaller(const PathBlock& block, const Arc& arc, double s
                       {"tool_radius", std::abs(shift)},
                       {"difference", radius},
                       {"smallest_difference", tolerances_.on_contour}};
+  const Position place =
+      from_plane(block.mode().plane, block.offset_start, block.programmed.normal.from);
+  violation.point = DiagnosticPoint{.x = place[0], .y = place[1], .z = place[2]};
   return diagnostics_.report(std::move(violation));
 }
 

@@ -4,6 +4,8 @@
 #include <numbers>
 #include <utility>
 
+#include "core/trc/corner/corner.h"
+
 namespace trc {
 namespace {
 
@@ -55,7 +57,6 @@ PathBlockPtr first_half_of(PathBlock& block) {
 }  // namespace
 
 const char* RelevantBlocks::unavailable(const TrcMode& mode) const {
-  if (mode.options.inverse) return "INVERSE";
   if (mode.tangential && mode.selection == Selection::perpendicular) return "G05 with G237";
   return nullptr;
 }
@@ -180,9 +181,12 @@ bool RelevantBlocks::continue_selection(PathBlock& block) {
   if (mode.side == last_mode_->side) return true;
   // Both sides of such a block lie on a contour: there is no free end to begin the arc of G05 at.
   if (mode.tangential) return refuse(Code::not_available, block, "G05 with a change of side");
-  if (mode.options.reverse && reverses(block)) {
+  if (mode.selection == Selection::inside_corner)
+    return refuse(Code::side_change_under_inside_corner, block);
+  // The change takes place at the corner, whatever its angle (D-22).
+  if (mode.options.reverse) {
     block.at_start = block.at_end;
-    return true;
+    return reverses(block) || warn_of_corner(block);
   }
   block.role = Role::side_change;
   block.origin = Origin::approach;
@@ -211,16 +215,22 @@ bool RelevantBlocks::end_selection(PathBlock& block) {
   return true;
 }
 
-// Lines must reverse exactly; circles must have one tangent there and turn in
-// opposite senses (rule 9). A line and a circle never reverse.
+// Whether the motion goes straight back there, so that both equidistants end in one point.
 bool RelevantBlocks::reverses(const PathBlock& block) const {
-  const auto* arc_before = std::get_if<Arc>(&last_path_);
-  const auto* arc_after = std::get_if<Arc>(&block.programmed.path);
-  if ((arc_before == nullptr) != (arc_after == nullptr)) return false;
-  if (arc_before != nullptr && arc_before->sweep * arc_after->sweep > 0) return false;
+  return turns_back(tangent_at_end(last_path_), tangent_at_start(block.programmed.path),
+                    setup_.tolerances);
+}
+
+bool RelevantBlocks::warn_of_corner(const PathBlock& block) {
   const double turn =
       turn_between(tangent_at_end(last_path_), tangent_at_start(block.programmed.path));
-  return std::abs(turn) >= std::numbers::pi - setup_.tolerances.reversal;
+  const Position corner =
+      from_plane(block.mode().plane, start_of(block.programmed.path), block.programmed.normal.from);
+  Diagnostic warning = diagnostic(Code::side_changed_at_corner, block.programmed.source);
+  warning.values = {{"turn", std::abs(turn) * 180 / std::numbers::pi},
+                    {"tool_radius", block.mode().tool_radius}};
+  warning.point = DiagnosticPoint{.x = corner[0], .y = corner[1], .z = corner[2]};
+  return diagnostics_.report(std::move(warning));
 }
 
 bool RelevantBlocks::refuse(Code code, const PathBlock& block, std::string detail) {

@@ -60,6 +60,7 @@ class RelevantBlocks {
   bool continue_selection(PathBlock& block);
   bool end_selection(PathBlock& block);
   [[nodiscard]] bool reverses(const PathBlock& block) const;
+  bool warn_of_corner(const PathBlock& block);
   void count_for_window(const PathBlock& block);
   bool refuse(Code code, const PathBlock& block, std::string detail = {});
 

@@ -199,9 +199,12 @@ bool Transitions::join(PathBlock& after, PathBlocks& out) {
   open(after, joint.start, joint.cut_after, tolerances_);
   out.push_back(std::move(held_));
   const bool leads_through_contour = apart;
+  const bool changes_side =
+      is_contour(before) && is_contour(after) && before.at_end.shift * after.at_start.shift < 0;
   const auto insert_here = [&](const Segment& segment, Origin why) {
     PathBlockPtr inserted = insertion_behind(before, after);
     inserted->unreachable = leads_through_contour;
+    if (changes_side) inserted->at_end = after.at_start;
     insert(segment, why, std::move(inserted), out);
   };
   for (const auto& segment : joint.inserted()) insert_here(*segment, origin);

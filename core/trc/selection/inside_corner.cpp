@@ -41,8 +41,6 @@ bool InsideCorner::feed(PathBlockPtr block, PathBlocks& out) {
     held_.push_back(std::move(block));
     return true;
   }
-  if (block->role == Role::side_change)
-    return refuse(Code::side_change_under_inside_corner, *block);
   if (!close(block->role == Role::retract ? block.get() : nullptr, out)) return false;
   out.push_back(std::move(block));
   return true;
@@ -129,6 +127,12 @@ bool InsideCorner::give_points(PathBlock& approach, const PathBlock& first, Path
 bool InsideCorner::refuse(Code code, const PathBlock& block, std::vector<DiagnosticValue> values) {
   Diagnostic problem = diagnostic(code, block.programmed.source);
   problem.values = std::move(values);
+  if (code == Code::selection_point_too_near) {
+    const MotionBlock& approach = held_.front()->programmed;
+    const Position start =
+        from_plane(approach.mode->plane, start_of(approach.path), approach.normal.from);
+    problem.point = DiagnosticPoint{.x = start[0], .y = start[1], .z = start[2]};
+  }
   return diagnostics_.report(std::move(problem));
 }
 

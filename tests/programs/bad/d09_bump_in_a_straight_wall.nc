@@ -1,4 +1,4 @@
-; expect: 90019 at line 8
+; expect: 90019 at line 9
 ; (D-09: N80 sticks out of the wall towards the tool. On from N60 to N110 in one line the tool would
 ; cut it off; without REMOVE_MASKED_BLOCKS there is no other joint)
 N10 G00 X-20 Y-20 F1000

@@ -1,3 +1,4 @@
+; setup: max_masked_share 1
 %CORNER_BEHIND_A_LOOP
 (to and fro, then off to the side)
 N10 G00 X-11 Y-11 F1000

@@ -7,7 +7,7 @@ N50 G01 X100 Y100
 N60 G41 G01 X150
 N70 G01 X250
 N80 G01 Y200
-N90 G42 (this corner is no reversal: a normal change of side)
+N90 G42 (this corner is no reversal: the tool crosses it)
 N100 G01 X100
 N110 G01 X100 Y150
 N120 G40 G01 X0

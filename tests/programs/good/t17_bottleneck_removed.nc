@@ -1,3 +1,4 @@
+; setup: max_masked_share 1
 %NECK_NOT_ENTERED
 (a neck 15 wide for a tool of radius 10, and a chamber behind it)
 N10 G00 X-60 Y-80 F1000

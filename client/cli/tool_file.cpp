@@ -1,0 +1,201 @@
+#include "client/cli/tool_file.h"
+
+#include <charconv>
+#include <cmath>
+#include <cstdint>
+#include <fstream>
+#include <map>
+#include <optional>
+#include <sstream>
+#include <vector>
+
+#include "core/nc/text/number_format.h"
+
+namespace trc::cli {
+namespace {
+
+std::string upper(std::string_view text) {
+  std::string result(text);
+  for (char& c : result)
+    if (c >= 'a' && c <= 'z') c = static_cast<char>(c - 'a' + 'A');
+  return result;
+}
+
+std::string_view trimmed(std::string_view text) {
+  const auto first = text.find_first_not_of(" \t\r\"");
+  if (first == std::string_view::npos) return {};
+  return text.substr(first, text.find_last_not_of(" \t\r\"") - first + 1);
+}
+
+std::vector<std::string_view> split(std::string_view text, char separator) {
+  std::vector<std::string_view> parts;
+  for (;;) {
+    const auto end = text.find(separator);
+    parts.push_back(trimmed(text.substr(0, end)));
+    if (end == std::string_view::npos) return parts;
+    text.remove_prefix(end + 1);
+  }
+}
+
+// A finite number at the start of the text; `length`: how many bytes it takes.
+std::optional<double> number_at(std::string_view text, std::size_t& length) {
+  const std::size_t sign = text.starts_with('+') ? 1 : 0;
+  double number = 0;
+  const char* const begin = text.data() + sign;
+  const auto [end, error] = std::from_chars(begin, text.data() + text.size(), number);
+  if (error != std::errc{} || !std::isfinite(number)) return {};
+  length = static_cast<std::size_t>(end - text.data());
+  return number;
+}
+
+std::optional<double> number_from(std::string_view text) {
+  std::size_t length = 0;
+  const auto number = number_at(text, length);
+  return number && length == text.size() ? number : std::nullopt;
+}
+
+std::optional<std::uint32_t> tool_number(std::optional<double> number) {
+  if (!number || *number < 0 || *number > 2147483647 || *number != std::floor(*number)) return {};
+  return static_cast<std::uint32_t>(*number);
+}
+
+// The words of a line of letters and numbers.
+std::map<char, double> words_of(std::string_view line) {
+  std::map<char, double> words;
+  for (std::size_t at = 0; at < line.size();) {
+    const char letter = upper(line.substr(at, 1))[0];
+    if (letter == ';' || letter == '(') break;
+    ++at;
+    if (letter < 'A' || letter > 'Z') continue;
+    std::size_t length = 0;
+    const auto number = number_at(line.substr(at), length);
+    if (!number) continue;
+    words[letter] = *number;
+    at += length;
+  }
+  return words;
+}
+
+class Table {
+ public:
+  explicit Table(v1::ProgramSetup& setup)
+      : setup_(setup), unit_(setup.unit() == v1::LENGTH_UNIT_INCH ? mm_per_inch : 1) {}
+
+  std::string read(std::string_view text) {
+    std::size_t line_number = 0;
+    while (!text.empty()) {
+      const auto end = text.find('\n');
+      const std::string_view line = trimmed(text.substr(0, end));
+      text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
+      ++line_number;
+      if (line.empty() || line.front() == '#' || line.front() == ';') continue;
+      if (const std::string fault = read_line(line); !fault.empty())
+        return "line " + std::to_string(line_number) + ": " + fault;
+    }
+    if (radii_.empty()) return "it names no tool with a radius";
+    for (const auto& [number, radius] : radii_) {
+      v1::Tool& tool = *setup_.add_tools();
+      tool.set_number(number);
+      tool.set_radius(radius);
+    }
+    return {};
+  }
+
+ private:
+  std::string read_line(std::string_view line) {
+    if (columns_.empty() && upper(line).find("NUMBER") != std::string::npos) return header(line);
+    if (!columns_.empty()) return row(line);
+    const std::map<char, double> words = words_of(line);
+    const auto has = [&](char letter) { return words.contains(letter); };
+    if (has('G') && words.at('G') == 10) {
+      if (!has('L') || !has('P') || !has('R')) return {};
+      const bool wear = words.at('L') == 13;
+      if (!wear && words.at('L') != 12) return {};
+      const auto number = tool_number(words.at('P'));
+      if (!number) return "P is no number of a tool";
+      radii_[*number] += words.at('R') * unit_;
+      return {};
+    }
+    if (has('T') && has('D')) {
+      const auto number = tool_number(words.at('T'));
+      if (!number) return "T is no number of a tool";
+      radii_[*number] = words.at('D') / 2 * unit_;
+      return {};
+    }
+    return has('G') || line == "%" || has('O') || has('M') || has('T')
+               ? std::string()
+               : "\"" + std::string(line) +
+                     "\" is no row of a table of tools; a CSV begins with a "
+                     "header such as number,radius";
+  }
+
+  std::string header(std::string_view line) {
+    for (const std::string_view name : split(line, ',')) columns_.push_back(upper(name));
+    const auto has = [&](std::string_view wanted) {
+      for (const std::string& column : columns_)
+        if (column == wanted) return true;
+      return false;
+    };
+    for (const std::string& column : columns_)
+      if (column != "NUMBER" && column != "RADIUS" && column != "DIAMETER" && column != "WEAR" &&
+          column != "NAME" && column != "HOLDS")
+        return "unknown column \"" + column + "\"";
+    if (!has("NUMBER") || has("RADIUS") == has("DIAMETER"))
+      return "the header needs number and one of radius, diameter";
+    return {};
+  }
+
+  std::string row(std::string_view line) {
+    const auto cells = split(line, ',');
+    std::optional<double> number;
+    double value = 0;
+    double wear = 0;
+    bool diameter = false;
+    for (std::size_t i = 0; i < columns_.size(); ++i) {
+      const std::string_view cell = i < cells.size() ? cells[i] : std::string_view();
+      const std::string& column = columns_[i];
+      if (column == "NAME") continue;
+      if (column == "HOLDS") {
+        const std::string holds = upper(cell);
+        if (!holds.empty() && holds != "RADIUS" && holds != "DIAMETER")
+          return "holds is \"" + holds + "\", not RADIUS or DIAMETER";
+        diameter |= holds == "DIAMETER";
+        continue;
+      }
+      const auto read = number_from(cell);
+      if (!read && !(column == "WEAR" && cell.empty()))
+        return column + " is \"" + std::string(cell) + "\", which is no number";
+      if (column == "NUMBER") number = read;
+      if (column == "WEAR") wear = read.value_or(0);
+      if (column == "RADIUS" || column == "DIAMETER") value = *read;
+      diameter |= column == "DIAMETER";
+    }
+    const auto tool = tool_number(number);
+    if (!tool) return "number is no number of a tool";
+    if (radii_.contains(*tool)) return "tool " + std::to_string(*tool) + " a second time";
+    radii_[*tool] = (value + wear) / (diameter ? 2 : 1);
+    return {};
+  }
+
+  v1::ProgramSetup& setup_;
+  double unit_;
+  std::vector<std::string> columns_{};
+  std::map<std::uint32_t, double> radii_{};
+};
+
+}  // namespace
+
+std::string read_tool_table(std::string_view text, v1::ProgramSetup& setup) {
+  return Table(setup).read(text);
+}
+
+std::string read_tool_file(const std::string& path, v1::ProgramSetup& setup) {
+  std::ifstream stream(path, std::ios::binary);
+  std::ostringstream text;
+  text << stream.rdbuf();
+  if (!stream) return "cannot read " + path;
+  const std::string fault = read_tool_table(text.str(), setup);
+  return fault.empty() ? fault : path + ": " + fault;
+}
+
+}  // namespace trc::cli

@@ -1,0 +1,449 @@
+import * as api from './api.js';
+import {Canvas2d} from './canvas2d.js';
+import {Listing} from './listing.js';
+import {Options} from './options.js';
+import {Overlay} from './overlay.js';
+import {Camera, Tiles} from './scene.js';
+import {palette, special, styleNames} from './styles.js';
+import {svgOf} from './svg.js';
+import {currentLanguage, t, translate} from './texts.js';
+import {WebGl} from './webgl.js';
+
+const $ = id => document.getElementById(id);
+const camera = new Camera();
+const programs = [];
+let current = null;      // {name, text, settings, view, tiles, compare}
+let options = null;
+let line = 0;            // of the program, marked
+let place = null;        // of the tool
+let measured = [];
+let isMeasuring = false;
+let layers = 0x7f;       // as bits: styles, then rapid
+const also = {band: false, compare: true, marks: true};
+
+const renderer = WebGl.make($('lines')) ?? new Canvas2d($('lines'));
+const overlay = new Overlay($('over'));
+document.body.dataset.renderer = renderer.constructor.name;
+
+// ---- drawing
+
+let isDue = false;
+function redraw() {
+  if (isDue) return;
+  isDue = true;
+  requestAnimationFrame(() => { isDue = false; draw(); });
+}
+
+function draw() {
+  const ratio = window.devicePixelRatio || 1;
+  for (const canvas of [$('lines'), $('over')]) {
+    const width = Math.round(canvas.clientWidth * ratio), height = Math.round(canvas.clientHeight * ratio);
+    if (canvas.width !== width || canvas.height !== height) { canvas.width = width; canvas.height = height; }
+  }
+  camera.width = $('over').clientWidth;
+  camera.height = $('over').clientHeight;
+  const start = performance.now();
+  renderer.begin(camera, ratio);
+  if (current?.tiles) {
+    const tiles = current.tiles.visible(camera);
+    if (also.band) renderer.draw(tiles, {layers, band: 2 * (current.view.toolRadius ?? 0), color: special().band});
+    if (current.compare && also.compare)
+      renderer.draw(current.compare.tiles.visible(camera), {layers, compare: true, color: special().compare});
+    renderer.draw(tiles, {layers, line});
+    document.body.dataset.segments = tiles.reduce((sum, tile) => sum + tile.count, 0);
+    document.body.dataset.complete = current.tiles.complete;
+  }
+  overlay.draw(camera, ratio, {view: current?.view, place, measured, marks: also.marks});
+  document.body.dataset.drawMs = (performance.now() - start).toFixed(1);
+}
+
+// ---- programs
+
+const axes = {PLANE_ZX: ['z', 'x', 'y'], PLANE_YZ: ['y', 'z', 'x']};
+const axesOf = view => axes[view?.plane] ?? ['x', 'y', 'z'];
+const inPlane = (view, position) => ({x: position[axesOf(view)[0]] ?? 0, y: position[axesOf(view)[1]] ?? 0});
+const corner = point => ({x: point?.x ?? 0, y: point?.y ?? 0});
+
+async function add(files) {
+  for (const file of files) programs.push({name: file.name, text: file, settings: null});
+  listPrograms();
+  if (programs.length) await choose(programs[programs.length - files.length]);
+}
+
+function listPrograms() {
+  $('programs').replaceChildren(...programs.map((program, i) => new Option(program.name, i)));
+}
+
+async function choose(program) {
+  current = program;
+  $('programs').value = programs.indexOf(program);
+  if (program.settings) options.values = program.settings;
+  await compute(true);
+}
+
+function say(text, kind = '') {
+  $('state').textContent = text;
+  $('state').className = kind;
+}
+
+async function compute(fit) {
+  const program = current;
+  if (!program) return;
+  $('hint').hidden = true;
+  say(t('working'));
+  program.settings = options.values;
+  options.refuse([]);
+  try {
+    const began = performance.now();
+    const view = await api.makeView(program, program.settings);
+    forget(program);
+    program.view = view;
+    program.tiles = tilesOf(view);
+    document.body.dataset.viewMs = (performance.now() - began).toFixed(1);
+  } catch (error) {
+    return fail(error);
+  }
+  if (current !== program) return;
+  await show(program, fit);
+}
+
+function tilesOf(view) {
+  const tiles = new Tiles(view, redraw);
+  // The server has given the view up: it is made again.
+  tiles.lost = error => { if (error.problem?.reason === 'VIEW_GONE' && current?.view === view) compute(false); };
+  return tiles;
+}
+
+function forget(program) {
+  for (const old of [program, program.compare]) {
+    if (!old?.view) continue;
+    old.tiles.release();
+    api.dropView(old.view.id);
+  }
+  program.compare = null;
+}
+
+function fail(error) {
+  const problem = error.problem;
+  say(problem ? t('failed') + error.message : t('offline'), 'error');
+  if (problem?.fields) options.refuse(problem.fields);
+}
+
+async function show(program, fit) {
+  const {view} = program;
+  line = 0;
+  place = null;
+  $('way').disabled = false;
+  $('way').value = 0;
+  $('save-nc').disabled = view.refused === true;
+  $('save-svg').disabled = false;
+  if (fit) showAll();
+  showSaid(view);
+  redraw();
+  document.body.dataset.view = view.id;
+  await Promise.all([input.show(view), output.show(view)]);
+}
+
+function showAll() {
+  if (!current?.view) return;
+  camera.width = $('over').clientWidth;
+  camera.height = $('over').clientHeight;
+  camera.show(corner(current.view.low), corner(current.view.high));
+  redraw();
+}
+
+// ---- what was said
+
+const mm = value => (value ?? 0).toLocaleString(currentLanguage(), {maximumFractionDigits: 4, useGrouping: false});
+
+function showSaid(view) {
+  const found = view.diagnostics ?? [];
+  say(t(view.refused ? 'refused' : found.length ? 'notes' : 'done'), view.refused ? 'error' : '');
+  const order = {ERROR: 0, WARNING: 1, NOTE: 2};
+  const items = [...found].sort((a, b) => order[a.severity] - order[b.severity]).map(item);
+  if (view.diagnosticsLeftOut) {
+    const rest = document.createElement('li');
+    rest.textContent = `${view.diagnosticsLeftOut} ${t('leftOut')}`;
+    items.push(rest);
+  }
+  $('diagnostics').replaceChildren(...items);
+  showCertificate(view);
+}
+
+function item(diagnostic) {
+  const kind = diagnostic.severity.toLowerCase();
+  const button = document.createElement('button');
+  button.className = kind;
+  const head = document.createElement('strong');
+  head.textContent = `${t(kind)} ${diagnostic.code}` + (diagnostic.line ? `, ${t('line')} ${diagnostic.line}` : '');
+  const remedy = document.createElement('span');
+  remedy.className = 'remedy';
+  remedy.textContent = diagnostic.remedy ?? '';
+  button.append(head, ` ${diagnostic.message ?? ''}`, remedy);
+  button.dataset.code = diagnostic.code;
+  button.addEventListener('click', () => goTo(diagnostic));
+  const entry = document.createElement('li');
+  entry.append(button);
+  return entry;
+}
+
+function showCertificate(view) {
+  const rows = [];
+  const add = (name, value) => {
+    const dt = document.createElement('dt'), dd = document.createElement('dd');
+    dt.textContent = name;
+    dd.textContent = value;
+    rows.push(dt, dd);
+  };
+  const c = view.summary?.path?.minClearance;
+  if (c) {
+    add(t('smallest'), `${mm(c.distance)} ${t('required')} ${mm(c.toolRadius)} mm`);
+    if (c.point) add(t('at'), `X${mm(c.point.x)} Y${mm(c.point.y)} Z${mm(c.point.z)}`);
+    add(t('checked'), `${c.blocksChecked ?? 0}`);
+    if (c.blocksGouging) add(t('tooNear'), `${c.blocksGouging}`);
+  } else {
+    add(t('certificate'), t(view.toolRadius && !view.refused ? 'notMeasured' : 'none'));
+  }
+  add(t('tool'), `${mm(view.toolRadius)} mm`);
+  add(t('plane'), axesOf(view).slice(0, 2).join('').toUpperCase());
+  add(t('length'), `${mm(view.pathLength)} mm, ${view.pathBlocks ?? 0} ${t('blocks')}`);
+  add(t('height'), `${axesOf(view)[2].toUpperCase()} ${mm(view.lowest)} … ${mm(view.highest)} mm`);
+  $('certificate').replaceChildren(...rows);
+}
+
+// ---- going to a line
+
+function boundsOf(view, blocks) {
+  const points = blocks.flatMap(b => [inPlane(view, b.start ?? {}), inPlane(view, b.end ?? {})]);
+  return {low: {x: Math.min(...points.map(p => p.x)), y: Math.min(...points.map(p => p.y))},
+          high: {x: Math.max(...points.map(p => p.x)), y: Math.max(...points.map(p => p.y))}};
+}
+
+function zoomTo(view, low, high) {
+  const least = Math.max(4 * (view.toolRadius ?? 0), 1);
+  const x = (low.x + high.x) / 2, y = (low.y + high.y) / 2;
+  const half = Math.max(high.x - low.x, high.y - low.y, least);
+  camera.show({x: x - half, y: y - half}, {x: x + half, y: y + half});
+}
+
+async function goTo(diagnostic) {
+  const {view} = current;
+  if (diagnostic.point) {
+    const at = inPlane(view, diagnostic.point);
+    zoomTo(view, at, at);
+  }
+  await mark(diagnostic.line ?? 0, !diagnostic.point);
+}
+
+async function mark(to, zoom) {
+  line = to;
+  redraw();
+  input.select(to);
+  output.select(to);
+  if (!zoom || !to) return;
+  const {view} = current;
+  const {blocks = []} = await api.blocks(view.id, to);
+  if (blocks.length && current?.view === view) {
+    const {low, high} = boundsOf(view, blocks);
+    zoomTo(view, low, high);
+    redraw();
+  }
+}
+
+const input = new Listing($('input'), 'lines', to => mark(to, true));
+const output = new Listing($('output'), 'output', to => mark(to, true));
+
+// ---- the tool on its way
+
+let asked = null;
+async function move() {
+  const {view} = current;
+  asked?.abort();
+  asked = new AbortController();
+  try {
+    place = await api.place(view.id, Number($('way').value) / Number($('way').max), asked.signal);
+  } catch { return; }
+  const p = place.position ?? {};
+  $('place').textContent = `X${mm(p.x)} Y${mm(p.y)} Z${mm(p.z)}` + (place.block?.line ? `, ${t('line')} ${place.block.line}` : '');
+  line = place.block?.line ?? 0;
+  input.select(line);
+  redraw();
+}
+
+// ---- pointer and keys
+
+const stage = $('over');
+let drag = null;
+const fingers = new Map();
+stage.addEventListener('pointerdown', event => {
+  stage.setPointerCapture(event.pointerId);
+  fingers.set(event.pointerId, event);
+  drag = {x: event.offsetX, y: event.offsetY, moved: false};
+});
+stage.addEventListener('pointermove', event => {
+  const at = camera.toPlane(event.offsetX, event.offsetY);
+  const names = axesOf(current?.view);
+  $('cursor').textContent = current ? `${names[0].toUpperCase()} ${at.x.toFixed(3)}  ${names[1].toUpperCase()} ${at.y.toFixed(3)}` : '';
+  if (!drag || !fingers.has(event.pointerId)) return;
+  const before = fingers.get(event.pointerId);
+  const dx = event.offsetX - before.offsetX, dy = event.offsetY - before.offsetY;
+  if (fingers.size === 2) {
+    const other = [...fingers.values()].find(finger => finger.pointerId !== event.pointerId);
+    const length = finger => Math.hypot(finger.offsetX - other.offsetX, finger.offsetY - other.offsetY);
+    camera.zoom(length(event) / Math.max(1, length(before)), other.offsetX, other.offsetY);
+  } else if (drag.moved || Math.hypot(event.offsetX - drag.x, event.offsetY - drag.y) > 4) {
+    drag.moved = true;
+    camera.x -= dx / camera.scale;
+    camera.y += dy / camera.scale;
+  }
+  fingers.set(event.pointerId, event);
+  redraw();
+});
+stage.addEventListener('pointerup', event => {
+  fingers.delete(event.pointerId);
+  if (drag && !drag.moved && current?.tiles) click(event.offsetX, event.offsetY);
+  if (fingers.size === 0) drag = null;
+});
+stage.addEventListener('pointercancel', event => { fingers.delete(event.pointerId); drag = null; });
+stage.addEventListener('wheel', event => {
+  event.preventDefault();
+  camera.zoom(Math.exp(-event.deltaY * 0.0015), event.offsetX, event.offsetY);
+  redraw();
+}, {passive: false});
+
+function click(x, y) {
+  const at = camera.toPlane(x, y);
+  const found = current.tiles.pick(camera, at, 8 / camera.scale);
+  if (isMeasuring) {
+    measured = measured.length === 1 ? [measured[0], found?.point ?? at] : [found?.point ?? at];
+    if (measured.length === 2)
+      $('place').textContent = `${mm(Math.hypot(measured[1].x - measured[0].x, measured[1].y - measured[0].y))} mm`;
+    return redraw();
+  }
+  mark(found?.line ?? 0, false);
+}
+
+stage.addEventListener('keydown', event => {
+  const step = 60 / camera.scale;
+  const act = {
+    ArrowLeft: () => { camera.x -= step; }, ArrowRight: () => { camera.x += step; },
+    ArrowUp: () => { camera.y += step; }, ArrowDown: () => { camera.y -= step; },
+    '+': () => camera.zoom(1.4), '-': () => camera.zoom(1 / 1.4), 0: showAll,
+    Escape: () => { measured = []; line = 0; },
+  }[event.key];
+  if (!act) return;
+  event.preventDefault();
+  act();
+  redraw();
+});
+
+$('fit').addEventListener('click', showAll);
+$('zoom-in').addEventListener('click', () => { camera.zoom(1.4); redraw(); });
+$('zoom-out').addEventListener('click', () => { camera.zoom(1 / 1.4); redraw(); });
+$('measure').addEventListener('click', () => {
+  isMeasuring = !isMeasuring;
+  measured = [];
+  $('measure').setAttribute('aria-pressed', isMeasuring);
+  redraw();
+});
+$('way').addEventListener('input', move);
+
+// ---- files
+
+$('file').addEventListener('change', () => add([...$('file').files]));
+$('programs').addEventListener('change', () => choose(programs[Number($('programs').value)]));
+addEventListener('dragover', event => { event.preventDefault(); $('stage').classList.add('dropping'); });
+addEventListener('dragleave', () => $('stage').classList.remove('dropping'));
+addEventListener('drop', event => {
+  event.preventDefault();
+  $('stage').classList.remove('dropping');
+  add([...event.dataTransfer.files]);
+});
+
+function save(blob, name) {
+  const link = document.createElement('a');
+  link.href = URL.createObjectURL(blob);
+  link.download = name;
+  link.click();
+  setTimeout(() => URL.revokeObjectURL(link.href), 1000);
+}
+const stem = name => name.replace(/\.[^.]*$/, '');
+$('save-nc').addEventListener('click', async () => {
+  try {
+    save(await api.compensated(current, current.settings), `${stem(current.name)}_g40.nc`);
+  } catch (error) { fail(error); }
+});
+$('save-svg').addEventListener('click', () =>
+  save(new Blob([svgOf(camera, current.tiles.visible(camera), current.name)], {type: 'image/svg+xml'}), `${stem(current.name)}.svg`));
+
+// ---- forms
+
+$('form').addEventListener('submit', event => { event.preventDefault(); compute(false); });
+$('form').addEventListener('input', event => event.target.setCustomValidity(''));
+$('compare-form').addEventListener('submit', async event => {
+  event.preventDefault();
+  if (!current?.view) return;
+  try {
+    const view = await api.makeView(current, {...current.settings, tool_radius: $('compare-radius').value});
+    if (current.compare) { current.compare.tiles.release(); api.dropView(current.compare.view.id); }
+    current.compare = {view, tiles: tilesOf(view)};
+    document.body.dataset.compared = view.id;
+    redraw();
+  } catch (error) { fail(error); }
+});
+$('compare-off').addEventListener('click', () => {
+  if (!current?.compare) return;
+  current.compare.tiles.release();
+  api.dropView(current.compare.view.id);
+  current.compare = null;
+  redraw();
+});
+
+function makeLayers() {
+  const box = (name, color, get, set) => {
+    const label = document.createElement('label');
+    const check = document.createElement('input');
+    check.type = 'checkbox';
+    check.checked = get();
+    check.addEventListener('change', () => { set(check.checked); redraw(); });
+    const swatch = document.createElement('span');
+    swatch.className = 'swatch';
+    swatch.style.borderTopColor = color;
+    const text = document.createElement('span');
+    text.dataset.text = name;
+    text.textContent = t(name);
+    label.append(check, swatch, text);
+    return label;
+  };
+  const bit = (name, color, i) => box(name, color, () => (layers >> i & 1) === 1,
+    on => { layers = on ? layers | 1 << i : layers & ~(1 << i); });
+  $('layers').replaceChildren(
+    ...styleNames.map((name, i) => bit(name, palette()[i], i)), bit('layerRapid', special().text, 6),
+    ...[['layerBand', 'band'], ['layerCompare', 'compare'], ['layerMarks', 'finding']].map(([name, color]) => {
+      const key = {layerBand: 'band', layerCompare: 'compare', layerMarks: 'marks'}[name];
+      return box(name, special()[color], () => also[key], on => { also[key] = on; });
+    }));
+}
+
+$('language').addEventListener('change', () => {
+  translate($('language').value);
+  options?.translate();
+  if (current?.view) showSaid(current.view);
+});
+
+async function begin() {
+  translate();
+  $('language').value = currentLanguage();
+  makeLayers();
+  matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => { makeLayers(); redraw(); });
+  new ResizeObserver(redraw).observe($('stage'));
+  options = new Options($('form'), await api.openApi(), await api.info());
+  document.body.dataset.ready = 'true';
+  const token = new URLSearchParams(location.search).get('offer');
+  if (!token) return;
+  const {program, settings} = await api.offer(token);
+  programs.push({...program, settings});
+  listPrograms();
+  await choose(programs[0]);
+}
+begin().catch(fail);

@@ -1,0 +1,97 @@
+import {special} from './styles.js';
+
+// What lies over the picture: axes with a scale, the tool, findings, what is measured.
+export class Overlay {
+  constructor(canvas) {
+    this.canvas = canvas;
+    this.context = canvas.getContext('2d');
+  }
+
+  draw(camera, ratio, {view, place, measured, marks}) {
+    const c = this.context;
+    c.setTransform(ratio, 0, 0, ratio, 0, 0);
+    c.clearRect(0, 0, camera.width, camera.height);
+    if (!view) return;
+    this.colors = special();
+    c.font = '12px system-ui, sans-serif';
+    this.axes(camera);
+    if (marks) for (const finding of view.diagnostics ?? []) this.finding(camera, view, finding);
+    if (place?.point) this.tool(camera, place);
+    this.measure(camera, measured);
+  }
+
+  axes(camera) {
+    const c = this.context;
+    const step = niceStep(90 / camera.scale);
+    c.fillStyle = c.strokeStyle = this.colors.text;
+    c.globalAlpha = 0.65;
+    c.lineWidth = 1;
+    const low = camera.toPlane(0, camera.height), high = camera.toPlane(camera.width, 0);
+    const digits = Math.max(0, -Math.floor(Math.log10(step)));
+    c.textBaseline = 'bottom';
+    for (let x = Math.ceil(low.x / step) * step; x <= high.x; x += step) {
+      const [sx] = camera.toScreen({x, y: 0});
+      c.fillRect(sx, camera.height - 5, 1, 5);
+      c.fillText(x.toFixed(digits), sx + 3, camera.height - 2);
+    }
+    c.textBaseline = 'middle';
+    for (let y = Math.ceil(low.y / step) * step; y <= high.y; y += step) {
+      const [, sy] = camera.toScreen({x: 0, y});
+      c.fillRect(0, sy, 5, 1);
+      c.fillText(y.toFixed(digits), 8, sy);
+    }
+    c.globalAlpha = 1;
+  }
+
+  // A circle with a cross: a shape, not a colour alone.
+  finding(camera, view, diagnostic) {
+    if (!diagnostic.point || diagnostic.severity === 'NOTE') return;
+    const names = {PLANE_ZX: ['z', 'x'], PLANE_YZ: ['y', 'z']}[view.plane] ?? ['x', 'y'];
+    const [x, y] = camera.toScreen({x: diagnostic.point[names[0]] ?? 0, y: diagnostic.point[names[1]] ?? 0});
+    const c = this.context, r = diagnostic.severity === 'ERROR' ? 9 : 6;
+    c.strokeStyle = this.colors.finding;
+    c.lineWidth = 2.5;
+    c.beginPath();
+    c.arc(x, y, r, 0, 2 * Math.PI);
+    c.moveTo(x - r * 0.6, y - r * 0.6); c.lineTo(x + r * 0.6, y + r * 0.6);
+    c.moveTo(x - r * 0.6, y + r * 0.6); c.lineTo(x + r * 0.6, y - r * 0.6);
+    c.stroke();
+  }
+
+  tool(camera, place) {
+    const [x, y] = camera.toScreen({x: place.point.x ?? 0, y: place.point.y ?? 0});
+    const radius = (place.block?.toolRadius ?? 0) * camera.scale;
+    const c = this.context;
+    c.strokeStyle = this.colors.text;
+    c.lineWidth = 1.5;
+    c.beginPath();
+    if (radius > 0) c.arc(x, y, radius, 0, 2 * Math.PI);
+    c.moveTo(x - 6, y); c.lineTo(x + 6, y);
+    c.moveTo(x, y - 6); c.lineTo(x, y + 6);
+    c.stroke();
+    c.globalAlpha = 0.15;
+    c.fillStyle = this.colors.text;
+    c.fill();
+    c.globalAlpha = 1;
+  }
+
+  measure(camera, points) {
+    if (points.length === 0) return;
+    const c = this.context;
+    const [ax, ay] = camera.toScreen(points[0]);
+    const [bx, by] = camera.toScreen(points.at(-1));
+    c.strokeStyle = c.fillStyle = this.colors.marked;
+    c.lineWidth = 2;
+    c.beginPath();
+    c.moveTo(ax, ay);
+    c.lineTo(bx, by);
+    c.stroke();
+    for (const [x, y] of [[ax, ay], [bx, by]]) c.fillRect(x - 3, y - 3, 6, 6);
+  }
+}
+
+// 1, 2 or 5 times a power of ten, not below.
+export function niceStep(least) {
+  const power = 10 ** Math.floor(Math.log10(least));
+  return [1, 2, 5, 10].map(f => f * power).find(step => step >= least * 0.999);
+}

@@ -1,0 +1,121 @@
+import * as api from './api.js';
+
+// The part of the plane that is seen, and the tiles of a view that cover it.
+export class Camera {
+  constructor() { this.x = 0; this.y = 0; this.scale = 1; this.width = 1; this.height = 1; }
+  toScreen(p) { return [(p.x - this.x) * this.scale + this.width / 2, this.height / 2 - (p.y - this.y) * this.scale]; }
+  toPlane(sx, sy) { return {x: (sx - this.width / 2) / this.scale + this.x, y: (this.height / 2 - sy) / this.scale + this.y}; }
+  zoom(factor, sx = this.width / 2, sy = this.height / 2) {
+    const before = this.toPlane(sx, sy);
+    this.scale = Math.min(1e7, Math.max(1e-5, this.scale * factor));
+    const after = this.toPlane(sx, sy);
+    this.x += before.x - after.x;
+    this.y += before.y - after.y;
+  }
+  show(low, high) {
+    this.x = (low.x + high.x) / 2;
+    this.y = (low.y + high.y) / 2;
+    this.scale = 0.9 * Math.min(this.width / Math.max(high.x - low.x, 1e-3), this.height / Math.max(high.y - low.y, 1e-3));
+  }
+}
+
+const tilePixels = 512;
+const mostTiles = 160;
+
+export class Tiles {
+  constructor(view, changed) {
+    this.view = view;
+    this.changed = changed;
+    this.loaded = new Map();  // "level/x/y" → tile, the one used longest ago first
+    this.asked = new Map();
+  }
+
+  // Tiles to draw, coarse ones first where fine ones are still on their way.
+  visible(camera) {
+    const {view} = this;
+    const size = view.tileSize;
+    const level = Math.max(0, Math.min(view.mostLevel, Math.round(Math.log2(size * camera.scale / tilePixels))));
+    const side = size / 2 ** level;
+    const low = camera.toPlane(0, camera.height);
+    const high = camera.toPlane(camera.width, 0);
+    const index = (value, from) => Math.floor((value - from) / side);
+    const clamp = i => Math.max(0, Math.min(2 ** level - 1, i));
+    const lowX = view.tileLow?.x ?? 0, lowY = view.tileLow?.y ?? 0;
+    if (high.x < lowX || high.y < lowY || low.x > lowX + size || low.y > lowY + size) return [];
+    const wanted = new Set();
+    const draw = new Map();
+    for (let y = clamp(index(low.y, lowY)); y <= clamp(index(high.y, lowY)); ++y)
+      for (let x = clamp(index(low.x, lowX)); x <= clamp(index(high.x, lowX)); ++x) {
+        const key = `${level}/${x}/${y}`;
+        wanted.add(key);
+        if (!this.loaded.has(key)) this.ask(key, level, x, y);
+        const found = this.nearest(level, x, y);
+        if (found) draw.set(found.key, found);
+      }
+    for (const [key, abort] of this.asked)
+      if (!wanted.has(key)) { abort.abort(); this.asked.delete(key); }
+    return [...draw.values()].sort((a, b) => a.level - b.level);
+  }
+
+  nearest(level, x, y) {
+    for (; level >= 0; --level, x >>= 1, y >>= 1) {
+      const key = `${level}/${x}/${y}`;
+      const found = this.loaded.get(key);
+      if (!found) continue;
+      this.loaded.delete(key);
+      this.loaded.set(key, found);
+      return found;
+    }
+    return null;
+  }
+
+  async ask(key, level, x, y) {
+    if (this.asked.has(key)) return;
+    const abort = new AbortController();
+    this.asked.set(key, abort);
+    try {
+      const bytes = await api.tile(this.view.id, level, x, y, abort.signal);
+      const count = new DataView(bytes).getUint32(4, true);
+      const side = this.view.tileSize / 2 ** level;
+      this.loaded.set(key, {key, level, count, side, bytes,
+        x: (this.view.tileLow?.x ?? 0) + x * side, y: (this.view.tileLow?.y ?? 0) + y * side,
+        numbers: new Float32Array(bytes, 16, count * 7), words: new Uint32Array(bytes, 16, count * 7)});
+      while (this.loaded.size > mostTiles) {
+        const [oldest, tile] = this.loaded.entries().next().value;
+        tile.release?.();
+        this.loaded.delete(oldest);
+      }
+      this.asked.delete(key);
+      this.changed();
+    } catch (error) {
+      this.asked.delete(key);
+      if (error.name !== 'AbortError') this.lost?.(error);
+    }
+  }
+
+  get complete() { return this.asked.size === 0; }
+
+  release() {
+    for (const abort of this.asked.values()) abort.abort();
+    for (const tile of this.loaded.values()) tile.release?.();
+    this.loaded.clear();
+  }
+
+  // The segment nearest to a point, within `reach` mm.
+  pick(camera, at, reach) {
+    let best = null;
+    for (const tile of this.visible(camera))
+      for (let i = 0; i < tile.count; ++i) {
+        const n = tile.numbers, k = i * 7;
+        const x = at.x - tile.x - n[k], y = at.y - tile.y - n[k + 1];
+        const dx = n[k + 2] - n[k], dy = n[k + 3] - n[k + 1];
+        const square = dx * dx + dy * dy;
+        const s = square > 0 ? Math.max(0, Math.min(1, (x * dx + y * dy) / square)) : 0;
+        const distance = Math.hypot(x - s * dx, y - s * dy);
+        if (distance <= reach && (!best || distance < best.distance))
+          best = {distance, element: tile.words[k + 4], line: tile.words[k + 5], style: tile.words[k + 6],
+            point: {x: tile.x + n[k] + s * dx, y: tile.y + n[k + 1] + s * dy}};
+      }
+    return best;
+  }
+}

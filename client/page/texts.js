@@ -1,0 +1,55 @@
+// Every word of the page, in each language. Diagnostics come from the server as they are.
+const words = {
+  en: {
+    open: 'Open …', program: 'Program', saveNc: 'Save NC', saveSvg: 'Save SVG', language: 'Language',
+    settings: 'Settings', more: 'All settings', compute: 'Compensate', compare: 'Compare',
+    compareRadius: 'Other tool radius, mm', show: 'Show', hide: 'Hide', layers: 'Layers',
+    picture: 'Picture', pictureHelp: 'Contour and path. Arrow keys move, plus and minus zoom, 0 shows all.',
+    drop: 'Drop NC programs here, or open them', fit: 'Show all', zoomIn: 'Closer', zoomOut: 'Farther',
+    measure: 'Measure', way: 'Way', said: 'What was found', certificate: 'Clearance', input: 'Program',
+    output: 'Compensated', listings: 'NC text', done: 'Compensated, nothing to complain about',
+    notes: 'Compensated, with remarks', refused: 'Refused: the path ends where it was certain',
+    working: 'At work …', failed: 'The server says: ', unknown: 'unset', line: 'line',
+    error: 'Error', warning: 'Warning', note: 'Note', leftOut: 'more are not shown',
+    smallest: 'smallest', required: 'of', at: 'at', checked: 'blocks measured', tooNear: 'too near',
+    none: 'nothing to measure', notMeasured: 'not measured: a large program, set verify to true', length: 'way', blocks: 'blocks', tool: 'tool radius', plane: 'plane',
+    height: 'height', pending: 'being written …', noOutput: 'refused: there is no compensated program',
+    layerContour: 'contour', layerMasked: 'not travelled', layerPath: 'path', layerTransition: 'inserted',
+    layerLead: 'approach, retract', layerPlain: 'without compensation', layerRapid: 'rapid',
+    layerBand: 'swept by the tool', layerCompare: 'compared path', layerMarks: 'findings',
+    all: 'as the program', offline: 'the server cannot be reached',
+  },
+  de: {
+    open: 'Öffnen …', program: 'Programm', saveNc: 'NC speichern', saveSvg: 'SVG speichern', language: 'Sprache',
+    settings: 'Einstellungen', more: 'Alle Einstellungen', compute: 'Korrigieren', compare: 'Vergleichen',
+    compareRadius: 'Anderer Werkzeugradius, mm', show: 'Zeigen', hide: 'Verbergen', layers: 'Ebenen',
+    picture: 'Bild', pictureHelp: 'Kontur und Bahn. Pfeiltasten verschieben, Plus und Minus zoomen, 0 zeigt alles.',
+    drop: 'NC-Programme hierher ziehen oder öffnen', fit: 'Alles zeigen', zoomIn: 'Näher', zoomOut: 'Weiter weg',
+    measure: 'Messen', way: 'Weg', said: 'Befunde', certificate: 'Abstand', input: 'Programm',
+    output: 'Korrigiert', listings: 'NC-Text', done: 'Korrigiert, nichts zu beanstanden',
+    notes: 'Korrigiert, mit Hinweisen', refused: 'Abgelehnt: die Bahn endet, wo sie noch sicher war',
+    working: 'Rechnet …', failed: 'Der Server meldet: ', unknown: 'nicht gesetzt', line: 'Zeile',
+    error: 'Fehler', warning: 'Warnung', note: 'Hinweis', leftOut: 'weitere werden nicht gezeigt',
+    smallest: 'kleinster', required: 'von', at: 'bei', checked: 'Sätze gemessen', tooNear: 'zu nah',
+    none: 'nichts zu messen', notMeasured: 'nicht gemessen: großes Programm, verify auf true setzen', length: 'Weg', blocks: 'Sätze', tool: 'Werkzeugradius', plane: 'Ebene',
+    height: 'Höhe', pending: 'wird geschrieben …', noOutput: 'abgelehnt: es gibt kein korrigiertes Programm',
+    layerContour: 'Kontur', layerMasked: 'nicht befahren', layerPath: 'Bahn', layerTransition: 'eingefügt',
+    layerLead: 'An- und Abfahren', layerPlain: 'ohne Korrektur', layerRapid: 'Eilgang',
+    layerBand: 'vom Werkzeug überstrichen', layerCompare: 'verglichene Bahn', layerMarks: 'Befunde',
+    all: 'wie im Programm', offline: 'der Server ist nicht erreichbar',
+  },
+};
+
+let language = navigator.language.startsWith('de') ? 'de' : 'en';
+export const t = key => words[language][key] ?? key;
+export const currentLanguage = () => language;
+
+// Puts the words into the page: data-text is the content, data-label the accessible name.
+export function translate(to = language) {
+  language = to in words ? to : 'en';
+  document.documentElement.lang = language;
+  for (const element of document.querySelectorAll('[data-text]'))
+    element.textContent = t(element.dataset.text);
+  for (const element of document.querySelectorAll('[data-label]'))
+    element.setAttribute('aria-label', t(element.dataset.label));
+}

@@ -1,0 +1,128 @@
+import {palette, rgb, special, widths} from './styles.js';
+
+// Draws tiles with WebGL 2: one quad for each segment, its width in pixels.
+const vertexSource = `#version 300 es
+in vec4 ends;
+in uvec3 about;
+uniform vec2 origin, half_size;
+uniform float scale, band;
+uniform uint line, layers;
+uniform vec3 colors[6];
+uniform float widths[6];
+uniform vec3 own_color, marked;
+uniform bool is_compare;
+out vec2 local;
+out float span, radius;
+out vec4 color;
+flat out uint dashed;
+void main() {
+  uint style = min(about.z & 255u, 5u);
+  bool rapid = (about.z & 256u) != 0u, path = (about.z & 512u) != 0u;
+  bool shown = (layers >> style & 1u) != 0u && (!rapid || (layers >> 6 & 1u) != 0u);
+  bool is_marked = line != 0u && about.y == line;
+  if (band > 0.0) shown = path && !rapid && style >= 2u && style <= 4u;
+  else if (is_compare) shown = path;
+  vec2 a = origin + ends.xy * scale, b = origin + ends.zw * scale;
+  span = distance(a, b);
+  vec2 along = span > 0.0 ? (b - a) / span : vec2(1.0, 0.0);
+  radius = (band > 0.0 ? band : widths[style] * (is_marked ? 2.4 : 1.0)) * 0.5;
+  float reach = radius + 1.0;
+  vec2 corner = vec2(gl_VertexID & 1, gl_VertexID >> 1);
+  local = vec2(mix(-reach, span + reach, corner.x), mix(-reach, reach, corner.y));
+  vec2 at = a + along * local.x + vec2(-along.y, along.x) * local.y;
+  gl_Position = vec4(shown ? at / half_size : vec2(2.0), 0.0, 1.0);
+  color = vec4(is_marked ? marked : band > 0.0 || is_compare ? own_color : colors[style], 1.0);
+  dashed = rapid ? 1u : 0u;
+}`;
+const fragmentSource = `#version 300 es
+precision highp float;
+in vec2 local;
+in float span, radius;
+in vec4 color;
+flat in uint dashed;
+out vec4 result;
+void main() {
+  vec2 to = vec2(local.x - clamp(local.x, 0.0, span), local.y);
+  float cover = clamp(radius + 0.5 - length(to), 0.0, 1.0);
+  if (dashed == 1u && mod(local.x, 10.0) > 5.0) cover = 0.0;
+  if (cover <= 0.0) discard;
+  result = vec4(color.rgb, color.a * cover);
+}`;
+
+export class WebGl {
+  static make(canvas) {
+    const gl = canvas.getContext('webgl2', {antialias: false, alpha: false, preserveDrawingBuffer: true});
+    return gl ? new WebGl(canvas, gl) : null;
+  }
+
+  constructor(canvas, gl) {
+    this.canvas = canvas;
+    this.gl = gl;
+    const program = gl.createProgram();
+    for (const [type, source] of [[gl.VERTEX_SHADER, vertexSource], [gl.FRAGMENT_SHADER, fragmentSource]]) {
+      const shader = gl.createShader(type);
+      gl.shaderSource(shader, source);
+      gl.compileShader(shader);
+      if (!gl.getShaderParameter(shader, gl.COMPILE_STATUS)) throw new Error(gl.getShaderInfoLog(shader));
+      gl.attachShader(program, shader);
+    }
+    gl.bindAttribLocation(program, 0, 'ends');
+    gl.bindAttribLocation(program, 1, 'about');
+    gl.linkProgram(program);
+    if (!gl.getProgramParameter(program, gl.LINK_STATUS)) throw new Error(gl.getProgramInfoLog(program));
+    this.program = program;
+    this.at = name => gl.getUniformLocation(program, name);
+  }
+
+  begin(camera, ratio) {
+    const {gl} = this;
+    this.camera = camera;
+    this.ratio = ratio;
+    gl.viewport(0, 0, this.canvas.width, this.canvas.height);
+    gl.clearColor(...rgb(special().back), 1);
+    gl.clear(gl.COLOR_BUFFER_BIT);
+    gl.enable(gl.BLEND);
+    gl.blendFunc(gl.SRC_ALPHA, gl.ONE_MINUS_SRC_ALPHA);
+    gl.useProgram(this.program);
+    gl.uniform2f(this.at('half_size'), camera.width * ratio / 2, camera.height * ratio / 2);
+    gl.uniform1f(this.at('scale'), camera.scale * ratio);
+    gl.uniform3fv(this.at('colors'), palette().flatMap(rgb));
+    gl.uniform1fv(this.at('widths'), widths.map(width => width * ratio));
+    gl.uniform3fv(this.at('marked'), rgb(special().marked));
+  }
+
+  // `how`: layers as bits, the marked line, the width of a band in mm, a colour of its own.
+  draw(tiles, how) {
+    const {gl, camera, ratio} = this;
+    gl.uniform1ui(this.at('layers'), how.layers);
+    gl.uniform1ui(this.at('line'), how.line ?? 0);
+    gl.uniform1f(this.at('band'), (how.band ?? 0) * camera.scale * ratio);
+    gl.uniform1i(this.at('is_compare'), how.compare ? 1 : 0);
+    gl.uniform3fv(this.at('own_color'), rgb(how.color ?? '#000000'));
+    for (const tile of tiles) {
+      if (tile.count === 0) continue;
+      gl.bindVertexArray(tile.array ?? this.upload(tile));
+      // In double precision up to here: the tile's own numbers are small.
+      gl.uniform2f(this.at('origin'), (tile.x - camera.x) * camera.scale * ratio, (tile.y - camera.y) * camera.scale * ratio);
+      gl.drawArraysInstanced(gl.TRIANGLE_STRIP, 0, 4, tile.count);
+    }
+    gl.bindVertexArray(null);
+  }
+
+  upload(tile) {
+    const {gl} = this;
+    const array = gl.createVertexArray(), buffer = gl.createBuffer();
+    gl.bindVertexArray(array);
+    gl.bindBuffer(gl.ARRAY_BUFFER, buffer);
+    gl.bufferData(gl.ARRAY_BUFFER, tile.numbers, gl.STATIC_DRAW);
+    gl.enableVertexAttribArray(0);
+    gl.vertexAttribPointer(0, 4, gl.FLOAT, false, 28, 0);
+    gl.vertexAttribDivisor(0, 1);
+    gl.enableVertexAttribArray(1);
+    gl.vertexAttribIPointer(1, 3, gl.UNSIGNED_INT, 28, 16);
+    gl.vertexAttribDivisor(1, 1);
+    tile.array = array;
+    tile.release = () => { gl.deleteVertexArray(array); gl.deleteBuffer(buffer); };
+    return array;
+  }
+}

@@ -1,0 +1,492 @@
+#include <algorithm>
+#include <cmath>
+#include <initializer_list>
+#include <string>
+#include <utility>
+
+#include "core/nc/dialect/block_words.h"
+
+// How a block of plain letters and numbers is read: the dialects of Fanuc and of LinuxCNC.
+
+namespace trc {
+namespace {
+
+using enum GGroup;
+
+// SCALE of Sinumerik, which ends where it stands alone.
+constexpr int scale_tenths = 10060;
+
+void add(ProgramLine& line, const CodeWord& word, WordRole role) {
+  line.words.push_back({.begin = word.begin, .end = word.end, .role = role});
+}
+
+WordRole role_of(GGroup group) {
+  switch (group) {
+    case motion:
+      return WordRole::motion;
+    case side:
+      return WordRole::trc;
+    case plane:
+    case unit:
+    case dimension:
+    case circle_center:
+      return WordRole::mode;
+    default:
+      return WordRole::technology;
+  }
+}
+
+// T0101: the tool and its offset in one word, as lathes have it.
+bool is_turning_tool(std::string_view word) {
+  return word.size() == 5 && word.substr(1) != "0000" && word.substr(1, 2) == word.substr(3);
+}
+
+// -1 where it is none.
+std::int64_t whole_number(double value) {
+  return is_whole(value) ? static_cast<std::int64_t>(value) : -1;
+}
+
+bool has_length_offset(const ProgramLine& line) {
+  return std::ranges::any_of(line.words, [&](const WordRange& range) {
+    const std::string_view word = line.word(range);
+    return word == "G43" || word == "g43" || word == "G44" || word == "g44";
+  });
+}
+
+bool is_subprogram_call(double m) { return m == 96 || m == 97 || m == 98 || m == 198; }
+
+}  // namespace
+
+bool Interpreter::refuse_code(const ProgramLine& line, const CodeWord& word, Code code,
+                              std::string_view meaning) {
+  std::string detail(line.word({.begin = word.begin, .end = word.end}));
+  if (!meaning.empty()) detail.append(", ").append(meaning);
+  return refuse(line, TextFault{.code = code, .begin = word.begin, .detail = std::move(detail)});
+}
+
+// All words are read, also behind one that is refused, so that every obstacle is told.
+bool Interpreter::read_code_words(ProgramLine& line, BlockWords& block) {
+  CodeReader reader(line.text);
+  bool readable = true;
+  for (;;) {
+    const CodeWord word = reader.next();
+    switch (word.kind) {
+      case CodeWord::Kind::end:
+        return complete_code_block(line, block) && readable;
+      case CodeWord::Kind::fault:
+        refuse(line, reader.fault());
+        readable = false;
+        break;
+      case CodeWord::Kind::comment:
+        add(line, word, WordRole::comment);
+        break;
+      case CodeWord::Kind::skip:
+        block.to_skip = true;
+        add(line, word, WordRole::technology);
+        break;
+      case CodeWord::Kind::address:
+        readable = read_code_word(word, line, block) && readable;
+        break;
+    }
+    if (diagnostics_.stopped()) return false;
+  }
+}
+
+bool Interpreter::read_code_word(const CodeWord& word, ProgramLine& line, BlockWords& block) {
+  switch (word.letter) {
+    case 'N':
+      // Some controls jump and call with N behind other words.
+      if (block.words > 0)
+        return refuse_code(line, word, Code::nc_unsupported, "behind other words");
+      if (word.has_number && word.whole && is_whole(word.value))
+        line.source.number = static_cast<std::int64_t>(word.value);
+      add(line, word, WordRole::number);
+      return true;
+    case 'O':  // the number of the program
+      if (blocks_read_ > 0 && dialect_.name == DialectName::linuxcnc)
+        return refuse_code(line, word, Code::nc_unsupported, "a subprogram or a loop");
+      if (blocks_read_ > 0)
+        return refuse(line, TextFault{.code = Code::nc_unsupported,
+                                      .begin = word.begin,
+                                      .detail = "O, a second program in one text"});
+      add(line, word, WordRole::comment);
+      return true;
+    case 'G':
+      ++block.words;
+      return read_code_function(word, line, block);
+    default:
+      ++block.words;
+      return read_code_address(word, line, block);
+  }
+}
+
+bool Interpreter::read_code_function(const CodeWord& word, ProgramLine& line, BlockWords& block) {
+  const GFunction* function = dialect_.function(word.value);
+  static constexpr GFunction unknown{
+      .number = 1007, .group = single_move, .meaning = "an unknown function"};
+  if (function == nullptr && state_.setup().copies_unknown_words) function = &unknown;
+  if (function == nullptr) return refuse_code(line, word, Code::nc_unknown_function);
+  const GGroup group = function->group;
+  if (group == refused || group == call)
+    return refuse_code(line, word, Code::nc_unsupported, function->meaning);
+  if (group == turning) return refuse_code(line, word, Code::turning, function->meaning);
+  BlockWords::Function& seen = block.functions[static_cast<std::size_t>(group)];
+  const bool alone = group != technology && group != axis_technology;
+  if (alone && seen.function != nullptr && seen.function != function)
+    return refuse_code(line, word,
+                       group == side ? Code::compensation_side_twice : Code::nc_group_twice);
+  seen = {.function = function, .begin = word.begin};
+  if (function->number == 96) code_.turning = true;
+  // Where there is nothing to end, G40 is a line of the program like any other.
+  const bool ends_nothing = group == side && function->number == 40 && !contour_open();
+  add(line, word, ends_nothing ? WordRole::mode : role_of(group));
+  return true;
+}
+
+bool Interpreter::read_code_axis(const CodeWord& word, ProgramLine& line, BlockWords& block) {
+  const int axis = axis_of_letter_[static_cast<std::size_t>(word.letter - 'A')];
+  if (axis < 0) return refuse_code(line, word, Code::nc_axis_unknown);
+  const auto index = static_cast<std::size_t>(axis);
+  if (index >= 3 && block.move.tracking.size() <= index - 3)
+    block.move.tracking.resize(state_.setup().tracking_axes.size());
+  auto& coordinate = index < 3 ? block.move.end[index] : block.move.tracking[index - 3];
+  if (coordinate) return refuse_code(line, word, Code::nc_word_twice);
+  coordinate = word.value;
+  code_.y_seen |= word.letter == 'Y';
+  if (!block.axis) block.axis = word.begin;
+  add(line, word, WordRole::coordinate);
+  return true;
+}
+
+bool Interpreter::read_code_address(const CodeWord& word, ProgramLine& line, BlockWords& block) {
+  const auto twice = [&] { return refuse_code(line, word, Code::nc_word_twice); };
+  const BlockWords::Value value{.value = word.value, .begin = word.begin};
+  if (word.comma) {
+    if (trc_active())
+      return refuse_code(line, word, Code::nc_unsupported,
+                         "a rounding or a chamfer while TRC is active");
+    add(line, word, WordRole::technology);
+    return true;
+  }
+  const char letter = word.letter;
+  if (letter <= 'C' || letter >= 'U') return read_code_axis(word, line, block);
+  switch (letter) {
+    case 'I':
+    case 'J':
+    case 'K':
+    case 'R': {
+      auto& target = letter == 'R' ? block.move.radius
+                                   : block.move.center[static_cast<std::size_t>(letter - 'I')];
+      if (target) return twice();
+      target = word.value;
+      if (!block.center) block.center = word.begin;
+      add(line, word, WordRole::coordinate);
+      return true;
+    }
+    case 'F':
+      if (block.feed) return twice();
+      if (word.value < 0) return refuse_code(line, word, Code::nc_number);
+      block.feed = value;
+      add(line, word, WordRole::feed);
+      return true;
+    case 'D':
+      if (block.tool) return twice();
+      block.tool = value;
+      break;
+    case 'T':
+      if (block.tool_number) return twice();
+      if (!is_whole(std::floor(word.value))) return refuse_code(line, word, Code::nc_number);
+      block.tool_number = {.value = std::floor(word.value), .begin = word.begin};
+      code_.turning |= is_turning_tool(line.word({.begin = word.begin, .end = word.end}));
+      break;
+    case 'M':
+      return read_code_machine_function(word, line, block);
+    case 'L':
+      block.tool_data = value;
+      break;
+    case 'P':
+    case 'Q':
+      if (letter == 'P') block.tool_data_number = value;
+      break;
+    case 'H':
+      block.offset = value;
+      break;
+    default:  // S E
+      break;
+  }
+  add(line, word, WordRole::technology);
+  return true;
+}
+
+bool Interpreter::read_code_machine_function(const CodeWord& word, ProgramLine& line,
+                                             BlockWords& block) {
+  const double m = word.value;
+  if (is_subprogram_call(m))
+    return refuse_code(line, word, Code::nc_unsupported, "a subprogram call");
+  const bool ends = m == 2 || m == 30 || m == 99;
+  line.ends_program |= ends;
+  block.changes_tool |= m == 6;
+  block.loads_tool |= m == 6;
+  add(line, word, ends || m == 0 || m == 1 ? WordRole::stop : WordRole::technology);
+  return true;
+}
+
+// What the words mean together, before any of it takes effect.
+bool Interpreter::complete_code_block(ProgramLine& line, BlockWords& block) {
+  if (block.tool_number) code_.next_tool = whole_number(block.tool_number->value);
+  code_.changes_by_m6 |= block.changes_tool;
+  if (block.changes_tool) {
+    code_.spindle_tool = code_.next_tool;
+    block.forget |= static_cast<AxisBits>(1U << axes_of(state_.mode().plane).third);
+  }
+  const bool spindle_limit = block.has(unfollowed_end) && block.of(unfollowed_end).is(50);
+  const bool has_spindle = std::ranges::any_of(line.words, [&](const WordRange& word) {
+    return line.text[word.begin] == 'S' || line.text[word.begin] == 's';
+  });
+  code_.turning |= (spindle_limit || block.of(frame).is(92)) && has_spindle;
+  // Under MCALL of Sinumerik each motion has the cycle behind it.
+  const bool motion_ends_cycle = block.has(motion) && dialect_.name != DialectName::sinumerik;
+  if (motion_ends_cycle || block.has(cycle_end)) code_.cycle = false;
+  if (block.has(motion)) code_.tangent_arcs = false;
+  code_.tangent_arcs |= block.begins_tangent_arcs;
+  if (block.has(dwell)) {  // F is a time
+    block.feed.reset();
+    for (WordRange& word : line.words)
+      if (word.role == WordRole::feed) word.role = WordRole::technology;
+  }
+  if (block.has(dimension)) code_.dimension_uncertain = block.to_skip;
+  if (code_.dimension_uncertain && block.axis && !block.to_skip)
+    return refuse(line, TextFault{.code = Code::nc_unsupported,
+                                  .begin = *block.axis,
+                                  .detail = "a motion behind G90 or G91 that may be skipped"});
+  if (block.to_skip && (block.has(unit) || block.has(plane)))
+    return refuse(line, TextFault{.code = Code::nc_unsupported,
+                                  .begin = line.words.front().begin,
+                                  .detail = "a unit or a plane that may be skipped"});
+  take_unit_of_old(line, block);
+  forget_what_ends_nothing(block);
+  const bool deletes_frames = block.has(frame) && !block.axis;
+  if (deletes_frames && code_.unfollowed == scale_tenths) code_.unfollowed = -1;
+  if (block.has(unfollowed) && block.of(unfollowed).function->tenths() == scale_tenths &&
+      !block.axis) {
+    code_.unfollowed = -1;
+    block.forget |= all_axes;
+    block.functions[static_cast<std::size_t>(unfollowed)] = {};
+  }
+  if (block.has(unfollowed)) code_.unfollowed = block.of(unfollowed).function->tenths();
+  if (block.has(unfollowed_end)) code_.unfollowed = -1;
+  if (!check_code_selection(line, block)) return false;
+  const bool goes_on = copy_code_block(line, block);
+  if (block.has(cycle)) code_.cycle = true;
+  reads_plain_lines_ = !code_.cycle && code_.unfollowed < 0 && !code_.tangent_arcs &&
+                       !code_.dimension_uncertain && code_.y_seen && faults_.empty();
+  return goes_on && take_tool_data(line, block);
+}
+
+// G70 and G71 alone are inch and mm of older controls; with words beside them they are cycles.
+void Interpreter::take_unit_of_old(ProgramLine& line, BlockWords& block) const {
+  BlockWords::Function& found = block.functions[static_cast<std::size_t>(single_move)];
+  const bool unit_of_old = block.of(single_move).is(70) || block.of(single_move).is(71);
+  if (!unit_of_old || block.axis || block.center || block.tool_data || block.tool_data_number ||
+      block.has(unit))
+    return;
+  for (WordRange& word : line.words)
+    if (word.begin == found.begin) word.role = WordRole::mode;
+  block.functions[static_cast<std::size_t>(unit)] = {
+      .function = dialect_.function(found.is(70) ? 20 : 21), .begin = found.begin};
+  found = {};
+}
+
+// G69, G50 and the like stand in the first line of many programs, where there is nothing to end.
+void Interpreter::forget_what_ends_nothing(BlockWords& block) {
+  const auto ends = [&](GGroup group, std::initializer_list<int> tenths) {
+    return block.has(group) &&
+           std::ranges::find(tenths, block.of(group).function->tenths()) != tenths.end();
+  };
+  if (block.has(unfollowed_end) && code_.unfollowed < 0)
+    block.functions[static_cast<std::size_t>(unfollowed_end)] = {};
+  if (ends(frame, {501, 690, 1000})) {
+    if (!code_.turned && code_.unfollowed != 682)
+      block.functions[static_cast<std::size_t>(frame)] = {};
+    if (code_.unfollowed == 682) code_.unfollowed = -1;
+    code_.turned = false;
+  }
+  code_.turned |= ends(frame, {511, 680, 1010});
+}
+
+// Decides whether the line is copied as it stands, and which axes it may move.
+bool Interpreter::copy_code_block(ProgramLine& line, BlockWords& block) {
+  const auto named_axes = [&] {
+    AxisBits named = 0;
+    for (std::size_t axis = 0; axis < block.move.end.size(); ++axis)
+      if (block.move.end[axis]) named |= static_cast<AxisBits>(1U << axis);
+    return named;
+  };
+  const bool moves = block.axis || block.center;
+  const auto third = static_cast<AxisBits>(1U << axes_of(state_.mode().plane).third);
+  std::optional<std::uint32_t> begin;
+  std::string meaning;
+  const auto copy = [&](GGroup group, AxisBits forget) {
+    if (!block.has(group)) return;
+    begin = block.of(group).begin;
+    meaning = block.of(group).function->meaning;
+    block.copied = true;
+    block.forget |= forget;
+  };
+  const AxisBits named = named_axes();
+  copy(single_move, named == 0 || block.of(single_move).is(1007) ? all_axes : named);
+  copy(cycle, static_cast<AxisBits>(named | third));
+  copy(frame, all_axes);
+  copy(tool_data, block.tool_data && (block.tool_data->value == 2 || block.tool_data->value == 20)
+                      ? all_axes
+                      : AxisBits{0});
+  copy(unfollowed, all_axes);
+  copy(unfollowed_end, all_axes);
+  const auto copy_motion = [&](const char* why, AxisBits forget) {
+    if (block.copied || !moves || block.has(dwell)) return;
+    begin = std::min(block.axis.value_or(~0U), block.center.value_or(~0U));
+    meaning = why;
+    block.copied = true;
+    block.forget |= forget;
+  };
+  if (code_.cycle)
+    copy_motion("a position of a drilling cycle", static_cast<AxisBits>(named | third));
+  if (code_.unfollowed >= 0) copy_motion("a position that is not followed", all_axes);
+  if (block.axis && (block.of(axis_technology).is(5) || block.of(axis_technology).is(8)))
+    return refuse(line, TextFault{.code = Code::nc_unsupported,
+                                  .begin = block.of(axis_technology).begin,
+                                  .detail = "G5 or G8 with axis words"});
+  if (block.axis) copy(axis_technology, AxisBits{0});
+  if (block.unfollowed_word || code_.tangent_arcs) copy_motion("CT, TURN=, AP= or RP=", named);
+  if (block.to_skip) copy_motion("a motion that may be skipped", named);
+  if (block.has(zero_shift) && !begin)
+    begin = block.of(zero_shift).begin, meaning = "work coordinate system";
+  if (block.to_skip && block.has(side))
+    begin = block.of(side).begin, meaning = "TRC in a block that may be skipped";
+
+  // G40 beside G28 and the like ends TRC first.
+  const bool active = trc_active() && !block.of(side).is(40);
+  const bool selects_here = block.has(side) && !block.of(side).is(40);
+  const bool may_be_skipped = block.to_skip && block.has(side) && (selects_here || contour_open());
+  if (begin && (active || (selects_here && block.copied) || may_be_skipped))
+    return refuse(line, TextFault{.code = Code::nc_unsupported,
+                                  .begin = *begin,
+                                  .detail = meaning.append(" while TRC is active")});
+  if (!block.copied) return true;
+  for (WordRange& word : line.words)
+    if (word.role == WordRole::coordinate || word.role == WordRole::trc)
+      word.role = WordRole::technology;
+  return true;
+}
+
+// What G41 and G42 need, and D words.
+bool Interpreter::check_code_selection(ProgramLine& line, BlockWords& block) {
+  const bool selects = block.has(side) && !block.of(side).is(40);
+  const auto wrong = [&](Code code, std::string detail) {
+    return refuse(
+        line, TextFault{.code = code, .begin = block.of(side).begin, .detail = std::move(detail)});
+  };
+  if (selects && code_.unfollowed >= 0)
+    return wrong(Code::nc_unsupported,
+                 "TRC while coordinates are not followed (polar, scaled or tilted)");
+  if (dialect_.name == DialectName::sinumerik && !choose_tool_of_edge(line, block)) return false;
+  // Only lathes work without Y.
+  const bool turns = code_.turning && !code_.y_seen;
+  if (selects && turns) return wrong(Code::turning, "G41, G42 of a lathe");
+  if (trc_active() && !code_.y_seen && state_.mode().plane == Plane::xy && block.move.end[0] &&
+      block.move.end[2])
+    return refuse(line, TextFault{.code = Code::turning,
+                                  .begin = *block.axis,
+                                  .detail = "a contour of X and Z in the plane X Y"});
+  const bool fanuc = dialect_.name == DialectName::fanuc;
+  if (fanuc && selects && block.tool_data_number)
+    return wrong(Code::nc_unsupported, "G41, G42 with a radius in P");
+  // Older controls have one table for lengths and radii, with H words for both.
+  if (fanuc && selects && !block.tool && block.offset && !has_length_offset(line))
+    block.tool = block.offset;
+  if (selects && block.of(side).function->tenth != 0) {
+    if (!block.tool) return wrong(Code::nc_number, "G41.1, G42.1 without D, the diameter");
+    block.tool_radius = {.value = block.tool->value / 2, .begin = block.tool->begin};
+    block.tool.reset();
+  } else if (selects && dialect_.tool_of_spindle && !block.tool && code_.spindle_tool != 0) {
+    block.tool = {.value = static_cast<double>(code_.spindle_tool), .begin = block.of(side).begin};
+  }
+  if (selects && !block.tool && !block.tool_radius && code_.missing_tool >= 0)
+    return wrong(Code::tool_unknown, "D" + std::to_string(code_.missing_tool));
+  if (!block.tool && !block.tool_radius) return true;
+  if ((selects || trc_active()) && dialect_.name != DialectName::sinumerik)
+    for (WordRange& word : line.words)
+      if (line.text[word.begin] == 'D' || line.text[word.begin] == 'd') word.role = WordRole::trc;
+  if (!block.tool) return true;
+  const std::int64_t number = whole_number(block.tool->value);
+  code_.missing_tool = -1;
+  if (!is_whole(block.tool->value))
+    return refuse(line,
+                  TextFault{.code = Code::nc_number, .begin = block.tool->begin, .detail = "D"});
+  if (state_.has_tool(number)) return true;
+  const bool one_radius = state_.setup().tools.empty() && state_.setup().mode.tool_radius != 0;
+  if (one_radius && (!selects || code_.only_register.value_or(number) == number)) {
+    // The radius of the setup stands for the one register that the program selects with.
+    if (selects) code_.only_register = number;
+    block.tool.reset();
+    return true;
+  }
+  if (!selects && !trc_active()) {
+    // H and D stand side by side in many programs: it matters only where G41 has no D of its own.
+    code_.missing_tool = number;
+    block.tool.reset();
+    return true;
+  }
+  return refuse(line, TextFault{.code = Code::tool_unknown,
+                                .begin = block.tool->begin,
+                                .detail = "D" + std::to_string(number)});
+}
+
+// Sinumerik: T is the tool, D its edge; D0 is none.
+bool Interpreter::choose_tool_of_edge(ProgramLine& line, BlockWords& block) {
+  if (block.tool) code_.edge_off = block.tool->value == 0;
+  if (block.tool_number) code_.edge_off = block.tool && block.tool->value == 0;
+  block.tool.reset();
+  const bool selects = block.has(side) && !block.of(side).is(40);
+  if (!selects) return true;
+  const std::uint32_t begin = block.of(side).begin;
+  if (code_.edge_off) {
+    block.tool = {.value = 0, .begin = begin};
+    return true;
+  }
+  const std::int64_t number = code_.changes_by_m6 ? code_.spindle_tool : code_.next_tool;
+  const bool table = !state_.setup().tools.empty();
+  const bool another =
+      number < 0 && !code_.only_tool_name.empty() && code_.only_tool_name != code_.tool_name;
+  if (number < 0 && code_.only_tool_name.empty()) code_.only_tool_name = code_.tool_name;
+  if (number > 0) block.tool = {.value = static_cast<double>(number), .begin = begin};
+  if (another || (number < 0 && table))
+    return refuse(line, TextFault{.code = Code::tool_unknown,
+                                  .begin = begin,
+                                  .detail = "a tool with a name: give it a number"});
+  return true;
+}
+
+// G10 L12 P R of Fanuc, G10 L1 P R of LinuxCNC: the program gives a tool its radius.
+bool Interpreter::take_tool_data(ProgramLine& line, BlockWords& block) {
+  // Controls with one table for lengths and radii have no L word.
+  if (!block.has(tool_data) || (!block.tool_data && !block.tool_data_number)) return true;
+  const std::int64_t data = block.tool_data ? whole_number(block.tool_data->value) : 12;
+  const bool linuxcnc = dialect_.name == DialectName::linuxcnc;
+  const bool radius_data =
+      linuxcnc ? data == 1 || data == 10 || data == 11 : data == 12 || data == 13;
+  if (!radius_data || !block.move.radius) return true;
+  if (data == 13 && *block.move.radius == 0) return true;
+  if (data != (linuxcnc ? 1 : 12) || !block.tool_data_number || incremental_)
+    return refuse(line, TextFault{.code = Code::nc_unsupported,
+                                  .begin = block.of(tool_data).begin,
+                                  .detail = "G10 L" + std::to_string(data) +
+                                            ", wear or a sum of a tool radius"});
+  if (!faults_.empty()) return true;
+  const bool inch = block.has(unit) ? counts_in_inch(*block.of(unit).function) : inch_;
+  state_.define_tool(whole_number(block.tool_data_number->value),
+                     *block.move.radius * (inch ? mm_per_inch : 1));
+  return true;
+}
+
+}  // namespace trc

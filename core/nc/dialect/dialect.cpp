@@ -1,0 +1,133 @@
+#include "core/nc/dialect/dialect.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <initializer_list>
+#include <string>
+
+namespace trc {
+namespace {
+
+char upper(char letter) {
+  return letter >= 'a' && letter <= 'z' ? static_cast<char>(letter - 'a' + 'A') : letter;
+}
+
+// The others reach the contour as under G138: straight to the point beside its start.
+const std::array<Dialect, 5>& dialects() {
+  static const std::array<Dialect, 5> table{{
+      {.name = DialectName::isg, .spelling = "isg", .functions = g_function_table()},
+      {.name = DialectName::fanuc,
+       .spelling = "fanuc",
+       .functions = fanuc_functions(),
+       .inch_function = 20,
+       .selection = Selection::direct,
+       .writes_points = true},
+      {.name = DialectName::linuxcnc,
+       .spelling = "linuxcnc",
+       .functions = linuxcnc_functions(),
+       .inch_function = 20,
+       .selection = Selection::direct,
+       .transition = Transition::circular,
+       .tool_of_spindle = true,
+       .arcs_to_the_contour = true},
+      {.name = DialectName::sinumerik,
+       .spelling = "sinumerik",
+       .functions = sinumerik_functions(),
+       .selection = Selection::direct,
+       .transition = Transition::circular},
+      {.name = DialectName::heidenhain, .spelling = "heidenhain", .available = false},
+  }};
+  return table;
+}
+
+// The text in capitals, without comments and blanks in front.
+std::string words_of(std::string_view line) {
+  std::string words;
+  for (const char sign : line) {
+    if (sign == '(' || sign == ';') break;
+    if (words.empty() && (sign == ' ' || sign == '\t')) continue;
+    words += upper(sign);
+  }
+  return words;
+}
+
+bool is_letter(char sign) { return sign >= 'A' && sign <= 'Z'; }
+bool is_digit(char sign) { return sign >= '0' && sign <= '9'; }
+
+// Whether one of the words of a line is this letter with this number.
+bool has_word(std::string_view words, char letter, std::string_view number) {
+  for (std::size_t at = 0; at < words.size(); ++at) {
+    if (words[at] != letter || (at > 0 && is_letter(words[at - 1]))) continue;
+    std::size_t begin = at + 1;
+    while (begin + 1 < words.size() && words[begin] == '0' && is_digit(words[begin + 1])) ++begin;
+    if (!words.substr(begin).starts_with(number)) continue;
+    const std::size_t behind = begin + number.size();
+    if (behind >= words.size() || (!is_digit(words[behind]) && words[behind] != '.')) return true;
+  }
+  return false;
+}
+
+bool starts_with_any(std::string_view words, std::initializer_list<std::string_view> beginnings) {
+  return std::ranges::any_of(
+      beginnings, [&](std::string_view beginning) { return words.starts_with(beginning); });
+}
+
+bool contains_any(std::string_view words, std::initializer_list<std::string_view> parts) {
+  return std::ranges::any_of(
+      parts, [&](std::string_view part) { return words.find(part) != std::string_view::npos; });
+}
+
+}  // namespace
+
+const Dialect& dialect_of(DialectName name) { return dialects()[static_cast<std::size_t>(name)]; }
+
+std::span<const Dialect> all_dialects() { return dialects(); }
+
+std::optional<DialectName> dialect_spelled(std::string_view spelling) {
+  for (const Dialect& dialect : dialects())
+    if (std::ranges::equal(dialect.spelling, spelling, {}, upper, upper)) return dialect.name;
+  return {};
+}
+
+const GFunction* Dialect::function(double number) const {
+  const double tenths = number * 10;
+  if (!(tenths >= 0 && tenths < 100'000) || std::abs(tenths - std::round(tenths)) > 1e-6)
+    return nullptr;
+  const int key = static_cast<int>(std::lround(tenths));
+  const auto found = std::ranges::lower_bound(functions, key, {}, &GFunction::tenths);
+  return found != functions.end() && found->tenths() == key ? &*found : nullptr;
+}
+
+std::optional<DialectName> looks_like(std::string_view line) {
+  const std::string words = words_of(line);
+  if (starts_with_any(words, {"BEGIN PGM", "TOOL CALL", "TOOL DEF", "CYCL DEF", "L X+", "L X-",
+                              "CC X", "BLK FORM"}) ||
+      contains_any(words,
+                   {" BEGIN PGM", " TOOL CALL", " TOOL DEF", " CYCL DEF", " L X", " BLK FORM"}))
+    return DialectName::heidenhain;
+  if (starts_with_any(words, {"TRANS ", "ATRANS ", "PROC ", "DEF REAL", "DEF INT", "CYCLE", "MCALL",
+                              "ROT ", "AROT ", "WORKPIECE"}) ||
+      contains_any(words, {"CR=", "AC(", "IC(", " CYCLE", " TRANS ", "T=\"", " MCALL",
+                           "RND=", "CHF=", "CHR="}))
+    return DialectName::sinumerik;
+  if (has_word(words, 'G', "41.1") || has_word(words, 'G', "42.1") ||
+      has_word(words, 'G', "90.1") || has_word(words, 'G', "91.1") ||
+      starts_with_any(words, {"O<", "#<"}))
+    return DialectName::linuxcnc;
+  const bool numbered = words.size() > 1 && is_digit(words[1]);
+  if (numbered && (words[0] == 'O' || words[0] == '#')) return DialectName::fanuc;
+  for (const std::string_view function :
+       {"20", "21", "28", "30", "43", "49", "54.1", "65", "73",  "80",  "81",  "82", "83",
+        "84", "85", "86", "87", "88", "89", "98",   "99", "110", "154", "187", "53", "64"})
+    if (has_word(words, 'G', function)) return DialectName::fanuc;
+  for (const std::string_view function : {"97", "98", "99"})
+    if (has_word(words, 'M', function)) return DialectName::fanuc;
+  const bool axes = contains_any(words, {"X", "Y", "Z"});
+  const bool data = contains_any(words, {"L", "P"});
+  if (has_word(words, 'G', "10") && data) return DialectName::fanuc;
+  if (has_word(words, 'G', "52") && axes) return DialectName::fanuc;
+  return {};
+}
+
+}  // namespace trc

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string_view>
+
+#include "core/nc/dialect/g_function.h"
+#include "core/nc/state/dialect_name.h"
+#include "core/nc/state/trc_mode.h"
+
+namespace trc {
+
+// What a dialect has of its own: the reader asks this table where the dialects differ.
+struct Dialect {
+  DialectName name = DialectName::isg;
+  std::string_view spelling{};                 // on the command line and in messages
+  std::span<const GFunction> functions{};      // ascending
+  std::int16_t inch_function = 70;             // counts in inch from here on
+  Selection selection = Selection::indirect;   // how the tool reaches the contour
+  Transition transition = Transition::linear;  // at outside corners
+  // Numbers are written with a decimal point: without it some controls count increments.
+  bool writes_points = false;
+  // G41 without a D word takes the tool that the last M06 brought.
+  bool tool_of_spindle = false;
+  // An arc may lead to the contour.
+  bool arcs_to_the_contour = false;
+  bool available = true;
+
+  // Null when there is no such function.
+  [[nodiscard]] const GFunction* function(double number) const;
+};
+
+[[nodiscard]] const Dialect& dialect_of(DialectName name);
+[[nodiscard]] std::span<const Dialect> all_dialects();
+// By its spelling, whatever the case.
+[[nodiscard]] std::optional<DialectName> dialect_spelled(std::string_view spelling);
+
+// The tables of functions, in ascending order.
+[[nodiscard]] std::span<const GFunction> fanuc_functions();
+[[nodiscard]] std::span<const GFunction> linuxcnc_functions();
+[[nodiscard]] std::span<const GFunction> sinumerik_functions();
+
+// Which dialect a line looks like that makes no sense under ISG, or makes a dangerous one: for the
+// message, never for reading it.
+[[nodiscard]] std::optional<DialectName> looks_like(std::string_view line);
+
+}  // namespace trc

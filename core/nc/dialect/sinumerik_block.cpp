@@ -1,0 +1,402 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <utility>
+
+#include "core/nc/dialect/block_words.h"
+#include "core/nc/text/named_words.h"
+
+// What Sinumerik's language has beside plain letters and numbers: names, calls, values behind `=`,
+// further forms of arcs. The rest is read as the other dialects: code_block.cpp.
+
+namespace trc {
+namespace {
+
+using enum GGroup;
+
+// What becomes of a name.
+enum class Meaning : std::uint8_t {
+  technology,
+  frame,       // TRANS, ROT, …
+  unfollowed,  // transformations, scaling
+  unfollowed_end,
+  single_move,  // SUPA
+  modal_cycle,  // MCALL
+  statement,    // IF, GOTOF, …: refused
+  turning,
+  refused,
+};
+
+struct Name {
+  std::string_view name;
+  Meaning meaning;
+};
+
+constexpr auto names = std::to_array<Name>({
+    {"AMIRROR", Meaning::frame},         {"AROT", Meaning::frame},
+    {"AROTS", Meaning::unfollowed},      {"ASCALE", Meaning::unfollowed},
+    {"ATRANS", Meaning::frame},          {"BRISK", Meaning::technology},
+    {"CASE", Meaning::statement},        {"CDOF", Meaning::technology},
+    {"CDOF2", Meaning::technology},      {"CFTCP", Meaning::technology},
+    {"COMPCAD", Meaning::technology},    {"COMPCURV", Meaning::technology},
+    {"COMPOF", Meaning::technology},     {"COMPON", Meaning::technology},
+    {"COMPSURF", Meaning::technology},   {"CPRECOF", Meaning::technology},
+    {"CPRECON", Meaning::technology},    {"CUT2D", Meaning::technology},
+    {"DEF", Meaning::statement},         {"DIAM90", Meaning::turning},
+    {"DIAMOF", Meaning::technology},     {"DIAMON", Meaning::turning},
+    {"DRIVE", Meaning::technology},      {"DYNFINISH", Meaning::technology},
+    {"DYNNORM", Meaning::technology},    {"DYNPOS", Meaning::technology},
+    {"DYNPREC", Meaning::technology},    {"DYNROUGH", Meaning::technology},
+    {"DYNSEMIFIN", Meaning::technology}, {"ELSE", Meaning::statement},
+    {"ENDFOR", Meaning::statement},      {"ENDIF", Meaning::statement},
+    {"ENDLOOP", Meaning::statement},     {"ENDWHILE", Meaning::statement},
+    {"EXTERN", Meaning::statement},      {"FFWOF", Meaning::technology},
+    {"FFWON", Meaning::technology},      {"FIFOCTRL", Meaning::technology},
+    {"FNORM", Meaning::technology},      {"FOR", Meaning::statement},
+    {"GOTO", Meaning::statement},        {"GOTOB", Meaning::statement},
+    {"GOTOC", Meaning::statement},       {"GOTOF", Meaning::statement},
+    {"GOTOS", Meaning::statement},       {"GROUP_END", Meaning::technology},
+    {"IF", Meaning::statement},          {"LOOP", Meaning::statement},
+    {"MCALL", Meaning::modal_cycle},     {"MIRROR", Meaning::frame},
+    {"NORM", Meaning::technology},       {"ORIMKS", Meaning::technology},
+    {"ORIWKS", Meaning::technology},     {"PROC", Meaning::statement},
+    {"REPEAT", Meaning::statement},      {"REPEATB", Meaning::statement},
+    {"RET", Meaning::statement},         {"ROT", Meaning::frame},
+    {"ROTS", Meaning::unfollowed},       {"RTLIOF", Meaning::technology},
+    {"RTLION", Meaning::technology},     {"SCALE", Meaning::unfollowed},
+    {"SOFT", Meaning::technology},       {"SPCOF", Meaning::technology},
+    {"SPCON", Meaning::technology},      {"STARTFIFO", Meaning::technology},
+    {"STOPFIFO", Meaning::technology},   {"STOPRE", Meaning::technology},
+    {"SUPA", Meaning::single_move},      {"TRAFOOF", Meaning::unfollowed_end},
+    {"TRANS", Meaning::frame},           {"TRAORI", Meaning::unfollowed},
+    {"UNTIL", Meaning::statement},       {"UPATH", Meaning::technology},
+    {"WALIMOF", Meaning::technology},    {"WALIMON", Meaning::technology},
+    {"WHILE", Meaning::statement},
+});
+static_assert(std::ranges::is_sorted(names, {}, &Name::name));
+
+// Calls that say nothing about where the path runs.
+constexpr auto passing_calls = std::to_array<std::string_view>(
+    {"FGROUP", "GROUP_BEGIN", "GROUP_END", "MSG", "SETMS", "SPOS", "WAITS", "WORKPIECE"});
+// CYCLE, HOLES, POCKET, SLOT and the like: what they move only the control knows.
+constexpr auto cycles = std::to_array<std::string_view>(
+    {"CYCLE", "HOLES", "POCKET", "SLOT", "LONGHOLE", "TRANSMIT", "TRACYL", "F_"});
+// Words with values that say nothing about where the path runs.
+constexpr auto passing_assignments = std::to_array<std::string_view>(
+    {"ACC", "ADIS", "ADISPOS", "FA", "FZ", "LIMS", "SCC", "SPOS", "SVC"});
+// Words with values that round or bevel corners.
+constexpr auto corner_words =
+    std::to_array<std::string_view>({"CHF", "CHR", "FRC", "FRCM", "RND", "RNDM"});
+
+// The functions that names stand for.
+constexpr GFunction frame_name{.number = 1000, .group = frame, .meaning = "a frame"};
+constexpr GFunction unfollowed_name{
+    .number = 1001, .group = unfollowed, .meaning = "a transformation"};
+constexpr GFunction scale_name{.number = 1006, .group = unfollowed, .meaning = "scaling"};
+constexpr GFunction unfollowed_end_name{.number = 1002, .group = unfollowed_end};
+constexpr GFunction single_name{
+    .number = 1003, .group = single_move, .meaning = "a cycle or motion of its own"};
+constexpr GFunction cycle_name{.number = 1004, .group = cycle, .meaning = "a modal cycle"};
+constexpr GFunction cycle_end_name{.number = 1005, .group = cycle_end};
+
+bool begins_with_any(std::string_view name, std::span<const std::string_view> beginnings) {
+  return std::ranges::any_of(beginnings,
+                             [&](std::string_view begin) { return name.starts_with(begin); });
+}
+
+CodeWord as_code(const NamedWord& word) {
+  return {.kind = CodeWord::Kind::address,
+          .letter = word.letter,
+          .has_number = true,
+          .whole = word.whole,
+          .value = word.value,
+          .begin = word.begin,
+          .end = word.end};
+}
+
+void add(ProgramLine& line, const NamedWord& word, WordRole role) {
+  line.words.push_back({.begin = word.begin, .end = word.end, .role = role});
+}
+
+}  // namespace
+
+bool Interpreter::read_named_words(ProgramLine& line, BlockWords& block) {
+  NamedWordReader reader(line.text);
+  bool readable = true;
+  for (;;) {
+    const NamedWord word = reader.next();
+    switch (word.kind) {
+      case NamedWord::Kind::end:
+        return complete_code_block(line, block) && readable;
+      case NamedWord::Kind::fault:
+        refuse(line, reader.fault());
+        readable = false;
+        break;
+      case NamedWord::Kind::comment:
+        add(line, word, WordRole::comment);
+        break;
+      case NamedWord::Kind::skip:
+        block.to_skip = true;
+        add(line, word, WordRole::technology);
+        break;
+      case NamedWord::Kind::address:
+        readable = read_named_address(word, line, block) && readable;
+        break;
+      case NamedWord::Kind::assignment:
+        readable = read_assignment(word, line, block) && readable;
+        break;
+      case NamedWord::Kind::name:
+      case NamedWord::Kind::call:
+        readable = read_name(word, line, block) && readable;
+        break;
+    }
+    if (diagnostics_.stopped()) return false;
+  }
+}
+
+bool Interpreter::read_named_address(const NamedWord& word, ProgramLine& line, BlockWords& block) {
+  const char letter = word.letter;
+  const CodeWord code = as_code(word);
+  const bool center = letter >= 'I' && letter <= 'K';
+  if (letter == 'T' && word.is_text) {
+    if (block.tool_number) return refuse_code(line, code, Code::nc_word_twice);
+    block.tool_number = {.value = -1, .begin = word.begin};
+    code_.tool_name = word.name;
+    add(line, word, WordRole::technology);
+    return true;
+  }
+  if (word.is_text) return refuse_code(line, code, Code::nc_syntax, "a text");
+  if (letter == 'T') code_.tool_name.clear();
+  if (letter == 'L' || letter == 'E')
+    return refuse_code(line, code, Code::nc_unsupported, "a subprogram call");
+  if (center && word.index == 1) {  // the point between of CIP
+    block.through[static_cast<std::size_t>(letter - 'I')] = {.value = word.value,
+                                                             .begin = word.begin};
+    add(line, word, WordRole::coordinate);
+    return true;
+  }
+  const bool axis = letter <= 'C' || letter >= 'U';
+  if (word.index >= 0 && (axis || center)) {
+    // X1=0 of G74 and G75; an axis with such a name is not followed.
+    if (!block.has(single_move)) return refuse_code(line, code, Code::nc_axis_unknown);
+    add(line, word, WordRole::technology);
+    return true;
+  }
+  if (word.index >= 0) {  // S1=500, M1=3
+    ++block.words;
+    add(line, word, WordRole::technology);
+    return true;
+  }
+  if (word.reference != NamedWord::Reference::modal) {
+    const bool incremental = word.reference == NamedWord::Reference::incremental;
+    if (letter >= 'X' && letter <= 'Z') {
+      block.end_reference[static_cast<std::size_t>(letter - 'X')] = incremental ? -1 : 1;
+    } else if (center) {
+      block.center_reference[static_cast<std::size_t>(letter - 'I')] = incremental ? -1 : 1;
+    } else if (incremental || incremental_) {
+      return refuse_code(line, code, Code::nc_unsupported, "AC or IC of a further axis");
+    }
+  }
+  if (letter == 'M' && word.value == 17) {
+    line.ends_program = true;
+    add(line, word, WordRole::stop);
+    return true;
+  }
+  return read_code_word(code, line, block);
+}
+
+bool Interpreter::read_assignment(const NamedWord& word, ProgramLine& line, BlockWords& block) {
+  const std::string_view name = line.word({.begin = word.begin, .end = word.end});
+  const auto is = [&](std::string_view wanted) { return word.name == wanted; };
+  const auto refused = [&](Code code, std::string_view why) {
+    return refuse(line, TextFault{.code = code,
+                                  .begin = word.begin,
+                                  .detail = std::string(name).append(", ").append(why)});
+  };
+  if (is("CR") || is("AR")) {
+    auto& target = is("CR") ? block.move.radius : block.sweep;
+    if (target) return refused(Code::nc_word_twice, "a second time");
+    target = word.value;
+    if (!block.center) block.center = word.begin;
+    add(line, word, WordRole::coordinate);
+    return true;
+  }
+  if (std::ranges::find(corner_words, word.name) != corner_words.end() && trc_active() &&
+      word.value != 0)
+    return refused(Code::nc_unsupported, "a rounding or a chamfer while TRC is active");
+  if (is("OFFN") && word.value != 0)
+    return refused(Code::nc_unsupported, "an allowance: add it to the radius of the tool");
+  if (is("DISC") && word.value != 0)
+    return refused(Code::nc_unsupported, "corners that reach out: DISC=0");
+  if (is("TURN") || is("AP") || is("RP")) {
+    block.unfollowed_word = word.begin;
+    add(line, word, WordRole::technology);
+    return true;
+  }
+  const bool passes = begins_with_any(word.name, passing_assignments) || is("OFFN") || is("DISC") ||
+                      std::ranges::find(corner_words, word.name) != corner_words.end() || is("RPL");
+  if (!passes) return refused(Code::nc_unsupported, "a variable");
+  add(line, word, WordRole::technology);
+  return true;
+}
+
+bool Interpreter::read_name(const NamedWord& word, ProgramLine& line, BlockWords& block) {
+  const auto refused = [&](std::string_view why) {
+    return refuse(line, TextFault{.code = Code::nc_unsupported,
+                                  .begin = word.begin,
+                                  .detail = std::string(word.name).append(", ").append(why)});
+  };
+  const auto stands_for = [&](const GFunction& function) {
+    block.functions[static_cast<std::size_t>(function.group)] = {.function = &function,
+                                                                 .begin = word.begin};
+    add(line, word, WordRole::technology);
+    return true;
+  };
+  ++block.words;
+  if (word.kind == NamedWord::Kind::call) {
+    if (begins_with_any(word.name, cycles)) {
+      if (word.name.starts_with("TRA")) return stands_for(unfollowed_name);
+      if (!block.has(cycle)) return stands_for(single_name);
+      add(line, word, WordRole::technology);
+      return true;
+    }
+    if (std::ranges::find(passing_calls, word.name) == passing_calls.end() && word.name != "TRAORI")
+      return refused("a call");
+    if (word.name == "TRAORI") return stands_for(unfollowed_name);
+    add(line, word, WordRole::technology);
+    return true;
+  }
+  if (word.name == "CIP") {
+    block.functions[static_cast<std::size_t>(motion)] = {.function = dialect_.function(2),
+                                                         .begin = word.begin};
+    block.is_through = true;
+    add(line, word, WordRole::motion);
+    return true;
+  }
+  if (word.name == "CFC") return refused("a feed at the contour: CFTCP");
+  if (word.name == "CT") block.begins_tangent_arcs = true;
+  if (word.name == "KONT" || word.name == "KONTC" || word.name == "KONTT")
+    return refused("an approach round the corner: NORM");
+  if (word.name == "CDON") return refused("a search for bottlenecks: CDOF");
+  const auto found = std::ranges::lower_bound(names, word.name, {}, &Name::name);
+  const bool known = found != names.end() && found->name == word.name;
+  if (!known && word.name != "CT") return refused("a name");
+  switch (known ? found->meaning : Meaning::technology) {
+    case Meaning::frame:
+      return stands_for(frame_name);
+    case Meaning::unfollowed:
+      return stands_for(word.name.ends_with("SCALE") ? scale_name : unfollowed_name);
+    case Meaning::unfollowed_end:
+      return stands_for(unfollowed_end_name);
+    case Meaning::single_move:
+      return stands_for(single_name);
+    case Meaning::modal_cycle: {
+      // Alone it ends the cycle.
+      const bool ends = line.text.find('(', word.end) == std::string::npos;
+      return stands_for(ends ? cycle_end_name : cycle_name);
+    }
+    case Meaning::statement:
+      return refused("a statement");
+    case Meaning::turning:
+      code_.turning = true;
+      return refuse(line,
+                    TextFault{.code = Code::turning, .begin = word.begin, .detail = word.name});
+    case Meaning::refused:
+      return refused("which is not followed");
+    case Meaning::technology:
+      break;
+  }
+  add(line, word, word.name == "CT" ? WordRole::motion : WordRole::technology);
+  return true;
+}
+
+// AC() and IC() become coordinates as G90 and G91 have them; AR= and CIP become a centre.
+bool Interpreter::resolve_references(ProgramLine& line, BlockWords& block) {
+  MoveRequest& move = block.move;
+  const Position& start = state_.position();
+  const double unit = length_unit();
+  const auto refuse_unknown = [&](std::size_t axis) {
+    return refuse(line, TextFault{.code = Code::position_unknown,
+                                  .begin = *block.axis,
+                                  .detail = std::string(1, static_cast<char>('X' + axis))});
+  };
+  for (std::size_t axis = 0; axis < move.end.size(); ++axis) {
+    const bool to_increment = block.end_reference[axis] > 0 && incremental_;
+    const bool to_absolute = block.end_reference[axis] < 0 && !incremental_;
+    if (!move.end[axis] || (!to_increment && !to_absolute)) continue;
+    if (!state_.is_known(axis)) return refuse_unknown(axis);
+    *move.end[axis] += (to_increment ? -1 : 1) * start[axis] / unit;
+  }
+  for (std::size_t axis = 0; axis < move.center.size(); ++axis) {
+    if (!move.center[axis] || block.center_reference[axis] <= 0) continue;
+    if (!state_.is_known(axis)) return refuse_unknown(axis);
+    *move.center[axis] -= start[axis] / unit;
+  }
+  return (!block.sweep || take_sweep(line, block)) &&
+         (!block.is_through || take_point_between(line, block));
+}
+
+// AR=: the angle of the arc, with its end or its centre.
+bool Interpreter::take_sweep(ProgramLine& line, BlockWords& block) {
+  const PlaneAxes axes = axes_of(state_.mode().plane);
+  MoveRequest& move = block.move;
+  const double sweep = *block.sweep * std::numbers::pi / 180;
+  const Point start = to_plane(state_.mode().plane, state_.position()) / length_unit();
+  const bool has_center = move.center[axes.first] || move.center[axes.second];
+  const bool has_end = move.end[axes.first] || move.end[axes.second];
+  if (!(*block.sweep > 0 && *block.sweep < 360) || has_center == has_end || move.radius)
+    return refuse(line, TextFault{.code = Code::circle_incomplete,
+                                  .begin = *block.center,
+                                  .detail = "AR= with either its end or its centre"});
+  if (has_end) {
+    const auto end_on = [&](std::size_t axis, double from) {
+      return move.end[axis] ? *move.end[axis] + (incremental_ ? from : 0) : from;
+    };
+    const Point end(end_on(axes.first, start.x()), end_on(axes.second, start.y()));
+    const double radius = (end - start).norm() / (2 * std::sin(sweep / 2));
+    move.radius = sweep > std::numbers::pi ? -radius : radius;
+    return true;
+  }
+  const Vector arm =
+      -Vector(move.center[axes.first].value_or(0), move.center[axes.second].value_or(0));
+  const double turn = motion_ == MotionKind::clockwise ? -sweep : sweep;
+  const Vector turned = std::cos(turn) * arm + std::sin(turn) * left_of(arm);
+  const Point end = start - arm + turned;
+  move.end[axes.first] = end.x() - (incremental_ ? start.x() : 0);
+  move.end[axes.second] = end.y() - (incremental_ ? start.y() : 0);
+  return true;
+}
+
+// CIP: the circle through start, a point between and end.
+bool Interpreter::take_point_between(ProgramLine& line, BlockWords& block) {
+  const PlaneAxes axes = axes_of(state_.mode().plane);
+  MoveRequest& move = block.move;
+  const auto wrong = [&](const char* why) {
+    return refuse(line, TextFault{.code = Code::circle_incomplete,
+                                  .begin = block.axis.value_or(0),
+                                  .detail = std::string("CIP, ").append(why)});
+  };
+  if (block.through[axes.third] || !block.through[axes.first] || !block.through[axes.second])
+    return wrong("whose point between names the two axes of the plane");
+  const Point start = to_plane(state_.mode().plane, state_.position()) / length_unit();
+  const auto on = [&](const std::optional<double>& value, double from) {
+    return value ? *value + (incremental_ ? from : 0) : from;
+  };
+  const Point between(on(block.through[axes.first]->value, start.x()),
+                      on(block.through[axes.second]->value, start.y()));
+  const Point end(on(move.end[axes.first], start.x()), on(move.end[axes.second], start.y()));
+  const Vector a = between - start;
+  const Vector b = end - start;
+  const double twice_area = 2 * (a.x() * b.y() - a.y() * b.x());
+  if (std::abs(twice_area) < 1e-9) return wrong("whose points lie in one line");
+  const Vector center((b.y() * a.squaredNorm() - a.y() * b.squaredNorm()) / twice_area,
+                      (a.x() * b.squaredNorm() - b.x() * a.squaredNorm()) / twice_area);
+  move.center[axes.first] = center.x();
+  move.center[axes.second] = center.y();
+  motion_ = twice_area > 0 ? MotionKind::counter_clockwise : MotionKind::clockwise;
+  return true;
+}
+
+}  // namespace trc

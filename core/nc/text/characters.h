@@ -1,0 +1,26 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+namespace trc {
+
+// Bytes of the UTF-8 character at the start of `text`; 0: it is none.
+[[nodiscard]] std::size_t utf8_character(std::string_view text);
+
+// Bytes of the blank at the start of `text`: space, tab or no-break space. 0: none.
+[[nodiscard]] inline std::size_t blank_at_start(std::string_view text) {
+  if (text.empty()) return 0;
+  if (text.front() == ' ' || text.front() == '\t') return 1;
+  return text.starts_with("\xC2\xA0") ? 2 : 0;
+}
+[[nodiscard]] std::string_view without_blanks_in_front(std::string_view text);
+[[nodiscard]] std::string_view without_blanks_behind(std::string_view text);
+
+// The first character of `text` for a message. One that cannot be seen, or that looks like
+// another one, is named: "U+200B, a zero width space". Empty for empty text.
+[[nodiscard]] std::string name_of_character(std::string_view text);
+
+}  // namespace trc

@@ -1,0 +1,147 @@
+#include "core/nc/text/code_words.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace trc {
+namespace {
+
+char upper(char letter) {
+  return letter >= 'a' && letter <= 'z' ? static_cast<char>(letter - 'a' + 'A') : letter;
+}
+bool is_letter(char sign) { return upper(sign) >= 'A' && upper(sign) <= 'Z'; }
+bool is_digit(char sign) { return sign >= '0' && sign <= '9'; }
+bool begins_number(char sign) {
+  return is_digit(sign) || sign == '+' || sign == '-' || sign == '.';
+}
+
+// The parenthesis that closes the comment: the one that belongs to the first, or, where those
+// within are not in pairs, the first one.
+std::size_t end_of_comment(std::string_view line, std::size_t begin) {
+  std::size_t depth = 0;
+  for (std::size_t at = begin; at < line.size(); ++at) {
+    if (line[at] == '(') ++depth;
+    if (line[at] == ')' && --depth == 0) return at;
+  }
+  return line.find(')', begin);
+}
+
+// (RPT N10,N20), (GOTO N10), (CALL 5), (IF (P1 …: Fagor jumps and calls with them.
+bool is_statement(std::string_view comment) {
+  std::string text;
+  for (const char sign : comment.substr(1, 12))
+    if (sign != ' ') text += upper(sign);
+  const auto begins = [&](std::string_view word, std::string_view behind) {
+    return text.starts_with(word) && text.size() > word.size() &&
+           (behind.find(text[word.size()]) != std::string_view::npos);
+  };
+  constexpr std::string_view digits = "0123456789";
+  const std::size_t assigned = text.find('=');
+  return begins("RPTN", digits) || begins("GOTON", digits) || begins("CALL", digits) ||
+         begins("PCALL", digits) || begins("MCALL", digits) || begins("IF(", "P(") ||
+         (begins("P", digits) && assigned != std::string::npos && assigned + 1 < text.size() &&
+          (digits.find(text[assigned + 1]) != std::string_view::npos || text[assigned + 1] == 'P'));
+}
+
+}  // namespace
+
+void CodeReader::skip_blanks() {
+  while (peek() == ' ' || peek() == '\t') ++at_;
+}
+
+CodeWord CodeReader::fail(Code code, std::size_t begin, std::size_t end, std::string detail) {
+  fault_ = {.code = code, .begin = static_cast<std::uint32_t>(begin), .detail = std::move(detail)};
+  at_ = end;
+  return {.kind = CodeWord::Kind::fault,
+          .begin = static_cast<std::uint32_t>(begin),
+          .end = static_cast<std::uint32_t>(end)};
+}
+
+CodeWord CodeReader::next() {
+  skip_blanks();
+  const std::size_t begin = at_;
+  if (begin >= line_.size()) return {};
+  const char sign = peek();
+  if (sign == '(' || sign == ';') return comment();
+  if (is_letter(sign)) return address(false);
+  if (sign == ':' && is_digit(peek(1))) return address(false);
+  if (sign == '<' && line_.find('>', begin) != std::string_view::npos) {  // the name of the program
+    at_ = line_.find('>', begin) + 1;
+    return {.kind = CodeWord::Kind::comment,
+            .begin = static_cast<std::uint32_t>(begin),
+            .end = static_cast<std::uint32_t>(at_)};
+  }
+  if (sign == ',' && is_letter(peek(1))) {
+    ++at_;
+    return address(true);
+  }
+  if (sign == '/') {
+    ++at_;
+    while (is_digit(peek())) ++at_;
+    return {.kind = CodeWord::Kind::skip,
+            .begin = static_cast<std::uint32_t>(begin),
+            .end = static_cast<std::uint32_t>(at_)};
+  }
+  if (sign == '#' || sign == '[')
+    return fail(Code::nc_unsupported, begin, line_.size(),
+                sign == '#' ? "#, a variable" : "[, an expression");
+  const auto byte = static_cast<unsigned char>(sign);
+  if (byte < 0x20 || byte >= 0x7f)
+    return fail(Code::nc_not_text, begin, line_.size(), "outside a comment");
+  return fail(Code::nc_syntax, begin, begin + 1, std::string(1, sign));
+}
+
+CodeWord CodeReader::comment() {
+  const std::size_t begin = at_;
+  const std::size_t close = peek() == ';' ? line_.size() : end_of_comment(line_, begin);
+  if (close == std::string_view::npos)
+    return fail(Code::nc_unclosed, begin, line_.size(), "(, a comment without )");
+  if (peek() == '(' && is_statement(line_.substr(begin, close - begin)))
+    return fail(Code::nc_unsupported, begin, close + 1, "a statement in parentheses");
+  at_ = std::min(close + 1, line_.size());
+  return {.kind = CodeWord::Kind::comment,
+          .begin = static_cast<std::uint32_t>(begin),
+          .end = static_cast<std::uint32_t>(at_)};
+}
+
+// IF, WHILE, GOTO, sub, …: letters side by side are no words.
+CodeWord CodeReader::name(std::size_t begin) {
+  std::size_t end = begin;
+  std::string detail;
+  while (end < line_.size() && is_letter(line_[end])) detail += upper(line_[end++]);
+  return fail(Code::nc_unsupported, begin, line_.size(), detail + ", a statement");
+}
+
+CodeWord CodeReader::address(bool comma) {
+  const std::size_t begin = comma ? at_ - 1 : at_;
+  CodeWord word{.kind = CodeWord::Kind::address,
+                .letter = upper(peek()),
+                .comma = comma,
+                .begin = static_cast<std::uint32_t>(begin)};
+  if (word.letter == ':') word.letter = 'O';
+  ++at_;
+  if (is_letter(peek()) && word.letter != 'N') return name(begin);
+  skip_blanks();
+  const char sign = peek();
+  if (sign == '#') return fail(Code::nc_unsupported, begin, line_.size(), "#, a variable");
+  if (sign == '[') return fail(Code::nc_unsupported, begin, line_.size(), "[, an expression");
+  if (sign == '<')
+    return fail(Code::nc_unsupported, begin, line_.size(), "O<…>, a subprogram or a loop");
+  // N12 without blanks is a number; a bare N stands for no number at all.
+  const std::size_t length =
+      begins_number(sign) ? read_number(line_.substr(at_), word.value, word.whole) : 0;
+  at_ += length;
+  word.has_number = length > 0;
+  word.end = static_cast<std::uint32_t>(at_);
+  const bool needs_number = word.letter != 'N' && word.letter != 'O';
+  if ((needs_number && !word.has_number) || !std::isfinite(word.value))
+    return fail(Code::nc_number, begin, std::max(at_, begin + 1), std::string(1, word.letter));
+  if (!word.has_number) {
+    at_ = begin + 1;
+    word.end = static_cast<std::uint32_t>(at_);
+  }
+  return word;
+}
+
+}  // namespace trc

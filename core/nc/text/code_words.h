@@ -1,0 +1,49 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+#include "core/nc/text/words.h"
+
+namespace trc {
+
+// Cuts a line of a dialect of plain letters and numbers into words: that of Fanuc and of
+// LinuxCNC. Unlike WordReader, which reads ISG's, it knows comments that do not nest, the `/` in
+// front of a block to skip, `,R` and `,C`, and takes L and P for letters like all others.
+struct CodeWord {
+  enum class Kind : std::uint8_t { end, comment, skip, address, fault };
+  Kind kind = Kind::end;
+  char letter = 0;          // upper case
+  bool comma = false;       // ,R ,C
+  bool has_number = false;  // false only behind N and O
+  bool whole = false;       // without decimal point
+  double value = 0;
+  std::uint32_t begin = 0;  // bytes of the line
+  std::uint32_t end = 0;
+};
+
+class CodeReader {
+ public:
+  explicit CodeReader(std::string_view line) : line_(line) {}
+
+  [[nodiscard]] CodeWord next();
+  // Says what is wrong after a word of kind `fault`; the next word may be asked for all the same.
+  [[nodiscard]] const TextFault& fault() const { return fault_; }
+
+ private:
+  void skip_blanks();
+  [[nodiscard]] char peek(std::size_t ahead = 0) const {
+    return at_ + ahead < line_.size() ? line_[at_ + ahead] : '\0';
+  }
+  [[nodiscard]] CodeWord comment();
+  [[nodiscard]] CodeWord address(bool comma);
+  [[nodiscard]] CodeWord name(std::size_t begin);
+  [[nodiscard]] CodeWord fail(Code code, std::size_t begin, std::size_t end, std::string detail);
+
+  std::string_view line_;
+  std::size_t at_ = 0;
+  TextFault fault_{};
+};
+
+}  // namespace trc

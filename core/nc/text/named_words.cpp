@@ -1,0 +1,183 @@
+#include "core/nc/text/named_words.h"
+
+#include <cmath>
+#include <utility>
+
+namespace trc {
+namespace {
+
+char upper(char letter) {
+  return letter >= 'a' && letter <= 'z' ? static_cast<char>(letter - 'a' + 'A') : letter;
+}
+bool is_letter(char sign) { return upper(sign) >= 'A' && upper(sign) <= 'Z'; }
+bool is_digit(char sign) { return sign >= '0' && sign <= '9'; }
+bool begins_number(char sign) {
+  return is_digit(sign) || sign == '+' || sign == '-' || sign == '.';
+}
+
+}  // namespace
+
+void NamedWordReader::skip_blanks() {
+  while (peek() == ' ' || peek() == '\t') ++at_;
+}
+
+// The rest of the line is passed over: what it means hangs on what was not understood.
+NamedWord NamedWordReader::fail(Code code, std::size_t begin, std::string detail) {
+  fault_ = {.code = code, .begin = static_cast<std::uint32_t>(begin), .detail = std::move(detail)};
+  at_ = line_.size();
+  return {.kind = NamedWord::Kind::fault, .begin = fault_.begin, .end = fault_.begin};
+}
+
+NamedWord NamedWordReader::next() {
+  skip_blanks();
+  const std::size_t begin = at_;
+  if (begin >= line_.size()) return {};
+  const char sign = peek();
+  if (is_letter(sign) || sign == '_') {
+    const bool named = is_letter(peek(1)) || peek(1) == '_' || sign == '_';
+    // N10G1X5: a number never stands within a name of more than one letter.
+    return named ? name() : address();
+  }
+  if (sign == ';') {
+    at_ = line_.size();
+    return {.kind = NamedWord::Kind::comment,
+            .begin = static_cast<std::uint32_t>(begin),
+            .end = static_cast<std::uint32_t>(at_)};
+  }
+  if (sign == '/') {
+    ++at_;
+    while (is_digit(peek())) ++at_;
+    return {.kind = NamedWord::Kind::skip,
+            .begin = static_cast<std::uint32_t>(begin),
+            .end = static_cast<std::uint32_t>(at_)};
+  }
+  if (sign == '$') return fail(Code::nc_unsupported, begin, "$, a system variable");
+  const auto byte = static_cast<unsigned char>(sign);
+  if (byte < 0x20 || byte >= 0x7f) return fail(Code::nc_not_text, begin, "outside a comment");
+  return fail(Code::nc_syntax, begin, std::string(1, sign));
+}
+
+bool NamedWordReader::read_plain_number(NamedWord& word) {
+  const std::size_t length = read_number(line_.substr(at_), word.value, word.whole);
+  at_ += length;
+  if (peek() == ',' && is_digit(peek(1))) {
+    fault_ = {.code = Code::nc_number,
+              .begin = static_cast<std::uint32_t>(at_),
+              .detail = "a decimal comma: write a point"};
+    return false;
+  }
+  const std::size_t next = line_.find_first_not_of(" \t", at_);
+  const char behind = next == std::string_view::npos ? '\0' : line_[next];
+  const bool expression = behind == '+' || behind == '-' || behind == '*' || behind == '/';
+  if (length > 0 && std::isfinite(word.value) && !expression) return true;
+  fault_ = {.code = expression ? Code::nc_unsupported : Code::nc_number,
+            .begin = static_cast<std::uint32_t>(word.begin),
+            .detail = expression ? "an expression" : std::string(1, line_[word.begin])};
+  return false;
+}
+
+// Behind `=`: a number, a text, AC(…), IC(…). Else `fault_` says what it is.
+bool NamedWordReader::read_value(NamedWord& word) {
+  skip_blanks();
+  if (begins_number(peek())) return read_plain_number(word);
+  if (peek() == '"') {
+    const std::size_t close = line_.find('"', at_ + 1);
+    word.is_text = true;
+    word.name = line_.substr(at_ + 1, close == std::string_view::npos ? close : close - at_ - 1);
+    at_ = close == std::string_view::npos ? line_.size() : close + 1;
+    if (close != std::string_view::npos) return true;
+    fault_ = {.code = Code::nc_unclosed, .begin = word.begin, .detail = "\""};
+    return false;
+  }
+  std::string function;
+  while (is_letter(peek())) function += upper(line_[at_++]);
+  skip_blanks();
+  const bool reference = function == "AC" || function == "IC" || function == "DC" ||
+                         function == "ACP" || function == "ACN";
+  if (reference && peek() == '(') {
+    ++at_;
+    skip_blanks();
+    word.reference =
+        function == "IC" ? NamedWord::Reference::incremental : NamedWord::Reference::absolute;
+    if (begins_number(peek())) {
+      if (!read_plain_number(word)) return false;
+      skip_blanks();
+      if (peek() == ')') return ++at_, true;
+    }
+  }
+  fault_ = {
+      .code = Code::nc_unsupported, .begin = word.begin, .detail = "a variable or an expression"};
+  return false;
+}
+
+NamedWord NamedWordReader::address() {
+  NamedWord word{.kind = NamedWord::Kind::address,
+                 .letter = upper(peek()),
+                 .begin = static_cast<std::uint32_t>(at_)};
+  ++at_;
+  skip_blanks();
+  const auto failed = [&] {
+    TextFault found = fault_;
+    return fail(found.code, word.begin, std::move(found.detail));
+  };
+  if (begins_number(peek())) {
+    const std::size_t digits = at_;
+    if (!read_plain_number(word)) return failed();
+    word.end = static_cast<std::uint32_t>(at_);
+    skip_blanks();
+    if (peek() != '=' || !is_digit(line_[digits])) {
+      at_ = word.end;
+      return word;
+    }
+    word.index = is_whole(word.value) && word.value < 1000 ? static_cast<int>(word.value) : 1000;
+  }
+  if (word.letter == 'R' && word.index >= 0)
+    return fail(Code::nc_unsupported, word.begin, "R, a variable");
+  if (peek() != '=') return fail(Code::nc_number, word.begin, std::string(1, word.letter));
+  ++at_;
+  if (!read_value(word)) return failed();
+  word.end = static_cast<std::uint32_t>(at_);
+  return word;
+}
+
+std::size_t NamedWordReader::end_of_call(std::size_t begin) const {
+  std::size_t depth = 0;
+  bool quoted = false;
+  for (std::size_t at = begin; at < line_.size(); ++at) {
+    if (line_[at] == '"') quoted = !quoted;
+    if (quoted) continue;
+    if (line_[at] == '(') ++depth;
+    if (line_[at] == ')' && --depth == 0) return at + 1;
+  }
+  return std::string_view::npos;
+}
+
+NamedWord NamedWordReader::name() {
+  NamedWord word{.kind = NamedWord::Kind::name, .begin = static_cast<std::uint32_t>(at_)};
+  std::string spelled;
+  while (is_letter(peek()) || is_digit(peek()) || peek() == '_') spelled += upper(line_[at_++]);
+  word.end = static_cast<std::uint32_t>(at_);
+  skip_blanks();
+  if (peek() == '(') {
+    const std::size_t close = end_of_call(at_);
+    if (close == std::string_view::npos) return fail(Code::nc_unclosed, word.begin, spelled + "(");
+    word.kind = NamedWord::Kind::call;
+    word.end = static_cast<std::uint32_t>(close);
+  } else if (peek() == '=') {
+    ++at_;
+    word.kind = NamedWord::Kind::assignment;
+    if (!read_value(word)) {
+      TextFault found = fault_;
+      return fail(found.code, word.begin, spelled + "=, " + found.detail);
+    }
+    word.end = static_cast<std::uint32_t>(at_);
+  } else if (peek() == ':') {
+    word.kind = NamedWord::Kind::comment;  // a label, which nobody jumps to
+    word.end = static_cast<std::uint32_t>(at_ + 1);
+  }
+  at_ = word.end;
+  if (!word.is_text) word.name = std::move(spelled);
+  return word;
+}
+
+}  // namespace trc

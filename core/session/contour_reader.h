@@ -1,0 +1,32 @@
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include "core/nc/dialect/interpreter.h"
+#include "core/session/session.h"
+
+namespace trc {
+
+// Reads the programmed contour of NC text without compensating it: what pictures and measurements
+// compare the path with. Where the text has an error the contour ends there; what is wrong is said
+// by the session that compensates the same text.
+class ContourReader {
+ public:
+  explicit ContourReader(const SessionSetup& session);
+
+  // Text cut anywhere.
+  void feed(std::string_view text);
+  // End of the text. The blocks in their order; nothing may be fed behind it.
+  [[nodiscard]] std::vector<Block> finish();
+
+ private:
+  Diagnostics diagnostics_;
+  std::vector<Block> blocks_;
+  ProgramState state_;
+  Interpreter interpreter_;
+  std::vector<LinePointer> lines_;
+  bool reading_ = true;
+};
+
+}  // namespace trc

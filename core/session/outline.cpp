@@ -1,0 +1,61 @@
+#include "core/session/outline.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <numbers>
+#include <string_view>
+
+#include "core/verify/shape.h"
+
+namespace trc {
+namespace {
+
+constexpr double longest_chord = 3 * std::numbers::pi / 180;
+
+}  // namespace
+
+std::vector<Segment> project(Plane plane, const Segment& segment, const AxisTravel& normal,
+                             Plane view) {
+  if (plane == view) {
+    if (verify::extent_of(segment) > 0) return {segment};
+    return {};
+  }
+  int chords = 1;
+  if (const auto* arc = std::get_if<Arc>(&segment))
+    chords = std::max(1, static_cast<int>(std::ceil(std::abs(arc->sweep) / longest_chord)));
+  const auto at = [&](double share) {
+    const Point point = verify::place_at(segment, share).point;
+    return to_plane(view,
+                    from_plane(plane, point, normal.from + share * (normal.to - normal.from)));
+  };
+  std::vector<Segment> seen;
+  Point from = at(0);
+  for (int i = 1; i <= chords; ++i) {
+    const Point to = at(static_cast<double>(i) / chords);
+    if (to != from) seen.emplace_back(Line{.start = from, .end = to});
+    from = to;
+  }
+  return seen;
+}
+
+NotTravelled::NotTravelled(std::span<const Diagnostic> diagnostics) {
+  const auto value_of = [](const Diagnostic& note, std::string_view name) {
+    for (const auto& value : note.values)
+      if (value.name == name && value.value >= 0) return static_cast<std::uint64_t>(value.value);
+    return note.source.index;
+  };
+  for (const Diagnostic& note : diagnostics)
+    if (note.code == Code::blocks_masked)
+      ranges_.emplace_back(value_of(note, "first_index"), value_of(note, "last_index"));
+  std::sort(ranges_.begin(), ranges_.end());
+}
+
+bool NotTravelled::contains(std::uint64_t index) const {
+  const auto behind =
+      std::upper_bound(ranges_.begin(), ranges_.end(), index,
+                       [](std::uint64_t at, const Range& range) { return at < range.first; });
+  return behind != ranges_.begin() && index <= std::prev(behind)->second;
+}
+
+}  // namespace trc

@@ -1,0 +1,171 @@
+#include "core/trc/passes/bottlenecks.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <utility>
+
+#include "core/geometry/box_tree.h"
+#include "core/geometry/distance.h"
+#include "core/trc/selection/selection_limit.h"
+#include "core/trc/walls/closing.h"
+
+namespace trc {
+namespace {
+
+bool is_contour(const PathBlock& block) { return block.role == Role::contour; }
+
+// Approach and retract are not monitored (D-11), and neither is the line REVERSE puts between the
+// two sides of a corner (D-22).
+bool is_monitored(const PathBlock& block) {
+  const bool crosses = block.at_start.shift * block.at_end.shift < 0;
+  return (is_contour(block) && !block.masked) ||
+         (block.role == Role::inserted && block.origin == Origin::transition && !crosses);
+}
+
+double tool_radius(const PathBlock& block) {
+  return std::min(std::abs(block.at_start.shift), std::abs(block.at_end.shift));
+}
+
+struct Violation {
+  const MotionBlock* contour = nullptr;
+  double distance = 0;
+  Point place = Point::Zero();
+};
+
+}  // namespace
+
+bool Bottlenecks::feed(PathBlockPtr block, PathBlocks& out) {
+  // The approach waits too: the tool must not enter what it cannot get through.
+  const bool begins = block->role == Role::approach || block->perpendicular_entry;
+  const bool belongs = begins || is_contour(*block) || block->role == Role::inserted ||
+                       block->role == Role::side_change;
+  const bool wanted =
+      belongs && !block->removes_loops() &&
+      (implicit_ || block->mode().masking == Masking::on || !held_.empty() || !contour_.empty());
+  if ((begins || !wanted) && !end_selection(out)) return false;
+  if (!wanted) {
+    out.push_back(std::move(block));
+    return true;
+  }
+  if (held_.size() >= selection_blocks_)
+    return diagnostics_.report(selection_too_long(block->programmed.source, selection_blocks_));
+  if (passes_at_once()) out.push_back(std::make_unique<PathBlock>(*block));
+  hold(std::move(block));
+  return window_ == 0 || examine(false, out);
+}
+
+void Bottlenecks::hold(PathBlockPtr block) {
+  if (is_contour(*block)) {
+    const std::size_t number = contour_base_ + contour_.size();
+    const bool first = contour_.empty();
+    if (!first && contour_.back().mode->side != block->mode().side) changes_.push_back(number);
+    boxes_.append(bounding_box(block->programmed.path));
+    contour_.push_back(block->programmed);
+  }
+  const std::size_t count = contour_base_ + contour_.size();
+  numbers_.push_back(count > 0 ? count - 1 : 0);
+  held_.push_back(std::move(block));
+}
+
+bool Bottlenecks::end_selection(PathBlocks& out) {
+  // Where nothing is searched, every block comes by here.
+  if (held_.empty() && contour_.empty()) return true;
+  find_walls();
+  if (!examine(true, out)) return false;
+  contour_.clear();
+  contour_base_ = 0;
+  changes_.clear();
+  walls_.reset();
+  boxes_ = BoxTree();
+  violating_ = false;
+  return true;
+}
+
+void Bottlenecks::find_walls() {
+  if (contour_base_ > 0) return;
+  double radius = 0;
+  bool has_roles = false;
+  for (const MotionBlock& block : contour_) {
+    radius = std::max(radius, block.mode->tool_radius);
+    has_roles = has_roles || block.role != ContourRole::unspecified;
+  }
+  ContourView view{.count = contour_.size(),
+                   .segment = [this](std::size_t number) { return contour_[number].path; }};
+  if (has_roles) view.role = [this](std::size_t number) { return contour_[number].role; };
+  walls_ = trc::find_walls(view, changes_, lead_settings_, radius);
+}
+
+std::optional<Bottlenecks::Wall> Bottlenecks::wall_for(std::size_t path, std::size_t other,
+                                                       double limit) const {
+  const Segment& programmed = contour_[other - contour_base_].path;
+  if (!walls_) {
+    const bool at_change =
+        std::binary_search(changes_.begin(), changes_.end(), std::max(path, other)) &&
+        std::max(path, other) == std::min(path, other) + 1;
+    return at_change ? std::nullopt : std::optional(Wall{programmed, limit});
+  }
+  if (!walls_->is_wall_for(other, path)) return std::nullopt;
+  return Wall{walls_->wall(other, programmed), limit - walls_->touch_between(other, path)};
+}
+
+bool Bottlenecks::examine(bool ended, PathBlocks& out) {
+  std::size_t examined = 0;
+  const std::size_t end = contour_base_ + contour_.size();
+  while (examined < held_.size() && (ended || numbers_[examined] + window_ < end)) {
+    checkpoint_.pass();
+    if (!check(*held_[examined], numbers_[examined])) return false;
+    ++examined;
+  }
+  const auto gone = static_cast<std::ptrdiff_t>(examined);
+  if (!passes_at_once()) std::move(held_.begin(), held_.begin() + gone, std::back_inserter(out));
+  held_.erase(held_.begin(), held_.begin() + gone);
+  numbers_.erase(numbers_.begin(), numbers_.begin() + gone);
+  if (window_ > 0) forget();
+  return true;
+}
+
+// Drops what no window reaches any more; not one by one, to keep it cheap.
+void Bottlenecks::forget() {
+  if (numbers_.empty() || numbers_.front() <= contour_base_ + 2 * window_ + 64) return;
+  const std::size_t gone = numbers_.front() - window_ - contour_base_;
+  contour_.erase(contour_.begin(), contour_.begin() + static_cast<std::ptrdiff_t>(gone));
+  contour_base_ += gone;
+  boxes_.drop_before(contour_base_);
+}
+
+bool Bottlenecks::check(const PathBlock& block, std::size_t number) {
+  if (!is_monitored(block)) return true;
+  const double radius = tool_radius(block);
+  const double limit = radius - tolerances_.clearance * std::max(radius, 1.0);
+  Violation worst{.distance = limit};
+  boxes_.for_each_near(bounding_box(block.tool_path), limit, [&](std::size_t other) {
+    checkpoint_.pass();
+    if (window_ > 0 && (other + window_ < number || other > number + window_)) return;
+    const MotionBlock& contour = contour_[other - contour_base_];
+    const auto wall = wall_for(number, other, limit);
+    if (!wall) return;
+    const auto near = nearness(block.tool_path, wall->path, tolerances_.same_point);
+    if (near.distance < std::min(worst.distance, wall->limit))
+      worst = {.contour = &contour, .distance = near.distance, .place = near.on_first};
+  });
+  const bool violates = worst.contour != nullptr;
+  const bool first = violates && !std::exchange(violating_, violates);
+  violating_ = violates;
+  return !first || report(block, *worst.contour, worst.distance, worst.place);
+}
+
+bool Bottlenecks::report(const PathBlock& path, const MotionBlock& contour, double distance,
+                         const Point& place) {
+  Diagnostic found = diagnostic(Code::bottleneck, path.programmed.source);
+  const bool masking = path.mode().masking == Masking::on;
+  if (path.mode().options.ignore_cont_damage || (masking && !implicit_))
+    found.severity = Severity::warning;
+  found.values = {{"clearance", distance}, {"tool_radius", tool_radius(path)}};
+  append_place(found.values, "other", contour.source);
+  const Position position = from_plane(path.mode().plane, place, path.programmed.normal.to);
+  found.point = DiagnosticPoint{.x = position[0], .y = position[1], .z = position[2]};
+  return diagnostics_.report(std::move(found));
+}
+
+}  // namespace trc

@@ -1,0 +1,67 @@
+#include "core/trc/passes/reach.h"
+
+#include <cmath>
+
+#include "core/geometry/parallel.h"
+#include "core/trc/corner/joints.h"
+#include "core/trc/passes/offset.h"
+
+namespace trc {
+namespace {
+
+// What a corner asks of a block, for another radius.
+PathBlock with_radius(const PathBlock& block, double radius) {
+  PathBlock changed;
+  changed.programmed.path = block.programmed.path;
+  changed.programmed.mode = block.programmed.mode;
+  changed.role = block.role;
+  changed.at_start = block.at_start;
+  changed.at_end = block.at_end;
+  for (Compensation* end : {&changed.at_start, &changed.at_end})
+    if (end->active) end->shift = std::copysign(radius, end->shift);
+  give_offsets(changed);
+  return changed;
+}
+
+// What the corner takes off its two blocks; empty where they do not meet.
+std::optional<Joint> cuts_between(const PathBlock& before, const PathBlock& after,
+                                  const Tolerances& tolerances) {
+  const auto result =
+      joint_between(before, after, corner_between(before, after, tolerances), tolerances);
+  const auto* joined = std::get_if<JoinedBlocks>(&result);
+  if (joined == nullptr || joined->apart) return std::nullopt;
+  return joined->joint;
+}
+
+}  // namespace
+
+bool is_reached(const PathBlock& before, const PathBlock& block, const PathBlock& after,
+                double radius, const Tolerances& tolerances) {
+  const PathBlock middle = with_radius(block, radius);
+  const auto* arc = std::get_if<Arc>(&middle.programmed.path);
+  const double equidistant = arc != nullptr ? parallel_radius(*arc, middle.at_end.shift) : 1;
+  if (arc != nullptr && equidistant < tolerances.on_contour) return false;
+  const auto at_start = cuts_between(with_radius(before, radius), middle, tolerances);
+  const auto at_end = cuts_between(middle, with_radius(after, radius), tolerances);
+  if (!at_start || !at_end) return false;
+  return left_of_block(middle, at_start->cut_after, at_end->cut_before) * equidistant >=
+         -tolerances.on_contour;
+}
+
+double largest_radius_for(const PathBlock& before, const PathBlock& block, const PathBlock& after,
+                          const Tolerances& tolerances) {
+  constexpr double micrometre = 1e-3;
+  double high = std::abs(block.at_end.shift);
+  if (is_reached(before, block, after, high, tolerances)) return high;
+  double low = 0;
+  while (high - low > micrometre) {
+    const double middle = 0.5 * (low + high);
+    (is_reached(before, block, after, middle, tolerances) ? low : high) = middle;
+  }
+  const double rounded = std::ceil(low / micrometre) * micrometre;
+  return is_reached(before, block, after, rounded, tolerances)
+             ? rounded
+             : std::floor(low / micrometre) * micrometre;
+}
+
+}  // namespace trc

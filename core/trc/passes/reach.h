@@ -1,0 +1,17 @@
+#pragma once
+
+#include "core/base/tolerances.h"
+#include "core/trc/path_block.h"
+
+namespace trc {
+
+// Whether a tool of this radius, mm, leaves a contour block a compensated length between the blocks
+// before and behind it, which end and begin where it begins and ends.
+[[nodiscard]] bool is_reached(const PathBlock& before, const PathBlock& block,
+                              const PathBlock& after, double radius, const Tolerances& tolerances);
+
+// The largest radius up to that of the tool for which that is so, to a micrometre; 0: none.
+[[nodiscard]] double largest_radius_for(const PathBlock& before, const PathBlock& block,
+                                        const PathBlock& after, const Tolerances& tolerances);
+
+}  // namespace trc

@@ -1,0 +1,175 @@
+#include "core/trc/walls/closing.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "core/base/tolerances.h"
+#include "core/geometry/box_tree.h"
+#include "core/trc/walls/contact.h"
+#include "core/trc/walls/rings.h"
+
+namespace trc {
+namespace {
+
+constexpr std::size_t first_few = 5;
+constexpr double reach_in_radii = 10;
+// Up to here two places on a contour are one, mm.
+constexpr double same_place = 1e-7;
+
+// A block among the first ones or the last ones.
+struct End {
+  std::size_t number = 0;
+  Segment path{};
+  double before = 0;  // mm of contour between it and that end
+};
+
+// A point the contour may close in.
+struct Candidate {
+  ContourPlace first{};
+  ContourPlace second{};
+  double before = 0;  // mm of contour
+  double behind = 0;
+  double gap = 0;
+  Point point = Point::Zero();
+};
+
+std::vector<End> first_blocks(const ContourView& contour, double reach) {
+  std::vector<End> blocks;
+  double before = 0;
+  for (std::size_t number = 0; number < contour.count; ++number) {
+    if (number >= first_few && before >= reach) break;
+    blocks.push_back({number, contour.segment(number), before});
+    before += length_of(blocks.back().path);
+  }
+  return blocks;
+}
+
+std::vector<End> last_blocks(const ContourView& contour, double reach) {
+  std::vector<End> blocks;
+  double behind = 0;
+  for (std::size_t number = contour.count; number-- > 0;) {
+    if (contour.count - number > first_few && behind >= reach) break;
+    blocks.push_back({number, contour.segment(number), behind});
+    behind += length_of(blocks.back().path);
+  }
+  return blocks;
+}
+
+std::vector<Candidate> candidates_of(const std::vector<End>& first, const std::vector<End>& last,
+                                     double tolerance) {
+  BoxTree boxes;
+  for (const End& block : first) boxes.append(bounding_box(block.path));
+  std::vector<Candidate> candidates;
+  std::vector<Contact> contacts;
+  for (const End& end : last) {
+    const double length = length_of(end.path);
+    boxes.for_each_near(bounding_box(end.path), tolerance, [&](std::size_t index) {
+      const End& begin = first[index];
+      if (begin.number > end.number) return;
+      contacts.clear();
+      find_contacts(begin.path, end.path, tolerance, contacts);
+      for (const Contact& contact : contacts) {
+        if (begin.number == end.number && contact.along_second - contact.along_first < 0.5 * length)
+          continue;
+        candidates.push_back({.first = {begin.number, contact.along_first},
+                              .second = {end.number, contact.along_second},
+                              .before = begin.before + contact.along_first,
+                              .behind = end.before + length - contact.along_second,
+                              .gap = contact.gap,
+                              .point = contact.point});
+      }
+    });
+  }
+  std::sort(candidates.begin(), candidates.end(), [](const Candidate& a, const Candidate& b) {
+    return a.before != b.before ? a.before < b.before : a.behind < b.behind;
+  });
+  return candidates;
+}
+
+double length_of_all(const ContourView& contour) {
+  double length = 0;
+  for (std::size_t number = 0; number < contour.count; ++number)
+    length += length_of(contour.segment(number));
+  return length;
+}
+
+// Goes from the outermost candidate inward.
+class InwardSearch {
+ public:
+  InwardSearch(const ContourView& contour, double tolerance)
+      : contour_(contour), tolerance_(tolerance) {}
+
+  void consider(const Candidate& next) {
+    if (!best_) return take(next);
+    const double later = next.before - best_->before;
+    const double earlier = next.behind - best_->behind;
+    if (std::abs(later) <= same_place && std::abs(earlier) <= same_place) return note(next);
+    if (earlier < 0) {
+      // The end goes on along the begin: an overrun, or both part in an acute angle.
+      if (next.gap > std::max(best_->gap, Tolerances{}.on_top)) return;
+      best_ = next;
+      return note(next);
+    }
+    // What is before the one and behind the other is a loop of the leads, or a whole lap.
+    if (later + earlier < 0.5 * longest_ring()) take(next);
+  }
+
+  [[nodiscard]] std::optional<Closing> result() const {
+    if (!best_) return std::nullopt;
+    return closing();
+  }
+
+ private:
+  void take(const Candidate& next) {
+    best_ = next;
+    begins_at_ = next.before;
+    gap_ = next.gap;
+    joins_ = next.second.number;
+    longest_ring_.reset();
+  }
+  // On the same stretch as the one before.
+  void note(const Candidate& next) {
+    gap_ = std::max(gap_, next.gap);
+    joins_ = std::min(joins_, next.second.number);
+    longest_ring_.reset();
+  }
+  [[nodiscard]] Closing closing() const {
+    const bool overruns = best_->before > begins_at_ + tolerance_;
+    return {.first = best_->first,
+            .second = best_->second,
+            .point = best_->point,
+            .gap = overruns ? std::max(gap_, std::min(Tolerances{}.on_top, tolerance_)) : gap_,
+            .joins = joins_};
+  }
+  [[nodiscard]] double longest_ring() {
+    if (!longest_ring_)
+      longest_ring_ = trc::longest_ring(visits_of(contour_, closing(), tolerance_));
+    return *longest_ring_;
+  }
+
+  const ContourView& contour_;
+  double tolerance_;
+  std::optional<Candidate> best_{};
+  double begins_at_ = 0;  // of the stretch
+  double gap_ = 0;
+  std::size_t joins_ = 0;
+  std::optional<double> longest_ring_{};
+};
+
+}  // namespace
+
+std::optional<Closing> find_closing(const ContourView& contour, double closing_tolerance,
+                                    double tool_radius) {
+  const double reach = reach_in_radii * tool_radius;
+  const std::vector<Candidate> candidates =
+      candidates_of(first_blocks(contour, reach), last_blocks(contour, reach), closing_tolerance);
+  if (candidates.empty()) return std::nullopt;
+  const double most = 0.5 * length_of_all(contour);
+  InwardSearch search(contour, closing_tolerance);
+  for (const Candidate& candidate : candidates)
+    if (candidate.before + candidate.behind <= most) search.consider(candidate);
+  return search.result();
+}
+
+}  // namespace trc

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <optional>
+
+#include "core/geometry/segment.h"
+#include "core/nc/state/block.h"
+#include "core/trc/walls/walls.h"
+
+namespace trc {
+
+// The blocks of a contour that move in the plane, in order, approach and retract not among them.
+struct ContourView {
+  std::size_t count = 0;
+  std::function<Segment(std::size_t number)> segment{};
+  std::function<ContourRole(std::size_t number)> role{};  // empty: no block is marked
+};
+
+// A place on a contour block.
+struct ContourPlace {
+  std::size_t number = 0;
+  double along = 0;  // mm from the start of the block
+};
+
+// Where a contour comes back to its begin (D-38).
+struct Closing {
+  ContourPlace first{};   // behind it the walls begin
+  ContourPlace second{};  // here they end
+  Point point = Point::Zero();
+  // How far the two are apart, mm, at most, from where the end of the contour joins its begin.
+  double gap = 0;
+  std::size_t joins = 0;  // the first block at the end that lies on the begin
+};
+
+// Among the first blocks – five, and all that begin within 10 · R of the start – and the last ones,
+// likewise, the point that is latest on the first ones where they meet within the tolerance, so
+// that half of the contour lies between. Leads that cross or begin in one point do not hide the
+// start of the contour, and a second lap does not pass for one. n log n.
+[[nodiscard]] std::optional<Closing> find_closing(const ContourView& contour,
+                                                  double closing_tolerance, double tool_radius);
+
+// What of a contour is a wall. `tool_radius`: the largest one, mm.
+[[nodiscard]] Walls find_walls(const ContourView& contour, const LeadSettings& settings,
+                               double tool_radius);
+
+}  // namespace trc

@@ -1,0 +1,152 @@
+#include <algorithm>
+#include <utility>
+
+#include "core/base/tolerances.h"
+#include "core/trc/walls/closing.h"
+#include "core/trc/walls/rings.h"
+
+namespace trc {
+namespace {
+
+constexpr double same_place = 1e-7;  // mm
+
+// A ring between two depths: lead-out, step, lead-in.
+constexpr std::size_t blocks_of_lead_ring = 8;
+constexpr double share_of_lead_ring = 0.25;  // of the longest ring
+
+std::optional<Closing> closing_of(const ContourView& contour, const LeadSettings& settings,
+                                  double tool_radius) {
+  switch (settings.find) {
+    case LeadSettings::Find::automatic:
+      return find_closing(contour, settings.closing_tolerance, tool_radius);
+    case LeadSettings::Find::none:
+      return std::nullopt;
+    case LeadSettings::Find::counted:
+      break;
+  }
+  if (settings.blocks_in >= contour.count ||
+      settings.blocks_out >= contour.count - settings.blocks_in)
+    return std::nullopt;
+  const std::size_t last = contour.count - settings.blocks_out - 1;
+  return Closing{.first = {settings.blocks_in, 0},
+                 .second = {last, length_of(contour.segment(last))},
+                 .point = start_of(contour.segment(settings.blocks_in)),
+                 .joins = last};
+}
+
+// Puts together what is a lead of one contour.
+class Leads {
+ public:
+  explicit Leads(const ContourView& contour) : contour_(contour) {}
+
+  void add_before(const ContourPlace& end) { add({0, 0}, end); }
+  void add_behind(const ContourPlace& begin) { add(begin, {contour_.count, 0}); }
+  // All between two places.
+  void add(const ContourPlace& begin, const ContourPlace& end) {
+    std::size_t first = begin.number;
+    if (begin.along > same_place) {
+      if (begin.along < length_of(contour_.segment(first)) - same_place)
+        limit({.number = first, .from = 0, .to = begin.along});
+      ++first;
+    }
+    std::size_t behind = end.number;
+    if (end.along > same_place && end.number < contour_.count) {
+      if (end.along < length_of(contour_.segment(behind)) - same_place)
+        limit({.number = behind, .from = end.along});
+      else
+        ++behind;
+    }
+    if (first < behind) ranges_.push_back({first, behind});
+  }
+  void mark(std::size_t number, ContourRole role) {
+    if (role == ContourRole::lead) ranges_.push_back({number, number + 1});
+    if (role == ContourRole::wall) walls_.push_back(number);
+  }
+
+  void give_to(Walls& walls) {
+    for (const Walls::Part& part : parts_)
+      if (part.from >= part.to) ranges_.push_back({part.number, part.number + 1});
+    std::sort(ranges_.begin(), ranges_.end(),
+              [](const auto& a, const auto& b) { return a.first < b.first; });
+    for (const Walls::Range& range : ranges_) append(range, walls.leads);
+    for (const std::size_t number : walls_) cut_out(number, walls.leads);
+    std::sort(parts_.begin(), parts_.end(),
+              [](const auto& a, const auto& b) { return a.number < b.number; });
+    for (const Walls::Part& part : parts_)
+      if (!walls.is_lead(part.number) &&
+          !std::binary_search(walls_.begin(), walls_.end(), part.number))
+        walls.parts.push_back(part);
+  }
+
+ private:
+  void limit(const Walls::Part& part) {
+    for (Walls::Part& known : parts_)
+      if (known.number == part.number) {
+        known.from = std::max(known.from, part.from);
+        known.to = std::min(known.to, part.to);
+        return;
+      }
+    parts_.push_back(part);
+  }
+  static void append(const Walls::Range& range, std::vector<Walls::Range>& leads) {
+    if (!leads.empty() && range.first <= leads.back().end)
+      leads.back().end = std::max(leads.back().end, range.end);
+    else
+      leads.push_back(range);
+  }
+  static void cut_out(std::size_t number, std::vector<Walls::Range>& leads) {
+    const auto found = std::find_if(leads.begin(), leads.end(),
+                                    [&](const Walls::Range& range) { return range.holds(number); });
+    if (found == leads.end()) return;
+    const Walls::Range behind{number + 1, found->end};
+    found->end = number;
+    const bool is_empty = found->first == found->end;
+    const auto next = is_empty ? leads.erase(found) : std::next(found);
+    if (behind.first < behind.end) leads.insert(next, behind);
+  }
+
+  const ContourView& contour_;
+  std::vector<Walls::Range> ranges_;
+  std::vector<Walls::Part> parts_;
+  std::vector<std::size_t> walls_;  // marked
+};
+
+void add_rings(const ContourView& contour, const std::vector<Visit>& visits, Leads& leads,
+               Walls& walls) {
+  const double longest = longest_ring(visits);
+  for (std::size_t index = 1; index < visits.size(); ++index) {
+    const Visit& begin = visits[index - 1];
+    const Visit& end = visits[index];
+    const bool is_short = end.place.number - begin.place.number <= blocks_of_lead_ring &&
+                          end.way - begin.way < share_of_lead_ring * longest;
+    if (is_short) leads.add(begin.place, end.place);
+    if (index + 1 == visits.size()) break;
+    const bool is_at_end =
+        end.place.along >= length_of(contour.segment(end.place.number)) - same_place;
+    walls.rings.push_back(end.place.number + (is_at_end ? 1 : 0));
+  }
+}
+
+}  // namespace
+
+Walls find_walls(const ContourView& contour, const LeadSettings& settings, double tool_radius) {
+  Walls walls;
+  Leads leads(contour);
+  if (const auto closing = closing_of(contour, settings, tool_radius)) {
+    leads.add_before(closing->first);
+    leads.add_behind(closing->second);
+    walls.head = {0, closing->first.number + 2};
+    walls.tail = {closing->joins - std::min<std::size_t>(closing->joins, 1), contour.count};
+    walls.touch = closing->gap;
+    add_rings(contour, visits_of(contour, *closing, settings.closing_tolerance), leads, walls);
+    if (!walls.rings.empty())
+      walls.touch_of_rings = std::min(Tolerances{}.on_top, settings.closing_tolerance);
+  }
+  if (contour.role)
+    for (std::size_t number = 0; number < contour.count; ++number)
+      leads.mark(number, contour.role(number));
+  leads.give_to(walls);
+  return walls;
+}
+
+}  // namespace trc

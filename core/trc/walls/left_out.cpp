@@ -1,0 +1,34 @@
+#include "core/trc/walls/left_out.h"
+
+namespace trc {
+namespace {
+
+// A stretch so long, in tool radii, is seldom what was meant.
+constexpr double long_stretch = 10;
+
+// One by one: a list of them would be made of copies.
+void give_values(const LeftOut& stretch, Diagnostic& found) {
+  append_place(found.values, "first", stretch.first);
+  append_place(found.values, "last", stretch.last);
+  found.values.push_back({"tool_radius", stretch.tool_radius});
+  found.values.push_back({"left_out_length", stretch.length});
+  if (stretch.of_walls > 0) found.values.push_back({"wall_length", stretch.of_walls});
+}
+
+}  // namespace
+
+Diagnostic note_of(const LeftOut& stretch) {
+  Diagnostic note = diagnostic(Code::blocks_masked, stretch.first);
+  if (stretch.length > long_stretch * stretch.tool_radius) note.severity = Severity::warning;
+  give_values(stretch, note);
+  return note;
+}
+
+Diagnostic refusal_of(const LeftOut& stretch, double largest_share) {
+  Diagnostic refusal = diagnostic(Code::most_left_out, stretch.first);
+  give_values(stretch, refusal);
+  refusal.values.push_back({"max_masked_share", largest_share});
+  return refusal;
+}
+
+}  // namespace trc

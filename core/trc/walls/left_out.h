@@ -1,0 +1,24 @@
+#pragma once
+
+#include "core/base/diagnostic.h"
+
+namespace trc {
+
+// A stretch of a contour the tool does not touch, as its blocks are masked or in a removed loop
+// (D-39).
+struct LeftOut {
+  Source first{};       // its first block
+  Source last{};        // and its last one
+  double length = 0;    // mm of wall
+  double of_walls = 0;  // mm, of the whole selection; 0: not known yet
+  double tool_radius = 0;
+
+  [[nodiscard]] bool is_more_than(double share) const { return length > share * of_walls; }
+};
+
+// What is said of it: a note, or a warning where it is longer than 10 · R.
+[[nodiscard]] Diagnostic note_of(const LeftOut& stretch);
+// 900218, where it is more than the share of the walls that may be left out.
+[[nodiscard]] Diagnostic refusal_of(const LeftOut& stretch, double largest_share);
+
+}  // namespace trc

@@ -1,0 +1,46 @@
+#include "core/trc/walls/rings.h"
+
+#include <algorithm>
+
+#include "core/geometry/along.h"
+#include "core/geometry/distance.h"
+
+namespace trc {
+
+std::vector<Visit> visits_of(const ContourView& contour, const Closing& closing, double tolerance) {
+  const auto& [first, second, point, gap, joins] = closing;
+  std::vector<Visit> visits;
+  double way = 0;
+  const double near = tolerance + gap;
+  // Blocks that meet there are one visit, and so are short ones around it.
+  const auto note = [&](std::size_t number, double along) {
+    const bool is_same = !visits.empty() && way + along - visits.back().way <= 4 * near;
+    if (!is_same) visits.push_back({.place = {number, along}, .way = way + along});
+  };
+  for (std::size_t number = 0; number < second.number; ++number) {
+    const Segment segment = contour.segment(number);
+    const double length = length_of(segment);
+    if (number == first.number) visits.push_back({.place = first, .way = way + first.along});
+    if (number >= first.number && distance(point, segment) <= near) {
+      const double along = nearest_along(segment, point);
+      if (number > first.number || along > first.along) note(number, along);
+      // A circle comes by with both of its ends.
+      if (along < length && (end_of(segment) - point).norm() <= near) note(number, length);
+    }
+    way += length;
+  }
+  const Visit last{.place = second, .way = way + second.along};
+  if (first.number == second.number) return {{first, way + first.along}, last};
+  if (visits.size() > 1 && last.way - visits.back().way <= 4 * near) visits.pop_back();
+  visits.push_back(last);
+  return visits;
+}
+
+double longest_ring(const std::vector<Visit>& visits) {
+  double longest = 0;
+  for (std::size_t index = 1; index < visits.size(); ++index)
+    longest = std::max(longest, visits[index].way - visits[index - 1].way);
+  return longest;
+}
+
+}  // namespace trc

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "core/trc/walls/closing.h"
+#include "core/trc/walls/walls.h"
+
+namespace trc {
+
+// The walls of a selection that may change its side (D-42): each side has a closing and leads of
+// its own, and its path keeps clear of the walls of all other sides too, but for those at the
+// change itself. Blocks are counted over the whole selection.
+struct SidedWalls {
+  std::vector<std::size_t> changes{};  // the first block behind each change of side
+  std::vector<Walls> sides{};          // one more than there are changes
+
+  [[nodiscard]] bool is_lead(std::size_t number) const;
+  [[nodiscard]] std::optional<Walls::Part> part_of(std::size_t number) const;
+  [[nodiscard]] bool is_wall_for(std::size_t number, std::size_t path) const;
+  [[nodiscard]] double touch_between(std::size_t number, std::size_t path) const;
+  [[nodiscard]] Segment wall(std::size_t number, const Segment& programmed) const;
+
+ private:
+  [[nodiscard]] std::size_t side_of(std::size_t number) const;
+  [[nodiscard]] std::size_t begin_of(std::size_t side) const {
+    return side > 0 ? changes[side - 1] : 0;
+  }
+};
+
+// `changes`: in order, none at the begin or the end of the contour.
+[[nodiscard]] SidedWalls find_walls(const ContourView& contour, std::vector<std::size_t> changes,
+                                    const LeadSettings& settings, double tool_radius);
+
+// What `part` leaves of a block.
+[[nodiscard]] Segment part_of(const Segment& programmed, const std::optional<Walls::Part>& part);
+
+}  // namespace trc

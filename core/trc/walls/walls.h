@@ -1,0 +1,84 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <vector>
+
+namespace trc {
+
+// Which blocks of a contour are leads: no walls, as they bound no material (D-38).
+struct LeadSettings {
+  enum class Find : std::uint8_t {
+    automatic,  // what lies before and behind the closing of the contour
+    none,       // no block, unless it is marked
+    counted,    // so many at the begin and at the end
+  };
+  Find find = Find::automatic;
+  std::size_t blocks_in = 0;  // of `counted`
+  std::size_t blocks_out = 0;
+  double closing_tolerance = 0.01;  // mm
+};
+
+// What bounds material in the contour of one selection, and for whose path (D-38). Plain data:
+// loop removal, the search for bottlenecks and the verification ask the same questions of it.
+//
+// Contour blocks are counted from the first one of the selection, approach and retract not among
+// them. Nothing set: all of the contour is a wall for all of the path.
+struct Walls {
+  // Blocks from `first` on and before `end`.
+  struct Range {
+    std::size_t first = 0;
+    std::size_t end = 0;
+
+    [[nodiscard]] bool holds(std::size_t number) const { return number >= first && number < end; }
+    bool operator==(const Range&) const = default;
+  };
+  // A block that is a wall from one place on and up to another one, mm from its start.
+  struct Part {
+    std::size_t number = 0;
+    double from = 0;
+    double to = std::numeric_limits<double>::infinity();
+
+    bool operator==(const Part&) const = default;
+  };
+
+  // Blocks nothing of which is a wall; in order, none in two of them.
+  std::vector<Range> leads{};
+  // Blocks that are not walls from end to end; in order.
+  std::vector<Part> parts{};
+  // Where the contour goes over the same way again: the first block of each ring but the first
+  // one, in order. A block parted by the visit belongs to the ring behind it.
+  std::vector<std::size_t> rings{};
+  // The path of the blocks of one of these may come nearer to the walls of the other one by
+  // `touch`, mm: the end of the contour lies on its begin as exactly as it was programmed.
+  Range head{};
+  Range tail{};
+  double touch = 0;
+  // The same, mm, for the path of one ring and the walls of later ones, which lie on top of it.
+  double touch_of_rings = 0;
+
+  [[nodiscard]] bool are_all() const { return leads.empty() && parts.empty() && rings.empty(); }
+  // Nothing is set.
+  [[nodiscard]] bool are_plain() const { return are_all() && touch == 0; }
+  // Whether nothing of the block is a wall.
+  [[nodiscard]] bool is_lead(std::size_t number) const;
+  // Nothing: the block is a wall from end to end, or a lead.
+  [[nodiscard]] std::optional<Part> part_of(std::size_t number) const;
+  // Which ring a block belongs to, counted from 0.
+  [[nodiscard]] std::size_t ring_of(std::size_t number) const;
+  // Whether the path of the block `path` has to keep clear of the walls of the block `number`:
+  // those of an earlier ring are gone when it comes. Each block is one for its own path, which may
+  // not exist.
+  [[nodiscard]] bool is_wall_for(std::size_t number, std::size_t path) const {
+    return number == path ||
+           (!is_lead(number) && (rings.empty() || ring_of(number) >= ring_of(path)));
+  }
+  // How much nearer than the tool radius that path may come to it, mm.
+  [[nodiscard]] double touch_between(std::size_t number, std::size_t path) const;
+
+  bool operator==(const Walls&) const = default;
+};
+
+}  // namespace trc

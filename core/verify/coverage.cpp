@@ -1,0 +1,68 @@
+#include "core/verify/coverage.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "core/verify/nearest.h"
+#include "core/verify/shape.h"
+
+namespace trc::verify {
+namespace {
+
+// So much farther from a wall than the tool radius a path still touches it, mm.
+constexpr double touch = 1e-3;
+
+// How far along the programmed block the path begins and ends beside it.
+Stretch beside(const Line& programmed, const Segment& path) {
+  const Vector along = (programmed.end - programmed.start).normalized();
+  return {.from = (place_at(path, 0).point - programmed.start).dot(along),
+          .to = (place_at(path, 1).point - programmed.start).dot(along)};
+}
+
+Stretch beside(const Arc& programmed, const Segment& path) {
+  const double radius = (programmed.start - programmed.center).norm();
+  const double sense = programmed.sweep < 0 ? -1 : 1;
+  const auto turned = [&](const Point& point) {
+    const Vector from = programmed.start - programmed.center;
+    const Vector to = point - programmed.center;
+    return sense * std::atan2(cross(from, to), from.dot(to));
+  };
+  const double from = turned(place_at(path, 0).point);
+  const auto* arc = std::get_if<Arc>(&path);
+  const double sweep = arc != nullptr ? sense * arc->sweep : turned(place_at(path, 1).point) - from;
+  // Behind half a turn the angle has come round.
+  const double begin =
+      from < -std::numbers::pi / 2 && -from + std::abs(programmed.sweep) > 1.5 * std::numbers::pi
+          ? from + 2 * std::numbers::pi
+          : from;
+  return {.from = begin * radius, .to = (begin + sweep) * radius};
+}
+
+}  // namespace
+
+double touched_length(const Segment& programmed, const Stretch& within, const Segment& path,
+                      double required) {
+  if (extent_of(path) == 0 || extent_of(programmed) == 0) return 0;
+  const Point middle = place_at(path, 0.5).point;
+  const double apart = (nearest_point(programmed, middle) - middle).norm();
+  if (std::abs(apart - required) > touch) return 0;
+  const Stretch touched =
+      std::visit([&](const auto& shape) { return beside(shape, path); }, programmed);
+  return Stretch{std::max(touched.from, within.from), std::min(touched.to, within.to)}.length();
+}
+
+Segment part_of(const Segment& programmed, const Stretch& within) {
+  const double length = extent_of(programmed);
+  if (length == 0) return programmed;
+  const Point start = place_at(programmed, within.from / length).point;
+  const Point end = place_at(programmed, within.to / length).point;
+  const auto* arc = std::get_if<Arc>(&programmed);
+  if (arc == nullptr) return Line{.start = start, .end = end};
+  return Arc{.start = start,
+             .end = end,
+             .center = arc->center,
+             .sweep = arc->sweep * within.length() / length};
+}
+
+}  // namespace trc::verify

@@ -1,0 +1,344 @@
+#include "proto/wire/settings.h"
+
+#include <google/protobuf/descriptor.h>
+#include <google/protobuf/message.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <cstdint>
+#include <optional>
+#include <utility>
+
+namespace trc::wire {
+namespace {
+
+using google::protobuf::EnumDescriptor;
+using google::protobuf::FieldDescriptor;
+using google::protobuf::Message;
+
+// The word of the setup's enums for a G function.
+struct FunctionWord {
+  std::string_view function;
+  std::string_view value;  // full name, so that it fits one enum only
+};
+constexpr std::array<FunctionWord, 21> function_words{{
+    {"G17", "PLANE_XY"},
+    {"G18", "PLANE_ZX"},
+    {"G19", "PLANE_YZ"},
+    {"G138", "SELECTION_MODE_DIRECT"},
+    {"G139", "SELECTION_MODE_INDIRECT"},
+    {"G236", "SELECTION_MODE_ON_PATH"},
+    {"G237", "SELECTION_MODE_PERPENDICULAR"},
+    {"G238", "SELECTION_MODE_INSIDE_CORNER"},
+    {"G239", "SELECTION_MODE_WITHOUT_BLOCK"},
+    {"G25", "TRANSITION_LINEAR"},
+    {"G26", "TRANSITION_CIRCULAR"},
+    {"G140", "CONTOUR_MASKING_OFF"},
+    {"G141", "CONTOUR_MASKING_ON"},
+    {"G10", "FEED_ADAPTATION_OFF"},
+    {"G11", "FEED_ADAPTATION_ON"},
+    {"G161", "CENTER_REFERENCE_ABSOLUTE"},
+    {"G162", "CENTER_REFERENCE_START"},
+    {"G164", "CENTER_CORRECTION_OFF"},
+    {"G165", "CENTER_CORRECTION_ON"},
+    {"0", "KERF_METHOD_LINEAR"},
+    {"1", "KERF_METHOD_CIRCULAR"},
+}};
+
+std::string lower(std::string_view text) {
+  std::string result(text);
+  for (char& c : result) {
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+    if (c == '-') c = '_';
+  }
+  return result;
+}
+
+std::string_view trimmed(std::string_view text) {
+  const auto first = text.find_first_not_of(" \t");
+  if (first == std::string_view::npos) return {};
+  return text.substr(first, text.find_last_not_of(" \t") - first + 1);
+}
+
+std::vector<std::string_view> split(std::string_view text, char separator) {
+  std::vector<std::string_view> parts;
+  for (;;) {
+    const auto end = text.find(separator);
+    parts.push_back(trimmed(text.substr(0, end)));
+    if (end == std::string_view::npos) return parts;
+    text.remove_prefix(end + 1);
+  }
+}
+
+// Where a value goes: the fields from PathSetup down.
+using Route = std::vector<const FieldDescriptor*>;
+
+bool is_settable(const FieldDescriptor& field) {
+  return field.type() != FieldDescriptor::TYPE_BYTES;
+}
+
+// A position is set as a whole or by coordinate, leads likewise; other fields of fields by their
+// parts only.
+bool is_leads(const FieldDescriptor& field) {
+  return field.message_type() == v1::Leads::descriptor();
+}
+bool is_set_as_a_whole(const FieldDescriptor& field) {
+  return field.message_type() == v1::Position::descriptor() || is_leads(field);
+}
+
+void collect(const google::protobuf::Descriptor& type, Route& above, std::vector<Route>& routes) {
+  for (int i = 0; i < type.field_count(); ++i) {
+    const FieldDescriptor& field = *type.field(i);
+    if (!is_settable(field)) continue;
+    above.push_back(&field);
+    if (!field.message_type() || is_set_as_a_whole(field)) routes.push_back(above);
+    if (field.message_type()) collect(*field.message_type(), above, routes);
+    above.pop_back();
+  }
+}
+
+const std::vector<Route>& all_routes() {
+  static const std::vector<Route> routes = [] {
+    std::vector<Route> found;
+    Route above;
+    collect(*v1::PathSetup::descriptor(), above, found);
+    return found;
+  }();
+  return routes;
+}
+
+std::string key_of(const Route& route) {
+  std::string key;
+  for (const FieldDescriptor* field : route) key += (key.empty() ? "" : ".") + field->name();
+  return key;
+}
+
+std::string prefix_of(const EnumDescriptor& type) {
+  constexpr std::string_view unspecified = "UNSPECIFIED";
+  const std::string& first = type.value(0)->name();
+  return first.size() > unspecified.size() ? first.substr(0, first.size() - unspecified.size())
+                                           : std::string();
+}
+
+std::string words_of(const EnumDescriptor& type) {
+  const std::string prefix = prefix_of(type);
+  std::string words;
+  for (int i = 1; i < type.value_count(); ++i) {
+    const std::string& name = type.value(i)->name();
+    if (!words.empty()) words += ", ";
+    words += lower(std::string_view(name).substr(prefix.size()));
+    for (const FunctionWord& word : function_words)
+      if (word.value == name) words += " (" + std::string(word.function) + ")";
+  }
+  return words;
+}
+
+std::string values_of(const FieldDescriptor& field) {
+  if (is_leads(field)) return "auto, none or blocks:IN,OUT";
+  if (field.message_type()) return "x,y,z in mm";
+  if (field.is_repeated()) return "names with commas between";
+  switch (field.cpp_type()) {
+    case FieldDescriptor::CPPTYPE_BOOL:
+      return "true or false";
+    case FieldDescriptor::CPPTYPE_DOUBLE:
+      return "a number";
+    case FieldDescriptor::CPPTYPE_UINT32:
+    case FieldDescriptor::CPPTYPE_UINT64:
+      return "a whole number";
+    case FieldDescriptor::CPPTYPE_ENUM:
+      return words_of(*field.enum_type());
+    default:
+      return "text";
+  }
+}
+
+template <class Number>
+std::optional<Number> number_from(std::string_view text) {
+  if (!text.empty() && text.front() == '+') text.remove_prefix(1);
+  Number number{};
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (error != std::errc{} || end != text.data() + text.size()) return {};
+  return number;
+}
+
+std::optional<double> finite_from(std::string_view text) {
+  const auto number = number_from<double>(text);
+  return number && std::isfinite(*number) ? number : std::nullopt;
+}
+
+std::optional<bool> switch_from(std::string_view text) {
+  const std::string word = lower(text);
+  if (word == "1" || word == "true" || word == "on") return true;
+  if (word == "0" || word == "false" || word == "off") return false;
+  return {};
+}
+
+std::optional<int> enum_from(const EnumDescriptor& type, std::string_view text) {
+  const std::string word = lower(text);
+  const std::string prefix = prefix_of(type);
+  for (int i = 1; i < type.value_count(); ++i) {
+    const std::string& name = type.value(i)->name();
+    if (word == lower(name) || word == lower(std::string_view(name).substr(prefix.size())))
+      return type.value(i)->number();
+    for (const FunctionWord& function : function_words)
+      if (function.value == name && word == lower(function.function))
+        return type.value(i)->number();
+  }
+  return {};
+}
+
+bool set_position(Message& position, std::string_view text) {
+  const auto coordinates = split(text, ',');
+  const auto* type = position.GetDescriptor();
+  if (coordinates.size() > static_cast<std::size_t>(type->field_count())) return false;
+  for (std::size_t i = 0; i < coordinates.size(); ++i) {
+    const auto number = finite_from(coordinates[i]);
+    if (!number) return false;
+    position.GetReflection()->SetDouble(&position, type->field(static_cast<int>(i)), *number);
+  }
+  return true;
+}
+
+// "auto", "none", or how many blocks at the begin and at the end: "blocks:2,1".
+bool set_leads(v1::Leads& leads, std::string_view text) {
+  const auto parts = split(text, ':');
+  const auto find = enum_from(*v1::Leads::Find_descriptor(), parts.front());
+  const bool counts = find == v1::Leads::FIND_BLOCKS;
+  if (!find || parts.size() != (counts ? 2U : 1U)) return false;
+  leads.Clear();
+  leads.set_find(static_cast<v1::Leads::Find>(*find));
+  if (!counts) return true;
+  const auto blocks = split(parts[1], ',');
+  const auto blocks_in = number_from<std::uint32_t>(blocks.front());
+  const auto blocks_out = number_from<std::uint32_t>(blocks.back());
+  if (blocks.size() != 2 || !blocks_in || !blocks_out) return false;
+  leads.set_blocks_in(*blocks_in);
+  leads.set_blocks_out(*blocks_out);
+  return true;
+}
+
+bool set_list(Message& owner, const FieldDescriptor& field, std::string_view text) {
+  owner.GetReflection()->ClearField(&owner, &field);
+  for (const std::string_view name : split(text, ','))
+    owner.GetReflection()->AddString(&owner, &field, std::string(name));
+  return true;
+}
+
+// False when the text is no value of the field.
+bool set_field(Message& owner, const FieldDescriptor& field, std::string_view text) {
+  const auto& reflection = *owner.GetReflection();
+  if (is_leads(field))
+    return set_leads(dynamic_cast<v1::Leads&>(*reflection.MutableMessage(&owner, &field)), text);
+  if (field.message_type()) return set_position(*reflection.MutableMessage(&owner, &field), text);
+  if (field.is_repeated()) return set_list(owner, field, text);
+  switch (field.cpp_type()) {
+    case FieldDescriptor::CPPTYPE_BOOL:
+      if (const auto value = switch_from(text))
+        return reflection.SetBool(&owner, &field, *value), true;
+      return false;
+    case FieldDescriptor::CPPTYPE_DOUBLE:
+      if (const auto value = finite_from(text))
+        return reflection.SetDouble(&owner, &field, *value), true;
+      return false;
+    case FieldDescriptor::CPPTYPE_UINT32:
+      if (const auto value = number_from<std::uint32_t>(text))
+        return reflection.SetUInt32(&owner, &field, *value), true;
+      return false;
+    case FieldDescriptor::CPPTYPE_ENUM:
+      if (const auto value = enum_from(*field.enum_type(), text))
+        return reflection.SetEnumValue(&owner, &field, *value), true;
+      return false;
+    case FieldDescriptor::CPPTYPE_STRING:
+      return reflection.SetString(&owner, &field, std::string(text)), true;
+    default:
+      return false;
+  }
+}
+
+std::string set_tools(std::string_view text, v1::ProgramSetup& setup) {
+  for (const std::string_view entry : split(text, ',')) {
+    const auto parts = split(entry, ':');
+    const auto number = parts.size() == 2 ? number_from<std::uint32_t>(parts[0]) : std::nullopt;
+    const auto radius = parts.size() == 2 ? finite_from(parts[1]) : std::nullopt;
+    if (!number || !radius)
+      return "tools: \"" + std::string(entry) +
+             "\" is no D or T word with its radius in mm, as in 1:5";
+    v1::Tool& tool = *setup.add_tools();
+    tool.set_number(*number);
+    tool.set_radius(*radius);
+  }
+  return {};
+}
+
+std::size_t edit_distance(std::string_view a, std::string_view b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    std::size_t diagonal = std::exchange(row[0], i);
+    for (std::size_t j = 1; j <= b.size(); ++j) {
+      const std::size_t changed = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
+      diagonal = std::exchange(row[j], std::min({row[j] + 1, row[j - 1] + 1, changed}));
+    }
+  }
+  return row.back();
+}
+
+std::string unknown_key(const std::string& key) {
+  std::vector<std::pair<std::size_t, std::string>> near;
+  const auto consider = [&](const std::string& full) {
+    const std::string last = full.substr(full.rfind('.') + 1);
+    near.emplace_back(std::min(edit_distance(key, full), edit_distance(key, last)), full);
+  };
+  for (const Route& route : all_routes()) consider(key_of(route));
+  consider("tools");
+  std::stable_sort(near.begin(), near.end(),
+                   [](const auto& a, const auto& b) { return a.first < b.first; });
+  std::string text = "unknown setting \"" + key + "\"; nearest:";
+  for (std::size_t i = 0; i < 3; ++i) text += (i == 0 ? " " : ", ") + near[i].second;
+  return text + " (all of them: trc compensate --help)";
+}
+
+}  // namespace
+
+std::string apply_setting(std::string_view assignment, v1::ProgramSetup& setup) {
+  const auto equals = assignment.find('=');
+  if (equals == std::string_view::npos)
+    return "\"" + std::string(assignment) + "\" is no setting; write key=value";
+  const std::string key = lower(trimmed(assignment.substr(0, equals)));
+  const std::string_view value = trimmed(assignment.substr(equals + 1));
+  if (key == "tools") return set_tools(value, setup);
+
+  std::vector<const Route*> found;
+  for (const Route& route : all_routes()) {
+    if (key_of(route) == key) {
+      found = {&route};
+      break;
+    }
+    if (route.back()->name() == key) found.push_back(&route);
+  }
+  if (found.empty()) return unknown_key(key);
+  if (found.size() > 1)
+    return "\"" + key + "\" may be " + key_of(*found[0]) + " or " + key_of(*found[1]) +
+           "; write the whole key";
+  const Route& route = *found.front();
+
+  Message* owner = setup.mutable_path();
+  for (std::size_t i = 0; i + 1 < route.size(); ++i)
+    owner = owner->GetReflection()->MutableMessage(owner, route[i]);
+  const FieldDescriptor& field = *route.back();
+  if (set_field(*owner, field, value)) return {};
+  return key_of(route) + ": \"" + std::string(value) + "\" is not possible; it takes " +
+         values_of(field);
+}
+
+std::vector<SettingRow> settings() {
+  std::vector<SettingRow> rows;
+  for (const Route& route : all_routes()) rows.push_back({key_of(route), values_of(*route.back())});
+  rows.push_back(
+      {"tools", "the tool table, number of the D or T word:radius in mm, as in 1:5,2:3.5"});
+  return rows;
+}
+
+}  // namespace trc::wire

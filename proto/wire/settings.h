@@ -1,0 +1,31 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "trc/v1/setup.pb.h"
+
+namespace trc::wire {
+
+// Applies one "key=value" to the setup. Keys are the names of the fields of
+// PathSetup, with "." into a field of fields (`options.stretch_factor`); the last
+// part alone will do where it is the only one of that name. `tools` is the tool
+// table, "1:5,2:3.5" (D word: radius in mm).
+//
+// Values: numbers; true, false, 1, 0, on, off; a word of an enum without its
+// prefix, or the G function it stands for (`selection_mode=G239`); "x,y,z" for a
+// position; names with commas between for a list.
+//
+// Returns what is wrong, as a sentence; empty when the field is set. Whether a
+// value lies in its range is the service's business.
+[[nodiscard]] std::string apply_setting(std::string_view assignment, v1::ProgramSetup& setup);
+
+// Every key with what it takes, in the order of the fields.
+struct SettingRow {
+  std::string key;
+  std::string values;
+};
+[[nodiscard]] std::vector<SettingRow> settings();
+
+}  // namespace trc::wire

@@ -1,0 +1,86 @@
+#pragma once
+
+#include <atomic>
+#include <chrono>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+
+#include "server/transport_counts.h"
+
+namespace trc::server {
+
+// Watches the TCP connections for what HTTP/2 lets a client do at next to no cost of its own: begin
+// streams and reset them before there is an answer, and send frames that carry nothing. gRPC 1.51
+// bounds neither; such a connection is shut down, with all its streams.
+//
+// gRPC owns the descriptors. Each is known by its number and by the number the kernel gives a
+// socket for life, so that another connection with the same descriptor is left alone.
+class Connections {
+ public:
+  struct Limits {
+    std::uint32_t early_cancels = 200;  // within a window, see below
+    std::uint64_t overhead_bytes_per_s = 2U << 20U;
+    // Bytes beyond that which may have come and not yet be a message: of each call, and at all.
+    std::uint64_t read_ahead_of_call = 1U << 20U;
+    std::uint64_t read_ahead = 24U << 20U;
+    std::uint32_t calls = 128;  // begun and not yet done with, whatever the client has reset
+  };
+  enum class Reason { early_cancels, overhead, calls };
+  static constexpr std::size_t reason_count = 3;
+  // Where connections are shut down: who it was, and why. Must not throw.
+  using Closed = std::function<void(const std::string& peer, Reason reason)>;
+
+  explicit Connections(const Limits& limits) : limits_(limits) {}
+  // Before the first connection.
+  void when_closed(Closed closed) { closed_ = std::move(closed); }
+
+  class Connection;
+  // One call of a connection, from its begin until gRPC is done with it.
+  class Call {
+   public:
+    Call() = default;
+    explicit Call(std::shared_ptr<Connection> connection) : connection_(std::move(connection)) {}
+    ~Call();
+    Call(Call&&) = default;
+    Call& operator=(Call&&) = delete;
+
+    // A message has come that is so large.
+    void carried(std::uint64_t bytes) const;
+    // `early`: reset by the client before there was anything to answer.
+    void ended(bool early) const;
+
+   private:
+    std::shared_ptr<Connection> connection_;  // none: not one of TCP
+  };
+
+  // A descriptor that has just been accepted.
+  void add(int descriptor);
+  // A call of the peer as gRPC names it: "ipv4:10.0.0.7:40000".
+  [[nodiscard]] Call begin(std::string_view peer);
+  // To be called several times a second: how many bytes have come, and which connections have gone.
+  void look();
+
+  [[nodiscard]] std::size_t count() const;
+
+ private:
+  // Gives back what the calls of a connection have held that was shut down a while ago.
+  void give_back_memory(std::chrono::steady_clock::time_point now);
+
+  const Limits limits_;
+  Closed closed_;
+  TransportCounts counts_;  // of the thread that looks alone
+  std::atomic<bool> has_shut_ = false;
+  std::chrono::steady_clock::time_point gives_back_at_{};
+  mutable std::mutex mutex_;
+  std::unordered_map<std::string, std::shared_ptr<Connection>> by_peer_;
+};
+
+// "early_cancels", "overhead" or "calls".
+[[nodiscard]] std::string_view name_of(Connections::Reason reason);
+
+}  // namespace trc::server

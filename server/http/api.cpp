@@ -1,0 +1,291 @@
+#include "server/http/api.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <utility>
+#include <vector>
+
+#include "server/address.h"
+#include "server/http/connect.h"
+#include "server/http/handlers.h"
+#include "server/http/problem.h"
+#include "server/worker_pool.h"
+
+namespace trc::server::http {
+namespace {
+
+constexpr std::array<Route, 17> table{{
+    {"POST", "/v1/programs:compensate", Body::program, true, "text/plain,application/x-ndjson",
+     "Compensates an NC program: NC text in, NC text with TRC resolved out, or the path as JSON "
+     "lines",
+     compensate_program},
+    {"POST", "/v1/programs:verify", Body::program, true, "application/json",
+     "Compensates an NC program and measures the path against the contour", verify_program},
+    {"POST", "/v1/paths:compensate", Body::message, false, "application/json,application/x-ndjson",
+     "Compensates a path of motion blocks: a PreviewPathRequest in, a PathAnswer out, or JSON "
+     "lines",
+     compensate_path},
+    {"POST", "/v1/paths:verify", Body::message, false, "application/json",
+     "Compensates a path and measures it against the contour", verify_path},
+    {"POST", "/v1/views", Body::program, true, "application/json",
+     "Keeps a program and its path to be looked at: a View", make_view},
+    {"GET", "/v1/views/{id}", Body::none, false, "application/json", "The View again", view_said},
+    {"DELETE", "/v1/views/{id}", Body::none, false, "", "Gives a view up", remove_view},
+    {"GET", "/v1/views/{id}/tiles/{level}/{x}/{y}", Body::none, false, "application/octet-stream",
+     "A square of the picture as segments", view_tile},
+    {"GET", "/v1/views/{id}/lines", Body::none, false, "application/json",
+     "Lines of the program, `from` and `count`: ViewLines", view_lines},
+    {"GET", "/v1/views/{id}/output", Body::none, false, "application/json",
+     "Lines of the compensated program: ViewLines", view_output},
+    {"GET", "/v1/views/{id}/blocks", Body::none, false, "application/json",
+     "The blocks of the line `line`: ViewBlocks", view_blocks},
+    {"GET", "/v1/views/{id}/place", Body::none, false, "application/json",
+     "Where the tool is after `share` of its way: ViewPlace", view_place},
+    {"GET", "/v1/offers/{token}", Body::none, false, "application/octet-stream",
+     "The program that `trc view` shows, with its name and settings as headers", offered_program},
+    {"GET", "/", Body::none, false, "text/html", "The page", page_start},
+    {"GET", "/page/{file}", Body::none, false, "text/javascript,text/css", "Its parts", page_file},
+    {"GET", "/v1/info", Body::none, false, "application/json",
+     "Version, limits, options, functions and diagnostics: GetServerInfoResponse", server_info},
+    {"GET", "/v1/openapi.json", Body::none, false, "application/json", "This document", open_api},
+}};
+
+// Since it was last asked for.
+constexpr std::chrono::minutes view_lifetime{30};
+
+// How well a path fits a pattern.
+bool fits(std::string_view pattern, std::string_view path) {
+  while (!pattern.empty() && pattern.front() != '{') {
+    if (path.empty() || path.front() != pattern.front()) return false;
+    pattern.remove_prefix(1);
+    path.remove_prefix(1);
+  }
+  if (pattern.empty()) return path.empty();
+  pattern.remove_prefix(pattern.find('}') + 1);
+  const std::size_t end = std::min(path.find('/'), path.size());
+  return end > 0 && fits(pattern, path.substr(end));
+}
+
+bool is_method_of(const Route& route, std::string_view method) {
+  return route.method == method || (route.method == "GET" && method == "HEAD");
+}
+
+const Route* route_of(const Request& request) {
+  for (const Route& route : routes())
+    if (is_method_of(route, request.method) && fits(route.path, request.path)) return &route;
+  return nullptr;
+}
+
+// "GET, HEAD"; empty when nothing is there.
+std::string methods_at(std::string_view path) {
+  std::string methods;
+  for (const Route& route : routes()) {
+    if (!fits(route.path, path)) continue;
+    if (!methods.empty()) methods += ", ";
+    methods += route.method;
+    if (route.method == "GET") methods += ", HEAD";
+  }
+  if (methods.empty() && rpc_at(std::string(path)) != nullptr) methods = "POST";
+  return methods;
+}
+
+std::string_view host_of(std::string_view host) {
+  if (host.starts_with('[')) return host.substr(0, host.find(']') + 1);
+  return host.substr(0, host.find(':'));
+}
+
+}  // namespace
+
+std::span<const Route> routes() { return table; }
+
+// Lives until its turn is over.
+class Api::Task final : public WorkerPool::Job {
+ public:
+  Task(Api& api, std::function<void()> work) : api_(api), work_(std::move(work)) {}
+
+  void turn() noexcept override {
+    try {
+      work_();
+    } catch (const std::exception& bug) {
+      api_.backend_.telemetry.log.error(LogLine("incident").text("what", bug.what()));
+    }
+    Api& api = api_;
+    delete this;
+    api.end();
+  }
+
+ private:
+  Api& api_;
+  std::function<void()> work_;
+};
+
+Api::Api(Backend& backend, std::shared_ptr<grpc::Channel> channel, Memory& memory,
+         const Options& options)
+    : backend_(backend),
+      channel_(std::move(channel)),
+      memory_(memory),
+      views_(backend.config.http_max_views, view_lifetime),
+      options_(options) {}
+
+Api::~Api() = default;
+
+std::size_t Api::most_message_bytes() const { return backend_.config.max_message_bytes; }
+
+Service::Admission Api::admit(const Request& head) {
+  if (auto refused = refuse_origin(head)) return {.refused = std::move(refused)};
+  if (!head.header("content-encoding").empty() && head.header("content-encoding") != "identity")
+    return {.refused = problem(415, "CONTENT_ENCODING", "Compressed bodies are not taken",
+                               "send the body without Content-Encoding")};
+  // JSON is about four times what it says.
+  constexpr std::size_t json_overhead = 4;
+  const std::size_t most_message = json_overhead * most_message_bytes();
+  if (const Route* route = route_of(head)) {
+    switch (route->body) {
+      case Body::none:
+        return {.most_body_bytes = 0};
+      case Body::message:
+        return {.most_body_bytes = most_message};
+      case Body::program:
+        return {.most_body_bytes = std::size_t{backend_.config.http_max_body_mib} << 20U};
+    }
+  }
+  if (head.method == "POST" && rpc_at(head.path) != nullptr)
+    return {.most_body_bytes = most_message};
+  const std::string methods = methods_at(head.path);
+  if (methods.empty())
+    return {.refused = problem(404, "NOT_FOUND", "There is nothing at this path",
+                               "see /v1/openapi.json for what there is")};
+  if (head.method == "OPTIONS") return {};
+  return {.refused = problem(405, "METHOD_NOT_ALLOWED", "This method is not possible here",
+                             "possible are " + methods)};
+}
+
+void Api::handle(const ExchangePointer& exchange) {
+  const Stay stay(*this);
+  if (stopping()) return exchange->break_off();
+  const Request& request = exchange->request();
+  if (request.method == "OPTIONS")
+    return exchange->answer(
+        {.status = 204, .headers = {{"Allow", methods_at(request.path) + ", OPTIONS"}}}, {});
+  if (const Route* route = route_of(request)) return route->handle(*this, exchange);
+  answer_connect(*this, exchange);
+}
+
+// A page of somebody else's must not use a server its reader can reach: browsers say where a
+// request comes from. Towards a server of this machine alone they are also kept from a name that
+// was turned to this machine's address.
+std::optional<v1::Problem> Api::refuse_origin(const Request& request) const {
+  const std::string_view host = host_of(request.header("host"));
+  if (options_.local && host != "localhost" && host != "[::1]" && !host.starts_with("127."))
+    return problem(421, "HOST_NOT_LOCAL", "This server is for this machine",
+                   "the Host header must be localhost, 127.0.0.1 or [::1]");
+  const std::string_view origin = request.header("origin");
+  if (origin.empty() || is_own_origin(request, origin)) return std::nullopt;
+  const auto& allowed = backend_.config.http_cors_origins;
+  if (std::find(allowed.begin(), allowed.end(), origin) != allowed.end()) return std::nullopt;
+  return problem(403, "ORIGIN_NOT_ALLOWED", "Pages of this origin may not use the server",
+                 "the setting http-cors-origins does not name it");
+}
+
+bool Api::is_own_origin(const Request& request, std::string_view origin) const {
+  const std::string own =
+      (options_.tls ? "https://" : "http://") + std::string(request.header("host"));
+  return origin == own;
+}
+
+void Api::decorate(const Request& request, Head& head) {
+  const auto add = [&](const char* name, std::string_view value) {
+    head.headers.emplace_back(name, std::string(value));
+  };
+  add("X-Content-Type-Options", "nosniff");
+  add("Referrer-Policy", "no-referrer");
+  add("Cross-Origin-Resource-Policy", "same-origin");
+  const auto has = [&](std::string_view name) {
+    return std::any_of(head.headers.begin(), head.headers.end(),
+                       [&](const auto& pair) { return pair.first == name; });
+  };
+  if (!has("Cache-Control")) add("Cache-Control", "no-store");
+  if (!has("Content-Security-Policy"))
+    add("Content-Security-Policy", "default-src 'none'; frame-ancestors 'none'");
+  const std::string_view origin = request.header("origin");
+  const auto& allowed = backend_.config.http_cors_origins;
+  if (origin.empty() || std::find(allowed.begin(), allowed.end(), origin) == allowed.end()) return;
+  add("Access-Control-Allow-Origin", origin);
+  add("Vary", "Origin");
+  add("Access-Control-Expose-Headers", "Trc-Status");
+  if (request.method != "OPTIONS") return;
+  add("Access-Control-Allow-Methods", "GET, POST, DELETE");
+  add("Access-Control-Allow-Headers",
+      "Content-Type, Accept, Connect-Protocol-Version, Connect-Timeout-Ms, Traceparent");
+  add("Access-Control-Max-Age", "600");
+}
+
+void Api::log(const Request& request, unsigned status, std::uint64_t bytes, double ms) {
+  backend_.telemetry.log.info(LogLine("http")
+                                  .text("method", request.method)
+                                  .text("path", request.path)
+                                  .text("peer", request.peer)
+                                  .number("status", std::uint64_t{status})
+                                  .number("bytes_out", bytes)
+                                  .number("ms", ms));
+}
+
+std::shared_ptr<RpcCall> Api::call(std::string method, const Request& request, RpcCall::Done done) {
+  RpcCall::Options options{.method = std::move(method),
+                           .traceparent = std::string(request.header("traceparent"))};
+  const std::string_view timeout = request.header("connect-timeout-ms");
+  std::uint32_t ms = 0;
+  if (std::from_chars(timeout.data(), timeout.data() + timeout.size(), ms).ec == std::errc() &&
+      !timeout.empty())
+    options.timeout = std::chrono::milliseconds(ms);
+  begin();
+  auto call = RpcCall::start(channel_, options,
+                             [this, done = std::move(done)](const grpc::Status& status) mutable {
+                               done(status);
+                               done = nullptr;
+                               end();
+                             });
+  const std::lock_guard lock(mutex_);
+  calls_.remove_if([](const std::weak_ptr<RpcCall>& other) { return other.expired(); });
+  calls_.push_back(call);
+  if (stopping_) call->cancel();
+  return call;
+}
+
+void Api::compute(std::function<void()> work) {
+  begin();
+  // Deleted by its turn.
+  backend_.pool.submit(*new Task(*this, std::move(work)));
+}
+
+void Api::begin() {
+  const std::lock_guard lock(mutex_);
+  ++on_their_way_;
+}
+
+void Api::end() {
+  const std::lock_guard lock(mutex_);
+  --on_their_way_;
+  changed_.notify_all();
+}
+
+bool Api::stopping() {
+  const std::lock_guard lock(mutex_);
+  return stopping_;
+}
+
+void Api::stop() {
+  std::unique_lock lock(mutex_);
+  stopping_ = true;
+  std::vector<std::shared_ptr<RpcCall>> alive;
+  for (const auto& call : calls_) alive.push_back(call.lock());
+  lock.unlock();
+  for (const auto& call : alive)
+    if (call != nullptr) call->cancel();
+  alive.clear();
+  lock.lock();
+  changed_.wait(lock, [this] { return on_their_way_ == 0; });
+}
+
+}  // namespace trc::server::http

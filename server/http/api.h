@@ -1,0 +1,112 @@
+#pragma once
+
+#include <grpcpp/channel.h>
+
+#include <condition_variable>
+#include <functional>
+#include <list>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "server/backend.h"
+#include "server/http/exchange.h"
+#include "server/http/offer.h"
+#include "server/http/rpc_call.h"
+#include "server/http/service.h"
+#include "server/http/view/store.h"
+
+namespace trc::server::http {
+
+class Api;
+
+// What a body of a request may be.
+enum class Body {
+  none,
+  program,  // NC text
+  message,  // JSON or Protobuf
+};
+
+// One way to ask something.
+struct Route {
+  std::string_view method;
+  std::string_view path;  // `{id}` stands for one segment
+  Body body;
+  bool takes_settings;       // as query parameters
+  std::string_view answers;  // content types, with commas between
+  std::string_view meaning;
+  void (*handle)(Api& api, const ExchangePointer& exchange);
+};
+[[nodiscard]] std::span<const Route> routes();
+
+// What HTTP serves: routes of its own under /v1, and the RPCs as the Connect protocol has them.
+class Api final : public Service {
+ public:
+  struct Options {
+    bool local = true;  // reached from this machine only
+    bool tls = false;
+    std::optional<Offer> offer{};
+  };
+  Api(Backend& backend, std::shared_ptr<grpc::Channel> channel, Memory& memory,
+      const Options& options);
+  ~Api() override;
+
+  // As of Service.
+  Admission admit(const Request& head) override;
+  void handle(const ExchangePointer& exchange) override;
+  void decorate(const Request& request, Head& head) override;
+  void log(const Request& request, unsigned status, std::uint64_t bytes, double ms) override;
+
+  [[nodiscard]] Backend& backend() { return backend_; }
+  [[nodiscard]] Memory& memory() { return memory_; }
+  [[nodiscard]] const Offer* offer() const { return options_.offer ? &*options_.offer : nullptr; }
+  [[nodiscard]] ViewStore& views() { return views_; }
+  [[nodiscard]] std::size_t most_message_bytes() const;
+
+  // Starts an RPC of this process for a request. `done` as of RpcCall.
+  [[nodiscard]] std::shared_ptr<RpcCall> call(std::string method, const Request& request,
+                                              RpcCall::Done done);
+  // Has something computed by a worker.
+  void compute(std::function<void()> work);
+
+  // While one lives, `stop` waits.
+  class Stay {
+   public:
+    explicit Stay(Api& api) : api_(api) { api_.begin(); }
+    ~Stay() { api_.end(); }
+    Stay(const Stay&) = delete;
+    Stay& operator=(const Stay&) = delete;
+
+   private:
+    Api& api_;
+  };
+
+  // Ends what is on its way and waits until it has; nothing may be started any more.
+  void stop();
+
+ private:
+  class Task;
+
+  [[nodiscard]] std::optional<v1::Problem> refuse_origin(const Request& request) const;
+  [[nodiscard]] bool is_own_origin(const Request& request, std::string_view origin) const;
+  void begin();
+  void end();
+  [[nodiscard]] bool stopping();
+
+  Backend& backend_;
+  std::shared_ptr<grpc::Channel> channel_;
+  Memory& memory_;
+  ViewStore views_;
+  const Options options_;
+
+  std::mutex mutex_;
+  std::condition_variable changed_;
+  std::size_t on_their_way_ = 0;  // calls, tasks and who stays
+  std::list<std::weak_ptr<RpcCall>> calls_;
+  bool stopping_ = false;
+};
+
+}  // namespace trc::server::http

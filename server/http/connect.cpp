@@ -1,0 +1,263 @@
+#include "server/http/connect.h"
+
+#include <google/protobuf/message.h>
+#include <google/protobuf/struct.pb.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <string_view>
+#include <utility>
+
+#include "google/rpc/status.pb.h"
+#include "proto/wire/json.h"
+#include "server/http/api.h"
+#include "server/http/problem.h"
+#include "server/text.h"
+#include "trc/v1/trc_service.pb.h"
+
+namespace trc::server::http {
+namespace {
+
+using google::protobuf::Message;
+using google::protobuf::MethodDescriptor;
+using grpc::StatusCode;
+
+constexpr std::string_view services = "/trc.v1.TrcService/";
+constexpr std::size_t envelope_bytes = 5;
+constexpr char end_of_stream = 0x02;
+
+struct CodeRow {
+  StatusCode code;
+  std::string_view name;
+  unsigned status;
+};
+// Of the protocol.
+constexpr std::array<CodeRow, 16> codes{{
+    {StatusCode::CANCELLED, "canceled", 499},
+    {StatusCode::UNKNOWN, "unknown", 500},
+    {StatusCode::INVALID_ARGUMENT, "invalid_argument", 400},
+    {StatusCode::DEADLINE_EXCEEDED, "deadline_exceeded", 504},
+    {StatusCode::NOT_FOUND, "not_found", 404},
+    {StatusCode::ALREADY_EXISTS, "already_exists", 409},
+    {StatusCode::PERMISSION_DENIED, "permission_denied", 403},
+    {StatusCode::RESOURCE_EXHAUSTED, "resource_exhausted", 429},
+    {StatusCode::FAILED_PRECONDITION, "failed_precondition", 400},
+    {StatusCode::ABORTED, "aborted", 409},
+    {StatusCode::OUT_OF_RANGE, "out_of_range", 400},
+    {StatusCode::UNIMPLEMENTED, "unimplemented", 501},
+    {StatusCode::INTERNAL, "internal", 500},
+    {StatusCode::UNAVAILABLE, "unavailable", 503},
+    {StatusCode::DATA_LOSS, "data_loss", 500},
+    {StatusCode::UNAUTHENTICATED, "unauthenticated", 401},
+}};
+
+const CodeRow& row_of(StatusCode code) {
+  for (const CodeRow& row : codes)
+    if (row.code == code) return row;
+  return codes[1];
+}
+
+// Base64 without padding, as the protocol has it for details.
+std::string base64(std::string_view bytes) {
+  constexpr std::string_view letters =
+      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string text;
+  for (std::size_t i = 0; i < bytes.size(); i += 3) {
+    std::uint32_t group = 0;
+    const std::size_t count = std::min<std::size_t>(3, bytes.size() - i);
+    for (std::size_t k = 0; k < 3; ++k)
+      group = group << 8U | (k < count ? static_cast<unsigned char>(bytes[i + k]) : 0U);
+    for (std::size_t k = 0; k <= count; ++k) text += letters[group >> (18 - 6 * k) & 63U];
+  }
+  return text;
+}
+
+google::protobuf::Struct error_of(const grpc::Status& status) {
+  google::protobuf::Struct error;
+  auto& fields = *error.mutable_fields();
+  fields["code"].set_string_value(std::string(row_of(status.error_code()).name));
+  fields["message"].set_string_value(presentable(status.error_message(), 4096));
+  google::rpc::Status rich;
+  if (!rich.ParseFromString(status.error_details()) || rich.details().empty()) return error;
+  auto& details = *fields["details"].mutable_list_value();
+  for (const auto& any : rich.details()) {
+    auto& detail = *details.add_values()->mutable_struct_value()->mutable_fields();
+    const std::string& url = any.type_url();
+    detail["type"].set_string_value(url.substr(url.rfind('/') + 1));
+    detail["value"].set_string_value(base64(any.value()));
+  }
+  return error;
+}
+
+void answer_error(Exchange& exchange, const grpc::Status& status) {
+  exchange.answer(
+      {.status = row_of(status.error_code()).status, .content_type = "application/json"},
+      wire::json_of(error_of(status)));
+}
+
+std::string enveloped(char flags, std::string_view message) {
+  const auto size = static_cast<std::uint32_t>(message.size());
+  std::string bytes{flags};
+  for (const unsigned shift : {24U, 16U, 8U, 0U})
+    bytes += static_cast<char>(static_cast<unsigned char>(size >> shift & 0xFFU));
+  return bytes.append(message);
+}
+
+std::unique_ptr<Message> made(const google::protobuf::Descriptor& type) {
+  return std::unique_ptr<Message>(
+      google::protobuf::MessageFactory::generated_factory()->GetPrototype(&type)->New());
+}
+
+// The answers of an RPC as they are, or as JSON.
+class ConnectFormat : public Format {
+ public:
+  ConnectFormat(const MethodDescriptor& method, bool as_json)
+      : json_wanted_(as_json), answer_(made(*method.output_type())) {}
+
+ protected:
+  bool append(const grpc::ByteBuffer& answer, std::string& out) {
+    if (!json_wanted_) {
+      out += RpcCall::text_of(answer);
+      return true;
+    }
+    if (!RpcCall::read_message(answer, *answer_)) return false;
+    json_.append(*answer_, out);
+    return true;
+  }
+  [[nodiscard]] std::string type(std::string_view before) const {
+    return std::string(before) + (json_wanted_ ? "json" : "proto");
+  }
+
+ private:
+  bool json_wanted_;
+  std::unique_ptr<Message> answer_;
+  wire::Json json_;
+};
+
+class UnaryFormat final : public ConnectFormat {
+ public:
+  using ConnectFormat::ConnectFormat;
+  [[nodiscard]] Head head() const override { return {.content_type = type("application/")}; }
+  bool take(const grpc::ByteBuffer& answer, std::string& out) override {
+    return append(answer, out);
+  }
+  void close(std::string& /*out*/) override {}
+  void refuse(const ExchangePointer& exchange, const grpc::Status& status) override {
+    answer_error(*exchange, status);
+  }
+  bool stop(const grpc::Status& /*status*/, std::string& /*out*/) override { return false; }
+  [[nodiscard]] bool streams() const override { return false; }
+};
+
+class StreamFormat final : public ConnectFormat {
+ public:
+  using ConnectFormat::ConnectFormat;
+  [[nodiscard]] Head head() const override {
+    return {.content_type = type("application/connect+")};
+  }
+  bool take(const grpc::ByteBuffer& answer, std::string& out) override {
+    std::string message;
+    if (!append(answer, message)) return false;
+    out += enveloped(0, message);
+    return true;
+  }
+  void close(std::string& out) override { out += enveloped(end_of_stream, "{}"); }
+  // Of a stream the status is always 200, and the last envelope says what it is.
+  void refuse(const ExchangePointer& exchange, const grpc::Status& status) override {
+    std::string end;
+    stop(status, end);
+    exchange->answer(head(), std::move(end));
+  }
+  bool stop(const grpc::Status& status, std::string& out) override {
+    google::protobuf::Struct end;
+    *(*end.mutable_fields())["error"].mutable_struct_value() = error_of(status);
+    out += enveloped(end_of_stream, wire::json_of(end));
+    return true;
+  }
+};
+
+// The message in the body, as bytes; what is wrong with it instead.
+struct Question {
+  std::string bytes{};
+  std::string fault{};
+};
+
+Question read_question(const MethodDescriptor& method, std::string_view body, bool is_json) {
+  Question question;
+  const auto message = made(*method.input_type());
+  if (is_json) {
+    question.fault = wire::Json().read(body, *message);
+  } else if (!message->ParseFromArray(body.data(), static_cast<int>(body.size()))) {
+    question.fault = "the body is no " + method.input_type()->full_name();
+  }
+  question.bytes = message->SerializeAsString();
+  return question;
+}
+
+// The only message of a stream's request.
+bool open_envelope(std::string_view& body) {
+  if (body.size() < envelope_bytes || body.front() != 0) return false;
+  std::uint32_t size = 0;
+  for (std::size_t i = 1; i < envelope_bytes; ++i)
+    size = size << 8U | static_cast<unsigned char>(body[i]);
+  body.remove_prefix(envelope_bytes);
+  return body.size() == size;
+}
+
+void answer_unsupported(Exchange& exchange, std::string_view types) {
+  answer_problem(exchange, problem(415, "CONTENT_TYPE", "The content type is not taken here",
+                                   "this RPC takes " + std::string(types) + ", not compressed"));
+}
+
+// Reading JSON is work, and done by those who compute.
+void start(Api& api, const ExchangePointer& exchange, const MethodDescriptor& method,
+           std::string_view body, bool is_json, std::shared_ptr<Format> format) {
+  api.compute([&api, exchange, &method, body, is_json, format] {
+    const Question question = read_question(method, body, is_json);
+    exchange->post([&api, exchange, &method, question, format] {
+      if (!question.fault.empty())
+        return format->refuse(exchange, {StatusCode::INVALID_ARGUMENT, question.fault});
+      exchange->request().body = {};
+      Run::start(api, exchange, "/" + method.service()->full_name() + "/" + method.name(),
+                 std::make_unique<OneQuestion>(RpcCall::bytes_of(question.bytes)), format);
+    });
+  });
+}
+
+}  // namespace
+
+const MethodDescriptor* rpc_at(const std::string& path) {
+  if (!path.starts_with(services)) return nullptr;
+  const auto* service = v1::GetServerInfoResponse::descriptor()->file()->pool()->FindServiceByName(
+      "trc.v1.TrcService");
+  return service == nullptr ? nullptr : service->FindMethodByName(path.substr(services.size()));
+}
+
+void answer_connect(Api& api, const ExchangePointer& exchange) {
+  const Request& request = exchange->request();
+  const MethodDescriptor& method = *rpc_at(request.path);
+  const std::string_view type = request.content_type();
+  std::string_view body = request.body;
+  if (method.client_streaming())
+    return answer_error(*exchange, {StatusCode::UNIMPLEMENTED,
+                                    "streams from the client need gRPC; CompensateProgramOnce and "
+                                    "PreviewPath take everything in one request"});
+  if (!method.server_streaming()) {
+    const bool is_json = type == "application/json";
+    if (!is_json && type != "application/proto")
+      return answer_unsupported(*exchange, "application/json or application/proto");
+    return start(api, exchange, method, body, is_json,
+                 std::make_shared<UnaryFormat>(method, is_json));
+  }
+  const bool is_json = type == "application/connect+json";
+  if (!is_json && type != "application/connect+proto")
+    return answer_unsupported(*exchange, "application/connect+json or application/connect+proto");
+  auto format = std::make_shared<StreamFormat>(method, is_json);
+  if (!open_envelope(body))
+    return format->refuse(exchange, {StatusCode::INVALID_ARGUMENT,
+                                     "the body must be one envelope without compression"});
+  start(api, exchange, method, body, is_json, std::move(format));
+}
+
+}  // namespace trc::server::http

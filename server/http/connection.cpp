@@ -1,0 +1,448 @@
+#include "server/http/connection.h"
+
+#include <sys/socket.h>
+
+#include <algorithm>
+#include <array>
+#include <boost/asio/dispatch.hpp>
+#include <boost/asio/post.hpp>
+#include <boost/asio/ssl/stream.hpp>
+#include <boost/asio/write.hpp>
+#include <boost/beast/core.hpp>
+#include <boost/beast/http.hpp>
+#include <boost/beast/ssl.hpp>
+#include <cerrno>
+#include <cstdio>
+#include <limits>
+#include <optional>
+#include <sstream>
+#include <type_traits>
+#include <utility>
+
+#include "server/http/problem.h"
+#include "server/http/tls.h"
+#include "server/http/uri.h"
+
+namespace trc::server::http {
+namespace {
+
+namespace asio = boost::asio;
+namespace beast = boost::beast;
+namespace bhttp = boost::beast::http;
+using boost::system::error_code;
+using tcp = asio::ip::tcp;
+
+using PlainStream = beast::tcp_stream;
+using TlsStream = beast::ssl_stream<beast::tcp_stream>;
+
+// A body makes that much way, and an answer too, or the connection ends.
+constexpr std::size_t piece_bytes = 64U << 10U;
+// What is read of a request that was answered before it had come, so that the answer arrives.
+constexpr std::size_t most_ignored_bytes = 4U << 20U;
+constexpr std::chrono::seconds longest_farewell{2};
+
+std::string lower(beast::string_view text) {
+  std::string result(text.data(), text.size());
+  for (char& c : result)
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  return result;
+}
+
+// "1f4\r\n"
+std::string chunk_head(std::size_t bytes) {
+  std::array<char, 24> text{};
+  const int length = std::snprintf(text.data(), text.size(), "%zx\r\n", bytes);
+  return {text.data(), static_cast<std::size_t>(length)};
+}
+
+template <class Stream>
+class Connection final : public Exchange,
+                         public OpenConnection,
+                         public std::enable_shared_from_this<Connection<Stream>> {
+ public:
+  Connection(Stream stream, NewConnection&& given, Service& service, Memory& memory,
+             const ConnectionLimits& limits)
+      : tls_(std::move(given.tls)),
+        stream_(std::move(stream)),
+        allowed_clients_(std::move(given.allowed_clients)),
+        service_(service),
+        limits_(limits),
+        share_(memory) {
+    request_.peer = std::move(given.peer);
+  }
+
+  void start() {
+    asio::dispatch(stream_.get_executor(), [self = this->shared_from_this()] {
+      if constexpr (is_tls)
+        self->shake_hands();
+      else
+        self->await_request();
+    });
+  }
+
+  void close() override {
+    asio::post(stream_.get_executor(), [self = this->shared_from_this()] { self->close_socket(); });
+  }
+
+  // As of Exchange.
+  Request& request() override { return request_; }
+
+  void answer(Head head, std::string body) override {
+    std::string bytes = head_bytes(std::move(head), body.size());
+    if (request_.method != "HEAD") bytes += body;
+    send(std::move(bytes), [self = this->shared_from_this()](bool taken) {
+      if (taken) self->finish();
+    });
+  }
+
+  void begin(Head head) override { begun_ = head_bytes(std::move(head), std::nullopt); }
+
+  void write(std::string piece, Written then) override {
+    std::string bytes = std::exchange(begun_, {});
+    if (!piece.empty()) bytes += chunk_head(piece.size()) + piece + "\r\n";
+    send(std::move(bytes), std::move(then));
+  }
+
+  void end(const Pairs& trailers) override {
+    std::string bytes = std::exchange(begun_, {}) + "0\r\n";
+    for (const auto& [name, value] : trailers)
+      bytes.append(name).append(": ").append(value) += "\r\n";
+    bytes += "\r\n";
+    send(std::move(bytes), [self = this->shared_from_this()](bool taken) {
+      if (taken) self->finish();
+    });
+  }
+
+  void break_off() override {
+    record();
+    gone_ = nullptr;
+    close_socket();
+  }
+
+  void when_gone(std::function<void()> then) override {
+    gone_ = std::move(then);
+    watch();
+  }
+
+  void post(std::function<void()> then) override {
+    asio::post(stream_.get_executor(),
+               [self = this->shared_from_this(), then = std::move(then)] { then(); });
+  }
+
+  bool hold(std::size_t bytes) override { return share_.take(bytes); }
+
+ private:
+  static constexpr bool is_tls = std::is_same_v<Stream, TlsStream>;
+
+  beast::tcp_stream& lowest() { return beast::get_lowest_layer(stream_); }
+
+  template <class Method>
+  auto then(Method method) {
+    return [self = this->shared_from_this(), method](error_code fault, std::size_t bytes) {
+      (self.get()->*method)(fault, bytes);
+    };
+  }
+
+  void shake_hands() {
+    if constexpr (is_tls) {
+      lowest().expires_after(limits_.timeout);
+      stream_.async_handshake(
+          asio::ssl::stream_base::server, [self = this->shared_from_this()](error_code fault) {
+            if (fault) return self->close_socket();
+            self->allowed_ = is_allowed(self->stream_.native_handle(), self->allowed_clients_);
+            self->await_request();
+          });
+    }
+  }
+
+  void await_request() {
+    share_.release();
+    parser_.emplace();
+    parser_->header_limit(static_cast<std::uint32_t>(limits_.most_header_bytes));
+    // The real limit follows when it is known what is asked.
+    parser_->body_limit(std::numeric_limits<std::uint64_t>::max());
+    waits();
+    lowest().expires_after(limits_.timeout);
+    bhttp::async_read_header(stream_, buffer_, *parser_, then(&Connection::on_head));
+  }
+
+  void on_head(error_code fault, std::size_t /*bytes*/) {
+    works();
+    started_ = Clock::now();
+    sent_ = 0;
+    if (fault == bhttp::error::header_limit)
+      return refuse(431, "HEAD_TOO_LARGE", "The head of the request is too large");
+    if (fault.category() == make_error_code(bhttp::error::bad_method).category() &&
+        fault != bhttp::error::end_of_stream && fault != bhttp::error::partial_message)
+      return refuse(400, "REQUEST_MALFORMED", "This is not HTTP");
+    if (fault) return close_socket();
+    read_head();
+    keep_alive_ = parser_->keep_alive();
+    const auto& head = parser_->get();
+    // Without chunks the end of the connection would be the end of an answer.
+    if (head.version() != 11) return refuse(505, "HTTP_VERSION", "The server speaks HTTP/1.1");
+    auto target = read_target({head.target().data(), head.target().size()});
+    if (!target) return refuse(400, "TARGET_MALFORMED", "The target of the request is not one");
+    request_.path = std::move(target->path);
+    request_.query = std::move(target->query);
+    if (!allowed_)
+      return refuse(403, "CLIENT_NOT_ALLOWED", "The name of the certificate is not allowed");
+    admit();
+  }
+
+  void read_head() {
+    const auto& head = parser_->get();
+    const beast::string_view method = head.method_string();
+    request_.method = std::string(method.data(), method.size());
+    request_.path.clear();
+    request_.query.clear();
+    request_.headers.clear();
+    request_.body.clear();
+    for (const auto& field : head)
+      request_.headers.emplace_back(lower(field.name_string()),
+                                    std::string(field.value().data(), field.value().size()));
+  }
+
+  void admit() {
+    const Service::Admission admission = service_.admit(request_);
+    if (admission.refused) return refuse(*admission.refused);
+    most_body_bytes_ = admission.most_body_bytes;
+    const auto length = parser_->content_length();
+    if (length && *length > most_body_bytes_) return refuse_size();
+    if (length && !share_.take(static_cast<std::size_t>(*length))) return refuse_memory();
+    held_body_ = length ? static_cast<std::size_t>(*length) : 0;
+    if (lower(parser_->get()[bhttp::field::expect]) == "100-continue" && !parser_->is_done())
+      return send("HTTP/1.1 100 Continue\r\n\r\n", [self = this->shared_from_this()](bool taken) {
+        if (taken) self->read_body(0);
+      });
+    read_body(0);
+  }
+
+  // `way`: bytes since the last time it was looked at the clock.
+  void read_body(std::size_t way) {
+    if (parser_->is_done()) return dispatch();
+    if (way == 0) lowest().expires_after(limits_.timeout);
+    bhttp::async_read_some(
+        stream_, buffer_, *parser_,
+        [self = this->shared_from_this(), way](error_code fault, std::size_t bytes) {
+          self->on_body(fault, way + bytes);
+        });
+  }
+
+  void on_body(error_code fault, std::size_t way) {
+    if (fault && fault.category() == make_error_code(bhttp::error::bad_chunk).category() &&
+        fault != bhttp::error::partial_message && fault != bhttp::error::end_of_stream)
+      return refuse(400, "REQUEST_MALFORMED", "The body of the request is malformed");
+    if (fault) return close_socket();
+    const std::size_t size = parser_->get().body().size();
+    if (size > most_body_bytes_) return refuse_size();
+    if (size > held_body_) {
+      const std::size_t more = std::max(size - held_body_, piece_bytes);
+      if (!share_.take(more)) return refuse_memory();
+      held_body_ += more;
+    }
+    // Only what has come far enough gets more time: a byte now and then does not.
+    read_body(way >= piece_bytes ? 0 : std::max<std::size_t>(way, 1));
+  }
+
+  void refuse_size() {
+    refuse(problem(413, "BODY_TOO_LARGE", "The body of the request is too large",
+                   "at most " + std::to_string(most_body_bytes_) +
+                       " bytes are taken here (http-max-body-mib, max-message-bytes)"));
+  }
+
+  void refuse_memory() {
+    refuse(problem(503, "HTTP_MEMORY_LIMIT", "A limit of the server is reached",
+                   "requests and views take all the memory the setting http-max-memory-mib "
+                   "allows; try again later"));
+  }
+
+  void dispatch() {
+    lowest().expires_never();
+    request_.body = std::move(parser_->get().body());
+    service_.handle(this->shared_from_this());
+  }
+
+  // Looks for the end of the connection while the answer is computed.
+  void watch() {
+    if (watching_) return;
+    watching_ = true;
+    lowest().socket().async_wait(
+        tcp::socket::wait_read,
+        [self = this->shared_from_this()](error_code fault) { self->on_watched(fault); });
+  }
+
+  void on_watched(error_code fault) {
+    watching_ = false;
+    if (!gone_) return;
+    if (!fault) {
+      char byte = 0;
+      const auto got = ::recv(lowest().socket().native_handle(), &byte, 1, MSG_PEEK | MSG_DONTWAIT);
+      // There is more to read: the next request, which has time.
+      if (got > 0) return;
+      if (got < 0 && (errno == EAGAIN || errno == EWOULDBLOCK)) return watch();
+    }
+    lose();
+  }
+
+  // The client has gone.
+  void lose() {
+    const auto gone = std::exchange(gone_, nullptr);
+    if (gone) gone();
+  }
+
+  std::string head_bytes(Head head, std::optional<std::size_t> length) {
+    status_ = head.status;
+    service_.decorate(request_, head);
+    bhttp::response<bhttp::empty_body> response(bhttp::int_to_status(head.status), 11);
+    for (const auto& [name, value] : head.headers) response.insert(name, value);
+    if (!head.content_type.empty()) response.set(bhttp::field::content_type, head.content_type);
+    if (length)
+      response.set(bhttp::field::content_length, std::to_string(*length));
+    else
+      response.set(bhttp::field::transfer_encoding, "chunked");
+    response.keep_alive(keep_alive_);
+    std::ostringstream bytes;
+    bytes << response.base();
+    return bytes.str();
+  }
+
+  // An answer before the request is read whole ends the connection.
+  void refuse(unsigned status, std::string_view reason, std::string_view title) {
+    refuse(problem(status, reason, title, title));
+  }
+  void refuse(const v1::Problem& problem) {
+    keep_alive_ = keep_alive_ && parser_->is_done();
+    share_.release();
+    parser_->get().body().clear();
+    parser_->get().body().shrink_to_fit();
+    answer_problem(*this, problem);
+  }
+
+  void send(std::string bytes, Written then) {
+    outgoing_ = std::move(bytes);
+    written_ = std::move(then);
+    sent_ += outgoing_.size();
+    send_from(0);
+  }
+
+  void send_from(std::size_t begin) {
+    if (begin == outgoing_.size())
+      return asio::post(stream_.get_executor(),
+                        [self = this->shared_from_this()] { self->told(true); });
+    const std::size_t size = std::min(piece_bytes, outgoing_.size() - begin);
+    lowest().expires_after(limits_.timeout);
+    asio::async_write(stream_, asio::buffer(outgoing_.data() + begin, size),
+                      [self = this->shared_from_this(), end = begin + size](error_code fault,
+                                                                            std::size_t /*bytes*/) {
+                        if (!fault) return self->send_from(end);
+                        self->close_socket();
+                        self->told(false);
+                      });
+  }
+
+  void told(bool taken) {
+    lowest().expires_never();
+    const Written then = std::exchange(written_, nullptr);
+    if (!taken) {
+      record();
+      lose();
+    }
+    if (then) then(taken);
+  }
+
+  // The answer is out.
+  void finish() {
+    record();
+    gone_ = nullptr;
+    request_.body = {};
+    if (keep_alive_) return await_request();
+    say_farewell();
+  }
+
+  void record() {
+    const std::chrono::duration<double, std::milli> took = Clock::now() - started_;
+    service_.log(request_, status_, sent_, took.count());
+  }
+
+  // A connection that is closed while bytes of the client are unread is reset, and the answer may
+  // be lost with it.
+  void say_farewell() {
+    error_code ignored;
+    share_.release();
+    if constexpr (!is_tls) lowest().socket().shutdown(tcp::socket::shutdown_send, ignored);
+    lowest().expires_after(longest_farewell);
+    if constexpr (is_tls) {
+      stream_.async_shutdown(
+          [self = this->shared_from_this()](error_code) { self->close_socket(); });
+    } else {
+      ignored_bytes_ = 0;
+      ignore_rest();
+    }
+  }
+
+  void ignore_rest() {
+    buffer_.clear();
+    lowest().async_read_some(
+        buffer_.prepare(piece_bytes),
+        [self = this->shared_from_this()](error_code fault, std::size_t bytes) {
+          self->ignored_bytes_ += bytes;
+          if (fault || self->ignored_bytes_ > most_ignored_bytes) return self->close_socket();
+          self->ignore_rest();
+        });
+  }
+
+  void close_socket() {
+    error_code ignored;
+    lowest().socket().close(ignored);
+    lowest().cancel();
+  }
+
+  std::shared_ptr<asio::ssl::context> tls_;
+  Stream stream_;
+  const std::vector<std::string> allowed_clients_;
+  Service& service_;
+  const ConnectionLimits limits_;
+  Share share_;
+  bool allowed_ = true;
+
+  beast::flat_buffer buffer_{piece_bytes * 2};
+  std::optional<bhttp::request_parser<bhttp::string_body>> parser_;
+  Request request_;
+  std::size_t most_body_bytes_ = 0;
+  std::size_t held_body_ = 0;
+  bool keep_alive_ = true;
+
+  Clock::time_point started_{};
+  unsigned status_ = 0;
+  std::uint64_t sent_ = 0;
+  std::string begun_;  // the head of an answer that has not been sent yet
+  std::string outgoing_;
+  Written written_;
+  std::function<void()> gone_;
+  bool watching_ = false;
+  std::size_t ignored_bytes_ = 0;
+};
+
+template <class Stream>
+std::shared_ptr<OpenConnection> started(Stream stream, NewConnection&& connection, Service& service,
+                                        Memory& memory, const ConnectionLimits& limits) {
+  const auto made = std::make_shared<Connection<Stream>>(std::move(stream), std::move(connection),
+                                                         service, memory, limits);
+  made->start();
+  return made;
+}
+
+}  // namespace
+
+std::shared_ptr<OpenConnection> serve(NewConnection connection, Service& service, Memory& memory,
+                                      const ConnectionLimits& limits) {
+  PlainStream plain(std::move(connection.socket));
+  if (connection.tls == nullptr)
+    return started(std::move(plain), std::move(connection), service, memory, limits);
+  asio::ssl::context& context = *connection.tls;
+  return started(TlsStream(std::move(plain), context), std::move(connection), service, memory,
+                 limits);
+}
+
+}  // namespace trc::server::http

@@ -1,0 +1,73 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace trc::server::http {
+
+// Names and values in the order they came or go.
+using Pairs = std::vector<std::pair<std::string, std::string>>;
+
+// What a client asks, read as a whole.
+struct Request {
+  std::string method;
+  std::string path;  // decoded, without the query
+  Pairs query{};     // decoded
+  Pairs headers{};   // names in lower case
+  std::string body{};
+  std::string peer;
+
+  // Empty when there is none.
+  [[nodiscard]] std::string_view header(std::string_view name) const;
+  // Whether the Accept header names this type itself.
+  [[nodiscard]] bool accepts(std::string_view type) const;
+  // The Content-Type without parameters.
+  [[nodiscard]] std::string_view content_type() const;
+};
+
+// The head of an answer.
+struct Head {
+  unsigned status = 200;
+  std::string content_type{};
+  Pairs headers{};
+};
+
+// One request and the way its answer takes. Everything is called in the executor of its connection,
+// one call at a time; `post` is the way into it. An exchange that is destroyed without an answer
+// breaks its connection off.
+class Exchange {
+ public:
+  // Whether the client still takes what is written.
+  using Written = std::function<void(bool taken)>;
+
+  virtual ~Exchange() = default;
+  [[nodiscard]] virtual Request& request() = 0;
+
+  // The whole answer.
+  virtual void answer(Head head, std::string body) = 0;
+
+  // An answer whose length is not known: begin, write again and again, each time after `then` of
+  // the last one, and end. Trailers must be named in the head.
+  virtual void begin(Head head) = 0;
+  virtual void write(std::string piece, Written then) = 0;
+  virtual void end(const Pairs& trailers) = 0;
+  // Closes the connection without the end of the answer, so that no client takes it for whole.
+  virtual void break_off() = 0;
+
+  // Called once when the client has gone before it has its answer.
+  virtual void when_gone(std::function<void()> then) = 0;
+  // Runs in the executor of the connection. From any thread.
+  virtual void post(std::function<void()> then) = 0;
+
+  // Asks for memory that is held until the exchange ends. False when there is none.
+  [[nodiscard]] virtual bool hold(std::size_t bytes) = 0;
+};
+using ExchangePointer = std::shared_ptr<Exchange>;
+
+}  // namespace trc::server::http

@@ -1,0 +1,82 @@
+#include "server/http/formats.h"
+
+#include "proto/wire/json.h"
+#include "server/text.h"
+
+namespace trc::server::http {
+namespace {
+
+const v1::PathSummary& path_of(const v1::PathSummary& summary) { return summary; }
+const v1::PathSummary& path_of(const v1::ProgramSummary& summary) { return summary.path(); }
+
+}  // namespace
+
+void ProblemFormat::refuse(const ExchangePointer& exchange, const grpc::Status& status) {
+  v1::Problem problem = problem_of(status);
+  for (const v1::Diagnostic& diagnostic : diagnostics_) *problem.add_diagnostics() = diagnostic;
+  answer_problem(*exchange, problem);
+}
+
+bool ProblemFormat::stop(const grpc::Status& /*status*/, std::string& /*out*/) { return false; }
+
+bool NcTextFormat::take(const grpc::ByteBuffer& answer, std::string& out) {
+  if (!RpcCall::read_message(answer, answer_)) return false;
+  remember(answer_.diagnostics());
+  out += answer_.nc_text();
+  return true;
+}
+
+bool NcTextFormat::stop(const grpc::Status& status, std::string& out) {
+  if (!out.empty() && out.back() != '\n') out += '\n';
+  out += "!!! TRC STOPPED, THIS PROGRAM IS NOT COMPLETE: " + presentable(status.error_message()) +
+         " !!!\n";
+  return false;
+}
+
+template <class Response>
+bool JsonLinesFormat<Response>::take(const grpc::ByteBuffer& answer, std::string& out) {
+  if (!RpcCall::read_message(answer, answer_)) return false;
+  this->remember(answer_.diagnostics());
+  if (answer_.response_case() == Response::kBatch) {
+    for (auto& block : *answer_.mutable_batch()->mutable_blocks()) {
+      item_.mutable_block()->Swap(&block);
+      lines_.append(item_, out);
+    }
+  }
+  for (auto& diagnostic : *answer_.mutable_diagnostics()) {
+    item_.mutable_diagnostic()->Swap(&diagnostic);
+    lines_.append(item_, out);
+  }
+  if (answer_.response_case() == Response::kSummary) {
+    *item_.mutable_summary() = path_of(answer_.summary());
+    lines_.append(item_, out);
+  }
+  return true;
+}
+
+template <class Response>
+bool PathAnswerFormat<Response>::take(const grpc::ByteBuffer& answer, std::string& /*out*/) {
+  if (!RpcCall::read_message(answer, answer_)) return false;
+  this->remember(answer_.diagnostics());
+  whole_.mutable_diagnostics()->MergeFrom(answer_.diagnostics());
+  if (answer_.response_case() == Response::kSummary)
+    *whole_.mutable_summary() = path_of(answer_.summary());
+  if (blocks_ == Blocks::left_out) return true;
+  bytes_ += answer.Length();
+  if (answer_.response_case() == Response::kBatch)
+    whole_.mutable_blocks()->MergeFrom(answer_.batch().blocks());
+  return bytes_ <= most_bytes_;
+}
+
+template <class Response>
+void PathAnswerFormat<Response>::close(std::string& out) {
+  wire::Json().append(whole_, out);
+  out += '\n';
+}
+
+template class JsonLinesFormat<v1::CompensateProgramResponse>;
+template class JsonLinesFormat<v1::PreviewPathResponse>;
+template class PathAnswerFormat<v1::CompensateProgramResponse>;
+template class PathAnswerFormat<v1::PreviewPathResponse>;
+
+}  // namespace trc::server::http

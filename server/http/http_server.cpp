@@ -1,0 +1,165 @@
+#include "server/http/http_server.h"
+
+#include <netinet/in.h>
+#include <netinet/tcp.h>
+#include <sys/socket.h>
+
+#include <boost/asio/executor_work_guard.hpp>
+#include <boost/asio/io_context.hpp>
+#include <boost/asio/ip/tcp.hpp>
+#include <boost/asio/strand.hpp>
+#include <list>
+#include <mutex>
+#include <sstream>
+#include <thread>
+#include <utility>
+#include <vector>
+
+#include "server/http/api.h"
+#include "server/http/connection.h"
+#include "server/http/tls.h"
+
+namespace trc::server::http {
+namespace {
+
+namespace asio = boost::asio;
+using tcp = asio::ip::tcp;
+
+// They move bytes; computing is done elsewhere.
+constexpr unsigned thread_count = 2;
+
+std::string peer_of(const tcp::socket& socket) {
+  boost::system::error_code fault;
+  const auto peer = socket.remote_endpoint(fault);
+  if (fault) return {};
+  std::ostringstream text;
+  text << peer;
+  return text.str();
+}
+
+}  // namespace
+
+struct HttpServer::Parts {
+  Parts(Backend& given, Options options)
+      : backend(given),
+        memory(std::size_t{given.config.http_max_memory_mib} << 20U),
+        api(given, options.channel, memory,
+            {.local = options.local,
+             .tls = options.certificates != nullptr,
+             .offer = std::move(options.offer)}),
+        limits{.timeout = std::chrono::seconds(given.config.http_timeout_s)} {
+    if (options.certificates) tls = std::make_unique<Tls>(options.certificates);
+    for (unsigned i = 0; i < thread_count; ++i) threads.emplace_back([this] { io.run(); });
+  }
+
+  // Makes room by the connection that has waited longest for a request; false when all are at work.
+  bool make_room();
+  [[nodiscard]] bool any_works();
+
+  Backend& backend;
+  Memory memory;
+  Api api;
+  const ConnectionLimits limits;
+  std::unique_ptr<Tls> tls;
+  asio::io_context io{static_cast<int>(thread_count)};
+  asio::executor_work_guard<asio::io_context::executor_type> work{io.get_executor()};
+  std::mutex mutex;
+  std::list<std::weak_ptr<OpenConnection>> connections;
+  std::vector<std::thread> threads;
+};
+
+bool HttpServer::Parts::make_room() {
+  // Locked ones go after the mutex: a connection that ends does not come back here, but closing
+  // one takes its time.
+  std::vector<std::shared_ptr<OpenConnection>> alive;
+  const std::lock_guard lock(mutex);
+  auto longest = connections.end();
+  std::optional<OpenConnection::Clock::time_point> since;
+  for (auto one = connections.begin(); one != connections.end();) {
+    alive.push_back(one->lock());
+    if (alive.back() == nullptr) {
+      one = connections.erase(one);
+      continue;
+    }
+    const auto waiting = alive.back()->waiting_since();
+    if (waiting && (!since || *waiting < *since)) {
+      since = waiting;
+      longest = one;
+    }
+    ++one;
+  }
+  if (connections.size() < backend.config.http_max_connections) return true;
+  if (longest == connections.end()) return false;
+  if (const auto connection = longest->lock()) connection->close();
+  connections.erase(longest);
+  return true;
+}
+
+bool HttpServer::Parts::any_works() {
+  std::vector<std::shared_ptr<OpenConnection>> alive;
+  const std::lock_guard lock(mutex);
+  for (const auto& one : connections) {
+    alive.push_back(one.lock());
+    if (alive.back() != nullptr && !alive.back()->waiting_since()) return true;
+  }
+  return false;
+}
+
+HttpServer::HttpServer(Backend& backend, Options options)
+    : parts_(std::make_unique<Parts>(backend, std::move(options))) {}
+
+HttpServer::~HttpServer() {
+  {
+    std::vector<std::shared_ptr<OpenConnection>> alive;
+    const std::lock_guard lock(parts_->mutex);
+    for (const auto& one : parts_->connections) {
+      alive.push_back(one.lock());
+      if (alive.back() != nullptr) alive.back()->close();
+    }
+  }
+  // What they have asked for ends now that nobody waits for it.
+  parts_->api.stop();
+  parts_->work.reset();
+  parts_->io.stop();
+  for (std::thread& thread : parts_->threads) thread.join();
+}
+
+void HttpServer::take(Descriptor connection) {
+  Parts& parts = *parts_;
+  if (!parts.make_room()) return;
+  sockaddr_storage address{};
+  socklen_t length = sizeof address;
+  if (::getsockname(connection.number(), reinterpret_cast<sockaddr*>(&address), &length) != 0)
+    return;
+  const int on = 1;
+  ::setsockopt(connection.number(), IPPROTO_TCP, TCP_NODELAY, &on, sizeof on);
+  // Else the system keeps megabytes of an answer that nobody reads.
+  const int send_buffer = 256 << 10;
+  ::setsockopt(connection.number(), SOL_SOCKET, SO_SNDBUF, &send_buffer, sizeof send_buffer);
+  tcp::socket socket(asio::make_strand(parts.io));
+  boost::system::error_code fault;
+  socket.assign(address.ss_family == AF_INET6 ? tcp::v6() : tcp::v4(), connection.number(), fault);
+  if (fault) return;
+  connection.release();
+  NewConnection given{.socket = std::move(socket),
+                      .allowed_clients = parts.backend.config.tls_allowed_clients};
+  given.peer = peer_of(given.socket);
+  if (parts.tls) {
+    given.tls = parts.tls->context();
+    if (given.tls == nullptr) return;
+  }
+  const auto served = serve(std::move(given), parts.api, parts.memory, parts.limits);
+  const std::lock_guard lock(parts.mutex);
+  parts.connections.push_back(served);
+}
+
+bool HttpServer::wait_until_idle(std::chrono::steady_clock::time_point deadline) {
+  constexpr std::chrono::milliseconds pause{10};
+  while (parts_->any_works()) {
+    if (std::chrono::steady_clock::now() >= deadline) return false;
+    std::this_thread::sleep_for(pause);
+  }
+  return true;
+}
+
+}  // namespace trc::server::http

@@ -1,0 +1,213 @@
+#include <google/protobuf/descriptor.h>
+#include <google/protobuf/struct.pb.h>
+
+#include <set>
+#include <string>
+#include <string_view>
+
+#include "core/base/version.h"
+#include "proto/wire/json.h"
+#include "proto/wire/settings.h"
+#include "server/http/api.h"
+#include "server/http/handlers.h"
+#include "server/http/settings.h"
+#include "trc/v1/http.pb.h"
+#include "trc/v1/trc_service.pb.h"
+
+// The OpenAPI document is made of what it describes: the routes, the settings and the messages.
+namespace trc::server::http {
+namespace {
+
+using google::protobuf::Descriptor;
+using google::protobuf::FieldDescriptor;
+using google::protobuf::Struct;
+
+Struct& object(Struct& owner, const std::string& name) {
+  return *(*owner.mutable_fields())[name].mutable_struct_value();
+}
+void text(Struct& owner, const std::string& name, std::string_view value) {
+  (*owner.mutable_fields())[name].set_string_value(std::string(value));
+}
+Struct& item(Struct& owner, const std::string& name) {
+  return *(*owner.mutable_fields())[name]
+              .mutable_list_value()
+              ->add_values()
+              ->mutable_struct_value();
+}
+
+constexpr std::string_view schemas = "#/components/schemas/";
+
+class Schemas {
+ public:
+  explicit Schemas(Struct& components) : all_(object(components, "schemas")) {}
+
+  // Refers to a message, which is described once.
+  void refer(const Descriptor& type, Struct& schema) {
+    text(schema, "$ref", std::string(schemas) + type.name());
+    if (!known_.insert(&type).second) return;
+    Struct& described = object(all_, type.name());
+    text(described, "type", "object");
+    Struct& properties = object(described, "properties");
+    for (int i = 0; i < type.field_count(); ++i)
+      add(*type.field(i), object(properties, type.field(i)->json_name()));
+  }
+
+ private:
+  void add(const FieldDescriptor& field, Struct& schema) {
+    if (field.is_map()) {
+      text(schema, "type", "object");
+      return value(*field.message_type()->map_value(), object(schema, "additionalProperties"));
+    }
+    if (!field.is_repeated()) return value(field, schema);
+    text(schema, "type", "array");
+    value(field, object(schema, "items"));
+  }
+
+  void value(const FieldDescriptor& field, Struct& schema) {
+    switch (field.cpp_type()) {
+      case FieldDescriptor::CPPTYPE_MESSAGE:
+        return refer(*field.message_type(), schema);
+      case FieldDescriptor::CPPTYPE_ENUM:
+        text(schema, "type", "string");
+        for (int i = 0; i < field.enum_type()->value_count(); ++i)
+          (*schema.mutable_fields())["enum"].mutable_list_value()->add_values()->set_string_value(
+              field.enum_type()->value(i)->name());
+        return;
+      case FieldDescriptor::CPPTYPE_BOOL:
+        return text(schema, "type", "boolean");
+      case FieldDescriptor::CPPTYPE_DOUBLE:
+        return text(schema, "type", "number");
+      case FieldDescriptor::CPPTYPE_INT32:
+      case FieldDescriptor::CPPTYPE_UINT32:
+        return text(schema, "type", "integer");
+      case FieldDescriptor::CPPTYPE_INT64:
+      case FieldDescriptor::CPPTYPE_UINT64:
+        // As JSON has no whole numbers of 64 bits.
+        text(schema, "type", "string");
+        return text(schema, "format", "int64");
+      default:
+        text(schema, "type", "string");
+        if (field.type() == FieldDescriptor::TYPE_BYTES) text(schema, "format", "byte");
+    }
+  }
+
+  Struct& all_;
+  std::set<const Descriptor*> known_;
+};
+
+void add_parameter(Struct& operation, std::string_view name, std::string_view place,
+                   std::string_view meaning) {
+  Struct& parameter = item(operation, "parameters");
+  text(parameter, "name", name);
+  text(parameter, "in", place);
+  text(parameter, "description", meaning);
+  if (place == "path") (*parameter.mutable_fields())["required"].set_bool_value(true);
+  text(object(parameter, "schema"), "type", "string");
+}
+
+void add_parameters_in_path(std::string_view path, Struct& operation) {
+  for (;;) {
+    const std::size_t begin = path.find('{');
+    if (begin == std::string_view::npos) return;
+    const std::size_t end = path.find('}', begin);
+    add_parameter(operation, path.substr(begin + 1, end - begin - 1), "path", "");
+    path.remove_prefix(end + 1);
+  }
+}
+
+void add_settings(Struct& operation) {
+  for (const wire::SettingRow& row : wire::settings())
+    add_parameter(operation, row.key, "query", row.values);
+  add_parameter(operation, "dialect", "query", dialects());
+  add_parameter(operation, "unit", "query", "mm, inch");
+  add_parameter(operation, "unknown_words", "query", "refuse, copy");
+  add_parameter(operation, "decimals", "query", "decimal places of coordinates, 1 to 8");
+  add_parameter(operation, "name", "query", "name of the program in diagnostics");
+}
+
+void add_body(Body body, Struct& operation, Schemas& known) {
+  if (body == Body::none) return;
+  Struct& content = object(object(operation, "requestBody"), "content");
+  if (body == Body::program)
+    text(object(object(content, "text/plain"), "schema"), "type", "string");
+  else
+    known.refer(*v1::PreviewPathRequest::descriptor(),
+                object(object(content, "application/json"), "schema"));
+}
+
+void add_answers(const Route& route, Struct& operation, Schemas& known) {
+  Struct& answers = object(operation, "responses");
+  Struct& good = object(answers, "200");
+  text(good, "description", "Done: the answer is whole");
+  std::string_view types = route.answers;
+  while (!types.empty()) {
+    const std::string_view type = types.substr(0, types.find(','));
+    types.remove_prefix(std::min(types.size(), type.size() + 1));
+    object(object(good, "content"), std::string(type));
+  }
+  Struct& bad = object(answers, "default");
+  text(bad, "description", "Why there is no answer (RFC 9457)");
+  known.refer(*v1::Problem::descriptor(),
+              object(object(object(bad, "content"), "application/problem+json"), "schema"));
+}
+
+std::string lower(std::string_view word) {
+  std::string result;
+  for (const char c : word) result += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  return result;
+}
+
+void add_routes(Struct& paths, Schemas& known) {
+  for (const Route& route : routes()) {
+    Struct& operation = object(object(paths, std::string(route.path)), lower(route.method));
+    text(operation, "summary", route.meaning);
+    add_parameters_in_path(route.path, operation);
+    if (route.takes_settings) add_settings(operation);
+    add_body(route.body, operation, known);
+    add_answers(route, operation, known);
+  }
+}
+
+// The RPCs over the Connect protocol.
+void add_rpcs(Struct& paths, Schemas& known) {
+  const auto* service = v1::GetServerInfoResponse::descriptor()->file()->pool()->FindServiceByName(
+      "trc.v1.TrcService");
+  for (int i = 0; service != nullptr && i < service->method_count(); ++i) {
+    const auto& method = *service->method(i);
+    if (method.client_streaming()) continue;
+    const std::string type =
+        method.server_streaming() ? "application/connect+json" : "application/json";
+    Struct& operation =
+        object(object(paths, "/" + service->full_name() + "/" + method.name()), "post");
+    text(operation, "summary", "The RPC " + method.name() + " with the Connect protocol");
+    known.refer(
+        *method.input_type(),
+        object(object(object(object(operation, "requestBody"), "content"), type), "schema"));
+    Struct& good = object(object(operation, "responses"), "200");
+    text(good, "description", "As Connect has it");
+    known.refer(*method.output_type(), object(object(object(good, "content"), type), "schema"));
+  }
+}
+
+std::string document() {
+  Struct root;
+  text(root, "openapi", "3.0.3");
+  Struct& info = object(root, "info");
+  text(info, "title", "trc: CNC tool radius compensation");
+  text(info, "version", version());
+  Struct& components = object(root, "components");
+  Schemas known(components);
+  Struct& paths = object(root, "paths");
+  add_routes(paths, known);
+  add_rpcs(paths, known);
+  return wire::json_of(root) + "\n";
+}
+
+}  // namespace
+
+void open_api(Api& /*api*/, const ExchangePointer& exchange) {
+  static const std::string made = document();
+  exchange->answer({.content_type = "application/json"}, made);
+}
+
+}  // namespace trc::server::http

@@ -1,0 +1,133 @@
+#include "server/http/run.h"
+
+#include <utility>
+
+namespace trc::server::http {
+namespace {
+
+// How much of an answer waits for its end.
+constexpr std::size_t most_held_bytes = 1U << 20U;
+
+}  // namespace
+
+void Run::start(Api& api, ExchangePointer exchange, std::string method,
+                std::unique_ptr<Questions> questions, std::shared_ptr<Format> format) {
+  const std::shared_ptr<Run> run(
+      new Run(api, std::move(exchange), std::move(questions), std::move(format)));
+  run->call_ =
+      api.call(std::move(method), run->exchange_->request(), [run](const grpc::Status& status) {
+        run->exchange_->post([run, status] { run->on_done(status); });
+      });
+  run->exchange_->when_gone([run] { run->give_up(); });
+  // In this order: within one process the only answer of a unary RPC is lost where nobody reads yet
+  // when its status comes.
+  run->read();
+  run->ask();
+}
+
+Run::Run(Api& api, ExchangePointer exchange, std::unique_ptr<Questions> questions,
+         std::shared_ptr<Format> format)
+    : api_(api),
+      exchange_(std::move(exchange)),
+      questions_(std::move(questions)),
+      format_(std::move(format)) {}
+
+void Run::ask() {
+  bool last = false;
+  const grpc::ByteBuffer message = questions_->next(last);
+  call_->write(message, last, [self = shared_from_this(), last](bool ok) {
+    if (ok && !last) self->exchange_->post([self] { self->ask(); });
+  });
+}
+
+void Run::read() {
+  call_->read([self = shared_from_this()](bool ok, const grpc::ByteBuffer& answer) {
+    self->on_answer(ok, answer);
+  });
+}
+
+void Run::on_answer(bool ok, const grpc::ByteBuffer& answer) {
+  // The status follows.
+  if (!ok) return;
+  const auto work = [self = shared_from_this(), answer] { self->format(answer); };
+  if (format_->computes())
+    api_.compute(work);
+  else
+    work();
+}
+
+void Run::format(const grpc::ByteBuffer& answer) {
+  piece_.clear();
+  too_much_ = too_much_ || !format_->take(answer, piece_);
+  exchange_->post([self = shared_from_this()] { self->pass_on(); });
+}
+
+void Run::pass_on() {
+  if (too_much_) call_->cancel();
+  if (gone_ || too_much_) return read();
+  const bool may_wait = !format_->streams() || held_.size() + piece_.size() <= most_held_bytes;
+  const bool has_memory = exchange_->hold(begun_ ? 0 : piece_.size());
+  held_ += piece_;
+  if (!begun_ && may_wait && has_memory) return read();
+  if (!format_->streams()) {
+    too_much_ = true;
+    call_->cancel();
+    return read();
+  }
+  if (!std::exchange(begun_, true)) {
+    Head head = format_->head();
+    head.headers.emplace_back("Trailer", "Trc-Status");
+    exchange_->begin(std::move(head));
+  }
+  exchange_->write(std::exchange(held_, {}), [self = shared_from_this()](bool /*taken*/) {
+    // Also where the client has gone: reading is what ends the call.
+    self->read();
+  });
+}
+
+void Run::on_done(const grpc::Status& status) {
+  if (gone_) return exchange_->break_off();
+  if (too_much_)
+    return format_->refuse(exchange_, {grpc::StatusCode::RESOURCE_EXHAUSTED,
+                                       "the answer is too large to be held as a whole; ask for "
+                                       "application/x-ndjson"});
+  if (!status.ok()) return stop(status);
+  const auto close = [self = shared_from_this()] {
+    self->format_->close(self->held_);
+    self->exchange_->post([self] { self->finish(); });
+  };
+  if (format_->computes())
+    api_.compute(close);
+  else
+    close();
+}
+
+void Run::finish() {
+  if (!begun_) {
+    Head head = format_->head();
+    head.headers.emplace_back("Trc-Status", "OK");
+    return exchange_->answer(std::move(head), std::move(held_));
+  }
+  exchange_->write(std::exchange(held_, {}), [exchange = exchange_](bool taken) {
+    if (taken) exchange->end({{"Trc-Status", "OK"}});
+  });
+}
+
+void Run::stop(const grpc::Status& status) {
+  if (!begun_) return format_->refuse(exchange_, status);
+  const bool is_said = format_->stop(status, held_);
+  exchange_->write(std::exchange(held_, {}), [exchange = exchange_, is_said](bool taken) {
+    if (!taken) return;
+    if (is_said)
+      exchange->end({});
+    else
+      exchange->break_off();
+  });
+}
+
+void Run::give_up() {
+  gone_ = true;
+  call_->cancel();
+}
+
+}  // namespace trc::server::http

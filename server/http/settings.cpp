@@ -1,0 +1,73 @@
+#include "server/http/settings.h"
+
+#include <charconv>
+
+#include "core/nc/dialect/dialect.h"
+#include "proto/wire/settings.h"
+#include "proto/wire/setup.h"
+#include "server/http/problem.h"
+#include "server/text.h"
+
+namespace trc::server::http {
+namespace {
+
+std::string read_one(const std::string& name, const std::string& value, v1::ProgramSetup& setup) {
+  if (name == "name") {
+    setup.set_file_name(presentable(value));
+    return {};
+  }
+  if (name == "dialect") {
+    const auto dialect = dialect_spelled(value);
+    if (!dialect || !dialect_of(*dialect).available)
+      return "dialect: \"" + value + "\" is not possible; it takes " + dialects();
+    setup.set_dialect(wire::to_proto(*dialect));
+    return {};
+  }
+  if (name == "unit") {
+    if (value != "mm" && value != "inch") return "unit: it takes mm, inch";
+    setup.set_unit(value == "inch" ? v1::LENGTH_UNIT_INCH : v1::LENGTH_UNIT_UNSPECIFIED);
+    return {};
+  }
+  if (name == "unknown_words") {
+    if (value != "refuse" && value != "copy") return "unknown_words: it takes refuse, copy";
+    setup.set_unknown_words(value == "copy" ? v1::UNKNOWN_WORDS_COPY
+                                            : v1::UNKNOWN_WORDS_UNSPECIFIED);
+    return {};
+  }
+  if (name != "decimals") return wire::apply_setting(name + "=" + value, setup);
+  std::uint32_t decimals = 0;
+  const auto [end, fault] = std::from_chars(value.data(), value.data() + value.size(), decimals);
+  if (fault != std::errc() || end != value.data() + value.size())
+    return "decimals: \"" + value + "\" is not possible; it takes a whole number";
+  setup.set_decimals(decimals);
+  return {};
+}
+
+}  // namespace
+
+std::string dialects() {
+  std::string words;
+  for (const Dialect& dialect : all_dialects()) {
+    if (!dialect.available) continue;
+    if (!words.empty()) words += ", ";
+    words += dialect.spelling;
+  }
+  return words;
+}
+
+std::optional<v1::Problem> read_settings(const Pairs& query, v1::ProgramSetup& setup) {
+  v1::Problem refused =
+      problem(400, "SETTING_INVALID", "A query parameter is no setting that can be taken", {});
+  for (const auto& [name, value] : query) {
+    const std::string fault = read_one(name, value, setup);
+    if (fault.empty()) continue;
+    v1::FieldProblem& field = *refused.add_fields();
+    field.set_field(presentable(name));
+    field.set_description(presentable(fault));
+  }
+  if (refused.fields().empty()) return std::nullopt;
+  refused.set_detail(refused.fields(0).description());
+  return refused;
+}
+
+}  // namespace trc::server::http

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "server/http/exchange.h"
+#include "trc/v1/http.pb.h"
+#include "trc/v1/setup.pb.h"
+
+namespace trc::server::http {
+
+// The spellings of those that can be read, with commas between.
+[[nodiscard]] std::string dialects();
+
+// The setup the query parameters describe: those of `--set`, `dialect`, `unit`,
+// `unknown_words`, `decimals` and `name`. The problem
+// when one cannot be taken.
+[[nodiscard]] std::optional<v1::Problem> read_settings(const Pairs& query, v1::ProgramSetup& setup);
+
+}  // namespace trc::server::http

@@ -1,0 +1,92 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "core/geometry/segment.h"
+#include "core/verify/shape.h"
+
+namespace trc::server::http {
+
+// What an element stands for: each has its colour in the picture. The numbers travel.
+enum class Style : std::uint8_t {
+  contour = 0,
+  contour_masked = 1,  // programmed, but the tool does not get there
+  path = 2,
+  transition = 3,  // inserted on the path
+  lead = 4,        // approach and retract
+  plain = 5,       // motion without compensation
+};
+inline constexpr std::uint32_t rapid_flag = 1U << 8U;
+inline constexpr std::uint32_t path_flag = 1U << 9U;
+
+// A motion as the picture has it: in the plane that is shown.
+struct Element {
+  Point start = Point::Zero();
+  Point end = Point::Zero();
+  float third_from = 0;  // mm, across the plane
+  float third_to = 0;
+  float feed = 0;          // mm/min; 0: rapid, or none programmed
+  std::uint32_t line = 0;  // 1-based, of the program; 0: none
+  std::int32_t arc = -1;   // index of its arc; a line has none
+  float tool_radius = 0;   // mm; 0: not compensated
+  Style style = Style::path;
+  std::uint8_t origin = 0;  // of v1::CompensatedBlock; 0 on the contour
+  bool rapid = false;
+
+  // Must be seen at any scale.
+  [[nodiscard]] bool is_special() const {
+    return style == Style::contour_masked || style == Style::transition;
+  }
+};
+
+struct ElementArc {
+  Point center = Point::Zero();
+  double sweep = 0;
+};
+
+// Elements in the order they are travelled, with boxes around groups of them.
+class Elements {
+ public:
+  static constexpr std::size_t group_size = 64;
+
+  void add(Element element, const Segment& shape);
+  // To be called when all are there.
+  void index();
+
+  [[nodiscard]] std::span<const Element> all() const { return elements_; }
+  [[nodiscard]] Segment shape_of(const Element& element) const;
+  [[nodiscard]] const verify::Bounds& bounds() const { return bounds_; }
+  // Bytes held.
+  [[nodiscard]] std::size_t bytes() const;
+
+  struct Group {
+    verify::Bounds box{};
+    double length = 0;  // of the way up to its begin, mm
+    bool has_special = false;
+  };
+  [[nodiscard]] std::span<const Group> groups() const { return groups_; }
+  // Of the whole way, mm.
+  [[nodiscard]] double length() const { return length_; }
+
+  struct Place {
+    std::size_t element = 0;
+    double share = 0;  // of that element
+  };
+  // Where the way has come after so many mm; none without elements.
+  [[nodiscard]] std::optional<Place> place_after(double length) const;
+
+ private:
+  [[nodiscard]] double length_of(const Element& element) const;
+
+  std::vector<Element> elements_;
+  std::vector<ElementArc> arcs_;
+  std::vector<Group> groups_;
+  verify::Bounds bounds_;
+  double length_ = 0;
+};
+
+}  // namespace trc::server::http

@@ -1,0 +1,70 @@
+#include "server/http/view/store.h"
+
+#include <openssl/rand.h>
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "core/base/check.h"
+
+namespace trc::server::http {
+
+std::string ViewStore::new_id() {
+  std::array<unsigned char, 16> bytes{};
+  check(RAND_bytes(bytes.data(), static_cast<int>(bytes.size())) == 1, "there are random bytes");
+  constexpr std::string_view digits = "0123456789abcdef";
+  std::string id;
+  for (const unsigned char byte : bytes) {
+    id += digits[byte >> 4U];
+    id += digits[byte & 15U];
+  }
+  return id;
+}
+
+void ViewStore::add(std::shared_ptr<View> view) {
+  std::string id = view->said().id();
+  const auto now = Clock::now();
+  {
+    const std::lock_guard lock(mutex_);
+    forget_old(now);
+    if (kept_.size() < most_) {
+      kept_.insert_or_assign(std::move(id), Kept{.view = std::move(view), .asked = now});
+      return;
+    }
+  }
+  give_up_one();
+  const std::lock_guard lock(mutex_);
+  kept_.insert_or_assign(std::move(id), Kept{.view = std::move(view), .asked = now});
+}
+
+std::shared_ptr<View> ViewStore::find(const std::string& id) {
+  const std::lock_guard lock(mutex_);
+  const auto now = Clock::now();
+  forget_old(now);
+  const auto found = kept_.find(id);
+  if (found == kept_.end()) return nullptr;
+  found->second.asked = now;
+  return found->second.view;
+}
+
+void ViewStore::remove(const std::string& id) {
+  const std::lock_guard lock(mutex_);
+  kept_.erase(id);
+}
+
+bool ViewStore::give_up_one() {
+  const std::lock_guard lock(mutex_);
+  const auto oldest = std::min_element(
+      kept_.begin(), kept_.end(),
+      [](const auto& a, const auto& b) { return a.second.asked < b.second.asked; });
+  if (oldest == kept_.end()) return false;
+  kept_.erase(oldest);
+  return true;
+}
+
+void ViewStore::forget_old(Clock::time_point now) {
+  std::erase_if(kept_, [&](const auto& entry) { return now - entry.second.asked > lifetime_; });
+}
+
+}  // namespace trc::server::http

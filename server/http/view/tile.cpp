@@ -1,0 +1,276 @@
+#include "server/http/view/tile.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstring>
+#include <numbers>
+#include <vector>
+
+namespace trc::server::http {
+namespace {
+
+static_assert(std::endian::native == std::endian::little);
+
+struct DrawnSegment {
+  std::array<float, 4> ends{};
+  std::uint32_t element = 0;
+  std::uint32_t line = 0;
+  std::uint32_t style = 0;
+};
+static_assert(sizeof(DrawnSegment) == 28);
+
+// Directions from a point such that a straight line there passes every point left out so far.
+class Sleeve {
+ public:
+  void begin() {
+    open_ = true;
+    farthest_ = 0;
+  }
+
+  // Whether the way may go on straight to `to` from the begin. If so it is remembered.
+  bool admits(const Vector& to, double tolerance) {
+    const double distance = to.norm();
+    if (distance <= tolerance) return farthest_ <= tolerance;
+    // Going back would be lost.
+    if (distance + tolerance < farthest_) return false;
+    const double spread = std::asin(std::min(1.0, tolerance / distance));
+    const double angle = std::atan2(to.y(), to.x());
+    if (open_) {
+      open_ = false;
+      middle_ = angle;
+      low_ = -spread;
+      high_ = spread;
+    } else {
+      double off = angle - middle_;
+      if (off > std::numbers::pi) off -= 2 * std::numbers::pi;
+      if (off < -std::numbers::pi) off += 2 * std::numbers::pi;
+      if (off < low_ || off > high_) return false;
+      low_ = std::max(low_, off - spread);
+      high_ = std::min(high_, off + spread);
+    }
+    farthest_ = std::max(farthest_, distance);
+    return true;
+  }
+
+ private:
+  bool open_ = true;
+  double middle_ = 0;
+  double low_ = 0;
+  double high_ = 0;
+  double farthest_ = 0;
+};
+
+class Drawing {
+ public:
+  Drawing(const Square& square, double tolerance, std::size_t most_segments)
+      : square_(square),
+        tolerance_(tolerance),
+        most_segments_(most_segments),
+        dot_cells_(static_cast<std::size_t>(std::clamp(square.side / (4 * tolerance), 8.0, 256.0))),
+        dots_(dot_cells_ * dot_cells_) {
+    // Strokes have a width: what lies beside the square may reach into it.
+    const double margin = square.side / 512;
+    low_ = square.low - Vector(margin, margin);
+    high_ = square.low + Vector(square.side + margin, square.side + margin);
+  }
+
+  // False when there are too many segments.
+  bool draw(const Elements& elements, std::uint32_t flags);
+  [[nodiscard]] const std::vector<DrawnSegment>& segments() const { return segments_; }
+
+ private:
+  struct Pen {
+    std::size_t element = 0;
+    std::uint32_t line = 0;
+    std::uint32_t style = 0;
+  };
+
+  [[nodiscard]] bool sees(const verify::Bounds& box) const {
+    return box.low.x() <= high_.x() && box.high.x() >= low_.x() && box.low.y() <= high_.y() &&
+           box.high.y() >= low_.y();
+  }
+
+  void draw_group(const Elements& elements, std::size_t group, std::uint32_t flags);
+  void draw_element(const Elements& elements, std::size_t index, std::uint32_t flags);
+  void draw_arc(const Arc& arc);
+  void draw_dot(const Point& at, const Pen& pen);
+  void go_to(const Point& to);
+  void lift();
+  void begin_at(const Point& at);
+  void add(const Point& from, const Point& to, const Pen& pen);
+
+  const Square& square_;
+  const double tolerance_;
+  const std::size_t most_segments_;
+  Point low_;
+  Point high_;
+  std::vector<DrawnSegment> segments_;
+
+  bool down_ = false;
+  Point begin_ = Point::Zero();  // of the segment that is being drawn
+  Point at_ = Point::Zero();
+  Pen pen_;
+  Sleeve sleeve_;
+  // One dot for each cell.
+  std::size_t dot_cells_;
+  std::vector<bool> dots_;
+};
+
+bool Drawing::draw(const Elements& elements, std::uint32_t flags) {
+  down_ = false;
+  for (std::size_t group = 0; group < elements.groups().size(); ++group) {
+    if (sees(elements.groups()[group].box))
+      draw_group(elements, group, flags);
+    else
+      lift();
+    if (segments_.size() > most_segments_) return false;
+  }
+  lift();
+  return segments_.size() <= most_segments_;
+}
+
+void Drawing::draw_group(const Elements& elements, std::size_t group, std::uint32_t flags) {
+  const Elements::Group& of = elements.groups()[group];
+  const std::size_t first = group * Elements::group_size;
+  const std::size_t end = std::min(first + Elements::group_size, elements.all().size());
+  // A group within a dot is its last point.
+  if (down_ && !of.has_special && of.box.size().maxCoeff() <= tolerance_ / 2)
+    return go_to(elements.all()[end - 1].end);
+  for (std::size_t i = first; i < end; ++i) draw_element(elements, i, flags);
+}
+
+void Drawing::draw_element(const Elements& elements, std::size_t index, std::uint32_t flags) {
+  const Element& element = elements.all()[index];
+  const Segment shape = elements.shape_of(element);
+  verify::Bounds box;
+  box.add(shape);
+  if (!sees(box)) return lift();
+  const Pen pen{.element = index,
+                .line = element.line,
+                .style = static_cast<std::uint32_t>(element.style) | flags |
+                         (element.rapid ? rapid_flag : 0U)};
+  const bool small = box.size().maxCoeff() <= 2 * tolerance_;
+  if (element.is_special() && small) draw_dot(element.start, pen);
+  // Something small keeps the pen of the stroke it is part of.
+  const bool joined = down_ && at_ == element.start;
+  // What can be pointed at for itself is drawn for itself.
+  if (!joined || (!small && (pen.style != pen_.style || begin_ != at_))) {
+    lift();
+    begin_at(element.start);
+  }
+  if (begin_ == at_) pen_ = pen;
+  if (const auto* arc = std::get_if<Arc>(&shape))
+    draw_arc(*arc);
+  else
+    go_to(element.end);
+  if (small) return;
+  lift();
+  begin_at(element.end);
+}
+
+// As chords that stay within a half of the tolerance; those that cannot be seen are not drawn.
+void Drawing::draw_arc(const Arc& arc) {
+  constexpr double most_chords = 20'000;
+  const double radius = radius_of(arc);
+  const double sagitta = std::min(tolerance_ / 2, radius);
+  const double step = radius > 0 ? 2 * std::acos(1 - sagitta / radius) : std::numbers::pi;
+  const double count =
+      std::clamp(std::ceil(std::abs(arc.sweep) / std::max(step, 1e-9)), 2.0, most_chords);
+  const Vector from = arc.start - arc.center;
+  const auto chords = static_cast<std::size_t>(count);
+  for (std::size_t i = 1; i < chords; ++i) {
+    const double angle = arc.sweep * static_cast<double>(i) / count;
+    const double c = std::cos(angle);
+    const double s = std::sin(angle);
+    go_to(arc.center + Vector(c * from.x() - s * from.y(), s * from.x() + c * from.y()));
+  }
+  go_to(arc.end);
+}
+
+void Drawing::draw_dot(const Point& at, const Pen& pen) {
+  const Vector inside = (at - low_).cwiseQuotient(high_ - low_) * static_cast<double>(dot_cells_);
+  if (inside.minCoeff() < 0 || inside.maxCoeff() >= static_cast<double>(dot_cells_)) return;
+  const auto cell =
+      static_cast<std::size_t>(inside.x()) * dot_cells_ + static_cast<std::size_t>(inside.y());
+  if (dots_[cell]) return;
+  dots_[cell] = true;
+  add(at, at, pen);
+}
+
+void Drawing::go_to(const Point& to) {
+  if (!sleeve_.admits(to - begin_, tolerance_)) {
+    add(begin_, at_, pen_);
+    begin_ = at_;
+    sleeve_.begin();
+    (void)sleeve_.admits(to - begin_, tolerance_);
+  }
+  at_ = to;
+}
+
+void Drawing::lift() {
+  if (down_ && at_ != begin_) add(begin_, at_, pen_);
+  down_ = false;
+}
+
+void Drawing::begin_at(const Point& at) {
+  begin_ = at_ = at;
+  down_ = true;
+  sleeve_.begin();
+}
+
+// The part of a segment that can be seen: a long one would lose its place in numbers of 32 bits.
+void Drawing::add(const Point& from, const Point& to, const Pen& pen) {
+  const Vector way = to - from;
+  double first = 0;
+  double last = 1;
+  for (const int axis : {0, 1}) {
+    if (way[axis] == 0) {
+      if (from[axis] < low_[axis] || from[axis] > high_[axis]) return;
+      continue;
+    }
+    const double a = (low_[axis] - from[axis]) / way[axis];
+    const double b = (high_[axis] - from[axis]) / way[axis];
+    first = std::max(first, std::min(a, b));
+    last = std::min(last, std::max(a, b));
+  }
+  if (first > last) return;
+  const Point a = from + first * way - square_.low;
+  const Point b = from + last * way - square_.low;
+  segments_.push_back({.ends = {static_cast<float>(a.x()), static_cast<float>(a.y()),
+                                static_cast<float>(b.x()), static_cast<float>(b.y())},
+                       .element = static_cast<std::uint32_t>(pen.element),
+                       .line = pen.line,
+                       .style = pen.style});
+}
+
+void append(std::string& out, std::uint32_t number) {
+  std::array<char, sizeof number> bytes{};
+  std::memcpy(bytes.data(), &number, sizeof number);
+  out.append(bytes.data(), bytes.size());
+}
+
+std::string bytes_of(const std::vector<DrawnSegment>& segments, double tolerance) {
+  std::string bytes = "TRCT";
+  append(bytes, static_cast<std::uint32_t>(segments.size()));
+  append(bytes, std::bit_cast<std::uint32_t>(static_cast<float>(tolerance)));
+  append(bytes, 0);
+  bytes.append(reinterpret_cast<const char*>(segments.data()),
+               segments.size() * sizeof(DrawnSegment));
+  return bytes;
+}
+
+}  // namespace
+
+std::string tile_of(const Elements& contour, const Elements& path, const Square& square,
+                    const TileLimits& limits) {
+  for (double tolerance = limits.tolerance;; tolerance *= 2) {
+    Drawing drawing(square, tolerance, limits.most_segments);
+    const bool fits = drawing.draw(contour, 0) && drawing.draw(path, path_flag);
+    // Beyond that everything in the square is one dot.
+    if (fits || tolerance > square.side) return bytes_of(drawing.segments(), tolerance);
+  }
+}
+
+}  // namespace trc::server::http

@@ -1,0 +1,238 @@
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <memory>
+#include <optional>
+#include <utility>
+
+#include "proto/wire/compensated_block.h"
+#include "proto/wire/json.h"
+#include "server/http/api.h"
+#include "server/http/handlers.h"
+#include "server/http/problem.h"
+#include "server/http/program_questions.h"
+#include "server/http/settings.h"
+#include "server/http/view/store.h"
+#include "server/http/view/view.h"
+#include "server/rpc/setup.h"
+
+namespace trc::server::http {
+namespace {
+
+constexpr const char* compensate_program_rpc = "/trc.v1.TrcService/CompensateProgram";
+
+constexpr std::ptrdiff_t most_lines_measured = 20'000;
+
+v1::Problem no_memory() {
+  return problem(503, "HTTP_MEMORY_LIMIT", "A limit of the server is reached",
+                 "the view takes more memory than the setting http-max-memory-mib leaves; close "
+                 "other views or try again later");
+}
+
+v1::Problem no_view() {
+  return problem(404, "VIEW_GONE", "There is no such view",
+                 "views are given up when there are too many or after a while; make a new one");
+}
+
+// Makes a view of the answers of CompensateProgram. A program that is refused becomes one too: it
+// is looked at all the more.
+class ViewFormat final : public Format, public std::enable_shared_from_this<ViewFormat> {
+ public:
+  ViewFormat(Api& api, std::unique_ptr<ViewBuilder> builder)
+      : api_(api),
+        builder_(std::move(builder)),
+        reader_(builder_->settings().path.session.program.start) {}
+
+  [[nodiscard]] Head head() const override {
+    return {.status = said_.empty() ? 503U : 201U,
+            .content_type = said_.empty() ? "application/problem+json" : "application/json"};
+  }
+
+  bool take(const grpc::ByteBuffer& answer, std::string& /*out*/) override {
+    using Answer = v1::CompensateProgramResponse;
+    if (!RpcCall::read_message(answer, answer_)) return false;
+    for (const v1::Diagnostic& diagnostic : answer_.diagnostics()) builder_->add(diagnostic);
+    if (answer_.response_case() == Answer::kSummary) builder_->set_summary(answer_.summary());
+    if (answer_.response_case() != Answer::kColumns) return true;
+    std::vector<CompensatedBlock> blocks;
+    wire::FieldFaults faults;
+    return reader_.read(answer_.columns(), blocks, faults) && add(std::move(blocks));
+  }
+
+  void close(std::string& out) override {
+    make();
+    out += said_.empty() ? wire::json_of(no_memory()) : said_;
+    out += '\n';
+  }
+
+  void refuse(const ExchangePointer& exchange, const grpc::Status& status) override {
+    const v1::Problem problem = problem_of(status);
+    constexpr unsigned refused_program = 422;
+    if (problem.status() != refused_program) return answer_problem(*exchange, problem);
+    builder_->set_refused();
+    api_.compute([self = shared_from_this(), exchange] {
+      std::string body;
+      self->close(body);
+      exchange->post([self, exchange, body = std::move(body)]() mutable {
+        exchange->answer(self->head(), std::move(body));
+      });
+    });
+  }
+
+  bool stop(const grpc::Status& /*status*/, std::string& /*out*/) override { return false; }
+  [[nodiscard]] bool streams() const override { return false; }
+
+ private:
+  // Older views give way to a new one.
+  bool add(std::vector<CompensatedBlock> blocks) {
+    while (!builder_->has_room_for(blocks.size()))
+      if (!api_.views().give_up_one()) return false;
+    builder_->add(std::move(blocks));
+    return true;
+  }
+
+  void make() {
+    const auto view = builder_->finish(ViewStore::new_id());
+    if (view == nullptr) return;
+    api_.views().add(view);
+    said_ = wire::json_of(view->said());
+  }
+
+  Api& api_;
+  std::unique_ptr<ViewBuilder> builder_;
+  wire::CompensatedReader reader_;
+  v1::CompensateProgramResponse answer_;
+  std::string said_;
+};
+
+// The view a path names, which is asked for by that.
+std::shared_ptr<View> view_of(Api& api, const Request& request) {
+  constexpr std::string_view before = "/v1/views/";
+  const std::string_view rest = std::string_view(request.path).substr(before.size());
+  return api.views().find(std::string(rest.substr(0, rest.find('/'))));
+}
+
+std::optional<std::uint64_t> whole_number(std::string_view text) {
+  std::uint64_t number = 0;
+  const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (fault != std::errc() || end != text.data() + text.size()) return std::nullopt;
+  return number;
+}
+
+std::uint64_t number_in(const Pairs& query, std::string_view name, std::uint64_t otherwise) {
+  for (const auto& [key, value] : query)
+    if (key == name) return whole_number(value).value_or(otherwise);
+  return otherwise;
+}
+
+// Has something said of the view that the path names. `make` computes, `Message` is what it gives.
+template <class Make>
+void answer_of_view(Api& api, const ExchangePointer& exchange, const Make& make) {
+  const auto view = view_of(api, exchange->request());
+  if (view == nullptr) return answer_problem(*exchange, no_view());
+  api.compute([exchange, view, make] {
+    std::string body = wire::json_of(make(*view, exchange->request())) + "\n";
+    exchange->post([exchange, body = std::move(body)]() mutable {
+      exchange->answer({.content_type = "application/json"}, std::move(body));
+    });
+  });
+}
+
+}  // namespace
+
+void make_view(Api& api, const ExchangePointer& exchange) {
+  v1::ProgramSetup setup;
+  // Measuring takes many times as long as compensating: of a large program it must be asked for.
+  const std::string& program = exchange->request().body;
+  setup.mutable_path()->set_verify(std::count(program.begin(), program.end(), '\n') <
+                                   most_lines_measured);
+  if (const auto refused = read_settings(exchange->request().query, setup))
+    return answer_problem(*exchange, *refused);
+  setup.set_output(v1::PROGRAM_OUTPUT_BLOCKS);
+  setup.mutable_path()->set_response_layout(v1::RESPONSE_LAYOUT_COLUMNS);
+  wire::ProgramSettings settings;
+  if (const auto refused = read_setup(setup, api.backend().config, settings))
+    return answer_problem(*exchange, problem_of(refused->status));
+  const std::string text = std::move(exchange->request().body);
+  auto builder = std::make_unique<ViewBuilder>(text, setup, std::move(settings), api.memory());
+  Run::start(api, exchange, compensate_program_rpc,
+             std::make_unique<ProgramQuestions>(setup, text, api.most_message_bytes()),
+             std::make_shared<ViewFormat>(api, std::move(builder)));
+}
+
+void view_said(Api& api, const ExchangePointer& exchange) {
+  answer_of_view(api, exchange,
+                 [](const View& view, const Request& /*request*/) { return view.said(); });
+}
+
+void remove_view(Api& api, const ExchangePointer& exchange) {
+  const auto view = view_of(api, exchange->request());
+  if (view == nullptr) return answer_problem(*exchange, no_view());
+  api.views().remove(view->said().id());
+  exchange->answer({.status = 204}, {});
+}
+
+void view_tile(Api& api, const ExchangePointer& exchange) {
+  const auto view = view_of(api, exchange->request());
+  if (view == nullptr) return answer_problem(*exchange, no_view());
+  // …/tiles/LEVEL/X/Y
+  std::string_view rest = exchange->request().path;
+  std::array<std::uint32_t, 3> numbers{};
+  for (std::size_t i = numbers.size(); i-- > 0;) {
+    const auto number = whole_number(rest.substr(rest.rfind('/') + 1));
+    if (!number || *number >= std::uint64_t{1} << view->said().most_level())
+      return answer_problem(*exchange, problem(404, "TILE_OUTSIDE", "There is no such tile",
+                                               "levels and tiles are counted from 0"));
+    numbers[i] = static_cast<std::uint32_t>(*number);
+    rest = rest.substr(0, rest.rfind('/'));
+  }
+  api.compute([exchange, view, numbers] {
+    std::string tile = view->tile(numbers[0], numbers[1], numbers[2]);
+    exchange->post([exchange, tile = std::move(tile)]() mutable {
+      exchange->answer({.content_type = "application/octet-stream",
+                        .headers = {{"Cache-Control", "private, max-age=3600, immutable"}}},
+                       std::move(tile));
+    });
+  });
+}
+
+void view_lines(Api& api, const ExchangePointer& exchange) {
+  answer_of_view(api, exchange, [](const View& view, const Request& request) {
+    return view.program().some(number_in(request.query, "from", 1),
+                               number_in(request.query, "count", 200));
+  });
+}
+
+void view_output(Api& api, const ExchangePointer& exchange) {
+  const auto view = view_of(api, exchange->request());
+  if (view != nullptr && !view->said().refused() && view->begin_output())
+    api.compute(
+        [&api, view] { view->make_output([&pool = api.backend().pool] { pool.give_way(); }); });
+  answer_of_view(api, exchange, [](const View& of, const Request& request) {
+    v1::ViewLines lines;
+    const auto output = of.output();
+    if (output != nullptr)
+      lines =
+          output->some(number_in(request.query, "from", 1), number_in(request.query, "count", 200));
+    lines.set_refused(of.said().refused());
+    lines.set_pending(output == nullptr && !of.said().refused());
+    return lines;
+  });
+}
+
+void view_blocks(Api& api, const ExchangePointer& exchange) {
+  answer_of_view(api, exchange, [](const View& view, const Request& request) {
+    return view.blocks_of_line(static_cast<std::uint32_t>(number_in(request.query, "line", 0)));
+  });
+}
+
+void view_place(Api& api, const ExchangePointer& exchange) {
+  answer_of_view(api, exchange, [](const View& view, const Request& request) {
+    double share = 0;
+    for (const auto& [name, value] : request.query)
+      if (name == "share") std::from_chars(value.data(), value.data() + value.size(), share);
+    return view.place_at(std::clamp(share, 0.0, 1.0));
+  });
+}
+
+}  // namespace trc::server::http

@@ -1,0 +1,64 @@
+#include "server/resources/limits.h"
+
+#include <algorithm>
+
+namespace trc::server {
+namespace {
+
+constexpr std::uint64_t mib = 1U << 20U;
+// The program itself, its threads, and gRPC without a stream.
+constexpr std::uint64_t base_mib = 64;
+constexpr std::uint64_t usual_session_mib = 1024;
+constexpr std::uint64_t usual_streams = 1000;
+// An answer is at most so large (Answers).
+constexpr std::uint64_t answer_bytes = 192U << 10U;
+
+// One message on its way in and one on its way out.
+std::uint64_t buffer_of_stream(const Config& config) {
+  return config.max_message_bytes + std::min<std::uint64_t>(answer_bytes, config.max_message_bytes);
+}
+
+std::uint64_t in_mib(std::uint64_t bytes) { return (bytes + mib - 1) / mib; }
+
+// What a single peer may have where nothing is said: never all.
+template <class Number>
+Number most_of(Number all) {
+  return std::max<Number>(1, all - all / 4);
+}
+
+template <class Number>
+void fill_in(Number& setting, std::uint64_t value) {
+  if (setting == 0) setting = static_cast<Number>(std::max<std::uint64_t>(value, 1));
+}
+
+}  // namespace
+
+std::optional<std::string> fill_in_limits(Config& config, std::uint64_t memory_bytes) {
+  fill_in(config.memory_limit_mib, std::min<std::uint64_t>(memory_bytes / mib, 1U << 30U));
+  const std::uint64_t limit = config.memory_limit_mib;
+  const std::uint64_t base = std::min(base_mib, limit / 4);
+  fill_in(config.max_session_memory_mib, std::min(usual_session_mib, limit / 2));
+  const std::uint64_t each = buffer_of_stream(config);
+  const std::uint64_t wanted = config.max_streams == 0 ? usual_streams : config.max_streams;
+  fill_in(config.max_grpc_buffer_mib, std::min(in_mib(wanted * each), limit / 4));
+  fill_in(config.max_streams,
+          std::min(usual_streams, std::uint64_t{config.max_grpc_buffer_mib} * mib / each));
+  fill_in(config.max_streams_per_peer, most_of(config.max_streams));
+  fill_in(config.max_memory_per_peer_mib, most_of(config.max_session_memory_mib));
+
+  const std::uint64_t buffers = in_mib(config.max_streams * each);
+  if (buffers > config.max_grpc_buffer_mib)
+    return "max-grpc-buffer-mib: " + std::to_string(config.max_streams) +
+           " streams (max-streams) with messages of " + std::to_string(config.max_message_bytes) +
+           " bytes (max-message-bytes) need " + std::to_string(buffers) + ", not " +
+           std::to_string(config.max_grpc_buffer_mib);
+  const std::uint64_t sum =
+      std::uint64_t{config.max_session_memory_mib} + config.max_grpc_buffer_mib + base;
+  if (sum > limit)
+    return "memory-limit-mib: max-session-memory-mib, max-grpc-buffer-mib and " +
+           std::to_string(base) + " for the program need " + std::to_string(sum) + ", not " +
+           std::to_string(limit);
+  return std::nullopt;
+}
+
+}  // namespace trc::server

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "server/config.h"
+
+namespace trc::server {
+
+// Fills in the limits a configuration leaves open (0), from the memory the process may have, and
+// adds them up: what all streams may take at once must fit. The first sum that does not, as a
+// sentence.
+[[nodiscard]] std::optional<std::string> fill_in_limits(Config& config, std::uint64_t memory_bytes);
+
+}  // namespace trc::server

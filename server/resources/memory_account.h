@@ -1,0 +1,47 @@
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+
+namespace trc::server {
+
+// The bytes of the heap, and of pages beside it, that this thread has taken and not given back;
+// negative when it has given back what others have taken. `operator new` counts them.
+[[nodiscard]] std::int64_t bytes_taken_by_thread();
+
+// What one stream holds, measured where it is taken: whatever a turn takes and does not give back
+// is the stream's, be it blocks, text, diagnostics, a verification or a parsed message.
+class MemoryAccount {
+ public:
+  // A turn of the stream, in this thread. Turns of one account do not overlap.
+  class Turn {
+   public:
+    explicit Turn(MemoryAccount& account) : account_(account) {
+      account_.mark_ = bytes_taken_by_thread();
+    }
+    ~Turn() { account_.settle(); }
+    Turn(const Turn&) = delete;
+    Turn& operator=(const Turn&) = delete;
+
+   private:
+    MemoryAccount& account_;
+  };
+
+  // In a turn: notes what was taken and given back since it was called last.
+  void settle() {
+    const std::int64_t now = bytes_taken_by_thread();
+    bytes_ += now - mark_;
+    mark_ = now;
+  }
+
+  // What a turn frees may have been taken outside of one, a little.
+  [[nodiscard]] std::uint64_t bytes() const {
+    return bytes_ > 0 ? static_cast<std::uint64_t>(bytes_) : 0;
+  }
+
+ private:
+  std::int64_t bytes_ = 0;
+  std::int64_t mark_ = 0;
+};
+
+}  // namespace trc::server

@@ -1,0 +1,148 @@
+#include "server/resources/memory_watch.h"
+
+#include <malloc.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <fstream>
+#include <limits>
+#include <sstream>
+#include <string_view>
+
+#include "core/base/pages.h"
+
+namespace trc::server {
+namespace {
+
+constexpr std::uint64_t none = std::numeric_limits<std::uint64_t>::max();
+
+// Streams take a gigabyte in a second or two.
+constexpr std::chrono::milliseconds round{20};
+// Giving back holds up who takes memory meanwhile.
+constexpr unsigned rounds_between = 50;
+constexpr std::uint64_t worth_giving_back = 32U << 20U;
+
+// "max" is none, and so is what version 1 writes for it, which passes every machine.
+std::uint64_t number_in(const std::string& path) {
+  std::uint64_t number = 0;
+  return std::ifstream(path) >> number ? number : none;
+}
+
+// Of the group and of all above it. In a container the file names the path as the host sees it,
+// which is not there: the top of the hierarchy is the container's own group then.
+std::uint64_t smallest_limit(const std::string& hierarchy, std::string group, const char* file) {
+  std::uint64_t smallest = number_in(hierarchy + "/" + file);
+  while (!group.empty() && group != "/") {
+    smallest = std::min(smallest, number_in(hierarchy + group + "/" + file));
+    group.erase(group.rfind('/'));
+  }
+  return smallest;
+}
+
+std::uint64_t machine_bytes(const std::string& machine_file) {
+  std::ifstream file(machine_file);
+  std::string name;
+  std::uint64_t kib = 0;
+  while (file >> name >> kib) {
+    if (name == "MemTotal:") return kib << 10U;
+    file.ignore(std::numeric_limits<std::streamsize>::max(), '\n');
+  }
+  return none;
+}
+
+}  // namespace
+
+std::uint64_t memory_limit_bytes(const std::string& groups_file, const std::string& hierarchy,
+                                 const std::string& machine_file) {
+  std::uint64_t smallest = machine_bytes(machine_file);
+  std::ifstream groups(groups_file);
+  for (std::string line; std::getline(groups, line);) {
+    const std::size_t first = line.find(':');
+    const std::size_t second = line.find(':', first + 1);
+    if (first == std::string::npos || second == std::string::npos) continue;
+    const std::string controllers = line.substr(first + 1, second - first - 1);
+    const std::string group = line.substr(second + 1);
+    if (controllers.empty())
+      smallest = std::min(smallest, smallest_limit(hierarchy, group, "memory.max"));
+    if (controllers == "memory")
+      smallest =
+          std::min(smallest, smallest_limit(hierarchy + "/memory", group, "memory.limit_in_bytes"));
+  }
+  return smallest;
+}
+
+std::uint64_t memory_limit_bytes() {
+  return memory_limit_bytes("/proc/self/cgroup", "/sys/fs/cgroup", "/proc/meminfo");
+}
+
+std::uint64_t resident_bytes() {
+  std::ifstream file("/proc/self/statm");
+  std::uint64_t size = 0;
+  std::uint64_t resident = 0;
+  std::uint64_t of_files = 0;
+  file >> size >> resident >> of_files;
+  return (resident - std::min(resident, of_files)) *
+         static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE));
+}
+
+MemoryWatch::MemoryWatch(Settings settings)
+    : settings_(std::move(settings)), thread_([this] { run(); }) {}
+
+MemoryWatch::~MemoryWatch() {
+  {
+    const std::lock_guard lock(mutex_);
+    stopping_ = true;
+  }
+  changed_.notify_all();
+  thread_.join();
+}
+
+void MemoryWatch::run() {
+  std::unique_lock lock(mutex_);
+  while (!changed_.wait_for(lock, round, [this] { return stopping_; })) {
+    lock.unlock();
+    look();
+    lock.lock();
+  }
+}
+
+void MemoryWatch::look() {
+  std::uint64_t resident = settings_.resident_bytes();
+  const auto passes = [&](std::uint64_t percent) {
+    return settings_.limit_bytes > 0 && resident > settings_.limit_bytes / 100 * percent;
+  };
+  constexpr std::uint64_t scarce = 85;
+  constexpr std::uint64_t critical = 95;
+  if (passes(scarce) && state_ == State::ample) {
+    // Perhaps it is only not given back yet.
+    rounds_until_give_back_ = 0;
+    give_back(resident);
+    resident = settings_.resident_bytes();
+  }
+  if (passes(critical)) {
+    state_ = State::critical;
+    settings_.end_largest();
+  } else {
+    state_ = passes(scarce) ? State::scarce : State::ample;
+  }
+  give_back(resident);
+}
+
+void MemoryWatch::give_back(std::uint64_t resident) {
+  if (gives_back_soon_.exchange(false)) rounds_until_give_back_ = 0;
+  if (rounds_until_give_back_ > 0) {
+    --rounds_until_give_back_;
+    return;
+  }
+  const std::uint64_t in_use = left_ + settings_.counted_bytes();
+  left_ = std::min(left_, resident);
+  if (resident < in_use + worth_giving_back) return;
+  rounds_until_give_back_ = rounds_between;
+  PagePiece::give_back_spare();
+  malloc_trim(0);
+  const std::uint64_t now = settings_.resident_bytes();
+  left_ = now - std::min(now, settings_.counted_bytes());
+}
+
+}  // namespace trc::server

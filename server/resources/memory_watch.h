@@ -1,0 +1,69 @@
+#pragma once
+
+#include <atomic>
+#include <condition_variable>
+#include <cstdint>
+#include <functional>
+#include <mutex>
+#include <string>
+#include <thread>
+
+namespace trc::server {
+
+// The memory this process may have: the smallest limit of its cgroups, of version 2 or 1, else what
+// the machine has.
+[[nodiscard]] std::uint64_t memory_limit_bytes();
+// The same for these files, in place of /proc/self/cgroup, /sys/fs/cgroup and /proc/meminfo.
+[[nodiscard]] std::uint64_t memory_limit_bytes(const std::string& groups_file,
+                                               const std::string& hierarchy,
+                                               const std::string& machine_file);
+
+// The resident memory of this process that is no file's.
+[[nodiscard]] std::uint64_t resident_bytes();
+
+// Looks at the process as a whole, where the budget of the streams sees only what it counts: what
+// passes the limit of a container is killed without a word.
+class MemoryWatch {
+ public:
+  enum class State {
+    ample,
+    scarce,    // above 85 % of the limit: nothing new is begun
+    critical,  // above 95 %: the largest stream has to go
+  };
+  struct Settings {
+    std::uint64_t limit_bytes = 0;  // 0: none
+    // Called in the thread of the watch, again and again while the state is critical.
+    std::function<void()> end_largest{};
+    // What streams hold just now.
+    std::function<std::uint64_t()> counted_bytes{};
+    std::function<std::uint64_t()> resident_bytes{};
+  };
+
+  explicit MemoryWatch(Settings settings);
+  ~MemoryWatch();
+  MemoryWatch(const MemoryWatch&) = delete;
+  MemoryWatch& operator=(const MemoryWatch&) = delete;
+
+  [[nodiscard]] State state() const { return state_; }
+  // Much was freed just now.
+  void give_back_soon() { gives_back_soon_ = true; }
+  [[nodiscard]] std::uint64_t limit_bytes() const { return settings_.limit_bytes; }
+
+ private:
+  void run();
+  void look();
+  // What is freed stays with the heap, and spare pages with this process, until they are asked for.
+  void give_back(std::uint64_t resident);
+
+  const Settings settings_;
+  std::atomic<State> state_ = State::ample;
+  std::atomic<bool> gives_back_soon_ = false;
+  std::uint64_t left_ = 0;  // resident, after what could be given back was
+  unsigned rounds_until_give_back_ = 0;
+  std::mutex mutex_;
+  std::condition_variable changed_;
+  bool stopping_ = false;
+  std::thread thread_;
+};
+
+}  // namespace trc::server

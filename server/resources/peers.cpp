@@ -1,0 +1,57 @@
+#include "server/resources/peers.h"
+
+#include <arpa/inet.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+
+namespace trc::server {
+
+std::shared_ptr<Peer> Peers::of(std::string_view name) {
+  const auto forget = [this, key = std::string(name)](Peer* peer) {
+    {
+      const std::lock_guard gone(mutex_);
+      const auto found = peers_.find(key);
+      // Another of this name may have come meanwhile.
+      if (found != peers_.end() && found->second.expired()) peers_.erase(found);
+    }
+    delete peer;
+  };
+  // Before the lock, which it takes when it is not needed.
+  std::shared_ptr<Peer> peer(new Peer(most_bytes_), forget);
+  const std::lock_guard lock(mutex_);
+  std::weak_ptr<Peer>& known = peers_[std::string(name)];
+  if (auto there = known.lock()) return there;
+  known = peer;
+  return peer;
+}
+
+std::size_t Peers::count() const {
+  const std::lock_guard lock(mutex_);
+  return peers_.size();
+}
+
+std::string peer_of_address(std::string_view address) {
+  const std::size_t kind_end = address.find(':');
+  const std::string_view kind = address.substr(0, kind_end);
+  if (kind != "ipv4" && kind != "ipv6") return std::string(kind);
+  const std::string_view host = address.substr(kind_end + 1, address.rfind(':') - kind_end - 1);
+  if (kind == "ipv4") return std::string(host);
+  // In brackets, which gRPC writes as %5B and %5D, and perhaps with a zone.
+  std::string bare(host);
+  for (const std::string_view bracket : {"%5B", "%5D", "[", "]"})
+    if (const std::size_t at = bare.find(bracket); at != std::string::npos)
+      bare.erase(at, bracket.size());
+  bare = bare.substr(0, bare.find('%'));
+  constexpr std::size_t network_bytes = 8;
+  std::array<unsigned char, 16> bytes{};
+  if (inet_pton(AF_INET6, bare.c_str(), bytes.data()) != 1) return bare;
+  // An IPv4 address in IPv6 clothes.
+  if (bare.starts_with("::ffff:") && bare.find('.') != std::string::npos) return bare.substr(7);
+  std::fill(bytes.begin() + network_bytes, bytes.end(), static_cast<unsigned char>(0));
+  std::array<char, INET6_ADDRSTRLEN> text{};
+  return std::string(inet_ntop(AF_INET6, bytes.data(), text.data(), text.size())) + "/64";
+}
+
+}  // namespace trc::server

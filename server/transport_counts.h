@@ -1,0 +1,34 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <unordered_map>
+
+namespace trc::server {
+
+// What gRPC counts of its connections (channelz): also of streams that nobody has been told of yet.
+// gRPC reads frames much faster than it hands calls over.
+class TransportCounts {
+ public:
+  struct Streams {
+    std::uint64_t started = 0;
+    std::uint64_t succeeded = 0;  // ended by the server
+  };
+
+  // From now on it may be asked once more what connections there are.
+  void begin_round() { is_fresh_ = false; }
+  // The number gRPC has given the connection of a peer, "ipv4:10.0.0.7:40000"; none when it knows
+  // none such.
+  [[nodiscard]] std::optional<std::int64_t> number_of(const std::string& peer);
+  [[nodiscard]] static std::optional<Streams> streams_of(std::int64_t number);
+  void forget(const std::string& peer) { numbers_.erase(peer); }
+
+ private:
+  void read_numbers();
+
+  bool is_fresh_ = false;
+  std::unordered_map<std::string, std::int64_t> numbers_;
+};
+
+}  // namespace trc::server

@@ -1,0 +1,60 @@
+#include "client/cli/tool_file.h"
+
+#include <gtest/gtest.h>
+
+#include <map>
+
+namespace trc::cli {
+namespace {
+
+std::map<std::uint32_t, double> radii_in(std::string_view text, bool inch = false) {
+  v1::ProgramSetup setup;
+  if (inch) setup.set_unit(v1::LENGTH_UNIT_INCH);
+  EXPECT_EQ(read_tool_table(text, setup), "");
+  std::map<std::uint32_t, double> radii;
+  for (const v1::Tool& tool : setup.tools()) radii[tool.number()] = tool.radius();
+  return radii;
+}
+
+std::string fault_in(std::string_view text) {
+  v1::ProgramSetup setup;
+  return read_tool_table(text, setup);
+}
+
+TEST(ToolFile, IsACsvWithAHeader) {
+  const auto radii = radii_in("number,radius\n1,5\n# finishing\n 2 , 3.5 \r\n");
+  EXPECT_EQ(radii, (std::map<std::uint32_t, double>{{1, 5}, {2, 3.5}}));
+}
+
+TEST(ToolFile, HalvesDiametersAndAddsTheWear) {
+  const auto radii =
+      radii_in("Holds,Number,Radius,Wear,Name\nDIAMETER,7,12,-0.1,\"finisher\"\nradius,8,4,,\n");
+  EXPECT_DOUBLE_EQ(radii.at(7), 5.95);
+  EXPECT_DOUBLE_EQ(radii.at(8), 4);
+  EXPECT_DOUBLE_EQ(radii_in("number,diameter\n3,10\n").at(3), 5);
+}
+
+TEST(ToolFile, IsATableOfLinuxcnc) {
+  const auto radii = radii_in("T1 P1 D0.5 Z-1.2 ;mill, half an inch\nT12 P2 Z0.3 D.25\n", true);
+  EXPECT_DOUBLE_EQ(radii.at(1), 6.35);
+  EXPECT_DOUBLE_EQ(radii.at(12), 3.175);
+}
+
+TEST(ToolFile, HoldsTheOffsetsOfFanuc) {
+  const auto radii =
+      radii_in("%\nO9001\nG10 L10 P1 R120.5\nG10 L12 P1 R5.\nG10 L13 P1 R-0.02\nM30\n%\n");
+  EXPECT_EQ(radii.size(), 1u);
+  EXPECT_DOUBLE_EQ(radii.at(1), 4.98);
+}
+
+TEST(ToolFile, SaysInWhichLineItIsWrong) {
+  EXPECT_EQ(fault_in("number,radius\n1,five\n"), "line 2: RADIUS is \"five\", which is no number");
+  EXPECT_EQ(fault_in("number,radius\n1,5\n1,6\n"), "line 3: tool 1 a second time");
+  EXPECT_NE(fault_in("number,length\n").find("unknown column"), std::string::npos);
+  EXPECT_NE(fault_in("number\n1\n").find("needs number and one of"), std::string::npos);
+  EXPECT_NE(fault_in("1;5\n").find("is no row"), std::string::npos);
+  EXPECT_EQ(fault_in("\n"), "it names no tool with a radius");
+}
+
+}  // namespace
+}  // namespace trc::cli

@@ -1,0 +1,329 @@
+// The built server against clients that want more than it has: memory, time, places.
+
+#include <grpcpp/grpcpp.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <cmath>
+#include <csignal>
+#include <future>
+#include <memory>
+#include <numbers>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "core/session/program_session.h"
+#include "tests/faults/memory_group.h"
+#include "tests/server/calls.h"
+#include "tests/support/process.h"
+
+namespace trc::faults {
+namespace {
+
+using server::Answer;
+using server::eventually;
+using std::chrono::seconds;
+using testing_support::Folder;
+using testing_support::Process;
+using testing_support::ServerProcess;
+using Clock = std::chrono::steady_clock;
+
+// A checker takes several times the memory.
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+constexpr bool memory_tells = false;
+#else
+constexpr bool memory_tells = true;
+#endif
+
+std::shared_ptr<grpc::Channel> channel_to(const std::string& address) {
+  grpc::ChannelArguments arguments;
+  arguments.SetInt(GRPC_ARG_USE_LOCAL_SUBCHANNEL_POOL, 1);
+  return grpc::CreateCustomChannel(address, grpc::InsecureChannelCredentials(), arguments);
+}
+
+bool serves(const std::string& address) {
+  return server::run_program(channel_to(address), {}, server::g239_program).status.ok();
+}
+
+double metric(const std::string& admin, const std::string& name) {
+  const std::string page = testing_support::http_get(admin, "/metrics");
+  const std::size_t at = page.find("\n" + name + " ");
+  return at == std::string::npos ? -1 : std::stod(page.substr(at + name.size() + 2));
+}
+
+// Short lines, each a block: the most blocks for the bytes. A staircase, never closed.
+std::string staircase(std::size_t bytes, const std::string& head) {
+  std::string text = head + "G1 G41 V.G.WZ_AKT.R=0.01 X1 Y1 F800\nG91\n";
+  while (text.size() < bytes) text += "X1\nY1\n";
+  return text + "G40\nG1 X10 Y-10\nM30\n";
+}
+
+std::string compensated(const std::string& text) {
+  ProgramSession session({});
+  ProgramOutput out;
+  EXPECT_TRUE(session.feed(text, out) && session.finish(out));
+  return out.text;
+}
+
+// The whole program in one message, each client with a connection of its own.
+std::vector<Answer> ask_at_once(const std::string& address, const std::string& text, int clients) {
+  std::vector<std::future<Answer>> asked;
+  for (int i = 0; i < clients; ++i)
+    asked.push_back(std::async(std::launch::async,
+                               [&] { return server::run_program(channel_to(address), {}, text); }));
+  std::vector<Answer> answers;
+  for (auto& one : asked) answers.push_back(one.get());
+  return answers;
+}
+
+// Either all of it, or a refusal that names the limit and says when to come again. Returns how many
+// were refused.
+int refused_of(const std::vector<Answer>& answers, const std::string& expected) {
+  int refused = 0;
+  for (const Answer& answer : answers) {
+    if (answer.status.ok()) {
+      EXPECT_EQ(answer.text == expected, true);
+      continue;
+    }
+    ++refused;
+    EXPECT_EQ(answer.status.error_code(), grpc::RESOURCE_EXHAUSTED)
+        << answer.status.error_message();
+    EXPECT_EQ(answer.reason(), "MEMORY_LIMIT") << answer.status.error_message();
+  }
+  return refused;
+}
+
+// The container of deploy/README.md.
+class SmallServer {
+ public:
+  SmallServer()
+      : server_({"--admin-listen", "127.0.0.1:0", "--memory-limit-mib", "1024"}, "127.0.0.1:0", 0,
+                {}, group_.launcher()) {}
+
+  [[nodiscard]] ServerProcess& process() { return server_; }
+  // What it held is given back, and it serves.
+  void expect_recovers(double before_mib) {
+    EXPECT_TRUE(
+        eventually([&] { return metric(server_.admin(), "trc_session_memory_bytes") == 0; }));
+    EXPECT_TRUE(eventually([&] { return server_.resident_mib() < before_mib + 150; }))
+        << server_.resident_mib() << " MiB after " << before_mib;
+    EXPECT_TRUE(serves(server_.address()));
+  }
+
+ private:
+  MemoryGroup group_{std::uint64_t{1} << 30U};
+  ServerProcess server_;
+};
+
+// 3 GB of blocks at once if nobody counted.
+TEST(Limits, FourteenLargeMessagesDoNotKillASmallServer) {
+  if (!memory_tells) GTEST_SKIP() << "not under a sanitizer";
+  SmallServer small;
+  ASSERT_TRUE(serves(small.process().address()));
+  const double before = small.process().resident_mib();
+  for (const char* head : {"G141\n", "G141\n#TRC[REMOVE_MASKED_BLOCKS=1]\n"}) {
+    SCOPED_TRACE(head);
+    const std::string text = staircase(863'000, head);
+    const auto answers = ask_at_once(small.process().address(), text, 14);
+    refused_of(answers, compensated(text));
+    ASSERT_GT(small.process().resident_mib(), 0) << small.process().log();
+    small.expect_recovers(before);
+  }
+}
+
+// Nothing is held back there: what is certain leaves before the rest is taken.
+TEST(Limits, FourteenLargeMessagesUnderG140AreAllAnswered) {
+  SmallServer small;
+  const std::string text = staircase(863'000, "");
+  EXPECT_EQ(refused_of(ask_at_once(small.process().address(), text, 14), compensated(text)), 0);
+}
+
+TEST(Limits, SixtyStreamsDoNotKillASmallServer) {
+  if (!memory_tells) GTEST_SKIP() << "not under a sanitizer";
+  SmallServer small;
+  ASSERT_TRUE(serves(small.process().address()));
+  const double before = small.process().resident_mib();
+  const std::string text = staircase(107'000, "G141\n");
+  refused_of(ask_at_once(small.process().address(), text, 60), compensated(text));
+  small.expect_recovers(before);
+}
+
+TEST(Limits, TheLimitOfTheGroupIsFound) {
+  const MemoryGroup group(std::uint64_t{512} << 20U);
+  if (!group.exists()) GTEST_SKIP() << "no cgroup can be made here";
+  const ServerProcess server({}, "127.0.0.1:0", 0, {}, group.launcher());
+  EXPECT_NE(server.log().find("\"memory_limit_mib\":512"), std::string::npos) << server.log();
+  EXPECT_NE(server.log().find("\"max_session_memory_mib\":256"), std::string::npos);
+}
+
+TEST(Limits, SumsThatDoNotFitAreRefusedBeforeAPortOpens) {
+  const auto buffers =
+      testing_support::run({TRCD_PROGRAM, "--listen", "127.0.0.1:0", "--max-streams", "1000",
+                            "--max-grpc-buffer-mib", "96"});
+  EXPECT_EQ(buffers.code, 2);
+  EXPECT_NE(buffers.err.find("max-grpc-buffer-mib"), std::string::npos) << buffers.err;
+  const auto memory =
+      testing_support::run({TRCD_PROGRAM, "--listen", "127.0.0.1:0", "--memory-limit-mib", "512",
+                            "--max-session-memory-mib", "500"});
+  EXPECT_EQ(memory.code, 2);
+  EXPECT_NE(memory.err.find("memory-limit-mib"), std::string::npos) << memory.err;
+}
+
+// The client library comes again when it is told to.
+TEST(Limits, ClientsWaitForAPlace) {
+  constexpr int clients = 40;
+  const Folder folder;
+  const std::string text = staircase(20'000, "");
+  const std::string file = folder.write("program.nc", text);
+  const ServerProcess server({"--max-streams", "3", "--max-streams-per-peer", "3"});
+  std::vector<std::unique_ptr<Process>> processes;
+  for (int i = 0; i < clients; ++i)
+    processes.push_back(std::make_unique<Process>(std::vector<std::string>{
+        FAULT_CLIENT, server.address(), file, folder.path(std::to_string(i)), "20"}));
+  const std::string expected = compensated(text);
+  for (int i = 0; i < clients; ++i) {
+    EXPECT_EQ(processes[static_cast<std::size_t>(i)]->wait(), 0)
+        << processes[static_cast<std::size_t>(i)]->err();
+    EXPECT_EQ(testing_support::content_of(folder.path(std::to_string(i))) == expected, true);
+  }
+}
+
+// One peer comes through the port, the other one through the socket file.
+TEST(Limits, OnePeerCannotTakeAllPlaces) {
+  const Folder folder;
+  const std::string socket = "unix:" + folder.path("socket");
+  const ServerProcess server({"--max-streams", "8"}, "127.0.0.1:0," + socket);
+  const auto channel = channel_to(server.address());
+  const auto stub = v1::TrcService::NewStub(channel);
+  std::vector<std::unique_ptr<grpc::ClientContext>> contexts;
+  using Open =
+      grpc::ClientReaderWriter<v1::CompensateProgramRequest, v1::CompensateProgramResponse>;
+  std::vector<std::unique_ptr<Open>> open;
+  int accepted = 0;
+  for (int i = 0; i < 10; ++i) {
+    contexts.push_back(std::make_unique<grpc::ClientContext>());
+    open.push_back(stub->CompensateProgram(contexts.back().get()));
+    open.back()->Write(server::setup_request(v1::ProgramSetup()));
+    v1::CompensateProgramResponse response;
+    if (open.back()->Read(&response) && response.has_accepted()) ++accepted;
+  }
+  EXPECT_EQ(accepted, 6);
+  const Answer refused = server::run_program(channel, {}, server::g239_program);
+  EXPECT_EQ(refused.reason(), "STREAM_LIMIT");
+  EXPECT_EQ(refused.metadata("max_streams_per_peer"), "6");
+  EXPECT_TRUE(serves(socket));
+  for (const auto& context : contexts) context->TryCancel();
+  for (const auto& stream : open) stream->Finish();
+  EXPECT_TRUE(eventually([&] { return serves(server.address()); }));
+}
+
+TEST(Limits, OnePeerCannotTakeAllMemory) {
+  const Folder folder;
+  const std::string socket = "unix:" + folder.path("socket");
+  const ServerProcess server({"--max-session-memory-mib", "64", "--max-memory-per-peer-mib", "16"},
+                             "127.0.0.1:0," + socket);
+  const std::string text = staircase(300'000, "G141\n");
+  const Answer refused = server::run_program(channel_to(server.address()), {}, text);
+  EXPECT_EQ(refused.reason(), "MEMORY_LIMIT");
+  EXPECT_NE(refused.status.error_message().find("max-memory-per-peer-mib"), std::string::npos)
+      << refused.status.error_message();
+  EXPECT_TRUE(serves(socket));
+}
+
+// Laps of one circle: each block is near those of all laps.
+std::string laps(int count) {
+  constexpr int blocks_of_lap = 100;
+  constexpr double radius = 20;
+  std::string text = "G141\nG1 G41 V.G.WZ_AKT.R=0.5 X20 Y0 F800\n";
+  for (int i = 1; i <= count * blocks_of_lap; ++i) {
+    const double angle = 2 * std::numbers::pi * i / blocks_of_lap;
+    text += "X" + std::to_string(radius * std::cos(angle)) + " Y" +
+            std::to_string(radius * std::sin(angle)) + "\n";
+  }
+  return text + "G40\nX0 Y0\nM30\n";
+}
+
+// Sends all of it and reads what comes.
+class LongStream {
+ public:
+  LongStream(const std::shared_ptr<grpc::Channel>& channel, const std::string& text)
+      : stub_(v1::TrcService::NewStub(channel)), stream_(stub_->CompensateProgram(&context_)) {
+    stream_->Write(server::setup_request(v1::ProgramSetup()));
+    constexpr std::size_t piece = 512U << 10U;
+    for (std::size_t at = 0; at < text.size(); at += piece)
+      stream_->Write(server::text_request(at, text.substr(at, piece), at + piece >= text.size()));
+    stream_->WritesDone();
+  }
+  ~LongStream() {
+    context_.TryCancel();
+    end();
+  }
+  LongStream(const LongStream&) = delete;
+  LongStream& operator=(const LongStream&) = delete;
+
+  Answer end() {
+    if (ended_) return answer_;
+    ended_ = true;
+    v1::CompensateProgramResponse response;
+    while (stream_->Read(&response)) {
+    }
+    answer_.status = stream_->Finish();
+    return answer_;
+  }
+
+ private:
+  grpc::ClientContext context_;
+  std::unique_ptr<v1::TrcService::Stub> stub_;
+  std::unique_ptr<
+      grpc::ClientReaderWriter<v1::CompensateProgramRequest, v1::CompensateProgramResponse>>
+      stream_;
+  Answer answer_;
+  bool ended_ = false;
+};
+
+TEST(Limits, ASelectionMayComputeForSoLong) {
+  const ServerProcess server({"--max-selection-cpu-s", "1"});
+  LongStream stream(channel_to(server.address()), laps(1000));
+  const Answer answer = stream.end();
+  EXPECT_EQ(answer.status.error_code(), grpc::RESOURCE_EXHAUSTED);
+  EXPECT_EQ(answer.reason(), "CPU_LIMIT") << answer.status.error_message();
+  EXPECT_EQ(answer.metadata("setting"), "max-selection-cpu-s");
+}
+
+TEST(Limits, AStreamMayComputeForSoLong) {
+  const ServerProcess server({"--max-stream-cpu-s", "1", "--max-selection-cpu-s", "0"});
+  LongStream stream(channel_to(server.address()), laps(1000));
+  const Answer answer = stream.end();
+  EXPECT_EQ(answer.reason(), "CPU_LIMIT") << answer.status.error_message();
+  EXPECT_EQ(answer.metadata("setting"), "max-stream-cpu-s");
+}
+
+// Two that compute on both workers, and others beside them.
+TEST(Limits, LongSelectionsKeepNobodyFromHisTurn) {
+  const Folder folder;
+  const std::string socket = "unix:" + folder.path("socket");
+  ServerProcess server(
+      {"--worker-threads", "2", "--drain-timeout-s", "1", "--admin-listen", "127.0.0.1:0"},
+      "127.0.0.1:0," + socket);
+  const std::string text = laps(1000);
+  std::vector<std::unique_ptr<LongStream>> busy;
+  for (int i = 0; i < 4; ++i)
+    busy.push_back(std::make_unique<LongStream>(channel_to(server.address()), text));
+  std::this_thread::sleep_for(seconds(1));
+  for (int i = 0; i < 5; ++i) {
+    const auto begin = Clock::now();
+    EXPECT_TRUE(serves(socket));
+    EXPECT_LT(Clock::now() - begin, seconds(5));
+  }
+  // And it ends when it is told to, whatever computes.
+  const auto told = Clock::now();
+  server.signal(SIGTERM);
+  server.wait();
+  EXPECT_LT(Clock::now() - told, seconds(1 + 2) + std::chrono::milliseconds(500));
+  EXPECT_EQ(server.log().find("drain_overrun"), std::string::npos) << server.log();
+}
+
+}  // namespace
+}  // namespace trc::faults

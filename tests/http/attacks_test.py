@@ -1,0 +1,257 @@
+"""Who means harm over HTTP is bounded, and gRPC does not notice."""
+import json
+import os
+import socket
+import ssl
+import subprocess
+import threading
+import time
+import unittest
+
+from server import BUILD, SQUARE, TOP, Server
+
+TEXT = {"Content-Type": "text/plain"}
+TEXT_HEAD = b"Content-Type: text/plain\r\n"
+HEAD = b"POST /v1/programs:compensate?tool_radius=5 HTTP/1.1\r\nHost: localhost\r\n"
+
+
+def answer_to(server, request, timeout=20):
+    """What comes until the server closes; empty when it says nothing."""
+    with server.connect(timeout) as connection:
+        try:
+            connection.sendall(request)
+            got = b""
+            while True:
+                piece = connection.recv(65536)
+                if not piece:
+                    return got
+                got += piece
+        except ConnectionError:
+            return b""
+
+
+def status_of(answer):
+    return int(answer.split(b" ")[1]) if answer.startswith(b"HTTP/1.1 ") else 0
+
+
+class Attacks(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.server = Server("--http-timeout-s", "2", "--http-max-connections", "64",
+                            "--http-max-body-mib", "4", "--http-max-memory-mib", "16")
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.server.__exit__()
+
+    def setUp(self):
+        self.before = self.server.grpc_works()
+
+    def tearDown(self):
+        self.assertLess(self.server.grpc_works(), self.before + 5)
+        self.assertEqual(self.server.ask("GET", "/v1/info")[0], 200)
+
+    def test_what_is_no_http_is_refused(self):
+        for request in (b"\x16\x03\x01\x02\x00\x01\x00\x01\xfc\x03\x03", b"GET\r\n\r\n",
+                        b"GET /v1/info HTTP/9.9\r\n\r\n", b"\r\n\r\n\x00\xff\r\n",
+                        b"PRI * HTTP/2.0\r\n\r\nSM\r\n\r\n",
+                        b"GET http://other/ HTTP/1.1\r\nHost: localhost\r\n\r\n",
+                        b"GET /%zz HTTP/1.1\r\nHost: localhost\r\n\r\n",
+                        b"GET /a\x01b HTTP/1.1\r\nHost: localhost\r\n\r\n"):
+            self.assertIn(status_of(answer_to(self.server, request)), (0, 400, 404, 505), request)
+
+    def test_an_end_of_the_connection_is_no_end_of_an_answer(self):
+        answer = answer_to(self.server, b"GET /v1/info HTTP/1.0\r\nHost: localhost\r\n\r\n")
+        self.assertEqual(status_of(answer), 505)
+
+    def test_two_lengths_are_refused(self):
+        for lengths in (b"Content-Length: 3\r\nContent-Length: 4\r\n",
+                        b"Content-Length: 3\r\nTransfer-Encoding: chunked\r\n",
+                        b"Content-Length: -1\r\n", b"Content-Length: 99999999999999999999\r\n"):
+            answer = answer_to(self.server, HEAD + lengths + b"\r\nabc")
+            self.assertIn(status_of(answer), (0, 400, 413), lengths)
+
+    def test_a_flood_of_header_is_refused(self):
+        self.assertEqual(status_of(answer_to(self.server, HEAD + b"X: " + b"a" * 40000)), 431)
+        many = b"".join(b"X-%d: 1\r\n" % i for i in range(5000))
+        self.assertEqual(status_of(answer_to(self.server, HEAD + many)), 431)
+
+    def test_bodies_are_bounded(self):
+        length = b"Content-Length: %d\r\n\r\n" % (5 << 20)
+        self.assertEqual(status_of(answer_to(self.server, HEAD + length)), 413)
+        chunk = b"10000\r\n" + b"a" * 65536 + b"\r\n"
+        chunks = HEAD + b"Transfer-Encoding: chunked\r\n\r\n" + chunk * 80
+        self.assertEqual(status_of(answer_to(self.server, chunks)), 413)
+        packed = b"Content-Encoding: gzip\r\nContent-Length: 20\r\n\r\n" + b"\x1f\x8b" * 10
+        self.assertEqual(status_of(answer_to(self.server, HEAD + packed)), 415)
+
+    def test_json_as_deep_as_can_be_is_refused(self):
+        deep = '{"setup":' * 20000 + "{}" + "}" * 20000
+        status, problem = self.server.ask_json("POST", "/v1/paths:compensate", deep,
+                                               {"Content-Type": "application/json"})
+        self.assertEqual((status, problem["reason"]), (400, "JSON_INVALID"))
+
+    def test_memory_is_bounded_by_all_bodies_together(self):
+        length = b"Content-Length: %d\r\n\r\n" % (4 << 20)
+        held = [self.server.connect() for _ in range(4)]
+        for connection in held:
+            connection.sendall(HEAD + length)
+        time.sleep(0.3)
+        answer = answer_to(self.server, HEAD + length)
+        self.assertEqual(status_of(answer), 503)
+        self.assertIn(b"http-max-memory-mib", answer)
+        for connection in held:
+            connection.close()
+        time.sleep(0.3)
+
+    def test_a_byte_now_and_then_ends_the_connection(self):
+        begin = time.monotonic()
+        with self.server.connect() as connection:
+            with self.assertRaises(OSError):
+                for byte in HEAD * 20:
+                    connection.sendall(bytes([byte]))
+                    time.sleep(0.2)
+                    connection.setblocking(False)
+                    try:
+                        if connection.recv(1) == b"":
+                            raise ConnectionError
+                    except BlockingIOError:
+                        pass
+                    connection.setblocking(True)
+        self.assertLess(time.monotonic() - begin, 8)
+        # The same with a body.
+        begin = time.monotonic()
+        with self.server.connect() as connection:
+            connection.sendall(HEAD + b"Content-Length: 100000\r\n\r\n")
+            with self.assertRaises(OSError):
+                while True:
+                    connection.sendall(b"a")
+                    time.sleep(0.2)
+                    connection.setblocking(False)
+                    try:
+                        if connection.recv(1) == b"":
+                            raise ConnectionError
+                    except BlockingIOError:
+                        pass
+                    connection.setblocking(True)
+        self.assertLess(time.monotonic() - begin, 8)
+
+    def test_who_does_not_read_holds_back_only_himself(self):
+        text = SQUARE.replace("N80 M30", "\n".join(f"G01 X{i % 90} Y{i % 70}" for i in range(150000)))
+        request = HEAD + TEXT_HEAD + b"Content-Length: %d\r\n\r\n" % len(text) + text.encode()
+        slow = []
+        for _ in range(3):
+            connection = socket.socket()
+            connection.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, 4096)
+            connection.settimeout(20)
+            connection.connect(("127.0.0.1", self.server.port))
+            connection.sendall(request)
+            slow.append(connection)
+        time.sleep(1)
+        self.assertLess(self.server.grpc_works(), self.before + 5)
+        time.sleep(4)
+        # By now they have been given up: what is left in the pipe is not a whole answer.
+        for connection in slow:
+            got = b""
+            try:
+                while True:
+                    piece = connection.recv(1 << 20)
+                    if not piece:
+                        break
+                    got += piece
+            except OSError:
+                pass
+            self.assertFalse(got.endswith(b"0\r\n\r\n") or b"Trc-Status: OK" in got)
+            connection.close()
+
+    def test_a_thousand_idle_connections(self):
+        idle = []
+        try:
+            for _ in range(1000):
+                idle.append(self.server.connect())
+            self.assertLess(self.server.grpc_works(), self.before + 5)
+            # Those who wait longest make room.
+            self.assertEqual(self.server.ask("GET", "/v1/info")[0], 200)
+        finally:
+            for connection in idle:
+                connection.close()
+
+    def test_clients_that_go_away_leave_nothing_behind(self):
+        text = SQUARE.replace("N80 M30", "\n".join(f"G01 X{i % 90} Y{i % 70}" for i in range(50000)))
+        request = HEAD + TEXT_HEAD + b"Content-Length: %d\r\n\r\n" % len(text) + text.encode()
+
+        def leave():
+            with self.server.connect() as connection:
+                connection.sendall(request)
+                time.sleep(0.01)
+        threads = [threading.Thread(target=leave) for _ in range(12)]
+        for thread in threads:
+            thread.start()
+        for thread in threads:
+            thread.join()
+        time.sleep(1)
+        # The memory of all of them has been given back: four such bodies fit at once.
+        status, _, _ = self.server.ask("POST", "/v1/programs:compensate?tool_radius=5",
+                                       SQUARE + "\n" * (3 << 20), TEXT)
+        self.assertEqual(status, 200)
+
+    def test_views_give_way_to_new_ones(self):
+        lines = "\n".join(f"G01 X{i % 90} Y{i % 70}" for i in range(20000))
+        views = [self.server.ask_json("POST", "/v1/views", lines, TEXT) for _ in range(12)]
+        self.assertEqual({status for status, _ in views}, {201})
+        self.assertEqual(self.server.ask("GET", "/v1/views/" + views[0][1]["id"])[0], 404)
+        self.assertEqual(self.server.ask("GET", "/v1/views/" + views[-1][1]["id"])[0], 200)
+        for _, view in views:
+            self.server.ask("DELETE", "/v1/views/" + view["id"])
+
+    def test_memory_stays(self):
+        self.assertLess(self.server.resident_mib(), 400)
+
+
+class Tls(unittest.TestCase):
+    FOLDER = os.path.join(TOP, "tests/server/certificates")
+
+    def flags(self, *more):
+        return ["--tls-cert-file", self.FOLDER + "/server_cert.pem", "--tls-key-file",
+                self.FOLDER + "/server_key.pem", *more]
+
+    def get(self, server, with_certificate=False):
+        context = ssl.create_default_context(cafile=self.FOLDER + "/ca_cert.pem")
+        context.check_hostname = False
+        if with_certificate:
+            context.load_cert_chain(self.FOLDER + "/client_cert.pem",
+                                    self.FOLDER + "/client_key.pem")
+        with context.wrap_socket(server.connect()) as connection:
+            connection.sendall(b"GET /v1/info HTTP/1.1\r\nHost: localhost\r\n"
+                               b"Connection: close\r\n\r\n")
+            got = b""
+            while piece := connection.recv(65536):
+                got += piece
+            return got
+
+    def test_tls_is_spoken_where_there_is_a_certificate(self):
+        with Server(*self.flags()) as server:
+            self.assertEqual(status_of(self.get(server)), 200)
+            self.assertEqual(status_of(answer_to(server, b"GET / HTTP/1.1\r\n\r\n")), 0)
+
+    def test_clients_need_a_certificate_where_authorities_are_named(self):
+        authority = ["--tls-client-ca-file", self.FOLDER + "/ca_cert.pem"]
+        with Server(*self.flags(*authority)) as server:
+            self.assertEqual(status_of(self.get(server, with_certificate=True)), 200)
+            with self.assertRaises(OSError):
+                self.get(server)
+        with Server(*self.flags(*authority, "--tls-allowed-clients", "somebody.else")) as server:
+            answer = self.get(server, with_certificate=True)
+            self.assertEqual(status_of(answer), 403)
+            self.assertEqual(json.loads(answer.partition(b"\r\n\r\n")[2])["reason"],
+                             "CLIENT_NOT_ALLOWED")
+
+    def test_plain_text_for_other_machines_must_be_allowed(self):
+        done = subprocess.run([BUILD + "/bin/trcd", "--listen", "127.0.0.1:0", "--http-listen", "0.0.0.0:0"],
+                              capture_output=True, timeout=30, check=False)
+        self.assertEqual(done.returncode, 2)
+        self.assertIn(b"insecure-http", done.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main(verbosity=2)

@@ -1,0 +1,284 @@
+"""What HTTP answers is what gRPC answers, byte for byte; and what it refuses it says why."""
+import json
+import struct
+import subprocess
+import unittest
+import urllib.request
+
+from server import NOTCH, SQUARE, Server, trc
+
+TEXT = {"Content-Type": "text/plain; charset=utf-8"}
+
+
+def program_of(lines):
+    """A zigzag of so many lines, compensated."""
+    text = ["N1 G00 X-20 Y-20", "N2 G41 G01 X0 Y0 F500"]
+    text += [f"G01 X{i % 7 + i / 10:.1f} Y{10 + i}" for i in range(lines)]
+    return "\n".join(text + ["G40 G01 X-50 Y-50", "M30", ""])
+
+
+class Programs(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.server = Server("--log-level", "info").__enter__()
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.server.__exit__()
+
+    def url(self, path):
+        return f"http://127.0.0.1:{self.server.port}{path}"
+
+    def expected(self, *arguments, text=SQUARE):
+        code, out = trc("compensate", "-", *arguments, text=text.encode())
+        self.assertEqual(code, 0)
+        return out
+
+    def test_urllib_gets_the_text_of_the_command_line(self):
+        request = urllib.request.Request(self.url("/v1/programs:compensate?tool_radius=5"),
+                                         SQUARE.encode(), TEXT)
+        with urllib.request.urlopen(request, timeout=60) as answer:
+            self.assertEqual(answer.read(), self.expected("--set", "tool_radius=5"))
+            self.assertEqual(answer.headers["Trc-Status"], "OK")
+
+    def test_curl_gets_the_text_of_the_command_line(self):
+        done = subprocess.run(
+            ["curl", "-sS", "--fail", "--data-binary", "@-", "-H", "Content-Type: text/plain",
+             self.url("/v1/programs:compensate?tool_radius=5&selection_mode=G138&decimals=3")],
+            input=SQUARE.encode(), capture_output=True, check=True, timeout=60)
+        self.assertEqual(done.stdout, self.expected("--set", "tool_radius=5", "--set",
+                                                    "selection_mode=G138", "--decimals", "3"))
+
+    def test_json_lines_are_those_of_the_command_line(self):
+        _, headers, lines = self.server.ask(
+            "POST", "/v1/programs:compensate?tool_radius=5", SQUARE,
+            {**TEXT, "Accept": "application/x-ndjson"})
+        self.assertEqual(headers["Content-Type"], "application/x-ndjson")
+        ours = [json.loads(line) for line in lines.splitlines()]
+        theirs = [json.loads(line) for line in
+                  self.expected("--set", "tool_radius=5", "--format", "jsonl").splitlines()]
+        for last in (ours[-1]["summary"], theirs[-1]["summary"]):
+            last.pop("wallTimeSeconds", None)
+            last.pop("cpuTimeSeconds", None)
+        self.assertEqual(ours, theirs)
+
+    def test_a_long_answer_is_streamed_and_says_at_its_end_that_it_is_whole(self):
+        text = program_of(60000)
+        done = subprocess.run(
+            ["curl", "-sS", "-D", "/dev/stderr", "--data-binary", "@-", "-H",
+             "Content-Type: text/plain", self.url("/v1/programs:compensate?tool_radius=0.01")],
+            input=text.encode(), capture_output=True, check=True, timeout=60)
+        self.assertIn(b"Transfer-Encoding: chunked", done.stderr)
+        self.assertIn(b"Trc-Status: OK", done.stderr)
+        self.assertEqual(done.stdout, self.expected("--set", "tool_radius=0.01", text=text))
+
+    def test_a_refused_program_is_a_problem_with_its_diagnostics(self):
+        status, headers, body = self.server.ask(
+            "POST", "/v1/programs:compensate?tool_radius=5", NOTCH, TEXT)
+        self.assertEqual(status, 422)
+        self.assertEqual(headers["Content-Type"], "application/problem+json")
+        problem = json.loads(body)
+        self.assertEqual(problem["status"], 422)
+        self.assertEqual(problem["type"], "urn:trc:" + problem["reason"])
+        error = problem["diagnostics"][-1]
+        self.assertEqual(error["severity"], "ERROR")
+        self.assertGreater(error["line"], 0)
+        self.assertTrue(error["remedy"])
+
+    def test_a_program_stopped_late_never_looks_whole(self):
+        # More than an answer is held back, then an error.
+        text = program_of(60000).replace("M30", "G999\nM30")
+        done = subprocess.run(
+            ["curl", "-sS", "--data-binary", "@-", "-H", "Content-Type: text/plain",
+             self.url("/v1/programs:compensate?tool_radius=0.01")],
+            input=text.encode(), capture_output=True, check=False, timeout=60)
+        self.assertEqual(done.returncode, 18, "curl must see that the transfer is not complete")
+        self.assertTrue(done.stdout.splitlines()[-1].startswith(b"!!! TRC STOPPED"))
+
+    def test_wrong_settings_are_named(self):
+        status, problem = self.server.ask_json(
+            "POST", "/v1/programs:compensate?tool_radios=5&plane=xx", SQUARE, TEXT)
+        self.assertEqual(status, 400)
+        self.assertEqual([field["field"] for field in problem["fields"]], ["tool_radios", "plane"])
+        status, problem = self.server.ask_json(
+            "POST", "/v1/programs:compensate?tool_radius=1e9", SQUARE, TEXT)
+        self.assertEqual((status, problem["reason"]), (400, "FIELD_INVALID"))
+
+    def test_verify_measures(self):
+        status, answer = self.server.ask_json(
+            "POST", "/v1/programs:verify?tool_radius=5", SQUARE, TEXT)
+        self.assertEqual(status, 200)
+        self.assertAlmostEqual(answer["summary"]["minClearance"]["distance"], 5, places=4)
+        self.assertNotIn("blocks", answer)
+
+    def test_paths_take_and_give_json(self):
+        path = {"setup": {"toolRadius": 5}, "batch": {"blocks": [
+            {"command": {"side": "COMPENSATION_SIDE_LEFT"}},
+            {"linear": {"end": {"x": 10, "y": 0}}}, {"linear": {"end": {"x": 50}}},
+            {"command": {"side": "COMPENSATION_SIDE_OFF"}},
+            {"linear": {"end": {"x": 60, "y": -20}}}]}}
+        json_type = {"Content-Type": "application/json"}
+        status, answer = self.server.ask_json("POST", "/v1/paths:compensate", json.dumps(path),
+                                              json_type)
+        self.assertEqual(status, 200)
+        self.assertEqual(answer["blocks"][0]["origin"], "APPROACH")
+        self.assertIn("summary", answer)
+        _, _, lines = self.server.ask("POST", "/v1/paths:compensate", json.dumps(path),
+                                      {**json_type, "Accept": "application/x-ndjson"})
+        blocks = [json.loads(line)["block"] for line in lines.splitlines() if b'"block"' in line]
+        self.assertEqual(blocks, answer["blocks"])
+        path["batch"]["blocks"][1]["linear"]["end"]["x"] = "NaN"
+        status, problem = self.server.ask_json("POST", "/v1/paths:compensate", json.dumps(path),
+                                               json_type)
+        self.assertEqual((status, problem["fields"][0]["field"]),
+                         (400, "batch.blocks[1].linear.end.x"))
+        status, problem = self.server.ask_json("POST", "/v1/paths:compensate", '{"setop":{}}',
+                                               json_type)
+        self.assertEqual((status, problem["reason"]), (400, "JSON_INVALID"))
+
+    def test_connect_unary_in_both_codecs(self):
+        rpc = "/trc.v1.TrcService/"
+        status, info = self.server.ask_json("POST", rpc + "GetServerInfo", "{}",
+                                            {"Content-Type": "application/json"})
+        self.assertEqual(status, 200)
+        self.assertEqual(info, self.server.ask_json("GET", "/v1/info")[1])
+        body = {"setup": {"path": {"toolRadius": 5}}, "text": SQUARE}
+        status, once = self.server.ask_json("POST", rpc + "CompensateProgramOnce",
+                                            json.dumps(body), {"Content-Type": "application/json"})
+        self.assertEqual(once["ncText"].encode(), self.expected("--set", "tool_radius=5"))
+        status, headers, binary = self.server.ask("POST", rpc + "GetServerInfo", b"",
+                                                  {"Content-Type": "application/proto"})
+        self.assertEqual((status, headers["Content-Type"]), (200, "application/proto"))
+        self.assertIn(info["version"].encode(), binary)
+        body["text"] = NOTCH
+        status, error = self.server.ask_json("POST", rpc + "CompensateProgramOnce",
+                                             json.dumps(body), {"Content-Type": "application/json"})
+        self.assertEqual((status, error["code"]), (400, "invalid_argument"))
+        self.assertEqual(error["details"][0]["type"], "google.rpc.ErrorInfo")
+
+    def test_connect_streams_in_envelopes(self):
+        def envelope(message):
+            text = json.dumps(message).encode()
+            return struct.pack(">BI", 0, len(text)) + text
+
+        def messages(body):
+            while body:
+                flags, size = struct.unpack(">BI", body[:5])
+                yield flags, json.loads(body[5:5 + size])
+                body = body[5 + size:]
+
+        path = {"setup": {"toolRadius": 5}, "batch": {"blocks": [
+            {"linear": {"end": {"x": 10, "y": 0}}}]}}
+        kind = {"Content-Type": "application/connect+json"}
+        _, headers, body = self.server.ask("POST", "/trc.v1.TrcService/PreviewPath",
+                                           envelope(path), kind)
+        self.assertEqual(headers["Content-Type"], "application/connect+json")
+        got = list(messages(body))
+        self.assertIn("batch", got[0][1])
+        self.assertIn("summary", got[-2][1])
+        self.assertEqual(got[-1], (2, {}))
+        _, _, body = self.server.ask("POST", "/trc.v1.TrcService/PreviewPath", envelope({}), kind)
+        flags, end = list(messages(body))[-1]
+        self.assertEqual((flags, end["error"]["code"]), (2, "failed_precondition"))
+        status, error = self.server.ask_json("POST", "/trc.v1.TrcService/CompensatePath", "{}",
+                                             {"Content-Type": "application/json"})
+        self.assertEqual((status, error["code"]), (501, "unimplemented"))
+
+    def test_the_open_api_document_says_what_is_there(self):
+        _, document = self.server.ask_json("GET", "/v1/openapi.json")
+        self.assertTrue(document["openapi"].startswith("3."))
+        for path, operations in document["paths"].items():
+            there = path.replace("{id}", "0").replace("{level}", "0").replace("{x}", "0")
+            there = there.replace("{y}", "0").replace("{token}", "0").replace("{file}", "main.js")
+            for method in operations:
+                status, _, _ = self.server.ask(method.upper(), there, "",
+                                               {"Content-Type": "application/json"})
+                self.assertNotIn(status, (405, 500, 501), f"{method} {path}")
+            status, headers, _ = self.server.ask("PUT", there)
+            self.assertEqual(status, 405)
+            self.assertIn(list(operations)[0].upper(),
+                          self.server.ask("OPTIONS", there)[1]["Allow"])
+        names = {p["name"] for p in
+                 document["paths"]["/v1/programs:compensate"]["post"]["parameters"]}
+        self.assertLessEqual({"tool_radius", "options.stretch_factor", "decimals"}, names)
+
+        def references(node):
+            if isinstance(node, dict):
+                if "$ref" in node:
+                    yield node["$ref"].rpartition("/")[2]
+                for value in node.values():
+                    yield from references(value)
+            elif isinstance(node, list):
+                for value in node:
+                    yield from references(value)
+        self.assertLessEqual(set(references(document)), set(document["components"]["schemas"]))
+
+    def test_a_view_tells_what_the_command_line_tells(self):
+        status, view = self.server.ask_json("POST", "/v1/views?tool_radius=5&name=s.nc", SQUARE,
+                                            TEXT)
+        self.assertEqual(status, 201)
+        self.assertEqual((view["name"], view["toolRadius"], view["lines"]), ("s.nc", 5, "8"))
+        self.assertAlmostEqual(view["summary"]["path"]["minClearance"]["distance"], 5, places=4)
+        at = f"/v1/views/{view['id']}"
+        _, _, tile = self.server.ask("GET", at + "/tiles/0/0/0")
+        magic, count = struct.unpack("<4sI", tile[:8])
+        self.assertEqual((magic, len(tile)), (b"TRCT", 16 + 28 * count))
+        self.assertGreaterEqual(count, 10)
+        _, lines = self.server.ask_json("GET", at + "/lines?from=2&count=2")
+        self.assertEqual(lines["lines"], SQUARE.splitlines()[1:3])
+        output = {"pending": True}
+        while output.get("pending"):
+            _, output = self.server.ask_json("GET", at + "/output")
+        self.assertEqual("\n".join(output["lines"]) + "\n",
+                         self.expected("--set", "tool_radius=5").decode())
+        # Each line that moves says where it comes from.
+        for text, source in zip(output["lines"], output["sourceLines"]):
+            if text.startswith("N"):
+                self.assertIn(source, (0, int(text[1:text.index(" ")]) // 10), text)
+        self.assertGreaterEqual(sum(1 for source in output["sourceLines"] if source > 0), 7)
+        _, blocks = self.server.ask_json("GET", at + "/blocks?line=3")
+        self.assertEqual(blocks["blocks"][0]["end"], {"x": 0, "y": 50, "z": 0})
+        self.assertTrue(blocks["blocks"][1]["onPath"])
+        _, place = self.server.ask_json("GET", at + "/place?share=1")
+        self.assertEqual(place["position"], {"x": -20, "y": -20, "z": 0})
+        self.assertEqual(self.server.ask("DELETE", at)[0], 204)
+        self.assertEqual(self.server.ask_json("GET", at)[1]["reason"], "VIEW_GONE")
+
+    def test_a_refused_program_can_be_looked_at(self):
+        status, view = self.server.ask_json("POST", "/v1/views?tool_radius=5", NOTCH, TEXT)
+        self.assertEqual((status, view["refused"]), (201, True))
+        self.assertEqual(view["diagnostics"][-1]["severity"], "ERROR")
+        self.assertNotIn("summary", view)
+
+    def test_the_page_is_allowed_nothing_from_elsewhere(self):
+        status, headers, page = self.server.ask("GET", "/")
+        self.assertEqual(status, 200)
+        self.assertIn("default-src 'none'", headers["Content-Security-Policy"])
+        self.assertNotIn("unsafe", headers["Content-Security-Policy"])
+        self.assertNotRegex(page.decode(), r"https?://")
+
+
+class Origins(unittest.TestCase):
+    def test_pages_of_others_are_refused_unless_named(self):
+        with Server("--http-cors-origins", "https://mes.example") as server:
+            def status(**headers):
+                return server.ask("GET", "/v1/info", headers=headers)[0]
+            self.assertEqual(status(), 200)
+            self.assertEqual(status(Origin=f"http://127.0.0.1:{server.port}"), 200)
+            self.assertEqual(status(Origin="https://evil.example"), 403)
+            self.assertEqual(status(Origin="null"), 403)
+            # A name of somebody else's that was turned to this machine.
+            self.assertEqual(status(Host="evil.example"), 421)
+            _, headers, _ = server.ask("OPTIONS", "/v1/info",
+                                       headers={"Origin": "https://mes.example"})
+            self.assertEqual(headers["Access-Control-Allow-Origin"], "https://mes.example")
+            _, headers, _ = server.ask("GET", "/v1/info")
+            self.assertNotIn("Access-Control-Allow-Origin", headers)
+
+    def test_http_is_off_unless_asked_for(self):
+        with Server(listen="") as server:
+            self.assertEqual(server.port, 0)
+
+
+if __name__ == "__main__":
+    unittest.main(verbosity=2)

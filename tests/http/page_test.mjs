@@ -1,0 +1,235 @@
+// The page in Debian's Chromium, driven by playwright-core: what an operator does with it.
+//
+//   page_test.mjs TRC_BUILD_FOLDER [SCREENSHOT_FOLDER]
+import assert from 'node:assert/strict';
+import {spawn, spawnSync} from 'node:child_process';
+import {mkdtempSync, readFileSync, rmSync, writeFileSync} from 'node:fs';
+import {createRequire} from 'node:module';
+import {tmpdir} from 'node:os';
+import {join} from 'node:path';
+
+const top = join(import.meta.dirname ?? new URL('.', import.meta.url).pathname, '../..');
+const require = createRequire(join(top, '.ci/node/'));
+const {chromium} = require('playwright-core');
+const axe = readFileSync(require.resolve('axe-core/axe.min.js'), 'utf8');
+const build = process.argv[2];
+const screenshots = process.argv[3];
+const folder = mkdtempSync(join(tmpdir(), 'trc-page-'));
+
+const notch = `N10 G00 X-20 Y0
+N20 G42 G01 X0 Y0 F500
+N30 G01 X20 Y0
+N40 G01 X20 Y10
+N50 G01 X24 Y10
+N60 G01 X24 Y0
+N70 G01 X60 Y0
+N80 G40 G01 X80 Y-20
+N90 M30
+`;
+
+function waves(blocks) {
+  const lines = ['N1 G00 X-20 Y0', 'N2 G41 G01 X0 Y0 F1000'];
+  for (let i = 1; i <= blocks; ++i)
+    lines.push(`G01 X${(i * 0.02).toFixed(3)} Y${(20 * Math.sin(i * 0.0005) + 0.5 * Math.sin(i * 0.05)).toFixed(4)}`);
+  lines.push(`G40 G01 X${(blocks * 0.02 + 30).toFixed(3)} Y50`, 'M30', '');
+  return lines.join('\n');
+}
+
+const server = spawn(`${build}/bin/trcd`, ['--listen', '127.0.0.1:0', '--http-listen', '127.0.0.1:0'], {stdio: ['ignore', 'pipe', 'inherit']});
+const port = await new Promise((resolve, reject) => {
+  let said = '';
+  server.stdout.on('data', data => {
+    const found = /"http_port":(\d+)/.exec(said += data);
+    if (found) resolve(found[1]);
+  });
+  server.on('exit', () => reject(new Error('trcd did not start')));
+});
+const browser = await chromium.launch({executablePath: '/usr/bin/chromium',
+  args: ['--no-sandbox', '--use-gl=angle', '--use-angle=swiftshader', '--enable-unsafe-swiftshader', '--disable-dev-shm-usage']});
+
+async function open(options = {}) {
+  const context = await browser.newContext({viewport: {width: 1400, height: 900}, locale: 'en-US', ...options});
+  const page = await context.newPage();
+  page.problems = [];
+  page.on('pageerror', error => page.problems.push(String(error)));
+  page.on('console', message => { if (message.type() === 'error') page.problems.push(message.text()); });
+  page.on('request', request => {
+    const url = new URL(request.url());
+    if (url.protocol === 'http:' && url.host !== `127.0.0.1:${port}`) page.problems.push(`outside: ${url}`);
+  });
+  if (options.no2) await page.addInitScript(() => {
+    const get = HTMLCanvasElement.prototype.getContext;
+    HTMLCanvasElement.prototype.getContext = function (kind, how) { return kind === 'webgl2' ? null : get.call(this, kind, how); };
+  });
+  await page.goto(`http://127.0.0.1:${port}/`);
+  await page.waitForSelector('body[data-ready=true]');
+  return page;
+}
+
+function file(name, text) {
+  const path = join(folder, name);
+  writeFileSync(path, text);
+  return path;
+}
+
+// Opens a program and waits for its picture.
+async function show(page, path, settings = {tool_radius: '5'}) {
+  for (const [name, value] of Object.entries(settings)) await page.fill(`[name="${name}"]`, value);
+  await page.evaluate(() => { delete document.body.dataset.view; });
+  await page.setInputFiles('#file', path);
+  await page.waitForSelector('body[data-view]');
+  await page.waitForSelector('body[data-complete=true]');
+  await page.waitForFunction(() => document.querySelectorAll('#input [role=option]').length > 0);
+}
+
+const trc = (...args) => spawnSync(`${build}/bin/trc`, args, {encoding: 'utf8'});
+const tests = {
+  async 'a violation leads to its line and place'(page) {
+    const path = file('notch.nc', notch);
+    await show(page, path);
+    const said = trc('compensate', path, '--set', 'tool_radius=5').stderr;
+    const [, line, code] = /:(\d+): error (\d+)/.exec(said);
+    const button = page.locator('#diagnostics button.error').first();
+    assert.equal(await button.getAttribute('data-code'), code, said);
+    assert.match(await page.textContent('#state'), /Refused/);
+    await button.click();
+    const selected = page.locator('#input [aria-selected=true]');
+    await selected.waitFor();
+    assert.equal(await selected.locator('.number').textContent(), line);
+    assert.match(await page.textContent('#output'), /refused/);
+    assert.ok(await page.locator('#save-nc').isDisabled(), 'half a program is not saved');
+  },
+
+  async 'what it shows is what the command line says'(page) {
+    const path = join(top, 'client/samples/bracket.nc');
+    await show(page, path, {tool_radius: ''});
+    const said = trc('verify', path).stdout;
+    const [, distance] = /smallest clearance ([\d.]+) mm/.exec(said);
+    const certificate = await page.textContent('#certificate');
+    assert.ok(Math.abs(Number(/smallest\s*([\d.]+)/.exec(certificate)[1]) - Number(distance)) < 1e-3, certificate + said);
+    const expected = trc('compensate', path).stdout.split('\n')[0];
+    await page.waitForFunction(() => document.querySelectorAll('#output [role=option]').length > 0);
+    assert.ok((await page.locator('#output [role=option]').first().textContent()).endsWith(expected));
+    const [download] = await Promise.all([page.waitForEvent('download'), page.click('#save-nc')]);
+    assert.equal(readFileSync(await download.path(), 'utf8'), trc('compensate', path).stdout);
+    const [svg] = await Promise.all([page.waitForEvent('download'), page.click('#save-svg')]);
+    assert.match(readFileSync(await svg.path(), 'utf8'), /^<\?xml[^]*<path d="M/);
+  },
+
+  async 'a dropped file, a click on the path, the tool on its way, a second radius'(page) {
+    await page.fill('[name=tool_radius]', '5');
+    await page.evaluate(text => {
+      const data = new DataTransfer();
+      data.items.add(new File([text], 'dropped.nc'));
+      dispatchEvent(new DragEvent('drop', {dataTransfer: data, bubbles: true, cancelable: true}));
+    }, notch.replace(/N40[^]*N70/, 'N70'));
+    await page.waitForSelector('body[data-view]');
+    await page.waitForSelector('body[data-complete=true]');
+    assert.match(await page.textContent('#programs'), /dropped\.nc/);
+    // In the middle lies the straight piece of N70, line 4.
+    const box = await page.locator('#over').boundingBox();
+    let picked = null;
+    for (let y = 0.1; y < 0.95 && picked !== '4'; y += 0.01) {
+      await page.mouse.click(box.x + box.width / 2, box.y + box.height * y);
+      picked = await page.evaluate(() => document.querySelector('#input [aria-selected=true] .number')?.textContent);
+    }
+    assert.equal(picked, '4');
+    await page.locator('#way').focus();
+    await page.keyboard.press('End');
+    await page.waitForFunction(() => document.getElementById('place').textContent.startsWith('X80 Y-20'));
+    await page.fill('#compare-radius', '3');
+    await page.click('#compare-form button[type=submit]');
+    await page.waitForSelector('body[data-compared]');
+    await page.check('#layers label:has([data-text=layerBand]) input');
+    await page.selectOption('#language', 'de');
+    assert.equal(await page.textContent('#compute'), 'Korrigieren');
+    assert.equal(await page.getAttribute('html', 'lang'), 'de');
+  },
+
+  async 'a wrong setting is said where it is'(page) {
+    await page.fill('[name=tool_radius]', 'five');
+    await page.setInputFiles('#file', file('square.nc', notch));
+    await page.waitForFunction(() => document.getElementById('state').classList.contains('error'));
+    assert.match(await page.textContent('#state'), /tool_radius/);
+    assert.ok(await page.evaluate(() => !document.querySelector('[name=tool_radius]').validity.valid));
+  },
+
+  async 'everybody can use it'(page) {
+    await show(page, file('notch.nc', notch));
+    for (const scheme of ['light', 'dark']) {
+      await page.emulateMedia({colorScheme: scheme});
+      await page.waitForTimeout(100);
+      await page.evaluate(source => new Function(source)(), axe).catch(() => page.addScriptTag({content: axe}));
+      const found = await page.evaluate(() => globalThis.axe.run(document, {resultTypes: ['violations']}));
+      assert.deepEqual(found.violations.map(v => `${scheme}: ${v.id}: ${v.nodes[0].html}`), []);
+    }
+  },
+
+  async 'a million blocks stay fluid'(page) {
+    const blocks = process.env.TRC_TEST_LONG ? 1_000_000 : 50_000;
+    await show(page, file('waves.nc', waves(blocks)), {tool_radius: '0.05'});
+    const took = Number(await page.evaluate(() => document.body.dataset.viewMs));
+    assert.ok(Number(await page.evaluate(() => document.body.dataset.segments)) <= 50_000);
+    const steps = [];
+    const box = await page.locator('#over').boundingBox();
+    await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
+    for (let i = 0; i < 12; ++i) {
+      const begin = Date.now();
+      await page.mouse.wheel(0, -300);
+      await page.waitForTimeout(30);
+      await page.waitForSelector('body[data-complete=true]');
+      steps.push(Date.now() - begin - 30);
+      assert.ok(Number(await page.evaluate(() => document.body.dataset.segments)) <= 50_000);
+    }
+    steps.sort((a, b) => a - b);
+    const heap = await page.evaluate(() => performance.memory.usedJSHeapSize / 2 ** 20);
+    assert.ok(heap < 200, `${heap} MiB in the page`);
+    console.log(`  ${blocks} blocks: view ${took} ms, a zoom step ${steps[6]} ms (median), page ${heap.toFixed(0)} MiB`);
+    // The last line of the listing is reached.
+    await page.evaluate(() => { const box = document.getElementById('input'); box.scrollTop = box.scrollHeight; });
+    await page.waitForFunction(() => /M30/.test(document.getElementById('input').textContent));
+  },
+};
+
+let failed = 0;
+async function run(name, test, options) {
+  const page = await open(options);
+  try {
+    await test(page);
+    assert.deepEqual(page.problems.filter(problem => !/status of 4\d\d/.test(problem)), []);
+    console.log(`ok   ${name}`);
+  } catch (error) {
+    ++failed;
+    console.log(`FAIL ${name}\n${error.stack}\n${page.problems.join('\n')}`);
+    if (screenshots) await page.screenshot({path: join(screenshots, `failed-${failed}.png`)});
+  }
+  await page.context().close();
+}
+
+try {
+  // axe comes from outside of the page, which its policy forbids.
+  for (const [name, test] of Object.entries(tests))
+    await run(name, test, {bypassCSP: name.startsWith('everybody')});
+  await run('without a graphics processor: ' + Object.keys(tests)[0], async page => {
+    assert.equal(await page.evaluate(() => document.body.dataset.renderer), 'Canvas2d');
+    await Object.values(tests)[0](page);
+  }, {no2: true});
+  if (screenshots) {
+    const page = await open();
+    const programs = ['d16_notch_masked', 'circular_transitions', 'd09_keyway_in_a_bore', 'd12_violation_ignored',
+      'bottleneck_beyond_window', 'd33_g141_leaves_the_notch', 'd24_hundred_passive_blocks'];
+    const paths = [...programs.map(name => join(top, `tests/programs/good/${name}.nc`)), join(top, 'client/samples/bracket.nc'),
+      file('notch.nc', notch), file('waves.nc', waves(50_000))];
+    for (const [i, path] of paths.entries()) {
+      await show(page, path, {tool_radius: path.endsWith('notch.nc') ? '5' : path.endsWith('waves.nc') ? '0.05' : ''});
+      await page.waitForTimeout(200);
+      await page.screenshot({path: join(screenshots, `${i}.png`)});
+    }
+  }
+} finally {
+  await browser.close();
+  server.removeAllListeners('exit');
+  server.kill();
+  rmSync(folder, {recursive: true});
+}
+process.exit(failed ? 1 : 0);

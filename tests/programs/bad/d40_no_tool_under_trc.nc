@@ -1,0 +1,9 @@
+; expect: 900219 at line 6
+; setup: tool 1 5
+N10 G00 X0 Y0
+N20 G41 D1 G01 X10 Y10 F500
+N30 X50
+N40 D0
+N50 X80
+N60 G40 X90 Y-10
+N70 M30

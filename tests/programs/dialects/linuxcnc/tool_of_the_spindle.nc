@@ -1,0 +1,17 @@
+; tool 3 3
+(no D: the tool in the spindle)
+G21 G90 G17 G40 G49 G64 P0.01
+T3 M6 G43
+S5000 M3
+G0 X-10 Y-10 Z5
+G1 Z-2 F200
+G41 X0 Y-5 F600
+Y30
+X40
+G2 X50 Y20 I0 J-10
+G1 Y0
+X-5
+G40 X-10 Y-10
+G0 Z20
+M5
+M2

@@ -1,0 +1,284 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <regex>
+#include <set>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "core/nc/dialect/dialect.h"
+#include "core/nc/text/number_format.h"
+#include "core/session/program_session.h"
+#include "tests/support/contours.h"
+#include "tests/support/run.h"
+
+// Programs in the manner of each control. The first line of each says with which tools it runs, or
+// with which code it is refused: `; radius 5`, `; radius 0.25 in`, `; tool 1 5`, `; refused
+// 900003`.
+
+namespace trc::support {
+namespace {
+
+namespace fs = std::filesystem;
+
+const fs::path folder = fs::path(TRC_SOURCE_DIR) / "tests" / "programs" / "dialects";
+
+struct DialectProgram {
+  std::string name{};
+  std::string text{};
+  int refused = 0;  // code
+  ProgramSessionSetup setup{};
+};
+
+std::ostream& operator<<(std::ostream& out, const DialectProgram& program) {
+  return out << program.name;
+}
+
+void read_head(DialectProgram& program) {
+  std::istringstream lines(program.text);
+  for (std::string line; std::getline(lines, line) && line.starts_with("; ");) {
+    std::istringstream words(line.substr(2));
+    std::string key;
+    std::string unit;
+    words >> key;
+    if (key == "refused") words >> program.refused;
+    if (key == "radius") {
+      double radius = 0;
+      words >> radius >> unit;
+      program.setup.session.program.mode.tool_radius = radius * (unit == "in" ? mm_per_inch : 1);
+    }
+    if (key == "tool") {
+      std::int64_t number = 0;
+      double radius = 0;
+      words >> number >> radius;
+      program.setup.session.program.tools[number] = radius;
+    }
+  }
+}
+
+std::vector<DialectProgram> all_programs() {
+  std::vector<DialectProgram> programs;
+  for (const Dialect& dialect : all_dialects()) {
+    if (!fs::exists(folder / dialect.spelling)) continue;
+    for (const auto& entry : fs::directory_iterator(folder / dialect.spelling)) {
+      std::ifstream stream(entry.path(), std::ios::binary);
+      std::ostringstream text;
+      text << stream.rdbuf();
+      DialectProgram program{
+          .name = std::string(dialect.spelling) + "_" + entry.path().stem().string(),
+          .text = text.str()};
+      ProgramSetup& setup = program.setup.session.program;
+      setup.dialect = dialect.name;
+      setup.mode.selection = dialect.selection;
+      setup.mode.transition = dialect.transition;
+      read_head(program);
+      programs.push_back(std::move(program));
+    }
+  }
+  std::ranges::sort(programs, {}, &DialectProgram::name);
+  return programs;
+}
+
+struct Written {
+  std::string text{};
+  std::vector<CompensatedBlock> blocks{};
+  std::vector<Diagnostic> diagnostics{};
+  bool stopped = false;
+
+  [[nodiscard]] std::string report() const {
+    std::ostringstream out;
+    for (const Diagnostic& found : diagnostics)
+      out << found.source.line << ": " << static_cast<int>(found.code) << ' ' << message_of(found)
+          << '\n';
+    return out.str();
+  }
+};
+
+Written run(const std::string& text, ProgramSessionSetup setup, bool nc_text,
+            std::size_t piece = 0) {
+  setup.nc_text = nc_text;
+  ProgramSession session(setup);
+  ProgramOutput output;
+  bool running = true;
+  const std::size_t step = piece == 0 ? std::max<std::size_t>(text.size(), 1) : piece;
+  for (std::size_t at = 0; running && at < text.size(); at += step)
+    running = session.feed(std::string_view(text).substr(at, step), output);
+  if (running) session.finish(output);
+  return {.text = output.text,
+          .blocks = output.blocks,
+          .diagnostics = session.diagnostics().take(),
+          .stopped = session.diagnostics().stopped()};
+}
+
+std::vector<std::string> lines_of(const std::string& text) {
+  std::vector<std::string> lines;
+  std::istringstream stream(text);
+  for (std::string line; std::getline(stream, line);) lines.push_back(line);
+  return lines;
+}
+
+class OfADialect : public ::testing::TestWithParam<DialectProgram> {};
+
+TEST_P(OfADialect, IsAcceptedOrRefusedForTheReasonOfItsHead) {
+  const DialectProgram& program = GetParam();
+  const Written written = run(program.text, program.setup, true);
+  if (program.refused == 0) {
+    EXPECT_FALSE(written.stopped) << written.report();
+    return;
+  }
+  ASSERT_TRUE(written.stopped);
+  EXPECT_TRUE(std::ranges::any_of(written.diagnostics, [&](const Diagnostic& found) {
+    return static_cast<int>(found.code) == program.refused;
+  })) << written.report();
+}
+
+TEST_P(OfADialect, GivesTheSameInPieces) {
+  const DialectProgram& program = GetParam();
+  const Written whole = run(program.text, program.setup, true);
+  for (const std::size_t piece : {1, 3, 17}) {
+    const Written pieces = run(program.text, program.setup, true, piece);
+    EXPECT_EQ(pieces.text, whole.text);
+    EXPECT_EQ(pieces.report(), whole.report());
+  }
+}
+
+// No word of TRC is left, and a reader of the output makes the compensated path.
+TEST_P(OfADialect, WritesThePathInItsDialect) {
+  const DialectProgram& program = GetParam();
+  if (program.refused != 0) return;
+  const Written written = run(program.text, program.setup, true);
+  for (const std::string& line : lines_of(written.text)) {
+    const std::string words = std::regex_replace(line, std::regex("\\([^)]*\\)|;.*"), "");
+    EXPECT_FALSE(std::regex_search(words, std::regex("G ?4[12]"))) << line;
+  }
+  const std::vector<CompensatedBlock> wanted =
+      moving(run(program.text, program.setup, false).blocks, 1e-3);
+  const Written again = run(written.text, program.setup, false);
+  ASSERT_FALSE(again.stopped) << again.report() << written.text;
+  const std::vector<CompensatedBlock> path = moving(again.blocks, 1e-3);
+  ASSERT_EQ(path.size(), wanted.size()) << written.text;
+  for (std::size_t k = 0; k < path.size(); ++k) {
+    EXPECT_EQ(path[k].origin, Origin::uncompensated);
+    ASSERT_EQ(is_arc(path[k].path), is_arc(wanted[k].path)) << written.text;
+    for (const double t : {0.5, 1.0})
+      EXPECT_LT((point_at(path[k].path, t) - point_at(wanted[k].path, t)).norm(), 2e-3)
+          << text_of(wanted[k]) << '\n'
+          << written.text;
+  }
+}
+
+// Without its selections a program is the same text again, byte for byte.
+TEST_P(OfADialect, ComesOutAsItIsWithoutSelections) {
+  const DialectProgram& program = GetParam();
+  if (program.refused != 0) return;
+  const std::string plain =
+      std::regex_replace(program.text, std::regex("G ?4[12](\\.1)?( D ?[0-9.]+)? ?"), "");
+  const Written written = run(plain, program.setup, true);
+  ASSERT_FALSE(written.stopped) << written.report() << plain;
+  EXPECT_EQ(written.text, plain);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Programs, OfADialect, ::testing::ValuesIn(all_programs()), [](const auto& tested) {
+      std::string name;
+      bool upper = true;
+      for (const char c : tested.param.name) {
+        if (c != '_')
+          name += upper ? static_cast<char>(std::toupper(static_cast<unsigned char>(c))) : c;
+        upper = c == '_';
+      }
+      return name;
+    });
+
+TEST(FaultsOfReading, AreAllToldInOneRunWithTheNumberOfTheirLines) {
+  ProgramSessionSetup setup;
+  setup.session.program.dialect = DialectName::fanuc;
+  const Written written = run("G21\nG999 X1\n#1=2\nM98 P1\nG0 X0\nG999\nX[1]\nM30\n", setup, true);
+  ASSERT_EQ(written.diagnostics.size(), 4u) << written.report();
+  EXPECT_EQ(written.diagnostics[0].source.line, 2u);
+  EXPECT_EQ(written.diagnostics[0].code, Code::nc_unknown_function);
+  ASSERT_EQ(written.diagnostics[0].values.size(), 1u);
+  EXPECT_EQ(written.diagnostics[0].values[0].value, 2);
+  EXPECT_EQ(written.diagnostics[1].source.line, 3u);
+  EXPECT_EQ(written.diagnostics[2].source.line, 4u);
+  EXPECT_EQ(written.diagnostics[3].source.line, 7u);
+  EXPECT_EQ(written.text.find("G0"), std::string::npos) << written.text;
+}
+
+TEST(FaultsOfReading, AreNoMoreThanTheLimit) {
+  ProgramSessionSetup setup;
+  setup.session.program.dialect = DialectName::fanuc;
+  setup.most_faults = 3;
+  std::string text;
+  for (int k = 200; k < 210; ++k) text += "G" + std::to_string(k) + "\n";
+  EXPECT_EQ(run(text, setup, true).diagnostics.size(), 3u);
+}
+
+TEST(TheGuard, NamesTheDialectAProgramLooksLike) {
+  for (const auto& [text, dialect] :
+       std::vector<std::pair<std::string, std::string>>{{"O1000\nG0 X1\n", "fanuc"},
+                                                        {"G20 G90\nG0 X1\n", "fanuc"},
+                                                        {"G21\nG0 X1\n", "fanuc"},
+                                                        {"G0 X1\nG91 G28 Z0\n", "fanuc"},
+                                                        {"G43 H1 Z5\n", "fanuc"},
+                                                        {"G81 X1 Y1 Z-5 R2 F100\n", "fanuc"},
+                                                        {"M98 P1000\n", "fanuc"},
+                                                        {"G10 L2 P1 X0 Y0\n", "fanuc"},
+                                                        {"G41.1 D5\n", "linuxcnc"},
+                                                        {"G52 X10 Y10\n", ""},
+                                                        {"G25 X10 Y10\n", ""},
+                                                        {"TRANS X10\n", "sinumerik"},
+                                                        {"G2 X10 Y0 CR=5\n", "sinumerik"},
+                                                        {"L X+10 Y+20\n", "heidenhain"}}) {
+    const Written written = run(text, {}, true);
+    ASSERT_TRUE(written.stopped) << text;
+    EXPECT_EQ(written.diagnostics[0].code, Code::other_dialect) << text << written.report();
+    EXPECT_NE(written.diagnostics[0].detail.find(dialect), std::string::npos) << written.report();
+  }
+}
+
+TEST(TheGuard, LeavesProgramsOfIsgAlone) {
+  for (const char* text : {"#TRC [REVERSE=1]\nG20\nG0 X1\n", "G138\nG26 X1 Y1\n", "G25\nG1 X1\n"})
+    EXPECT_FALSE(run(text, {}, true).stopped) << text;
+}
+
+// The most dangerous word there is: inches read as millimetres.
+TEST(Inches, CountAsInchesInEveryDialect) {
+  for (const DialectName name : {DialectName::fanuc, DialectName::linuxcnc}) {
+    ProgramSessionSetup setup;
+    setup.session.program.dialect = name;
+    const Written written = run("G20 G90\nG0 X1. Y2.\nM30\n", setup, false);
+    ASSERT_FALSE(written.stopped) << written.report();
+    EXPECT_DOUBLE_EQ(end_of(moving(written.blocks, 1e-3).back().path).x(), 25.4);
+    setup.session.program.inch = true;
+    const Written declared = run("G0 X1. Y2.\nM30\n", setup, false);
+    EXPECT_DOUBLE_EQ(end_of(moving(declared.blocks, 1e-3).back().path).y(), 50.8);
+  }
+}
+
+TEST(Positions, AreUnknownBehindALineThatIsOnlyCopied) {
+  ProgramSessionSetup setup;
+  setup.session.program.dialect = DialectName::fanuc;
+  setup.session.program.mode.tool_radius = 1;
+  const Written refused = run("G0 X0 Y0\nG28 X0\nG41 D1 G1 Y10. F100\nY20.\n", setup, true);
+  ASSERT_TRUE(refused.stopped);
+  EXPECT_EQ(refused.diagnostics.back().code, Code::position_unknown);
+  EXPECT_FALSE(
+      run("G0 X0 Y0\nG28 X0\nG0 X0\nG41 D1 G1 Y10. F100\nX9.\nG40 X20.\nM30\n", setup, true)
+          .stopped);
+}
+
+TEST(UnknownFunctions, AreCopiedWhereTheSetupSaysSo) {
+  ProgramSessionSetup setup;
+  setup.session.program.dialect = DialectName::fanuc;
+  EXPECT_TRUE(run("G0 X1 Y1\nG777 X5 Q3\nM30\n", setup, true).stopped);
+  setup.session.program.copies_unknown_words = true;
+  const std::string text = "G0 X1 Y1\nG777 X5 Q3\nG0 X2 Y2\nM30\n";
+  EXPECT_EQ(run(text, setup, true).text, text);
+}
+
+}  // namespace
+}  // namespace trc::support

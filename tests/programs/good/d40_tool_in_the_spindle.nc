@@ -1,0 +1,14 @@
+; setup: tool 1 5
+; setup: tool 2 7
+N10 G00 X0 Y0 F500
+N20 T1 M06
+(tool 2 is made ready while tool 1 works)
+N30 T2
+N40 G41 G01 X10 Y0
+N50 X50
+N60 G40 X60 Y20
+N70 M06
+N80 G41 X10 Y0
+N90 X50
+N100 G40 X60 Y20
+N110 M30

@@ -1,0 +1,289 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <numbers>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/geometry/along.h"
+#include "core/geometry/distance.h"
+#include "core/session/program_session.h"
+#include "tests/support/cam_programs.h"
+#include "tests/support/random.h"
+#include "tests/support/run.h"
+
+// Lead-in, lead-out, overrun and laps (D-38): what bounds no material is in nobody's way. The
+// programs are those of CAM systems; the judge is the distance from the ring they go round.
+
+namespace trc::support {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+Outcome run(const std::string& text, const SessionSetup& session) {
+  ProgramSessionSetup setup;
+  setup.session = session;
+  setup.nc_text = false;
+  ProgramSession program(setup);
+  ProgramOutput output;
+  if (program.feed(text, output)) program.finish(output);
+  return {.blocks = std::move(output.blocks),
+          .diagnostics = program.diagnostics().take(),
+          .stopped = program.diagnostics().stopped()};
+}
+
+std::string reports_of(const Outcome& outcome) {
+  std::string text;
+  for (const Diagnostic& found : outcome.diagnostics)
+    text += std::to_string(static_cast<int>(found.code)) + " " + message_of(found) + '\n';
+  return text;
+}
+
+std::size_t count_of(const Outcome& outcome, Code code) {
+  return static_cast<std::size_t>(
+      std::count_if(outcome.diagnostics.begin(), outcome.diagnostics.end(),
+                    [&](const Diagnostic& found) { return found.code == code; }));
+}
+
+// The path between approach and retract.
+std::vector<Segment> path_of(const Outcome& outcome) {
+  std::vector<Segment> path;
+  for (const CompensatedBlock& block : moving(outcome.blocks))
+    if (block.origin == Origin::programmed || block.origin == Origin::transition)
+      path.push_back(block.path);
+  return path;
+}
+
+std::vector<Point> samples_of(const std::vector<Segment>& path) {
+  constexpr int steps = 16;
+  std::vector<Point> samples;
+  for (const Segment& block : path)
+    for (int step = 0; step <= steps; ++step)
+      samples.push_back(point_along(block, length_of(block) * step / steps));
+  return samples;
+}
+
+double distance_from(const std::vector<Segment>& segments, const Point& point) {
+  double least = INFINITY;
+  for (const Segment& segment : segments) least = std::min(least, distance(point, segment));
+  return least;
+}
+
+// Nothing of the path is nearer to the ring than the tool; what touches the ring lies on the path
+// round it without leads, and all of that is there but what leads cut off beside the start.
+void expect_same_walls(const std::vector<Segment>& path, const std::vector<Segment>& bare,
+                       const std::vector<Segment>& ring, double radius, double beside_start,
+                       double tolerance) {
+  for (const Point& point : samples_of(path)) {
+    const double apart = distance_from(ring, point);
+    ASSERT_GE(apart, radius - tolerance) << point.transpose();
+    if (apart > radius + tolerance) continue;
+    ASSERT_LE(distance_from(bare, point), 2 * tolerance) << point.transpose();
+  }
+  const Point start = start_of(ring.front());
+  for (const Point& point : samples_of(bare)) {
+    if ((point - start).norm() < beside_start) continue;
+    ASSERT_LE(distance_from(path, point), 2 * tolerance) << point.transpose();
+  }
+}
+
+// Whatever leads, overrun, laps and numbers a CAM system may put together.
+std::vector<CamProgram> cam_programs() {
+  std::vector<CamProgram> programs;
+  const auto add = [&](const CamProgram& program) {
+    if (!is_possible(program)) return;
+    programs.push_back(program);
+    programs.back().decimals = programs.size() % 3 == 0 ? 4 : 3;
+    programs.back().inch = programs.size() % 7 == 0;
+    if (programs.back().inch) programs.back().decimals = 4;
+  };
+  constexpr Laps laps[] = {Laps::two, Laps::three, Laps::rough_and_finish, Laps::depths,
+                           Laps::depths_and_leads};
+  for (const CamContour& contour : cam_contours()) {
+    for (const Lead lead : all_leads)
+      for (const Overrun overrun : all_overruns)
+        add({.contour = contour, .in = lead, .out = lead, .overrun = overrun});
+    add({.contour = contour, .in = Lead::arc, .out = Lead::line});
+    add({.contour = contour, .in = Lead::square, .out = Lead::half_circle});
+    add({.contour = contour, .in = Lead::crossing, .out = Lead::none});
+    for (const Laps several : laps)
+      for (const Lead lead : {Lead::arc, Lead::line, Lead::one_point})
+        add({.contour = contour,
+             .in = lead,
+             .out = lead,
+             .overrun = lead == Lead::line ? Overrun::one_millimetre : Overrun::none,
+             .laps = several});
+  }
+  return programs;
+}
+
+std::size_t laps_of(const CamProgram& program) {
+  switch (program.laps) {
+    case Laps::one:
+      return 1;
+    case Laps::two:
+    case Laps::rough_and_finish:
+      return 2;
+    case Laps::three:
+    case Laps::depths:
+    case Laps::depths_and_leads:
+      return 3;
+  }
+  return 0;
+}
+
+class CamPrograms : public ::testing::TestWithParam<CamProgram> {
+ protected:
+  // What is left of a micrometre by so many decimals, where passes lie on top of each other.
+  static constexpr double tolerance = 0.005;
+
+  const std::string removing = text_of(GetParam(), "G141\n#TRC[REMOVE_MASKED_BLOCKS=1]");
+};
+
+TEST_P(CamPrograms, LoseNothingButTheirLoops) {
+  const CamProgram& program = GetParam();
+  const Outcome outcome = run(removing, {});
+  ASSERT_FALSE(outcome.stopped) << removing << reports_of(outcome);
+  EXPECT_EQ(first_gap(outcome.blocks), "");
+  EXPECT_EQ(count_of(outcome, Code::blocks_masked), program.contour.loops * laps_of(program))
+      << removing << reports_of(outcome);
+  EXPECT_EQ(outcome.diagnostics.size(), count_of(outcome, Code::blocks_masked));
+
+  CamProgram bare{.contour = program.contour, .decimals = program.decimals, .inch = program.inch};
+  if (program.laps == Laps::rough_and_finish) return;  // the laps are not one
+  const Outcome reference = run(text_of(bare, "G141\n#TRC[REMOVE_MASKED_BLOCKS=1]"), {});
+  ASSERT_FALSE(reference.stopped) << reports_of(reference);
+  expect_same_walls(path_of(outcome), path_of(reference), program.contour.ring,
+                    program.contour.tool_radius, 8 * program.contour.tool_radius, tolerance);
+  if (HasFailure()) ADD_FAILURE() << removing << text_of(outcome.blocks);
+}
+
+TEST_P(CamPrograms, AreTheSameInAWindowThatHoldsThem) {
+  SessionSetup setup;
+  setup.compensator.limits.look_ahead_blocks = 5'000;
+  const Outcome whole = run(removing, {});
+  const Outcome window = run(removing, setup);
+  EXPECT_TRUE(same(whole, window)) << removing << reports_of(window);
+}
+
+TEST_P(CamPrograms, HaveNoBottleneck) {
+  if (GetParam().contour.loops > 0) return;
+  const Outcome masking = run(text_of(GetParam(), "G141"), {});
+  EXPECT_FALSE(masking.stopped) << removing << reports_of(masking);
+  EXPECT_TRUE(masking.diagnostics.empty()) << removing << reports_of(masking);
+  SessionSetup implicit;
+  implicit.compensator.implicit_contour_masking = true;
+  const Outcome searched = run(text_of(GetParam(), "G140"), implicit);
+  EXPECT_FALSE(searched.stopped) << removing << reports_of(searched);
+}
+
+INSTANTIATE_TEST_SUITE_P(Leads, CamPrograms, ::testing::ValuesIn(cam_programs()),
+                         [](const auto& tested) { return name_of(tested.param); });
+
+// A ring round the origin, seen from there in order, with lines and round bumps, begun in the
+// middle of a line. Clockwise: the tool, on the left, is outside.
+std::vector<Segment> random_ring(Random& random, bool clockwise) {
+  const std::size_t corners = 5 + random.below(30);
+  std::vector<Point> points;
+  for (std::size_t corner = 0; corner < corners; ++corner) {
+    const double share =
+        (static_cast<double>(corner) + random.between(0.1, 0.9)) / static_cast<double>(corners);
+    const double angle = (clockwise ? -2 : 2) * pi * share;
+    points.push_back(random.between(20, 50) * Point(std::cos(angle), std::sin(angle)));
+  }
+  std::vector<Segment> ring;
+  const Point start = 0.5 * (points.back() + points.front());
+  Point at = start;
+  for (const Point& point : points) {
+    ring.emplace_back(Line{at, point});
+    at = point;
+  }
+  ring.emplace_back(Line{at, start});
+  return ring;
+}
+
+// A quarter circle in and out, and so much more of the first line.
+struct WithLeads {
+  std::vector<Segment> blocks{};
+  bool legal = false;
+};
+WithLeads with_leads(const std::vector<Segment>& ring, double radius, double size, double overrun) {
+  const Point start = start_of(ring.front());
+  const Vector tangent = tangent_at_start(ring.front());
+  const Vector left = left_of(tangent);
+  const Point end = start + overrun * tangent;
+  const Arc in{.start = start + size * (left - tangent),
+               .end = start,
+               .center = start + size * left,
+               .sweep = pi / 2};
+  const Arc out{.start = end,
+                .end = end + size * (left + tangent),
+                .center = end + size * left,
+                .sweep = pi / 2};
+  WithLeads result;
+  result.blocks.emplace_back(in);
+  result.blocks.insert(result.blocks.end(), ring.begin(), ring.end());
+  if (overrun > 0) result.blocks.emplace_back(Line{start, end});
+  result.blocks.emplace_back(out);
+  result.legal = overrun < 0.5 * length_of(ring.front());
+  // The path of the leads lies inside them.
+  for (const Arc& lead : {in, out})
+    for (int step = 0; step <= 32; ++step) {
+      const Vector from = point_along(lead, length_of(lead) * step / 32) - lead.center;
+      const Point path = lead.center + (1 - radius / size) * from;
+      result.legal = result.legal && distance_from(ring, path) >= radius - 1e-9;
+    }
+  return result;
+}
+
+Contour contour_of(std::vector<Segment> blocks) {
+  const Point first = start_of(blocks.front());
+  const Point last = end_of(blocks.back());
+  const Vector in = tangent_at_start(blocks.front());
+  const Vector out = tangent_at_end(blocks.back());
+  return {.approach = {first + 5 * (left_of(in) - in), first},
+          .blocks = std::move(blocks),
+          .retract = {last, last + 5 * (left_of(out) + out)}};
+}
+
+TEST(Leads, ChangeNothingBetweenTheTwoVisitsOfTheClosingPoint) {
+  std::size_t compared = 0;
+  std::size_t with_loops = 0;
+  for (std::uint64_t seed = 51'000'000; seed < 51'000'600 && !::testing::Test::HasFailure();
+       ++seed) {
+    Random random(seed);
+    TrcMode mode;
+    mode.side = Side::left;
+    mode.tool_radius = random.between(0.5, 5);
+    mode.transition = Transition::circular;
+    mode.masking = Masking::on;
+    mode.options.remove_masked_blocks = true;
+    const std::vector<Segment> ring = random_ring(random, random.chance(0.5));
+    const double overrun = random.chance(0.5) ? random.between(0.1, 3) : 0;
+    const WithLeads leads =
+        with_leads(ring, mode.tool_radius, random.between(1.2, 2) * mode.tool_radius, overrun);
+    if (!leads.legal) continue;
+    Feeding feeding;
+    feeding.compensator = {.largest_masked_share = 1};
+    const Outcome bare = compensate(contour_of(ring), mode, feeding);
+    if (bare.stopped) continue;
+    const Outcome outcome = compensate(contour_of(leads.blocks), mode, feeding);
+    ASSERT_FALSE(outcome.stopped) << "seed " << seed << ": " << reports_of(outcome);
+    expect_same_walls(path_of(outcome), path_of(bare), ring, mode.tool_radius, 1e-6, 1e-6);
+    if (::testing::Test::HasFailure())
+      ADD_FAILURE() << "seed " << seed << '\n'
+                    << text_of(outcome.blocks) << "without leads\n"
+                    << text_of(bare.blocks);
+    ++compared;
+    with_loops += count_of(bare, Code::blocks_masked) > 0 ? 1 : 0;
+  }
+  EXPECT_GT(compared, 100U);
+  EXPECT_GT(with_loops, 20U);
+}
+
+}  // namespace
+}  // namespace trc::support

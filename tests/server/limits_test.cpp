@@ -1,0 +1,74 @@
+#include "server/resources/limits.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+namespace trc::server {
+namespace {
+
+constexpr std::uint64_t gib = std::uint64_t{1} << 30U;
+
+TEST(Limits, AreFilledInFromTheMemoryThereIs) {
+  Config large;
+  EXPECT_EQ(fill_in_limits(large, 64 * gib), std::nullopt);
+  EXPECT_EQ(large.memory_limit_mib, 65536U);
+  EXPECT_EQ(large.max_session_memory_mib, 1024U);
+  EXPECT_EQ(large.max_streams, 1000U);
+  // An incoming and an outgoing message of each.
+  EXPECT_EQ(large.max_grpc_buffer_mib, 1188U);
+  EXPECT_EQ(large.max_streams_per_peer, 750U);
+  EXPECT_EQ(large.max_memory_per_peer_mib, 768U);
+
+  Config small;
+  EXPECT_EQ(fill_in_limits(small, gib), std::nullopt);
+  EXPECT_EQ(small.max_session_memory_mib, 512U);
+  EXPECT_EQ(small.max_grpc_buffer_mib, 256U);
+  EXPECT_EQ(small.max_streams, 215U);
+}
+
+TEST(Limits, AreTheSameWhenFilledInTwice) {
+  Config config;
+  EXPECT_EQ(fill_in_limits(config, gib), std::nullopt);
+  const Config once = config;
+  EXPECT_EQ(fill_in_limits(config, 2 * gib), std::nullopt);
+  EXPECT_EQ(config, once);
+}
+
+TEST(Limits, AreNeverZero) {
+  Config tiny;
+  EXPECT_EQ(fill_in_limits(tiny, gib / 16), std::nullopt);
+  EXPECT_GT(tiny.max_streams, 0U);
+  EXPECT_GT(tiny.max_session_memory_mib, 0U);
+  Config one;
+  one.max_streams = 1;
+  EXPECT_EQ(fill_in_limits(one, gib), std::nullopt);
+  EXPECT_EQ(one.max_streams_per_peer, 1U);
+}
+
+TEST(Limits, BuffersMustBeEnoughForTheStreams) {
+  Config config;
+  config.max_grpc_buffer_mib = 96;
+  EXPECT_EQ(fill_in_limits(config, 64 * gib), std::nullopt);
+  EXPECT_EQ(config.max_streams, 80U);
+  config.max_streams = 1000;
+  const auto fault = fill_in_limits(config, 64 * gib);
+  ASSERT_TRUE(fault.has_value());
+  for (const char* part : {"max-grpc-buffer-mib", "max-streams", "max-message-bytes", "1188", "96"})
+    EXPECT_NE(fault->find(part), std::string::npos) << *fault;
+  // Smaller messages need less.
+  config.max_message_bytes = 48U << 10U;
+  EXPECT_EQ(fill_in_limits(config, 64 * gib), std::nullopt);
+}
+
+TEST(Limits, MustFitIntoTheMemory) {
+  Config config;
+  config.max_session_memory_mib = 900;
+  const auto fault = fill_in_limits(config, gib);
+  ASSERT_TRUE(fault.has_value());
+  for (const char* part : {"memory-limit-mib", "max-session-memory-mib", "1024"})
+    EXPECT_NE(fault->find(part), std::string::npos) << *fault;
+}
+
+}  // namespace
+}  // namespace trc::server

@@ -1,0 +1,187 @@
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <filesystem>
+#include <fstream>
+#include <memory>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "core/base/pages.h"
+#include "server/resources/memory_account.h"
+#include "server/resources/memory_budget.h"
+#include "server/resources/memory_watch.h"
+#include "tests/server/calls.h"
+#include "tests/support/process.h"
+
+namespace trc::server {
+namespace {
+
+using Standing = MemoryBudget::Standing;
+constexpr std::uint64_t mib = 1U << 20U;
+
+TEST(MemoryAccount, CountsWhatATurnTakesAndGivesBack) {
+  MemoryAccount account;
+  std::vector<char> kept;
+  {
+    const MemoryAccount::Turn turn(account);
+    kept.resize(3 * mib);
+    const std::vector<char> gone(5 * mib);
+    account.settle();
+    EXPECT_GE(account.bytes(), 8 * mib);
+  }
+  EXPECT_GE(account.bytes(), 3 * mib);
+  EXPECT_LT(account.bytes(), 4 * mib);
+  // What happens beside the turns is somebody else's.
+  const std::vector<char> of_others(mib);
+  {
+    const MemoryAccount::Turn turn(account);
+    const PagePiece pages;
+    account.settle();
+    EXPECT_GE(account.bytes(), 3 * mib + PagePiece::bytes);
+    kept = {};
+  }
+  EXPECT_LT(account.bytes(), mib);
+}
+
+TEST(MemoryAccount, CountsInWhateverThreadTheTurnIs) {
+  MemoryAccount account;
+  auto kept = std::make_unique<std::vector<char>>();
+  std::thread([&] {
+    const MemoryAccount::Turn turn(account);
+    kept->resize(mib);
+  }).join();
+  EXPECT_GE(account.bytes(), mib);
+  std::thread([&] {
+    const MemoryAccount::Turn turn(account);
+    *kept = {};
+  }).join();
+  EXPECT_EQ(account.bytes(), 0U);
+}
+
+TEST(MemoryBudget, TheOneThatGrowsBeyondItHasToGo) {
+  MemoryBudget all(100 * mib);
+  MemoryBudget peer(100 * mib);
+  {
+    MemoryBudget::Share one(all, peer);
+    MemoryBudget::Share other(all, peer);
+    EXPECT_EQ(one.hold(60 * mib), Standing::good);
+    EXPECT_EQ(other.hold(41 * mib), Standing::all_full);
+    // Who stays as it was, or shrinks, may stay.
+    EXPECT_EQ(one.hold(60 * mib), Standing::good);
+    EXPECT_EQ(one.hold(59 * mib), Standing::good);
+    other.release();
+    EXPECT_EQ(all.used_bytes(), 59 * mib);
+    EXPECT_EQ(other.hold(101 * mib), Standing::alone);
+  }
+  EXPECT_EQ(all.used_bytes(), 0U);
+  EXPECT_EQ(peer.used_bytes(), 0U);
+}
+
+TEST(MemoryBudget, SparesTheSmall) {
+  MemoryBudget all(100 * mib);
+  MemoryBudget peer(100 * mib);
+  MemoryBudget::Share hog(all, peer);
+  MemoryBudget::Share small(all, peer);
+  hog.hold(100 * mib);
+  EXPECT_EQ(small.hold(mib), Standing::good);
+  EXPECT_EQ(small.hold(2 * mib), Standing::all_full);
+}
+
+TEST(MemoryBudget, APeerHasItsOwn) {
+  MemoryBudget all(100 * mib);
+  MemoryBudget greedy(50 * mib);
+  MemoryBudget modest(50 * mib);
+  MemoryBudget::Share first(all, greedy);
+  MemoryBudget::Share second(all, greedy);
+  MemoryBudget::Share third(all, modest);
+  EXPECT_EQ(first.hold(30 * mib), Standing::good);
+  EXPECT_EQ(second.hold(30 * mib), Standing::peer_full);
+  EXPECT_EQ(second.hold(51 * mib), Standing::alone);
+  second.release();
+  EXPECT_EQ(third.hold(40 * mib), Standing::good);
+}
+
+class LimitFiles {
+ public:
+  void write(const std::string& name, const std::string& text) const {
+    const std::filesystem::path path = folder_.path(name);
+    std::filesystem::create_directories(path.parent_path());
+    std::ofstream(path) << text;
+  }
+  [[nodiscard]] std::uint64_t limit() const {
+    return memory_limit_bytes(folder_.path("self"), folder_.path("sys"), folder_.path("machine"));
+  }
+
+ private:
+  testing_support::Folder folder_;
+};
+
+TEST(MemoryLimit, IsTheMachineWithoutGroups) {
+  const LimitFiles files;
+  files.write("machine", "MemFree: 1 kB\nMemTotal:       2048 kB\nMemAvailable: 3 kB\n");
+  EXPECT_EQ(files.limit(), 2048U << 10U);
+  files.write("self", "0::/\n");
+  files.write("sys/memory.max", "max\n");
+  EXPECT_EQ(files.limit(), 2048U << 10U);
+}
+
+TEST(MemoryLimit, OfVersion2IsTheSmallestOnTheWayUp) {
+  const LimitFiles files;
+  files.write("machine", "MemTotal: 4096 kB\n");
+  files.write("self", "0::/one/two\n");
+  files.write("sys/one/two/memory.max", "max\n");
+  files.write("sys/one/memory.max", "1048576\n");
+  EXPECT_EQ(files.limit(), 1U << 20U);
+  // In a container the path is the host's.
+  files.write("self", "0::/somewhere/else\n");
+  files.write("sys/memory.max", "524288\n");
+  EXPECT_EQ(files.limit(), 512U << 10U);
+}
+
+TEST(MemoryLimit, OfVersion1HasItsOwnHierarchy) {
+  const LimitFiles files;
+  files.write("machine", "MemTotal: 4096 kB\n");
+  files.write("self", "9:pids:/\n4:memory:/box\n0::/\n");
+  files.write("sys/memory/memory.limit_in_bytes", "9223372036854771712\n");
+  EXPECT_EQ(files.limit(), 4U << 20U);
+  files.write("sys/memory/box/memory.limit_in_bytes", "2097152\n");
+  EXPECT_EQ(files.limit(), 2U << 20U);
+}
+
+TEST(MemoryWatch, EndsTheLargestWhileItIsCritical) {
+  std::atomic<std::uint64_t> resident = 10 * mib;
+  std::atomic<int> ended = 0;
+  const MemoryWatch watch({.limit_bytes = 1000 * mib,
+                           .end_largest =
+                               [&] {
+                                 if (++ended == 3) resident = 900 * mib;
+                               },
+                           .counted_bytes = [] { return std::uint64_t{0}; },
+                           .resident_bytes = [&] { return resident.load(); }});
+  const auto is = [&](MemoryWatch::State state) {
+    return eventually([&] { return watch.state() == state; });
+  };
+  EXPECT_TRUE(is(MemoryWatch::State::ample));
+  resident = 870 * mib;
+  EXPECT_TRUE(is(MemoryWatch::State::scarce));
+  EXPECT_EQ(ended, 0);
+  resident = 960 * mib;
+  EXPECT_TRUE(eventually([&] { return ended == 3; }));
+  EXPECT_TRUE(is(MemoryWatch::State::scarce));
+  resident = 100 * mib;
+  EXPECT_TRUE(is(MemoryWatch::State::ample));
+  EXPECT_EQ(ended, 3);
+}
+
+TEST(MemoryWatch, KnowsTheProcess) {
+  EXPECT_GT(memory_limit_bytes(), mib);
+  const std::uint64_t before = resident_bytes();
+  EXPECT_GT(before, mib);
+  const std::vector<char> taken(64 * mib, 'x');
+  EXPECT_GT(resident_bytes(), before + 32 * mib);
+}
+
+}  // namespace
+}  // namespace trc::server

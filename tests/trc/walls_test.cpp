@@ -1,0 +1,280 @@
+#include "core/trc/walls/walls.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "core/trc/walls/closing.h"
+
+namespace trc {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+// A contour as it is drawn: from one point to the next one.
+class Drawing {
+ public:
+  Drawing(double x, double y) : at_(x, y) {}
+
+  Drawing& line(double x, double y) {
+    const Point end(x, y);
+    blocks_.emplace_back(Line{at_, end});
+    at_ = end;
+    return *this;
+  }
+  // About a centre, rad, counter-clockwise where positive.
+  Drawing& arc(double center_x, double center_y, double sweep) {
+    const Point center(center_x, center_y);
+    const Vector from = at_ - center;
+    const Point end =
+        std::abs(sweep) == 2 * pi
+            ? at_
+            : Point(center + Vector(std::cos(sweep) * from.x() - std::sin(sweep) * from.y(),
+                                    std::sin(sweep) * from.x() + std::cos(sweep) * from.y()));
+    blocks_.emplace_back(Arc{at_, end, center, sweep});
+    at_ = end;
+    return *this;
+  }
+  // 40 by 40 counter-clockwise from (0, -20), in five blocks.
+  Drawing& square() { return line(20, -20).line(20, 20).line(-20, 20).line(-20, -20).line(0, -20); }
+  Drawing& mark(ContourRole role) {
+    roles_.resize(blocks_.size());
+    roles_.back() = role;
+    return *this;
+  }
+
+  [[nodiscard]] ContourView view() const {
+    ContourView view{.count = blocks_.size(),
+                     .segment = [this](std::size_t number) { return blocks_[number]; }};
+    if (!roles_.empty())
+      view.role = [this](std::size_t number) {
+        return number < roles_.size() ? roles_[number] : ContourRole::unspecified;
+      };
+    return view;
+  }
+  [[nodiscard]] Walls walls(const LeadSettings& settings = {}) const {
+    return find_walls(view(), settings, 2.5);
+  }
+
+ private:
+  Point at_;
+  std::vector<Segment> blocks_;
+  std::vector<ContourRole> roles_;
+};
+
+using Ranges = std::vector<Walls::Range>;
+using Numbers = std::vector<std::size_t>;
+
+TEST(Walls, OfAnOpenContourAllBlocksAre) {
+  EXPECT_TRUE(Drawing(0, 0).line(50, 0).line(50, 20).line(90, 20).walls().are_all());
+}
+
+TEST(Walls, OfAClosedContourWithoutLeadsAllBlocksAre) {
+  const Walls walls = Drawing(0, -20).square().walls();
+  EXPECT_TRUE(walls.are_all());
+  EXPECT_EQ(0, walls.touch);
+}
+
+TEST(Walls, ACircleHasNoLeads) { EXPECT_TRUE(Drawing(10, 0).arc(0, 0, 2 * pi).walls().are_all()); }
+
+TEST(Walls, WhatLeadsToACircleAndFromIt) {
+  const Walls walls = Drawing(10, -5).line(10, 0).arc(0, 0, 2 * pi).line(15, 0).walls();
+  EXPECT_EQ((Ranges{{0, 1}, {2, 3}}), walls.leads);
+  EXPECT_TRUE(walls.parts.empty());
+}
+
+// The example of D-38: R 2.5, quarter circles in and out.
+TEST(Walls, QuarterCirclesInAndOutAreLeads) {
+  const Walls walls = Drawing(25, -30)
+                          .arc(20, -30, pi / 2)
+                          .line(-25, -25)
+                          .line(-25, 20)
+                          .arc(-20, 20, -pi / 2)
+                          .line(0, 25)
+                          .line(25, 0)
+                          .line(25, -20)
+                          .arc(20, -20, -pi / 2)
+                          .arc(20, -30, pi / 2)
+                          .walls();
+  EXPECT_EQ((Ranges{{0, 1}, {8, 9}}), walls.leads);
+  EXPECT_TRUE(walls.parts.empty());
+  EXPECT_TRUE(walls.rings.empty());
+}
+
+TEST(Walls, AnOverrunEndsTheContourWhereItEnds) {
+  const Walls walls = Drawing(-5, -25).line(0, -20).square().line(3, -20).line(8, -25).walls();
+  EXPECT_EQ((Ranges{{0, 1}, {7, 8}}), walls.leads);
+  ASSERT_EQ(1U, walls.parts.size());
+  EXPECT_EQ(1U, walls.parts[0].number);
+  EXPECT_NEAR(3, walls.parts[0].from, 1e-9);
+}
+
+TEST(Walls, AnOverrunMayBeInOneBlockWithTheLastWall) {
+  const Walls walls = Drawing(-5, -25)
+                          .line(0, -20)
+                          .line(20, -20)
+                          .line(20, 20)
+                          .line(-20, 20)
+                          .line(-20, -20)
+                          .line(1, -20)
+                          .line(1, -30)
+                          .walls();
+  EXPECT_EQ((Ranges{{0, 1}, {6, 7}}), walls.leads);
+  ASSERT_EQ(1U, walls.parts.size());
+  EXPECT_EQ(1U, walls.parts[0].number);
+  EXPECT_NEAR(1, walls.parts[0].from, 1e-9);
+}
+
+TEST(Walls, AnOverrunMayGoOverACorner) {
+  const Walls walls =
+      Drawing(-5, -25).line(0, -20).square().line(20, -20).line(20, -19).line(30, -19).walls();
+  EXPECT_EQ((Ranges{{0, 2}, {8, 9}}), walls.leads);
+  ASSERT_EQ(1U, walls.parts.size());
+  EXPECT_EQ(2U, walls.parts[0].number);
+  EXPECT_NEAR(1, walls.parts[0].from, 1e-9);
+}
+
+// What coordinates of three decimals leave of it is a touch.
+TEST(Walls, ARoundedOverrunLiesOnTheFirstWall) {
+  const Walls walls = Drawing(-3, -4)
+                          .line(0, 0)
+                          .line(30, 10)
+                          .line(20, 40)
+                          .line(-10, 30)
+                          .line(0, 0)
+                          .line(2.847, 0.9486)
+                          .line(5, -5)
+                          .walls();
+  EXPECT_EQ((Ranges{{0, 1}, {6, 7}}), walls.leads);
+  ASSERT_EQ(1U, walls.parts.size());
+  EXPECT_NEAR(3, walls.parts[0].from, 2e-3);
+  EXPECT_GE(walls.touch_between(1, 5), 4e-4);
+  EXPECT_LE(walls.touch_between(1, 5), 0.01);
+  EXPECT_EQ(0, walls.touch_between(1, 2));
+}
+
+// (-5, 0) to (50, 0), crossed by (0, -50) to (0, 5).
+TEST(Walls, RunInAndRunOutCrossInACorner) {
+  const Walls walls = Drawing(-5, 0).line(50, 0).line(50, -50).line(0, -50).line(0, 5).walls();
+  EXPECT_TRUE(walls.leads.empty());
+  ASSERT_EQ(2U, walls.parts.size());
+  EXPECT_EQ(0U, walls.parts[0].number);
+  EXPECT_NEAR(5, walls.parts[0].from, 1e-9);
+  EXPECT_EQ(3U, walls.parts[1].number);
+  EXPECT_NEAR(50, walls.parts[1].to, 1e-9);
+}
+
+TEST(Walls, LeadsThatCrossDoNotHideTheStart) {
+  const Walls walls =
+      Drawing(3, -30).line(-3, -22).line(0, -20).square().line(3, -22).line(-3, -30).walls();
+  EXPECT_EQ((Ranges{{0, 2}, {7, 9}}), walls.leads);
+  EXPECT_TRUE(walls.parts.empty());
+}
+
+TEST(Walls, LeadsFromOnePointDoNotHideTheStart) {
+  const Walls walls =
+      Drawing(0, -30).line(-3, -22).line(0, -20).square().line(3, -22).line(0, -30).walls();
+  EXPECT_EQ((Ranges{{0, 2}, {7, 9}}), walls.leads);
+}
+
+TEST(Walls, OneLeadOnTheOtherDoesNotHideTheStart) {
+  const Walls walls = Drawing(0, -30).line(0, -20).square().line(0, -30).walls();
+  EXPECT_EQ((Ranges{{0, 1}, {6, 7}}), walls.leads);
+}
+
+TEST(Walls, TheEndMayMissTheStartByTheTolerance) {
+  const auto contour = [](double short_of) {
+    return Drawing(5, -25)
+        .line(0, -20)
+        .line(20, -20)
+        .line(20, 20)
+        .line(-20, 20)
+        .line(-20, -20)
+        .line(-short_of, -20)
+        .line(-5, -25);
+  };
+  EXPECT_EQ((Ranges{{0, 1}, {6, 7}}), contour(0.009).walls().leads);
+  EXPECT_NEAR(0.009, contour(0.009).walls().touch, 1e-9);
+  EXPECT_TRUE(contour(0.2).walls().are_all());
+  EXPECT_EQ((Ranges{{0, 1}, {6, 7}}), contour(0.2).walls({.closing_tolerance = 0.25}).leads);
+}
+
+TEST(Walls, ChordsOfLeadsAreLeads) {
+  constexpr int chords = 40;
+  // In along the wall, out along it.
+  Drawing leads(-10, -30);
+  for (int chord = 1; chord <= chords; ++chord) {
+    const double angle = chord * pi / 2 / chords;
+    leads.line(-10 * std::cos(angle), -30 + 10 * std::sin(angle));
+  }
+  leads.square();
+  for (int chord = 1; chord <= chords; ++chord) {
+    const double angle = chord * pi / 2 / chords;
+    leads.line(10 * std::sin(angle), -20 - 10 * (1 - std::cos(angle)));
+  }
+  const Walls walls = leads.walls();
+  EXPECT_EQ(40U, walls.leads.front().end);
+}
+
+TEST(Walls, TwoLapsAreTwoRings) {
+  const Walls walls = Drawing(-5, -25).line(0, -20).square().square().line(5, -25).walls();
+  EXPECT_EQ((Ranges{{0, 1}, {11, 12}}), walls.leads);
+  EXPECT_EQ((Numbers{6}), walls.rings);
+  EXPECT_FALSE(walls.is_wall_for(2, 7)) << "gone when the second lap comes";
+  EXPECT_TRUE(walls.is_wall_for(7, 2));
+  EXPECT_TRUE(walls.is_wall_for(7, 11)) << "for the lead-out";
+  EXPECT_GT(walls.touch_between(7, 2), 0);
+}
+
+TEST(Walls, ThreeLapsOfFewBlocksAreThreeRings) {
+  const Walls bare = Drawing(0, -20).square().square().square().walls();
+  EXPECT_TRUE(bare.leads.empty());
+  EXPECT_TRUE(bare.parts.empty());
+  EXPECT_EQ((Numbers{5, 10}), bare.rings);
+  const Walls walls =
+      Drawing(-5, -25).line(0, -20).square().square().square().line(3, -20).line(5, -25).walls();
+  EXPECT_EQ((Ranges{{0, 1}, {17, 18}}), walls.leads);
+  EXPECT_EQ((Numbers{6, 11}), walls.rings);
+}
+
+TEST(Walls, LeadsBetweenTwoDepthsAreLeads) {
+  const Walls walls = Drawing(-5, -25)
+                          .line(0, -20)
+                          .square()
+                          .line(5, -25)
+                          .line(-5, -25)
+                          .line(0, -20)
+                          .square()
+                          .line(5, -25)
+                          .walls();
+  EXPECT_EQ((Ranges{{0, 1}, {6, 9}, {14, 15}}), walls.leads);
+  EXPECT_EQ((Numbers{6, 9}), walls.rings);
+  EXPECT_FALSE(walls.is_wall_for(3, 10));
+}
+
+TEST(Walls, MarksWinOverTheSearch) {
+  const Walls walls = Drawing(-5, -25)
+                          .line(0, -20)
+                          .mark(ContourRole::wall)
+                          .square()
+                          .mark(ContourRole::lead)
+                          .line(5, -25)
+                          .walls();
+  EXPECT_EQ((Ranges{{5, 7}}), walls.leads);
+}
+
+TEST(Walls, BlocksMayBeCounted) {
+  const Drawing contour = Drawing(-9, -25).line(-5, -25).line(0, -20).square().line(5, -25);
+  const Walls walls =
+      contour.walls({.find = LeadSettings::Find::counted, .blocks_in = 2, .blocks_out = 1});
+  EXPECT_EQ((Ranges{{0, 2}, {7, 8}}), walls.leads);
+  EXPECT_TRUE(contour.walls({.find = LeadSettings::Find::none}).are_all());
+  EXPECT_TRUE(contour.walls({.find = LeadSettings::Find::counted, .blocks_in = 9}).are_all());
+}
+
+}  // namespace
+}  // namespace trc

@@ -1,0 +1,105 @@
+#include "proto/wire/settings.h"
+
+#include <gtest/gtest.h>
+
+namespace trc::wire {
+namespace {
+
+v1::ProgramSetup set(std::initializer_list<const char*> assignments) {
+  v1::ProgramSetup setup;
+  for (const char* assignment : assignments) EXPECT_EQ(apply_setting(assignment, setup), "");
+  return setup;
+}
+
+std::string fault_of(const char* assignment) {
+  v1::ProgramSetup setup;
+  return apply_setting(assignment, setup);
+}
+
+TEST(Settings, TakeNumbersAndSwitches) {
+  const v1::ProgramSetup setup = set({"tool_radius=-5.25", "look_ahead_blocks=200",
+                                      "implicit_contour_masking=on", "max_passive_blocks = 7"});
+  EXPECT_EQ(setup.path().tool_radius(), -5.25);
+  EXPECT_EQ(setup.path().look_ahead_blocks(), 200u);
+  EXPECT_TRUE(setup.path().implicit_contour_masking());
+  EXPECT_EQ(setup.path().max_passive_blocks(), 7u);
+}
+
+TEST(Settings, TakeLeads) {
+  const v1::Leads leads = set({"leads=blocks:2,1"}).path().leads();
+  EXPECT_EQ(leads.find(), v1::Leads::FIND_BLOCKS);
+  EXPECT_EQ(leads.blocks_in(), 2u);
+  EXPECT_EQ(leads.blocks_out(), 1u);
+  EXPECT_EQ(set({"leads=NONE"}).path().leads().find(), v1::Leads::FIND_NONE);
+  EXPECT_EQ(set({"leads.find=auto"}).path().leads().find(), v1::Leads::FIND_AUTO);
+  EXPECT_NE(fault_of("leads=blocks"), "");
+  EXPECT_NE(fault_of("leads=blocks:2"), "");
+  EXPECT_NE(fault_of("leads=none:2,1").find("auto, none or blocks:IN,OUT"), std::string::npos);
+}
+
+TEST(Settings, TakeWordsAndGFunctions) {
+  EXPECT_EQ(set({"plane=zx"}).path().plane(), v1::PLANE_ZX);
+  EXPECT_EQ(set({"plane=G19"}).path().plane(), v1::PLANE_YZ);
+  EXPECT_EQ(set({"selection_mode=g239"}).path().selection_mode(), v1::SELECTION_MODE_WITHOUT_BLOCK);
+  EXPECT_EQ(set({"selection_mode=SELECTION_MODE_DIRECT"}).path().selection_mode(),
+            v1::SELECTION_MODE_DIRECT);
+  EXPECT_EQ(set({"transition=circular"}).path().transition(), v1::TRANSITION_CIRCULAR);
+  EXPECT_EQ(set({"contour_masking=G141"}).path().contour_masking(), v1::CONTOUR_MASKING_ON);
+  EXPECT_EQ(set({"circle_center_mode.reference=G161"}).path().circle_center_mode().reference(),
+            v1::CENTER_REFERENCE_ABSOLUTE);
+}
+
+TEST(Settings, ReachFieldsOfFieldsByTheirLastName) {
+  EXPECT_EQ(set({"options.stretch_factor=2"}).path().options().stretch_factor(), 2);
+  EXPECT_EQ(set({"stretch_factor=3"}).path().options().stretch_factor(), 3);
+  EXPECT_TRUE(set({"KERF_MASKING=1"}).path().options().kerf_masking());
+  EXPECT_EQ(set({"kerf-method=0"}).path().kerf_method(), v1::KERF_METHOD_LINEAR);
+}
+
+TEST(Settings, TakePositionsListsAndTools) {
+  const v1::ProgramSetup setup =
+      set({"start_position=1,-2.5", "start_position.z=3", "axis_names=A,C", "tools=1:5,2:3.5"});
+  EXPECT_EQ(setup.path().start_position().x(), 1);
+  EXPECT_EQ(setup.path().start_position().y(), -2.5);
+  EXPECT_EQ(setup.path().start_position().z(), 3);
+  ASSERT_EQ(setup.path().axis_names_size(), 2);
+  EXPECT_EQ(setup.path().axis_names(1), "C");
+  ASSERT_EQ(setup.tools_size(), 2);
+  EXPECT_EQ(setup.tools(1).number(), 2u);
+  EXPECT_EQ(setup.tools(1).radius(), 3.5);
+}
+
+TEST(Settings, NameTheNearestKeysForAnUnknownOne) {
+  EXPECT_NE(fault_of("tol_radius=5").find("nearest: tool_radius,"), std::string::npos);
+  EXPECT_NE(fault_of("strech_factor=5").find("options.stretch_factor"), std::string::npos);
+}
+
+TEST(Settings, SayWhatAFieldTakes) {
+  EXPECT_EQ(fault_of("tool_radius=5mm"), "tool_radius: \"5mm\" is not possible; it takes a number");
+  EXPECT_NE(fault_of("tool_radius=nan"), "");
+  EXPECT_NE(fault_of("tool_radius=inf"), "");
+  EXPECT_NE(fault_of("tool_radius="), "");
+  EXPECT_NE(fault_of("look_ahead_blocks=-1"), "");
+  EXPECT_NE(fault_of("look_ahead_blocks=1.5"), "");
+  EXPECT_NE(fault_of("implicit_contour_masking=2").find("true or false"), std::string::npos);
+  EXPECT_NE(fault_of("selection_mode=G999").find("without_block (G239)"), std::string::npos);
+  EXPECT_NE(fault_of("selection_mode=G25"), "");
+  EXPECT_NE(fault_of("start_position=1,2,3,4"), "");
+  EXPECT_NE(fault_of("tools=1").find("as in 1:5"), std::string::npos);
+  EXPECT_NE(fault_of("tool_radius").find("key=value"), std::string::npos);
+}
+
+TEST(Settings, ListEveryFieldOfAPathSetup) {
+  std::string keys;
+  for (const SettingRow& row : settings()) keys += row.key + " ";
+  for (const char* key :
+       {"plane ", "start_position ", "tool_radius ", "selection_mode ", "transition ",
+        "contour_masking ", "feed_adaptation ", "circle_center_mode.max_shift ",
+        "options.stretch_factor ", "look_ahead_blocks ", "kerf_method ", "axis_names ",
+        "client_tag ", "tools "})
+    EXPECT_NE(keys.find(key), std::string::npos) << key;
+  EXPECT_EQ(keys.find("resume_token "), std::string::npos);
+}
+
+}  // namespace
+}  // namespace trc::wire
