@@ -48,9 +48,9 @@ TEST(Capabilities, EveryGFunctionIsReadOrRefusedAsSaid) {
   for (const v1::GFunction& function : info.g_functions()) {
     const auto special = in_its_words.find(function.name());
     const std::string line = special == in_its_words.end() ? function.name() : special->second;
-    const Answer answer = run_program(server.channel(), {},
-                                      std::string(of_isg) + "G01 X0 Y0 F100\n" + line +
-                                          "\nG40 G94\nG01 X40 Y40\nM30\n");
+    const Answer answer = run_program(
+        server.channel(), {},
+        std::string(of_isg) + "G01 X0 Y0 F100\n" + line + "\nG40 G94\nG01 X40 Y40\nM30\n");
     if (function.group() == "refused with 900003") {
       EXPECT_EQ(answer.metadata("code"), "900003") << function.name();
     } else {
@@ -67,7 +67,8 @@ TEST(Capabilities, InitialFunctionsHoldFromTheStart) {
   const std::string contour =
       "G41 X10 Y10 F100\nX50\nG02 X60 Y0 I-0.01 J-10\nG01 X60 Y-30\nG40 X90\nM30\n";
   std::map<std::string, int> initial_of_group;
-  const Answer plain = run_program(server.channel(), setup, std::string(of_isg) + "G01 X1 Y1\n" + contour);
+  const Answer plain =
+      run_program(server.channel(), setup, std::string(of_isg) + "G01 X1 Y1\n" + contour);
   ASSERT_TRUE(plain.status.ok()) << plain.status.error_message();
   const v1::GetServerInfoResponse info = server_info();
   for (const v1::GFunction& function : info.g_functions()) {
@@ -75,8 +76,7 @@ TEST(Capabilities, InitialFunctionsHoldFromTheStart) {
     ++initial_of_group[function.group()];
     if (function.name() == "G00") continue;
     const Answer answer =
-        run_program(server.channel(), setup,
-                    of_isg + function.name() + "\nG01 X1 Y1\n" + contour);
+        run_program(server.channel(), setup, of_isg + function.name() + "\nG01 X1 Y1\n" + contour);
     ASSERT_TRUE(answer.status.ok()) << function.name();
     EXPECT_EQ(path_of(answer), path_of(plain)) << function.name();
   }
