@@ -37,8 +37,10 @@ std::optional<LoopExit> WayOut::find(const PathPiece& at, const Onset& onset,
 WayOut::Stretch WayOut::stretch_about(std::size_t obstacle, std::size_t at) const {
   const std::size_t begin =
       obstacle > path_.begin_of_contour() ? contour(obstacle - 1).block : path_.begin();
-  const std::size_t end =
-      obstacle + 1 < end_of_contour() ? contour(obstacle + 1).block + 1 : path_.end();
+  // Leads are in nobody's way: the path may leave the obstacle by any of them (D-38).
+  std::size_t behind = obstacle + 1;
+  while (behind < end_of_contour() && obstacles_.is_lead(behind)) ++behind;
+  const std::size_t end = behind < end_of_contour() ? contour(behind).block + 1 : path_.end();
   return {std::max(begin, at + 1), end};
 }
 
@@ -130,7 +132,9 @@ std::optional<LoopExit> WayOut::crossing_in(const PathPiece& piece, std::size_t 
       if (along < least_along) continue;
       const bool leads_to_it = beside && !reaches_out(contour(obstacle), crossing.point);
       if (!leads_to_it && !reaches_out(contour(path_.number_of(piece.block)), crossing.point) &&
-          !reaches_out(contour(path_.number_of(block)), crossing.point))
+          !reaches_out(contour(path_.number_of(block)), crossing.point) &&
+          !obstacles_.is_lead(path_.number_of(piece.block)) &&
+          !obstacles_.is_lead(path_.number_of(block)))
         continue;
       latest = LoopExit{
           number, std::max(crossing.along_first, piece.from), {block, along}, crossing.point};
