@@ -1,24 +1,31 @@
 #include <iostream>
 #include <memory>
+#include <set>
+#include <string>
+#include <vector>
 
 #include "client/cli/command.h"
 #include "client/cli/files.h"
+#include "client/cli/folder_run.h"
+#include "client/cli/job.h"
+#include "client/cli/job_record.h"
 #include "client/cli/program_options.h"
 #include "client/cli/progress.h"
+#include "client/cli/result_text.h"
 #include "client/cli/service.h"
-#include "core/nc/state/program_state.h"
-#include "core/trc/result/listing.h"
-#include "proto/wire/compensated_block.h"
-#include "proto/wire/json_lines.h"
 
 namespace trc::cli {
 namespace {
 
 struct Call {
   ProgramOptions program;
+  std::vector<std::string> files;
+  std::string directory;
+  unsigned jobs = 1;
   std::string format = "nc";
   std::string output;
   std::uint32_t decimals = 4;
+  std::string record;
   bool force = false;
 };
 
@@ -31,78 +38,70 @@ bool may_write(const Call& call) {
   return false;
 }
 
-// Path items as the lines of --format jsonl.
-class JsonWriter {
- public:
-  std::string lines_for(const Answer& answer) {
-    std::string text;
-    for (const CompensatedBlock& block : answer.blocks) {
-      wire::to_proto(block, *item_.mutable_block());
-      lines_.append(item_, text);
+bool setup_for(const Call& call, v1::ProgramSetup& setup) {
+  if (!setup_of(call.program, setup)) return false;
+  report_clearance(setup);
+  setup.set_decimals(call.decimals);
+  return true;
+}
+
+// The words of the call that hold for every program.
+std::vector<std::string> words_for_all(const CLI::App& command) {
+  const std::set<std::string> own{"file", "--output-dir", "--jobs", "--output", "--record"};
+  std::vector<std::string> words;
+  for (const CLI::Option* option : command.get_options()) {
+    const std::string name = option->get_name();
+    if (option->empty() || own.contains(name)) continue;
+    for (const std::string& result : option->results()) {
+      words.push_back(name);
+      if (option->get_items_expected_max() > 0) words.push_back(result);
     }
-    for (const wire::ReceivedDiagnostic& received : answer.diagnostics) {
-      v1::Diagnostic& message = *item_.mutable_diagnostic();
-      wire::to_proto(received.diagnostic, message);
-      message.set_message(received.message);
-      message.set_remedy(received.remedy);
-      message.set_reason(received.reason);
-      lines_.append(item_, text);
-    }
-    return text;
   }
+  return words;
+}
 
-  std::string line_for(const wire::PathSummary& summary) {
-    std::string text;
-    wire::to_proto(summary, *item_.mutable_summary());
-    lines_.append(item_, text);
-    return text;
-  }
-
- private:
-  wire::JsonLines lines_;
-  v1::PathItem item_;
-};
-
-std::vector<std::string> axis_names(const v1::ProgramSetup& setup) {
-  const auto& names = setup.path().axis_names();
-  if (names.empty()) return ProgramSetup{}.tracking_axes;
-  return {names.begin(), names.end()};
+Exit run_folder(const Call& call, const std::vector<std::string>& words) {
+  FolderRun run{.files = call.files,
+                .directory = call.directory,
+                .arguments = words,
+                .format = call.format,
+                .jobs = call.jobs};
+  if (!setup_for(call, run.setup)) return Exit::wrong_call;
+  const ResultText asks_for_output(call.format, run.setup);
+  v1::GetServerInfoResponse info;
+  if (const Exit exit = server_info(call.program.service, info); exit != Exit::done) return exit;
+  run.server_version = info.version();
+  run.server_commit = info.commit();
+  return compensate_folder(run);
 }
 
 Exit run(const Call& call) {
   v1::ProgramSetup setup;
-  if (!setup_of(call.program, setup)) return Exit::wrong_call;
-  const bool as_nc = call.format == "nc";
-  const bool as_json = call.format == "jsonl";
-  setup.set_output(as_nc ? v1::PROGRAM_OUTPUT_NC : v1::PROGRAM_OUTPUT_BLOCKS);
-  setup.set_decimals(call.decimals);
+  if (!setup_for(call, setup)) return Exit::wrong_call;
+
   if (!may_write(call)) return Exit::wrong_call;
+  const bool as_nc = call.format == "nc";
 
   Input input(call.program.file);
   Output output(call.output, as_nc ? Output::OnScreen::with_commit : Output::OnScreen::at_once);
   if (!input.open() || !output.open()) return Exit::wrong_call;
   Progress progress(output.is_standard_output());
-  JsonWriter json;
-  const std::vector<std::string> axes = axis_names(setup);
-
-  const Outcome outcome =
-      compensate_program(call.program.service, setup, input, progress, [&](const Answer& answer) {
-        if (as_nc) return output.write(answer.text);
-        if (as_json) return output.write(json.lines_for(answer));
-        std::string text;
-        for (const CompensatedBlock& block : answer.blocks) {
-          append_listing(text, block, axes, static_cast<int>(call.decimals));
-          text += '\n';
-        }
-        return output.write(text);
-      });
-  if (as_json && outcome.summary && !output.write(json.line_for(outcome.summary->path)))
-    return Exit::wrong_call;
+  Job job{.service = call.program.service,
+          .setup = setup,
+          .format = call.format,
+          .input_name = call.program.file,
+          .output_name = call.output.empty() ? "-" : call.output,
+          .recorded = !call.record.empty()};
+  const Exit exit =
+      do_job(job, input, progress, [&](const std::string& text) { return output.write(text); });
   // Half a program must not look like a whole one. Listings and JSON lines of what was certain
   // before a refusal are shown on the screen: no control runs them.
-  const bool keep = outcome.exit == Exit::done || (output.is_standard_output() && !as_nc);
+  const bool keep = exit == Exit::done || (output.is_standard_output() && !as_nc);
   if (keep && !output.commit()) return Exit::wrong_call;
-  return outcome.exit;
+  if (call.record.empty() || (exit != Exit::done && exit != Exit::refused)) return exit;
+  Output record(call.record);
+  return record.open() && record.write(text_of(job.record)) && record.commit() ? exit
+                                                                               : Exit::wrong_call;
 }
 
 }  // namespace
@@ -111,7 +110,10 @@ void add_compensate(CLI::App& app, Action& action) {
   auto* command = app.add_subcommand(
       "compensate", "Compensate an NC program: G41 and G42 resolved, G40 throughout");
   auto call = std::make_shared<Call>();
-  add_program_options(*command, call->program);
+  auto* files =
+      command->add_option("file", call->files, "NC program, or several; - reads standard input");
+  files->type_name("FILE...")->required();
+  add_setup_options(*command, call->program);
   command
       ->add_option("--format", call->format,
                    "nc: NC program, jsonl: one JSON object per block, listing: one line per block")
@@ -124,8 +126,37 @@ void add_compensate(CLI::App& app, Action& action) {
   command->add_option("--decimals", call->decimals, "Decimal places of coordinates, 1 to 8")
       ->check(CLI::Range(1, 8))
       ->capture_default_str();
-  command->footer(settings_help());
-  command->callback([call, &action] { action = [call] { return run(*call); }; });
+  auto* directory =
+      command
+          ->add_option("--output-dir", call->directory,
+                       "Directory for the results of all programs, under their names, and a "
+                       "record of each. What has not changed since is left out")
+          ->type_name("DIR")
+          ->excludes("--output");
+  command->add_option("--jobs", call->jobs, "Programs at a time, with --output-dir")
+      ->check(CLI::Range(1, 256))
+      ->capture_default_str()
+      ->needs(directory);
+  command
+      ->add_option("--record", call->record,
+                   "File to write a record of the job to: what was made of which bytes with which "
+                   "settings, and how it was measured. trc verify --record checks it")
+      ->type_name("FILE.json")
+      ->excludes(directory);
+  command->footer(
+      "The path is measured against the contour on its way (verify=report): where it comes nearer "
+      "than the tool\nradius, warning 900216 says where. verify=enforce refuses such a program, "
+      "verify=off measures nothing.\n\n" +
+      settings_help());
+  command->callback([call, command, directory, &action] {
+    if (!directory->empty()) {
+      action = [call, words = words_for_all(*command)] { return run_folder(*call, words); };
+      return;
+    }
+    if (call->files.size() > 1) throw CLI::RequiredError("--output-dir with several programs");
+    call->program.file = call->files.front();
+    action = [call] { return run(*call); };
+  });
 }
 
 }  // namespace trc::cli

@@ -22,6 +22,7 @@ struct Call {
 Exit run(const Call& call) {
   v1::ProgramSetup setup;
   if (!setup_of(call.program, setup)) return Exit::wrong_call;
+  report_clearance(setup);
   const std::string ending = std::filesystem::path(call.output).extension().string();
   const bool as_page = ending == ".html" || ending == ".htm";
   if (!as_page && ending != ".svg" && call.output != "-") {
@@ -61,7 +62,8 @@ void add_plot(CLI::App& app, Action& action) {
       "Leads are thin, rapid moves dashed, masked or removed blocks red, transition blocks light "
       "blue; red\nand dashed is what was programmed where another contour is compensated "
       "(CONV_CIR_TO_LIN,\nKERF_MASKING). Warnings are yellow at their place.\n"
-      "A refused program gives the picture of what was certain, with the place marked, and exit "
+      "Where the measured path comes nearer to the contour than the tool radius, warning 900216 says\n"
+      "where. A refused program gives the picture of what was certain, with the place marked, and exit "
       "code 1.\n\n" +
       settings_help());
   command->callback([call, &action] { action = [call] { return run(*call); }; });

@@ -13,6 +13,10 @@ void add_program_options(CLI::App& command, ProgramOptions& options) {
   command.add_option("file", options.file, "NC program; - reads standard input")
       ->type_name("FILE")
       ->required();
+  add_setup_options(command, options);
+}
+
+void add_setup_options(CLI::App& command, ProgramOptions& options) {
   command
       .add_option("--set", options.assignments,
                   "What holds before the first line, as in tool_radius=5; may be repeated")
@@ -64,6 +68,11 @@ bool setup_of(const ProgramOptions& options, v1::ProgramSetup& setup) {
   const std::string& name = options.file;
   setup.set_file_name(name.size() > longest_name ? name.substr(name.size() - longest_name) : name);
   return true;
+}
+
+void report_clearance(v1::ProgramSetup& setup) {
+  if (setup.path().verify() == v1::VERIFICATION_UNSPECIFIED)
+    setup.mutable_path()->set_verify(v1::VERIFICATION_REPORT);
 }
 
 std::string settings_help() {

@@ -20,10 +20,15 @@ struct ProgramOptions {
   ServiceOptions service{};
 };
 void add_program_options(CLI::App& command, ProgramOptions& options);
+// The same but for the file.
+void add_setup_options(CLI::App& command, ProgramOptions& options);
 
 // The setup the options describe. Says on standard error what is wrong with them
 // and returns false then.
 bool setup_of(const ProgramOptions& options, v1::ProgramSetup& setup);
+
+// Measures the path, unless the setup says whether to: somebody looks at what is told.
+void report_clearance(v1::ProgramSetup& setup);
 
 // "Settings (--set): …", for the end of a help text.
 [[nodiscard]] std::string settings_help();

@@ -3,8 +3,11 @@
 
 #include "client/cli/command.h"
 #include "client/cli/files.h"
+#include "client/cli/job.h"
+#include "client/cli/job_record.h"
 #include "client/cli/program_options.h"
 #include "client/cli/program_paths.h"
+#include "client/cli/progress.h"
 #include "core/base/tolerances.h"
 #include "core/nc/text/number_format.h"
 #include "core/verify/clearance.h"
@@ -35,6 +38,48 @@ std::string worst_line(const verify::Clearance& worst) {
   return "smallest clearance " + mm(worst.distance) + " mm of " + mm(worst.required) + " mm at X" +
          mm(worst.place[0]) + " Y" + mm(worst.place[1]) + " Z" + mm(worst.place[2]) + ", path of " +
          block_name(worst.path) + " beside contour block " + block_name(worst.contour);
+}
+
+struct Call {
+  ProgramOptions program;
+  std::string record;
+};
+
+// Does the job again. What comes out otherwise is told.
+Exit check_record(const Call& call) {
+  Input file(call.record);
+  if (!file.open()) return Exit::wrong_call;
+  std::string text;
+  for (std::string_view piece = file.read(); !piece.empty(); piece = file.read()) text += piece;
+  v1::JobRecord filed;
+  if (const std::string fault = record_from(text, filed); file.failed() || !fault.empty()) {
+    if (!fault.empty()) std::cerr << "trc: " << call.record << ": " << fault << '\n';
+    return Exit::wrong_call;
+  }
+  const std::string& name = call.program.file.empty() ? filed.input().name() : call.program.file;
+  Input input(name);
+  if (!input.open()) return Exit::wrong_call;
+  Job job{.service = call.program.service,
+          .setup = filed.setup(),
+          .format = filed.output_format(),
+          .input_name = name,
+          .recorded = true};
+  Progress progress(false);
+  const Exit exit = do_job(job, input, progress, [](const std::string&) { return true; });
+  if (exit != Exit::done && exit != Exit::refused) return exit;
+  const std::vector<std::string> found = differences(filed, job.record);
+  for (const std::string& sentence : found)
+    std::cerr << "trc: " << call.record << ": " << sentence << '\n';
+  const bool same_version = filed.server_version() == job.record.server_version() &&
+                            filed.server_commit() == job.record.server_commit();
+  if (!found.empty() && !same_version)
+    std::cerr << "trc: " << call.record << ": it was made by version " << filed.server_version()
+              << " (" << filed.server_commit() << "), this is " << job.record.server_version()
+              << " (" << job.record.server_commit() << ")\n";
+  if (!found.empty()) return Exit::refused;
+  std::cout << "the record holds: " << filed.output().bytes() << " bytes, SHA-256 "
+            << filed.output().sha256() << ", " << filed.outcome() << '\n';
+  return Exit::done;
 }
 
 Exit run(const ProgramOptions& options) {
@@ -70,14 +115,26 @@ Exit run(const ProgramOptions& options) {
 void add_verify(CLI::App& app, Action& action) {
   auto* command = app.add_subcommand(
       "verify", "Measure how near the compensated path comes to the programmed contour");
-  auto options = std::make_shared<ProgramOptions>();
-  add_program_options(*command, *options);
+  auto call = std::make_shared<Call>();
+  add_program_options(*command, call->program);
+  auto* record =
+      command
+          ->add_option("--record", call->record,
+                       "Do the job of this record again and say whether the same comes out; "
+                       "without FILE of the program it names")
+          ->type_name("FILE.json")
+          ->excludes("--set");
+  auto* file = command->get_option("file");
+  file->required(false);
   command->footer(
       "Every block between approach and retract is measured against every contour block of its "
       "selection,\nby a method of its own that knows nothing of how the path was made. Exit code 1 "
       "when the path comes\nnearer than the tool radius.\n\n" +
       settings_help());
-  command->callback([options, &action] { action = [options] { return run(*options); }; });
+  command->callback([call, record, file, &action] {
+    if (file->empty() && record->empty()) throw CLI::RequiredError("FILE or --record");
+    action = [call] { return call->record.empty() ? run(call->program) : check_record(*call); };
+  });
 }
 
 }  // namespace trc::cli

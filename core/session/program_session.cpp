@@ -283,6 +283,9 @@ const Summary& ProgramSession::summary() const { return parts_->compensator.summ
 const verify::ClearanceReport* ProgramSession::clearance() const {
   return parts_->compensator.clearance();
 }
+std::size_t ProgramSession::verification_bytes() const {
+  return parts_->compensator.verification_bytes();
+}
 std::uint64_t ProgramSession::lines_read() const { return parts_->interpreter.lines_read(); }
 
 }  // namespace trc

@@ -47,6 +47,8 @@ class ProgramSession {
   [[nodiscard]] const Summary& summary() const;
   // Null unless the setup asks for it.
   [[nodiscard]] const verify::ClearanceReport* clearance() const;
+  // As of PathSession.
+  [[nodiscard]] std::size_t verification_bytes() const;
   [[nodiscard]] std::uint64_t lines_read() const;
 
  private:

@@ -18,7 +18,7 @@ namespace trc {
 struct SessionSetup {
   ProgramSetup program{};
   CompensatorSetup compensator{};
-  bool verify = false;  // measure the path against the contour as it comes out
+  Verify verify = Verify::off;  // measure the path against the walls as it comes out
 };
 
 // The program as the setup of the compensation has it: with P-CHAN-00284 = 0 masking switches
@@ -58,6 +58,8 @@ class PathSession {
   [[nodiscard]] const verify::ClearanceReport* clearance() const {
     return compensator_.clearance();
   }
+  // Memory the measurement holds, and what it will take in addition, bytes.
+  [[nodiscard]] std::size_t verification_bytes() const { return compensator_.verification_bytes(); }
 
  private:
   void compensate_before(std::uint64_t index, std::span<Block>& left, ProgramOutput& out);

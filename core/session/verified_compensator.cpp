@@ -1,5 +1,6 @@
 #include "core/session/verified_compensator.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <span>
 #include <utility>
@@ -8,14 +9,20 @@
 
 namespace trc {
 
-VerifiedCompensator::VerifiedCompensator(const CompensatorSetup& setup, bool verify,
+VerifiedCompensator::VerifiedCompensator(const CompensatorSetup& setup, Verify verify,
                                          Diagnostics& diagnostics)
     : compensator_(measuring(setup, verify), diagnostics), diagnostics_(diagnostics) {
-  if (verify) verification_.emplace(setup.tolerances.on_contour, setup.leads, diagnostics);
+  if (verify == Verify::off) return;
+  verification_.emplace(verify::VerificationSetup{.verify = verify,
+                                                  .allowed = setup.tolerances.on_contour,
+                                                  .leads = setup.leads,
+                                                  .selection_blocks = setup.limits.selection_blocks,
+                                                  .interrupt = setup.interrupt},
+                        diagnostics);
 }
 
-CompensatorSetup VerifiedCompensator::measuring(CompensatorSetup setup, bool verify) {
-  if (!verify || !setup.take_portion) return setup;
+CompensatorSetup VerifiedCompensator::measuring(CompensatorSetup setup, Verify verify) {
+  if (verify == Verify::off || !setup.take_portion) return setup;
   setup.take_portion = [this, take = std::move(setup.take_portion)](auto& out) {
     measure(out);
     take(out);
@@ -24,12 +31,10 @@ CompensatorSetup VerifiedCompensator::measuring(CompensatorSetup setup, bool ver
   return setup;
 }
 
-// Block by block, as the compensator does: what has come out before a stop must not
-// depend on how the caller batches.
 bool VerifiedCompensator::feed(std::vector<Block>& blocks, std::vector<CompensatedBlock>& out) {
   if (!verification_) return compensator_.feed(blocks, out);
-  for (Block& block : blocks)
-    if (!take(block, out)) break;
+  for (std::span<Block> left(blocks); !left.empty() && !diagnostics_.stopped();)
+    left = left.subspan(feed_until_report(left, out));
   blocks.clear();
   return !diagnostics_.stopped();
 }
@@ -37,6 +42,8 @@ bool VerifiedCompensator::feed(std::vector<Block>& blocks, std::vector<Compensat
 std::size_t VerifiedCompensator::feed_until_report(std::span<Block> blocks,
                                                    std::vector<CompensatedBlock>& out) {
   if (!verification_) return compensator_.feed_until_report(blocks, out);
+  if (const std::size_t held = verification_->held_only(blocks); held > 0)
+    return take_held(blocks.first(held), out);
   const std::uint64_t line = index_of(blocks.front());
   std::size_t count = 0;
   while (count < blocks.size() && index_of(blocks[count]) == line)
@@ -44,8 +51,26 @@ std::size_t VerifiedCompensator::feed_until_report(std::span<Block> blocks,
   return count;
 }
 
+// Nothing can be reported of what is measured.
+std::size_t VerifiedCompensator::take_held(std::span<Block> blocks,
+                                           std::vector<CompensatedBlock>& out) {
+  // The compensator takes what is in the blocks.
+  for (const Block& block : blocks.subspan(std::min(told_ahead_, blocks.size())))
+    verification_->programmed(block);
+  const std::size_t told = std::max(told_ahead_, blocks.size());
+  measured_ = out.size();
+  const std::size_t count = compensator_.feed_until_report(blocks, out);
+  told_ahead_ = told - count;
+  if (!diagnostics_.stopped()) measure(out);
+  return count;
+}
+
+// Alone: what has come out before a stop must not depend on how the caller batches.
 bool VerifiedCompensator::take(Block& block, std::vector<CompensatedBlock>& out) {
-  verification_->programmed(block);
+  if (told_ahead_ > 0)
+    --told_ahead_;
+  else if (!verification_->programmed(block))
+    return false;
   measured_ = out.size();
   compensator_.feed_until_report({&block, 1}, out);
   return !diagnostics_.stopped() && measure(out);

@@ -13,7 +13,7 @@ namespace trc {
 // A compensator whose path is measured on its way out, where that is asked for.
 class VerifiedCompensator {
  public:
-  VerifiedCompensator(const CompensatorSetup& setup, bool verify, Diagnostics& diagnostics);
+  VerifiedCompensator(const CompensatorSetup& setup, Verify verify, Diagnostics& diagnostics);
   VerifiedCompensator(const VerifiedCompensator&) = delete;
   VerifiedCompensator& operator=(const VerifiedCompensator&) = delete;
 
@@ -30,9 +30,15 @@ class VerifiedCompensator {
   [[nodiscard]] const verify::ClearanceReport* clearance() const {
     return verification_ ? &verification_->report() : nullptr;
   }
+  // Memory the measurement holds, and what it will take in addition, bytes.
+  [[nodiscard]] std::size_t verification_bytes() const {
+    return verification_ ? verification_->held_bytes() : 0;
+  }
 
  private:
-  [[nodiscard]] CompensatorSetup measuring(CompensatorSetup setup, bool verify);
+  [[nodiscard]] CompensatorSetup measuring(CompensatorSetup setup, Verify verify);
+  // Of blocks that end no selection. Returns how many.
+  std::size_t take_held(std::span<Block> blocks, std::vector<CompensatedBlock>& out);
   // Of one block, measured.
   bool take(Block& block, std::vector<CompensatedBlock>& out);
   // What is new in `out`.
@@ -41,7 +47,8 @@ class VerifiedCompensator {
   Compensator compensator_;
   Diagnostics& diagnostics_;
   std::optional<verify::Verification> verification_;
-  std::size_t measured_ = 0;  // of `out`
+  std::size_t measured_ = 0;    // of `out`
+  std::size_t told_ahead_ = 0;  // of the next blocks: the verification knows them
 };
 
 }  // namespace trc

@@ -2,235 +2,307 @@
 
 #include <algorithm>
 #include <cmath>
-#include <unordered_map>
+#include <limits>
+#include <utility>
 #include <vector>
 
-#include "core/trc/walls/selection_contours.h"
+#include "core/trc/walls/closing.h"
+#include "core/trc/walls/sided_walls.h"
 #include "core/verify/coverage.h"
 #include "core/verify/nearest.h"
 #include "core/verify/shape.h"
+#include "core/verify/wall_tree.h"
 
 namespace trc::verify {
 namespace {
 
-// Contour blocks of one selection in path order, with a tree of rectangles over
-// them: neighbours in the program are neighbours in the plane.
-class Contour {
+// Longer arcs are compared part by part: their boxes would be near to too much.
+constexpr double longest_probe = 2;  // rad
+
+// Pieces one behind the other are near to the same walls: those are looked for together.
+constexpr std::size_t group_size = 16;
+
+// Where one piece of path was clear, those as near to it need not be searched again.
+constexpr double slack = margin_resolution / 2;  // mm
+
+// Measures the path of one selection.
+class Selection {
  public:
-  void add(const MotionBlock& block) {
-    if (!blocks_.empty() && blocks_.back()->mode->side != block.mode->side)
-      changes_.push_back(blocks_.size());
-    blocks_.push_back(&block);
-  }
-  [[nodiscard]] std::size_t size() const { return blocks_.size(); }
-
-  void build(const LeadSettings& leads) {
-    walls_ = find_walls({.blocks = blocks_, .changes = changes_}, leads);
-    leaves_ = 1;
-    while (leaves_ < blocks_.size()) leaves_ *= 2;
-    tree_.assign(2 * leaves_, {});
-    for (std::size_t i = 0; i < blocks_.size(); ++i) tree_[leaves_ + i].add(blocks_[i]->path);
-    for (std::size_t node = leaves_ - 1; node > 0; --node) {
-      for (const Bounds& child : {tree_[2 * node], tree_[2 * node + 1]}) {
-        if (child.empty) continue;
-        tree_[node].add(child.low);
-        tree_[node].add(child.high);
-      }
+  // Its programmed pieces are those from `begin` to `end`.
+  Selection(const HeldPath& held, std::size_t begin, std::size_t end, double allowed,
+            const LeadSettings& leads, Checkpoint& checkpoint)
+      : held_(held),
+        begin_(begin),
+        end_(end),
+        allowed_(allowed),
+        checkpoint_(checkpoint),
+        sides_(walls_between(begin, end, leads)),
+        tree_(held, begin, end, sides_, checkpoint) {
+    report_.walls = tree_.walls();
+    is_plain_ = sides_.sides.size() == 1 && sides_.sides.front().are_plain();
+    for (std::size_t place = begin; place < end; ++place) {
+      checkpoint.pass();
+      const ProgrammedPiece& piece = held.programmed()[place];
+      if (piece.is_contour) report_.wall_length += wall_of(piece).length();
     }
   }
 
-  // What of a block is a wall; nothing where none of it is.
-  [[nodiscard]] Stretch wall_of(std::size_t number) const {
-    if (walls_.is_lead(number)) return {};
-    const double length = extent_of(blocks_[number]->path);
-    const auto part = walls_.part_of(number);
-    return part ? Stretch{part->from, std::min(part->to, length)} : Stretch{0, length};
-  }
-  [[nodiscard]] double wall_length() const {
-    double length = 0;
-    for (std::size_t number = 0; number < blocks_.size(); ++number)
-      length += wall_of(number).length();
-    return length;
-  }
-  // Calls visit(block, wall, touch) for every wall for the path of the block `own` whose rectangle
-  // comes as near as `reach`; `touch` is how much nearer than the radius that may be, mm.
-  template <class Visit>
-  void for_each_near(const Bounds& place, std::size_t own, double reach, const Visit& visit) const {
-    std::vector<std::size_t> open{1};
-    while (!open.empty()) {
-      const std::size_t node = open.back();
-      open.pop_back();
-      if (tree_[node].empty || distance(tree_[node], place) > reach) continue;
-      if (node >= leaves_) {
-        const std::size_t number = node - leaves_;
-        if (!walls_.is_wall_for(number, own)) continue;
-        const MotionBlock& block = *blocks_[number];
-        const auto part = walls_.part_of(number);
-        visit(block, part ? part_of(block.path, wall_of(number)) : block.path,
-              walls_.touch_between(number, own));
-      } else {
-        open.push_back(2 * node + 1);
-        open.push_back(2 * node);
+  // The pieces of the path from `next` on that stem from this selection. Returns the one behind.
+  std::size_t measure_from(std::size_t next) {
+    while (has(next)) {
+      std::size_t behind = next;
+      UprightBox around;
+      double required = 0;
+      for (; behind < next + group_size && has(behind); ++behind) {
+        const PathPiece& path = held_.path()[behind];
+        around.add(box_of(path.piece));
+        required = std::max(required, required_of(path));
+      }
+      gouges_ = false;
+      const double reach = required + margin_of_interest() + slack;
+      if (!report_.worst || !tree_.find_near(around.box(), reach, near_))
+        near_.assign(1, tree_.whole());
+      for (; next < behind; ++next) {
+        checkpoint_.pass();
+        measure(held_.path()[next]);
       }
     }
+    return next;
   }
+
+  [[nodiscard]] const ClearanceReport& report() const { return report_; }
 
  private:
-  static double distance(const Bounds& a, const Bounds& b) {
-    const Vector apart = (a.low - b.high).cwiseMax(b.low - a.high).cwiseMax(Vector::Zero());
-    return apart.norm();
-  }
-
-  std::vector<const MotionBlock*> blocks_;
-  std::vector<std::size_t> changes_;  // of side
-  SidedWalls walls_;
-  std::vector<Bounds> tree_;
-  std::size_t leaves_ = 1;
-};
-
-struct Programmed {
-  const MotionBlock* block = nullptr;
-  double required = 0;          // mm, of the path this block gives
-  double required_behind = 0;   // mm, of what is inserted behind it
-  bool crosses_behind = false;  // REVERSE: what is inserted behind it crosses the corner (D-22)
-  std::size_t number = 0;       // in its contour, or of the block behind it
-  bool is_contour = false;
-};
-
-struct Plan {
-  std::unordered_map<std::uint32_t, Contour> contours;   // by selection
-  std::unordered_map<std::uint64_t, Programmed> blocks;  // by source
-};
-
-// The approach block is no contour, and neither is the block that carries the
-// change to the other side, unless the side changes at its corner (REVERSE).
-bool is_contour(const MotionBlock& block, const MotionBlock* before) {
-  const bool first = !before || before->mode->selection_number != block.mode->selection_number;
-  if (first) return block.mode->selection == Selection::perpendicular && !block.mode->tangential;
-  if (before->mode->side == block.mode->side) return true;
-  return block.mode->options.reverse;
-}
-
-Plan plan_of(std::span<const Block> programmed, const LeadSettings& leads) {
-  Plan plan;
-  const MotionBlock* before = nullptr;
-  for (const Block& block : programmed) {
-    const auto* motion = std::get_if<MotionBlock>(&block);
-    if (!motion || !motion->mode || !motion->mode->active() || !is_finite(motion->path)) continue;
-    const TrcMode& mode = *motion->mode;
-    const bool same = before && before->mode->selection_number == mode.selection_number;
-    double required = mode.options.suppress_trc ? 0 : mode.tool_radius;
-    if (same) {
-      required = std::min(required, before->mode->tool_radius);
-      plan.blocks[before->source.index].required_behind = required;
+  [[nodiscard]] SidedWalls walls_between(std::size_t begin, std::size_t end,
+                                         const LeadSettings& leads) const {
+    std::vector<std::size_t> places;  // of the contour blocks
+    std::vector<std::size_t> changes;
+    double radius = 0;
+    bool has_roles = false;
+    const auto rule = [&](std::size_t place) -> const Rule& {
+      return held_.rule_of(held_.programmed()[place]);
+    };
+    for (std::size_t place = begin; place < end; ++place) {
+      checkpoint_.pass();
+      const ProgrammedPiece& piece = held_.programmed()[place];
+      if (!piece.is_contour) continue;
+      if (!places.empty() && rule(places.back()).side != rule(place).side)
+        changes.push_back(places.size());
+      places.push_back(place);
+      radius = std::max(radius, rule(place).radius);
+      has_roles = has_roles || piece.role != ContourRole::unspecified;
     }
-    Contour& contour = plan.contours[mode.selection_number];
-    const bool is_on_contour = is_contour(*motion, before);
-    plan.blocks[motion->source.index] = {.block = motion,
-                                         .required = required,
-                                         .required_behind = required,
-                                         .number = contour.size(),
-                                         .is_contour = is_on_contour};
-    if (is_on_contour && same && before->mode->side != mode.side)
-      plan.blocks[before->source.index].crosses_behind = true;
-    if (is_on_contour) contour.add(*motion);
-    before = motion;
+    ContourView view{.count = places.size(), .segment = [&](std::size_t number) {
+                       return segment_of(held_.programmed()[places[number]].piece);
+                     }};
+    if (has_roles)
+      view.role = [&](std::size_t number) { return held_.programmed()[places[number]].role; };
+    return find_walls(view, changes, leads, radius);
   }
-  for (auto& [selection, contour] : plan.contours) contour.build(leads);
-  return plan;
-}
 
-bool is_checked(Origin origin) {
-  switch (origin) {
-    case Origin::programmed:
-    case Origin::transition:
-    case Origin::radius_change:
-    case Origin::kerf:
-    case Origin::converted_circle:
-      return true;
-    case Origin::approach:
-    case Origin::retract:
-    case Origin::masked:
-    case Origin::passthrough:
-    case Origin::uncompensated:
-      break;
+  // What of a contour block is a wall; nothing where none of it is.
+  [[nodiscard]] Stretch wall_of(const ProgrammedPiece& block) const {
+    const double length = extent_of(segment_of(block.piece));
+    if (is_plain_) return {0, length};
+    if (sides_.is_lead(block.number)) return {};
+    const auto part = sides_.part_of(block.number);
+    return part ? Stretch{part->from, std::min(part->to, length)} : Stretch{0, length};
   }
-  return false;
-}
 
-// Whether the middle of the path lies on the side of its own contour block that
-// the program asks for.
-bool on_programmed_side(const CompensatedBlock& block, const MotionBlock& contour) {
-  if (!(contour.mode->tool_radius > 0) || contour.mode->options.suppress_trc) return true;
-  const Point middle = place_at(block.path, 0.5).point;
-  const Point foot = nearest_point(contour.path, middle);
-  const double left = cross(direction_at(contour.path, foot), middle - foot);
-  return contour.mode->side == Side::left ? left >= 0 : left <= 0;
+  [[nodiscard]] bool has(std::size_t number) const {
+    return number < held_.path().end() && held_.path()[number].programmed < end_;
+  }
+
+  void measure(const PathPiece& path) {
+    if (tree_.walls() == 0) return;
+    ++report_.checked;
+    const ProgrammedPiece& own = held_.programmed()[path.programmed];
+    required_ = required_of(path);
+    gouges_ = false;
+    if (path.on_contour) check_side(path, own);
+    if (!path.inserted && own.is_contour)
+      report_.touched_length +=
+          touched_length(segment_of(own.piece), wall_of(own), segment_of(path.piece), required_);
+    if (!is_clear_here(path.piece)) search(path);
+    if (!gouges_) return;
+    ++report_.gouging;
+    if (held_.rule_of(own).accepts) ++report_.accepted;
+  }
+
+  [[nodiscard]] double required_at(std::size_t number) const {
+    const double own = held_.rule_of(held_.programmed()[number]).required;
+    return number == begin_ ? own
+                            : std::min(own, held_.rule_of(held_.programmed()[number - 1]).required);
+  }
+  [[nodiscard]] double required_of(const PathPiece& path) const {
+    const double own = required_at(path.programmed);
+    const bool has_next = path.inserted && path.programmed + 1 < end_;
+    return has_next ? std::min(own, required_at(path.programmed + 1)) : own;
+  }
+
+  // A margin from here on changes nothing of the report.
+  [[nodiscard]] double margin_of_interest() const {
+    const double worst = report_.worst ? report_.worst->margin() - margin_resolution
+                                       : std::numeric_limits<double>::infinity();
+    return gouges_ ? worst : std::max(worst, -allowed_);
+  }
+
+  // Path that stands still, beside as many walls as a full circle has, or nearly so.
+  [[nodiscard]] bool is_clear_here(const Piece& piece) const {
+    return clear_ && clear_->required >= required_ && clear_->margin >= margin_of_interest() &&
+           !piece.is_arc() && (piece.start - clear_->place).norm() <= slack &&
+           (piece.end - clear_->place).norm() <= slack;
+  }
+
+  void search(const PathPiece& path) {
+    const double margin = margin_of_interest();
+    is_near_ = false;
+    const auto parts =
+        static_cast<int>(std::max(1.0, std::ceil(std::abs(path.piece.sweep) / longest_probe)));
+    for (int part = 0; part < parts; ++part) search(path, part_of(path.piece, part, parts));
+    if (!is_near_) clear_ = {.place = path.piece.start, .margin = margin, .required = required_};
+  }
+
+  void search(const PathPiece& path, const Piece& part) {
+    tree_.for_each_near(
+        tree_.probe(part), near_,
+        [this](double required) {
+          ++report_.steps;
+          return std::min(required_, required) + margin_of_interest() + slack;
+        },
+        [&](const ProgrammedPiece& block, const Piece& wall) {
+          checkpoint_.pass();
+          compare(path, block, wall);
+        });
+  }
+
+  void compare(const PathPiece& path, const ProgrammedPiece& block, const Piece& wall) {
+    ++report_.steps;
+    double touch = 0;
+    if (!is_plain_) {
+      const std::size_t own = held_.programmed()[path.programmed].number;
+      if (!sides_.is_wall_for(block.number, own)) return;
+      touch = sides_.touch_between(block.number, own);
+    }
+    const double required = std::min(required_, held_.rule_of(block).required) - touch;
+    const double limit = required + margin_of_interest();
+    if (path.piece.is_arc() || wall.is_arc()) {
+      const Point& center = wall.is_arc() ? wall.center : path.piece.center;
+      if (least_gap(ring_of(path.piece, center), ring_of(wall, center)) >= limit + slack) return;
+    }
+    const Gap gap = gap_between(path.piece, wall);
+    if (gap.distance < limit + slack) is_near_ = true;
+    if (gap.distance < limit) note(path, gap.distance, required, gap.on_a, block.source);
+  }
+
+  // Whether the middle of the path lies on the side of its own block that the program asks for.
+  void check_side(const PathPiece& path, const ProgrammedPiece& own) {
+    const Rule& rule = held_.rule_of(own);
+    if (!rule.follows) return;
+    const Point middle = place_at(segment_of(path.piece), 0.5).point;
+    const Segment contour = segment_of(own.piece);
+    const Point foot = nearest_point(contour, middle);
+    const double left = cross(direction_at(contour, foot), middle - foot);
+    if (rule.side == Side::left ? left >= 0 : left <= 0) return;
+    note(path, -(middle - foot).norm(), required_, middle, own.source);
+  }
+
+  void note(const PathPiece& path, double distance, double required, const Point& point,
+            const Source& wall) {
+    const double margin = distance - required;
+    if (margin < -allowed_) gouges_ = true;
+    if (report_.worst && report_.worst->margin() <= margin) return;
+    const ProgrammedPiece& own = held_.programmed()[path.programmed];
+    const Rule& rule = held_.rule_of(own);
+    report_.worst = {.distance = distance,
+                     .required = required,
+                     .place = from_plane(rule.plane, point, path.height),
+                     .path = own.source,
+                     .contour = wall,
+                     .accepted = rule.accepts};
+  }
+
+  static Piece part_of(const Piece& piece, int part, int parts) {
+    if (parts == 1) return piece;
+    const Segment whole = segment_of(piece);
+    const auto share = [&](int number) { return static_cast<double>(number) / parts; };
+    return {.start = place_at(whole, share(part)).point,
+            .end = place_at(whole, share(part + 1)).point,
+            .center = piece.center,
+            .sweep = piece.sweep / parts};
+  }
+
+  const HeldPath& held_;
+  std::size_t begin_;
+  std::size_t end_;
+  double allowed_;
+  Checkpoint& checkpoint_;
+  SidedWalls sides_;
+  bool is_plain_ = false;  // all of the contour is a wall for all of the path
+  WallTree tree_;
+  ClearanceReport report_;
+  std::vector<WallTree::Stretch> near_;  // to the group of pieces that is being measured
+  // A place of the path that is clear with `slack` to spare.
+  struct Clear {
+    Point place = Point::Zero();
+    double margin = 0;
+    double required = 0;
+  };
+  std::optional<Clear> clear_;
+  // Of the piece that is being measured.
+  double required_ = 0;
+  bool gouges_ = false;
+  bool is_near_ = false;
+};
+
+// Behind the last piece of the selection that begins there.
+std::size_t end_of_selection(const HeldPath& held, std::size_t begin, std::size_t end,
+                             Checkpoint& checkpoint) {
+  const std::uint32_t selection = held.rule_of(held.programmed()[begin]).selection;
+  std::size_t number = begin + 1;
+  for (; number < end && held.rule_of(held.programmed()[number]).selection == selection; ++number)
+    checkpoint.pass();
+  return number;
 }
 
 }  // namespace
 
+void ClearanceReport::add(const ClearanceReport& other) {
+  checked += other.checked;
+  walls += other.walls;
+  gouging += other.gouging;
+  accepted += other.accepted;
+  wall_length += other.wall_length;
+  touched_length += other.touched_length;
+  steps += other.steps;
+  if (other.worst && (!worst || other.worst->margin() < worst->margin())) worst = other.worst;
+}
+
+ClearanceReport measure_clearance(const HeldPath& held, std::size_t end, double allowed,
+                                  const LeadSettings& leads, Checkpoint& checkpoint) {
+  ClearanceReport report;
+  std::size_t next = held.path().begin();
+  for (std::size_t begin = held.programmed().begin(); begin < end;) {
+    const std::size_t behind = end_of_selection(held, begin, end, checkpoint);
+    Selection selection(held, begin, behind, allowed, leads, checkpoint);
+    next = selection.measure_from(next);
+    report.add(selection.report());
+    begin = behind;
+  }
+  return report;
+}
+
 ClearanceReport measure_clearance(std::span<const Block> programmed,
                                   std::span<const CompensatedBlock> path, double allowed,
                                   const LeadSettings& leads) {
-  const Plan plan = plan_of(programmed, leads);
-  ClearanceReport report;
-  for (const auto& [selection, contour] : plan.contours)
-    report.wall_length += contour.wall_length();
-  for (const CompensatedBlock& block : path) {
-    if (!is_checked(block.origin) || !is_finite(block.path)) continue;
-    const auto own = plan.blocks.find(block.source.index);
-    if (own == plan.blocks.end()) continue;
-    const auto contour = plan.contours.find(own->second.block->mode->selection_number);
-    if (contour == plan.contours.end() || contour->second.size() == 0) continue;
-
-    const bool inserted =
-        block.origin == Origin::transition || block.origin == Origin::radius_change;
-    if (inserted && own->second.crosses_behind) continue;
-    ++report.checked;
-    const double own_required = inserted
-                                    ? std::min(own->second.required, own->second.required_behind)
-                                    : own->second.required;
-    std::optional<Clearance> worst;
-    const auto note = [&](double distance, double required, const Point& point,
-                          const Source& source) {
-      if (worst && worst->margin() <= distance - required) return;
-      worst = {.distance = distance,
-               .required = required,
-               .place = from_plane(block.plane, point, block.normal.to),
-               .path = block.source,
-               .contour = source,
-               .accepted = own->second.block->mode->options.ignore_cont_damage};
-    };
-    Bounds bounds;
-    bounds.add(block.path);
-    // A little farther than the tool reaches: the blocks it just touches count.
-    const double reach = own_required * 1.01 + 1;
-    contour->second.for_each_near(
-        bounds, own->second.number, reach,
-        [&](const MotionBlock& near, const Segment& wall, double touch) {
-          const Gap gap = gap_between(block.path, wall);
-          const double required =
-              std::min(own_required, near.mode->options.suppress_trc ? 0 : near.mode->tool_radius);
-          note(gap.distance, required - touch, gap.on_a, near.source);
-        });
-    if (!inserted && own->second.is_contour)
-      report.touched_length +=
-          touched_length(own->second.block->path, contour->second.wall_of(own->second.number),
-                         block.path, own_required);
-    if (block.origin == Origin::programmed && !on_programmed_side(block, *own->second.block)) {
-      const Point middle = place_at(block.path, 0.5).point;
-      const Point foot = nearest_point(own->second.block->path, middle);
-      note(-(middle - foot).norm(), own_required, middle, block.source);
-    }
-    if (!worst) continue;
-    if (worst->margin() < -allowed) {
-      ++report.gouging;
-      if (worst->accepted) ++report.accepted;
-    }
-    if (!report.worst || worst->margin() < report.worst->margin()) report.worst = worst;
+  HeldPath held;
+  for (const Block& block : programmed) {
+    const auto* motion = std::get_if<MotionBlock>(&block);
+    if (motion != nullptr && motion->mode && motion->mode->active()) held.add(*motion);
   }
-  return report;
+  for (const CompensatedBlock& block : path) held.add(block);
+  Checkpoint checkpoint({});
+  return measure_clearance(held, held.programmed().end(), allowed, leads, checkpoint);
 }
 
 }  // namespace trc::verify

@@ -1,17 +1,23 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <span>
 
+#include "core/base/checkpoint.h"
 #include "core/geometry/plane.h"
 #include "core/nc/state/block.h"
 #include "core/trc/result/compensated_block.h"
 #include "core/trc/walls/walls.h"
+#include "core/verify/held_path.h"
 
 namespace trc::verify {
 
-// How near one block of the path comes to the contour.
+// Counts the ways this has been measured in; a certificate names it.
+inline constexpr std::uint32_t method_version = 2;
+
+// How near one block of the path comes to a wall.
 struct Clearance {
   double distance = 0;  // mm; negative on the wrong side of the contour
   double required = 0;  // mm, the tool radius
@@ -26,25 +32,36 @@ struct Clearance {
 struct ClearanceReport {
   std::optional<Clearance> worst{};  // the smallest margin; empty: nothing to check
   std::uint64_t checked = 0;         // blocks of the path
+  std::uint64_t walls = 0;           // blocks of the contour they were compared with
   std::uint64_t gouging = 0;         // of these, with a margin below -`allowed`
   std::uint64_t accepted = 0;        // of these, under IGNORE_CONT_DAMAGE
-  double wall_length = 0;            // mm, of all walls
-  double touched_length = 0;         // mm, of these, that the path touches
+
+  double wall_length = 0;     // mm, of all walls
+  double touched_length = 0;  // mm, of these, that the path touches
+  std::uint64_t steps = 0;    // pairs compared and stretches of contour looked at: the cost
 
   // The share of the walls the path touches; walls have a length.
   [[nodiscard]] double coverage() const { return touched_length / wall_length; }
+  // That of another part of the path.
+  void add(const ClearanceReport& other);
 };
 
-// Measures every block of the compensated path between approach and retract
-// against every wall of its selection (D-38), pair by pair with the exact
-// distance of lines and arcs. Shares no code with the compensation and decides
-// nothing by it: only source positions link path and contour. What is a wall is
-// data: it follows from the program alone. Looks across a change of side, but
-// for the blocks at the change itself (D-42).
+// Measures every block of the compensated path between approach and retract against all walls of
+// its selection, with the exact distance of lines and arcs. Shares no code with the compensation
+// and decides nothing by it: only source positions link path and contour. What is a wall is data:
+// it follows from the program alone (D-38). Looks across a change of side, but for the blocks at
+// the change itself (D-42).
 //
-// Where the tool radius changes, the smaller one is required.
+// Where the tool radius changes, the smaller one is required. The smallest margin is found up to
+// `margin_resolution`: where the whole path runs at one distance, all of it is as near.
+inline constexpr double margin_resolution = 1e-5;  // mm
 [[nodiscard]] ClearanceReport measure_clearance(std::span<const Block> programmed,
                                                 std::span<const CompensatedBlock> path,
                                                 double allowed, const LeadSettings& leads = {});
+
+// The same of what is held, as far as it stems from programmed pieces before the number `end`.
+[[nodiscard]] ClearanceReport measure_clearance(const HeldPath& held, std::size_t end,
+                                                double allowed, const LeadSettings& leads,
+                                                Checkpoint& checkpoint);
 
 }  // namespace trc::verify

@@ -77,16 +77,10 @@ void add_supports(const Arc& arc, const Line& line, Candidates& candidates) {
   add_supports(line, arc, candidates);
 }
 
-}  // namespace
-
-Point nearest_point(const Segment& segment, const Point& point) {
-  return std::visit([&](const auto& shape) { return nearest_on(shape, point); }, segment);
-}
-
-// The smallest distance is taken at an end of one of the two, at a common point,
-// or where a line through a centre meets both at right angles. Each candidate is
+// Arcs at least one of them: the smallest distance is taken at an end of one of the two, at a
+// common point, or where a line through a centre meets both at right angles. Each candidate is
 // drawn onto `a` first, so that a wrong one can only be too far away.
-Gap gap_between(const Segment& a, const Segment& b) {
+Gap gap_of_bows(const Segment& a, const Segment& b) {
   Candidates candidates;
   std::visit(
       [&](const auto& first, const auto& second) {
@@ -104,6 +98,50 @@ Gap gap_between(const Segment& a, const Segment& b) {
     if (distance < gap.distance) gap = {.distance = distance, .on_a = on_a};
   }
   return gap;
+}
+
+}  // namespace
+
+Point nearest_point(const Segment& segment, const Point& point) {
+  return std::visit([&](const auto& shape) { return nearest_on(shape, point); }, segment);
+}
+
+// Where they do not cross, an end of one of them is nearest.
+Gap gap_between(const Line& a, const Line& b) {
+  const Vector u = a.end - a.start;
+  const Vector v = b.end - b.start;
+  const Vector apart = b.start - a.start;
+  const double area = cross(u, v);
+  const double on_a = cross(apart, v) / area;
+  const double on_b = cross(apart, u) / area;
+  if (on_a >= 0 && on_a <= 1 && on_b >= 0 && on_b <= 1) return {.on_a = a.start + on_a * u};
+
+  Gap gap;
+  double least = std::numeric_limits<double>::infinity();
+  const auto note = [&](const Point& at, const Point& other) {
+    const double square = (at - other).squaredNorm();
+    if (!(square < least)) return;
+    least = square;
+    gap.on_a = at;
+  };
+  note(a.start, nearest_on(b, a.start));
+  note(a.end, nearest_on(b, a.end));
+  note(nearest_on(a, b.start), b.start);
+  note(nearest_on(a, b.end), b.end);
+  gap.distance = std::sqrt(least);
+  return gap;
+}
+
+Gap gap_between(const Segment& a, const Segment& b) {
+  const auto* line_a = std::get_if<Line>(&a);
+  const auto* line_b = std::get_if<Line>(&b);
+  return line_a != nullptr && line_b != nullptr ? gap_between(*line_a, *line_b) : gap_of_bows(a, b);
+}
+
+Gap gap_between(const Piece& a, const Piece& b) {
+  if (!a.is_arc() && !b.is_arc())
+    return gap_between(Line{.start = a.start, .end = a.end}, Line{.start = b.start, .end = b.end});
+  return gap_of_bows(segment_of(a), segment_of(b));
 }
 
 Vector direction_at(const Segment& segment, const Point& point) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/geometry/segment.h"
+#include "core/verify/piece.h"
 
 namespace trc::verify {
 
@@ -13,7 +14,9 @@ struct Gap {
   double distance = 0;
   Point on_a = Point::Zero();
 };
+[[nodiscard]] Gap gap_between(const Line& a, const Line& b);
 [[nodiscard]] Gap gap_between(const Segment& a, const Segment& b);
+[[nodiscard]] Gap gap_between(const Piece& a, const Piece& b);
 
 // The unit travel direction at a point of the segment.
 [[nodiscard]] Vector direction_at(const Segment& segment, const Point& point);

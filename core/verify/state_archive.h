@@ -2,6 +2,7 @@
 
 #include "core/trc/state_archive.h"
 #include "core/verify/clearance.h"
+#include "core/verify/held_path.h"
 
 namespace trc::verify {
 
@@ -9,6 +10,30 @@ template <class Archive>
 void serialize(Archive& archive, Clearance& clearance) {
   auto& [distance, required, place, path, contour, accepted] = clearance;
   archive(distance, required, place, path, contour, accepted);
+}
+
+template <class Archive>
+void serialize(Archive& archive, Piece& piece) {
+  auto& [start, end, center, sweep] = piece;
+  archive(start, end, center, sweep);
+}
+
+template <class Archive>
+void serialize(Archive& archive, Rule& rule) {
+  auto& [selection, required, radius, side, plane, accepts, reverses, follows] = rule;
+  archive(selection, required, radius, side, plane, accepts, reverses, follows);
+}
+
+template <class Archive>
+void serialize(Archive& archive, ProgrammedPiece& programmed) {
+  auto& [piece, source, rule, number, is_contour, crosses_behind, role] = programmed;
+  archive(piece, source, rule, number, is_contour, crosses_behind, role);
+}
+
+template <class Archive>
+void serialize(Archive& archive, PathPiece& path) {
+  auto& [piece, height, programmed, inserted, on_contour] = path;
+  archive(piece, height, programmed, inserted, on_contour);
 }
 
 }  // namespace trc::verify

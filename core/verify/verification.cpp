@@ -5,13 +5,14 @@
 #include <utility>
 #include <variant>
 
+#include "core/trc/selection/selection_limit.h"
+
 namespace trc::verify {
 namespace {
 
 Diagnostic gouge(const ClearanceReport& found) {
   const Clearance& worst = *found.worst;
   Diagnostic problem = diagnostic(Code::clearance_violated, worst.path);
-  if (found.gouging == found.accepted) problem.severity = Severity::warning;
   problem.values = {{"clearance", worst.distance},
                     {"tool_radius", worst.required},
                     {"blocks", static_cast<double>(found.gouging)}};
@@ -22,15 +23,39 @@ Diagnostic gouge(const ClearanceReport& found) {
 
 }  // namespace
 
-void Verification::programmed(const Block& block) {
-  const auto* motion = std::get_if<MotionBlock>(&block);
-  if (motion == nullptr) return;
-  if (motion->mode->active()) {
-    programmed_.push_back(*motion);
-  } else if (!programmed_.empty() &&
-             (ends_.empty() || ends_.back() < index_of(programmed_.back()))) {
-    ends_.push_back(motion->source.index);
+std::size_t Verification::held_only(std::span<const Block> blocks) const {
+  if (!ends_.empty()) return 0;
+  bool holds = !held_.programmed().empty();
+  std::size_t room =
+      setup_.selection_blocks - std::min(setup_.selection_blocks, held_.programmed().size());
+  std::size_t count = 0;
+  for (const Block& block : blocks) {
+    if (const auto* motion = std::get_if<MotionBlock>(&block)) {
+      if (motion->mode->active() ? room-- == 0 : holds) break;
+      holds = holds || motion->mode->active();
+    }
+    ++count;
   }
+  return count;
+}
+
+bool Verification::programmed(const Block& block) {
+  const auto* motion = std::get_if<MotionBlock>(&block);
+  if (motion == nullptr) return true;
+  const auto& programmed = held_.programmed();
+  if (!motion->mode->active()) {
+    if (!programmed.empty() && (ends_.empty() || ends_.back() < programmed.back().source.index))
+      ends_.push_back(motion->source.index);
+    return true;
+  }
+  if (motion->mode->selection_number == too_long_) return true;
+  if (programmed.size() < setup_.selection_blocks) {
+    held_.add(*motion);
+    return true;
+  }
+  too_long_ = motion->mode->selection_number;
+  held_ = HeldPath();
+  return tell(selection_too_long(motion->source, setup_.selection_blocks), false);
 }
 
 bool Verification::compensated(std::span<const CompensatedBlock> path) {
@@ -40,7 +65,7 @@ bool Verification::compensated(std::span<const CompensatedBlock> path) {
       ends_.pop_front();
       if (!measure_before(end)) return false;
     }
-    if (!programmed_.empty()) path_.push_back(block);
+    held_.add(block);
   }
   return true;
 }
@@ -48,22 +73,17 @@ bool Verification::compensated(std::span<const CompensatedBlock> path) {
 bool Verification::finish() { return measure_before(std::numeric_limits<std::uint64_t>::max()); }
 
 bool Verification::measure_before(std::uint64_t end) {
-  const auto behind =
-      std::partition_point(programmed_.begin(), programmed_.end(),
-                           [&](const Block& motion) { return index_of(motion) < end; });
+  const std::size_t behind = held_.first_from(end);
   const ClearanceReport found =
-      measure_clearance({programmed_.begin(), behind}, path_, allowed_, leads_);
-  programmed_.erase(programmed_.begin(), behind);
-  path_.clear();
-  report_.checked += found.checked;
-  report_.gouging += found.gouging;
-  report_.accepted += found.accepted;
-  report_.wall_length += found.wall_length;
-  report_.touched_length += found.touched_length;
-  if (!found.worst) return true;
-  if (!report_.worst || found.worst->margin() < report_.worst->margin())
-    report_.worst = found.worst;
-  return found.gouging == 0 || diagnostics_.report(gouge(found));
+      measure_clearance(held_, behind, setup_.allowed, setup_.leads, checkpoint_);
+  held_.forget_before(behind);
+  report_.add(found);
+  return found.gouging == 0 || tell(gouge(found), found.gouging == found.accepted);
+}
+
+bool Verification::tell(Diagnostic problem, bool accepted) {
+  if (accepted || setup_.verify == Verify::report) problem.severity = Severity::warning;
+  return diagnostics_.report(std::move(problem));
 }
 
 }  // namespace trc::verify

@@ -1,52 +1,82 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <deque>
 #include <span>
-#include <vector>
+#include <utility>
 
+#include "core/base/checkpoint.h"
 #include "core/base/diagnostics.h"
 #include "core/trc/result/compensated_block.h"
 #include "core/verify/clearance.h"
+#include "core/verify/held_path.h"
 
-namespace trc::verify {
+namespace trc {
+
+// What a path is measured for.
+enum class Verify : std::uint8_t {
+  off,
+  report,   // a path that comes too near is a warning
+  enforce,  // it stops the stream; under IGNORE_CONT_DAMAGE a warning
+};
+
+namespace verify {
+
+struct VerificationSetup {
+  Verify verify = Verify::enforce;
+  double allowed = 0;  // how much nearer than the tool radius the path may come, mm
+  LeadSettings leads{};
+  // Programmed blocks of one selection that are held until it is measured.
+  std::size_t selection_blocks = 0;
+  Checkpoint::Interrupt interrupt{};  // of long work
+};
 
 // Measures a path as it comes out: what is programmed is given first, then the path it has
 // become. A selection is held until all of its path is there, and measured then.
 //
-// Where the path comes nearer to the contour than the tool radius the stream stops with
-// 900216; under IGNORE_CONT_DAMAGE that is a warning.
+// Where the path comes nearer to the walls than the tool radius, that is 900216. A selection of
+// more blocks than may be held is not measured: 900212, as severe.
 class Verification {
  public:
-  // `allowed`: how much nearer it may come, mm.
-  Verification(double allowed, const LeadSettings& leads, Diagnostics& diagnostics)
-      : allowed_(allowed), leads_(leads), diagnostics_(diagnostics) {}
+  Verification(VerificationSetup setup, Diagnostics& diagnostics)
+      : setup_(std::move(setup)), diagnostics_(diagnostics), checkpoint_(setup_.interrupt) {}
 
-  void programmed(const Block& block);
+  // So many of the next blocks are only held: none ends a selection, none is too many, and no path
+  // of them is measured.
+  [[nodiscard]] std::size_t held_only(std::span<const Block> blocks) const;
+
+  // All return whether the stream goes on.
+  bool programmed(const Block& block);
   bool compensated(std::span<const CompensatedBlock> path);
   // No more of either.
   bool finish();
 
   // Of all selections that have been measured.
   [[nodiscard]] const ClearanceReport& report() const { return report_; }
+  // Memory it holds, and what measuring that will take in addition, bytes.
+  [[nodiscard]] std::size_t held_bytes() const { return held_.bytes(); }
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(programmed_, path_, ends_, report_.worst, report_.checked, report_.gouging,
+    archive(held_, ends_, too_long_, report_.worst, report_.checked, report_.walls, report_.gouging,
             report_.accepted, report_.wall_length, report_.touched_length);
   }
 
  private:
   // What was programmed before `end` has all come out.
   bool measure_before(std::uint64_t end);
+  // A diagnostic that tells of what was measured, or not.
+  bool tell(Diagnostic problem, bool accepted);
 
-  double allowed_;
-  LeadSettings leads_;
+  VerificationSetup setup_;
   Diagnostics& diagnostics_;
-  std::vector<Block> programmed_;  // the motions of selections
-  std::vector<CompensatedBlock> path_;
+  Checkpoint checkpoint_;
+  HeldPath held_;                   // the motions of selections, and their path
   std::deque<std::uint64_t> ends_;  // the first motion behind each selection that has ended
+  std::uint32_t too_long_ = 0;      // the selection that is not held; 0: none
   ClearanceReport report_;
 };
 
-}  // namespace trc::verify
+}  // namespace verify
+}  // namespace trc

@@ -43,6 +43,13 @@ void to_proto(const Diagnostic& diagnostic, v1::Diagnostic& message) {
   message.set_detail(diagnostic.detail);
 }
 
+void to_proto(const ReceivedDiagnostic& received, v1::Diagnostic& message) {
+  to_proto(received.diagnostic, message);
+  message.set_message(received.message);
+  message.set_remedy(received.remedy);
+  message.set_reason(received.reason);
+}
+
 ReceivedDiagnostic from_proto(const v1::Diagnostic& message) {
   ReceivedDiagnostic received{
       .message = message.message(), .remedy = message.remedy(), .reason = message.reason()};

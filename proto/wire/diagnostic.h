@@ -20,6 +20,8 @@ struct ReceivedDiagnostic {
 
 // Replaces the content of the message; texts come from the table of codes.
 void to_proto(const Diagnostic& diagnostic, v1::Diagnostic& message);
+// With the texts it came with.
+void to_proto(const ReceivedDiagnostic& received, v1::Diagnostic& message);
 [[nodiscard]] ReceivedDiagnostic from_proto(const v1::Diagnostic& message);
 
 }  // namespace trc::wire

@@ -6,19 +6,21 @@
 namespace trc::wire {
 namespace {
 
-void to_proto(const verify::ClearanceReport& report, v1::Clearance& message) {
+void to_proto(const verify::ClearanceReport& report, v1::Certificate& message) {
   const verify::Clearance& worst = *report.worst;
-  message.set_distance(worst.distance);
+  message.set_clearance(worst.distance);
   message.set_tool_radius(worst.required);
   wire::to_proto(worst.place, *message.mutable_point());
   if (worst.path.number != Source::no_number)
     message.set_source_number(static_cast<std::uint64_t>(worst.path.number));
   message.set_source_index(worst.path.index);
   if (worst.contour.number != Source::no_number)
-    message.set_contour_number(static_cast<std::uint64_t>(worst.contour.number));
-  message.set_contour_index(worst.contour.index);
+    message.set_wall_number(static_cast<std::uint64_t>(worst.contour.number));
+  message.set_wall_index(worst.contour.index);
   message.set_blocks_checked(report.checked);
   message.set_blocks_gouging(report.gouging);
+  message.set_walls(report.walls);
+  message.set_method_version(verify::method_version);
 }
 
 Source source_of(std::uint64_t index, bool has_number, std::uint64_t number) {
@@ -26,19 +28,20 @@ Source source_of(std::uint64_t index, bool has_number, std::uint64_t number) {
           .number = has_number ? static_cast<std::int64_t>(number) : Source::no_number};
 }
 
-verify::ClearanceReport from_proto(const v1::Clearance& message) {
+verify::ClearanceReport from_proto(const v1::Certificate& message) {
   const v1::Position& point = message.point();
-  return {.worst =
-              verify::Clearance{
-                  .distance = message.distance(),
-                  .required = message.tool_radius(),
-                  .place = {point.x(), point.y(), point.z()},
-                  .path = source_of(message.source_index(), message.has_source_number(),
-                                    message.source_number()),
-                  .contour = source_of(message.contour_index(), message.has_contour_number(),
-                                       message.contour_number())},
-          .checked = message.blocks_checked(),
-          .gouging = message.blocks_gouging()};
+  return {
+      .worst =
+          verify::Clearance{.distance = message.clearance(),
+                            .required = message.tool_radius(),
+                            .place = {point.x(), point.y(), point.z()},
+                            .path = source_of(message.source_index(), message.has_source_number(),
+                                              message.source_number()),
+                            .contour = source_of(message.wall_index(), message.has_wall_number(),
+                                                 message.wall_number())},
+      .checked = message.blocks_checked(),
+      .walls = message.walls(),
+      .gouging = message.blocks_gouging()};
 }
 
 }  // namespace
@@ -51,8 +54,8 @@ void to_proto(const PathSummary& summary, v1::PathSummary& message) {
   message.set_masked_blocks(core.blocks_by_origin[static_cast<std::size_t>(Origin::masked)]);
   message.set_programmed_length(core.programmed_length);
   message.set_compensated_length(core.compensated_length);
-  if (summary.clearance.worst) to_proto(summary.clearance, *message.mutable_min_clearance());
   if (summary.clearance.wall_length > 0) message.set_coverage(summary.clearance.coverage());
+  if (summary.clearance.worst) to_proto(summary.clearance, *message.mutable_certificate());
   for (std::size_t origin = 0; origin < core.blocks_by_origin.size(); ++origin) {
     if (core.blocks_by_origin[origin] == 0) continue;
     v1::OriginCount& entry = *message.add_blocks_by_origin();
@@ -82,7 +85,7 @@ PathSummary from_proto(const v1::PathSummary& message) {
   core.blocks_out = message.blocks_out();
   core.programmed_length = message.programmed_length();
   core.compensated_length = message.compensated_length();
-  if (message.has_min_clearance()) summary.clearance = from_proto(message.min_clearance());
+  if (message.has_certificate()) summary.clearance = from_proto(message.certificate());
   // The lengths themselves are not sent.
   if (message.has_coverage()) {
     summary.clearance.wall_length = 1;

@@ -177,6 +177,10 @@ std::optional<bool> switch_from(std::string_view text) {
 
 std::optional<int> enum_from(const EnumDescriptor& type, std::string_view text) {
   const std::string word = lower(text);
+  // It was a switch once.
+  if (&type == v1::Verification_descriptor())
+    if (const auto on = switch_from(text))
+      return *on ? v1::VERIFICATION_ENFORCE : v1::VERIFICATION_OFF;
   const std::string prefix = prefix_of(type);
   for (int i = 1; i < type.value_count(); ++i) {
     const std::string& name = type.value(i)->name();

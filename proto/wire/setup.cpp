@@ -52,6 +52,12 @@ constexpr EnumTable<v1::KerfMethod, bool, 2> kerf_methods{{
     {v1::KERF_METHOD_CIRCULAR, true},
 }};
 
+constexpr EnumTable<v1::Verification, Verify, 3> verifications{{
+    {v1::VERIFICATION_ENFORCE, Verify::enforce},
+    {v1::VERIFICATION_REPORT, Verify::report},
+    {v1::VERIFICATION_OFF, Verify::off},
+}};
+
 CircleCheck from_proto(const v1::CircleCenterMode& message, const FieldPath& path,
                        FieldFaults& faults) {
   CircleCheck check;
@@ -244,7 +250,9 @@ PathSettings from_proto(const v1::PathSetup& message, const FieldPath& path, Fie
       layouts.from_proto(message.response_layout(), FieldPath(path, "response_layout"), faults)
           .value_or(settings.response_layout);
   settings.session.compensator.inverse_path = message.include_inverse_path();
-  settings.session.verify = message.verify();
+  settings.session.verify =
+      verifications.from_proto(message.verify(), FieldPath(path, "verify"), faults)
+          .value_or(settings.session.verify);
   settings.want_resume_tokens = message.want_resume_tokens();
   settings.resume_token = message.resume_token();
   settings.client_tag = message.client_tag();
@@ -322,7 +330,8 @@ void to_proto(const PathSettings& settings, v1::PathSetup& message) {
   if (settings.response_layout != Layout::blocks)
     message.set_response_layout(layouts.to_proto(settings.response_layout));
   message.set_include_inverse_path(compensator.inverse_path);
-  message.set_verify(settings.session.verify);
+  if (settings.session.verify != Verify::off)
+    message.set_verify(verifications.to_proto(settings.session.verify));
   message.set_client_tag(settings.client_tag);
   message.set_want_resume_tokens(settings.want_resume_tokens);
   message.set_resume_token(settings.resume_token);

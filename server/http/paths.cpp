@@ -22,7 +22,7 @@ void start(Api& api, const ExchangePointer& exchange, bool verify, std::shared_p
     v1::PreviewPathRequest path;
     const std::string fault = wire::Json().read(exchange->request().body, path);
     path.mutable_setup()->set_response_layout(v1::RESPONSE_LAYOUT_BLOCKS);
-    if (verify) path.mutable_setup()->set_verify(true);
+    if (verify) path.mutable_setup()->set_verify(v1::VERIFICATION_ENFORCE);
     exchange->post([&api, exchange, fault, question = RpcCall::bytes_of(path), format] {
       exchange->request().body = {};
       if (!fault.empty())

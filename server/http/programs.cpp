@@ -59,7 +59,7 @@ void verify_program(Api& api, const ExchangePointer& exchange) {
   if (!read_setup(*exchange, setup)) return;
   setup.set_output(v1::PROGRAM_OUTPUT_BLOCKS);
   setup.mutable_path()->set_response_layout(v1::RESPONSE_LAYOUT_COLUMNS);
-  setup.mutable_path()->set_verify(true);
+  setup.mutable_path()->set_verify(v1::VERIFICATION_ENFORCE);
   start(api, exchange, setup,
         std::make_shared<Measured>(Measured::Blocks::left_out, api.most_message_bytes()));
 }

@@ -21,8 +21,6 @@ namespace {
 
 constexpr const char* compensate_program_rpc = "/trc.v1.TrcService/CompensateProgram";
 
-constexpr std::ptrdiff_t most_lines_measured = 20'000;
-
 v1::Problem no_memory() {
   return problem(503, "HTTP_MEMORY_LIMIT", "A limit of the server is reached",
                  "the view takes more memory than the setting http-max-memory-mib leaves; close "
@@ -142,10 +140,7 @@ void answer_of_view(Api& api, const ExchangePointer& exchange, const Make& make)
 
 void make_view(Api& api, const ExchangePointer& exchange) {
   v1::ProgramSetup setup;
-  // Measuring takes many times as long as compensating: of a large program it must be asked for.
-  const std::string& program = exchange->request().body;
-  setup.mutable_path()->set_verify(std::count(program.begin(), program.end(), '\n') <
-                                   most_lines_measured);
+  setup.mutable_path()->set_verify(v1::VERIFICATION_REPORT);
   if (const auto refused = read_settings(exchange->request().query, setup))
     return answer_problem(*exchange, *refused);
   setup.set_output(v1::PROGRAM_OUTPUT_BLOCKS);

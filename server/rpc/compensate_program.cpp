@@ -25,7 +25,7 @@ CompensateProgram::Run::Run(const StreamContext& stream, const wire::PathSetting
       session(in_portions(setup)),
       answers(stream.backend, stream.record),
       meter(settings.session.compensator.limits),
-      verifies(settings.session.verify) {}
+      verifies(settings.session.verify != Verify::off) {}
 
 ProgramSessionSetup CompensateProgram::Run::in_portions(ProgramSessionSetup setup) {
   setup.session.compensator.take_portion = [this](auto& blocks) {

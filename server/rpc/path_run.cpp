@@ -14,7 +14,7 @@ PathRun::PathRun(const StreamContext& stream, const wire::PathSettings& settings
       reader_(settings.session.program.tracking_axes.size()),
       answers_(stream.backend, stream.record),
       meter_(settings.session.compensator.limits),
-      verifies_(settings.session.verify) {}
+      verifies_(settings.session.verify != Verify::off) {}
 
 SessionSetup PathRun::in_portions(SessionSetup setup) {
   setup.compensator.take_portion = [this](auto& blocks) {

@@ -10,16 +10,17 @@
 #include <vector>
 
 #include "core/base/pages.h"
-#include "core/trc/compensator.h"
+#include "core/session/verified_compensator.h"
 #include "tests/bench/workloads.h"
 
 // The core from native blocks to native blocks: G140, and G141 with
-// REMOVE_MASKED_BLOCKS over the whole contour and in a window.
+// REMOVE_MASKED_BLOCKS over the whole contour, in a window, and over the whole contour with the
+// path measured on its way.
 
 namespace trc::bench {
 namespace {
 
-enum class Way { plain, whole, window };
+enum class Way { plain, whole, window, measured };
 
 std::vector<Block> program(const Workload& workload, std::size_t blocks, Way way) {
   TrcMode off;
@@ -77,7 +78,8 @@ void compensate(benchmark::State& state, const Workload& workload, Way way) {
     bytes_before = bytes_in_use();
     state.ResumeTiming();
     Diagnostics diagnostics;
-    Compensator compensator(setup, diagnostics);
+    VerifiedCompensator compensator(setup, way == Way::measured ? Verify::report : Verify::off,
+                                    diagnostics);
     std::vector<CompensatedBlock> out;
     bool going = true;
     out_blocks = 0;
@@ -112,11 +114,13 @@ std::string name_of(const Workload& workload, const char* way) {
 const bool registered = [] {
   for (const Workload& workload : workloads())
     for (const auto& [way, name] : {std::pair{Way::plain, "G140"}, std::pair{Way::whole, "removed"},
-                                    std::pair{Way::window, "window 1000"}}) {
+                                    std::pair{Way::window, "window 1000"},
+                                    std::pair{Way::measured, "removed and measured"}}) {
       auto* measured =
           benchmark::RegisterBenchmark(name_of(workload, name).c_str(), compensate, workload, way);
       measured->Arg(100'000)->Arg(1'000'000)->Unit(benchmark::kMillisecond);
-      if (way == Way::whole) measured->Arg(10'000'000);
+      if (way == Way::measured) measured->Arg(10'000);
+      if (way == Way::whole || way == Way::measured) measured->Arg(10'000'000);
     }
   return true;
 }();

@@ -434,6 +434,127 @@ TEST(Verify, FindsNoGougeInGeneratedContours) {
   }
 }
 
+// A bottleneck of 15 mm for a tool of 20, which G140 does not see (rule 6).
+const std::string neck =
+    "N10 G00 X-60 Y-80 F1000\nN20 V.G.WZ_AKT.R = 10\nN30 G41 G01 X-60 Y-40\nN40 X0\nN50 Y0\n"
+    "N60 X50\nN70 Y-10\nN80 X90\nN90 Y25\nN100 X0\nN110 Y15\nN120 X-60\nN130 G40 X-90 Y50\n";
+
+TEST(Verify, CompensateTellsOfAPathThatComesTooNear) {
+  const Ended told = trc({"compensate", "-"}, neck);
+  EXPECT_EQ(told.code, 0) << told.err;
+  EXPECT_NE(told.err.find("warning 900216"), std::string::npos) << told.err;
+  const Ended refused = trc({"compensate", "-", "--set", "verify=enforce"}, neck);
+  EXPECT_EQ(refused.code, 1);
+  EXPECT_NE(refused.err.find("error 900216"), std::string::npos) << refused.err;
+  const Ended not_measured = trc({"compensate", "-", "--set", "verify=off"}, neck);
+  EXPECT_EQ(not_measured.code, 0);
+  EXPECT_EQ(not_measured.err, "");
+  EXPECT_EQ(not_measured.out, told.out);
+}
+
+void write_file(const std::string& path, const std::string& text) {
+  std::ofstream(path, std::ios::binary) << text;
+}
+
+std::string read_file(const std::string& path) {
+  std::ifstream stream(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+TEST(Record, HoldsWhereTheSameComesOutAgain) {
+  const Folder folder;
+  const std::string part = folder.path("part.nc");
+  const std::string record = folder.path("part.json");
+  write_file(part, demo);
+  for (const char* format : {"nc", "jsonl", "listing"}) {
+    SCOPED_TRACE(format);
+    const Ended made =
+        trc({"compensate", part, "-o", folder.path("out"), "--format", format, "--record", record});
+    ASSERT_EQ(made.code, 0) << made.err;
+    const std::string filed = read_file(record);
+    for (const char* key : {"\"sha256\"", "\"certificate\"", "\"method", "\"clientVersion\"",
+                            "\"serverCommit\"", "\"started\""})
+      EXPECT_NE(filed.find(key), std::string::npos) << key << '\n' << filed;
+    const Ended held = trc({"verify", "--record", record});
+    EXPECT_EQ(held.code, 0) << held.err;
+    EXPECT_NE(held.out.find("the record holds"), std::string::npos) << held.out;
+  }
+}
+
+TEST(Record, ShowsWhatWasTamperedWith) {
+  const Folder folder;
+  const std::string part = folder.path("part.nc");
+  const std::string record = folder.path("part.json");
+  write_file(part, demo);
+  ASSERT_EQ(trc({"compensate", part, "-o", folder.path("out"), "--record", record}).code, 0);
+  const std::string filed = read_file(record);
+  const auto expect_shown = [&](const std::string& tampered, const char* what) {
+    ASSERT_NE(tampered, filed) << what;
+    write_file(record, tampered);
+    const Ended shown = trc({"verify", "--record", record});
+    EXPECT_EQ(shown.code, 1) << what << shown.out;
+    EXPECT_NE(shown.err.find(what), std::string::npos) << shown.err;
+  };
+  expect_shown(std::regex_replace(filed, std::regex("\"clearance\": 10"), "\"clearance\": 11"),
+               "summary");
+  expect_shown(std::regex_replace(filed, std::regex("\"decimals\": 4"), "\"decimals\": 3"),
+               "output");
+  write_file(part, std::regex_replace(demo, std::regex("N70 X120"), "N70 X121"));
+  expect_shown(filed + "\n", "input");
+  write_file(record, "{\"format\": \"something\"}");
+  EXPECT_EQ(trc({"verify", "--record", record}).code, 2);
+  EXPECT_EQ(trc({"verify"}).code, 2);
+}
+
+TEST(Record, TellsOfARefusedProgramToo) {
+  const Folder folder;
+  const std::string part = folder.path("part.nc");
+  const std::string record = folder.path("part.json");
+  write_file(part, violating);
+  EXPECT_EQ(trc({"compensate", part, "-o", folder.path("out"), "--record", record}).code, 1);
+  EXPECT_NE(read_file(record).find("\"REFUSED\""), std::string::npos);
+  EXPECT_EQ(trc({"verify", "--record", record}).code, 0);
+}
+
+TEST(Folder, IsCompensatedAndOnlyWhatChangedAgain) {
+  const Folder folder;
+  const std::string out = folder.path("out");
+  std::vector<std::string> call{"compensate", "--output-dir", out, "--jobs",
+                                "2",          "--decimals",   "4"};
+  for (const char* name : {"a.nc", "b.nc", "bad.nc"}) {
+    write_file(folder.path(name), std::string(name) == "bad.nc" ? violating : demo);
+    call.push_back(folder.path(name));
+  }
+  const Ended first = trc(call);
+  EXPECT_EQ(first.code, 1) << first.err;
+  EXPECT_NE(first.out.find("3 programs, 2 done, 1 refused"), std::string::npos) << first.out;
+  EXPECT_NE(first.out.find("clearance 10.0000 of 10.0000 mm"), std::string::npos) << first.out;
+  EXPECT_NE(first.err.find("bad.nc:"), std::string::npos) << first.err;
+  const std::string made = read_file(out + "/a.nc");
+  EXPECT_EQ(made, trc({"compensate", folder.path("a.nc")}).out);
+  EXPECT_EQ(read_file(out + "/bad.nc"), "");
+
+  const Ended second = trc(call);
+  EXPECT_NE(second.out.find("3 programs, 1 refused, 2 unchanged"), std::string::npos) << second.out;
+  write_file(out + "/a.nc", made + "M0\n");
+  write_file(folder.path("b.nc"), std::regex_replace(demo, std::regex("X120"), "X121"));
+  EXPECT_NE(trc(call).out.find("2 done, 1 refused"), std::string::npos);
+  EXPECT_EQ(read_file(out + "/a.nc"), made);
+  call[6] = "3";
+  EXPECT_NE(trc(call).out.find("2 done, 1 refused"), std::string::npos);
+}
+
+TEST(Folder, IsNotMixedUp) {
+  const Folder folder;
+  write_file(folder.path("a.nc"), demo);
+  const std::string file = folder.path("a.nc");
+  EXPECT_EQ(trc({"compensate", file, file, "--output-dir", folder.path("out")}).code, 2);
+  EXPECT_EQ(trc({"compensate", file, file}).code, 2);
+  EXPECT_EQ(trc({"compensate", file, "--output-dir", folder.path("")}).code, 2);
+  EXPECT_EQ(trc({"compensate", file, "--jobs", "2"}).code, 2);
+  EXPECT_EQ(read_file(file), demo);
+}
+
 TEST(Generate, WritesTheSameTextAgain) {
   const std::vector<std::string> call{"generate", "--shape", "random", "--blocks",
                                       "50",       "--seed",  "3"};

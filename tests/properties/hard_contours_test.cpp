@@ -223,11 +223,12 @@ TEST_P(HardContour, IsVerifiedAsTheSlowSearchMeasures) {
     ASSERT_TRUE(report.worst.has_value());
     const double expected = least_distance(path, made.contour.blocks).distance;
     const double size = 1 + made.contour.approach.start.norm() + made.mode.tool_radius;
+    const double tolerance = 1e-7 * size + verify::margin_resolution;
     // On the wrong side it says how far.
     if (report.worst->distance < 0) {
-      EXPECT_LE(expected, -report.worst->distance + 1e-7 * size);
+      EXPECT_LE(expected, -report.worst->distance + tolerance);
     } else {
-      EXPECT_NEAR(report.worst->distance, expected, 1e-7 * size);
+      EXPECT_NEAR(report.worst->distance, expected, tolerance);
     }
     ++measured;
   });

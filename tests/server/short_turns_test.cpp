@@ -85,7 +85,7 @@ TEST(ShortTurns, NotWithTokensOrAVerification) {
   v1::PathSetup tokens = setup();
   tokens.set_want_resume_tokens(true);
   v1::PathSetup verified = setup();
-  verified.set_verify(true);
+  verified.set_verify(v1::VERIFICATION_ENFORCE);
   for (const v1::PathSetup& longer : {tokens, verified}) {
     PathStream stream;
     stream.take(setup_request(longer));

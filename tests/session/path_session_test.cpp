@@ -108,7 +108,7 @@ bool compensate_staircase(SessionSetup setup, bool deselected, std::vector<Compe
 }
 
 TEST(PathSession, TheEndOfALongSelectionCanBeTakenInPortions) {
-  for (const bool verify : {false, true})
+  for (const Verify verify : {Verify::off, Verify::enforce})
     for (const bool deselected : {false, true}) {
       SessionSetup setup{.verify = verify};
       std::vector<CompensatedBlock> whole;
@@ -126,7 +126,7 @@ TEST(PathSession, TheEndOfALongSelectionCanBeTakenInPortions) {
       ASSERT_TRUE(compensate_staircase(setup, deselected, rest));
       EXPECT_LT(std::max(largest, rest.size()), 1200U);
       taken.insert(taken.end(), rest.begin(), rest.end());
-      EXPECT_EQ(listed(taken), listed(whole)) << "verify " << verify;
+      EXPECT_EQ(listed(taken), listed(whole)) << "verify " << static_cast<int>(verify);
     }
 }
 

@@ -44,7 +44,7 @@ TEST(SelectionsInARow, NothingFollowsOneWhoseVerificationFails) {
   ASSERT_GT(unmeasured.blocks.size(), static_cast<std::size_t>(blocks));
 
   ProgramSessionSetup setup;
-  setup.session.verify = true;
+  setup.session.verify = Verify::enforce;
   const ProgramRun measured = to_blocks(program, setup);
   EXPECT_FALSE(measured.completed);
   EXPECT_NE(measured.reports().find("900216"), std::string::npos) << measured.reports();

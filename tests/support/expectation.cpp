@@ -201,7 +201,7 @@ ProgramSessionSetup read_setup(std::string_view program) {
     } else if (key == "max_masked_share") {
       setup.session.compensator.largest_masked_share = words.number();
     } else if (key == "verify") {
-      setup.session.verify = true;
+      setup.session.verify = Verify::enforce;
     } else if (key == "implicit_masking") {
       setup.session.compensator.implicit_contour_masking = true;
     } else {

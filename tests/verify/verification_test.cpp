@@ -34,7 +34,7 @@ struct Outcome {
   ClearanceReport clearance{};
 };
 
-Outcome verified(const std::string& text, std::size_t piece, bool verify = true) {
+Outcome verified(const std::string& text, std::size_t piece, Verify verify = Verify::enforce) {
   ProgramSessionSetup setup{.nc_text = false};
   setup.session.verify = verify;
   ProgramSession session(setup);
@@ -75,7 +75,7 @@ TEST(Verification, StopsAtAPathThatComesTooNear) {
   ASSERT_TRUE(outcome.clearance.worst);
   EXPECT_LT(outcome.clearance.worst->distance, 10);
   EXPECT_EQ(gouge.values[0].value, outcome.clearance.worst->distance);
-  EXPECT_TRUE(verified(neck, 1000, false).goes_on);
+  EXPECT_TRUE(verified(neck, 1000, Verify::off).goes_on);
 }
 
 TEST(Verification, IgnoredContourDamageIsAWarning) {
@@ -101,7 +101,7 @@ TEST(Verification, DoesNotDependOnHowTheTextIsCut) {
 }
 
 TEST(Verification, ChangesNothingOfThePath) {
-  const Outcome plain = verified(step, 1000, false);
+  const Outcome plain = verified(step, 1000, Verify::off);
   const Outcome checked = verified(step, 1000);
   ASSERT_EQ(plain.path.size(), checked.path.size());
   for (std::size_t i = 0; i < plain.path.size(); ++i)
@@ -120,7 +120,7 @@ TEST(Verification, FindsAPathThatWasMovedByAMicrometreOrTwo) {
   const Line contour{.start = {0, 0}, .end = {100, 0}};
   for (const double moved : {0.0, 2e-3}) {
     Diagnostics diagnostics;
-    Verification verification(1e-3, {}, diagnostics);
+    Verification verification({.allowed = 1e-3, .selection_blocks = 100}, diagnostics);
     verification.programmed(MotionBlock{.source = {.index = 0}, .path = approach, .mode = on});
     verification.programmed(MotionBlock{.source = {.index = 1}, .path = contour, .mode = on});
     const std::vector<CompensatedBlock> path{

@@ -49,6 +49,15 @@ TEST(Settings, TakeWordsAndGFunctions) {
             v1::CENTER_REFERENCE_ABSOLUTE);
 }
 
+TEST(Settings, VerifyIsAModeThatWasASwitch) {
+  EXPECT_EQ(set({"verify=ENFORCE"}).path().verify(), v1::VERIFICATION_ENFORCE);
+  EXPECT_EQ(set({"verify=report"}).path().verify(), v1::VERIFICATION_REPORT);
+  EXPECT_EQ(set({"verify=true"}).path().verify(), v1::VERIFICATION_ENFORCE);
+  EXPECT_EQ(set({"verify=off"}).path().verify(), v1::VERIFICATION_OFF);
+  EXPECT_EQ(set({"verify=false"}).path().verify(), v1::VERIFICATION_OFF);
+  EXPECT_NE(fault_of("verify=loud").find("enforce, report, off"), std::string::npos);
+}
+
 TEST(Settings, ReachFieldsOfFieldsByTheirLastName) {
   EXPECT_EQ(set({"options.stretch_factor=2"}).path().options().stretch_factor(), 2);
   EXPECT_EQ(set({"stretch_factor=3"}).path().options().stretch_factor(), 3);

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "client/cli/command.h"
+#include "trc/v1/setup.pb.h"
+
+namespace trc::cli {
+
+// Many programs with the same settings, each compensated by a process of its own: what happens to
+// one is no matter of the others.
+struct FolderRun {
+  std::vector<std::string> files{};
+  std::string directory{};               // for the results, and a record beside each: NAME.json
+  std::vector<std::string> arguments{};  // of `trc compensate` for each of them
+  v1::ProgramSetup setup{};              // what they mean, but for the name of the file
+  std::string format{};                  // as --format
+  std::string server_version{};          // of what compensates: release and commit
+  std::string server_commit{};
+  unsigned jobs = 1;  // at a time
+};
+
+// Leaves out a program whose record says that the same was made of it before, and whose result is
+// there still. Tells of each program on standard error what the process says, and prints a table
+// of results. Returns the worst ending of all.
+[[nodiscard]] Exit compensate_folder(const FolderRun& run);
+
+}  // namespace trc::cli

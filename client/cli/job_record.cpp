@@ -1,0 +1,68 @@
+#include "client/cli/job_record.h"
+
+#include <google/protobuf/util/json_util.h>
+#include <google/protobuf/util/message_differencer.h>
+
+namespace trc::cli {
+namespace {
+
+using google::protobuf::util::MessageDifferencer;
+
+void compare_files(const char* what, const v1::JobFile& filed, const v1::JobFile& again,
+                   std::vector<std::string>& found) {
+  if (filed.sha256() == again.sha256() && filed.bytes() == again.bytes()) return;
+  found.push_back(std::string(what) + ": SHA-256 is " + again.sha256() + " of " +
+                  std::to_string(again.bytes()) + " bytes, the record says " + filed.sha256() +
+                  " of " + std::to_string(filed.bytes()));
+}
+
+v1::ProgramSummary without_times(v1::ProgramSummary summary) {
+  summary.mutable_path()->clear_wall_time_seconds();
+  summary.mutable_path()->clear_cpu_time_seconds();
+  return summary;
+}
+
+}  // namespace
+
+std::string text_of(const v1::JobRecord& record) {
+  google::protobuf::util::JsonPrintOptions options;
+  options.add_whitespace = true;
+  std::string text;
+  // A message of known fields always has a JSON form.
+  static_cast<void>(google::protobuf::util::MessageToJsonString(record, &text, options));
+  return text;
+}
+
+std::string record_from(const std::string& text, v1::JobRecord& record) {
+  const auto status = google::protobuf::util::JsonStringToMessage(text, &record);
+  if (!status.ok()) return "it is no record of a job: " + std::string(status.message());
+  if (record.format() != record_format)
+    return "it is no record of a job: format is \"" + record.format() + "\"";
+  return {};
+}
+
+std::vector<std::string> differences(const v1::JobRecord& filed, const v1::JobRecord& again) {
+  std::vector<std::string> found;
+  compare_files("input", filed.input(), again.input(), found);
+  compare_files("output", filed.output(), again.output(), found);
+  if (filed.outcome() != again.outcome())
+    found.push_back("outcome: " + again.outcome() + ", the record says " + filed.outcome());
+  MessageDifferencer differencer;
+  std::string report;
+  differencer.ReportDifferencesToString(&report);
+  const auto compare = [&](const char* what, const auto& a, const auto& b) {
+    report.clear();
+    if (!differencer.Compare(a, b)) found.push_back(std::string(what) + ": " + report);
+  };
+  compare("summary", without_times(filed.summary()), without_times(again.summary()));
+  v1::JobRecord told_then;
+  v1::JobRecord told_now;
+  *told_then.mutable_diagnostics() = filed.diagnostics();
+  *told_now.mutable_diagnostics() = again.diagnostics();
+  compare("diagnostics", told_then, told_now);
+  for (std::string& sentence : found)
+    while (!sentence.empty() && sentence.back() == '\n') sentence.pop_back();
+  return found;
+}
+
+}  // namespace trc::cli

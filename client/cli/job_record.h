@@ -1,0 +1,24 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "trc/v1/job_record.pb.h"
+
+namespace trc::cli {
+
+// JobRecord::format
+inline constexpr const char* record_format = "trc-job-record-1";
+
+// The record as JSON, for people too; schema in proto/job_record.schema.json.
+[[nodiscard]] std::string text_of(const v1::JobRecord& record);
+
+// Returns what is wrong with the text, as a sentence; empty: it is in `record`.
+[[nodiscard]] std::string record_from(const std::string& text, v1::JobRecord& record);
+
+// Each a sentence about what the record of a second run says otherwise: the bytes of input and
+// output, what was told and what was measured. Versions and times may differ.
+[[nodiscard]] std::vector<std::string> differences(const v1::JobRecord& filed,
+                                                   const v1::JobRecord& again);
+
+}  // namespace trc::cli

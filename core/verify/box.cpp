@@ -1,0 +1,81 @@
+#include "core/verify/box.h"
+
+#include <array>
+#include <cmath>
+
+namespace trc::verify {
+namespace {
+
+// Of a box, in a frame turned by the angle whose cosine and sine these are.
+Vector half_in(const Vector& half, double cosine, double sine) {
+  const double c = std::abs(cosine);
+  const double s = std::abs(sine);
+  return {c * half.x() + s * half.y(), s * half.x() + c * half.y()};
+}
+
+Vector in_frame(const Vector& along, const Vector& v) { return {along.dot(v), cross(along, v)}; }
+
+Box around_along(const Box& a, const Box& b, const Vector& along) {
+  const Vector half_a = half_in(a.half, along.dot(a.along), cross(along, a.along));
+  const Vector half_b = half_in(b.half, along.dot(b.along), cross(along, b.along));
+  const Vector apart = in_frame(along, b.center - a.center);
+  const Vector low = Vector(-half_a).cwiseMin(Vector(apart - half_b));
+  const Vector high = half_a.cwiseMax(Vector(apart + half_b));
+  const Vector middle = 0.5 * (low + high);
+  return {.center = a.center + middle.x() * along + middle.y() * left_of(along),
+          .along = along,
+          .half = 0.5 * (high - low)};
+}
+
+// Boxes without width differ in length alone.
+bool is_smaller(const Box& a, const Box& b) {
+  const double area_a = a.half.x() * a.half.y();
+  const double area_b = b.half.x() * b.half.y();
+  return area_a != area_b ? area_a < area_b : a.half.sum() < b.half.sum();
+}
+
+double gap_in_frame_of(const Box& own, const Box& other, double cosine, double sine) {
+  const Vector apart = in_frame(own.along, other.center - own.center);
+  const Vector gap =
+      (apart.cwiseAbs() - own.half - half_in(other.half, cosine, sine)).cwiseMax(Vector::Zero());
+  return gap.norm();
+}
+
+}  // namespace
+
+Box around(const Box& a, const Box& b) {
+  Box best = around_along(a, b, a.along);
+  const Vector between = b.center - a.center;
+  const double distance = between.norm();
+  const std::array<Vector, 2> others{b.along, distance > 0 ? Vector(between / distance) : a.along};
+  for (const Vector& along : others) {
+    const Box box = around_along(a, b, along);
+    if (is_smaller(box, best)) best = box;
+  }
+  return best;
+}
+
+double least_gap(const Box& a, const Box& b, double enough) {
+  const double cosine = a.along.dot(b.along);
+  const double sine = cross(a.along, b.along);
+  const double gap = gap_in_frame_of(a, b, cosine, sine);
+  return gap >= enough ? gap : std::max(gap, gap_in_frame_of(b, a, cosine, -sine));
+}
+
+void UprightBox::add(const Box& box) {
+  const Vector half = half_in(box.half, box.along.x(), box.along.y());
+  low_ = low_.cwiseMin(Point(box.center - half));
+  high_ = high_.cwiseMax(Point(box.center + half));
+}
+
+Box UprightBox::box() const {
+  return {.center = 0.5 * (low_ + high_), .half = 0.5 * (high_ - low_)};
+}
+
+Ring ring_of(const Box& box, const Point& center) {
+  const Vector apart = in_frame(box.along, center - box.center).cwiseAbs();
+  const Vector nearest = (apart - box.half).cwiseMax(Vector::Zero());
+  return {.center = center, .inner = nearest.norm(), .outer = (apart + box.half).norm()};
+}
+
+}  // namespace trc::verify

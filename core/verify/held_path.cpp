@@ -1,0 +1,129 @@
+#include "core/verify/held_path.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/verify/shape.h"
+#include "core/verify/wall_tree.h"
+
+namespace trc::verify {
+namespace {
+
+bool is_measured(Origin origin) {
+  switch (origin) {
+    case Origin::programmed:
+    case Origin::transition:
+    case Origin::radius_change:
+    case Origin::kerf:
+    case Origin::converted_circle:
+      return true;
+    case Origin::approach:
+    case Origin::retract:
+    case Origin::masked:
+    case Origin::passthrough:
+    case Origin::uncompensated:
+      break;
+  }
+  return false;
+}
+
+}  // namespace
+
+std::uint32_t HeldPath::number_of(const std::shared_ptr<const TrcMode>& shared) {
+  if (shared == last_mode_ && !rules_.empty()) return static_cast<std::uint32_t>(rules_.size() - 1);
+  last_mode_ = shared;
+  const TrcMode& mode = *shared;
+  const bool follows = !mode.options.suppress_trc && mode.tool_radius > 0;
+  const Rule rule{.selection = mode.selection_number,
+                  .required = follows ? mode.tool_radius : 0,
+                  .radius = mode.tool_radius,
+                  .side = mode.side,
+                  .plane = mode.plane,
+                  .accepts = mode.options.ignore_cont_damage,
+                  .reverses = mode.options.reverse,
+                  .follows = follows};
+  if (rules_.empty() || rules_.back() != rule) rules_.push_back(rule);
+  return static_cast<std::uint32_t>(rules_.size() - 1);
+}
+
+// The approach block is no contour, and neither is the block that carries the
+// change to the other side, unless the side changes at its corner (REVERSE).
+bool HeldPath::is_contour(const MotionBlock& block) const {
+  const TrcMode& mode = *block.mode;
+  const Rule* before = programmed_.empty() ? nullptr : &rule_of(programmed_.back());
+  if (before == nullptr || before->selection != mode.selection_number)
+    return mode.selection == Selection::perpendicular && !mode.tangential;
+  if (before->side == mode.side) return true;
+  return mode.options.reverse;
+}
+
+void HeldPath::add(const MotionBlock& block) {
+  if (!is_finite(block.path)) return;
+  const std::uint32_t rule = number_of(block.mode);
+  ProgrammedPiece piece{.piece = piece_of(block.path),
+                        .source = block.source,
+                        .rule = rule,
+                        .is_contour = is_contour(block),
+                        .role = block.role};
+  if (!programmed_.empty()) {
+    ProgrammedPiece& before = programmed_.back();
+    if (rule_of(before).selection == rules_[rule].selection) {
+      piece.number = before.number + (before.is_contour ? 1 : 0);
+      before.crosses_behind = piece.is_contour && rule_of(before).side != rules_[rule].side;
+    }
+  }
+  programmed_.push_back(piece);
+}
+
+void HeldPath::add(const CompensatedBlock& block) {
+  if (!is_measured(block.origin) || programmed_.empty() || !is_finite(block.path) ||
+      !find(block.source.index))
+    return;
+  const bool inserted = block.origin == Origin::transition || block.origin == Origin::radius_change;
+  if (inserted && programmed_[last_].crosses_behind) return;
+  path_.push_back({.piece = piece_of(block.path),
+                   .height = block.normal.to,
+                   .programmed = last_,
+                   .inserted = inserted,
+                   .on_contour = block.origin == Origin::programmed});
+}
+
+std::size_t HeldPath::first_from(std::uint64_t index) const {
+  std::size_t low = programmed_.begin();
+  std::size_t high = programmed_.end();
+  while (low < high) {
+    const std::size_t middle = low + (high - low) / 2;
+    if (programmed_[middle].source.index < index)
+      low = middle + 1;
+    else
+      high = middle;
+  }
+  return low;
+}
+
+// The path follows the program, but for the seam of a closed contour: the next one is near.
+bool HeldPath::find(std::uint64_t index) {
+  const auto index_at = [&](std::size_t number) { return programmed_[number].source.index; };
+  last_ = std::max(last_, programmed_.begin());
+  if (last_ >= programmed_.end() || index_at(last_) > index) {
+    const std::size_t behind = first_from(index + 1);
+    if (behind == programmed_.begin()) return false;
+    last_ = behind - 1;
+  }
+  while (last_ + 1 < programmed_.end() && index_at(last_ + 1) <= index) ++last_;
+  return index_at(last_) == index;
+}
+
+void HeldPath::forget_before(std::size_t number) {
+  programmed_.drop_before(number);
+  path_.drop_before(path_.end());
+  if (programmed_.empty()) rules_.clear();
+}
+
+std::size_t HeldPath::bytes() const {
+  return programmed_.size() * sizeof(ProgrammedPiece) + path_.size() * sizeof(PathPiece) +
+         rules_.capacity() * sizeof(Rule) + WallTree::bytes_for(programmed_.size()) +
+         programmed_.size() * sizeof(std::size_t);
+}
+
+}  // namespace trc::verify

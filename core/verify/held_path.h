@@ -1,0 +1,92 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "core/base/numbered_queue.h"
+#include "core/base/source.h"
+#include "core/geometry/plane.h"
+#include "core/nc/state/block.h"
+#include "core/trc/result/compensated_block.h"
+#include "core/verify/piece.h"
+
+namespace trc::verify {
+
+// What was in force when a block was programmed, as far as measuring it asks.
+struct Rule {
+  std::uint32_t selection = 0;
+  double required = 0;  // mm, the least distance of path and wall: the tool radius
+  double radius = 0;    // mm, of the tool
+  Side side = Side::off;
+  Plane plane = Plane::xy;
+  bool accepts = false;   // IGNORE_CONT_DAMAGE
+  bool reverses = false;  // REVERSE
+  bool follows = false;   // the path follows the contour: no SUPPRESS_TRC, a tool radius
+
+  bool operator==(const Rule&) const = default;
+};
+
+struct ProgrammedPiece {
+  Piece piece{};
+  Source source{};
+  std::uint32_t rule = 0;
+  // In the contour of its selection, or of the contour block behind it.
+  std::uint32_t number = 0;
+  bool is_contour = false;
+  bool crosses_behind = false;  // what is inserted behind it crosses the corner (REVERSE, D-22)
+  ContourRole role = ContourRole::unspecified;
+};
+
+struct PathPiece {
+  Piece piece{};
+  double height = 0;           // of its end across the plane, mm
+  std::size_t programmed = 0;  // the number of the piece it stems from
+  bool inserted = false;       // between that piece and the next one
+  bool on_contour = false;     // it stands for that piece itself
+};
+
+// Programmed blocks under TRC and the path they have become, as little of both as measuring needs,
+// until that is done.
+class HeldPath {
+ public:
+  // A block under TRC, in the order of the program.
+  void add(const MotionBlock& block);
+  // A block of the path, behind the programmed block it stems from. Motion that is not measured,
+  // such as approach and retract, is left out.
+  void add(const CompensatedBlock& block);
+
+  [[nodiscard]] const NumberedQueue<ProgrammedPiece>& programmed() const { return programmed_; }
+  [[nodiscard]] const NumberedQueue<PathPiece>& path() const { return path_; }
+  [[nodiscard]] const Rule& rule_of(const ProgrammedPiece& piece) const {
+    return rules_[piece.rule];
+  }
+  // The number of the first programmed piece with this Source::index or a larger one.
+  [[nodiscard]] std::size_t first_from(std::uint64_t index) const;
+
+  // Forgets the programmed pieces before this number, and all of the path.
+  void forget_before(std::size_t number);
+
+  // All it holds, and what the index over so much takes while it is measured.
+  [[nodiscard]] std::size_t bytes() const;
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(programmed_, path_, rules_, last_);
+  }
+
+ private:
+  std::uint32_t number_of(const std::shared_ptr<const TrcMode>& mode);
+  [[nodiscard]] bool is_contour(const MotionBlock& block) const;
+  // The last programmed piece with this Source::index; false: there is none.
+  bool find(std::uint64_t index);
+
+  NumberedQueue<ProgrammedPiece> programmed_;
+  NumberedQueue<PathPiece> path_;
+  std::vector<Rule> rules_;
+  std::shared_ptr<const TrcMode> last_mode_;  // that gave the last rule; none: not known
+  std::size_t last_ = 0;                      // found: the path goes on there
+};
+
+}  // namespace trc::verify

@@ -1,0 +1,29 @@
+#pragma once
+
+#include "core/geometry/segment.h"
+#include "core/verify/box.h"
+
+namespace trc::verify {
+
+// A line or an arc, as small as it can be kept: a selection may have millions of them.
+struct Piece {
+  Point start = Point::Zero();
+  Point end = Point::Zero();
+  Point center = Point::Zero();  // of an arc
+  double sweep = 0;              // rad, as Arc::sweep; 0: a line
+
+  [[nodiscard]] bool is_arc() const { return sweep != 0; }
+  [[nodiscard]] double radius() const { return (start - center).norm(); }
+};
+
+[[nodiscard]] Piece piece_of(const Segment& segment);
+[[nodiscard]] Segment segment_of(const Piece& piece);
+
+// A box that holds all of the piece: along its chord, or upright around the whole circle where the
+// arc is more than half of one.
+[[nodiscard]] Box box_of(const Piece& piece);
+
+// The distances from `center` of all points of the piece lie between these, mm.
+[[nodiscard]] Ring ring_of(const Piece& piece, const Point& center);
+
+}  // namespace trc::verify

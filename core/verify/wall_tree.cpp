@@ -1,0 +1,128 @@
+#include "core/verify/wall_tree.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace trc::verify {
+namespace {
+
+// Shorter arcs lie in boxes thin enough, and turn about no centre of their own.
+constexpr double long_sweep = 0.5;  // rad
+
+// Of what lies in the box and in the ring, about another centre.
+Ring seen_from(const Point& center, const Box& box, const Ring& ring) {
+  Ring seen = ring_of(box, center);
+  const double apart = (ring.center - center).norm();
+  seen.inner = std::max({seen.inner, ring.inner - apart, apart - ring.outer});
+  seen.outer = std::min(seen.outer, ring.outer + apart);
+  return seen;
+}
+
+}  // namespace
+
+WallTree::WallTree(const HeldPath& held, std::size_t begin, std::size_t end,
+                   const SidedWalls& sides, Checkpoint& checkpoint)
+    : held_(held), begin_(begin), end_(end), sides_(sides) {
+  for (const Walls& walls : sides.sides) has_parts_ = has_parts_ || !walls.parts.empty();
+  std::size_t size = std::max<std::size_t>(1, (end - begin + bucket_size - 1) / bucket_size);
+  std::size_t total = 0;
+  for (;; size = (size + 1) / 2) {
+    levels_.push_back({.first = total, .size = size});
+    total += size;
+    if (size == 1) break;
+  }
+  find_middle(checkpoint);
+  nodes_.reserve(total);
+  build_buckets(checkpoint);
+  for (std::size_t level = 1; level < levels_.size(); ++level)
+    build_level(levels_[level - 1], checkpoint);
+}
+
+void WallTree::find_middle(Checkpoint& checkpoint) {
+  UprightBox all;
+  for (std::size_t number = begin_; number < end_; ++number) {
+    checkpoint.pass();
+    visit_wall(held_.programmed()[number], [&](const ProgrammedPiece&, const Piece& wall) {
+      all.add({.center = wall.start});
+      ++walls_;
+    });
+  }
+  if (walls_ > 0) middle_ = all.box().center;
+}
+
+void WallTree::build_buckets(Checkpoint& checkpoint) {
+  for (std::size_t index = 0; index < levels_.front().size; ++index) {
+    Node node;
+    Piece longest;
+    visit_bucket(index, [&](const ProgrammedPiece& block, const Piece& wall) {
+      checkpoint.pass();
+      const Box box = box_of(wall);
+      node.box = node.required < 0 ? box : around(node.box, box);
+      node.required = std::max(node.required, held_.rule_of(block).required);
+      if (std::abs(wall.sweep) > std::abs(longest.sweep)) longest = wall;
+    });
+    const Point& center = std::abs(longest.sweep) > long_sweep ? longest.center : middle_;
+    visit_bucket(index, [&](const ProgrammedPiece&, const Piece& wall) {
+      const Ring own = ring_of(wall, center);
+      node.ring = node.ring.exists() ? around(node.ring, own) : own;
+    });
+    nodes_.push_back(node);
+  }
+}
+
+void WallTree::build_level(const Level& below, Checkpoint& checkpoint) {
+  for (std::size_t index = below.first; index < below.first + below.size; index += 2) {
+    checkpoint.pass();
+    Node node = nodes_[index];
+    if (index + 1 < below.first + below.size) {
+      const Node& second = nodes_[index + 1];
+      node = node.required < 0 ? second : second.required < 0 ? node : both(node, second);
+    }
+    nodes_.push_back(node);
+  }
+}
+
+// The ring is about the centre of one of the two, whatever is narrowest.
+WallTree::Node WallTree::both(const Node& a, const Node& b) {
+  Node node{.box = around(a.box, b.box), .required = std::max(a.required, b.required)};
+  for (const Point& center : {a.ring.center, b.ring.center}) {
+    const Ring ring = around(seen_from(center, a.box, a.ring), seen_from(center, b.box, b.ring));
+    if (!node.ring.exists() || ring.outer - ring.inner < node.ring.outer - node.ring.inner)
+      node.ring = ring;
+  }
+  return node;
+}
+
+bool WallTree::find_near(const Box& box, double reach, std::vector<Stretch>& found) const {
+  constexpr std::size_t short_enough = 2;  // levels above the leaves
+  found.assign(1, whole());
+  for (std::size_t next = 0; next < found.size();) {
+    const Stretch stretch = found[next];
+    const Node& node = node_at(stretch);
+    if (node.required < 0 || least_gap(node.box, box, reach) >= reach) {
+      found[next] = found.back();
+      found.pop_back();
+    } else if (stretch.level <= short_enough) {
+      ++next;
+    } else {
+      found[next] = {.level = stretch.level - 1, .index = 2 * stretch.index};
+      if (2 * stretch.index + 1 < levels_[stretch.level - 1].size)
+        found.push_back({.level = stretch.level - 1, .index = 2 * stretch.index + 1});
+    }
+    if (found.size() > most_stretches) return false;
+  }
+  return true;
+}
+
+double WallTree::gap_of(const Probe& probe, const Stretch& stretch, double reach) const {
+  const Node& node = node_at(stretch);
+  double gap = least_gap(node.box, probe.box, reach);
+  if (gap >= reach) return gap;
+  if (probe.ring.exists() && std::abs(probe.piece.sweep) > long_sweep)
+    gap = std::max(gap, least_gap(probe.ring, ring_of(node.box, probe.ring.center)));
+  const Ring& ring = node.ring;
+  return std::max(gap, least_gap(ring, ring.center == middle_ ? probe.about_middle
+                                                              : ring_of(probe.piece, ring.center)));
+}
+
+}  // namespace trc::verify

@@ -1,0 +1,151 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "core/base/checkpoint.h"
+#include "core/trc/walls/sided_walls.h"
+#include "core/verify/held_path.h"
+
+namespace trc::verify {
+
+// A piece of path that is compared with walls, with what bounds it.
+struct Probe {
+  explicit Probe(const Piece& path)
+      : piece(path), box(box_of(path)), ring(path.is_arc() ? ring_of(path, path.center) : Ring{}) {}
+
+  Piece piece{};
+  Box box{};
+  Ring ring{};          // of an arc, about its own centre
+  Ring about_middle{};  // of all walls
+};
+
+// Finds the walls near to a piece of path. Neighbours in the program are neighbours in the plane:
+// a node holds a stretch of the contour in a box that lies as the stretch does, and in a ring, so
+// that neither slanted nor parallel nor concentric walls are all near to one another.
+class WallTree {
+ public:
+  // Over the walls among the pieces from `begin` to `end` of one selection, which must not change.
+  WallTree(const HeldPath& held, std::size_t begin, std::size_t end, const SidedWalls& sides,
+           Checkpoint& checkpoint);
+
+  [[nodiscard]] std::size_t walls() const { return walls_; }
+  // A piece of path to be compared.
+  [[nodiscard]] Probe probe(const Piece& path) const {
+    Probe made(path);
+    made.about_middle = ring_of(path, middle_);
+    return made;
+  }
+
+  // A stretch of the contour: where a search begins.
+  struct Stretch {
+    std::size_t level = 0;
+    std::size_t index = 0;
+  };
+  // No more of them are worth being looked at for each piece of path.
+  static constexpr std::size_t most_stretches = 24;
+  // The whole contour.
+  [[nodiscard]] Stretch whole() const { return {.level = levels_.size() - 1}; }
+  // The stretches that may be nearer to the box than `reach`, short ones, for several searches
+  // there. False: they are too many.
+  bool find_near(const Box& box, double reach, std::vector<Stretch>& found) const;
+
+  // Calls `visit(block, wall)` for all walls in the stretches that may be nearer than
+  // `reach(required)`, where `required` is what the wall, or any of those in a node, asks for; the
+  // nearest ones early. What `reach` says may shrink on the way.
+  template <class Reach, class Visit>
+  void for_each_near(const Probe& probe, std::span<const Stretch> stretches, const Reach& reach,
+                     const Visit& visit) const {
+    struct Open {
+      Stretch stretch{};
+      double gap = 0;
+    };
+    // Of each level one node waits for its sibling.
+    std::array<Open, 2 * most_levels> open;
+    const auto see = [&](const Stretch& stretch) {
+      return Open{stretch, gap_of(probe, stretch, reach(node_at(stretch).required))};
+    };
+    for (const Stretch& stretch : stretches) {
+      std::size_t count = 0;
+      open[count++] = see(stretch);
+      while (count > 0) {
+        const Open next = open[--count];
+        if (!(next.gap < reach(node_at(next.stretch).required))) continue;
+        const auto [level, index] = next.stretch;
+        if (level == 0) {
+          visit_bucket(index, visit);
+          continue;
+        }
+        Open left = see({level - 1, 2 * index});
+        if (2 * index + 1 < levels_[level - 1].size) {
+          Open right = see({level - 1, 2 * index + 1});
+          if (right.gap < left.gap) std::swap(left, right);
+          open[count++] = right;
+        }
+        open[count++] = left;
+      }
+    }
+  }
+
+  // Of a tree over so many pieces.
+  [[nodiscard]] static std::size_t bytes_for(std::size_t pieces) {
+    return sizeof(Node) * (2 * (pieces / bucket_size) + most_levels);
+  }
+
+ private:
+  static constexpr std::size_t bucket_size = 4;  // pieces of a leaf
+  static constexpr std::size_t most_levels = 48;
+
+  struct Node {
+    Box box{};
+    Ring ring{};           // about an arc's centre, or about the middle of all walls
+    double required = -1;  // the largest of its walls; negative: it has none
+  };
+  struct Level {
+    std::size_t first = 0;  // of the nodes
+    std::size_t size = 0;
+  };
+
+  [[nodiscard]] std::size_t place_of(const Stretch& stretch) const {
+    return levels_[stretch.level].first + stretch.index;
+  }
+  [[nodiscard]] const Node& node_at(const Stretch& stretch) const {
+    return nodes_[place_of(stretch)];
+  }
+  // Only whether it is below `reach` need be right.
+  [[nodiscard]] double gap_of(const Probe& probe, const Stretch& stretch, double reach) const;
+  template <class Visit>
+  void visit_bucket(std::size_t index, const Visit& visit) const {
+    const std::size_t first = begin_ + index * bucket_size;
+    const std::size_t behind = std::min(first + bucket_size, end_);
+    for (std::size_t number = first; number < behind; ++number)
+      visit_wall(held_.programmed()[number], visit);
+  }
+  // With what of the block is a wall.
+  template <class Visit>
+  void visit_wall(const ProgrammedPiece& block, const Visit& visit) const {
+    if (!block.is_contour || sides_.is_lead(block.number)) return;
+    if (!has_parts_) return visit(block, block.piece);
+    const auto part = sides_.part_of(block.number);
+    visit(block, part ? piece_of(sides_.wall(block.number, segment_of(block.piece))) : block.piece);
+  }
+  void find_middle(Checkpoint& checkpoint);
+  void build_buckets(Checkpoint& checkpoint);
+  void build_level(const Level& below, Checkpoint& checkpoint);
+  [[nodiscard]] static Node both(const Node& a, const Node& b);
+
+  const HeldPath& held_;
+  std::size_t begin_;
+  std::size_t end_;
+  const SidedWalls& sides_;
+  bool has_parts_ = false;
+  std::size_t walls_ = 0;
+  Point middle_ = Point::Zero();  // of all walls
+  std::vector<Node> nodes_;       // level by level, buckets first
+  std::vector<Level> levels_;
+};
+
+}  // namespace trc::verify
