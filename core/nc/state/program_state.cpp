@@ -286,6 +286,24 @@ void ProgramState::forget_position(const std::array<bool, 3>& axes, const Source
   position_forgotten_ = source;
 }
 
+void ProgramState::set_position(const std::array<std::optional<double>, 3>& place,
+                                const Source& source) {
+  const std::size_t third = axes_of(mode_.plane).third;
+  std::array<bool, 3> unknown{};
+  for (std::size_t axis = 0; axis < place.size(); ++axis) {
+    if (!place[axis]) continue;
+    const bool stands_there =
+        known_[axis] && std::abs(*place[axis] - position_[axis]) <= tolerances_.same_point;
+    if (axis == third || stands_there) {
+      known_[axis] = true;
+      target_[axis] = *place[axis];
+    } else {
+      unknown[axis] = true;
+    }
+  }
+  if (unknown != std::array<bool, 3>{}) forget_position(unknown, source);
+}
+
 bool ProgramState::find_end(const MoveRequest& request, Position& end) const {
   end = target_;
   bool all_in_range = true;
@@ -435,7 +453,8 @@ bool ProgramState::move_straight(const MoveRequest& request, const Position& end
   TrackingTravel tracking;
   if (!move_tracking(request, tracking)) return false;
   enter_target(request, end);
-  const Line line{.start = to_plane(mode_.plane, position_), .end = to_plane(mode_.plane, end)};
+  Line line{.start = to_plane(mode_.plane, position_), .end = to_plane(mode_.plane, end)};
+  if (leads_back(request)) line.start = last_equidistant_point();
   if ((line.end - line.start).norm() > tolerances_.same_point) {
     if (mode_.active() && in_plane_blocks_ == 0 && !check_radius(request.source)) return false;
     displaced_ = false;
@@ -445,6 +464,18 @@ bool ProgramState::move_straight(const MoveRequest& request, const Position& end
     append_passive(request, end, std::move(tracking), tracking_moves);
   }
   return true;
+}
+
+// Behind G40 alone the tool stands beside the contour, so that a motion to where it ends in the
+// program moves it all the same: programs go back there and begin the next pass.
+bool ProgramState::leads_back(const MoveRequest& request) const {
+  const PlaneAxes axes = axes_of(mode_.plane);
+  return setup_.dialect != DialectName::isg && retract_pending_ &&
+         mode_.deselection == Selection::direct && last_mode_ != nullptr &&
+         last_mode_->plane == mode_.plane &&
+         (request.end[axes.first] || request.end[axes.second]) &&
+         (to_plane(mode_.plane, target_) - trc::end_of(last_path_)).norm() <=
+             tolerances_.same_point;
 }
 
 void ProgramState::enter_target(const MoveRequest& request, const Position& end) {

@@ -114,6 +114,9 @@ class ProgramState {
   // from the old coordinates, so that joints stay shared; what needs to know more,
   // an arc, G91 or a selection, is refused (900106).
   void forget_position(const std::array<bool, 3>& axes, const Source& source);
+  // The machine stands at these coordinates, mm, from here on: G92 of Fanuc and LinuxCNC. Blocks
+  // share their joints, so that an axis of the plane that stood elsewhere is forgotten.
+  void set_position(const std::array<std::optional<double>, 3>& place, const Source& source);
 
   // Appends one block: a MotionBlock, or a PassiveBlock when nothing moves in the
   // plane by more than `same_point` (D-29). Such small steps add up: the sum is
@@ -203,6 +206,7 @@ class ProgramState {
     return *request.end[axis] + (request.incremental ? target_[axis] : 0);
   }
   // Whether that is in range on all of them.
+  [[nodiscard]] bool leads_back(const MoveRequest& request) const;
   [[nodiscard]] bool find_end(const MoveRequest& request, Position& end) const;
   [[nodiscard]] Refusal end_out_of_range(const MoveRequest& request) const;
   [[nodiscard]] bool all_known() const { return known_[0] && known_[1] && known_[2]; }
