@@ -347,16 +347,22 @@ bool Interpreter::copy_code_block(ProgramLine& line, BlockWords& block) {
   };
   const bool moves = block.axis || block.center;
   const auto third = static_cast<AxisBits>(1U << axes_of(state_.mode().plane).third);
+  const AxisBits named = named_axes();
+  // G28 Z and G53 Z: the tool stays beside the contour, and the next line may end TRC.
+  const bool leaves_across = dialect_.name == DialectName::fanuc && named == third &&
+                             !block.center && !block.to_skip &&
+                             (block.of(single_move).is(28) || block.of(single_move).is(30) ||
+                              block.of(single_move).is(53));
   std::optional<std::uint32_t> begin;
   std::string meaning;
   const auto copy = [&](GGroup group, AxisBits forget) {
     if (!block.has(group)) return;
-    begin = block.of(group).begin;
-    meaning = block.of(group).function->meaning;
     block.copied = true;
     block.forget |= forget;
+    if (group == single_move && leaves_across) return;
+    begin = block.of(group).begin;
+    meaning = block.of(group).function->meaning;
   };
-  const AxisBits named = named_axes();
   copy(single_move, named == 0 || block.of(single_move).is(1007) ? all_axes : named);
   copy(cycle, static_cast<AxisBits>(named | third));
   // Both controls: the axes named stand where the block says, the others where they stood.
