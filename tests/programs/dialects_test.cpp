@@ -283,6 +283,64 @@ std::vector<Point> ends_of(const std::string& text, DialectName name) {
   return ends;
 }
 
+// A corner that a word cuts is the contour with the cut written out: 10 x 10 at 90 degrees.
+TEST(Corners, AreCutAsTheirWordsSay) {
+  const std::string head = "G90 G17\nG0 X-9 Y-9\nG41 D1 G1 X0 Y0 F100\n";
+  const std::string tail = "\nY-4\nG40 X-9 Y-9\nM30\n";
+  const double leg = 2 / std::sqrt(2.0);  // of a chamfer 2 mm long
+  const std::string short_of = std::to_string(20 - leg);
+  struct Case {
+    DialectName name;
+    std::string word;
+    std::string written_out;
+  };
+  for (const Case& tested :
+       {Case{DialectName::fanuc, "Y20 ,R5\nX30", "Y15\nG2 X5 Y20 I5 J0\nG1 X30"},
+        Case{DialectName::fanuc, "Y20 ,C3.\nM8\nX30", "Y17\nX3 Y20\nM8\nX30"},
+        Case{DialectName::sinumerik, "Y20 RND=5\nX30", "Y15\nG2 X5 Y20 CR=5\nG1 X30"},
+        Case{DialectName::sinumerik, "Y20 CHR=3\nX30", "Y17\nX3 Y20\nX30"},
+        Case{DialectName::sinumerik, "Y20 CHF=2\nX30",
+             "Y" + short_of + "\nX" + std::to_string(leg) + " Y20\nX30"}}) {
+    ProgramSessionSetup setup;
+    setup.session.program.dialect = tested.name;
+    setup.session.program.mode.tool_radius = 2;
+    setup.session.program.mode.selection = Selection::direct;
+    const Written cut = run(head + tested.word + tail, setup, false);
+    const Written out = run(head + tested.written_out + tail, setup, false);
+    ASSERT_FALSE(cut.stopped) << tested.word << cut.report();
+    ASSERT_FALSE(out.stopped) << tested.word << out.report();
+    const auto path = moving(cut.blocks, 1e-3);
+    const auto wanted = moving(out.blocks, 1e-3);
+    ASSERT_EQ(path.size(), wanted.size()) << tested.word;
+    for (std::size_t k = 0; k < path.size(); ++k)
+      for (const double t : {0.0, 0.5, 1.0})
+        EXPECT_LT((point_at(path[k].path, t) - point_at(wanted[k].path, t)).norm(), 2e-6)
+            << tested.word << ' ' << k;
+    const std::string text = run(head + tested.word + tail, setup, true).text;
+    EXPECT_EQ(text.find(','), std::string::npos) << text;
+    EXPECT_EQ(text.find("RND"), std::string::npos) << text;
+    EXPECT_EQ(text.find("CH"), std::string::npos) << text;
+  }
+}
+
+TEST(Corners, ThatHaveNoPlaceAreRefused) {
+  ProgramSessionSetup setup;
+  setup.session.program.dialect = DialectName::fanuc;
+  setup.session.program.mode.tool_radius = 2;
+  setup.session.program.mode.selection = Selection::direct;
+  const std::string head = "G90 G17\nG0 X-9 Y-9\n";
+  for (const char* contour : {"G41 D1 G1 X0 Y0 ,R3 F100\nY20\nX30\nG40 X-9\n",
+                              "G41 D1 G1 X0 Y0 F100\nY20 ,R25\nX30\nG40 X-9\n",
+                              "G41 D1 G1 X0 Y0 F100\nY20 ,R2\nG2 X10 Y30 R10\nG40 G1 X-9\n",
+                              "G41 D1 G1 X0 Y0 F100\nY20 ,R2\nG40 X-9\n",
+                              "G41 D1 G1 X0 Y0 F100\nX30 Z5 ,R2\nY9\nG40 X-9\n",
+                              "G41 D1 G1 X0 Y0 F100\nY20\nX30 ,C2\nM30\n"}) {
+    const Written refused = run(head + contour, setup, true);
+    ASSERT_TRUE(refused.stopped) << contour;
+    EXPECT_EQ(refused.diagnostics.back().code, Code::nc_unsupported) << contour;
+  }
+}
+
 TEST(PolarWords, MeanThePointsThatTheyAreWorth) {
   const std::string head = "G17 G90 G71\nG0 X5 Y5\n";
   const auto polar = ends_of(head +

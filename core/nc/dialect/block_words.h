@@ -54,6 +54,7 @@ struct Interpreter::BlockWords {
   std::optional<Value> tool_data_number{};  // P of G10
   bool changes_tool = false;                // M06
   bool to_skip = false;                     // `/` in front
+  std::optional<std::uint32_t> corner{};    // ,R ,C RND= CHF= CHR=
   bool sets_position = false;               // G92: the axis words say where the machine stands
   bool names_tool = false;                  // M61 of LinuxCNC: Q is the tool in the spindle
   std::optional<Value> quantity{};          // Q

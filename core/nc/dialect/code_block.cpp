@@ -167,6 +167,15 @@ bool Interpreter::read_code_address(const CodeWord& word, ProgramLine& line, Blo
   const BlockWords::Value value{.value = word.value, .begin = word.begin};
   if (word.comma) {
     const bool angle = word.letter == 'A';
+    if (word.letter == 'R' || word.letter == 'C') {
+      if (block.corner) return twice();
+      block.corner = word.begin;
+      block.move.corner = {
+          .form = word.letter == 'R' ? CornerCut::Form::round : CornerCut::Form::leg,
+          .size = word.value};
+      add(line, word, WordRole::technology);
+      return true;
+    }
     if (trc_active())
       return refuse_code(line, word, Code::nc_unsupported,
                          angle ? "the angle of a motion while TRC is active"
@@ -298,7 +307,7 @@ bool Interpreter::complete_code_block(ProgramLine& line, BlockWords& block) {
     take_pole(block);
     if (!resolve_polar_words(line, block)) return false;
   }
-  if (!check_code_selection(line, block)) return false;
+  if (!check_code_selection(line, block) || !take_corner(line, block)) return false;
   const bool goes_on = copy_code_block(line, block);
   if (block.has(cycle)) code_.cycle = true;
   reads_plain_lines_ = !code_.cycle && code_.unfollowed < 0 && !code_.tangent_arcs &&
@@ -420,6 +429,26 @@ bool Interpreter::copy_code_block(ProgramLine& line, BlockWords& block) {
   for (WordRange& word : line.words)
     if (word.role == WordRole::coordinate || word.role == WordRole::trc)
       word.role = WordRole::technology;
+  return true;
+}
+
+// While TRC is active the corner becomes blocks of its own, and its word is not written. Else the
+// control makes it.
+bool Interpreter::take_corner(ProgramLine& line, BlockWords& block) {
+  if (!block.corner) return true;
+  if (!contour_open() && !block.has(side)) {
+    block.move.corner.reset();
+    return true;
+  }
+  const bool nothing_else = trc_active() && !block.has(side) && block.axis;
+  if (!nothing_else || !(block.move.corner->size >= 0))
+    return refuse(line, TextFault{.code = Code::nc_unsupported,
+                                  .begin = *block.corner,
+                                  .detail = "a rounding or a chamfer beside G40 … G42, or behind "
+                                            "a motion that is none"});
+  if (block.move.corner->size == 0) block.move.corner.reset();
+  for (WordRange& word : line.words)
+    if (word.begin == *block.corner) word.role = WordRole::trc;
   return true;
 }
 

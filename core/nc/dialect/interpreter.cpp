@@ -580,6 +580,7 @@ void Interpreter::scale(MoveRequest& request) const {
   for (auto& coordinate : request.end) scale(coordinate);
   for (auto& coordinate : request.center) scale(coordinate);
   scale(request.radius);
+  if (request.corner) request.corner->size *= mm_per_inch;
   // U V W are linear axes, A B C turn: degrees have no inch.
   const auto& names = state_.setup().tracking_axes;
   for (std::size_t axis = 0; axis < request.tracking.size(); ++axis)

@@ -109,6 +109,7 @@ class Interpreter {
   void forget_what_ends_nothing(BlockWords& block);
   bool copy_code_block(ProgramLine& line, BlockWords& block);
   bool check_code_selection(ProgramLine& line, BlockWords& block);
+  bool take_corner(ProgramLine& line, BlockWords& block);
   bool take_tool_data(ProgramLine& line, BlockWords& block);
   bool refuse_code(const ProgramLine& line, const CodeWord& word, Code code,
                    std::string_view meaning = {});

@@ -87,8 +87,7 @@ constexpr auto cycles = std::to_array<std::string_view>(
 constexpr auto passing_assignments = std::to_array<std::string_view>(
     {"ACC", "ADIS", "ADISPOS", "FA", "FZ", "LIMS", "SCC", "SPOS", "SVC"});
 // Words with values that round or bevel corners.
-constexpr auto corner_words =
-    std::to_array<std::string_view>({"CHF", "CHR", "FRC", "FRCM", "RND", "RNDM"});
+constexpr auto corner_words = std::to_array<std::string_view>({"FRC", "FRCM", "RNDM"});
 
 // The functions that names stand for.
 constexpr GFunction frame_name{.number = 1000, .group = frame, .meaning = "a frame"};
@@ -225,6 +224,16 @@ bool Interpreter::read_assignment(const NamedWord& word, ProgramLine& line, Bloc
     target = word.value;
     if (!block.center) block.center = word.begin;
     add(line, word, WordRole::coordinate);
+    return true;
+  }
+  if (is("RND") || is("CHF") || is("CHR")) {
+    if (block.corner) return refused(Code::nc_word_twice, "a second rounding or chamfer");
+    block.corner = word.begin;
+    block.move.corner = {.form = is("RND")   ? CornerCut::Form::round
+                                 : is("CHR") ? CornerCut::Form::leg
+                                             : CornerCut::Form::width,
+                         .size = word.value};
+    add(line, word, WordRole::technology);
     return true;
   }
   if (std::ranges::find(corner_words, word.name) != corner_words.end() && trc_active() &&
