@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <iterator>
 #include <limits>
+#include <ranges>
 #include <span>
 #include <type_traits>
 #include <utility>
@@ -97,11 +98,11 @@ struct ProgramSession::Parts {
   bool end(ProgramOutput& out);
   void hand_out(std::vector<CompensatedBlock>& given);
 
-  // All lines read have been taken when a call has ended.
+  // All lines read have been taken when a call has ended, but for those of a corner.
   template <class Archive>
   void serialize(Archive& archive) {
     archive(read_diagnostics, diagnostics, program, interpreter, compensator, writer, meaning,
-            silent_lines, ended);
+            silent_lines, ended, lines);
   }
 
   ProgramSessionSetup setup;
@@ -137,7 +138,12 @@ bool ProgramSession::Parts::advance(ProgramOutput& out) {
   reported = read_diagnostics.take();
   reports_taken = 0;
   bool goes_on = true;
-  for (LinePointer& line : lines) {
+  // Of a corner that waits for its second motion the lines wait as well.
+  const auto held =
+      std::ranges::find_if(lines, [index = program.held_from()](const LinePointer& line) {
+        return line->source.index >= index;
+      });
+  for (LinePointer& line : std::ranges::subrange(lines.begin(), held)) {
     goes_on = goes_on && take(line, out);
     if (goes_on && diagnostics.pending().size() > placed) {
       goes_on = compensate(out);
@@ -145,7 +151,7 @@ bool ProgramSession::Parts::advance(ProgramOutput& out) {
     }
     if (!setup.nc_text) interpreter.recycle(std::move(line));
   }
-  lines.clear();
+  lines.erase(lines.begin(), held);
   goes_on =
       goes_on && report_until(std::numeric_limits<std::uint32_t>::max(), out) && compensate(out);
   place(out);

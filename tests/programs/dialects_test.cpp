@@ -271,6 +271,147 @@ TEST(Positions, AreUnknownBehindALineThatIsOnlyCopied) {
           .stopped);
 }
 
+// Of the motions of a text, the points where they end.
+std::vector<Point> ends_of(const std::string& text, DialectName name) {
+  ProgramSessionSetup setup;
+  setup.session.program.dialect = name;
+  const Written written = run(text, setup, false);
+  EXPECT_FALSE(written.stopped) << written.report();
+  std::vector<Point> ends;
+  for (const CompensatedBlock& block : moving(written.blocks, 1e-6))
+    ends.push_back(end_of(block.path));
+  return ends;
+}
+
+// A corner that a word cuts is the contour with the cut written out: 10 x 10 at 90 degrees.
+TEST(Corners, AreCutAsTheirWordsSay) {
+  const std::string head = "G90 G17\nG0 X-9 Y-9\nG41 D1 G1 X0 Y0 F100\n";
+  const std::string tail = "\nY-4\nG40 X-9 Y-9\nM30\n";
+  const double leg = 2 / std::sqrt(2.0);  // of a chamfer 2 mm long
+  const std::string short_of = std::to_string(20 - leg);
+  struct Case {
+    DialectName name;
+    std::string word;
+    std::string written_out;
+  };
+  for (const Case& tested :
+       {Case{DialectName::fanuc, "Y20 ,R5\nX30", "Y15\nG2 X5 Y20 I5 J0\nG1 X30"},
+        Case{DialectName::fanuc, "Y20 ,C3.\nM8\nX30", "Y17\nX3 Y20\nM8\nX30"},
+        Case{DialectName::sinumerik, "Y20 RND=5\nX30", "Y15\nG2 X5 Y20 CR=5\nG1 X30"},
+        Case{DialectName::sinumerik, "Y20 CHR=3\nX30", "Y17\nX3 Y20\nX30"},
+        Case{DialectName::sinumerik, "Y20 CHF=2\nX30",
+             "Y" + short_of + "\nX" + std::to_string(leg) + " Y20\nX30"}}) {
+    ProgramSessionSetup setup;
+    setup.session.program.dialect = tested.name;
+    setup.session.program.mode.tool_radius = 2;
+    setup.session.program.mode.selection = Selection::direct;
+    const Written cut = run(head + tested.word + tail, setup, false);
+    const Written out = run(head + tested.written_out + tail, setup, false);
+    ASSERT_FALSE(cut.stopped) << tested.word << cut.report();
+    ASSERT_FALSE(out.stopped) << tested.word << out.report();
+    const auto path = moving(cut.blocks, 1e-3);
+    const auto wanted = moving(out.blocks, 1e-3);
+    ASSERT_EQ(path.size(), wanted.size()) << tested.word;
+    for (std::size_t k = 0; k < path.size(); ++k)
+      for (const double t : {0.0, 0.5, 1.0})
+        EXPECT_LT((point_at(path[k].path, t) - point_at(wanted[k].path, t)).norm(), 2e-6)
+            << tested.word << ' ' << k;
+    const std::string text = run(head + tested.word + tail, setup, true).text;
+    EXPECT_EQ(text.find(','), std::string::npos) << text;
+    EXPECT_EQ(text.find("RND"), std::string::npos) << text;
+    EXPECT_EQ(text.find("CH"), std::string::npos) << text;
+  }
+}
+
+TEST(Corners, ThatHaveNoPlaceAreRefused) {
+  ProgramSessionSetup setup;
+  setup.session.program.dialect = DialectName::fanuc;
+  setup.session.program.mode.tool_radius = 2;
+  setup.session.program.mode.selection = Selection::direct;
+  const std::string head = "G90 G17\nG0 X-9 Y-9\n";
+  for (const char* contour : {"G41 D1 G1 X0 Y0 ,R3 F100\nY20\nX30\nG40 X-9\n",
+                              "G41 D1 G1 X0 Y0 F100\nY20 ,R25\nX30\nG40 X-9\n",
+                              "G41 D1 G1 X0 Y0 F100\nY20 ,R2\nG2 X10 Y30 R10\nG40 G1 X-9\n",
+                              "G41 D1 G1 X0 Y0 F100\nY20 ,R2\nG40 X-9\n",
+                              "G41 D1 G1 X0 Y0 F100\nX30 Z5 ,R2\nY9\nG40 X-9\n",
+                              "G41 D1 G1 X0 Y0 F100\nY20\nX30 ,C2\nM30\n"}) {
+    const Written refused = run(head + contour, setup, true);
+    ASSERT_TRUE(refused.stopped) << contour;
+    EXPECT_EQ(refused.diagnostics.back().code, Code::nc_unsupported) << contour;
+  }
+}
+
+TEST(PolarWords, MeanThePointsThatTheyAreWorth) {
+  const std::string head = "G17 G90 G71\nG0 X5 Y5\n";
+  const auto polar = ends_of(head +
+                                 "G111 X20 Y30\nG1 RP=10 AP=0 F100\nG3 AP=90\nG1 RP=25\n"
+                                 "G110 X1 Y2\nG1 AP=180 RP=4\n"
+                                 "G112 X3 Y-3\nG1 AP=270 RP=2\nM30\n",
+                             DialectName::sinumerik);
+  const auto points = ends_of(head +
+                                  "G1 X30 Y30 F100\nG3 X20 Y40 I-10 J0\nG1 X20 Y55\n"
+                                  "G1 X17 Y57\nG1 X24 Y52\nM30\n",
+                              DialectName::sinumerik);
+  ASSERT_EQ(polar.size(), points.size());
+  for (std::size_t k = 0; k < points.size(); ++k)
+    EXPECT_LT((polar[k] - points[k]).norm(), 1e-9) << k;
+}
+
+TEST(PolarWords, AreNotFollowedBehindAFrameThatMovedTheirPole) {
+  ProgramSessionSetup setup;
+  setup.session.program.dialect = DialectName::sinumerik;
+  setup.session.program.mode.tool_radius = 1;
+  const Written refused =
+      run("G0 X0 Y0\nG111 X20 Y30\nTRANS X5\nG1 RP=10 AP=0 F100\nG41 G1 X9\nY9\n", setup, true);
+  ASSERT_TRUE(refused.stopped);
+  EXPECT_EQ(refused.diagnostics.back().code, Code::position_unknown);
+}
+
+TEST(PolarWords, AloneDoNotCountOnOnesThatAreNotWritten) {
+  ProgramSessionSetup setup;
+  setup.session.program.dialect = DialectName::sinumerik;
+  setup.session.program.mode.tool_radius = 1;
+  setup.session.program.mode.selection = Selection::direct;
+  const std::string contour = "G0 X60 Y0\nG111 X20 Y0\nG41 G1 RP=30 AP=0 F100\nAP=90\nG40 X0 Y60\n";
+  const Written refused = run(contour + "G0 AP=180\nM30\n", setup, true);
+  ASSERT_TRUE(refused.stopped);
+  EXPECT_EQ(refused.diagnostics.back().code, Code::nc_unsupported);
+  EXPECT_FALSE(run(contour + "G0 RP=40 AP=180\nAP=90\nM30\n", setup, true).stopped);
+}
+
+TEST(Klartext, IsPassedOnWhereNothingIsCompensated) {
+  ProgramSessionSetup setup;
+  setup.session.program.dialect = DialectName::heidenhain;
+  const std::string text =
+      "0 BEGIN PGM RR12 MM\n1 BLK FORM 0.1 Z X+0 Y+0 Z-20\n2 TOOL CALL \"RL 5\" Z S900 ; RL\n"
+      "3 L X+10 Y+5 R0 FMAX M3\n4 CR X+20 Y+5 R+30 DR-\n5 CYCL DEF 203 ~\n   Q200=1 ;GAP \xE4\n"
+      "6 END PGM RR12 MM\n";
+  EXPECT_EQ(run(text, setup, true).text, text);
+  for (const char* contour : {"7 L X+5 RL F200\n", "APPR LCT X+5 Y+0 R20 RR\n", "N6 L Y-3 RLF300\n",
+                              "9 X+3 R+ F90\n", "L X1RR\n", "N40 G01 G41 X+5 Y+5*\n"}) {
+    const Written refused = run(text + contour, setup, true);
+    ASSERT_TRUE(refused.stopped) << contour;
+    EXPECT_EQ(refused.diagnostics.back().code, Code::nc_unsupported) << contour;
+  }
+}
+
+// Behind G40 alone the tool still stands beside the contour: to go where the contour ends in the
+// program is a motion, 4 mm here.
+TEST(ABareG40, LetsTheToolGoBackToWhereItEndedInTheProgram) {
+  ProgramSessionSetup setup;
+  setup.session.program.dialect = DialectName::fanuc;
+  setup.session.program.mode.tool_radius = 4;
+  setup.session.program.mode.selection = Selection::direct;
+  const std::string pass = "G41 D1 G1 X10. F100\nX50.\nG40\nG0 Z5.\nX50.\n";
+  const Written written = run("G0 X0 Y0\n" + pass + "G0 X0\n" + pass + "M30\n", setup, false);
+  ASSERT_FALSE(written.stopped) << written.report();
+  const auto path = moving(written.blocks, 1e-3);
+  ASSERT_EQ(path.size(), 7u);
+  EXPECT_LT((start_of(path[2].path) - Point(50, 4)).norm(), 1e-9) << text_of(path[2]);
+  EXPECT_LT((end_of(path[2].path) - Point(50, 0)).norm(), 1e-9) << text_of(path[2]);
+  EXPECT_LT((start_of(path[3].path) - Point(50, 0)).norm(), 1e-9) << text_of(path[3]);
+}
+
 TEST(UnknownFunctions, AreCopiedWhereTheSetupSaysSo) {
   ProgramSessionSetup setup;
   setup.session.program.dialect = DialectName::fanuc;
@@ -278,6 +419,11 @@ TEST(UnknownFunctions, AreCopiedWhereTheSetupSaysSo) {
   setup.session.program.copies_unknown_words = true;
   const std::string text = "G0 X1 Y1\nG777 X5 Q3\nG0 X2 Y2\nM30\n";
   EXPECT_EQ(run(text, setup, true).text, text);
+  setup.session.program.dialect = DialectName::sinumerik;
+  const std::string names = "G0 X1 Y1\nMPEROF\nTOOL_CHECK(1,2)\nG0 X2 Y2\nM30\n";
+  EXPECT_EQ(run(names, setup, true).text, names);
+  setup.session.program.copies_unknown_words = false;
+  EXPECT_TRUE(run(names, setup, true).stopped);
 }
 
 }  // namespace

@@ -54,15 +54,22 @@ struct Interpreter::BlockWords {
   std::optional<Value> tool_data_number{};  // P of G10
   bool changes_tool = false;                // M06
   bool to_skip = false;                     // `/` in front
+  std::optional<std::uint32_t> corner{};    // ,R ,C RND= CHF= CHR=
+  bool sets_position = false;               // G92: the axis words say where the machine stands
+  bool names_tool = false;                  // M61 of LinuxCNC: Q is the tool in the spindle
+  std::optional<Value> quantity{};          // Q
   std::optional<Value> offset{};            // H
   // Of Sinumerik. References: 1 for AC(), -1 for IC(), 0 as G90 and G91 say.
   std::array<std::int8_t, 3> end_reference{};
   std::array<std::int8_t, 3> center_reference{};
   std::optional<double> sweep{};                   // AR=, degrees
   std::array<std::optional<Value>, 3> through{};   // I1= J1= K1=
+  std::optional<Value> polar_angle{};              // AP=, degrees
+  std::optional<Value> polar_radius{};             // RP=
+  bool polar_increment = false;                    // one of them is IC()
   bool is_through = false;                         // CIP
   bool begins_tangent_arcs = false;                // CT
-  std::optional<std::uint32_t> unfollowed_word{};  // CT, TURN=, AP=, RP=
+  std::optional<std::uint32_t> unfollowed_word{};  // CT, TURN=, AP=, RP=, ,A
 };
 
 }  // namespace trc

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <initializer_list>
 #include <string>
@@ -52,6 +53,9 @@ bool has_length_offset(const ProgramLine& line) {
     return word == "G43" || word == "g43" || word == "G44" || word == "g44";
   });
 }
+
+constexpr std::array<MotionKind, 4> motions{MotionKind::rapid, MotionKind::linear,
+                                            MotionKind::clockwise, MotionKind::counter_clockwise};
 
 bool is_subprogram_call(double m) { return m == 96 || m == 97 || m == 98 || m == 198; }
 
@@ -162,13 +166,30 @@ bool Interpreter::read_code_address(const CodeWord& word, ProgramLine& line, Blo
   const auto twice = [&] { return refuse_code(line, word, Code::nc_word_twice); };
   const BlockWords::Value value{.value = word.value, .begin = word.begin};
   if (word.comma) {
+    const bool angle = word.letter == 'A';
+    if (word.letter == 'R' || word.letter == 'C') {
+      if (block.corner) return twice();
+      block.corner = word.begin;
+      block.move.corner = {
+          .form = word.letter == 'R' ? CornerCut::Form::round : CornerCut::Form::leg,
+          .size = word.value};
+      add(line, word, WordRole::technology);
+      return true;
+    }
     if (trc_active())
       return refuse_code(line, word, Code::nc_unsupported,
-                         "a rounding or a chamfer while TRC is active");
+                         angle ? "the angle of a motion while TRC is active"
+                               : "a rounding or a chamfer while TRC is active");
+    if (angle) block.unfollowed_word = word.begin;
     add(line, word, WordRole::technology);
     return true;
   }
   const char letter = word.letter;
+  if (letter == '$') {
+    if (dialect_.name != DialectName::linuxcnc) return refuse_code(line, word, Code::nc_syntax);
+    add(line, word, WordRole::technology);
+    return true;
+  }
   if (letter <= 'C' || letter >= 'U') return read_code_axis(word, line, block);
   switch (letter) {
     case 'I':
@@ -205,8 +226,10 @@ bool Interpreter::read_code_address(const CodeWord& word, ProgramLine& line, Blo
       block.tool_data = value;
       break;
     case 'P':
+      block.tool_data_number = value;
+      break;
     case 'Q':
-      if (letter == 'P') block.tool_data_number = value;
+      block.quantity = value;
       break;
     case 'H':
       block.offset = value;
@@ -223,6 +246,10 @@ bool Interpreter::read_code_machine_function(const CodeWord& word, ProgramLine& 
   const double m = word.value;
   if (is_subprogram_call(m))
     return refuse_code(line, word, Code::nc_unsupported, "a subprogram call");
+  const bool linuxcnc = dialect_.name == DialectName::linuxcnc;
+  if (linuxcnc && m == 72)
+    return refuse_code(line, word, Code::nc_unsupported, "modes as they were at M70");
+  block.names_tool |= linuxcnc && m == 61;
   const bool ends = m == 2 || m == 30 || m == 99;
   line.ends_program |= ends;
   block.changes_tool |= m == 6;
@@ -239,6 +266,7 @@ bool Interpreter::complete_code_block(ProgramLine& line, BlockWords& block) {
     code_.spindle_tool = code_.next_tool;
     block.forget |= static_cast<AxisBits>(1U << axes_of(state_.mode().plane).third);
   }
+  if (block.names_tool && block.quantity) code_.spindle_tool = whole_number(block.quantity->value);
   const bool spindle_limit = block.has(unfollowed_end) && block.of(unfollowed_end).is(50);
   const bool has_spindle = std::ranges::any_of(line.words, [&](const WordRange& word) {
     return line.text[word.begin] == 'S' || line.text[word.begin] == 's';
@@ -275,7 +303,11 @@ bool Interpreter::complete_code_block(ProgramLine& line, BlockWords& block) {
   }
   if (block.has(unfollowed)) code_.unfollowed = block.of(unfollowed).function->tenths();
   if (block.has(unfollowed_end)) code_.unfollowed = -1;
-  if (!check_code_selection(line, block)) return false;
+  if (dialect_.name == DialectName::sinumerik) {
+    take_pole(block);
+    if (!resolve_polar_words(line, block)) return false;
+  }
+  if (!check_code_selection(line, block) || !take_corner(line, block)) return false;
   const bool goes_on = copy_code_block(line, block);
   if (block.has(cycle)) code_.cycle = true;
   reads_plain_lines_ = !code_.cycle && code_.unfollowed < 0 && !code_.tangent_arcs &&
@@ -324,27 +356,38 @@ bool Interpreter::copy_code_block(ProgramLine& line, BlockWords& block) {
   };
   const bool moves = block.axis || block.center;
   const auto third = static_cast<AxisBits>(1U << axes_of(state_.mode().plane).third);
+  const AxisBits named = named_axes();
+  // G28 Z and G53 Z: the tool stays beside the contour, and the next line may end TRC.
+  const bool leaves_across = dialect_.name == DialectName::fanuc && named == third &&
+                             !block.center && !block.to_skip &&
+                             (block.of(single_move).is(28) || block.of(single_move).is(30) ||
+                              block.of(single_move).is(53));
   std::optional<std::uint32_t> begin;
   std::string meaning;
   const auto copy = [&](GGroup group, AxisBits forget) {
     if (!block.has(group)) return;
-    begin = block.of(group).begin;
-    meaning = block.of(group).function->meaning;
     block.copied = true;
     block.forget |= forget;
+    if (group == single_move && leaves_across) return;
+    begin = block.of(group).begin;
+    meaning = block.of(group).function->meaning;
   };
-  const AxisBits named = named_axes();
   copy(single_move, named == 0 || block.of(single_move).is(1007) ? all_axes : named);
   copy(cycle, static_cast<AxisBits>(named | third));
-  copy(frame, all_axes);
+  // Both controls: the axes named stand where the block says, the others where they stood.
+  block.sets_position = block.has(frame) && block.of(frame).function->tenths() == 920 &&
+                        block.axis && !incremental_ && !block.to_skip &&
+                        !block.of(dimension).is(91);
+  copy(frame, block.sets_position ? AxisBits{0} : all_axes);
   copy(tool_data, block.tool_data && (block.tool_data->value == 2 || block.tool_data->value == 20)
                       ? all_axes
                       : AxisBits{0});
   copy(unfollowed, all_axes);
   copy(unfollowed_end, all_axes);
   const auto copy_motion = [&](const char* why, AxisBits forget) {
-    if (block.copied || !moves || block.has(dwell)) return;
-    begin = std::min(block.axis.value_or(~0U), block.center.value_or(~0U));
+    if (block.copied || !(moves || block.unfollowed_word) || block.has(dwell)) return;
+    begin = std::min({block.axis.value_or(~0U), block.center.value_or(~0U),
+                      block.unfollowed_word.value_or(~0U)});
     meaning = why;
     block.copied = true;
     block.forget |= forget;
@@ -357,12 +400,22 @@ bool Interpreter::copy_code_block(ProgramLine& line, BlockWords& block) {
                                   .begin = block.of(axis_technology).begin,
                                   .detail = "G5 or G8 with axis words"});
   if (block.axis) copy(axis_technology, AxisBits{0});
-  if (block.unfollowed_word || code_.tangent_arcs) copy_motion("CT, TURN=, AP= or RP=", named);
+  if (block.unfollowed_word) copy_motion("CT, TURN=, AP=, RP=, ANG= or ,A", all_axes);
+  if (code_.tangent_arcs) copy_motion("CT", named);
+  const bool fanuc = dialect_.name == DialectName::fanuc;
+  if (fanuc && block.tool_data) copy_motion("a motion with L, which is repeated", all_axes);
   if (block.to_skip) copy_motion("a motion that may be skipped", named);
   if (block.has(zero_shift) && !begin)
     begin = block.of(zero_shift).begin, meaning = "work coordinate system";
   if (block.to_skip && block.has(side))
     begin = block.of(side).begin, meaning = "TRC in a block that may be skipped";
+
+  const MotionKind kind = block.has(motion)
+                              ? motions[static_cast<std::size_t>(block.of(motion).function->number)]
+                              : motion_;
+  const bool circle = kind == MotionKind::clockwise || kind == MotionKind::counter_clockwise;
+  if (dialect_.name == DialectName::linuxcnc && moves && circle && block.tool_data_number && !begin)
+    begin = block.tool_data_number->begin, meaning = "P, the turns of an arc";
 
   // G40 beside G28 and the like ends TRC first.
   const bool active = trc_active() && !block.of(side).is(40);
@@ -376,6 +429,26 @@ bool Interpreter::copy_code_block(ProgramLine& line, BlockWords& block) {
   for (WordRange& word : line.words)
     if (word.role == WordRole::coordinate || word.role == WordRole::trc)
       word.role = WordRole::technology;
+  return true;
+}
+
+// While TRC is active the corner becomes blocks of its own, and its word is not written. Else the
+// control makes it.
+bool Interpreter::take_corner(ProgramLine& line, BlockWords& block) {
+  if (!block.corner) return true;
+  if (!contour_open() && !block.has(side)) {
+    block.move.corner.reset();
+    return true;
+  }
+  const bool nothing_else = trc_active() && !block.has(side) && block.axis;
+  if (!nothing_else || !(block.move.corner->size >= 0))
+    return refuse(line, TextFault{.code = Code::nc_unsupported,
+                                  .begin = *block.corner,
+                                  .detail = "a rounding or a chamfer beside G40 … G42, or behind "
+                                            "a motion that is none"});
+  if (block.move.corner->size == 0) block.move.corner.reset();
+  for (WordRange& word : line.words)
+    if (word.begin == *block.corner) word.role = WordRole::trc;
   return true;
 }
 

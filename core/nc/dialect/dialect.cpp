@@ -36,7 +36,7 @@ const std::array<Dialect, 5>& dialects() {
        .functions = sinumerik_functions(),
        .selection = Selection::direct,
        .transition = Transition::circular},
-      {.name = DialectName::heidenhain, .spelling = "heidenhain", .available = false},
+      {.name = DialectName::heidenhain, .spelling = "heidenhain", .selection = Selection::direct},
   }};
   return table;
 }

@@ -30,7 +30,10 @@ void sum_up_words(ProgramLine& line) {
   for (const WordRange& word : line.words) {
     line.roles |= bit(word.role);
     if (word.role != WordRole::coordinate) continue;
-    if (!names_an_axis(line, word)) continue;
+    if (!names_an_axis(line, word)) {
+      line.names_other_axes |= is_polar(line, word);
+      continue;
+    }
     const char letter = upper(line.text[word.begin]);
     if (letter >= 'X' && letter <= 'Z') {
       line.main_axes |= static_cast<std::uint8_t>(1U << (letter - 'X'));
@@ -334,7 +337,7 @@ bool Interpreter::read_line(ProgramLine& line) {
   if (PlainMotion plain; is_plain(line, plain)) return apply(line, plain);
   line.words.clear();
   const std::string_view text = without_blanks_in_front(line.text);
-  const bool is_name = text.starts_with('%');
+  const bool is_name = text.starts_with('%') && dialect_.name != DialectName::heidenhain;
   if (dialect_.name != DialectName::isg && (ended_ || is_name)) {
     // The `%` in front of the first block begins the tape, the next one ends it. What stands
     // behind may be in any encoding.
@@ -372,12 +375,25 @@ bool Interpreter::read_line_behind_end(ProgramLine& line) {
                               place, line.text.find_first_not_of("Gg0123456789 ", place) - place)});
 }
 
+bool Interpreter::read_words_of_dialect(ProgramLine& line, BlockWords& block) {
+  switch (dialect_.name) {
+    case DialectName::isg:
+      return read_words(line, block);
+    case DialectName::sinumerik:
+      return read_named_words(line, block);
+    case DialectName::heidenhain:
+      return read_klartext(line, block);
+    case DialectName::fanuc:
+    case DialectName::linuxcnc:
+      break;
+  }
+  return read_code_words(line, block);
+}
+
 bool Interpreter::read_block(ProgramLine& line) {
   BlockWords block;
   const bool is_isg = dialect_.name == DialectName::isg;
-  const bool readable = is_isg                                    ? read_words(line, block)
-                        : dialect_.name == DialectName::sinumerik ? read_named_words(line, block)
-                                                                  : read_code_words(line, block);
+  const bool readable = read_words_of_dialect(line, block);
   sum_up_words(line);
   if (!faults_.empty() && block.has(GGroup::side)) scanned_trc_ = !block.of(GGroup::side).is(40);
   if (!readable || !faults_.empty()) return false;
@@ -447,6 +463,12 @@ bool Interpreter::apply_modes(const ProgramLine& line, const BlockWords& block) 
     for (std::size_t axis = 0; axis < axes.size(); ++axis)
       axes[axis] = (block.forget >> axis & 1) != 0;
     state_.forget_position(axes, line.source);
+  }
+  if (block.sets_position) {
+    std::array<std::optional<double>, 3> place = block.move.end;
+    for (auto& coordinate : place)
+      if (coordinate) *coordinate *= length_unit();
+    state_.set_position(place, line.source);
   }
   if (!block.has(plane)) return true;
   place(line, block.of(plane).begin);
@@ -558,6 +580,7 @@ void Interpreter::scale(MoveRequest& request) const {
   for (auto& coordinate : request.end) scale(coordinate);
   for (auto& coordinate : request.center) scale(coordinate);
   scale(request.radius);
+  if (request.corner) request.corner->size *= mm_per_inch;
   // U V W are linear axes, A B C turn: degrees have no inch.
   const auto& names = state_.setup().tracking_axes;
   for (std::size_t axis = 0; axis < request.tracking.size(); ++axis)

@@ -86,6 +86,7 @@ class Interpreter {
   bool read_line_behind_end(ProgramLine& line);
   bool read_comment_block(ProgramLine& line);
   bool read_block(ProgramLine& line);
+  bool read_words_of_dialect(ProgramLine& line, BlockWords& block);
   [[nodiscard]] bool is_plain(ProgramLine& line, PlainMotion& plain) const;
 
   bool read_words(ProgramLine& line, BlockWords& block);
@@ -108,15 +109,22 @@ class Interpreter {
   void forget_what_ends_nothing(BlockWords& block);
   bool copy_code_block(ProgramLine& line, BlockWords& block);
   bool check_code_selection(ProgramLine& line, BlockWords& block);
+  bool take_corner(ProgramLine& line, BlockWords& block);
   bool take_tool_data(ProgramLine& line, BlockWords& block);
   bool refuse_code(const ProgramLine& line, const CodeWord& word, Code code,
                    std::string_view meaning = {});
+
+  // Of Heidenhain: heidenhain.cpp.
+  bool read_klartext(ProgramLine& line, BlockWords& block);
 
   // Of Sinumerik: sinumerik_block.cpp.
   bool read_named_words(ProgramLine& line, BlockWords& block);
   bool read_named_address(const NamedWord& word, ProgramLine& line, BlockWords& block);
   bool read_assignment(const NamedWord& word, ProgramLine& line, BlockWords& block);
   bool read_name(const NamedWord& word, ProgramLine& line, BlockWords& block);
+  bool read_polar_word(const NamedWord& word, ProgramLine& line, BlockWords& block);
+  void take_pole(const BlockWords& block);
+  bool resolve_polar_words(ProgramLine& line, BlockWords& block);
   bool resolve_references(ProgramLine& line, BlockWords& block);
   bool take_sweep(ProgramLine& line, BlockWords& block);
   bool take_point_between(ProgramLine& line, BlockWords& block);
@@ -175,11 +183,17 @@ class Interpreter {
     bool changes_by_m6 = false;  // T only prepares a tool
     // The one register that stands for the radius of the setup, where it has no tools.
     std::optional<std::int64_t> only_register{};
+    // Of polar coordinates, in the plane, in the unit of the program; without: not followed.
+    std::optional<Point> pole{Point::Zero()};
+    std::optional<double> polar_angle{};  // degrees
+    std::optional<double> polar_radius{};
+    bool polar_rewritten = false;  // one of them stands in a line that is written anew
 
     template <class Archive>
     void serialize(Archive& archive) {
       archive(cycle, unfollowed, turning, y_seen, dimension_uncertain, turned, next_tool,
-              spindle_tool, tool_name, edge_off, changes_by_m6, only_register);
+              spindle_tool, tool_name, edge_off, changes_by_m6, only_register, pole, polar_angle,
+              polar_radius, polar_rewritten);
     }
   };
   // The first of its kind; the others only count.

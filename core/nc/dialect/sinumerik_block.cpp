@@ -87,8 +87,7 @@ constexpr auto cycles = std::to_array<std::string_view>(
 constexpr auto passing_assignments = std::to_array<std::string_view>(
     {"ACC", "ADIS", "ADISPOS", "FA", "FZ", "LIMS", "SCC", "SPOS", "SVC"});
 // Words with values that round or bevel corners.
-constexpr auto corner_words =
-    std::to_array<std::string_view>({"CHF", "CHR", "FRC", "FRCM", "RND", "RNDM"});
+constexpr auto corner_words = std::to_array<std::string_view>({"FRC", "FRCM", "RNDM"});
 
 // The functions that names stand for.
 constexpr GFunction frame_name{.number = 1000, .group = frame, .meaning = "a frame"};
@@ -99,6 +98,10 @@ constexpr GFunction unfollowed_end_name{.number = 1002, .group = unfollowed_end}
 constexpr GFunction single_name{
     .number = 1003, .group = single_move, .meaning = "a cycle or motion of its own"};
 constexpr GFunction cycle_name{.number = 1004, .group = cycle, .meaning = "a modal cycle"};
+constexpr GFunction feed_at_contour{.number = 11, .group = feed_adaptation};
+constexpr GFunction feed_at_center{.number = 10, .group = feed_adaptation};
+constexpr GFunction unknown_name{
+    .number = 1007, .group = single_move, .meaning = "an unknown name"};
 constexpr GFunction cycle_end_name{.number = 1005, .group = cycle_end};
 
 bool begins_with_any(std::string_view name, std::span<const std::string_view> beginnings) {
@@ -223,6 +226,16 @@ bool Interpreter::read_assignment(const NamedWord& word, ProgramLine& line, Bloc
     add(line, word, WordRole::coordinate);
     return true;
   }
+  if (is("RND") || is("CHF") || is("CHR")) {
+    if (block.corner) return refused(Code::nc_word_twice, "a second rounding or chamfer");
+    block.corner = word.begin;
+    block.move.corner = {.form = is("RND")   ? CornerCut::Form::round
+                                 : is("CHR") ? CornerCut::Form::leg
+                                             : CornerCut::Form::width,
+                         .size = word.value};
+    add(line, word, WordRole::technology);
+    return true;
+  }
   if (std::ranges::find(corner_words, word.name) != corner_words.end() && trc_active() &&
       word.value != 0)
     return refused(Code::nc_unsupported, "a rounding or a chamfer while TRC is active");
@@ -230,7 +243,9 @@ bool Interpreter::read_assignment(const NamedWord& word, ProgramLine& line, Bloc
     return refused(Code::nc_unsupported, "an allowance: add it to the radius of the tool");
   if (is("DISC") && word.value != 0)
     return refused(Code::nc_unsupported, "corners that reach out: DISC=0");
-  if (is("TURN") || is("AP") || is("RP")) {
+  if (is("AP") || is("RP")) return read_polar_word(word, line, block);
+  if (is("ANG") && trc_active()) return refused(Code::nc_unsupported, "the angle of a motion");
+  if (is("TURN") || is("ANG")) {
     block.unfollowed_word = word.begin;
     add(line, word, WordRole::technology);
     return true;
@@ -239,6 +254,98 @@ bool Interpreter::read_assignment(const NamedWord& word, ProgramLine& line, Bloc
                       std::ranges::find(corner_words, word.name) != corner_words.end() || is("RPL");
   if (!passes) return refused(Code::nc_unsupported, "a variable");
   add(line, word, WordRole::technology);
+  return true;
+}
+
+bool Interpreter::read_polar_word(const NamedWord& word, ProgramLine& line, BlockWords& block) {
+  auto& target = word.name == "AP" ? block.polar_angle : block.polar_radius;
+  if (target)
+    return refuse(line, TextFault{.code = Code::nc_word_twice,
+                                  .begin = word.begin,
+                                  .detail = std::string(word.name)});
+  target = {.value = word.value, .begin = word.begin};
+  block.polar_increment |= word.reference == NamedWord::Reference::incremental;
+  add(line, word, WordRole::coordinate);
+  return true;
+}
+
+// G110 counts from where the machine stands, G111 from the zero point, G112 from the last pole.
+void Interpreter::take_pole(const BlockWords& block) {
+  const bool clears = block.has(plane) || block.has(frame) || block.has(unit) ||
+                      block.has(zero_shift) || block.has(unfollowed);
+  const BlockWords::Function& pole = block.of(axis_technology);
+  const int number = pole.function == nullptr ? 0 : pole.function->number;
+  const bool sets = number >= 110 && number <= 112;
+  if (!clears && !sets) return;
+  code_.polar_angle.reset();
+  code_.polar_radius.reset();
+  const PlaneAxes axes = axes_of(state_.mode().plane);
+  const auto& x = block.move.end[axes.first];
+  const auto& y = block.move.end[axes.second];
+  // Without a pole of its own a program counts from its zero point.
+  if (clears && (code_.pole != Point(0, 0) || sets)) code_.pole.reset();
+  if (clears || !sets) return;
+  Point base = Point::Zero();
+  bool known = x && y && !block.polar_angle && !block.polar_radius;
+  if (number == 110) {
+    base = to_plane(state_.mode().plane, state_.position()) / length_unit();
+    known &= state_.is_known(axes.first) && state_.is_known(axes.second) && !contour_open();
+  }
+  if (number == 112) {
+    known &= code_.pole.has_value();
+    base = code_.pole.value_or(base);
+  }
+  code_.pole.reset();
+  if (known) code_.pole = base + Point(*x, *y);
+}
+
+// AP= and RP= become the coordinates of the plane; an arc among them has the pole for its centre.
+bool Interpreter::resolve_polar_words(ProgramLine& line, BlockWords& block) {
+  const PlaneAxes axes = axes_of(state_.mode().plane);
+  auto& x = block.move.end[axes.first];
+  auto& y = block.move.end[axes.second];
+  const bool polar = block.polar_angle || block.polar_radius;
+  if (!polar && (x || y)) {
+    code_.polar_angle.reset();
+    code_.polar_radius.reset();
+  }
+  if (!polar) return true;
+  const std::uint32_t begin = std::min(block.polar_angle ? block.polar_angle->begin : ~0U,
+                                       block.polar_radius ? block.polar_radius->begin : ~0U);
+  const bool selects = block.has(side) && !block.of(side).is(40);
+  const bool both = block.polar_angle && block.polar_radius;
+  // A line that is copied would count on a word that the written program has no longer.
+  if (code_.polar_rewritten && !both && !contour_open() && !selects)
+    return refuse(line, TextFault{.code = Code::nc_unsupported,
+                                  .begin = begin,
+                                  .detail = "AP= or RP= alone behind a contour: write both"});
+  if (selects || contour_open()) code_.polar_rewritten = true;
+  if (both && !contour_open() && !selects) code_.polar_rewritten = false;
+  if (block.polar_angle) code_.polar_angle = block.polar_angle->value;
+  if (block.polar_radius) code_.polar_radius = block.polar_radius->value;
+  const MotionKind kind =
+      block.has(motion) ? static_cast<MotionKind>(block.of(motion).function->number) : motion_;
+  const bool circle = kind == MotionKind::clockwise || kind == MotionKind::counter_clockwise;
+  const bool start_known = state_.is_known(axes.first) && state_.is_known(axes.second);
+  const bool followed = code_.pole && code_.polar_angle && code_.polar_radius && !x && !y &&
+                        !block.center && !incremental_ && !block.of(dimension).is(91) &&
+                        !block.polar_increment && !block.to_skip && (!circle || start_known);
+  if (!followed) {
+    block.unfollowed_word = begin;
+    code_.polar_angle.reset();
+    code_.polar_radius.reset();
+    return true;
+  }
+  const double angle = *code_.polar_angle * std::numbers::pi / 180;
+  const Point end = *code_.pole + *code_.polar_radius * Point(std::cos(angle), std::sin(angle));
+  x = end.x();
+  y = end.y();
+  if (!block.axis || begin < *block.axis) block.axis = begin;
+  if (!circle) return true;
+  const Point start = to_plane(state_.mode().plane, state_.position()) / length_unit();
+  block.move.center[axes.first] = code_.pole->x() - start.x();
+  block.move.center[axes.second] = code_.pole->y() - start.y();
+  block.center = begin;
   return true;
 }
 
@@ -263,7 +370,7 @@ bool Interpreter::read_name(const NamedWord& word, ProgramLine& line, BlockWords
       return true;
     }
     if (std::ranges::find(passing_calls, word.name) == passing_calls.end() && word.name != "TRAORI")
-      return refused("a call");
+      return state_.setup().copies_unknown_words ? stands_for(unknown_name) : refused("a call");
     if (word.name == "TRAORI") return stands_for(unfollowed_name);
     add(line, word, WordRole::technology);
     return true;
@@ -275,13 +382,17 @@ bool Interpreter::read_name(const NamedWord& word, ProgramLine& line, BlockWords
     add(line, word, WordRole::motion);
     return true;
   }
-  if (word.name == "CFC") return refused("a feed at the contour: CFTCP");
+  if (word.name == "CFC") return stands_for(feed_at_contour);
+  if (word.name == "CFTCP") return stands_for(feed_at_center);
+  if (word.name == "CFIN") return refused("a feed at inner curves alone: CFC or CFTCP");
   if (word.name == "CT") block.begins_tangent_arcs = true;
   if (word.name == "KONT" || word.name == "KONTC" || word.name == "KONTT")
     return refused("an approach round the corner: NORM");
   if (word.name == "CDON") return refused("a search for bottlenecks: CDOF");
   const auto found = std::ranges::lower_bound(names, word.name, {}, &Name::name);
   const bool known = found != names.end() && found->name == word.name;
+  const bool copied = !known && state_.setup().copies_unknown_words;
+  if (copied && word.name != "CT") return stands_for(unknown_name);
   if (!known && word.name != "CT") return refused("a name");
   switch (known ? found->meaning : Meaning::technology) {
     case Meaning::frame:

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 #include "core/geometry/parallel.h"
@@ -22,6 +23,9 @@ bool in_range(double value, double smallest, double largest) {
 bool retracts_in_a_block(Selection selection) {
   return selection != Selection::perpendicular && selection != Selection::without_block;
 }
+
+constexpr const char* corner_without_contour =
+    "a rounding or a chamfer that is not between two straight motions of one contour";
 
 constexpr std::array<const char*, 3> axis_words{"X", "Y", "Z"};
 constexpr std::array<const char*, 3> center_words{"I", "J", "K"};
@@ -286,6 +290,24 @@ void ProgramState::forget_position(const std::array<bool, 3>& axes, const Source
   position_forgotten_ = source;
 }
 
+void ProgramState::set_position(const std::array<std::optional<double>, 3>& place,
+                                const Source& source) {
+  const std::size_t third = axes_of(mode_.plane).third;
+  std::array<bool, 3> unknown{};
+  for (std::size_t axis = 0; axis < place.size(); ++axis) {
+    if (!place[axis]) continue;
+    const bool stands_there =
+        known_[axis] && std::abs(*place[axis] - position_[axis]) <= tolerances_.same_point;
+    if (axis == third || stands_there) {
+      known_[axis] = true;
+      target_[axis] = *place[axis];
+    } else {
+      unknown[axis] = true;
+    }
+  }
+  if (unknown != std::array<bool, 3>{}) forget_position(unknown, source);
+}
+
 bool ProgramState::find_end(const MoveRequest& request, Position& end) const {
   end = target_;
   bool all_in_range = true;
@@ -422,6 +444,8 @@ bool ProgramState::move_on_circle(const MoveRequest& request, const Position& en
                {"corrected_radius", radius_of(programmed.arc)}}))
     return false;
   if (mode_.active() && in_plane_blocks_ == 0 && !check_radius(request.source)) return false;
+  Line none;
+  if (!check_corner(request, false) || !cut_corner_before(request, none, false)) return false;
   TrackingTravel tracking;
   if (!move_tracking(request, tracking)) return false;
   enter_target(request, end);
@@ -435,16 +459,72 @@ bool ProgramState::move_straight(const MoveRequest& request, const Position& end
   TrackingTravel tracking;
   if (!move_tracking(request, tracking)) return false;
   enter_target(request, end);
-  const Line line{.start = to_plane(mode_.plane, position_), .end = to_plane(mode_.plane, end)};
+  Line line{.start = to_plane(mode_.plane, position_), .end = to_plane(mode_.plane, end)};
+  if (leads_back(request)) line.start = last_equidistant_point();
   if ((line.end - line.start).norm() > tolerances_.same_point) {
     if (mode_.active() && in_plane_blocks_ == 0 && !check_radius(request.source)) return false;
     displaced_ = false;
+    const bool flat = end[axes_of(mode_.plane).third] == position_[axes_of(mode_.plane).third] &&
+                      std::ranges::none_of(tracking, &AxisTravel::moves);
+    if (!check_corner(request, flat) || !cut_corner_before(request, line, flat)) return false;
     append_motion(request, line, end, std::move(tracking));
+    corner_ = request.corner;
+    if (corner_) {
+      held_.push_back(std::move(blocks_.back()));
+      blocks_.pop_back();
+    }
   } else {
     const bool tracking_moves = std::ranges::any_of(tracking, &AxisTravel::moves);
     append_passive(request, end, std::move(tracking), tracking_moves);
   }
   return true;
+}
+
+// Only between motions of the contour itself, along which nothing else moves.
+bool ProgramState::check_corner(const MoveRequest& request, bool straight) {
+  const bool in_contour = mode_.active() && in_plane_blocks_ > 0;
+  return !request.corner || (straight && in_contour && request.kind == MotionKind::linear) ||
+         report(request.source, Code::nc_unsupported, corner_without_contour);
+}
+
+// The block that is held loses its end and `line` its beginning.
+bool ProgramState::cut_corner_before(const MoveRequest& request, Line& line, bool straight) {
+  if (!corner_) return true;
+  auto* before = std::get_if<MotionBlock>(&held_.front());
+  const bool in_contour = mode_.active() && before->mode->side == mode_.side &&
+                          before->mode->selection_number == mode_.selection_number;
+  if (!straight || !in_contour || request.kind != MotionKind::linear)
+    return report(request.source, Code::nc_unsupported, corner_without_contour);
+  Line& path = *std::get_if<Line>(&before->path);
+  const auto corner = cut_corner(path, line, *corner_, tolerances_);
+  if (!corner)
+    return report(request.source, Code::nc_unsupported,
+                  "a rounding or a chamfer the motions have no room for");
+  path.end = corner->end_before;
+  line.start = corner->start_after;
+  MotionBlock between = *before;
+  between.path = corner->between;
+  held_.insert(held_.begin() + 1, std::move(between));
+  release_held();
+  return true;
+}
+
+void ProgramState::release_held() {
+  std::ranges::move(held_, std::back_inserter(blocks_));
+  held_.clear();
+  corner_.reset();
+}
+
+// Behind G40 alone the tool stands beside the contour, so that a motion to where it ends in the
+// program moves it all the same: programs go back there and begin the next pass.
+bool ProgramState::leads_back(const MoveRequest& request) const {
+  const PlaneAxes axes = axes_of(mode_.plane);
+  return setup_.dialect != DialectName::isg && retract_pending_ &&
+         mode_.deselection == Selection::direct && last_mode_ != nullptr &&
+         last_mode_->plane == mode_.plane &&
+         (request.end[axes.first] || request.end[axes.second]) &&
+         (to_plane(mode_.plane, target_) - trc::end_of(last_path_)).norm() <=
+             tolerances_.same_point;
 }
 
 void ProgramState::enter_target(const MoveRequest& request, const Position& end) {
@@ -485,13 +565,13 @@ void ProgramState::append_passive(const MoveRequest& request, const Position& en
                                   TrackingTravel tracking, bool tracking_moves) {
   const std::size_t third = axes_of(mode_.plane).third;
   const AxisTravel normal{.from = position_[third], .to = end[third]};
-  blocks_.emplace_back(PassiveBlock{.source = request.source,
-                                    .normal = normal,
-                                    .feed = request.feed,
-                                    .rapid = request.kind == MotionKind::rapid,
-                                    .moves = normal.moves() || tracking_moves,
-                                    .mode = shared_mode(),
-                                    .tracking = std::move(tracking)});
+  sink().emplace_back(PassiveBlock{.source = request.source,
+                                   .normal = normal,
+                                   .feed = request.feed,
+                                   .rapid = request.kind == MotionKind::rapid,
+                                   .moves = normal.moves() || tracking_moves,
+                                   .mode = shared_mode(),
+                                   .tracking = std::move(tracking)});
   position_[third] = end[third];
 }
 
@@ -500,15 +580,16 @@ bool ProgramState::pass(const Source& source, std::string text) {
   TrackingTravel standing;
   standing.reserve(tracking_.size());
   for (const double axis : tracking_) standing.push_back({.from = axis, .to = axis});
-  blocks_.emplace_back(PassiveBlock{.source = source,
-                                    .text = std::move(text),
-                                    .normal = {.from = height, .to = height},
-                                    .mode = shared_mode(),
-                                    .tracking = std::move(standing)});
+  sink().emplace_back(PassiveBlock{.source = source,
+                                   .text = std::move(text),
+                                   .normal = {.from = height, .to = height},
+                                   .mode = shared_mode(),
+                                   .tracking = std::move(standing)});
   return true;
 }
 
 bool ProgramState::end(const Source& source) {
+  if (corner_) return report(source, Code::nc_unsupported, corner_without_contour);
   if (std::exchange(ended_, true) || !contour_open()) return !diagnostics_.stopped();
   return report(source, Code::ended_while_active);
 }

@@ -13,6 +13,7 @@
 #include "core/base/tolerances.h"
 #include "core/nc/state/block.h"
 #include "core/nc/state/circle.h"
+#include "core/nc/state/corner_cut.h"
 #include "core/nc/state/dialect_name.h"
 
 namespace trc {
@@ -53,6 +54,7 @@ struct MoveRequest {
   std::vector<std::optional<double>> tracking{};  // by index into tracking_axes
   double feed = 0;                                // mm/min in force
   ContourRole role = ContourRole::unspecified;
+  std::optional<CornerCut> corner{};  // behind the motion, in a contour
 };
 
 // The modal state and the position of one NC channel: turns requests into
@@ -114,6 +116,9 @@ class ProgramState {
   // from the old coordinates, so that joints stay shared; what needs to know more,
   // an arc, G91 or a selection, is refused (900106).
   void forget_position(const std::array<bool, 3>& axes, const Source& source);
+  // The machine stands at these coordinates, mm, from here on: G92 of Fanuc and LinuxCNC. Blocks
+  // share their joints, so that an axis of the plane that stood elsewhere is forgotten.
+  void set_position(const std::array<std::optional<double>, 3>& place, const Source& source);
 
   // Appends one block: a MotionBlock, or a PassiveBlock when nothing moves in the
   // plane by more than `same_point` (D-29). Such small steps add up: the sum is
@@ -151,6 +156,10 @@ class ProgramState {
   [[nodiscard]] bool awaits_approach() const { return mode_.active() && in_plane_blocks_ == 0; }
   // That motion becomes an arc into the contour, as if G05 stood beside the selection.
   void approach_tangentially() { change_mode().tangential = true; }
+  // Of the blocks that are not given yet: the Source::index of the first, or the largest number.
+  [[nodiscard]] std::uint64_t held_from() const {
+    return held_.empty() ? std::numeric_limits<std::uint64_t>::max() : index_of(held_.front());
+  }
   // No motion in the plane has followed the last G40 yet.
   [[nodiscard]] bool just_deselected() const { return just_deselected_; }
 
@@ -165,7 +174,7 @@ class ProgramState {
             known_, position_forgotten_, displaced_, tracking_, radius_giver_, prepared_tool_,
             loads_tools_, missing_tool_, zero_radius_reported_, selected_, selections_,
             in_plane_blocks_, has_approach_, last_path_, last_mode_, retract_pending_,
-            just_deselected_, ended_);
+            just_deselected_, corner_, held_, ended_);
   }
 
  private:
@@ -203,6 +212,11 @@ class ProgramState {
     return *request.end[axis] + (request.incremental ? target_[axis] : 0);
   }
   // Whether that is in range on all of them.
+  [[nodiscard]] std::vector<Block>& sink() { return corner_ ? held_ : blocks_; }
+  bool check_corner(const MoveRequest& request, bool straight);
+  bool cut_corner_before(const MoveRequest& request, Line& line, bool straight);
+  void release_held();
+  [[nodiscard]] bool leads_back(const MoveRequest& request) const;
   [[nodiscard]] bool find_end(const MoveRequest& request, Position& end) const;
   [[nodiscard]] Refusal end_out_of_range(const MoveRequest& request) const;
   [[nodiscard]] bool all_known() const { return known_[0] && known_[1] && known_[2]; }
@@ -267,6 +281,9 @@ class ProgramState {
   std::shared_ptr<const TrcMode> last_mode_{};
   bool retract_pending_ = false;
   bool just_deselected_ = false;
+  // To be cut, and the blocks from the one before it on, until the next motion in the plane.
+  std::optional<CornerCut> corner_{};
+  std::vector<Block> held_{};
   bool ended_ = false;
 };
 

@@ -65,7 +65,7 @@ CodeWord CodeReader::next() {
   const char sign = peek();
   if (sign == '(' || sign == ';') return comment();
   if (is_letter(sign)) return address(false);
-  if (sign == ':' && is_digit(peek(1))) return address(false);
+  if ((sign == ':' || sign == '$') && is_digit(peek(1))) return address(false);
   if (sign == '<' && line_.find('>', begin) != std::string_view::npos) {  // the name of the program
     at_ = line_.find('>', begin) + 1;
     return {.kind = CodeWord::Kind::comment,

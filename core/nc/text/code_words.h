@@ -14,7 +14,7 @@ namespace trc {
 struct CodeWord {
   enum class Kind : std::uint8_t { end, comment, skip, address, fault };
   Kind kind = Kind::end;
-  char letter = 0;          // upper case
+  char letter = 0;          // upper case; `$`: the spindle that M03 and the like mean
   bool comma = false;       // ,R ,C
   bool has_number = false;  // false only behind N and O
   bool whole = false;       // without decimal point

@@ -38,6 +38,7 @@ NamedWord NamedWordReader::next() {
     // N10G1X5: a number never stands within a name of more than one letter.
     return named ? name() : address();
   }
+  if (sign == ':' && is_digit(peek(1))) return address();  // the number of a main block
   if (sign == ';') {
     at_ = line_.size();
     return {.kind = NamedWord::Kind::comment,
@@ -112,7 +113,7 @@ bool NamedWordReader::read_value(NamedWord& word) {
 
 NamedWord NamedWordReader::address() {
   NamedWord word{.kind = NamedWord::Kind::address,
-                 .letter = upper(peek()),
+                 .letter = peek() == ':' ? 'N' : upper(peek()),
                  .begin = static_cast<std::uint32_t>(at_)};
   ++at_;
   skip_blanks();

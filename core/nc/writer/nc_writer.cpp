@@ -365,7 +365,9 @@ void NcWriter::enter_modes(const Waiting& own) {
 AxisSet NcWriter::all_axes_named_in(const ProgramLine& line) const {
   AxisSet named = 0;
   for (const WordRange& word : line.words) {
-    if (word.role != WordRole::coordinate || !names_an_axis(line, word)) continue;
+    if (word.role != WordRole::coordinate) continue;
+    if (is_polar(line, word)) named |= plane_axes(line.plane);
+    if (!names_an_axis(line, word)) continue;
     const char letter = upper(line.text[word.begin]);
     if (letter >= 'X' && letter <= 'Z') {
       named |= axis_bit(static_cast<std::size_t>(letter - 'X'));

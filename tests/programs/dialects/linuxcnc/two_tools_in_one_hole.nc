@@ -1,0 +1,32 @@
+; tool 3 2
+; tool 1 3
+; leaves the hole by an arc to its middle, then changes the tool there
+G17 G21 G54 G40 G49 G80 G90
+T3 M6
+G43
+G0 X60 Y60
+G0 Z10
+S4000 M3
+F250
+G1 Z0
+G41
+G3 X85 Y60 Z-1 I12.5 J0
+F1500
+G3 I-25
+G3 X60 Y60 Z1 I-12.5 J0
+G0 Z30
+G40
+T1 M6
+G43
+G0 X60 Y60
+G0 Z10
+G1 Z0 F250
+G41
+G3 X85 Y60 Z-1 I12.5 J0
+G3 I-25
+G3 X60 Y60 Z1 I-12.5 J0
+G0 Z30
+G40
+G0 X0 Y0
+M5
+M2
