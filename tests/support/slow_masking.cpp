@@ -157,15 +157,20 @@ class Masking {
     if (!mitres_ || !arc.inserted || first.from > 0 || at == 0) return 0;
     std::size_t behind = at;
     while (behind < way_.size() && pieces_[way_[behind]].element == first.element) ++behind;
-    if (behind == way_.size() || pieces_[way_[behind - 1]].to < arc.shape.extent) return 0;
+    // A last piece that is next to nothing is none.
+    const auto ends = [&](std::size_t piece) {
+      return together(pieces_[piece].end, elements_[pieces_[piece].element].shape.end);
+    };
+    if (behind == way_.size() || !ends(way_[behind - 1])) return 0;
     const Piece& before = pieces_[way_[at - 1]];
     const Piece& after = pieces_[way_[behind]];
     const Element& block_before = elements_[before.element];
     const Element& block_after = elements_[after.element];
     const bool beside = !block_before.inserted && block_before.block + 1 == arc.block &&
-                        before.to == block_before.shape.extent && !block_after.inserted &&
+                        ends(way_[at - 1]) && !block_after.inserted &&
                         block_after.block == arc.block && after.from == 0;
-    return beside ? behind - at : 0;
+    // Where nothing is left of a neighbour, it may count as travelled or not.
+    return beside || scale_.lenient ? behind - at : 0;
   }
 
   // D-45. G25 in place of the arc: lines go on as themselves, arcs in tangents, up to where they
