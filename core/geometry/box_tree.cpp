@@ -47,11 +47,11 @@ void BoxTree::truncate(std::size_t number) {
   }
 }
 
-void BoxTree::clear() {
-  begin_ = 0;
-  for (Level& level : levels_) {
-    level.fours.clear();
-    level.end = 0;
+void BoxTree::clear(std::size_t first) {
+  begin_ = first;
+  for (std::size_t level = 0; level < levels_.size(); ++level) {
+    levels_[level].end = first >> span_bits(level);
+    levels_[level].fours.clear(levels_[level].end / FourBoxes::count);
   }
 }
 

@@ -47,8 +47,8 @@ class BoxTree {
   void truncate(std::size_t number);
   // Forgets the boxes before `number`.
   void drop_before(std::size_t number);
-  // Forgets all; the next box has the number 0.
-  void clear();
+  // Forgets all; the next box has the number `first`.
+  void clear(std::size_t first = 0);
 
   // A box; what is kept of it may be larger by the rounding of a float.
   [[nodiscard]] KeptBox operator[](std::size_t number) const {

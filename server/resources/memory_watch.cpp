@@ -130,7 +130,11 @@ void MemoryWatch::look() {
 }
 
 void MemoryWatch::give_back(std::uint64_t resident) {
-  if (gives_back_soon_.exchange(false)) rounds_until_give_back_ = 0;
+  if (gives_back_soon_.exchange(false)) {
+    rounds_until_give_back_ = 0;
+    // What could not be given back before is free now.
+    left_ = 0;
+  }
   if (rounds_until_give_back_ > 0) {
     --rounds_until_give_back_;
     return;

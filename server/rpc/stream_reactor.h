@@ -265,10 +265,10 @@ class StreamReactor
   void let_go_of_work() noexcept {
     constexpr std::uint64_t large = 32U << 20U;
     const bool held_much = account_.held_bytes() > large;
-    account_.close();
     work_.reset();
     request_.reset();
     response_.reset();
+    account_.close();
     if (held_much) backend_.memory_watch.give_back_soon();
   }
 

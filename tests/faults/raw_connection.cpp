@@ -11,13 +11,18 @@
 
 namespace trc::faults {
 
-RawConnection::RawConnection(const std::string& address)
+RawConnection::RawConnection(const std::string& address, const char* from)
     : socket_(socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0)) {
+  sockaddr_in own{};
+  own.sin_family = AF_INET;
+  inet_pton(AF_INET, from, &own.sin_addr);
+  const bool bound = bind(socket_, reinterpret_cast<const sockaddr*>(&own), sizeof(own)) == 0;
   sockaddr_in name{};
   name.sin_family = AF_INET;
   name.sin_port = htons(static_cast<in_port_t>(std::stoi(address.substr(address.rfind(':') + 1))));
   name.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-  connected_ = connect(socket_, reinterpret_cast<const sockaddr*>(&name), sizeof(name)) == 0;
+  connected_ =
+      bound && connect(socket_, reinterpret_cast<const sockaddr*>(&name), sizeof(name)) == 0;
 }
 
 RawConnection::~RawConnection() { close(socket_); }

@@ -9,7 +9,8 @@ namespace trc::faults {
 // A TCP connection to a loopback port that sends what it is told.
 class RawConnection {
  public:
-  explicit RawConnection(const std::string& address);
+  // Comes from that address of the loopback network: each is a peer of its own.
+  explicit RawConnection(const std::string& address, const char* from = "127.0.0.1");
   ~RawConnection();
   RawConnection(const RawConnection&) = delete;
   RawConnection& operator=(const RawConnection&) = delete;

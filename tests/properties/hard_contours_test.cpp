@@ -218,7 +218,8 @@ TEST_P(HardContour, IsVerifiedAsTheSlowSearchMeasures) {
                       .path = block,
                       .mode = shared});
     }
-    const auto report = verify::measure_clearance(programmed, outcome.blocks, 1e-4);
+    const auto report =
+        verify::measure_clearance(programmed, outcome.blocks, 1e-4, all_walls().leads);
     ASSERT_TRUE(report.worst.has_value());
     const double expected = least_distance(path, made.contour.blocks).distance;
     const double size = 1 + made.contour.approach.start.norm() + made.mode.tool_radius;

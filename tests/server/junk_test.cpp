@@ -72,7 +72,7 @@ TEST_F(Junk, BytesThatAreNoText) {
 
 TEST_F(Junk, HalfOfACharacter) {
   expect_refused(run("N10 G1 X1 (Fr\xC3)\n"), 900007);
-  expect_refused(run("N10 G1 X1 (Fr\xC3"), 900007);
+  expect_refused(run("N10 G1 X1\xC3"), 900007);
 }
 
 TEST_F(Junk, UnclosedCommand) {

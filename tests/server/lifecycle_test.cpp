@@ -211,6 +211,7 @@ TEST(Server, DrainCutsOffWhatDoesNotFinishInTime) {
 TEST(Server, StreamsBeyondTheLimitAreRefusedUntilOneEnds) {
   Config config = loopback();
   config.max_streams = 2;
+  config.max_streams_per_peer = 10;
   const Running running(config);
   const auto channel = running.channel();
   Open first(channel);

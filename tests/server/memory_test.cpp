@@ -40,7 +40,7 @@ TEST(MemoryAccount, CountsWhatATurnTakesAndGivesBack) {
     const PagePiece pages;
     account.settle();
     EXPECT_GE(account.bytes(), 3 * mib + PagePiece::bytes);
-    kept = {};
+    std::vector<char>().swap(kept);
   }
   EXPECT_LT(account.bytes(), mib);
 }
@@ -55,7 +55,7 @@ TEST(MemoryAccount, CountsInWhateverThreadTheTurnIs) {
   EXPECT_GE(account.bytes(), mib);
   std::thread([&] {
     const MemoryAccount::Turn turn(account);
-    *kept = {};
+    kept.reset();
   }).join();
   EXPECT_EQ(account.bytes(), 0U);
 }

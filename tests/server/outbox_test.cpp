@@ -139,7 +139,7 @@ TEST(Outbox, PortionsLeaveBeforeWhatCameBehindThem) {
   }
   outbox.place({diagnostic(Code::stretch_factor_out_of_range, {})});
   EXPECT_EQ(outbox.blocks_waiting(), 400U);
-  EXPECT_EQ(outbox.held_bytes(), 400 * sizeof(CompensatedBlock));
+  EXPECT_EQ(outbox.held_bytes(), 400 * sizeof(CompensatedBlock) + sizeof(Diagnostic));
 
   std::uint64_t next = 5;
   while (!outbox.empty()) {

@@ -56,7 +56,7 @@ void Obstacles::clear() {
 }
 
 void Obstacles::rebuild_boxes() {
-  boxes_ = BoxTree(path_.begin_of_contour());
+  boxes_.clear(path_.begin_of_contour());
   for (std::size_t number = path_.begin_of_contour(); number < end_of_contour(); ++number)
     boxes_.append(bounding_box(programmed(number)));
 }

@@ -48,7 +48,7 @@ void WalkedPath::note_box(std::size_t block) {
 }
 
 void WalkedPath::rebuild_boxes() {
-  boxes_ = BoxTree(pieces_.begin());
+  boxes_.clear(pieces_.begin());
   if (!finds_near_) return;
   for (std::size_t number = pieces_.begin(); number < pieces_.end(); ++number)
     note_box(pieces_[number].block);

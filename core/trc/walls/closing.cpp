@@ -2,12 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory_resource>
+#include <optional>
 #include <vector>
 
 #include "core/base/tolerances.h"
 #include "core/geometry/box_tree.h"
 #include "core/trc/walls/contact.h"
 #include "core/trc/walls/rings.h"
+#include "core/trc/walls/scratch.h"
 
 namespace trc {
 namespace {
@@ -24,6 +27,8 @@ struct End {
   double before = 0;  // mm of contour between it and that end
 };
 
+using Ends = std::pmr::vector<End>;
+
 // A point the contour may close in.
 struct Candidate {
   ContourPlace first{};
@@ -34,8 +39,8 @@ struct Candidate {
   Point point = Point::Zero();
 };
 
-std::vector<End> first_blocks(const ContourView& contour, double reach) {
-  std::vector<End> blocks;
+Ends first_blocks(const ContourView& contour, double reach, std::pmr::memory_resource* memory) {
+  Ends blocks(memory);
   double before = 0;
   for (std::size_t number = 0; number < contour.count; ++number) {
     if (number >= first_few && before >= reach) break;
@@ -45,8 +50,8 @@ std::vector<End> first_blocks(const ContourView& contour, double reach) {
   return blocks;
 }
 
-std::vector<End> last_blocks(const ContourView& contour, double reach) {
-  std::vector<End> blocks;
+Ends last_blocks(const ContourView& contour, double reach, std::pmr::memory_resource* memory) {
+  Ends blocks(memory);
   double behind = 0;
   for (std::size_t number = contour.count; number-- > 0;) {
     if (contour.count - number > first_few && behind >= reach) break;
@@ -56,15 +61,39 @@ std::vector<End> last_blocks(const ContourView& contour, double reach) {
   return blocks;
 }
 
-std::vector<Candidate> candidates_of(const std::vector<End>& first, const std::vector<End>& last,
-                                     double tolerance) {
-  BoxTree boxes;
-  for (const End& block : first) boxes.append(bounding_box(block.path));
-  std::vector<Candidate> candidates;
-  std::vector<Contact> contacts;
+// The first blocks by their places.
+class NearEnds {
+ public:
+  explicit NearEnds(const Ends& ends) : ends_(ends) {
+    if (ends.size() <= few) return;
+    tree_.emplace();
+    for (const End& block : ends) tree_->append(bounding_box(block.path));
+  }
+
+  // Calls visit(index) with every one that comes as near to the place as `reach`, mm.
+  template <class Visit>
+  void for_each_near(const Box& place, double reach, const Visit& visit) const {
+    if (tree_) return tree_->for_each_near(place, reach, visit);
+    for (std::size_t index = 0; index < ends_.size(); ++index)
+      if (squared_distance(bounding_box(ends_[index].path), place) <= reach * reach) visit(index);
+  }
+
+ private:
+  // Here asking all of them is cheaper than a tree, and takes nothing from the heap.
+  static constexpr std::size_t few = 24;
+
+  const Ends& ends_;
+  std::optional<BoxTree> tree_{};
+};
+
+std::pmr::vector<Candidate> candidates_of(const Ends& first, const Ends& last, double tolerance,
+                                          std::pmr::memory_resource* memory) {
+  const NearEnds ends(first);
+  std::pmr::vector<Candidate> candidates(memory);
+  std::pmr::vector<Contact> contacts(memory);
   for (const End& end : last) {
     const double length = length_of(end.path);
-    boxes.for_each_near(bounding_box(end.path), tolerance, [&](std::size_t index) {
+    ends.for_each_near(bounding_box(end.path), tolerance, [&](std::size_t index) {
       const End& begin = first[index];
       if (begin.number > end.number) return;
       contacts.clear();
@@ -97,8 +126,8 @@ double length_of_all(const ContourView& contour) {
 // Goes from the outermost candidate inward.
 class InwardSearch {
  public:
-  InwardSearch(const ContourView& contour, double tolerance)
-      : contour_(contour), tolerance_(tolerance) {}
+  InwardSearch(const ContourView& contour, double tolerance, std::pmr::memory_resource* memory)
+      : contour_(contour), tolerance_(tolerance), memory_(memory) {}
 
   void consider(const Candidate& next) {
     if (!best_) return take(next);
@@ -144,12 +173,13 @@ class InwardSearch {
   }
   [[nodiscard]] double longest_ring() {
     if (!longest_ring_)
-      longest_ring_ = trc::longest_ring(visits_of(contour_, closing(), tolerance_));
+      longest_ring_ = trc::longest_ring(visits_of(contour_, closing(), tolerance_, memory_));
     return *longest_ring_;
   }
 
   const ContourView& contour_;
   double tolerance_;
+  std::pmr::memory_resource* memory_;
   std::optional<Candidate> best_{};
   double begins_at_ = 0;  // of the stretch
   double gap_ = 0;
@@ -162,11 +192,14 @@ class InwardSearch {
 std::optional<Closing> find_closing(const ContourView& contour, double closing_tolerance,
                                     double tool_radius) {
   const double reach = reach_in_radii * tool_radius;
-  const std::vector<Candidate> candidates =
-      candidates_of(first_blocks(contour, reach), last_blocks(contour, reach), closing_tolerance);
+  Scratch scratch;
+  std::pmr::memory_resource* const memory = scratch.memory();
+  const auto candidates =
+      candidates_of(first_blocks(contour, reach, memory), last_blocks(contour, reach, memory),
+                    closing_tolerance, memory);
   if (candidates.empty()) return std::nullopt;
   const double most = 0.5 * length_of_all(contour);
-  InwardSearch search(contour, closing_tolerance);
+  InwardSearch search(contour, closing_tolerance, memory);
   for (const Candidate& candidate : candidates)
     if (candidate.before + candidate.behind <= most) search.consider(candidate);
   return search.result();

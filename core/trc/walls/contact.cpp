@@ -19,7 +19,7 @@ void for_places_near(const Segment& segment, const Point& point, double toleranc
 }  // namespace
 
 void find_contacts(const Segment& first, const Segment& second, double tolerance,
-                   std::vector<Contact>& found) {
+                   std::pmr::vector<Contact>& found) {
   const auto note = [&](double along_first, double along_second) {
     const Point one = point_along(first, along_first);
     const double gap = (one - point_along(second, along_second)).norm();

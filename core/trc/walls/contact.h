@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory_resource>
 #include <vector>
 
 #include "core/geometry/segment.h"
@@ -17,6 +18,6 @@ struct Contact {
 // Where the two cross, and where an end of one is not farther from the other than `tolerance`.
 // Along a stretch in common these are its two ends.
 void find_contacts(const Segment& first, const Segment& second, double tolerance,
-                   std::vector<Contact>& found);
+                   std::pmr::vector<Contact>& found);
 
 }  // namespace trc

@@ -1,9 +1,13 @@
 #include <algorithm>
+#include <memory_resource>
+#include <span>
 #include <utility>
+#include <vector>
 
 #include "core/base/tolerances.h"
 #include "core/trc/walls/closing.h"
 #include "core/trc/walls/rings.h"
+#include "core/trc/walls/scratch.h"
 
 namespace trc {
 namespace {
@@ -37,7 +41,8 @@ std::optional<Closing> closing_of(const ContourView& contour, const LeadSettings
 // Puts together what is a lead of one contour.
 class Leads {
  public:
-  explicit Leads(const ContourView& contour) : contour_(contour) {}
+  Leads(const ContourView& contour, std::pmr::memory_resource* memory)
+      : contour_(contour), ranges_(memory), parts_(memory), walls_(memory) {}
 
   void add_before(const ContourPlace& end) { add({0, 0}, end); }
   void add_behind(const ContourPlace& begin) { add(begin, {contour_.count, 0}); }
@@ -106,12 +111,12 @@ class Leads {
   }
 
   const ContourView& contour_;
-  std::vector<Walls::Range> ranges_;
-  std::vector<Walls::Part> parts_;
-  std::vector<std::size_t> walls_;  // marked
+  std::pmr::vector<Walls::Range> ranges_;
+  std::pmr::vector<Walls::Part> parts_;
+  std::pmr::vector<std::size_t> walls_;  // marked
 };
 
-void add_rings(const ContourView& contour, const std::vector<Visit>& visits, Leads& leads,
+void add_rings(const ContourView& contour, std::span<const Visit> visits, Leads& leads,
                Walls& walls) {
   const double longest = longest_ring(visits);
   for (std::size_t index = 1; index < visits.size(); ++index) {
@@ -131,14 +136,16 @@ void add_rings(const ContourView& contour, const std::vector<Visit>& visits, Lea
 
 Walls find_walls(const ContourView& contour, const LeadSettings& settings, double tool_radius) {
   Walls walls;
-  Leads leads(contour);
+  Scratch scratch;
+  Leads leads(contour, scratch.memory());
   if (const auto closing = closing_of(contour, settings, tool_radius)) {
     leads.add_before(closing->first);
     leads.add_behind(closing->second);
     walls.head = {0, closing->first.number + 2};
     walls.tail = {closing->joins - std::min<std::size_t>(closing->joins, 1), contour.count};
     walls.touch = closing->gap;
-    add_rings(contour, visits_of(contour, *closing, settings.closing_tolerance), leads, walls);
+    add_rings(contour, visits_of(contour, *closing, settings.closing_tolerance, scratch.memory()),
+              leads, walls);
     if (!walls.rings.empty())
       walls.touch_of_rings = std::min(Tolerances{}.on_top, settings.closing_tolerance);
   }

@@ -8,6 +8,8 @@ constexpr double long_stretch = 10;
 
 // One by one: a list of them would be made of copies.
 void give_values(const LeftOut& stretch, Diagnostic& found) {
+  constexpr std::size_t most = 9;  // two places of three each, and three lengths
+  found.values.reserve(most);
   append_place(found.values, "first", stretch.first);
   append_place(found.values, "last", stretch.last);
   found.values.push_back({"tool_radius", stretch.tool_radius});

@@ -7,9 +7,10 @@
 
 namespace trc {
 
-std::vector<Visit> visits_of(const ContourView& contour, const Closing& closing, double tolerance) {
+Visits visits_of(const ContourView& contour, const Closing& closing, double tolerance,
+                 std::pmr::memory_resource* memory) {
   const auto& [first, second, point, gap, joins] = closing;
-  std::vector<Visit> visits;
+  Visits visits(memory);
   double way = 0;
   const double near = tolerance + gap;
   // Blocks that meet there are one visit, and so are short ones around it.
@@ -30,13 +31,16 @@ std::vector<Visit> visits_of(const ContourView& contour, const Closing& closing,
     way += length;
   }
   const Visit last{.place = second, .way = way + second.along};
-  if (first.number == second.number) return {{first, way + first.along}, last};
+  if (first.number == second.number) {
+    visits.assign({{first, way + first.along}, last});
+    return visits;
+  }
   if (visits.size() > 1 && last.way - visits.back().way <= 4 * near) visits.pop_back();
   visits.push_back(last);
   return visits;
 }
 
-double longest_ring(const std::vector<Visit>& visits) {
+double longest_ring(std::span<const Visit> visits) {
   double longest = 0;
   for (std::size_t index = 1; index < visits.size(); ++index)
     longest = std::max(longest, visits[index].way - visits[index - 1].way);

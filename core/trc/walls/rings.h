@@ -1,5 +1,7 @@
 #pragma once
 
+#include <memory_resource>
+#include <span>
 #include <vector>
 
 #include "core/trc/walls/closing.h"
@@ -12,11 +14,13 @@ struct Visit {
   double way = 0;  // mm from the start of the contour
 };
 
+using Visits = std::pmr::vector<Visit>;
+
 // Every time the contour comes by the closing point, the two of the closing first and last. O(n).
-[[nodiscard]] std::vector<Visit> visits_of(const ContourView& contour, const Closing& closing,
-                                           double tolerance);
+[[nodiscard]] Visits visits_of(const ContourView& contour, const Closing& closing, double tolerance,
+                               std::pmr::memory_resource* memory);
 
 // mm, between two visits; there are at least two.
-[[nodiscard]] double longest_ring(const std::vector<Visit>& visits);
+[[nodiscard]] double longest_ring(std::span<const Visit> visits);
 
 }  // namespace trc
