@@ -60,8 +60,10 @@ bool LinearTransitions::are_neighbours(std::size_t piece) const {
   const std::size_t block = walked_.kept(piece).block;
   const PathPiece before = walked_[piece - 1];
   const PathPiece after = walked_[piece + 1];
+  const bool goes_on_twice =
+      piece + 2 < walked_.end() && walked_.kept(piece + 2).block == block + 1;
   return before.block + 1 == block && before.end == path_.ends_at(before.block) &&
-         after.block == block + 1 && after.from == 0 && !after.behind_loop;
+         after.block == block + 1 && after.from == 0 && !after.behind_loop && !goes_on_twice;
 }
 
 bool LinearTransitions::goes_on(std::size_t block) const {
@@ -101,12 +103,13 @@ LinearTransitions::Replacement LinearTransitions::replacement(const Corner& corn
                            bends && corner.after.circular)};
 }
 
+// The leg behind the arc belongs to the next block, whose window reaches farther.
 bool LinearTransitions::keeps_clear(std::size_t transition, const Replacement& replacement) const {
-  const auto is_clear = [&](const Segment& way) {
-    return !obstacles_.comes_nearer(transition, way, Obstacles::Nearness::passable);
+  const auto is_clear = [&](std::size_t block, const Segment& way) {
+    return !obstacles_.comes_nearer(block, way, Obstacles::Nearness::passable);
   };
-  return is_clear(replacement.leg_before) && is_clear(replacement.across) &&
-         is_clear(replacement.leg_after);
+  return is_clear(transition, replacement.leg_before) && is_clear(transition, replacement.across) &&
+         is_clear(transition + 1, replacement.leg_after);
 }
 
 bool LinearTransitions::reaches_over(const Corner& corner, const Replacement& replacement,

@@ -38,8 +38,7 @@ class LinearTransitions {
 
   // Whether the piece is all of an arc that something else is asked for.
   [[nodiscard]] bool may_replace(std::size_t piece) const;
-  // Does so, if it keeps clear. Its neighbours, whether there are any or not, will not be walked
-  // again.
+  // Does so, if it keeps clear. The piece before it, if there is one, will not be walked again.
   void replace(std::size_t piece);
 
   template <class Archive>

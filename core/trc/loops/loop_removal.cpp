@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <utility>
 
 #include "core/geometry/along.h"
@@ -160,6 +161,7 @@ void LoopRemoval::begin_selection() {
   passes_.clear();
   next_ = 0;
   has_linear_ = false;
+  farthest_reach_ = 0;
   left_to_ = none_left;
   longest_left_out_ = {};
   contour_length_ = 0;
@@ -192,11 +194,19 @@ bool LoopRemoval::hold(PathBlock& block) {
   largest_radius_ =
       std::max({largest_radius_, std::abs(block.at_start.shift), std::abs(block.at_end.shift)});
   has_linear_ = has_linear_ || LinearTransitions::are_asked_for(block.mode());
+  // What stands in place of an arc makes the block behind it longer by that.
+  farthest_reach_ = std::max(
+      farthest_reach_,
+      has_linear_ ? largest_radius_ * (1 + block.mode().options.stretch_factor) : largest_radius_);
   path_.append(block);
   if (block.role == Role::contour) {
     note_contour_block(bounding_box(block.programmed.path), Certificate::block_of(block));
   } else {
-    apart_ = apart_ || block.unreachable;
+    // Round a tip whose blocks overlap it turns by more than half a turn, and they turn the other
+    // way: nothing is certified about that.
+    const auto* arc = std::get_if<Arc>(&block.tool_path);
+    const bool goes_far_round = arc != nullptr && std::abs(arc->sweep) > std::numbers::pi;
+    apart_ = apart_ || block.unreachable || goes_far_round;
   }
   return true;
 }
@@ -253,7 +263,7 @@ bool LoopRemoval::is_waiting() const {
     earliest = index;
     skipped.first = index;
   };
-  walked_.for_each_near(area, largest_radius_, skipped, compare);
+  walked_.for_each_near(area, farthest_reach_, skipped, compare);
   if (earliest < walked_.end()) walk_again_from(earliest, {along, number});
 }
 
@@ -286,9 +296,17 @@ void LoopRemoval::drop_pieces(std::size_t kept) {
 std::size_t LoopRemoval::settle(std::size_t due) {
   if (!has_linear_) return due;
   for (std::size_t piece = walked_.begin(); piece < due; ++piece) {
-    const bool is_open = piece + 1 == due && !leaving_ && linear_.may_replace(piece);
-    if (is_open) return std::max(piece, walked_.begin() + 1) - 1;
+    if (!linear_.may_replace(piece)) continue;
+    const std::size_t next = walked_.kept(piece).block + 1;
+    if (!leaving_) {
+      if (piece + 1 == walked_.end()) return std::max(piece, walked_.begin() + 1) - 1;
+      if (at_.block == next) continue;
+    }
     linear_.replace(piece);
+    // Places on the next block may have moved.
+    passes_.erase(std::remove_if(passes_.begin(), passes_.end(),
+                                 [&](const Pass& pass) { return pass.block == next; }),
+                  passes_.end());
   }
   return due;
 }

@@ -259,7 +259,8 @@ class LoopRemoval {
   WalkedPath walked_;
   LoopExits exits_;
   LinearTransitions linear_;
-  bool has_linear_ = false;  // the selection asks for some
+  bool has_linear_ = false;    // the selection asks for some
+  double farthest_reach_ = 0;  // how far from a block its path may lie, mm
   // For a window only: the first piece of, or behind, the chain that ends with the last contour
   // block.
   std::size_t first_of_chain_ = 0;
