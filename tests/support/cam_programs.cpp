@@ -316,6 +316,67 @@ bool is_possible(const CamProgram& program) {
   return program.overrun != Overrun::in_the_last_block || is_straight_at_start(program.contour);
 }
 
+namespace {
+
+// Whether inside corners leave something of each block, from the second to the last but one.
+bool leave_room(const std::vector<Segment>& blocks, double tool_radius) {
+  const auto cut = [&](std::size_t before) {
+    const double turn =
+        turn_between(tangent_at_end(blocks[before]), tangent_at_start(blocks[before + 1]));
+    return turn > 0 ? tool_radius * std::tan(std::min(turn, 0.99 * pi) / 2) : 0;
+  };
+  for (std::size_t index = 1; index + 1 < blocks.size(); ++index) {
+    double length = length_of(blocks[index]);
+    if (const auto* arc = std::get_if<Arc>(&blocks[index]); arc != nullptr && arc->sweep > 0)
+      length *= 1 - tool_radius / (arc->start - arc->center).norm();
+    if (cut(index - 1) + cut(index) >= length) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+bool leaves_room(const CamProgram& program) {
+  // The overrun would end in the slot.
+  if (program.contour.loops > 0 && program.overrun == Overrun::over_a_corner) return false;
+  const std::vector<Segment>& ring = program.contour.ring;
+  const double size = size_of_leads(program.contour);
+  const Point start = start_of(ring.front());
+  const auto last_of = [&](std::size_t back) -> const Segment& {
+    return ring[(2 * ring.size() - back) % ring.size()];
+  };
+  const auto out = [&](const Segment& last) {
+    return lead_out(program.out, end_of(last), tangent_at_end(last), size);
+  };
+  // Each corner with leads on one side or on both, and the blocks up to the next ones.
+  std::vector<Segment> begin = lead_in(program.in, start, direction_at_start(ring), size);
+  const std::vector<Segment> in = begin;
+  begin.push_back(ring.front());
+  begin.push_back(ring[1 % ring.size()]);
+  std::vector<Segment> end = beginning_of(ring, overrun_of(program));
+  end.insert(end.begin(), last_of(1));
+  if (end.size() == 1) end.insert(end.begin(), last_of(2));
+  const std::vector<Segment> leaving = out(end.back());
+  end.insert(end.end(), leaving.begin(), leaving.end());
+  const double radius = program.contour.tool_radius;
+  if (!leave_room(begin, radius) || !leave_room(end, radius)) return false;
+  if (program.laps != Laps::depths_and_leads || in.empty()) return true;
+  std::vector<Segment> between = out(ring.back());
+  if (between.empty()) return true;
+  between.emplace_back(Line{end_of(between.back()), start_of(in.front())});
+  between.insert(between.end(), in.begin(), in.end());
+  const auto length_of_all = [](const std::vector<Segment>& blocks) {
+    double length = 0;
+    for (const Segment& block : blocks) length += length_of(block);
+    return length;
+  };
+  // A longer way is a ring of walls like the others.
+  if (length_of_all(between) >= 0.25 * length_of_all(ring)) return false;
+  between.insert(between.begin(), ring.back());
+  between.push_back(ring.front());
+  return leave_room(between, radius);
+}
+
 std::string text_of(const CamProgram& program, const std::string& modes) {
   const CamContour& contour = program.contour;
   const std::vector<Segment>& ring = contour.ring;

@@ -65,5 +65,8 @@ struct CamProgram {
 [[nodiscard]] std::string text_of(const CamProgram& program, const std::string& modes);
 // Whether the overrun exists: one in the last block needs two lines in a row there.
 [[nodiscard]] bool is_possible(const CamProgram& program);
+// Whether the tool gets round each inside corner of its leads, no block there being shorter than
+// what the corners take from it, and leads between two depths are short enough to be some (D-38).
+[[nodiscard]] bool leaves_room(const CamProgram& program);
 
 }  // namespace trc::support

@@ -50,8 +50,10 @@ std::optional<LoopExit> LoopExits::first_here(const PathPiece& piece,
 LoopExits::Stretch LoopExits::stretch_about(std::size_t obstacle, std::size_t at) const {
   const std::size_t begin =
       obstacle > path_.begin_of_contour() ? contour(obstacle - 1).block : path_.begin();
-  const std::size_t end =
-      obstacle + 1 < end_of_contour() ? contour(obstacle + 1).block + 1 : path_.end();
+  // Leads are in nobody's way: the path may leave the obstacle by any of them (D-38).
+  std::size_t behind = obstacle + 1;
+  while (behind < end_of_contour() && obstacles_.is_lead(behind)) ++behind;
+  const std::size_t end = behind < end_of_contour() ? contour(behind).block + 1 : path_.end();
   return {std::max(begin, at + 1), end};
 }
 
@@ -91,9 +93,14 @@ std::optional<LoopExit> LoopExits::exit_behind_into_rest(const PathPiece& at,
 std::optional<LoopExit> LoopExits::last_of_walked(const Onset& onset, const Stretch& stretch,
                                                   const PathPlace& least) const {
   const HeldPath::ContourBlock obstacle = contour(onset.obstacle);
+  // A lead may come back to the path anywhere near.
+  const std::size_t behind = onset.obstacle + 1;
+  const bool by_lead = behind < end_of_contour() && obstacles_.is_lead(behind);
+  double rest = by_lead ? 8 * path_.largest_radius(obstacle) : 0;
   for (std::size_t number = walked_.end(); number-- > walked_.begin();) {
     const PathPiece walked = walked_[number];
-    if (reaches_out(obstacle, walked.end)) break;
+    if (reaches_out(obstacle, walked.end) && rest <= 0) break;
+    rest -= walked.to - walked.from;
     ask_about(walked);
     if (has_near(stretch))
       if (auto exit = crossing_in(walked, number, onset.obstacle, least)) return exit;
@@ -131,7 +138,9 @@ std::optional<LoopExit> LoopExits::crossing_in(const PathPiece& piece, std::size
       const double least_along = block == least.block ? least.along : 0;
       const double along = place_not_before(least_along, crossing.along_second, block);
       if (along < least_along) continue;
-      if (reaches_out(contour(obstacle), crossing.point)) continue;
+      const bool by_lead = obstacles_.is_lead(path_.number_of(piece.block)) ||
+                           obstacles_.is_lead(path_.number_of(block));
+      if (!by_lead && reaches_out(contour(obstacle), crossing.point)) continue;
       latest = LoopExit{
           number, std::max(crossing.along_first, piece.from), {block, along}, crossing.point};
     }

@@ -48,6 +48,10 @@ class Obstacles {
     walls_ = std::move(walls);
     all_are_walls_ = walls_.are_plain();
   }
+  // Whether nothing of a contour block is a wall.
+  [[nodiscard]] bool is_lead(std::size_t number) const {
+    return !all_are_walls_ && walls_.is_lead(number);
+  }
   // What of a contour block is a wall.
   [[nodiscard]] Segment wall(std::size_t number) const;
   // mm

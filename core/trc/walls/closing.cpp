@@ -134,14 +134,16 @@ class InwardSearch {
     const double later = next.before - best_->before;
     const double earlier = next.behind - best_->behind;
     if (std::abs(later) <= same_place && std::abs(earlier) <= same_place) return note(next);
+    // What is before the one and behind the other is a loop of the leads, or a whole lap.
+    const double between = later + earlier;
+    if (between > tolerance_ && between >= 0.5 * longest_ring()) return;
     if (earlier < 0) {
       // The end goes on along the begin: an overrun, or both part in an acute angle.
       if (next.gap > std::max(best_->gap, Tolerances{}.on_top)) return;
       best_ = next;
       return note(next);
     }
-    // What is before the one and behind the other is a loop of the leads, or a whole lap.
-    if (later + earlier < 0.5 * longest_ring()) take(next);
+    take(next);
   }
 
   [[nodiscard]] std::optional<Closing> result() const {

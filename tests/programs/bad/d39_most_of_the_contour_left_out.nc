@@ -1,4 +1,4 @@
-; expect: 900218 at line 7
+; expect: 900218 at line 8
 ; D-39: the tool does not get through the neck of the pocket, which is most of the contour.
 N10 G00 X-80 Y30 F1000
 N20 V.G.WZ_AKT.R = 10
