@@ -599,7 +599,8 @@ bool LoopRemoval::violates_soon(const PathPlace& from, const PathPlace& to,
         PathPart(segment, begin, end)
             .comes_nearer(obstacles_.wall(obstacle), obstacles_.reach_to(obstacle, block, limit)))
       return true;
-    if (block != to.block && (path_.is_unreachable(block) || runs_backwards(block))) return true;
+    const bool whole = block != from.block && block != to.block;
+    if (whole && (path_.is_unreachable(block) || runs_backwards(block))) return true;
     if (obstacles_.comes_nearer(block, begin, end, Nearness::passable)) return true;
     rest -= end - begin;
   }
