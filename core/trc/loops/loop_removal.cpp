@@ -747,7 +747,10 @@ LeftOut LoopRemoval::left_out(const PathPlace& from, const PathPlace& to) const 
     add(block, block == from.block ? from.along : 0, std::numeric_limits<double>::infinity());
   if (to.block < end_of_path() && to.along > 0)
     add(to.block, to.block == from.block ? from.along : 0, to.along);
-  stretch.first = path_.source_of(number_of(from.block));
+  // Of an arc that is left in the middle, the block before it stays.
+  std::size_t first = from.block;
+  while (first + 1 < to.block && !path_.is_contour(first)) ++first;
+  stretch.first = path_.source_of(number_of(first));
   stretch.last = path_.source_of(number_of(std::min(to.block, end_of_path() - 1)));
   return stretch;
 }
