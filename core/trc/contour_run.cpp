@@ -147,14 +147,15 @@ bool ContourRun::vanishes(const OffsetCurve& equidistant) const {
 TRC_IN_ONE_PIECE bool ContourRun::join(const Corner& corner, const Step& before, Step& after,
                                        std::vector<CompensatedBlock>& out) {
   // Which kind of corner that is takes more than the corner.
-  if (is_reversal(corner, tolerances_)) return false;
+  if (may_reverse(corner)) return false;
   switch (kind_of(corner, tolerances_)) {
     case CornerKind::tangential:
       return leave(corner, tangential_joint(corner), false, before, after, out);
     case CornerKind::outside:
       return leave(corner,
                    outside_joint(corner,
-                                 {.transition = mode_->transition,
+                                 {.transition = removes_loops_ ? Transition::circular  // D-45
+                                                               : mode_->transition,
                                   .stretch_factor = mode_->options.stretch_factor},
                                  tolerances_),
                    false, before, after, out);
@@ -301,8 +302,21 @@ std::size_t ContourRun::put_out_held(const LoopRemoval::Row& row,
   if (!may_put_out(held.setting())) return 0;
   const auto put_out_whole = [&](const auto& path) { return put_out(held, path, {}, out); };
   std::size_t count = 0;
-  while (count < row.count && held.next() && held.visit_path(put_out_whole)) ++count;
+  for (; count < row.count && held.next(); ++count) {
+    const bool goes_on = held.is_linear() ? put_out_lines(held, row.first + count, out)
+                                          : held.visit_path(put_out_whole);
+    if (!goes_on) break;
+  }
   return count;
+}
+
+bool ContourRun::put_out_lines(const HeldPath::Reader& held, std::size_t transition,
+                               std::vector<CompensatedBlock>& out) {
+  const HeldPath::Lines lines = loop_removal_.path().lines_of(transition);
+  const auto is_out = [&](const Line& line) { return out_of_range(line, tolerances_); };
+  if (std::any_of(lines.all().begin(), lines.all().end(), is_out)) return false;
+  for (const Line& line : lines.all()) put_out(held, line, {}, out);
+  return true;
 }
 
 bool ContourRun::put_out_held(const PathPiece& part, std::vector<CompensatedBlock>& out) {

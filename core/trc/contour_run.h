@@ -95,6 +95,9 @@ class ContourRun {
   // Puts out blocks from the first of the row on, up to one that the passes have to put out.
   // Returns how many.
   std::size_t put_out_held(const LoopRemoval::Row& row, std::vector<CompensatedBlock>& out);
+  // The lines in place of the arc it is at, all or none.
+  bool put_out_lines(const HeldPath::Reader& held, std::size_t transition,
+                     std::vector<CompensatedBlock>& out);
   // The same with what is travelled of one.
   bool put_out_held(const PathPiece& part, std::vector<CompensatedBlock>& out);
   [[nodiscard]] bool may_put_out(const HeldPath::Setting& setting) const;

@@ -70,7 +70,9 @@ struct PathBlock {
   // the first block behind masked ones with the last one before them.
   bool masked = false;
   struct Rejoin {
-    Point point = Point::Zero();
+    Point point = Point::Zero();  // where the one before ends
+    Point start =
+        Point::Zero();  // where the block starts; a line leads there if that is not `point`
     double cut_before = 0;
     double cut_after = 0;
   };

@@ -18,8 +18,8 @@ void serialize(Archive& archive, Compensation& compensation) {
 
 template <class Archive>
 void serialize(Archive& archive, PathBlock::Rejoin& rejoin) {
-  auto& [point, cut_before, cut_after] = rejoin;
-  archive(point, cut_before, cut_after);
+  auto& [point, start, cut_before, cut_after] = rejoin;
+  archive(point, start, cut_before, cut_after);
 }
 
 // By hand: clang 14 takes a nested struct with default values for one that has no default, and with

@@ -163,6 +163,9 @@ void read_limits(const v1::PathSetup& message, const FieldPath& path, Compensato
   if (message.has_min_feed_factor() && check_range(message.min_feed_factor(), 1e-6, 1, "",
                                                    FieldPath(path, "min_feed_factor"), faults))
     compensator.smallest_feed_factor = message.min_feed_factor();
+  if (message.has_input_resolution() && check_range(message.input_resolution(), 0, 0.1, "mm",
+                                                    FieldPath(path, "input_resolution"), faults))
+    compensator.tolerances.input_resolution = message.input_resolution();
   compensator.implicit_contour_masking = message.implicit_contour_masking();
   compensator.circular_kerf_masking =
       kerf_methods.from_proto(message.kerf_method(), FieldPath(path, "kerf_method"), faults)
@@ -310,6 +313,8 @@ void to_proto(const PathSettings& settings, v1::PathSetup& message) {
     to_proto(changes_from_initial(mode.options), *message.mutable_options());
   if (compensator.limits.look_ahead_blocks != 0)
     message.set_look_ahead_blocks(static_cast<std::uint32_t>(compensator.limits.look_ahead_blocks));
+  if (compensator.tolerances.input_resolution != compensator_initial.tolerances.input_resolution)
+    message.set_input_resolution(compensator.tolerances.input_resolution);
   if (compensator.implicit_contour_masking) message.set_implicit_contour_masking(true);
   if (!compensator.circular_kerf_masking) message.set_kerf_method(kerf_methods.to_proto(false));
   const LeadSettings& leads = compensator.leads;

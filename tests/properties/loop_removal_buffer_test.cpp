@@ -1,4 +1,3 @@
-#include <geos_c.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -14,6 +13,7 @@
 #include <vector>
 
 #include "tests/support/big_contours.h"
+#include "tests/support/buffer_judge.h"
 #include "tests/support/run.h"
 #include "tests/support/slow_clearance.h"
 #include "tests/support/slow_shapes.h"
@@ -24,112 +24,6 @@
 
 namespace trc::support {
 namespace {
-
-using Context = std::remove_pointer_t<GEOSContextHandle_t>;
-
-// Geometries of one GEOS context, each let go of at its end.
-class Geos {
- public:
-  using Geometry = std::unique_ptr<GEOSGeometry, std::function<void(GEOSGeometry*)>>;
-  using Prepared =
-      std::unique_ptr<const GEOSPreparedGeometry, std::function<void(const GEOSPreparedGeometry*)>>;
-
-  Geometry line(const std::vector<Point>& points) {
-    return own(GEOSGeom_createLineString_r(handle(), sequence(points)));
-  }
-  Geometry point(const Point& at) {
-    return own(GEOSGeom_createPointFromXY_r(handle(), at.x(), at.y()));
-  }
-  Geometry polygon(const std::vector<Point>& ring) {
-    GEOSGeometry* shell = GEOSGeom_createLinearRing_r(handle(), sequence(ring));
-    return own(GEOSGeom_createPolygon_r(handle(), shell, nullptr, 0));
-  }
-  bool is_simple(const Geometry& polygon) { return GEOSisValid_r(handle(), polygon.get()) == 1; }
-  Geometry buffer(const Geometry& of, double width, int segments_a_quadrant) {
-    return own(GEOSBuffer_r(handle(), of.get(), width, segments_a_quadrant));
-  }
-  Prepared prepared(const Geometry& of) {
-    return {GEOSPrepare_r(handle(), of.get()), [this](const GEOSPreparedGeometry* geometry) {
-              GEOSPreparedGeom_destroy_r(handle(), geometry);
-            }};
-  }
-
-  // Outlines and holes of a polygon or of several.
-  std::vector<std::vector<Point>> rings(const Geometry& of) {
-    std::vector<std::vector<Point>> result;
-    for (int k = 0; k < GEOSGetNumGeometries_r(handle(), of.get()); ++k) {
-      const GEOSGeometry* polygon = GEOSGetGeometryN_r(handle(), of.get(), k);
-      if (GEOSisEmpty_r(handle(), polygon) != 0) continue;
-      result.push_back(points(GEOSGetExteriorRing_r(handle(), polygon)));
-      for (int hole = 0; hole < GEOSGetNumInteriorRings_r(handle(), polygon); ++hole)
-        result.push_back(points(GEOSGetInteriorRingN_r(handle(), polygon, hole)));
-    }
-    return result;
-  }
-  double distance(const Prepared& to, const Point& from) {
-    double result = 0;
-    GEOSPreparedDistance_r(handle(), to.get(), point(from).get(), &result);
-    return result;
-  }
-
- private:
-  [[nodiscard]] GEOSContextHandle_t handle() const { return context_.get(); }
-  Geometry own(GEOSGeometry* geometry) {
-    return {geometry, [this](GEOSGeometry* old) { GEOSGeom_destroy_r(handle(), old); }};
-  }
-  GEOSCoordSequence* sequence(const std::vector<Point>& points) {
-    GEOSCoordSequence* result =
-        GEOSCoordSeq_create_r(handle(), static_cast<unsigned>(points.size()), 2);
-    for (unsigned k = 0; k < points.size(); ++k)
-      GEOSCoordSeq_setXY_r(handle(), result, k, points[k].x(), points[k].y());
-    return result;
-  }
-  std::vector<Point> points(const GEOSGeometry* ring) {
-    const GEOSCoordSequence* coordinates = GEOSGeom_getCoordSeq_r(handle(), ring);
-    unsigned count = 0;
-    GEOSCoordSeq_getSize_r(handle(), coordinates, &count);
-    std::vector<Point> result(count);
-    for (unsigned k = 0; k < count; ++k)
-      GEOSCoordSeq_getXY_r(handle(), coordinates, k, &result[k].x(), &result[k].y());
-    return result;
-  }
-
-  std::unique_ptr<Context, decltype(&GEOS_finish_r)> context_{GEOS_init_r(), &GEOS_finish_r};
-};
-
-// Points along a path, the first one again at the end; arcs in chords that are off by
-// at most `error` mm.
-std::vector<Point> points_along(const std::vector<Segment>& path, double error) {
-  std::vector<Point> points;
-  for (const Segment& segment : path) {
-    int parts = 1;
-    if (const auto* arc = std::get_if<Arc>(&segment)) {
-      const double radius = (arc->start - arc->center).norm();
-      const double step = 2 * std::acos(std::clamp(1 - error / std::max(radius, error), -1.0, 1.0));
-      parts = std::max(2, static_cast<int>(std::ceil(std::abs(arc->sweep) / step)));
-    }
-    for (int k = 0; k < parts; ++k)
-      points.push_back(point_at(segment, static_cast<double>(k) / parts));
-  }
-  points.push_back(points.front());
-  return points;
-}
-
-double signed_area_within(const std::vector<Point>& ring) {
-  double twice = 0;
-  for (std::size_t k = 0; k + 1 < ring.size(); ++k) {
-    const Vector a = ring[k] - ring.front();
-    const Vector b = ring[k + 1] - ring.front();
-    twice += a.x() * b.y() - a.y() * b.x();
-  }
-  return twice / 2;
-}
-
-double length_of_ring(const std::vector<Point>& ring) {
-  double sum = 0;
-  for (std::size_t k = 0; k + 1 < ring.size(); ++k) sum += (ring[k + 1] - ring[k]).norm();
-  return sum;
-}
 
 // The contour, begun within a block where the tool has room, if there is one.
 std::optional<std::vector<Segment>> begun_legally(const std::vector<Segment>& contour,
@@ -145,51 +39,6 @@ std::optional<std::vector<Segment>> begun_legally(const std::vector<Segment>& co
     if (room) return begun_within(contour, first);
   }
   return std::nullopt;
-}
-
-struct Difference {
-  double farthest = 0;  // mm, Hausdorff
-  double area = 0;      // mm^2
-  double length = 0;    // of the boundary of GEOS, mm
-};
-
-// Of the path of a closed contour, and the piece of the buffer of GEOS it runs beside: several may
-// be left, ours is the one with the first point. Chords are off by at most 1e-4 R.
-std::optional<Difference> difference_of(Geos& geos, const std::vector<Point>& outline,
-                                        const Outcome& outcome, const TrcMode& mode) {
-  std::vector<Segment> path;
-  for (const CompensatedBlock& block : moving(outcome.blocks))
-    if (block.origin == Origin::programmed || block.origin == Origin::transition)
-      path.push_back(block.path);
-  if (path.empty()) return std::nullopt;
-  const auto found = points_along(path, 1e-4 * mode.tool_radius);
-  // Counter-clockwise, the outside is on the right.
-  const bool outside = (mode.side == Side::right) == (signed_area_within(outline) > 0);
-  const double width = outside ? mode.tool_radius : -mode.tool_radius;
-  const auto rings = geos.rings(geos.buffer(geos.polygon(outline), width, 32));
-  double best = std::numeric_limits<double>::infinity();
-  const std::vector<Point>* expected = nullptr;
-  for (const auto& ring : rings) {
-    const double off = geos.distance(geos.prepared(geos.line(ring)), found.front());
-    if (off < best) {
-      best = off;
-      expected = &ring;
-    }
-  }
-  if (expected == nullptr) return std::nullopt;
-  const auto expected_line = geos.line(*expected);
-  const auto found_line = geos.line(found);
-  const auto near_expected = geos.prepared(expected_line);
-  const auto near_found = geos.prepared(found_line);
-  Difference result;
-  for (const Point& point : found)
-    result.farthest = std::max(result.farthest, geos.distance(near_expected, point));
-  for (const Point& point : *expected)
-    result.farthest = std::max(result.farthest, geos.distance(near_found, point));
-  result.area =
-      std::abs(std::abs(signed_area_within(found)) - std::abs(signed_area_within(*expected)));
-  result.length = length_of_ring(*expected);
-  return result;
 }
 
 class Buffer : public ::testing::TestWithParam<std::tuple<BigShape, Side>> {};

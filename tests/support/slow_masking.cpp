@@ -1,6 +1,7 @@
 #include "tests/support/slow_masking.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -24,7 +25,7 @@ constexpr Extended reversal_angle = 1e-7L;  // rad
 // A whole equidistant or an inserted arc.
 struct Element {
   Shape shape{};
-  std::size_t ordinal = 0;
+  std::size_t block = 0;  // an arc: the one behind the corner
   bool inserted = false;
 };
 
@@ -67,18 +68,12 @@ class Masking {
     found.tied = tied_;
     found.shallow = shallow_;
     if (!reached || goes_nowhere()) return found;
-    for (const std::size_t at : way_) {
-      const Piece& piece = pieces_[at];
-      const Element& element = elements_[piece.element];
-      Shape shape = element.shape;
-      shape.start = piece.start;
-      shape.end = piece.end;
-      shape.extent = piece.to - piece.from;
-      if (shape.carrier.round)
-        shape.sweep *= element.shape.extent > 0 ? shape.extent / element.shape.extent : 0;
-      found.path.push_back(
-          {.path = segment_of(shape), .ordinal = element.ordinal, .inserted = element.inserted});
-    }
+    for (std::size_t at = 0; at < way_.size(); ++at)
+      if (const std::size_t parts = whole_arc(at); parts == 0 || !add_mitre(at, found)) {
+        add_piece(pieces_[way_[at]], found);
+      } else {
+        at += parts - 1;
+      }
     return found;
   }
 
@@ -91,17 +86,21 @@ class Masking {
     return arc_shape(block.carrier.point, move(0), block.sweep);
   }
 
-  // Whether two blocks that reverse in one point bend apart on the tool side: no tip
-  // to go round (D-05 as this project reads it).
+  // Whether two blocks that reverse in one point leave a slit on the tool side: no tip to go round
+  // (D-05 as this project reads it, D-44). The first gap that counts decides.
   [[nodiscard]] bool leaves_slit(const Shape& before, const Shape& after) const {
-    Extended opening = 0;
     Extended reach = std::min(before.extent, after.extent);
-    for (const Shape* block : {&before, &after}) {
-      if (!block->carrier.round) continue;
-      opening += (block->sweep > 0 ? 1 : -1) / block->carrier.radius;
-      reach = std::min(reach, block->carrier.radius);
+    for (const Shape* block : {&before, &after})
+      if (block->carrier.round) reach = std::min(reach, block->carrier.radius);
+    constexpr int steps = 1000;
+    for (int step = 1; step <= steps; ++step) {
+      const Extended way = reach * step / steps;
+      const ExtendedPoint back = before.at(before.extent - way);
+      // A tool left of the contour is to the left of the way there.
+      const Extended gap = (shift_ > 0 ? -1 : 1) * cross(after.heading(0), after.at(way) - back);
+      if (std::abs(gap) > 1e-3L) return gap > 0;
     }
-    return opening * shift_ < 0 && std::abs(opening) * reach * reach / 2 > 1e-3L;
+    return false;
   }
 
   // On the tool side, the equidistant of a block; nothing where the arc would turn
@@ -115,15 +114,13 @@ class Masking {
         // Away from the tool, in rad.
         Extended turn = std::atan2(cross(before, after), dot(before, after));
         if (shift_ > 0) turn = -turn;
-        if (std::abs(std::abs(turn) - pi) < reversal_angle)  // D-05
-          turn = leaves_slit(blocks_[k - 1], block) ? 0 : pi;
-        if (turn > 0 && mitres_) {
-          lay_mitre(k, before, after, turn);
-        } else if (turn > 0) {
+        if (dot(before, after) < 0 && std::abs(cross(before, after)) <= 0.1L)
+          turn = leaves_slit(blocks_[k - 1], block) ? 0 : turn > 0 ? turn : turn + 2 * pi;
+        if (turn > 0) {
           const ExtendedPoint corner = block.start;
           const Shape arc =
               arc_shape(corner, corner + shift_ * left_normal(before), shift_ > 0 ? -turn : turn);
-          elements_.push_back({arc, ordinals_[k - 1], true});
+          elements_.push_back({arc, k, true});
         }
       }
       const bool bends_in = block.carrier.round && (block.sweep > 0) == (shift_ > 0);
@@ -132,31 +129,95 @@ class Masking {
         judge(clearance(beside(block, shift_).end));
         continue;
       }
-      elements_.push_back({beside(block, shift_), ordinals_[k], false});
+      elements_.push_back({beside(block, shift_), k, false});
     }
     first_ = blocks_.front().start + shift_ * left_normal(blocks_.front().heading(0));
     last_ =
         blocks_.back().end + shift_ * left_normal(blocks_.back().heading(blocks_.back().extent));
   }
 
-  // G25 between block k - 1 and block k: lines go on as themselves, arcs in tangents, up to where
-  // they meet or STRETCH_FACTOR ends them (rule 4.2, 4.3).
-  void lay_mitre(std::size_t k, const ExtendedPoint& before, const ExtendedPoint& after,
-                 Extended turn) {
+  void add_piece(const Piece& piece, SlowMasking& found) const {
+    const Element& element = elements_[piece.element];
+    Shape shape = element.shape;
+    shape.start = piece.start;
+    shape.end = piece.end;
+    shape.extent = piece.to - piece.from;
+    if (shape.carrier.round)
+      shape.sweep *= element.shape.extent > 0 ? shape.extent / element.shape.extent : 0;
+    found.path.push_back({.path = segment_of(shape),
+                          .ordinal = ordinals_[element.block - (element.inserted ? 1 : 0)],
+                          .inserted = element.inserted});
+  }
+
+  // How many pieces from this one on are all of an inserted arc, between the end of the block
+  // before it and the start of the one behind.
+  [[nodiscard]] std::size_t whole_arc(std::size_t at) const {
+    const Piece& first = pieces_[way_[at]];
+    const Element& arc = elements_[first.element];
+    if (!mitres_ || !arc.inserted || first.from > 0 || at == 0) return 0;
+    std::size_t behind = at;
+    while (behind < way_.size() && pieces_[way_[behind]].element == first.element) ++behind;
+    // A last piece that is next to nothing is none.
+    const auto ends = [&](std::size_t piece) {
+      return together(pieces_[piece].end, elements_[pieces_[piece].element].shape.end);
+    };
+    if (behind == way_.size() || !ends(way_[behind - 1])) return 0;
+    const Piece& before = pieces_[way_[at - 1]];
+    const Piece& after = pieces_[way_[behind]];
+    const Element& block_before = elements_[before.element];
+    const Element& block_after = elements_[after.element];
+    const bool beside = !block_before.inserted && block_before.block + 1 == arc.block &&
+                        ends(way_[at - 1]) && !block_after.inserted &&
+                        block_after.block == arc.block && after.from == 0;
+    // Where nothing is left of a neighbour, it may count as travelled or not.
+    return beside || scale_.lenient ? behind - at : 0;
+  }
+
+  // D-45. G25 in place of the arc: lines go on as themselves, arcs in tangents, up to where they
+  // meet or STRETCH_FACTOR ends them (spec 4.2, 4.3); where that keeps clear.
+  [[nodiscard]] bool add_mitre(std::size_t at, SlowMasking& found) {
+    const Element& arc = elements_[pieces_[way_[at]].element];
+    const std::size_t k = arc.block;
+    const ExtendedPoint before = blocks_[k - 1].heading(blocks_[k - 1].extent);
+    const ExtendedPoint after = blocks_[k].heading(0);
+    const Extended turn = std::abs(arc.shape.sweep);
     const ExtendedPoint& corner = blocks_[k].start;
     const ExtendedPoint end = corner + shift_ * left_normal(before);
     const ExtendedPoint start = corner + shift_ * left_normal(after);
-    const bool reversal = std::abs(turn - pi) < reversal_angle;
+    const bool reversal = turn > pi - reversal_angle;
     const Extended to_tip = reversal ? 2 * longest_leg_ : radius_ * std::tan(turn / 2);
     const Extended leg = std::min(to_tip, longest_leg_);
     const ExtendedPoint far_end = end + leg * before;
     const ExtendedPoint far_start = start - leg * after;
-    const bool round_after = blocks_[k].carrier.round;
-    elements_.push_back({line_shape(end, far_end), ordinals_[k - 1], blocks_[k - 1].carrier.round});
-    if (to_tip > longest_leg_)
-      elements_.push_back({line_shape(far_end, far_start), ordinals_[k - 1], true});
-    elements_.push_back(
-        {line_shape(far_start, start), ordinals_[round_after ? k - 1 : k], round_after});
+    const Shape lines[] = {line_shape(end, far_end), line_shape(far_end, far_start),
+                           line_shape(far_start, start)};
+    for (const Shape& line : lines)
+      for (const Shape& block : blocks_)
+        if (distance(line, block) < radius_ - 1e-6L * std::max(radius_, 1.0L)) return false;
+    for (const ExtendedPoint& point : {first_, last_})
+      if (is_between(point, corner, {end, far_end, far_start, start})) return false;
+    const bool round[] = {blocks_[k - 1].carrier.round, true, blocks_[k].carrier.round};
+    const std::size_t ordinals[] = {ordinals_[k - 1], ordinals_[k - 1],
+                                    ordinals_[round[2] ? k - 1 : k]};
+    for (std::size_t number = 0; number < 3; ++number)
+      if (number != 1 || to_tip > longest_leg_)
+        found.path.push_back({.path = segment_of(lines[number]),
+                              .ordinal = ordinals[number],
+                              .inserted = round[number]});
+    return true;
+  }
+
+  // Whether the point lies within the corners, which are in order, but out of the tool radius.
+  [[nodiscard]] bool is_between(const ExtendedPoint& point, const ExtendedPoint& center,
+                                const std::array<ExtendedPoint, 4>& corners) const {
+    if (length(point - center) <= radius_ + 1e-6L) return false;
+    for (std::size_t k = 0; k < corners.size(); ++k) {
+      const ExtendedPoint side = corners[(k + 1) % corners.size()] - corners[k];
+      // Left of the contour they go round clockwise.
+      const Extended inside = (shift_ > 0 ? -1 : 1) * cross(side, point - corners[k]);
+      if (length(side) > 0 && inside <= 1e-6L * length(side)) return false;
+    }
+    return true;
   }
 
   // Everything that is at the distance of the radius to a block: both its
@@ -212,10 +273,6 @@ class Masking {
         if (way > 0 && way < shape.extent && shape.distance_to(point) < scale_.joint)
           ways.push_back(way);
       }
-    // A mitre reaches out of the tool radius: two of them cross where nothing is near.
-    if (mitres_)
-      for (std::size_t other = 0; other < elements_.size(); ++other)
-        if (other != index) cut_by(elements_[other].shape, shape, ways);
     std::sort(ways.begin(), ways.end());
     std::size_t part = 0;
     Extended from = 0;
@@ -231,17 +288,6 @@ class Masking {
       from = to;
     }
     parts_.push_back(part);
-  }
-
-  void cut_by(const Shape& other, const Shape& shape, std::vector<Extended>& ways) const {
-    for (const ExtendedPoint& point : common_points(shape.carrier, other.carrier, touch * size_)) {
-      const Extended way = shape.way_to(point);
-      const Extended there = other.way_to(point);
-      const Extended slack = touch * size_;
-      if (way > slack && way < shape.extent - slack && there >= -slack &&
-          there <= other.extent + slack)
-        ways.push_back(way);
-    }
   }
 
   [[nodiscard]] bool together(const ExtendedPoint& a, const ExtendedPoint& b) const {

@@ -41,6 +41,7 @@ PathSettings every_setting() {
                        .closing_tolerance = 0.05};
   compensator.largest_masked_share = 0.25;
   compensator.smallest_feed_factor = 0.5;
+  compensator.tolerances.input_resolution = 0.01;
   compensator.inverse_path = true;
   settings.response_layout = Layout::columns;
   settings.want_resume_tokens = true;
@@ -86,6 +87,7 @@ TEST(Setup, ReadsBackEveryField) {
   EXPECT_EQ(compensator.largest_masked_share, 0.25);
   EXPECT_TRUE(compensator.inverse_path);
   EXPECT_EQ(compensator.smallest_feed_factor, 0.5);
+  EXPECT_EQ(compensator.tolerances.input_resolution, 0.01);
   EXPECT_EQ(read.path.response_layout, Layout::columns);
   EXPECT_TRUE(read.path.want_resume_tokens);
   EXPECT_EQ(read.path.client_tag, "cell 4");

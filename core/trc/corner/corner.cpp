@@ -47,8 +47,11 @@ double slack_of(const OffsetCurve& before, const OffsetCurve& after, const Toler
   return std::max(std::min(of_place, tolerances.on_contour), tolerances.same_point);
 }
 
-bool leaves_slit(const Segment& before, const Segment& after, double shift,
-                 const Tolerances& tolerances) {
+// What the second block leaves between itself and the first one as far as both go, on the side of
+// the shift where positive: the first gap that counts, 0 if there is none. They part by an angle
+// and by their curvatures.
+double gap_of_reversal(const Corner& corner, const Segment& before, const Segment& after,
+                       const Tolerances& tolerances) {
   double opening = 0;  // curvature by which the second block leaves the first to its right
   double reach = std::numeric_limits<double>::infinity();
   for (const Segment* segment : {&before, &after}) {
@@ -59,15 +62,24 @@ bool leaves_slit(const Segment& before, const Segment& after, double shift,
       reach = std::min(reach, radius);
     }
   }
-  const double gap = 0.5 * std::abs(opening) * reach * reach;
-  return opening * shift < 0 && gap > 10 * tolerances.on_contour;
+  const double side = corner.shift > 0 ? 1 : -1;
+  const double bend = -side * opening;
+  const double angle = side * corner.sine_of_turn();
+  const auto gap_at = [&](double way) { return way * (angle + 0.5 * bend * way); };
+  // Up to where it closes again it is widest halfway.
+  const double widest = bend != 0 ? -angle / bend : -1;
+  const bool turns_over = widest > 0 && widest < reach;
+  if (turns_over && std::abs(gap_at(widest)) > tolerances.input_resolution) return gap_at(widest);
+  const double last = gap_at(reach);
+  return std::abs(last) > tolerances.input_resolution ? last : 0;
 }
 
 }  // namespace
 
-bool reverses_into_slit(const Corner& corner, const Segment& before, const Segment& after,
-                        const Tolerances& tolerances) {
-  return is_reversal(corner, tolerances) && leaves_slit(before, after, corner.shift, tolerances);
+Reversal reversal_of(const Corner& corner, const Segment& before, const Segment& after,
+                     const Tolerances& tolerances) {
+  if (!may_reverse(corner)) return Reversal::none;
+  return gap_of_reversal(corner, before, after, tolerances) > 0 ? Reversal::slit : Reversal::tip;
 }
 
 double outside_sweep(const Corner& corner) {

@@ -46,15 +46,17 @@ struct OffsetCurve {
   return {.anchor = anchor, .tangent = tangent};
 }
 
+// Whether two blocks go nearly straight back at a corner, and what they leave between them: nothing
+// that counts, they end in a tip the tool goes round, or a slit on the side of the tool.
+enum class Reversal { none, tip, slit };
+
 // Two blocks meeting in the programmed point E.
 struct Corner {
   Point programmed = Point::Zero();
   OffsetCurve before{};
   OffsetCurve after{};
   double shift = 0;  // in force on both sides of the corner
-  // An exact reversal that encloses the tool: the block after bends back over the
-  // one before on the tool side.
-  bool slit = false;
+  Reversal reversal = Reversal::none;
 
   [[nodiscard]] double tool_radius() const { return std::abs(shift); }
   // rad, -pi < turn <= pi, counter-clockwise positive. What only asks for its sign, or whether the
@@ -66,19 +68,21 @@ struct Corner {
 
 enum class CornerKind { tangential, inside, outside };
 
-// Whether the corner is an exact reversal of these two blocks that leaves a slit between
-// them on the side of the shift, not a tip: their curvatures decide. A gap that stays
-// below ten times the contour tolerance is the same way back.
-[[nodiscard]] bool reverses_into_slit(const Corner& corner, const Segment& before,
-                                      const Segment& after, const Tolerances& tolerances);
+// What the gap between the two blocks says, not the sign of an angle (D-44): the first one wider
+// than Tolerances::input_resolution, where there is one as far as both go.
+[[nodiscard]] Reversal reversal_of(const Corner& corner, const Segment& before,
+                                   const Segment& after, const Tolerances& tolerances);
+
+// Whether it may be one, by its angle.
+[[nodiscard]] inline bool may_reverse(const Corner& corner) {
+  constexpr double widest = 0.1;  // rad
+  return corner.cosine_of_turn() < 0 && std::abs(corner.sine_of_turn()) <= widest;
+}
 
 // Whether the path goes straight on or straight back there: an angle as small as the tolerance is
 // its own sine.
 [[nodiscard]] inline bool is_parallel(const Corner& corner, const Tolerances& tolerances) {
   return std::abs(corner.sine_of_turn()) <= tolerances.tangent * std::abs(corner.cosine_of_turn());
-}
-[[nodiscard]] inline bool is_reversal(const Corner& corner, const Tolerances& tolerances) {
-  return corner.cosine_of_turn() < 0 && is_parallel(corner, tolerances);
 }
 
 // Whether the motion goes back the way it came, near enough for a change of side (D-23).
@@ -87,14 +91,14 @@ enum class CornerKind { tangential, inside, outside };
   return before.dot(after) < 0 && std::abs(cross(before, after)) <= std::sin(tolerances.reversal);
 }
 
-// An exact reversal is an outside corner of 360 degrees (D-05), or, where it
-// leaves a slit, an inside corner of none.
+// A reversal is an outside corner of 360 degrees (D-05), or, where it leaves a slit, an inside
+// corner of none.
 [[nodiscard]] inline CornerKind kind_of(const Corner& corner, const Tolerances& tolerances) {
-  const bool parallel = is_parallel(corner, tolerances);
-  if (parallel && corner.cosine_of_turn() > 0) return CornerKind::tangential;
+  if (corner.cosine_of_turn() > 0 && is_parallel(corner, tolerances)) return CornerKind::tangential;
   const double gap = (corner.after.anchor - corner.before.anchor).squaredNorm();
   if (gap <= tolerances.same_point * tolerances.same_point) return CornerKind::tangential;
-  if (parallel) return corner.slit ? CornerKind::inside : CornerKind::outside;
+  if (corner.reversal != Reversal::none)
+    return corner.reversal == Reversal::slit ? CornerKind::inside : CornerKind::outside;
   return corner.sine_of_turn() * corner.shift > 0 ? CornerKind::inside : CornerKind::outside;
 }
 

@@ -19,18 +19,6 @@ OffsetCurve straight(const Point& anchor, const Vector& tangent) {
   return {.anchor = anchor, .tangent = tangent};
 }
 
-Joint outside(const Corner& corner, const TrcMode& mode, const Tolerances& tolerances) {
-  const double limit = pi + pi / 180 + tolerances.tangent;
-  const bool extensible = corner.before.exists() && corner.after.exists();
-  if (mode.options.ext_angle_block_intersection && extensible &&
-      transition_angle(corner, tolerances) <= limit) {
-    if (auto joint = extended_joint(corner, tolerances)) return *joint;
-  }
-  return outside_joint(
-      corner, {.transition = mode.transition, .stretch_factor = mode.options.stretch_factor},
-      tolerances);
-}
-
 JointResult on_path(const std::optional<Joint>& joint, bool of_after, const Corner& corner) {
   if (joint) return JoinedBlocks{.joint = *joint};
   return JointRefusal{
@@ -49,7 +37,7 @@ JointResult approach(const PathBlock& before, const PathBlock& after, const Corn
   switch (mode.selection) {
     case Selection::indirect:
       if (kind_of(corner, tolerances) == CornerKind::outside)
-        return JoinedBlocks{.joint = outside(corner, after.mode(), tolerances)};
+        return JoinedBlocks{.joint = transition_joint(corner, after.mode(), tolerances)};
       break;
     case Selection::on_path:
       return on_path(
@@ -84,7 +72,7 @@ JointResult retract(const PathBlock& after, Selection mode, const Corner& corner
   switch (mode) {
     case Selection::indirect:
       if (kind_of(corner, tolerances) == CornerKind::outside)
-        return JoinedBlocks{.joint = outside(corner, after.mode(), tolerances)};
+        return JoinedBlocks{.joint = transition_joint(corner, after.mode(), tolerances)};
       break;
     case Selection::on_path:
       return on_path(
@@ -117,7 +105,11 @@ JointResult contour_joint(const PathBlock& before, const PathBlock& after, const
     case CornerKind::tangential:
       return JoinedBlocks{.joint = tangential_joint(corner)};
     case CornerKind::outside:
-      return JoinedBlocks{.joint = outside(corner, mode, tolerances)};
+      // Which loops go is decided with arcs: LinearTransitions comes behind that (D-45).
+      return JoinedBlocks{
+          .joint = after.removes_loops()
+                       ? outside_joint(corner, {.transition = Transition::circular}, tolerances)
+                       : transition_joint(corner, mode, tolerances)};
     case CornerKind::inside:
       break;
   }
@@ -148,6 +140,18 @@ JointResult contour_joint(const PathBlock& before, const PathBlock& after, const
 
 }  // namespace
 
+Joint transition_joint(const Corner& corner, const TrcMode& mode, const Tolerances& tolerances) {
+  const double limit = pi + pi / 180 + tolerances.tangent;
+  const bool extensible = corner.before.exists() && corner.after.exists();
+  if (mode.options.ext_angle_block_intersection && extensible &&
+      transition_angle(corner, tolerances) <= limit) {
+    if (auto joint = extended_joint(corner, tolerances)) return *joint;
+  }
+  return outside_joint(
+      corner, {.transition = mode.transition, .stretch_factor = mode.options.stretch_factor},
+      tolerances);
+}
+
 Corner corner_between(const PathBlock& before, const PathBlock& after,
                       const Tolerances& tolerances) {
   Corner corner{.programmed = end_of(before.programmed.path)};
@@ -159,8 +163,7 @@ Corner corner_between(const PathBlock& before, const PathBlock& after,
   corner.after = is_contour(after) ? offset_curve(after.programmed.path, after.tangent_at_start,
                                                   after.offset_start, corner.shift)
                                    : straight(after.offset_start, after.tangent_at_start);
-  corner.slit =
-      reverses_into_slit(corner, before.programmed.path, after.programmed.path, tolerances);
+  corner.reversal = reversal_of(corner, before.programmed.path, after.programmed.path, tolerances);
   return corner;
 }
 

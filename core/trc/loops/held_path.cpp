@@ -152,6 +152,32 @@ PathBlockPtr HeldPath::restored(std::size_t number) {
   return owner;
 }
 
+HeldPath::Lines HeldPath::lines_of(std::size_t transition) const {
+  const KeptBlock& kept = blocks_[transition];
+  const Point places[] = {ends_at(transition - 1), kept.start, kept.end, begins_at(transition + 1)};
+  Lines found;
+  for (std::size_t leg = 0; leg < 3; ++leg)
+    if (places[leg] != places[leg + 1])
+      found.lines[found.count++] = {.start = places[leg], .end = places[leg + 1]};
+  return found;
+}
+
+void HeldPath::lengthen_end(std::size_t block, const Point& place, double by) {
+  KeptBlock& kept = blocks_[block];
+  kept.end = place;
+  if (!kept.is_arc) return;
+  arcs_[kept.arc].sweep += std::copysign(by, arcs_[kept.arc].sweep);
+  circles_[contour_[kept.number].circle].cuts.at_end -= by;
+}
+
+void HeldPath::lengthen_start(std::size_t block, const Point& place, double by) {
+  KeptBlock& kept = blocks_[block];
+  kept.start = place;
+  if (!kept.is_arc) return;
+  arcs_[kept.arc].sweep += std::copysign(by, arcs_[kept.arc].sweep);
+  circles_[contour_[kept.number].circle].cuts.at_start -= by;
+}
+
 void HeldPath::restore_apart(std::size_t number, PathBlock& block) {
   while (apart_[apart_.begin()].block < number) apart_.drop_before(apart_.begin() + 1);
   const Apart& apart = apart_[apart_.begin()];

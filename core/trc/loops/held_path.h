@@ -1,12 +1,14 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <memory>
 #include <numbers>
+#include <span>
 #include <type_traits>
 #include <vector>
 
@@ -163,13 +165,34 @@ class HeldPath {
     if (riders_.empty()) return most;
     return std::min(most, std::max(riders_[riders_.begin()].block, next) - next);
   }
+  // What stands in place of a transition arc (D-45): lines from where the block before it ends to
+  // `start`, on to `end`, and to where the block behind it starts. What has no length is left out.
+  void make_linear(std::size_t transition, const Point& start, const Point& end) {
+    KeptBlock& kept = blocks_[transition];
+    kept.start = start;
+    kept.end = end;
+    kept.linear = true;
+  }
+  [[nodiscard]] bool is_linear(std::size_t block) const { return blocks_[block].linear; }
+  struct Lines {
+    std::array<Line, 3> lines{};
+    std::size_t count = 0;
+
+    [[nodiscard]] std::span<const Line> all() const { return {lines.data(), count}; }
+  };
+  [[nodiscard]] Lines lines_of(std::size_t transition) const;
+  // For that: a contour block goes on to `place`, by mm of a line or rad of an arc, or begins
+  // there.
+  void lengthen_end(std::size_t block, const Point& place, double by);
+  void lengthen_start(std::size_t block, const Point& place, double by);
+
   // Reads blocks in a row that have one setting, and to none of which there is more than that, its
   // path, its contour block and what else is here.
   class Reader;
   [[nodiscard]] Reader read_from(std::size_t block) const;
 
   // A block as it was, but for the cuts of lines, with its riders; each one once, in ascending
-  // order.
+  // order. Of a linear transition all but its path.
   [[nodiscard]] PathBlockPtr restored(std::size_t number);
 
   // Forgets contour blocks and their path.
@@ -196,17 +219,21 @@ class HeldPath {
     Origin origin = Origin::programmed;
     bool is_arc : 1 = false;
     bool unreachable : 1 = false;
-    bool apart : 1 = false;  // inserted, but not by the contour block before it: Apart
+    bool apart : 1 = false;   // inserted, but not by the contour block before it: Apart
+    bool linear : 1 = false;  // an arc lines stand in place of: lines_of()
 
     template <class Archive>
     void serialize(Archive& archive) {
       bool its_arc = is_arc;
       bool its_unreachable = unreachable;
       bool its_apart = apart;
-      archive(start, end, number, setting, arc, role, origin, its_arc, its_unreachable, its_apart);
+      bool its_linear = linear;
+      archive(start, end, number, setting, arc, role, origin, its_arc, its_unreachable, its_apart,
+              its_linear);
       is_arc = its_arc;
       unreachable = its_unreachable;
       apart = its_apart;
+      linear = its_linear;
     }
   };
   struct KeptArc {
@@ -398,6 +425,8 @@ class HeldPath::Reader {
   [[nodiscard]] const Setting& setting() const { return setting_; }
   // Of the block it is at.
   [[nodiscard]] bool is_contour() const { return block_->role == Role::contour; }
+  // Then it has lines_of(), and no path.
+  [[nodiscard]] bool is_linear() const { return block_->linear; }
   [[nodiscard]] Origin origin() const { return block_->origin; }
   [[nodiscard]] Source source() const { return source_of(*contour_); }
   // Calls visit with its path, a Line or an Arc; and as HeldPath does, where it is a contour block.

@@ -8,8 +8,8 @@
 
 namespace trc {
 
-std::optional<LoopExit> WayOut::find(const PathPiece& at, const Onset& onset,
-                                     Nearness nearness) const {
+std::optional<LoopExit> LoopExits::find(const PathPiece& at, const Onset& onset,
+                                        Nearness nearness) const {
   PathPiece piece = at;
   piece.to = onset.along;
   piece.end = point_along(path(at.block).path, onset.along);
@@ -17,24 +17,37 @@ std::optional<LoopExit> WayOut::find(const PathPiece& at, const Onset& onset,
       obstacles_.at(at.block, piece.end, onset.obstacle, nearness);
   ask_about(piece);
   known_of_ = HeldPath::most_blocks;
-  // Where the path is in one point again and again, all continuations but the first may leave out
-  // what is legal.
-  std::optional<LoopExit> first;
-  for (const std::size_t number : obstacles) {
-    const auto exit = exit_here(piece, number, nearness);
-    if (!exit) continue;
-    const bool same = first && (exit->point - first->point).norm() <= slack_of_places(tolerances_);
-    if (!first || (same && exit->continues < first->continues)) first = exit;
-  }
-  if (first) return first;
+  // Where the path has long been within reach, it has crossed before what is now beside it.
+  const bool beside_last = nearness == Nearness::passable;
+  if (auto exit = first_here(piece, obstacles, beside_last ? Kind::crossing : Kind::any, nearness))
+    return exit;
   for (const std::size_t number : obstacles)
     if (auto exit = exit_behind(at, {onset.along, number})) return exit;
+  if (beside_last) {
+    ask_about(piece);
+    if (auto exit = first_here(piece, obstacles, Kind::beside, nearness)) return exit;
+  }
   for (const std::size_t number : obstacles)
     if (auto exit = exit_behind_into_rest(at, {onset.along, number})) return exit;
   return std::nullopt;
 }
 
-WayOut::Stretch WayOut::stretch_about(std::size_t obstacle, std::size_t at) const {
+// Where the path is in one point again and again, all continuations but the first may leave out
+// what is legal.
+std::optional<LoopExit> LoopExits::first_here(const PathPiece& piece,
+                                              const std::vector<std::size_t>& obstacles, Kind kind,
+                                              Nearness nearness) const {
+  std::optional<LoopExit> first;
+  for (const std::size_t number : obstacles) {
+    const auto exit = exit_here(piece, number, kind, nearness);
+    if (!exit) continue;
+    const bool same = first && (exit->point - first->point).norm() <= slack_of_places(tolerances_);
+    if (!first || (same && exit->continues < first->continues)) first = exit;
+  }
+  return first;
+}
+
+LoopExits::Stretch LoopExits::stretch_about(std::size_t obstacle, std::size_t at) const {
   const std::size_t begin =
       obstacle > path_.begin_of_contour() ? contour(obstacle - 1).block : path_.begin();
   // Leads are in nobody's way: the path may leave the obstacle by any of them (D-38).
@@ -44,10 +57,12 @@ WayOut::Stretch WayOut::stretch_about(std::size_t obstacle, std::size_t at) cons
   return {std::max(begin, at + 1), end};
 }
 
-std::optional<LoopExit> WayOut::exit_here(const PathPiece& piece, std::size_t obstacle,
-                                          Nearness nearness) const {
+std::optional<LoopExit> LoopExits::exit_here(const PathPiece& piece, std::size_t obstacle,
+                                             Kind kind, Nearness nearness) const {
   if (!has_near(stretch_about(obstacle, piece.block))) return std::nullopt;
-  if (auto exit = crossing_in(piece, walked_.end(), obstacle, true, {})) return exit;
+  if (kind != Kind::beside)
+    if (auto exit = crossing_in(piece, walked_.end(), obstacle, {})) return exit;
+  if (kind == Kind::crossing) return std::nullopt;
   // Side by side there is no crossing to be had, but the distance tells. By as much as
   // the path is moved over it comes nearer to its own block.
   const double radius = std::max(path_.radius_of_tool(piece.block), 1.0);
@@ -63,38 +78,32 @@ std::optional<LoopExit> WayOut::exit_here(const PathPiece& piece, std::size_t ob
   return std::nullopt;
 }
 
-std::optional<LoopExit> WayOut::exit_behind(const PathPiece& at, const Onset& onset) const {
-  return last_of_walked(at, onset, stretch_about(onset.obstacle, at.block), {});
+std::optional<LoopExit> LoopExits::exit_behind(const PathPiece& at, const Onset& onset) const {
+  return last_of_walked(onset, stretch_about(onset.obstacle, at.block), {});
 }
 
-std::optional<LoopExit> WayOut::exit_behind_into_rest(const PathPiece& at,
-                                                      const Onset& onset) const {
+std::optional<LoopExit> LoopExits::exit_behind_into_rest(const PathPiece& at,
+                                                         const Onset& onset) const {
   const std::size_t next = path_.number_of(at.block) + 1;
   const std::size_t end = next < end_of_contour() ? contour(next).block + 1 : path_.end();
-  return last_of_walked(at, onset, {at.block, end},
+  return last_of_walked(onset, {at.block, end},
                         {at.block, onset.along + slack_of_places(tolerances_)});
 }
 
-std::optional<LoopExit> WayOut::last_of_walked(const PathPiece& at, const Onset& onset,
-                                               const Stretch& stretch,
-                                               const PathPlace& least) const {
+std::optional<LoopExit> LoopExits::last_of_walked(const Onset& onset, const Stretch& stretch,
+                                                  const PathPlace& least) const {
   const HeldPath::ContourBlock obstacle = contour(onset.obstacle);
-  // Only a mitre reaches farther out than the tool.
-  const auto reach_in_radii = [&](std::size_t block) {
-    const TrcMode& mode = path_.mode_of(block);
-    return mode.transition == Transition::linear ? mode.options.stretch_factor : 1;
-  };
-  const double farthest = 4 * path_.largest_radius(obstacle) *
-                          (1 + std::max(reach_in_radii(at.block), reach_in_radii(obstacle.block)));
-  double back = onset.along - at.from;
-  bool beside = true;
-  for (std::size_t number = walked_.end(); number-- > walked_.begin() && back <= farthest;) {
+  // A lead may come back to the path anywhere near.
+  const std::size_t behind = onset.obstacle + 1;
+  const bool by_lead = behind < end_of_contour() && obstacles_.is_lead(behind);
+  double rest = by_lead ? 8 * path_.largest_radius(obstacle) : 0;
+  for (std::size_t number = walked_.end(); number-- > walked_.begin();) {
     const PathPiece walked = walked_[number];
-    beside = beside && !reaches_out(obstacle, walked.end);
+    if (reaches_out(obstacle, walked.end) && rest <= 0) break;
+    rest -= walked.to - walked.from;
     ask_about(walked);
     if (has_near(stretch))
-      if (auto exit = crossing_in(walked, number, onset.obstacle, beside, least)) return exit;
-    back += walked.to - walked.from;
+      if (auto exit = crossing_in(walked, number, onset.obstacle, least)) return exit;
   }
   return std::nullopt;
 }
@@ -103,23 +112,22 @@ std::optional<LoopExit> WayOut::last_of_walked(const PathPiece& at, const Onset&
 // and the ends of a piece may be off its block where a loop has been left out. Points of theirs are
 // not computed to the last digits; what is farther apart than one point may be wide is so all the
 // same.
-void WayOut::ask_about(const PathPiece& piece) const {
+void LoopExits::ask_about(const PathPiece& piece) const {
   checkpoint_.pass();
   area_ = path_.box_about(piece.block, piece.start, piece.end);
   reach_ = 3 * slack_of_places(tolerances_) + tolerances_.same_point +
            tolerances_.passable * std::max(path_.radius_of_tool(piece.block), 1.0);
 }
 
-bool WayOut::has_near(const Stretch& stretch) const {
+bool LoopExits::has_near(const Stretch& stretch) const {
   near_.clear();
   for (std::size_t block = stretch.first; block < stretch.end; ++block)
     if (squared_distance(area_, path_.box_about(block)) <= reach_ * reach_) near_.push_back(block);
   return !near_.empty();
 }
 
-std::optional<LoopExit> WayOut::crossing_in(const PathPiece& piece, std::size_t number,
-                                            std::size_t obstacle, bool beside,
-                                            const PathPlace& least) const {
+std::optional<LoopExit> LoopExits::crossing_in(const PathPiece& piece, std::size_t number,
+                                               std::size_t obstacle, const PathPlace& least) const {
   const double slack = slack_of_places(tolerances_);
   std::optional<LoopExit> latest;
   for (const std::size_t block : near_) {
@@ -130,12 +138,9 @@ std::optional<LoopExit> WayOut::crossing_in(const PathPiece& piece, std::size_t 
       const double least_along = block == least.block ? least.along : 0;
       const double along = place_not_before(least_along, crossing.along_second, block);
       if (along < least_along) continue;
-      const bool leads_to_it = beside && !reaches_out(contour(obstacle), crossing.point);
-      if (!leads_to_it && !reaches_out(contour(path_.number_of(piece.block)), crossing.point) &&
-          !reaches_out(contour(path_.number_of(block)), crossing.point) &&
-          !obstacles_.is_lead(path_.number_of(piece.block)) &&
-          !obstacles_.is_lead(path_.number_of(block)))
-        continue;
+      const bool by_lead = obstacles_.is_lead(path_.number_of(piece.block)) ||
+                           obstacles_.is_lead(path_.number_of(block));
+      if (!by_lead && reaches_out(contour(obstacle), crossing.point)) continue;
       latest = LoopExit{
           number, std::max(crossing.along_first, piece.from), {block, along}, crossing.point};
     }
@@ -144,13 +149,13 @@ std::optional<LoopExit> WayOut::crossing_in(const PathPiece& piece, std::size_t 
 }
 
 // A circle ends where it begins.
-double WayOut::place_not_before(double least, double along, std::size_t block) const {
+double LoopExits::place_not_before(double least, double along, std::size_t block) const {
   const bool is_begin = along <= slack_of_places(tolerances_);
   if (along >= least || !is_begin || path_.begins_at(block) != path_.ends_at(block)) return along;
   return length_of(path(block).path);
 }
 
-std::span<const Crossing> WayOut::crossings_of(std::size_t block, std::size_t other) const {
+std::span<const Crossing> LoopExits::crossings_of(std::size_t block, std::size_t other) const {
   if (known_of_ != block) {
     const Segment segment = path(block).path;
     known_.clear();
@@ -168,7 +173,7 @@ std::span<const Crossing> WayOut::crossings_of(std::size_t block, std::size_t ot
   return found;
 }
 
-bool WayOut::reaches_out(const HeldPath::ContourBlock& block, const Point& point) const {
+bool LoopExits::reaches_out(const HeldPath::ContourBlock& block, const Point& point) const {
   return distance(point, block.programmed) > path_.largest_radius(block) + tolerances_.same_point;
 }
 

@@ -27,13 +27,13 @@ struct LoopExit {
 // Looks for the way out of a loop: behind an onset the path has to cross what lies in the tool's
 // reach of the obstacle, or of another one in the same place, farther on (core/doc/loop_removal.md,
 // "Where it goes on").
-class WayOut {
+class LoopExits {
  public:
   using Nearness = Obstacles::Nearness;
   using Onset = Obstacles::Onset;
 
-  WayOut(const HeldPath& path, const WalkedPath& walked, const Obstacles& obstacles,
-         const Tolerances& tolerances, Checkpoint& checkpoint)
+  LoopExits(const HeldPath& path, const WalkedPath& walked, const Obstacles& obstacles,
+            const Tolerances& tolerances, Checkpoint& checkpoint)
       : path_(path),
         walked_(walked),
         obstacles_(obstacles),
@@ -41,6 +41,8 @@ class WayOut {
         checkpoint_(checkpoint) {}
 
   // `at`: the piece being walked, in whose block the onset is.
+  // Exact: where the path has just come within the tool's reach. Passable: where it has been so for
+  // a while, and the crossing may lie before.
   [[nodiscard]] std::optional<LoopExit> find(const PathPiece& at, const Onset& onset,
                                              Nearness nearness) const;
 
@@ -62,30 +64,32 @@ class WayOut {
 
   // Behind the block `at`.
   [[nodiscard]] Stretch stretch_about(std::size_t obstacle, std::size_t at) const;
+  // How the path meets its continuation.
+  enum class Kind { any, crossing, beside };
   // On the piece that ends with the onset.
+  [[nodiscard]] std::optional<LoopExit> first_here(const PathPiece& piece,
+                                                   const std::vector<std::size_t>& obstacles,
+                                                   Kind kind, Nearness nearness) const;
   [[nodiscard]] std::optional<LoopExit> exit_here(const PathPiece& piece, std::size_t obstacle,
-                                                  Nearness nearness) const;
-  // Before it, where the path has crossed a transition that reaches out of the tool
-  // radius already.
+                                                  Kind kind, Nearness nearness) const;
+  // Before it, in a point the path comes back to.
   [[nodiscard]] std::optional<LoopExit> exit_behind(const PathPiece& at, const Onset& onset) const;
-  // Likewise, where what it has crossed is the rest of the block being walked: a mitre that reaches
-  // back, a circle that ends where it begins.
+  // Likewise, where it comes back with the rest of the block being walked: a circle that ends where
+  // it begins.
   [[nodiscard]] std::optional<LoopExit> exit_behind_into_rest(const PathPiece& at,
                                                               const Onset& onset) const;
   // The last crossing of what has been walked with the stretch, as in crossing_in().
-  [[nodiscard]] std::optional<LoopExit> last_of_walked(const PathPiece& at, const Onset& onset,
-                                                       const Stretch& stretch,
+  [[nodiscard]] std::optional<LoopExit> last_of_walked(const Onset& onset, const Stretch& stretch,
                                                        const PathPlace& least) const;
   // Asks about this piece from now on.
   void ask_about(const PathPiece& piece) const;
   // Those of the stretch that are so near to the piece asked about that they may have a point in
   // common: near_. Returns whether there is one.
   [[nodiscard]] bool has_near(const Stretch& stretch) const;
-  // The last crossing of that piece, which has the number, with one of those. `beside`: from the
-  // piece to the onset the path is as near to the obstacle as the radius; else only a mitre can be
-  // crossed. `least`: how far along those it is at least.
+  // The last crossing of that piece, which has the number, with one of those, as near to the
+  // obstacle as the radius. `least`: how far along those it is at least.
   [[nodiscard]] std::optional<LoopExit> crossing_in(const PathPiece& piece, std::size_t number,
-                                                    std::size_t obstacle, bool beside,
+                                                    std::size_t obstacle,
                                                     const PathPlace& least) const;
   [[nodiscard]] double place_not_before(double least, double along, std::size_t block) const;
   // Where a block of the path crosses another one; none where that one is not travelled. Obstacles

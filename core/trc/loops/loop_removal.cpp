@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <utility>
 
 #include "core/geometry/along.h"
@@ -63,7 +64,10 @@ bool LoopRemoval::drain(PathBlocks& /*out*/) {
 bool LoopRemoval::end_selection() {
   leaving_ = is_holding();
   find_walls();
-  if (!walk(true) || !check_left_out()) return false;
+  if (!walk(true)) return false;
+  linear_.end_at(at_.start);
+  static_cast<void>(settle(walked_.end()));
+  if (!check_left_out()) return false;
   // Nothing is near anything any more.
   obstacles_.clear();
   walked_.drop_boxes();
@@ -73,7 +77,8 @@ bool LoopRemoval::end_selection() {
 bool LoopRemoval::let_go_some(PathBlocks& out) {
   let_go_to(end_of_portion(), out);
   if (!walked_.empty()) {
-    // What is left out behind a block may begin on it.
+    // What stands in place of an arc begins where the block before it ends, and what is left out
+    // behind a block may begin on it.
     path_.forget_path_before(next_ - std::min<std::size_t>(next_ - path_.begin(), 1));
     return true;
   }
@@ -153,7 +158,10 @@ void LoopRemoval::begin_selection() {
   walking_ = false;
   at_ = {};
   tolerated_ = {};
+  passes_.clear();
   next_ = 0;
+  has_linear_ = false;
+  farthest_reach_ = 0;
   left_to_ = none_left;
   longest_left_out_ = {};
   contour_length_ = 0;
@@ -174,6 +182,7 @@ void LoopRemoval::find_walls() {
   at_ = walked_[walked_.begin()];
   drop_pieces(walked_.begin());
   tolerated_ = {};
+  passes_.clear();
 }
 
 [[gnu::noinline]] bool LoopRemoval::has_no_room_for(const Source& source) {
@@ -184,11 +193,20 @@ bool LoopRemoval::hold(PathBlock& block) {
   if (!has_room_for(block.programmed.source)) return false;
   largest_radius_ =
       std::max({largest_radius_, std::abs(block.at_start.shift), std::abs(block.at_end.shift)});
+  has_linear_ = has_linear_ || LinearTransitions::are_asked_for(block.mode());
+  // What stands in place of an arc makes the block behind it longer by that.
+  farthest_reach_ = std::max(
+      farthest_reach_,
+      has_linear_ ? largest_radius_ * (1 + block.mode().options.stretch_factor) : largest_radius_);
   path_.append(block);
   if (block.role == Role::contour) {
     note_contour_block(bounding_box(block.programmed.path), Certificate::block_of(block));
   } else {
-    apart_ = apart_ || block.unreachable;
+    // Round a tip whose blocks overlap it turns by more than half a turn, and they turn the other
+    // way: nothing is certified about that.
+    const auto* arc = std::get_if<Arc>(&block.tool_path);
+    const bool goes_far_round = arc != nullptr && std::abs(arc->sweep) > std::numbers::pi;
+    apart_ = apart_ || block.unreachable || goes_far_round;
   }
   return true;
 }
@@ -245,7 +263,7 @@ bool LoopRemoval::is_waiting() const {
     earliest = index;
     skipped.first = index;
   };
-  walked_.for_each_near(area, largest_radius_, skipped, compare);
+  walked_.for_each_near(area, farthest_reach_, skipped, compare);
   if (earliest < walked_.end()) walk_again_from(earliest, {along, number});
 }
 
@@ -270,9 +288,27 @@ void LoopRemoval::drop_pieces(std::size_t kept) {
   if (!is_waiting() && !walk(false)) return false;
   std::size_t due = walked_.begin();
   while (due < walked_.end() && is_known(walked_.kept(due).block, window_, false)) ++due;
-  let_go_to(due, out);
+  let_go_to(settle(due), out);
   forget();
   return true;
+}
+
+std::size_t LoopRemoval::settle(std::size_t due) {
+  if (!has_linear_) return due;
+  for (std::size_t piece = walked_.begin(); piece < due; ++piece) {
+    if (!linear_.may_replace(piece)) continue;
+    const std::size_t next = walked_.kept(piece).block + 1;
+    if (!leaving_) {
+      if (piece + 1 == walked_.end()) return std::max(piece, walked_.begin() + 1) - 1;
+      if (at_.block == next) continue;
+    }
+    linear_.replace(piece);
+    // Places on the next block may have moved.
+    passes_.erase(std::remove_if(passes_.begin(), passes_.end(),
+                                 [&](const Pass& pass) { return pass.block == next; }),
+                  passes_.end());
+  }
+  return due;
 }
 
 // Drops what no window reaches any more.
@@ -296,8 +332,9 @@ std::optional<Obstacles::Onset> LoopRemoval::next_onset() const {
   const double length = length_of(path(at_.block).path);
   double from = at_.from;
   if (is_tolerated()) {
-    const double to = tolerated_.block > at_.block ? length : std::min(length, tolerated_.along);
-    if (const auto found = obstacles_.onset(at_.block, from, to, Nearness::passable)) return found;
+    from = std::max(from, tolerated_.from);
+    const double to = std::min(length, tolerated_.until.along);
+    if (const auto found = obstacles_.onset(at_.block, from, to, tolerated_.nearness)) return found;
     from = std::max(from, to);
   }
   return obstacles_.onset(at_.block, from, length, Nearness::exact);
@@ -316,7 +353,7 @@ bool LoopRemoval::walk(bool ended) {
     }
     const auto found = next_onset();
     if (!found) {
-      advance();
+      if (!leave_backwards()) advance();
       continue;
     }
     switch (leave(*found, ended)) {
@@ -335,9 +372,10 @@ bool LoopRemoval::begin_walk(bool ended) {
   if (path_.empty() || !is_known(0, window_, ended)) return true;
   walking_ = true;
   at_ = {.block = 0, .start = start_of(path(0).path)};
+  linear_.begin_at(at_.start);
   // The approach leads to the first point, which therefore has to stay (D-11).
   const auto at_start = obstacles_.onset(0, 0, length_of(path(0).path), Nearness::passable);
-  return !at_start || at_start->along > 0 || refuse(*at_start);
+  return !at_start || at_start->along > 0 || counts_as_none(*at_start) || refuse(*at_start);
 }
 
 // To the end of the block and on to the next one.
@@ -385,11 +423,10 @@ LoopRemoval::Step LoopRemoval::leave(const Onset& onset, bool ended) {
     return Step::wait;
   }
   const PathPlace here{at_.block, onset.along};
-  const bool tolerated = here < tolerated_;
-  const auto exit = way_out_.find(at_, onset, tolerated ? Nearness::passable : Nearness::exact);
-  if (exit && !tolerated && is_seam(onset, exit->continues) && pass_first_point())
-    return Step::done;
-  if (exit && violates(here, exit->continues, onset.obstacle)) {
+  if (here < tolerated_.until) return leave_at_once(onset, ended);
+  auto exit = exits_.find(at_, onset, Nearness::exact);
+  if (exit && is_seam(*exit)) exit.reset();
+  if (exit && violates_soon(here, exit->continues, onset.obstacle)) {
     // Between the exit and the onset a block that is yet to come may be in the way.
     const bool behind = exit->piece < walked_.end();
     if (behind && !is_known(walked_.kept(exit->piece).block, window_, ended)) return Step::wait;
@@ -398,39 +435,137 @@ LoopRemoval::Step LoopRemoval::leave(const Onset& onset, bool ended) {
   }
   // A block that is yet to come may lead away before, or be in the way of the loop.
   if (!is_known(at_.block, window_, ended)) return Step::wait;
-  if (exit && !tolerated) {
-    tolerated_ = exit->continues;
-    return Step::done;
-  }
-  if (tolerated) return refuse(onset) ? Step::done : Step::stop;
-  // No way on from here, but it may not be needed.
-  const double length = length_of(path(at_.block).path);
-  const auto serious = obstacles_.onset(at_.block, onset.along, length, Nearness::passable);
-  if (!serious) {
-    tolerated_ = {at_.block, length};
-    return Step::done;
-  }
-  if (const auto late = way_out_.find(at_, *serious, Nearness::passable)) {
-    jump(*late);
-    return Step::done;
-  }
-  return refuse(*serious) ? Step::done : Step::stop;
+  pass(onset, exit);
+  return Step::done;
 }
 
-bool LoopRemoval::is_seam(const Onset& onset, const PathPlace& continues) const {
-  const double slack = slack_of_places(tolerances_);
-  if (at_.block > 0 || at_.from > 0 || onset.along > slack) return false;
-  return continues.block + 1 == end_of_path() &&
-         continues.along >= length_of(path(continues.block).path) - slack;
+// It violates.
+LoopRemoval::Step LoopRemoval::leave_at_once(const Onset& onset, bool ended) {
+  if (!is_known(at_.block, window_, ended)) return Step::wait;
+  const auto exit = exits_.find(at_, onset, Nearness::passable);
+  if (exit && !is_seam(*exit)) {
+    jump(*exit);
+    return Step::done;
+  }
+  if (leave_for_last_pass() || counts_as_none(onset)) return Step::done;
+  return refuse(onset) ? Step::done : Step::stop;
 }
 
-bool LoopRemoval::pass_first_point() {
-  const double length = length_of(path(0).path);
-  const auto serious = obstacles_.onset(0, 0, length, Nearness::passable);
-  const double end = serious ? serious->along : length;
-  if (end <= slack_of_places(tolerances_)) return false;
-  tolerated_ = {0, end};
+void LoopRemoval::pass(const Onset& onset, const std::optional<LoopExit>& exit) {
+  constexpr std::size_t most = 64;
+  const auto is_behind = [&](const Pass& pass) {
+    return pass.exit.continues < PathPlace{at_.block, onset.along};
+  };
+  passes_.erase(std::remove_if(passes_.begin(), passes_.end(), is_behind), passes_.end());
+  if (exit && exit->piece == walked_.end()) {
+    if (passes_.size() == most) passes_.erase(passes_.begin());
+    passes_.push_back({at_.block, *exit});
+  }
+  tolerate(onset, Nearness::passable);
+}
+
+void LoopRemoval::tolerate(const Onset& onset, Nearness nearness) {
+  const Segment segment = path(at_.block).path;
+  const double limit = obstacles_.reach(
+      at_.block, nearness == Nearness::passable ? Nearness::exact : Nearness::passable);
+  const double end = first_exit(
+      segment, onset.along, length_of(segment), obstacles_.wall(onset.obstacle),
+      obstacles_.reach_to(onset.obstacle, at_.block, limit), slack_of_places(tolerances_));
+  tolerated_ = {.from = onset.along,
+                .until = {at_.block, std::max(end, onset.along + tolerances_.same_point)},
+                .nearness = nearness};
+}
+
+bool LoopRemoval::leave_for_last_pass() {
+  while (!passes_.empty()) {
+    const auto [block, exit] = passes_.back();
+    passes_.pop_back();
+    const bool holds_it = at_.block < exit.continues.block ||
+                          (at_.block == exit.continues.block && at_.from < exit.continues.along);
+    const bool is_there = exit.piece >= walked_.begin() && exit.piece < walked_.end() &&
+                          walked_.kept(exit.piece).block == block;
+    // What has had its window may have been settled.
+    if (!holds_it || !is_there || (window_ > 0 && is_known(block, window_, false))) continue;
+    const PathPiece piece = walked_[exit.piece];
+    if (exit.leaves < piece.from || exit.leaves > piece.to) continue;
+    jump(exit);
+    return true;
+  }
+  return false;
+}
+
+bool LoopRemoval::counts_as_none(const Onset& violation) {
+  const bool is_seam = is_closed() && (is_at_begin(violation) || is_at_end(violation));
+  if (!is_seam && !is_met_in_bow_tie(violation)) return false;
+  const Nearness nearness = is_seam ? Nearness::slight : Nearness::touching;
+  const Segment segment = path(at_.block).path;
+  const Segment obstacle = contour(violation.obstacle).programmed;
+  const double end =
+      first_exit(segment, violation.along, length_of(segment), obstacle,
+                 obstacles_.reach(at_.block, Nearness::passable), slack_of_places(tolerances_));
+  if (first_entry(segment, violation.along, end, obstacle, obstacles_.reach(at_.block, nearness)))
+    return false;
+  tolerate(violation, nearness);
   return true;
+}
+
+// A block travelled backwards is part of a loop, however shallow that is.
+bool LoopRemoval::leave_backwards() {
+  const bool is_whole = at_.from == 0 && !at_.behind_loop && at_.block > 0;
+  if (!is_whole || !runs_backwards(at_.block)) return false;
+  const std::size_t obstacle = std::min(number_of(at_.block) + 1, end_of_contour() - 1);
+  const auto exit = exits_.find(at_, {0, obstacle}, Nearness::passable);
+  if (exit && !is_seam(*exit) && exit->continues.block != at_.block) {
+    jump(*exit);
+    return true;
+  }
+  return leave_for_last_pass();
+}
+
+bool LoopRemoval::is_met_in_bow_tie(const Onset& violation) const {
+  const auto [first, last] = std::minmax(number_of(at_.block), violation.obstacle);
+  if (last - first > most_blocks_of_seam) return false;
+  double between = 0;
+  for (std::size_t number = first + 1; number < last; ++number)
+    between += length_of(contour(number).programmed);
+  if (between > tolerances_.input_resolution) return false;
+  const Point place = point_along(path(at_.block).path, violation.along);
+  const HeldPath::ContourBlock obstacle = contour(violation.obstacle);
+  const double nearest = nearest_along(obstacle.programmed, place);
+  const Track track(obstacle.programmed);
+  const double side = cross(track.tangent_at(nearest), place - track.at(nearest));
+  return side * path_.setting_of(obstacle.block).at_end.shift <= 0;
+}
+
+// Its first and its last point are those of the selection, as far as that is known.
+bool LoopRemoval::is_closed() const {
+  if (path_.begin() > 0) return false;
+  const Point begin = start_of(contour(0).programmed);
+  const Point end = end_of(contour(end_of_contour() - 1).programmed);
+  return (end - begin).norm() <= tolerances_.input_resolution;
+}
+
+bool LoopRemoval::is_at_begin(const Onset& onset) const {
+  return onset.along <= near_seam() && at_.block == 0;
+}
+
+bool LoopRemoval::is_at_end(const Onset& onset) const {
+  const Point place = point_along(path(at_.block).path, onset.along);
+  return number_of(at_.block) + most_blocks_of_seam >= end_of_contour() &&
+         (place - path_.ends_at(end_of_path() - 1)).norm() <= near_seam();
+}
+
+// The corner of the last and the first block, or what is left of short ones there.
+bool LoopRemoval::is_seam(const LoopExit& exit) const {
+  if (!is_closed()) return false;
+  const std::size_t last = end_of_contour() - 1;
+  const std::size_t here =
+      number_of(exit.piece < walked_.end() ? walked_.kept(exit.piece).block : at_.block);
+  return here < most_blocks_of_seam &&
+         number_of(exit.continues.block) + most_blocks_of_seam > last &&
+         2 * (number_of(exit.continues.block) - here) >= last &&
+         (exit.point - path_.begins_at(0)).norm() <= near_seam() &&
+         (exit.point - path_.ends_at(end_of_path() - 1)).norm() <= near_seam();
 }
 
 bool LoopRemoval::runs_backwards(std::size_t block) const {
@@ -446,20 +581,28 @@ bool LoopRemoval::runs_backwards(std::size_t block) const {
   return way.dot(tangent_at_start(programmed)) < -tolerances_.on_contour;
 }
 
-bool LoopRemoval::violates(const PathPlace& from, const PathPlace& to, std::size_t obstacle) const {
-  for (std::size_t block = from.block; block <= to.block; ++block) {
+// What it does later is judged when the walk comes there, without what goes anyway (D-44).
+bool LoopRemoval::violates_soon(const PathPlace& from, const PathPlace& to,
+                                std::size_t obstacle) const {
+  // The deeper the sooner: where a line runs into another one by a thousandth, it does by then.
+  double rest =
+      4 * std::sqrt(tolerances_.passable) * std::max(path_.radius_of_tool(from.block), 1.0);
+  for (std::size_t block = from.block; block <= to.block && rest > 0; ++block) {
     const Segment segment = path(block).path;
     const double length = length_of(segment);
     const double begin = block == from.block ? from.along : 0;
-    const double end = block == to.block ? std::min(to.along, length) : length;
+    const double all = block == to.block ? std::min(to.along, length) : length;
+    const double end = std::min(all, begin + rest);
     // Mostly it is what the loop begins at: one of the neighbours there, which need not be found.
     const double limit = obstacles_.reach(block, Nearness::passable);
     if (block == from.block && begin < end && limit > 0 &&
         PathPart(segment, begin, end)
             .comes_nearer(obstacles_.wall(obstacle), obstacles_.reach_to(obstacle, block, limit)))
       return true;
-    if (block != to.block && (path_.is_unreachable(block) || runs_backwards(block))) return true;
+    const bool whole = block != from.block && block != to.block;
+    if (whole && (path_.is_unreachable(block) || runs_backwards(block))) return true;
     if (obstacles_.comes_nearer(block, begin, end, Nearness::passable)) return true;
+    rest -= end - begin;
   }
   return false;
 }
@@ -496,6 +639,7 @@ void LoopRemoval::jump(const LoopExit& exit) {
          .start = point,
          .behind_loop = true,
          .arrives = arrives};
+  tolerated_ = {};
 }
 
 std::size_t LoopRemoval::last_dropped_before(std::size_t end) const {
@@ -540,7 +684,11 @@ void LoopRemoval::let_go(std::size_t number, PathBlocks& out) {
   if (cut == WalkedPath::Kept::whole) {
     if (next_ < at) pass_by({at, 0}, start_of(path(at).path), out);
     next_ = at + 1;
-    out.push_back(path_.restored(at));
+    if (path_.is_linear(at)) {
+      let_go_linear(at, out);
+    } else {
+      out.push_back(path_.restored(at));
+    }
     return;
   }
   const PathPiece& piece = walked_.cut(cut);
@@ -554,6 +702,20 @@ void LoopRemoval::let_go(std::size_t number, PathBlocks& out) {
   if (!whole) shorten(*block, piece.from, piece.to, piece.start, piece.end);
   out.push_back(std::move(block));
   walked_.drop_cuts_before(cut + 1);
+}
+
+void LoopRemoval::let_go_linear(std::size_t transition, PathBlocks& out) {
+  // An arc is never rapid; lines are where the blocks on both sides are.
+  const bool rapid =
+      path_.setting_of(transition - 1).rapid && path_.setting_of(transition + 1).rapid;
+  const HeldPath::Lines lines = path_.lines_of(transition);
+  PathBlockPtr inserted = path_.restored(transition);
+  inserted->programmed.rapid = rapid;
+  for (const Line& line : lines.all()) {
+    auto block = std::make_unique<PathBlock>(*inserted);
+    block->tool_path = line;
+    out.push_back(std::move(block));
+  }
 }
 
 void LoopRemoval::report_masked(const PathPlace& next, const Point& place) {
@@ -585,7 +747,10 @@ LeftOut LoopRemoval::left_out(const PathPlace& from, const PathPlace& to) const 
     add(block, block == from.block ? from.along : 0, std::numeric_limits<double>::infinity());
   if (to.block < end_of_path() && to.along > 0)
     add(to.block, to.block == from.block ? from.along : 0, to.along);
-  stretch.first = path_.source_of(number_of(from.block));
+  // Of an arc that is left in the middle, the block before it stays.
+  std::size_t first = from.block;
+  while (first + 1 < to.block && !path_.is_contour(first)) ++first;
+  stretch.first = path_.source_of(number_of(first));
   stretch.last = path_.source_of(number_of(std::min(to.block, end_of_path() - 1)));
   return stretch;
 }

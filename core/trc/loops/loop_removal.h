@@ -1,7 +1,9 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "core/base/checkpoint.h"
@@ -10,6 +12,7 @@
 #include "core/geometry/box_tree.h"
 #include "core/trc/compensator.h"
 #include "core/trc/loops/held_path.h"
+#include "core/trc/loops/linear_transitions.h"
 #include "core/trc/loops/loop_exit.h"
 #include "core/trc/loops/obstacles.h"
 #include "core/trc/loops/walked_path.h"
@@ -46,7 +49,8 @@ class LoopRemoval {
         checkpoint_(checkpoint),
         obstacles_(path_, window_, tolerances_, checkpoint),
         walked_(path_, window_ > 0),
-        way_out_(path_, walked_, obstacles_, tolerances_, checkpoint) {}
+        exits_(path_, walked_, obstacles_, tolerances_, checkpoint),
+        linear_(path_, walked_, obstacles_, tolerances_, checkpoint) {}
 
   bool feed(PathBlockPtr block, PathBlocks& out);
   bool drain(PathBlocks& out);
@@ -108,7 +112,8 @@ class LoopRemoval {
   template <class Archive>
   void serialize(Archive& archive) {
     archive(entering_, path_, largest_radius_, apart_, obstacles_, walking_, walked_, at_,
-            tolerated_, next_, left_to_, longest_left_out_, contour_length_);
+            tolerated_.from, tolerated_.until, tolerated_.nearness, passes_, next_, has_linear_,
+            linear_, left_to_, longest_left_out_, contour_length_);
     if constexpr (Archive::is_loading::value) exact_from_ = walked_.end();
   }
 
@@ -117,6 +122,22 @@ class LoopRemoval {
   using Onset = Obstacles::Onset;
   using Nearness = Obstacles::Nearness;
   enum class Step { done, wait, stop };
+  // Up to where the path may come how near. What lies before `from` has been looked at.
+  struct Tolerated {
+    double from = 0;  // mm along the block of `until`
+    PathPlace until{};
+    Nearness nearness = Nearness::passable;
+  };
+  // Where the walk might have left the path for its continuation, and has not.
+  struct Pass {
+    std::size_t block = 0;
+    LoopExit exit{};
+
+    template <class Archive>
+    void serialize(Archive& archive) {
+      archive(block, exit.piece, exit.leaves, exit.continues, exit.point);
+    }
+  };
 
   [[nodiscard]] bool is_holding() const { return !entering_.empty() || !path_.empty(); }
   void begin_selection();
@@ -140,6 +161,9 @@ class LoopRemoval {
   [[nodiscard]] bool is_waiting() const;
   void drop_pieces(std::size_t kept);
   bool proceed(PathBlocks& out);
+  // Up to which piece the path may leave whose window has come: what stands in place of an arc
+  // takes part of the block before it.
+  [[nodiscard]] std::size_t settle(std::size_t due);
   void forget();
 
   // As far as the contour is known well enough; all the way when it has ended.
@@ -147,11 +171,29 @@ class LoopRemoval {
   bool begin_walk(bool ended);
   // What to do about an onset in the block being walked.
   Step leave(const Onset& onset, bool ended);
-  // Whether what leads from the onset to there is all of a closed contour: no loop.
-  [[nodiscard]] bool is_seam(const Onset& onset, const PathPlace& continues) const;
-  // The first point comes too near, but may: as far as that lasts on its block. Returns whether
-  // there is such a way.
-  bool pass_first_point();
+  Step leave_at_once(const Onset& onset, bool ended);
+  // The path has come into the tool's reach, but not so far that it violates yet.
+  void pass(const Onset& onset, const std::optional<LoopExit>& exit);
+  // For as long as the path stays within reach of the obstacle.
+  void tolerate(const Onset& onset, Nearness nearness);
+  // The block being walked is travelled backwards. Returns whether there is a way to leave it out.
+  bool leave_backwards();
+  // Where nothing leads on from a violation: the last pass whose loop holds it is none.
+  bool leave_for_last_pass();
+  // Whether it is so little that it counts as none.
+  [[nodiscard]] bool counts_as_none(const Onset& violation);
+  // Whether the contour block is met from the side the tool is not on, and next to it the contour
+  // crosses itself: what lies between is too short to be written.
+  [[nodiscard]] bool is_met_in_bow_tie(const Onset& violation) const;
+  // Whether what leads from here to there is all of a closed contour: no loop.
+  [[nodiscard]] bool is_seam(const LoopExit& exit) const;
+  [[nodiscard]] bool is_closed() const;
+  // How far from the first and the last point of the path that may be, mm and blocks.
+  [[nodiscard]] double near_seam() const { return 0.01 * std::max(path_.radius_of_tool(0), 0.1); }
+  static constexpr std::size_t most_blocks_of_seam = 64;
+  // Whether the place of the onset is as good as the first point of the path, or as the last one.
+  [[nodiscard]] bool is_at_begin(const Onset& onset) const;
+  [[nodiscard]] bool is_at_end(const Onset& onset) const;
   void jump(const LoopExit& exit);
   void advance();
   // The same for all blocks before this one.
@@ -159,7 +201,7 @@ class LoopRemoval {
   // Walked: a piece of the block that has been walked so far.
   void keep_cut();
   // Whether some of the block being walked may come nearer than `Nearness::exact` allows.
-  [[nodiscard]] bool is_tolerated() const { return tolerated_.block >= at_.block; }
+  [[nodiscard]] bool is_tolerated() const { return tolerated_.until.block >= at_.block; }
 
   [[nodiscard, gnu::always_inline]] HeldPath::Block path(std::size_t block) const {
     return path_.block(block);
@@ -177,14 +219,15 @@ class LoopRemoval {
   [[nodiscard]] std::optional<Onset> next_onset() const;
   // Nothing is left between the corners of the block: it is travelled backwards.
   [[nodiscard]] bool runs_backwards(std::size_t block) const;
-  // Whether the loop between two places does; it begins where the path enters the obstacle.
-  [[nodiscard]] bool violates(const PathPlace& from, const PathPlace& to,
-                              std::size_t obstacle) const;
+  // Whether the loop between two places soon does; it begins where the path enters the obstacle.
+  [[nodiscard]] bool violates_soon(const PathPlace& from, const PathPlace& to,
+                                   std::size_t obstacle) const;
 
   [[nodiscard]] bool next_stands_for_itself() const;
   [[nodiscard]] std::size_t end_of_portion() const;
   void let_go_to(std::size_t end, PathBlocks& out);
   void let_go(std::size_t number, PathBlocks& out);
+  void let_go_linear(std::size_t transition, PathBlocks& out);
   // The blocks before `next` that are not travelled: a loop, left out at `place`.
   void pass_by(const PathPlace& next, const Point& place, PathBlocks& out);
   // The last contour block of those, or else the first of them; there is at least one.
@@ -214,7 +257,10 @@ class LoopRemoval {
   Obstacles obstacles_;
 
   WalkedPath walked_;
-  WayOut way_out_;
+  LoopExits exits_;
+  LinearTransitions linear_;
+  bool has_linear_ = false;    // the selection asks for some
+  double farthest_reach_ = 0;  // how far from a block its path may lie, mm
   // For a window only: the first piece of, or behind, the chain that ends with the last contour
   // block.
   std::size_t first_of_chain_ = 0;
@@ -224,9 +270,10 @@ class LoopRemoval {
   // before that. Nothing can be done about it before there are more.
   std::optional<Onset> waiting_with_;
   bool walking_ = false;
-  PathPiece at_{};         // the piece being walked
-  PathPlace tolerated_{};  // up to here the path is in a loop that does not violate
-  std::size_t next_ = 0;   // the first block that has neither left nor been dropped
+  PathPiece at_{};  // the piece being walked
+  Tolerated tolerated_{};
+  std::vector<Pass> passes_;  // the last ones, whose loops the walk may still be in
+  std::size_t next_ = 0;      // the first block that has neither left nor been dropped
   static constexpr PathPlace none_left{HeldPath::most_blocks, 0};
   PathPlace left_to_ = none_left;  // up to here a part of a block has left
   // For a window only: of what has left, and of all contour blocks, mm.

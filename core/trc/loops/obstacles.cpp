@@ -72,7 +72,8 @@ BoxTree::Range Obstacles::certified(std::size_t block) const {
   return {certificate_.chain_before(behind), certificate_.chain_behind(number)};
 }
 
-void Obstacles::find_neighbours(std::size_t block, const Box& area, double limit) const {
+void Obstacles::find_neighbours(std::size_t block, const Box& area, double limit,
+                                bool surveyed) const {
   const BoxTree::Range skipped = certified(block);
   const std::size_t own = path_.number_of(block);
   neighbours_.clear();
@@ -93,7 +94,7 @@ void Obstacles::find_neighbours(std::size_t block, const Box& area, double limit
     }
     if (four.bits != 0) neighbours_.push_back(four);
   };
-  if (!is_surveyed(block)) {
+  if (!surveyed) {
     boxes_.for_each_four_near(area, limit, skipped, add);
     return;
   }
@@ -174,7 +175,7 @@ std::optional<Obstacles::Onset> Obstacles::onset(std::size_t block, double from,
   if (!(from < to) || limit <= 0) return std::nullopt;
   const Segment segment = path(block).path;
   const Box area = bounding_box(segment);
-  find_neighbours(block, area, limit);
+  find_neighbours(block, area, limit, is_surveyed(block));
   if (neighbours_.empty()) return std::nullopt;
   PathPart part(segment, from, to);
   std::optional<Onset> first;
@@ -206,9 +207,20 @@ bool Obstacles::comes_nearer(std::size_t block, double from, double to, Nearness
   const double limit = reach(block, nearness);
   if (!(from < to) || limit <= 0) return false;
   const Segment segment = path(block).path;
-  find_neighbours(block, bounding_box(segment), limit);
-  if (neighbours_.empty()) return false;
-  const PathPart part(segment, from, to);
+  find_neighbours(block, bounding_box(segment), limit, is_surveyed(block));
+  return !neighbours_.empty() && neighbours_come_nearer(block, PathPart(segment, from, to), limit);
+}
+
+bool Obstacles::comes_nearer(std::size_t block, const Segment& way, Nearness nearness) const {
+  const double limit = reach(block, nearness);
+  const double length = length_of(way);
+  if (length == 0 || limit <= 0) return false;
+  find_neighbours(block, bounding_box(way), limit, false);
+  return !neighbours_.empty() && neighbours_come_nearer(block, PathPart(way, 0, length), limit);
+}
+
+bool Obstacles::neighbours_come_nearer(std::size_t block, const PathPart& part,
+                                       double limit) const {
   const FourBoxes::Course course = part.course(limit);
   bool nearer = false;
   for (const NearFour& four : neighbours_) {

@@ -22,8 +22,9 @@ namespace trc {
 // of them ahead and back.
 class Obstacles {
  public:
-  // How near is too near: to find a loop, or to be a violation (D-36).
-  enum class Nearness { exact, passable };
+  // How near is too near: to find a loop, or to be a violation (D-36). Less than slight is a gouge
+  // that is none (D-14), less than touching a self-crossing of the contour that is none (D-44).
+  enum class Nearness { exact, passable, slight, touching };
   // Where a block of the path comes too near to a contour block.
   struct Onset {
     double along = 0;          // mm from the start of the block
@@ -61,14 +62,10 @@ class Obstacles {
   // Forgets all: a new selection begins.
   void clear();
 
-  // The part of the radius, or of 1 mm, that is let pass.
-  [[nodiscard]] double part_of(Nearness nearness) const {
-    return nearness == Nearness::exact ? tolerances_.rounding : tolerances_.passable;
-  }
   // How near is too near for the block, mm.
   [[nodiscard]] double reach(std::size_t block, Nearness nearness) const {
     const double radius = path_.radius_of_tool(block);
-    return radius - part_of(nearness) * std::max(radius, 1.0);
+    return radius - let_pass(radius, nearness);
   }
   // The same for one contour block: `limit` is how near is too near for walls.
   [[nodiscard]] double reach_to(std::size_t number, std::size_t block, double limit) const {
@@ -92,6 +89,8 @@ class Obstacles {
   // Whether there is one.
   [[nodiscard]] bool comes_nearer(std::size_t block, double from, double to,
                                   Nearness nearness) const;
+  // Whether another way than its path does, which takes part in all that is certified for it.
+  [[nodiscard]] bool comes_nearer(std::size_t block, const Segment& way, Nearness nearness) const;
   // The numbers of all contour blocks that are as near to a place on the block as this one, where
   // it comes too near to it: the other block of a corner, blocks on top of each other.
   [[nodiscard]] const std::vector<std::size_t>& at(std::size_t block, const Point& place,
@@ -117,6 +116,16 @@ class Obstacles {
   }
 
  private:
+  // mm.
+  [[nodiscard]] double let_pass(double radius, Nearness nearness) const {
+    const double size = std::max(radius, 1.0);
+    if (nearness == Nearness::exact) return tolerances_.rounding * size;
+    const double passable = tolerances_.passable * size;
+    if (nearness == Nearness::passable) return passable;
+    const double none =
+        nearness == Nearness::slight ? tolerances_.on_contour : tolerances_.input_resolution;
+    return std::max(passable, std::min(none, 0.01 * radius));
+  }
   [[nodiscard, gnu::always_inline]] HeldPath::Block path(std::size_t block) const {
     return path_.block(block);
   }
@@ -140,8 +149,10 @@ class Obstacles {
   // For all blocks of the path before `end`, which are reachable; those it may leave in question.
   [[nodiscard]] BoxTree::Range certified_for_all(std::size_t first, std::size_t end) const;
   // All contour blocks it may come nearer to than `limit`: neighbours_. With some that are a
-  // little farther off.
-  void find_neighbours(std::size_t block, const Box& area, double limit) const;
+  // little farther off. `surveyed`: what has been surveyed is all of them.
+  void find_neighbours(std::size_t block, const Box& area, double limit, bool surveyed) const;
+  [[nodiscard]] bool neighbours_come_nearer(std::size_t block, const PathPart& part,
+                                            double limit) const;
   // Whether they are more than is worth asking for the nearest one.
   [[nodiscard]] bool are_many(const Box& area, double limit) const;
   // Whether those still are that are not out of question for a part of the block. Behind

@@ -72,6 +72,7 @@ class WalkedPath {
   [[nodiscard]] bool empty() const { return pieces_.empty(); }
   [[nodiscard]] const Kept& kept(std::size_t number) const { return pieces_[number]; }
   [[nodiscard]] const PathPiece& cut(HeldPath::Number cut) const { return cuts_[cut]; }
+  [[nodiscard]] PathPiece& cut(HeldPath::Number cut) { return cuts_[cut]; }
   [[nodiscard]] PathPiece operator[](std::size_t number) const;
   // How many pieces from the first one on are whole blocks, one behind the other from `block` on;
   // up to `most`.

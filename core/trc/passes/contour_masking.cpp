@@ -50,7 +50,8 @@ std::optional<PathBlock::Rejoin> join_in_line(const OffsetCurve& before, const O
     const double aside = std::max(std::abs(cross(before.tangent, point - before.anchor)),
                                   std::abs(cross(after.tangent, point - before.anchor)));
     if (aside > same_point || before.tangent.dot(after.tangent) <= 0) return std::nullopt;
-    return PathBlock::Rejoin{.point = point, .cut_before = cut_before_anchor(before, point, 0)};
+    return PathBlock::Rejoin{
+        .point = point, .start = point, .cut_before = cut_before_anchor(before, point, 0)};
   }
   const bool one_circle = before.counter_clockwise == after.counter_clockwise &&
                           (before.circle.center - after.circle.center).norm() <= same_point &&
@@ -58,7 +59,25 @@ std::optional<PathBlock::Rejoin> join_in_line(const OffsetCurve& before, const O
   if (!one_circle) return std::nullopt;
   const double back = cut_before_anchor(before, point, same_point);
   return PathBlock::Rejoin{
-      .point = point, .cut_before = back > std::numbers::pi ? back - 2 * std::numbers::pi : back};
+      .point = point,
+      .start = point,
+      .cut_before = back > std::numbers::pi ? back - 2 * std::numbers::pi : back};
+}
+
+// The same of two lines that are in line but for the rounding of their ends, which tells the more,
+// the shorter they are and the farther from one another (D-44). A line leads over.
+std::optional<PathBlock::Rejoin> join_nearly_in_line(const PathBlock& before,
+                                                     const PathBlock& after, double resolution) {
+  if (is_arc(before.programmed.path) || is_arc(after.programmed.path)) return std::nullopt;
+  const Vector way = after.offset_start - before.offset_end;
+  if (way.dot(before.tangent_at_end) <= 0 || way.dot(after.tangent_at_start) <= 0)
+    return std::nullopt;
+  const double aside = std::max(std::abs(cross(before.tangent_at_end, way)),
+                                std::abs(cross(after.tangent_at_start, way)));
+  const double lengths =
+      1 / length_of(before.programmed.path) + 1 / length_of(after.programmed.path);
+  if (aside > resolution * (2 + way.norm() * lengths)) return std::nullopt;
+  return PathBlock::Rejoin{.point = before.offset_end, .start = after.offset_start};
 }
 
 }  // namespace
@@ -186,9 +205,10 @@ std::optional<PathBlock::Rejoin> ContourMasking::join_anew(std::size_t before_in
   const OffsetCurve curve_before = end_curve(before);
   const OffsetCurve curve_after = start_curve(after);
   auto in_line = join_in_line(curve_before, curve_after, tolerances_.same_point);
+  if (!in_line) in_line = join_nearly_in_line(before, after, tolerances_.input_resolution);
   if (in_line && are_passed(before_index, after_index, *in_line)) return in_line;
   if (const auto joint = nearest_meeting(curve_before, curve_after, tolerances_))
-    return PathBlock::Rejoin{joint->point, joint->cut_before, joint->cut_after};
+    return PathBlock::Rejoin{joint->point, joint->point, joint->cut_before, joint->cut_after};
   if (curve_before.circular || curve_after.circular) return std::nullopt;
   const Meetings meetings =
       intersect(StraightLine{.point = curve_before.anchor, .direction = curve_before.tangent},
@@ -200,20 +220,20 @@ std::optional<PathBlock::Rejoin> ContourMasking::join_anew(std::size_t before_in
   const double cut_before = cut_before_anchor(curve_before, point, 0);
   const double cut_after = cut_after_anchor(curve_after, point, 0);
   if (cut_before < -limit || cut_after < -limit) return std::nullopt;
-  return PathBlock::Rejoin{point, cut_before, cut_after};
+  return PathBlock::Rejoin{point, point, cut_before, cut_after};
 }
 
 // A notch lies behind the wall, a bump before it.
 bool ContourMasking::are_passed(std::size_t before, std::size_t after,
                                 const PathBlock::Rejoin& in_line) const {
-  if (in_line.cut_before >= 0) return true;
+  if (in_line.cut_before >= 0 && in_line.start == in_line.point) return true;
   const OffsetCurve curve = end_curve(held(before));
   const double sweep = curve.counter_clockwise ? -in_line.cut_before : in_line.cut_before;
   const Segment path = curve.circular ? Segment(Arc{.start = curve.anchor,
-                                                    .end = in_line.point,
+                                                    .end = in_line.start,
                                                     .center = curve.circle.center,
                                                     .sweep = sweep})
-                                      : Line{.start = curve.anchor, .end = in_line.point};
+                                      : Line{.start = curve.anchor, .end = in_line.start};
   const double radius = std::abs(held(after).at_start.shift);
   const double reach = radius - tolerances_.clearance * std::max(radius, 1.0);
   for (std::size_t index = before + 1; index < after; ++index) {

@@ -159,6 +159,8 @@ void Transitions::join_anew(PathBlock& after, PathBlocks& out) {
   const PathBlock::Rejoin& rejoin = *after.rejoin;
   before.cut_at_end = rejoin.cut_before;
   complete(before, rejoin.point, tolerances_);
+  PathBlockPtr across;
+  if (rejoin.start != rejoin.point) across = insertion_behind(before, after);
   out.push_back(std::move(held_));
   for (PathBlockPtr& masked : masked_) {
     masked->origin = Origin::masked;
@@ -166,7 +168,10 @@ void Transitions::join_anew(PathBlock& after, PathBlocks& out) {
     out.push_back(std::move(masked));
   }
   masked_.clear();
-  open(after, rejoin.point, rejoin.cut_after, tolerances_);
+  if (across)
+    insert(Line{.start = rejoin.point, .end = rejoin.start}, Origin::transition, std::move(across),
+           out);
+  open(after, rejoin.start, rejoin.cut_after, tolerances_);
 }
 
 bool Transitions::join(PathBlock& after, PathBlocks& out) {

@@ -20,7 +20,7 @@ Corner closing_corner(const PathBlock& last, const PathBlock& first, const Toler
       offset_curve(last.programmed.path, last.tangent_at_end, last.offset_end, corner.shift);
   corner.after =
       offset_curve(first.programmed.path, first.tangent_at_start, first.offset_start, corner.shift);
-  corner.slit = reverses_into_slit(corner, last.programmed.path, first.programmed.path, tolerances);
+  corner.reversal = reversal_of(corner, last.programmed.path, first.programmed.path, tolerances);
   return corner;
 }
 
