@@ -170,19 +170,22 @@ class Selection {
           ++report_.steps;
           return std::min(required_, required) + margin_of_interest() + slack;
         },
-        [&](const ProgrammedPiece& block, const Piece& wall) {
+        [&](const ProgrammedPiece& block, const Piece& wall, std::size_t first) {
           checkpoint_.pass();
-          compare(path, block, wall);
+          compare(path, block, wall, first);
         });
   }
 
-  void compare(const PathPiece& path, const ProgrammedPiece& block, const Piece& wall) {
+  // `first`: the first of the contour blocks that are like this one.
+  void compare(const PathPiece& path, const ProgrammedPiece& block, const Piece& wall,
+               std::size_t first) {
     ++report_.steps;
     double touch = 0;
     if (!is_plain_) {
       const std::size_t own = held_.programmed()[path.programmed].number;
       if (!sides_.is_wall_for(block.number, own)) return;
-      touch = sides_.touch_between(block.number, own);
+      touch = first == block.number ? sides_.touch_between(block.number, own)
+                                    : touch_of_laps(block.number, first, own);
     }
     const double required = std::min(required_, held_.rule_of(block).required) - touch;
     const double limit = required + margin_of_interest();
@@ -193,6 +196,14 @@ class Selection {
     const Gap gap = gap_between(path.piece, wall);
     if (gap.distance < limit + slack) is_near_ = true;
     if (gap.distance < limit) note(path, gap.distance, required, gap.on_a, block.source);
+  }
+
+  // One of them may lie in the lap of the path itself: what laps on top of each other may differ by
+  // does not hold then.
+  [[nodiscard]] double touch_of_laps(std::size_t last, std::size_t first, std::size_t own) const {
+    const Walls& walls = sides_.sides.front();
+    return walls.ring_of(first) <= walls.ring_of(own) ? walls.touch_at_closing(last, own)
+                                                      : walls.touch_between(last, own);
   }
 
   // Whether the middle of the path lies on the side of its own block that the program asks for.

@@ -1,7 +1,9 @@
 #include "core/verify/wall_tree.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <utility>
 
 namespace trc::verify {
 namespace {
@@ -32,6 +34,7 @@ WallTree::WallTree(const HeldPath& held, std::size_t begin, std::size_t end,
     if (size == 1) break;
   }
   find_middle(checkpoint);
+  hide_copies(checkpoint);
   nodes_.reserve(total);
   build_buckets(checkpoint);
   for (std::size_t level = 1; level < levels_.size(); ++level)
@@ -42,7 +45,7 @@ void WallTree::find_middle(Checkpoint& checkpoint) {
   UprightBox all;
   for (std::size_t number = begin_; number < end_; ++number) {
     checkpoint.pass();
-    visit_wall(held_.programmed()[number], [&](const ProgrammedPiece&, const Piece& wall) {
+    visit_wall(number, [&](const ProgrammedPiece&, const Piece& wall, std::uint32_t) {
       all.add({.center = wall.start});
       ++walls_;
     });
@@ -50,11 +53,42 @@ void WallTree::find_middle(Checkpoint& checkpoint) {
   if (walls_ > 0) middle_ = all.box().center;
 }
 
+void WallTree::hide_copies(Checkpoint& checkpoint) {
+  if (sides_.sides.size() != 1 || sides_.sides.front().rings.empty()) return;
+  const auto& programmed = held_.programmed();
+  const auto what_is_compared = [&](std::size_t number) {
+    const auto& [piece, source, rule, its_number, is_contour, crosses, role] = programmed[number];
+    return std::array{piece.start.x(),  piece.start.y(),  piece.end.x(), piece.end.y(),
+                      piece.center.x(), piece.center.y(), piece.sweep,   static_cast<double>(rule)};
+  };
+  std::vector<std::size_t> order;
+  order.reserve(end_ - begin_);
+  first_.reserve(end_ - begin_);
+  for (std::size_t number = begin_; number < end_; ++number) {
+    checkpoint.pass();
+    first_.push_back(programmed[number].number);
+    if (is_wall(programmed[number]) && !sides_.part_of(programmed[number].number))
+      order.push_back(number);
+  }
+  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    checkpoint.pass();
+    const auto of_a = what_is_compared(a);
+    const auto of_b = what_is_compared(b);
+    return of_a != of_b ? of_a < of_b : a < b;
+  });
+  for (std::size_t index = 1; index < order.size(); ++index) {
+    checkpoint.pass();
+    const std::size_t before = order[index - 1];
+    if (what_is_compared(before) != what_is_compared(order[index])) continue;
+    first_[order[index] - begin_] = std::exchange(first_[before - begin_], hidden);
+  }
+}
+
 void WallTree::build_buckets(Checkpoint& checkpoint) {
   for (std::size_t index = 0; index < levels_.front().size; ++index) {
     Node node;
     Piece longest;
-    visit_bucket(index, [&](const ProgrammedPiece& block, const Piece& wall) {
+    visit_bucket(index, [&](const ProgrammedPiece& block, const Piece& wall, std::uint32_t) {
       checkpoint.pass();
       const Box box = box_of(wall);
       node.box = node.required < 0 ? box : around(node.box, box);
@@ -62,7 +96,7 @@ void WallTree::build_buckets(Checkpoint& checkpoint) {
       if (std::abs(wall.sweep) > std::abs(longest.sweep)) longest = wall;
     });
     const Point& center = std::abs(longest.sweep) > long_sweep ? longest.center : middle_;
-    visit_bucket(index, [&](const ProgrammedPiece&, const Piece& wall) {
+    visit_bucket(index, [&](const ProgrammedPiece&, const Piece& wall, std::uint32_t) {
       const Ring own = ring_of(wall, center);
       node.ring = node.ring.exists() ? around(node.ring, own) : own;
     });

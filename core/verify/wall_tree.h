@@ -2,6 +2,8 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
+#include <limits>
 #include <span>
 #include <utility>
 #include <vector>
@@ -53,9 +55,11 @@ class WallTree {
   // there. False: they are too many.
   bool find_near(const Box& box, double reach, std::vector<Stretch>& found) const;
 
-  // Calls `visit(block, wall)` for all walls in the stretches that may be nearer than
+  // Calls `visit(block, wall, first)` for all walls in the stretches that may be nearer than
   // `reach(required)`, where `required` is what the wall, or any of those in a node, asks for; the
-  // nearest ones early. What `reach` says may shrink on the way.
+  // nearest ones early. What `reach` says may shrink on the way. Of walls that are the same, lap by
+  // lap, only the last one is visited, which is one for the path of all laps before it; `first` is
+  // the contour block of the first.
   template <class Reach, class Visit>
   void for_each_near(const Probe& probe, std::span<const Stretch> stretches, const Reach& reach,
                      const Visit& visit) const {
@@ -92,7 +96,8 @@ class WallTree {
 
   // Of a tree over so many pieces.
   [[nodiscard]] static std::size_t bytes_for(std::size_t pieces) {
-    return sizeof(Node) * (2 * (pieces / bucket_size) + most_levels);
+    return sizeof(Node) * (2 * (pieces / bucket_size) + most_levels) +
+           pieces * (sizeof(std::size_t) + sizeof(std::uint32_t));
   }
 
  private:
@@ -121,17 +126,25 @@ class WallTree {
   void visit_bucket(std::size_t index, const Visit& visit) const {
     const std::size_t first = begin_ + index * bucket_size;
     const std::size_t behind = std::min(first + bucket_size, end_);
-    for (std::size_t number = first; number < behind; ++number)
-      visit_wall(held_.programmed()[number], visit);
+    for (std::size_t number = first; number < behind; ++number) visit_wall(number, visit);
   }
   // With what of the block is a wall.
   template <class Visit>
-  void visit_wall(const ProgrammedPiece& block, const Visit& visit) const {
-    if (!block.is_contour || sides_.is_lead(block.number)) return;
-    if (!has_parts_) return visit(block, block.piece);
+  void visit_wall(std::size_t number, const Visit& visit) const {
+    const ProgrammedPiece& block = held_.programmed()[number];
+    if (!is_wall(block)) return;
+    const std::uint32_t first = first_.empty() ? block.number : first_[number - begin_];
+    if (first == hidden) return;
+    if (!has_parts_) return visit(block, block.piece, first);
     const auto part = sides_.part_of(block.number);
-    visit(block, part ? piece_of(sides_.wall(block.number, segment_of(block.piece))) : block.piece);
+    visit(block, part ? piece_of(sides_.wall(block.number, segment_of(block.piece))) : block.piece,
+          first);
   }
+  [[nodiscard]] bool is_wall(const ProgrammedPiece& block) const {
+    return block.is_contour && !sides_.is_lead(block.number);
+  }
+  // Laps on top of each other would make every wall as many as there are laps.
+  void hide_copies(Checkpoint& checkpoint);
   void find_middle(Checkpoint& checkpoint);
   void build_buckets(Checkpoint& checkpoint);
   void build_level(const Level& below, Checkpoint& checkpoint);
@@ -144,7 +157,10 @@ class WallTree {
   bool has_parts_ = false;
   std::size_t walls_ = 0;
   Point middle_ = Point::Zero();  // of all walls
-  std::vector<Node> nodes_;       // level by level, buckets first
+  // For each piece the first of those like it, as a contour block; none: no wall is there twice.
+  std::vector<std::uint32_t> first_;
+  static constexpr std::uint32_t hidden = std::numeric_limits<std::uint32_t>::max();
+  std::vector<Node> nodes_;  // level by level, buckets first
   std::vector<Level> levels_;
 };
 

@@ -65,7 +65,7 @@ class Contour {
       if (tree_[node].empty || distance(tree_[node], place) > reach) continue;
       if (node >= leaves_) {
         const std::size_t number = node - leaves_;
-        if (!walls_.is_wall_for(number, own)) continue;
+        if (walls_.is_lead(number) || !walls_.is_wall_for(number, own)) continue;
         const MotionBlock& block = *blocks_[number];
         const auto part = walls_.part_of(number);
         visit(block, part ? part_of(block.path, wall_of(number)) : block.path,

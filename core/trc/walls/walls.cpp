@@ -22,13 +22,17 @@ std::size_t Walls::ring_of(std::size_t number) const {
                                   rings.begin());
 }
 
-double Walls::touch_between(std::size_t number, std::size_t path) const {
+double Walls::touch_at_closing(std::size_t number, std::size_t path) const {
   // Of several laps the last one begins and ends within the tail.
   const bool in_tail = !rings.empty() && tail.holds(path);
   const bool at_closing = (head.holds(number) && tail.holds(path)) ||
                           (tail.holds(number) && (head.holds(path) || in_tail));
+  return at_closing ? touch : 0;
+}
+
+double Walls::touch_between(std::size_t number, std::size_t path) const {
   const bool on_top = !rings.empty() && ring_of(number) > ring_of(path);
-  return std::max(at_closing ? touch : 0, on_top ? touch_of_rings : 0);
+  return std::max(touch_at_closing(number, path), on_top ? touch_of_rings : 0);
 }
 
 }  // namespace trc

@@ -76,6 +76,8 @@ struct Walls {
     return number == path ||
            (!is_lead(number) && (rings.empty() || ring_of(number) >= ring_of(path)));
   }
+  // What of that comes from the closing.
+  [[nodiscard]] double touch_at_closing(std::size_t number, std::size_t path) const;
   // How much nearer than the tool radius that path may come to it, mm.
   [[nodiscard]] double touch_between(std::size_t number, std::size_t path) const;
 
