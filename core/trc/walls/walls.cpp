@@ -23,10 +23,13 @@ std::size_t Walls::ring_of(std::size_t number) const {
 }
 
 double Walls::touch_between(std::size_t number, std::size_t path) const {
-  // Of several laps the last one begins and ends within the tail.
-  const bool in_tail = !rings.empty() && tail.holds(path);
-  const bool at_closing = (head.holds(number) && tail.holds(path)) ||
-                          (tail.holds(number) && (head.holds(path) || in_tail));
+  const auto meet = [&](const Range& begin) {
+    return (begin.holds(number) && tail.holds(path)) || (tail.holds(number) && begin.holds(path));
+  };
+  // Of several laps the end lies on the begin of the last one, which may be within the tail.
+  const bool at_last_ring = !rings.empty() && (meet({rings.back(), rings.back() + 2}) ||
+                                               (tail.holds(number) && tail.holds(path)));
+  const bool at_closing = meet(head) || at_last_ring;
   const bool on_top = !rings.empty() && ring_of(number) > ring_of(path);
   return std::max(at_closing ? touch : 0, on_top ? touch_of_rings : 0);
 }

@@ -52,8 +52,8 @@ struct Walls {
   // one, in order. A block parted by the visit belongs to the ring behind it.
   std::vector<std::size_t> rings{};
   // The path of the blocks of one of these may come nearer to the walls of the other one, and where
-  // there are rings, of `tail` to those of `tail`, by `touch`, mm: the end of the contour lies on
-  // its begin as exactly as it was programmed.
+  // there are rings, of `tail` to those of `tail` and of the begin of the last ring, by `touch`,
+  // mm: the end of the contour lies on its begin as exactly as it was programmed.
   Range head{};
   Range tail{};
   double touch = 0;
