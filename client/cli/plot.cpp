@@ -29,6 +29,10 @@ Exit run(const Call& call) {
     std::cerr << "trc: -o " << call.output << ": the name must end in .svg or .html\n";
     return Exit::wrong_call;
   }
+  if (is_same_file(call.program.file, call.output)) {
+    std::cerr << "trc: -o " << call.output << " is the program itself; write another file\n";
+    return Exit::wrong_call;
+  }
   Input input(call.program.file);
   Output output(call.output);
   if (!input.open() || !output.open()) return Exit::wrong_call;
@@ -62,8 +66,10 @@ void add_plot(CLI::App& app, Action& action) {
       "Leads are thin, rapid moves dashed, masked or removed blocks red, transition blocks light "
       "blue; red\nand dashed is what was programmed where another contour is compensated "
       "(CONV_CIR_TO_LIN,\nKERF_MASKING). Warnings are yellow at their place.\n"
-      "Where the measured path comes nearer to the contour than the tool radius, warning 900216 says\n"
-      "where. A refused program gives the picture of what was certain, with the place marked, and exit "
+      "Where the measured path comes nearer to the contour than the tool radius, warning 900216 "
+      "says\n"
+      "where. A refused program gives the picture of what was certain, with the place marked, and "
+      "exit "
       "code 1.\n\n" +
       settings_help());
   command->callback([call, &action] { action = [call] { return run(*call); }; });
