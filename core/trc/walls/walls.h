@@ -57,7 +57,8 @@ struct Walls {
   Range head{};
   Range tail{};
   double touch = 0;
-  // The same, mm, for the path of one ring and the walls of later ones, which lie on top of it.
+  // The same, mm, for the path of one ring and the walls of later ones, which lie on top of it, and
+  // for the end of each ring on its begin.
   double touch_of_rings = 0;
 
   [[nodiscard]] bool are_all() const { return leads.empty() && parts.empty() && rings.empty(); }
