@@ -29,6 +29,10 @@ Exit run(const Call& call) {
     std::cerr << "trc: -o " << call.output << ": the name must end in .svg or .html\n";
     return Exit::wrong_call;
   }
+  if (is_same_file(call.program.file, call.output)) {
+    std::cerr << "trc: -o " << call.output << " is the program itself; write another file\n";
+    return Exit::wrong_call;
+  }
   Input input(call.program.file);
   Output output(call.output);
   if (!input.open() || !output.open()) return Exit::wrong_call;

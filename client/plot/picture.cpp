@@ -5,11 +5,13 @@
 #include <cstdint>
 #include <iterator>
 #include <map>
+#include <optional>
 #include <string_view>
 #include <utility>
 #include <vector>
 
 #include "client/plot/changed_contour.h"
+#include "core/geometry/along.h"
 #include "core/trc/result/listing.h"
 #include "core/trc/walls/selection_contours.h"
 
@@ -46,22 +48,36 @@ Plane plane_to_show(const Contents& contents) {
   return contents.path.empty() ? Plane::xy : contents.path.front().plane;
 }
 
-// Contour blocks that are no walls, by their Source::index.
+// What of the contour blocks is no wall, by their Source::index.
 class LeadBlocks {
  public:
+  // mm from the start of a block; nothing of a lead is a wall.
+  struct Wall {
+    double from = 0;
+    double to = 0;
+  };
+
   explicit LeadBlocks(const Contents& contents) {
     for (const SelectionContour& contour : contours_of(contents.programmed)) {
       const SidedWalls walls = find_walls(contour, contents.leads);
-      for (std::size_t number = 0; number < contour.blocks.size(); ++number)
-        if (walls.is_lead(number)) indices_.push_back(contour.blocks[number]->source.index);
+      for (std::size_t number = 0; number < contour.blocks.size(); ++number) {
+        const MotionBlock& block = *contour.blocks[number];
+        if (walls.is_lead(number))
+          walls_.insert_or_assign(block.source.index, Wall{});
+        else if (const auto part = walls.part_of(number))
+          walls_.insert_or_assign(block.source.index,
+                                  Wall{part->from, std::min(part->to, length_of(block.path))});
+      }
     }
   }
-  [[nodiscard]] bool contains(std::uint64_t index) const {
-    return std::binary_search(indices_.begin(), indices_.end(), index);
+  // Nothing: all of the block is a wall.
+  [[nodiscard]] std::optional<Wall> wall_of(std::uint64_t index) const {
+    const auto found = walls_.find(index);
+    return found == walls_.end() ? std::nullopt : std::optional(found->second);
   }
 
  private:
-  std::vector<std::uint64_t> indices_{};  // in order
+  std::map<std::uint64_t, Wall> walls_{};
 };
 
 class Composer {
@@ -121,7 +137,7 @@ class Composer {
       std::visit(overloaded{[&](const MotionBlock& motion) {
                               if (!motion.mode) return;
                               const bool lost = masked.contains(motion.source.index);
-                              show(motion, lost, leads.contains(motion.source.index));
+                              show(motion, lost, leads.wall_of(motion.source.index));
                               const PlaneAxes axes = axes_of(motion.mode->plane);
                               const Place end = place_at(motion.path, 1);
                               position[axes.first] = end.point.x();
@@ -137,7 +153,7 @@ class Composer {
     flush_joined();
   }
 
-  void show(const MotionBlock& motion, bool lost, bool leads) {
+  void show(const MotionBlock& motion, bool lost, const std::optional<LeadBlocks::Wall>& wall) {
     const Plane plane = motion.mode->plane;
     const auto changed = changed_.find(motion.source.index);
     if (changed != changed_.end()) {
@@ -149,12 +165,17 @@ class Composer {
            .title = number_of(motion.source) + " contour, changed"});
       return;
     }
-    const std::string what = leads ? " lead" : " contour";
-    const Layer drawn = leads ? Layer::lead : Layer::programmed;
-    add({.layer = lost ? Layer::masked : drawn,
-         .rapid = motion.rapid,
-         .segments = project(plane, motion.path, motion.normal, picture_.plane),
-         .title = number_of(motion.source) + what + (lost ? ", not travelled" : "")});
+    // A block the closing point lies in is a wall on one side of it and a lead on the other one.
+    const bool parted = wall && wall->to > wall->from && !lost && is_finite(motion.path);
+    if (parted) {
+      const double length = length_of(motion.path);
+      show_part(motion, 0, wall->from, true);
+      show_part(motion, wall->from, wall->to, false);
+      show_part(motion, wall->to, length, true);
+    } else {
+      const bool leads = wall && !(wall->to > wall->from);
+      show(motion, motion.path, lost ? Layer::masked : leads ? Layer::lead : Layer::programmed);
+    }
     if (plane != picture_.plane || !single_ || !is_finite(motion.path)) return;
     const Place middle = place_at(motion.path, 0.5);
     const Vector left = left_of(middle.direction);
@@ -162,6 +183,22 @@ class Composer {
     picture_.numbers.push_back({.at = middle.point,
                                 .aside = motion.mode->side == Side::left ? Vector(-left) : left,
                                 .text = number_of(motion.source)});
+  }
+
+  void show_part(const MotionBlock& motion, double from, double to, bool leads) {
+    if (!(to > from)) return;
+    const Segment part = stretch_of(motion.path, from, to, point_along(motion.path, from),
+                                    point_along(motion.path, to));
+    show(motion, part, leads ? Layer::lead : Layer::programmed);
+  }
+
+  void show(const MotionBlock& motion, const Segment& part, Layer layer) {
+    const bool lost = layer == Layer::masked;
+    add({.layer = layer,
+         .rapid = motion.rapid,
+         .segments = project(motion.mode->plane, part, motion.normal, picture_.plane),
+         .title = number_of(motion.source) + (layer == Layer::lead ? " lead" : " contour") +
+                  (lost ? ", not travelled" : "")});
   }
 
   void show(const PassiveBlock& passive, const Position& position) {

@@ -81,12 +81,12 @@ constexpr auto rows = std::to_array<CodeRow>({
      "Correct I, J, K or the end point, or let G165 correct the centre."},
     {Code::line_reversed, error, "LINE_REVERSED",
      "the compensated line runs against the programmed one: the contour would be damaged",
-     "Use a smaller tool. G141 masks such blocks, and with #TRC [REMOVE_MASKED_BLOCKS=1] leaves "
-     "out whole loops."},
+     "Use a smaller tool. Where they are off, G141 masks such blocks, and with it #TRC "
+     "[REMOVE_MASKED_BLOCKS=1] leaves out whole loops."},
     {Code::arc_wrapped, error, "ARC_WRAPPED",
      "the compensated arc is longer than the programmed one: the contour would be damaged",
-     "Use a smaller tool. G141 masks such blocks, and with #TRC [REMOVE_MASKED_BLOCKS=1] leaves "
-     "out whole loops."},
+     "Use a smaller tool. Where they are off, G141 masks such blocks, and with it #TRC "
+     "[REMOVE_MASKED_BLOCKS=1] leaves out whole loops."},
     {Code::no_feed_adaptation_in_tangential_block, warning,
      "NO_FEED_ADAPTATION_IN_TANGENTIAL_BLOCK",
      "the feed of the G05 block cannot be adapted (G11): the tool radius is too large",

@@ -198,12 +198,16 @@ class Selection {
     if (gap.distance < limit) note(path, gap.distance, required, gap.on_a, block.source);
   }
 
-  // One of them may lie in the lap of the path itself: what laps on top of each other may differ by
-  // does not hold then.
+  // One of them lies in the lap of the path itself: as far behind the begin of that.
   [[nodiscard]] double touch_of_laps(std::size_t last, std::size_t first, std::size_t own) const {
     const Walls& walls = sides_.sides.front();
-    return walls.ring_of(first) <= walls.ring_of(own) ? walls.touch_at_closing(last, own)
-                                                      : walls.touch_between(last, own);
+    const std::size_t ring = walls.ring_of(own);
+    if (walls.ring_of(first) > ring) return walls.touch_between(last, own);
+    const auto begin_of = [&](std::size_t number) {
+      return number > 0 ? walls.rings[number - 1] : walls.head.end - 2;
+    };
+    const std::size_t same = last - begin_of(walls.ring_of(last)) + begin_of(ring);
+    return walls.ring_of(same) == ring ? walls.touch_between(same, own) : 0;
   }
 
   // Whether the middle of the path lies on the side of its own block that the program asks for.

@@ -113,6 +113,25 @@ TEST(Svg, DrawsLeadsThinner) {
   EXPECT_EQ(paths_in(group(svg, "programmed")).size(), 4u);
 }
 
+// The closing point lies in the first wall: an overrun of the last one ends at it.
+TEST(Svg, DrawsOneBlockThinAndThickWhereTheClosingPartsIt) {
+  const std::vector<Block> contour{motion(10, Line{{-20, -20}, {-10, 0}}, mode(Side::left)),
+                                   motion(20, Line{{-10, 0}, {50, 0}}, mode(Side::left)),
+                                   motion(30, Line{{50, 0}, {0, -50}}, mode(Side::left)),
+                                   motion(40, Line{{0, -50}, {0, 20}}, mode(Side::left))};
+  const std::string svg = svg_of(contour, {});
+  EXPECT_EQ(paths_in(group(svg, "programmed")).size(), 4u);
+  const auto leads = paths_in(group(svg, "lead"));
+  ASSERT_EQ(leads.size(), 2u);
+  const auto in = numbers_in(leads[0]);   // 10 mm along X
+  const auto out = numbers_in(leads[1]);  // 20 mm along Y
+  ASSERT_EQ(in.size(), 4u);
+  ASSERT_EQ(out.size(), 4u);
+  EXPECT_EQ(in[1], in[3]);
+  EXPECT_NEAR(out[1] - out[3], 2 * (in[2] - in[0]), 1e-3);
+  EXPECT_NEAR(out[0], in[2], 1e-3);
+}
+
 TEST(Svg, DrawsContourBlackPathBlueAndTransitionLighter) {
   const std::string svg = svg_of(corner_contour, corner_path);
   EXPECT_NE(group(svg, "programmed").find("stroke=\"black\""), std::string::npos);

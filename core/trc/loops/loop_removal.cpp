@@ -785,7 +785,8 @@ bool LoopRemoval::refuse(const Onset& onset) {
   const TrcMode& mode = path_.mode_of(at_.block);
   const Segment travelled = path(at_.block).path;
   Diagnostic violation =
-      diagnostic(is_arc(own.programmed) ? Code::arc_wrapped : Code::line_reversed, own.source);
+      diagnostic(is_arc(own.programmed) ? Code::arc_wrapped : Code::line_reversed, own.source,
+                 "REMOVE_MASKED_BLOCKS finds no way past this block");
   const Source other = contour(onset.obstacle).source;
   violation.values = {{"tool_radius", path_.radius_of_tool(at_.block)}};
   append_place(violation.values, "other", other);

@@ -22,17 +22,24 @@ std::size_t Walls::ring_of(std::size_t number) const {
                                   rings.begin());
 }
 
-double Walls::touch_at_closing(std::size_t number, std::size_t path) const {
-  // Of several laps the last one begins and ends within the tail.
-  const bool in_tail = !rings.empty() && tail.holds(path);
-  const bool at_closing = (head.holds(number) && tail.holds(path)) ||
-                          (tail.holds(number) && (head.holds(path) || in_tail));
-  return at_closing ? touch : 0;
-}
-
 double Walls::touch_between(std::size_t number, std::size_t path) const {
-  const bool on_top = !rings.empty() && ring_of(number) > ring_of(path);
-  return std::max(touch_at_closing(number, path), on_top ? touch_of_rings : 0);
+  const auto meet = [&](const Range& begin, const Range& end) {
+    return (begin.holds(number) && end.holds(path)) || (end.holds(number) && begin.holds(path));
+  };
+  double most = meet(head, tail) ? touch : 0;
+  if (rings.empty()) return most;
+  // Of several laps the end lies on the begin of the last one, which may be within the tail.
+  const auto begin_of = [&](std::size_t ring) {
+    return ring > 0 ? Range{rings[ring - 1], rings[ring - 1] + 2} : head;
+  };
+  if (meet(begin_of(rings.size()), tail) || meet(tail, tail)) most = std::max(most, touch);
+  const std::size_t ring = ring_of(path);
+  const std::size_t of_wall = ring_of(number);
+  if (of_wall > ring) return std::max(most, touch_of_rings);
+  if (of_wall < ring || ring == rings.size()) return most;
+  // Each lap before ends on its begin too, by an overrun of its own.
+  const Range end{rings[ring] - std::min<std::size_t>(rings[ring], 3), rings[ring]};
+  return meet(begin_of(ring), end) ? std::max(most, touch_of_rings) : most;
 }
 
 }  // namespace trc

@@ -52,12 +52,13 @@ struct Walls {
   // one, in order. A block parted by the visit belongs to the ring behind it.
   std::vector<std::size_t> rings{};
   // The path of the blocks of one of these may come nearer to the walls of the other one, and where
-  // there are rings, of `tail` to those of `tail`, by `touch`, mm: the end of the contour lies on
-  // its begin as exactly as it was programmed.
+  // there are rings, of `tail` to those of `tail` and of the begin of the last ring, by `touch`,
+  // mm: the end of the contour lies on its begin as exactly as it was programmed.
   Range head{};
   Range tail{};
   double touch = 0;
-  // The same, mm, for the path of one ring and the walls of later ones, which lie on top of it.
+  // The same, mm, for the path of one ring and the walls of later ones, which lie on top of it, and
+  // for the end of each ring on its begin.
   double touch_of_rings = 0;
 
   [[nodiscard]] bool are_all() const { return leads.empty() && parts.empty() && rings.empty(); }
@@ -76,8 +77,6 @@ struct Walls {
     return number == path ||
            (!is_lead(number) && (rings.empty() || ring_of(number) >= ring_of(path)));
   }
-  // What of that comes from the closing.
-  [[nodiscard]] double touch_at_closing(std::size_t number, std::size_t path) const;
   // How much nearer than the tool radius that path may come to it, mm.
   [[nodiscard]] double touch_between(std::size_t number, std::size_t path) const;
 
