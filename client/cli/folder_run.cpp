@@ -83,6 +83,7 @@ pid_t start(const FolderRun& run, Item& item) {
                                  item.output, "--record",   item.record};
   words.insert(words.end(), run.arguments.begin(), run.arguments.end());
   std::vector<char*> pointers;
+  pointers.reserve(words.size() + 1);
   for (std::string& word : words) pointers.push_back(word.data());
   pointers.push_back(nullptr);
   item.told.reset(std::tmpfile());

@@ -58,7 +58,9 @@ void expect_as_judged(const Measured& given, const std::string& what) {
   if (!judged.worst) {
     // It looks no farther than 1 mm and a hundredth of the radius beyond the tool.
     constexpr double far = 0.9;
-    if (found.worst) EXPECT_GT(found.worst->margin(), far);
+    if (found.worst) {
+      EXPECT_GT(found.worst->margin(), far);
+    }
     return;
   }
   ASSERT_TRUE(found.worst.has_value());

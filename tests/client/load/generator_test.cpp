@@ -79,7 +79,8 @@ TEST(Load, OpenLoopCountsAStallForAllWhoMeantToComeDuringIt) {
   EXPECT_LE(outcome.most_open, 2U);
   // A third of all began in the first 330 ms and so took 70 ms at least.
   EXPECT_GT(stream.at(0.70), milliseconds(60));
-  EXPECT_GT(stream.max(), milliseconds(380));
+  // The first one waited for all of it but what the run took to begin.
+  EXPECT_GT(stream.max(), milliseconds(300));
   EXPECT_TRUE(outcome.tally.errors.empty()) << outcome.tally.first_error;
 }
 
