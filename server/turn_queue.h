@@ -113,7 +113,7 @@ class TurnQueue {
     return group.standing_ < most_standing_of_group && standing_ < most_standing;
   }
 
-  Waiting take(Turns::iterator place, std::deque<Waiting>::iterator next) {
+  Waiting take(Turns::iterator place, const std::deque<Waiting>::iterator& next) {
     Group& group = **place;
     const Waiting taken = *next;
     group.waiting_.erase(next);

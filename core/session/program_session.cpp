@@ -143,7 +143,7 @@ bool ProgramSession::Parts::advance(ProgramOutput& out) {
       std::ranges::find_if(lines, [index = program.held_from()](const LinePointer& line) {
         return line->source.index >= index;
       });
-  for (LinePointer& line : std::ranges::subrange(lines.begin(), held)) {
+  for (LinePointer& line : std::span(lines.begin(), held)) {
     goes_on = goes_on && take(line, out);
     if (goes_on && diagnostics.pending().size() > placed) {
       goes_on = compensate(out);

@@ -1,7 +1,6 @@
 #!/usr/bin/env bash
-# clang-tidy over the sources of core, proto/wire, server and client: over all of them in continuous
-# integration and with TRC_TEST_LONG, else over those that differ from the last commit, and those of
-# headers that do.
+# clang-tidy over the sources of core, proto/wire, server and client: over all of them with
+# TRC_TEST_LONG, else over those that differ from the last commit, and those of headers that do.
 # Usage, from the top of the source tree: tidy.sh <scratch folder>
 #
 # The scratch folder keeps a build description of its own (one command for each file, no
@@ -36,7 +35,7 @@ export -f check
 
 # Sources to check, of those on standard input.
 due() {
-  if [ -n "${TRC_TEST_LONG:-}${CI:-}" ] || ! git rev-parse -q --verify HEAD >/dev/null 2>&1; then
+  if [ -n "${TRC_TEST_LONG:-}" ] || ! git rev-parse -q --verify HEAD >/dev/null 2>&1; then
     cat
   else
     grep -Fxf <({ git diff --name-only HEAD; git ls-files --others --exclude-standard; } |
