@@ -180,7 +180,7 @@ std::shared_ptr<const Lines> View::output() const {
 void View::make_output(const std::function<void()>& interrupt) {
   SessionSetup session_setup = settings_.path.session;
   session_setup.compensator.interrupt = interrupt;
-  session_setup.verify = false;
+  session_setup.verify = Verify::off;
   ProgramSession session(
       {.session = session_setup, .nc_text = true, .decimals = settings_.decimals});
   ProgramOutput out;
