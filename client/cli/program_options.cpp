@@ -38,7 +38,8 @@ void add_setup_options(CLI::App& command, ProgramOptions& options) {
       ->transform(CLI::IsMember({"refuse", "copy"}, CLI::ignore_case));
   command
       .add_option("--tools", options.tools,
-                  "Table of tools: CSV with the header number,radius, a tool table of LinuxCNC, "
+                  "Table of tools: CSV with the header number,radius (mm, whatever the program "
+                  "counts in), a tool table of LinuxCNC, "
                   "G10 lines of Fanuc")
       ->type_name("FILE")
       ->check(CLI::ExistingFile);

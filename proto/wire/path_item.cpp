@@ -6,34 +6,35 @@
 namespace trc::wire {
 namespace {
 
-void to_proto(const verify::ClearanceReport& report, v1::Clearance& message) {
+// What the two messages that tell a clearance have in common.
+template <class Message>
+void tell_where(const verify::ClearanceReport& report, Message& message) {
   const verify::Clearance& worst = *report.worst;
-  message.set_distance(worst.distance);
   message.set_tool_radius(worst.required);
-  wire::to_proto(worst.place, *message.mutable_point());
+  to_proto(worst.place, *message.mutable_point());
   if (worst.path.number != Source::no_number)
     message.set_source_number(static_cast<std::uint64_t>(worst.path.number));
   message.set_source_index(worst.path.index);
-  if (worst.contour.number != Source::no_number)
-    message.set_contour_number(static_cast<std::uint64_t>(worst.contour.number));
-  message.set_contour_index(worst.contour.index);
   message.set_blocks_checked(report.checked);
   message.set_blocks_gouging(report.gouging);
 }
 
-void to_proto(const verify::ClearanceReport& report, v1::Certificate& message) {
-  const verify::Clearance& worst = *report.worst;
-  message.set_clearance(worst.distance);
-  message.set_tool_radius(worst.required);
-  wire::to_proto(worst.place, *message.mutable_point());
-  if (worst.path.number != Source::no_number)
-    message.set_source_number(static_cast<std::uint64_t>(worst.path.number));
-  message.set_source_index(worst.path.index);
-  if (worst.contour.number != Source::no_number)
-    message.set_wall_number(static_cast<std::uint64_t>(worst.contour.number));
-  message.set_wall_index(worst.contour.index);
-  message.set_blocks_checked(report.checked);
-  message.set_blocks_gouging(report.gouging);
+void tell(const verify::ClearanceReport& report, v1::Clearance& message) {
+  tell_where(report, message);
+  const Source& contour = report.worst->contour;
+  message.set_distance(report.worst->distance);
+  if (contour.number != Source::no_number)
+    message.set_contour_number(static_cast<std::uint64_t>(contour.number));
+  message.set_contour_index(contour.index);
+}
+
+void tell(const verify::ClearanceReport& report, v1::Certificate& message) {
+  tell_where(report, message);
+  const Source& wall = report.worst->contour;
+  message.set_clearance(report.worst->distance);
+  if (wall.number != Source::no_number)
+    message.set_wall_number(static_cast<std::uint64_t>(wall.number));
+  message.set_wall_index(wall.index);
   message.set_walls(report.walls);
   message.set_method_version(verify::method_version);
 }
@@ -71,8 +72,8 @@ void to_proto(const PathSummary& summary, v1::PathSummary& message) {
   message.set_compensated_length(core.compensated_length);
   if (summary.clearance.wall_length > 0) message.set_coverage(summary.clearance.coverage());
   if (summary.clearance.worst) {
-    to_proto(summary.clearance, *message.mutable_min_clearance());
-    to_proto(summary.clearance, *message.mutable_certificate());
+    tell(summary.clearance, *message.mutable_min_clearance());
+    tell(summary.clearance, *message.mutable_certificate());
   }
   for (std::size_t origin = 0; origin < core.blocks_by_origin.size(); ++origin) {
     if (core.blocks_by_origin[origin] == 0) continue;

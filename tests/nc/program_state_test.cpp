@@ -308,7 +308,7 @@ TEST_F(Program, AShiftOfOneAxisLeavesTheOthersKnown) {
   EXPECT_EQ(code(), Code{});
 }
 
-TEST_F(Program, ASelectionNeedsARadiusWithItsFirstMotion) {
+TEST_F(Program, ASelectionNeedsARadiusWithItsFirstMotion) {  // D-40
   ProgramState state = make_without_radius();
   EXPECT_TRUE(state.select(Side::left, at(40)));
   EXPECT_TRUE(state.pass(at(45), "M8"));

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "core/base/archive.h"
 #include "core/nc/dialect/dialect.h"
 #include "core/nc/text/number_format.h"
 #include "core/session/program_session.h"
@@ -113,6 +114,32 @@ Written run(const std::string& text, ProgramSessionSetup setup, bool nc_text,
           .stopped = session.diagnostics().stopped()};
 }
 
+// Each piece in a session of its own.
+Written run_resumed(const std::string& text, const ProgramSessionSetup& setup, std::size_t piece) {
+  Written result;
+  std::string state;
+  for (std::size_t at = 0; at < text.size() && !result.stopped; at += piece) {
+    ProgramSession session(setup);
+    if (!state.empty()) {
+      std::istringstream stream(state);
+      StateReader archive(stream);
+      session.load(archive);
+    }
+    ProgramOutput output;
+    if (session.feed(std::string_view(text).substr(at, piece), output) && at + piece >= text.size())
+      session.finish(output);
+    std::ostringstream stream;
+    StateWriter archive(stream);
+    session.save(archive);
+    state = stream.str();
+    result.text += output.text;
+    for (Diagnostic& told : session.diagnostics().take())
+      result.diagnostics.push_back(std::move(told));
+    result.stopped = session.diagnostics().stopped();
+  }
+  return result;
+}
+
 std::vector<std::string> lines_of(const std::string& text) {
   std::vector<std::string> lines;
   std::istringstream stream(text);
@@ -142,6 +169,17 @@ TEST_P(OfADialect, GivesTheSameInPieces) {
     const Written pieces = run(program.text, program.setup, true, piece);
     EXPECT_EQ(pieces.text, whole.text);
     EXPECT_EQ(pieces.report(), whole.report());
+  }
+}
+
+// A state is saved and read again behind each piece, wherever that ends.
+TEST_P(OfADialect, GivesTheSameResumed) {
+  const DialectProgram& program = GetParam();
+  const Written whole = run(program.text, program.setup, true);
+  for (const std::size_t piece : {1, 23}) {
+    const Written resumed = run_resumed(program.text, program.setup, piece);
+    EXPECT_EQ(resumed.text, whole.text);
+    EXPECT_EQ(resumed.report(), whole.report());
   }
 }
 

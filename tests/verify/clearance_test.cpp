@@ -211,6 +211,26 @@ TEST(Clearance, CountsTheChangeOfSideAsContourWhereItTurnsOnTheSpotOnly) {
   EXPECT_EQ(measure_clearance(back, path, 1e-4).gouging, 1u);
 }
 
+// D-42: what is cut on one side is in the way of the path on the other, but at the change itself.
+TEST(Clearance, LooksAcrossAChangeOfSide) {
+  const auto right = [](std::uint64_t number, const Segment& path) {
+    TrcMode mode = *left_of_contour(10);
+    mode.side = Side::right;
+    return MotionBlock{
+        .source = source(number), .path = path, .mode = std::make_shared<const TrcMode>(mode)};
+  };
+  const std::vector<CompensatedBlock> path{path_block(1, Line{{0, 10}, {100, 10}})};
+  const auto gouging_beside = [&](double nearest) {
+    const std::vector<Block> programmed{
+        contour(0, Line{{-20, 0}, {0, 0}}), contour(1, Line{{0, 0}, {100, 0}}),
+        right(2, Line{{100, 0}, {150, 60}}), right(3, Line{{150, 60}, {150, 80}}),
+        right(4, Line{{150, 80}, {50, nearest}})};
+    return measure_clearance(programmed, path, 1e-4).gouging;
+  };
+  EXPECT_EQ(gouging_beside(14), 1U);
+  EXPECT_EQ(gouging_beside(21), 0U);
+}
+
 TEST(Clearance, LeavesApproachAndRetractOut) {
   const std::vector<Block> programmed{contour(0, Line{{-20, 0}, {0, 0}}),
                                       contour(1, Line{{0, 0}, {100, 0}})};
