@@ -175,17 +175,19 @@ std::vector<Segment> rounded(const std::vector<Segment>& ring, double radius) {
   return blocks;
 }
 
-double size_of_leads(const CamContour& contour) { return 2.2 * contour.tool_radius; }
+double size_of_leads(const CamProgram& program) {
+  return program.size_of_leads * program.contour.tool_radius;
+}
 
-double overrun_of(const CamProgram& program) {
+double overrun_of(const CamProgram& program, const std::vector<Segment>& ring) {
   switch (program.overrun) {
     case Overrun::none:
       return 0;
-    case Overrun::one_millimetre:
+    case Overrun::along:
     case Overrun::in_the_last_block:
-      return 1;
+      return program.overrun_length;
     case Overrun::over_a_corner:
-      return length_of(program.contour.ring.front()) + 1;
+      return length_of(ring.front()) + program.overrun_length;
   }
   return 0;
 }
@@ -286,6 +288,17 @@ std::vector<CamContour> cam_contours() {
   return contours;
 }
 
+CamContour turned(CamContour contour, double angle) {
+  const auto place = [&](const Point& point) { return turned_about(point, {0, 0}, angle); };
+  for (Segment& block : contour.ring) {
+    if (const auto* arc = std::get_if<Arc>(&block))
+      block = Arc{place(arc->start), place(arc->end), place(arc->center), arc->sweep};
+    else
+      block = Line{place(start_of(block)), place(end_of(block))};
+  }
+  return contour;
+}
+
 std::string name_of(Lead lead) {
   static constexpr std::array<const char*, std::size(all_leads)> names{
       "none", "line", "arc", "line_and_arc", "half_circle", "square", "one_point", "crossing"};
@@ -309,7 +322,15 @@ std::string name_of(const CamProgram& program) {
   if (program.out != program.in) name += "_" + name_of(program.out);
   for (const std::string& part : {name_of(program.overrun), name_of(program.laps)})
     if (!part.empty()) name += "_" + part;
+  if (program.overrun == Overrun::along && program.overrun_length != 1)
+    name += "_of_" + std::to_string(std::lround(program.overrun_length));
   return name + (program.inch ? "_inch" : program.decimals == 4 ? "_4" : "");
+}
+
+std::vector<Segment> finished_ring(const CamProgram& program) {
+  return program.laps == Laps::rough_and_finish
+             ? rounded(program.contour.ring, program.rounded_corners)
+             : program.contour.ring;
 }
 
 bool is_possible(const CamProgram& program) {
@@ -334,13 +355,27 @@ bool leave_room(const std::vector<Segment>& blocks, double tool_radius) {
   return true;
 }
 
+// From one depth to the next.
+std::vector<Segment> leads_between(const CamProgram& program) {
+  if (program.laps != Laps::depths_and_leads) return {};
+  const std::vector<Segment>& ring = program.contour.ring;
+  const double size = size_of_leads(program);
+  const Point start = start_of(ring.front());
+  std::vector<Segment> between = lead_out(program.out, start, tangent_at_end(ring.back()), size);
+  const std::vector<Segment> in = lead_in(program.in, start, direction_at_start(ring), size);
+  if (between.empty()) return in;
+  between.emplace_back(Line{end_of(between.back()), in.empty() ? start : start_of(in.front())});
+  between.insert(between.end(), in.begin(), in.end());
+  return between;
+}
+
 }  // namespace
 
 bool leaves_room(const CamProgram& program) {
   // The overrun would end in the slot.
   if (program.contour.loops > 0 && program.overrun == Overrun::over_a_corner) return false;
   const std::vector<Segment>& ring = program.contour.ring;
-  const double size = size_of_leads(program.contour);
+  const double size = size_of_leads(program);
   const Point start = start_of(ring.front());
   const auto last_of = [&](std::size_t back) -> const Segment& {
     return ring[(2 * ring.size() - back) % ring.size()];
@@ -350,41 +385,41 @@ bool leaves_room(const CamProgram& program) {
   };
   // Each corner with leads on one side or on both, and the blocks up to the next ones.
   std::vector<Segment> begin = lead_in(program.in, start, direction_at_start(ring), size);
-  const std::vector<Segment> in = begin;
   begin.push_back(ring.front());
   begin.push_back(ring[1 % ring.size()]);
-  std::vector<Segment> end = beginning_of(ring, overrun_of(program));
+  std::vector<Segment> end = beginning_of(ring, overrun_of(program, ring));
   end.insert(end.begin(), last_of(1));
   if (end.size() == 1) end.insert(end.begin(), last_of(2));
   const std::vector<Segment> leaving = out(end.back());
   end.insert(end.end(), leaving.begin(), leaving.end());
   const double radius = program.contour.tool_radius;
   if (!leave_room(begin, radius) || !leave_room(end, radius)) return false;
-  if (program.laps != Laps::depths_and_leads || in.empty()) return true;
-  std::vector<Segment> between = out(ring.back());
+  if (!leads_between_are_short(program)) return false;
+  std::vector<Segment> between = leads_between(program);
   if (between.empty()) return true;
-  between.emplace_back(Line{end_of(between.back()), start_of(in.front())});
-  between.insert(between.end(), in.begin(), in.end());
+  between.insert(between.begin(), ring.back());
+  between.push_back(ring.front());
+  return leave_room(between, radius);
+}
+
+bool leads_between_are_short(const CamProgram& program) {
   const auto length_of_all = [](const std::vector<Segment>& blocks) {
     double length = 0;
     for (const Segment& block : blocks) length += length_of(block);
     return length;
   };
-  // A longer way is a ring of walls like the others.
-  if (length_of_all(between) >= 0.25 * length_of_all(ring)) return false;
-  between.insert(between.begin(), ring.back());
-  between.push_back(ring.front());
-  return leave_room(between, radius);
+  return length_of_all(leads_between(program)) < 0.25 * length_of_all(program.contour.ring);
 }
 
 std::string text_of(const CamProgram& program, const std::string& modes) {
   const CamContour& contour = program.contour;
   const std::vector<Segment>& ring = contour.ring;
   const Point start = start_of(ring.front());
-  const double size = size_of_leads(contour);
+  const double size = size_of_leads(program);
   const Vector tangent = direction_at_start(ring);
   const std::vector<Segment> in = lead_in(program.in, start, tangent, size);
-  std::vector<Segment> overrun = beginning_of(ring, overrun_of(program));
+  const std::vector<Segment> finished = finished_ring(program);
+  std::vector<Segment> overrun = beginning_of(finished, overrun_of(program, finished));
   const Vector leaves = tangent_at_end(overrun.empty() ? ring.back() : overrun.back());
   const Point end = overrun.empty() ? start : end_of(overrun.back());
   const std::vector<Segment> out = lead_out(program.out, end, leaves, size);
@@ -419,7 +454,7 @@ std::string text_of(const CamProgram& program, const std::string& modes) {
       break;
     case Laps::rough_and_finish:
       lap(ring, false);
-      lap(rounded(ring, 3), true);
+      lap(finished, true);
       break;
     case Laps::depths:
     case Laps::depths_and_leads:

@@ -19,6 +19,8 @@ struct CamContour {
   std::size_t loops = 0;  // that are taken out of one lap
 };
 [[nodiscard]] std::vector<CamContour> cam_contours();
+// About the origin, rad.
+[[nodiscard]] CamContour turned(CamContour contour, double angle);
 
 enum class Lead {
   none,
@@ -35,9 +37,14 @@ inline constexpr Lead all_leads[] = {Lead::none,         Lead::line,        Lead
                                      Lead::one_point,    Lead::crossing};
 [[nodiscard]] std::string name_of(Lead lead);
 
-enum class Overrun { none, one_millimetre, over_a_corner, in_the_last_block };
-inline constexpr Overrun all_overruns[] = {Overrun::none, Overrun::one_millimetre,
-                                           Overrun::over_a_corner, Overrun::in_the_last_block};
+enum class Overrun {
+  none,
+  along,  // of `overrun_length`
+  over_a_corner,
+  in_the_last_block,
+};
+inline constexpr Overrun all_overruns[] = {Overrun::none, Overrun::along, Overrun::over_a_corner,
+                                           Overrun::in_the_last_block};
 [[nodiscard]] std::string name_of(Overrun overrun);
 
 enum class Laps {
@@ -55,7 +62,10 @@ struct CamProgram {
   Lead in = Lead::none;
   Lead out = Lead::none;
   Overrun overrun = Overrun::none;
+  double overrun_length = 1;  // mm, behind the corner for one over a corner
   Laps laps = Laps::one;
+  double size_of_leads = 2.2;  // tool radii
+  double rounded_corners = 3;  // mm, of the finishing lap
   int decimals = 3;
   bool inch = false;
 };
@@ -63,10 +73,14 @@ struct CamProgram {
 [[nodiscard]] std::string name_of(const CamProgram& program);
 // `modes`: the lines before the selection, as "G141\n#TRC[REMOVE_MASKED_BLOCKS=1]".
 [[nodiscard]] std::string text_of(const CamProgram& program, const std::string& modes);
+// What the last lap goes round.
+[[nodiscard]] std::vector<Segment> finished_ring(const CamProgram& program);
 // Whether the overrun exists: one in the last block needs two lines in a row there.
 [[nodiscard]] bool is_possible(const CamProgram& program);
 // Whether the tool gets round each inside corner of its leads, no block there being shorter than
 // what the corners take from it, and leads between two depths are short enough to be some (D-38).
 [[nodiscard]] bool leaves_room(const CamProgram& program);
+// The latter alone: a longer way is a ring of walls like the others.
+[[nodiscard]] bool leads_between_are_short(const CamProgram& program);
 
 }  // namespace trc::support

@@ -256,6 +256,88 @@ TEST(Walls, LeadsBetweenTwoDepthsAreLeads) {
   EXPECT_FALSE(walls.is_wall_for(3, 10));
 }
 
+// The last depth alone goes on along its begin, and over a corner: the leads between the two others
+// meet where the overrun begins, not where it ends.
+TEST(Walls, LeadsBetweenDepthsAreLeadsWhereTheLastOneOverruns) {
+  const auto depths = [] {
+    return Drawing(-5, -25).line(0, -20).square().line(5, -25).line(-5, -25).line(0, -20).square();
+  };
+  const Walls short_one = depths().line(3, -20).line(8, -25).walls();
+  EXPECT_EQ((Ranges{{0, 1}, {6, 9}, {15, 16}}), short_one.leads);
+  EXPECT_EQ((Numbers{6, 9}), short_one.rings);
+  const Walls over_a_corner = depths().line(20, -20).line(20, -17).line(25, -12).walls();
+  EXPECT_EQ((Ranges{{0, 2}, {6, 9}, {16, 17}}), over_a_corner.leads);
+}
+
+// A finishing lap with round corners, whose overrun leaves the roughing lap in the first of them.
+TEST(Walls, AnOverrunOfTheFinishingLapMayGoRoundItsCorner) {
+  const Walls walls = Drawing(-5.5, 25.5)
+                          .arc(0, 25.5, pi / 2)
+                          .line(30, 20)
+                          .line(30, -20)
+                          .line(-30, -20)
+                          .line(-30, 20)
+                          .line(0, 20)
+                          .line(27, 20)
+                          .arc(27, 17, -pi / 2)
+                          .line(30, -17)
+                          .arc(27, -17, -pi / 2)
+                          .line(-27, -20)
+                          .arc(-27, -17, -pi / 2)
+                          .line(-30, 17)
+                          .arc(-27, 17, -pi / 2)
+                          .line(0, 20)
+                          .line(27, 20)
+                          .arc(27, 17, -pi / 4)
+                          .line(35, 25)
+                          .walls();
+  ASSERT_EQ(1U, walls.rings.size());
+  EXPECT_FALSE(walls.is_wall_for(2, 7)) << "the corner of the roughing lap is in no way";
+}
+
+// The same round a boss, whose laps are a block each.
+TEST(Walls, LeadsBetweenDepthsAreLeadsWhereTheLastCircleOverruns) {
+  const Walls walls = Drawing(-5.5, 30.5)
+                          .arc(0, 30.5, pi / 2)
+                          .arc(0, 0, -2 * pi)
+                          .arc(0, 30.5, pi / 2)
+                          .line(-5.5, 30.5)
+                          .arc(0, 30.5, pi / 2)
+                          .arc(0, 0, -2 * pi)
+                          .arc(0, 0, -0.12)
+                          .line(9.1117, 29.6222)
+                          .walls();
+  EXPECT_EQ((Ranges{{0, 1}, {2, 5}, {7, 8}}), walls.leads);
+}
+
+TEST(Walls, LeadsBetweenDepthsThatAllOverrunBeginWithTheOverrun) {
+  const Walls walls = Drawing(-5, -25)
+                          .line(0, -20)
+                          .square()
+                          .line(3, -20)
+                          .line(8, -25)
+                          .line(-5, -25)
+                          .line(0, -20)
+                          .square()
+                          .line(3, -20)
+                          .line(8, -25)
+                          .walls();
+  EXPECT_EQ((Ranges{{0, 1}, {6, 10}, {16, 17}}), walls.leads);
+}
+
+// A circle along the contour between two depths comes by beside where the last overrun ends.
+TEST(Walls, LeadsBetweenDepthsMayComeNearTheEndOfTheOverrun) {
+  const Walls walls = Drawing(-5.5, -25.5)
+                          .arc(0, -25.5, -pi / 2)
+                          .square()
+                          .arc(0, -25.5, -2 * pi)
+                          .square()
+                          .line(0.3, -20)
+                          .line(5, -25)
+                          .walls();
+  EXPECT_EQ((Ranges{{0, 1}, {6, 7}, {13, 14}}), walls.leads);
+}
+
 TEST(Walls, MarksWinOverTheSearch) {
   const Walls walls = Drawing(-5, -25)
                           .line(0, -20)

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <memory_resource>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "core/base/tolerances.h"
@@ -123,11 +124,30 @@ double length_of_all(const ContourView& contour) {
   return length;
 }
 
+// Where the end of the contour comes onto its begin, if it goes on along it up to `closing`: from
+// there on both are as long. That is where a block begins: a lead along the contour crosses it
+// beside that by its rounding.
+std::optional<Closing::Overrun> overrun_to(const ContourView& contour, const Candidate& closing,
+                                           std::span<const Candidate> candidates,
+                                           double tolerance) {
+  std::optional<Closing::Overrun> overrun;
+  double longest = tolerance;
+  for (const Candidate& begin : candidates) {
+    const double length = closing.before - begin.before;
+    const auto& [number, along] = begin.first;
+    if (along > same_place && along < length_of(contour.segment(number)) - same_place) continue;
+    if (length <= longest || std::abs(begin.behind - closing.behind - length) > tolerance) continue;
+    longest = length;
+    overrun = Closing::Overrun{begin.first, begin.second, begin.point};
+  }
+  return overrun;
+}
+
 // Goes from the outermost candidate inward.
 class InwardSearch {
  public:
   InwardSearch(const ContourView& contour, double tolerance, std::pmr::memory_resource* memory)
-      : contour_(contour), tolerance_(tolerance), memory_(memory) {}
+      : contour_(contour), tolerance_(tolerance), memory_(memory), overrun_(memory) {}
 
   void consider(const Candidate& next) {
     if (!best_) return take(next);
@@ -141,20 +161,30 @@ class InwardSearch {
       // The end goes on along the begin: an overrun, or both part in an acute angle.
       if (next.gap > std::max(best_->gap, Tolerances{}.on_top)) return;
       best_ = next;
+      overrun_.push_back(next);
+      return note(next);
+    }
+    // The same end of an overrun, met by the lead-out too.
+    const bool is_same_end = later <= tolerance_ && earlier <= tolerance_;
+    if (overrun_.size() > 1 && is_same_end) {
+      best_ = overrun_.back() = next;
       return note(next);
     }
     take(next);
   }
 
-  [[nodiscard]] std::optional<Closing> result() const {
+  [[nodiscard]] std::optional<Closing> result(std::span<const Candidate> candidates) {
     if (!best_) return std::nullopt;
-    return closing();
+    stay_with_all_laps();
+    Closing found = closing();
+    found.overrun = overrun_to(contour_, *best_, candidates, tolerance_);
+    return found;
   }
 
  private:
   void take(const Candidate& next) {
     best_ = next;
-    begins_at_ = next.before;
+    overrun_.assign(1, next);
     gap_ = next.gap;
     joins_ = next.second.number;
     longest_ring_.reset();
@@ -165,8 +195,24 @@ class InwardSearch {
     joins_ = std::min(joins_, next.second.number);
     longest_ring_.reset();
   }
+  // The end may cross the first lap where the last one, with round corners, does not come any more:
+  // the contour closes where it still goes round as often as where the overrun begins.
+  void stay_with_all_laps() {
+    const auto laps_at = [&](const Candidate& candidate) {
+      best_ = candidate;
+      return laps_of(
+          visits_of(contour_, closing(), std::min(Tolerances{}.on_top, tolerance_), memory_));
+    };
+    const std::size_t laps = overrun_.size() > 1 ? laps_at(overrun_.front()) : 1;
+    auto behind = overrun_.end();
+    if (laps > 1)
+      behind = std::partition_point(
+          overrun_.begin() + 1, overrun_.end(),
+          [&](const Candidate& candidate) { return laps_at(candidate) >= laps; });
+    best_ = *std::prev(behind);
+  }
   [[nodiscard]] Closing closing() const {
-    const bool overruns = best_->before > begins_at_ + tolerance_;
+    const bool overruns = best_->before > overrun_.front().before + tolerance_;
     return {.first = best_->first,
             .second = best_->second,
             .point = best_->point,
@@ -183,7 +229,7 @@ class InwardSearch {
   double tolerance_;
   std::pmr::memory_resource* memory_;
   std::optional<Candidate> best_{};
-  double begins_at_ = 0;  // of the stretch
+  std::pmr::vector<Candidate> overrun_;  // the stretch up to the best one
   double gap_ = 0;
   std::size_t joins_ = 0;
   std::optional<double> longest_ring_{};
@@ -204,7 +250,7 @@ std::optional<Closing> find_closing(const ContourView& contour, double closing_t
   InwardSearch search(contour, closing_tolerance, memory);
   for (const Candidate& candidate : candidates)
     if (candidate.before + candidate.behind <= most) search.consider(candidate);
-  return search.result();
+  return search.result(candidates);
 }
 
 }  // namespace trc

@@ -31,6 +31,14 @@ struct Closing {
   // How far the two are apart, mm, at most, from where the end of the contour joins its begin.
   double gap = 0;
   std::size_t joins = 0;  // the first block at the end that lies on the begin
+
+  // Where an overrun begins, that is where the contour first comes back.
+  struct Overrun {
+    ContourPlace first{};
+    ContourPlace second{};
+    Point point = Point::Zero();
+  };
+  std::optional<Overrun> overrun{};
 };
 
 // Among the first blocks – five, and all that begin within 10 · R of the start – and the last ones,

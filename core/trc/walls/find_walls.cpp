@@ -16,7 +16,6 @@ constexpr double same_place = 1e-7;  // mm
 
 // A ring between two depths: lead-out, step, lead-in.
 constexpr std::size_t blocks_of_lead_ring = 8;
-constexpr double share_of_lead_ring = 0.25;  // of the longest ring
 
 std::optional<Closing> closing_of(const ContourView& contour, const LeadSettings& settings,
                                   double tool_radius) {
@@ -132,6 +131,16 @@ void add_rings(const ContourView& contour, std::span<const Visit> visits, Leads&
   }
 }
 
+// Of an overrun where it begins: what leads from one lap to the next need not come by where it
+// ends.
+Closing where_laps_meet(Closing closing) {
+  if (!closing.overrun) return closing;
+  closing.first = closing.overrun->first;
+  closing.second = closing.overrun->second;
+  closing.point = closing.overrun->point;
+  return closing;
+}
+
 }  // namespace
 
 Walls find_walls(const ContourView& contour, const LeadSettings& settings, double tool_radius) {
@@ -144,8 +153,12 @@ Walls find_walls(const ContourView& contour, const LeadSettings& settings, doubl
     walls.head = {0, closing->first.number + 2};
     walls.tail = {closing->joins - std::min<std::size_t>(closing->joins, 1), contour.count};
     walls.touch = closing->gap;
-    add_rings(contour, visits_of(contour, *closing, settings.closing_tolerance, scratch.memory()),
-              leads, walls);
+    add_rings(
+        contour,
+        visits_of(contour, where_laps_meet(*closing), settings.closing_tolerance, scratch.memory()),
+        leads, walls);
+    if (closing->overrun)
+      walls.blocks_of_overrun = closing->first.number - closing->overrun->first.number;
     if (!walls.rings.empty())
       walls.touch_of_rings = std::min(Tolerances{}.on_top, settings.closing_tolerance);
   }

@@ -9,7 +9,7 @@ namespace trc {
 
 Visits visits_of(const ContourView& contour, const Closing& closing, double tolerance,
                  std::pmr::memory_resource* memory) {
-  const auto& [first, second, point, gap, joins] = closing;
+  const auto& [first, second, point, gap, joins, overrun] = closing;
   Visits visits(memory);
   double way = 0;
   const double near = tolerance + gap;
@@ -45,6 +45,14 @@ double longest_ring(std::span<const Visit> visits) {
   for (std::size_t index = 1; index < visits.size(); ++index)
     longest = std::max(longest, visits[index].way - visits[index - 1].way);
   return longest;
+}
+
+std::size_t laps_of(std::span<const Visit> visits) {
+  const double least = share_of_lead_ring * longest_ring(visits);
+  std::size_t laps = 0;
+  for (std::size_t index = 1; index < visits.size(); ++index)
+    laps += visits[index].way - visits[index - 1].way >= least ? 1 : 0;
+  return laps;
 }
 
 }  // namespace trc

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <memory_resource>
 #include <span>
 #include <vector>
@@ -22,5 +23,11 @@ using Visits = std::pmr::vector<Visit>;
 
 // mm, between two visits; there are at least two.
 [[nodiscard]] double longest_ring(std::span<const Visit> visits);
+
+// A ring shorter than this share of the longest one leads from one lap to the next.
+inline constexpr double share_of_lead_ring = 0.25;
+
+// How many rings there are but for those.
+[[nodiscard]] std::size_t laps_of(std::span<const Visit> visits);
 
 }  // namespace trc

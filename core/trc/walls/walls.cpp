@@ -30,7 +30,7 @@ double Walls::touch_between(std::size_t number, std::size_t path) const {
   if (rings.empty()) return most;
   // Of several laps the end lies on the begin of the last one, which may be within the tail.
   const auto begin_of = [&](std::size_t ring) {
-    return ring > 0 ? Range{rings[ring - 1], rings[ring - 1] + 2} : head;
+    return ring > 0 ? Range{rings[ring - 1], rings[ring - 1] + 2 + blocks_of_overrun} : head;
   };
   if (meet(begin_of(rings.size()), tail) || meet(tail, tail)) most = std::max(most, touch);
   const std::size_t ring = ring_of(path);
@@ -38,7 +38,7 @@ double Walls::touch_between(std::size_t number, std::size_t path) const {
   if (of_wall > ring) return std::max(most, touch_of_rings);
   if (of_wall < ring || ring == rings.size()) return most;
   // Each lap before ends on its begin too, by an overrun of its own.
-  const Range end{rings[ring] - std::min<std::size_t>(rings[ring], 3), rings[ring]};
+  const Range end{rings[ring] - std::min(rings[ring], 3 + blocks_of_overrun), rings[ring]};
   return meet(begin_of(ring), end) ? std::max(most, touch_of_rings) : most;
 }
 

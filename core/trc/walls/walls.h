@@ -60,6 +60,8 @@ struct Walls {
   // The same, mm, for the path of one ring and the walls of later ones, which lie on top of it, and
   // for the end of each ring on its begin.
   double touch_of_rings = 0;
+  // How many blocks an overrun goes over before the one it ends on.
+  std::size_t blocks_of_overrun = 0;
 
   [[nodiscard]] bool are_all() const { return leads.empty() && parts.empty() && rings.empty(); }
   // Nothing is set.
