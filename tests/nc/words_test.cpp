@@ -10,6 +10,8 @@
 #include <string>
 #include <vector>
 
+#include "core/nc/text/expression.h"
+
 namespace trc {
 namespace {
 
@@ -152,6 +154,22 @@ TEST(Words, ExpressionsAndVariablesAreRefusedAtTheirPlace) {
   EXPECT_EQ(words_of("$IF V.L.A"), "fault 900003 at 0");
   EXPECT_EQ(words_of("L SUB"), "fault 900003 at 0");
   EXPECT_EQ(words_of("/ X1"), "fault 900003 at 0");
+}
+
+TEST(Expressions, NameWhatTheyDoNotKnow) {
+  const auto fault_of = [](std::string_view text) {
+    double value = 0;
+    std::size_t length = 0;
+    const auto fault = read_expression(text, value, length);
+    if (!fault) return std::to_string(value);
+    return std::to_string(static_cast<int>(fault->code)) + " at " + std::to_string(fault->begin) +
+           ": " + fault->detail;
+  };
+  EXPECT_EQ(fault_of("[2-1]"), "1.000000");
+  EXPECT_EQ(fault_of("[2>1]"), "900003 at 2: >, a comparison");
+  EXPECT_EQ(fault_of("[5 MOD 3]"), "900003 at 3: MOD, an operator");
+  EXPECT_EQ(fault_of("SQRT[4]"), "900003 at 0: SQRT, a variable or function");
+  EXPECT_EQ(fault_of("[2-1"), "900009 at 0: [");
 }
 
 TEST(Words, BytesThatAreNoTextAreFoundAlsoInComments) {

@@ -88,11 +88,8 @@ class ExpressionReader {
       value = minus ? -value : value;
       return true;
     }
-    std::size_t length = 0;
-    while (length < rest().size() && is_name(rest()[length])) ++length;
-    if (length > 0)
-      return fail(Code::nc_unsupported, at_,
-                  std::string(rest().substr(0, length)).append(", a variable or function"));
+    if (const std::size_t length = length_of_name())
+      return fail_at_name(length, ", a variable or function");
     return fail(Code::nc_number, at_, name_of_character(rest()));
   }
 
@@ -102,9 +99,21 @@ class ExpressionReader {
     if (!sum(value)) return false;
     --depth_;
     pass_blanks();
+    if (peek() == '>' || peek() == '<' || peek() == '=')
+      return fail(Code::nc_unsupported, at_, std::string(1, peek()).append(", a comparison"));
+    if (const std::size_t length = length_of_name()) return fail_at_name(length, ", an operator");
     if (peek() != ']') return fail(Code::nc_unclosed, open, "[");
     ++at_;
     return true;
+  }
+
+  [[nodiscard]] std::size_t length_of_name() const {
+    std::size_t length = 0;
+    while (length < rest().size() && is_name(rest()[length])) ++length;
+    return length;
+  }
+  bool fail_at_name(std::size_t length, std::string_view what) {
+    return fail(Code::nc_unsupported, at_, std::string(rest().substr(0, length)).append(what));
   }
 
   std::string_view text_;
