@@ -214,6 +214,17 @@ TEST_P(CamPrograms, HaveNoBottleneck) {
 INSTANTIATE_TEST_SUITE_P(Leads, CamPrograms, ::testing::ValuesIn(cam_programs()),
                          [](const auto& tested) { return name_of(tested.param); });
 
+// But for what the end of a lead along the contour overlaps it by its rounding.
+bool are_the_same(const std::vector<Segment>& one, const std::vector<Segment>& other) {
+  constexpr double nanometres = 1e-5;
+  return std::equal(one.begin(), one.end(), other.begin(), other.end(),
+                    [](const Segment& block, const Segment& beside) {
+                      return (end_of(block) - end_of(beside)).norm() <= nanometres &&
+                             (start_of(block) - start_of(beside)).norm() <= nanometres &&
+                             is_arc(block) == is_arc(beside);
+                    });
+}
+
 // Leads and overruns of any size, laps, and contours turned by any angle: where the path that G140
 // makes is clear of the walls, loop removal changes nothing of it.
 TEST(Leads, AreNoWallsWhateverTheirSize) {
@@ -253,7 +264,7 @@ TEST(Leads, AreNoWallsWhateverTheirSize) {
     const Outcome outcome = run(removing, {});
     EXPECT_FALSE(outcome.stopped);
     EXPECT_EQ(count_of(outcome, Code::blocks_masked), 0U);
-    EXPECT_TRUE(path_of(outcome) == path_of(plain));
+    EXPECT_TRUE(are_the_same(path_of(outcome), path_of(plain)));
     if (::testing::Test::HasFailure())
       ADD_FAILURE() << "seed " << seed << '\n'
                     << removing << reports_of(outcome) << text_of(outcome.blocks) << "G140\n"

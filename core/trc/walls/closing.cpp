@@ -204,12 +204,16 @@ class InwardSearch {
           visits_of(contour_, closing(), std::min(Tolerances{}.on_top, tolerance_), memory_));
     };
     const std::size_t laps = overrun_.size() > 1 ? laps_at(overrun_.front()) : 1;
-    auto behind = overrun_.end();
-    if (laps > 1)
-      behind = std::partition_point(
-          overrun_.begin() + 1, overrun_.end(),
-          [&](const Candidate& candidate) { return laps_at(candidate) >= laps; });
+    if (laps <= 1) {
+      best_ = overrun_.back();
+      return;
+    }
+    const auto behind = std::partition_point(
+        overrun_.begin() + 1, overrun_.end(),
+        [&](const Candidate& candidate) { return laps_at(candidate) >= laps; });
     best_ = *std::prev(behind);
+    // The end lies on the last lap as exactly as that was told.
+    gap_ = std::max(gap_, Tolerances{}.on_top) + std::min(Tolerances{}.on_top, tolerance_);
   }
   [[nodiscard]] Closing closing() const {
     const bool overruns = best_->before > overrun_.front().before + tolerance_;
