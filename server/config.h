@@ -65,7 +65,8 @@ struct Config {
   std::uint32_t max_streams = 0;
   std::uint32_t max_streams_per_connection = 64;
   std::uint32_t max_streams_per_peer = 0;
-  std::uint32_t max_session_memory_mib = 0;  // of all streams together
+  std::uint32_t max_connections_per_peer = 0;  // 0: three quarters of the descriptors
+  std::uint32_t max_session_memory_mib = 0;    // of all streams together
   std::uint32_t max_memory_per_peer_mib = 0;
   std::uint32_t max_grpc_buffer_mib = 0;
   // Computing time of a selection before anything of it comes out, and of a stream; 0: no limit.

@@ -63,6 +63,9 @@ std::string peer_name(int descriptor) {
   return name_of("ipv6:", &address.sin6_addr, AF_INET6, address.sin6_port);
 }
 
+// Without the port.
+std::string_view address_of(std::string_view peer) { return peer.substr(0, peer.rfind(':')); }
+
 }  // namespace
 
 std::string_view name_of(Connections::Reason reason) {
@@ -73,6 +76,8 @@ std::string_view name_of(Connections::Reason reason) {
       return "overhead";
     case Connections::Reason::calls:
       return "calls";
+    case Connections::Reason::connections:
+      return "connections";
   }
   return "";
 }
@@ -178,13 +183,38 @@ void Connections::Call::ended(bool early) const {
   if (connection_ != nullptr) connection_->call_ended(early);
 }
 
-void Connections::add(int descriptor) {
+bool Connections::add(int descriptor, std::size_t most_of_one_address) {
   std::string peer = peer_name(descriptor);
   const auto cookie = cookie_of(descriptor);
-  if (peer.empty() || !cookie) return;
+  if (peer.empty() || !cookie) return true;
   auto connection = std::make_shared<Connection>(*this, descriptor, *cookie, peer);
-  const std::lock_guard lock(mutex_);
-  by_peer_.insert_or_assign(std::move(peer), std::move(connection));
+  const std::string address(address_of(peer));
+  std::unique_lock lock(mutex_);
+  if (!has_room_for(address, most_of_one_address)) {
+    lock.unlock();
+    if (closed_) closed_(peer, Reason::connections);
+    return false;
+  }
+  if (by_peer_.insert_or_assign(std::move(peer), std::move(connection)).second)
+    ++of_address_[address];
+  return true;
+}
+
+bool Connections::has_room_for(const std::string& address, std::size_t most) {
+  const auto found = of_address_.find(address);
+  if (found == of_address_.end() || found->second < most) return true;
+  forget_gone();
+  const auto now = of_address_.find(address);
+  return now == of_address_.end() || now->second < most;
+}
+
+void Connections::forget_gone() {
+  std::erase_if(by_peer_, [this](const auto& entry) {
+    if (entry.second->is_there()) return false;
+    const auto found = of_address_.find(std::string(address_of(entry.first)));
+    if (found != of_address_.end() && --found->second == 0) of_address_.erase(found);
+    return true;
+  });
 }
 
 Connections::Call Connections::begin(std::string_view peer) {
@@ -203,7 +233,7 @@ void Connections::look() {
   std::vector<std::shared_ptr<Connection>> here;
   {
     const std::lock_guard lock(mutex_);
-    std::erase_if(by_peer_, [](const auto& entry) { return !entry.second->is_there(); });
+    forget_gone();
     here.reserve(by_peer_.size());
     for (const auto& [peer, connection] : by_peer_) here.push_back(connection);
   }

@@ -16,7 +16,8 @@ namespace trc::server {
 
 // Watches the TCP connections for what HTTP/2 lets a client do at next to no cost of its own: begin
 // streams and reset them before there is an answer, and send frames that carry nothing. gRPC 1.51
-// bounds neither; such a connection is shut down, with all its streams.
+// bounds neither; such a connection is shut down, with all its streams. Nor may one address open so
+// many that others find no descriptor left.
 //
 // gRPC owns the descriptors. Each is known by its number and by the number the kernel gives a
 // socket for life, so that another connection with the same descriptor is left alone.
@@ -30,8 +31,8 @@ class Connections {
     std::uint64_t read_ahead = 24U << 20U;
     std::uint32_t calls = 128;  // begun and not yet done with, whatever the client has reset
   };
-  enum class Reason { early_cancels, overhead, calls };
-  static constexpr std::size_t reason_count = 3;
+  enum class Reason { early_cancels, overhead, calls, connections };
+  static constexpr std::size_t reason_count = 4;
   // Where connections are shut down: who it was, and why. Must not throw.
   using Closed = std::function<void(const std::string& peer, Reason reason)>;
 
@@ -58,8 +59,9 @@ class Connections {
     std::shared_ptr<Connection> connection_;  // none: not one of TCP
   };
 
-  // A descriptor that has just been accepted.
-  void add(int descriptor);
+  // A descriptor that has just been accepted. False when it is to be closed: its address has so
+  // many connections open already.
+  [[nodiscard]] bool add(int descriptor, std::size_t most_of_one_address);
   // A call of the peer as gRPC names it: "ipv4:10.0.0.7:40000".
   [[nodiscard]] Call begin(std::string_view peer);
   // To be called several times a second: how many bytes have come, and which connections have gone.
@@ -68,6 +70,10 @@ class Connections {
   [[nodiscard]] std::size_t count() const;
 
  private:
+  // With the mutex held.
+  [[nodiscard]] bool has_room_for(const std::string& address, std::size_t most);
+  void forget_gone();
+
   // Gives back what the calls of a connection have held that was shut down a while ago.
   void give_back_memory(std::chrono::steady_clock::time_point now);
 
@@ -78,9 +84,10 @@ class Connections {
   std::chrono::steady_clock::time_point gives_back_at_{};
   mutable std::mutex mutex_;
   std::unordered_map<std::string, std::shared_ptr<Connection>> by_peer_;
+  std::unordered_map<std::string, std::size_t> of_address_;  // how many of by_peer_
 };
 
-// "early_cancels", "overhead" or "calls".
+// "early_cancels", "overhead", "calls" or "connections".
 [[nodiscard]] std::string_view name_of(Connections::Reason reason);
 
 }  // namespace trc::server

@@ -26,6 +26,7 @@ namespace {
 
 constexpr int backlog = 1024;
 // How many descriptors connections leave to the rest of the process, at most an eighth of all.
+// Those that ask for its health may take half of them.
 constexpr int kept_descriptors = 32;
 constexpr int round_ms = 200;
 constexpr std::int64_t round_ns = round_ms * 1'000'000;
@@ -182,16 +183,20 @@ Listener::~Listener() {
   if (socket_.valid() && !file_.empty()) unlink(file_.c_str());
 }
 
-Acceptor::Acceptor(Connections& connections)
-    : connections_(connections), stop_(eventfd(0, EFD_CLOEXEC)) {
+Acceptor::Acceptor(Connections& connections, std::uint32_t of_one_peer)
+    : connections_(connections), stop_(eventfd(0, EFD_CLOEXEC)), of_one_peer_(of_one_peer) {
   const int limit = descriptor_limit();
   last_usable_ = limit - 1 - std::min(kept_descriptors, limit / 8);
+  if (of_one_peer_ == 0) of_one_peer_ = static_cast<std::size_t>(limit) / 4 * 3;
 }
 
 Acceptor::~Acceptor() { stop(); }
 
-void Acceptor::add(Listener listener, Take take) {
-  doors_.push_back({.listener = std::move(listener), .take = std::move(take)});
+void Acceptor::add(Listener listener, Use use, Take take) {
+  const int more = use == Use::health ? (descriptor_limit() - 1 - last_usable_) / 2 : 0;
+  doors_.push_back({.listener = std::move(listener),
+                    .last_usable = last_usable_ + more,
+                    .take = std::move(take)});
 }
 
 void Acceptor::start() {
@@ -252,12 +257,12 @@ bool Acceptor::accept_from(const Door& door) {
         accept4(door.listener.socket(), nullptr, nullptr, SOCK_CLOEXEC | SOCK_NONBLOCK));
     if (connection.valid()) {
       // Numbers are given from below, so the number tells how many there are.
-      if (connection.number() > last_usable_) {
+      if (connection.number() > door.last_usable) {
         ++refused_;
         continue;
       }
+      if (!connections_.add(connection.number(), of_one_peer_)) continue;
       ++accepted_;
-      connections_.add(connection.number());
       door.take(std::move(connection));
       continue;
     }

@@ -71,15 +71,20 @@ class Acceptor {
     std::uint64_t refused = 0;  // closed for want of descriptors
   };
 
-  // Is given every connection to watch.
-  explicit Acceptor(Connections& connections);
+  // Is given every connection to watch. `of_one_peer`: how many one address may have open; 0: three
+  // quarters of the descriptors.
+  Acceptor(Connections& connections, std::uint32_t of_one_peer);
   // Stops accepting.
   ~Acceptor();
   Acceptor(const Acceptor&) = delete;
   Acceptor& operator=(const Acceptor&) = delete;
 
+  enum class Use : std::uint8_t {
+    work,
+    health,  // may take some of the descriptors that are kept
+  };
   // Before `start`.
-  void add(Listener listener, Take take);
+  void add(Listener listener, Use use, Take take);
   void start();
   void stop();
 
@@ -90,6 +95,7 @@ class Acceptor {
  private:
   struct Door {
     Listener listener;
+    int last_usable = 0;  // descriptor
     Take take;
   };
 
@@ -102,6 +108,7 @@ class Acceptor {
   std::vector<Door> doors_;
   Descriptor stop_;
   int last_usable_ = 0;
+  std::size_t of_one_peer_;
   std::atomic<std::uint64_t> accepted_{0};
   std::atomic<std::uint64_t> refused_{0};
   std::atomic<std::int64_t> last_round_ns_{0};

@@ -131,13 +131,15 @@ std::string Server::open(bool with_addresses) {
   if (with_addresses) {
     for (const std::string& address : config.listen) {
       int port = 0;
-      std::string fault = listen(builder, address,
-                                 address.starts_with(unix_prefix) ? nullptr : certificates_, port);
+      std::string fault =
+          listen(builder, address, address.starts_with(unix_prefix) ? nullptr : certificates_,
+                 Acceptor::Use::work, port);
       if (!fault.empty()) return fault;
       ports_.push_back(port);
     }
     if (!config.health_listen.empty()) {
-      std::string fault = listen(health_builder, config.health_listen, nullptr, health_port_);
+      std::string fault = listen(health_builder, config.health_listen, nullptr,
+                                 Acceptor::Use::health, health_port_);
       if (!fault.empty()) return fault;
     }
     if (!config.admin_listen.empty()) {
@@ -164,7 +166,8 @@ std::string Server::open(bool with_addresses) {
 
 // gRPC is given connections, not addresses: see Acceptor.
 std::string Server::listen(grpc::ServerBuilder& builder, const std::string& address,
-                           const std::shared_ptr<const Certificates>& certificates, int& port) {
+                           const std::shared_ptr<const Certificates>& certificates,
+                           Acceptor::Use use, int& port) {
   Listener::Opened opened = Listener::open(address);
   for (Listener& listener : opened.listeners) {
     port = listener.port();
@@ -172,7 +175,7 @@ std::string Server::listen(grpc::ServerBuilder& builder, const std::string& addr
         builder.experimental().AddExternalConnectionAcceptor(
             grpc::ServerBuilder::experimental_type::ExternalConnectionType::FROM_FD,
             credentials_of(certificates));
-    acceptor_.add(std::move(listener), [entrance](Descriptor connection) {
+    acceptor_.add(std::move(listener), use, [entrance](Descriptor connection) {
       grpc::experimental::ExternalConnectionAcceptor::NewConnectionParameters parameters;
       parameters.fd = connection.release();
       entrance->HandleNewConnection(&parameters);
@@ -192,7 +195,7 @@ std::string Server::listen_for_http(std::optional<http::Offer> offer) {
                                           .offer = std::move(offer)});
   for (Listener& listener : opened.listeners) {
     http_port_ = listener.port();
-    acceptor_.add(std::move(listener),
+    acceptor_.add(std::move(listener), Acceptor::Use::work,
                   [this](Descriptor connection) { http_->take(std::move(connection)); });
   }
   return opened.fault;

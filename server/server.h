@@ -70,7 +70,8 @@ class Server {
   // Empty when the server runs.
   std::string open(bool with_addresses);
   std::string listen(grpc::ServerBuilder& builder, const std::string& address,
-                     const std::shared_ptr<const Certificates>& certificates, int& port);
+                     const std::shared_ptr<const Certificates>& certificates, Acceptor::Use use,
+                     int& port);
   std::string listen_for_http(std::optional<http::Offer> offer);
   void set_serving(bool serving);
   std::string exposition();
@@ -99,7 +100,7 @@ class Server {
   Log::Counts dropped_lines_{};            // as logged last
   std::atomic<bool> started_ = false;
   // Last, so that no connection comes once the others go.
-  Acceptor acceptor_{backend_.telemetry.connections};
+  Acceptor acceptor_{backend_.telemetry.connections, backend_.config.max_connections_per_peer};
 };
 
 }  // namespace trc::server

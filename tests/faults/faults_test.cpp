@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "core/session/program_session.h"
+#include "grpc/health/v1/health.grpc.pb.h"
 #include "tests/faults/questions.h"
 #include "tests/faults/raw_connection.h"
 #include "tests/server/calls.h"
@@ -253,9 +254,29 @@ TEST(Faults, ClientsThatNeverReadAreBounded) {
   EXPECT_TRUE(eventually([&] { return metric(server.admin(), "trc_streams_active") == 0; }));
 }
 
+// Descriptors are kept for those who ask whether the server is well.
+TEST(Faults, HealthAnswersWhenDescriptorsHaveRunOut) {
+  ServerProcess server({"--admin-listen", "127.0.0.1:0", "--health-listen", "127.0.0.1:0",
+                        "--max-connections-per-peer", "1000"},
+                       "127.0.0.1:0", 80);
+  std::vector<std::unique_ptr<RawConnection>> burst;
+  for (int i = 0; i < 200; ++i) burst.push_back(std::make_unique<RawConnection>(server.address()));
+  ASSERT_TRUE(
+      eventually([&] { return metric(server.admin(), "trc_connections_refused_total") > 0; }));
+  EXPECT_FALSE(serves(server.address()));
+  grpc::ClientContext context;
+  const grpc::health::v1::HealthCheckRequest request;
+  grpc::health::v1::HealthCheckResponse response;
+  const grpc::Status status = grpc::health::v1::Health::NewStub(channel_to(server.health()))
+                                  ->Check(&context, request, &response);
+  EXPECT_TRUE(status.ok()) << status.error_message();
+  EXPECT_EQ(response.status(), grpc::health::v1::HealthCheckResponse::SERVING);
+}
+
 // CVE-2023-4785: gRPC's own listener stays deaf after this.
 TEST(Faults, ListenerSurvivesRunningOutOfDescriptors) {
-  ServerProcess server({"--admin-listen", "127.0.0.1:0"}, "127.0.0.1:0", 80);
+  ServerProcess server({"--admin-listen", "127.0.0.1:0", "--max-connections-per-peer", "1000"},
+                       "127.0.0.1:0", 80);
   ASSERT_FALSE(server.address().empty());
   const auto open_before = channel_to(server.address());
   ASSERT_TRUE(server::run_program(open_before, {}, server::g239_program).status.ok());

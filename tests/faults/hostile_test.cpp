@@ -295,6 +295,45 @@ TEST(Hostile, StreamsThatAreResetAtOnceEndTheirConnection) {
             std::string::npos);
 }
 
+// DATA frames without a byte on one stream: no flow control holds them back.
+TEST(Hostile, FramesThatCarryNothingHoldNobodyUp) {
+  const ServerProcess server({"--admin-listen", "127.0.0.1:0"});
+  const FloodResult result =
+      flood_until_closed(server, http2::headers(1, "/trc.v1.TrcService/CompensatePath"),
+                         [](std::uint32_t) { return http2::empty_data(1); });
+  EXPECT_TRUE(result.closed) << "or not read any more";
+  EXPECT_LT(result.longest_wait_s, longest_stall_s);
+  EXPECT_LT(result.resident_mib, flood_memory_mib);
+}
+
+// Others find a descriptor however many connections one address opens.
+TEST(Hostile, OneAddressHasSoManyConnectionsAndNoMore) {
+  constexpr int most = 5;
+  const ServerProcess server(
+      {"--admin-listen", "127.0.0.1:0", "--max-connections-per-peer", std::to_string(most)});
+  const auto connect = [&](const char* from) {
+    auto connection = std::make_unique<RawConnection>(server.address(), from);
+    connection->send_bytes(http2::greeting());
+    return connection;
+  };
+  std::vector<std::unique_ptr<RawConnection>> held;
+  for (int i = 0; i < most; ++i) held.push_back(connect("127.0.0.2"));
+  const auto refused = connect("127.0.0.2");
+  EXPECT_TRUE(eventually([&] { return !refused->is_open(); }));
+  EXPECT_TRUE(eventually([&] { return closed_for(server, "connections") == 1; }));
+  for (const auto& connection : held) EXPECT_TRUE(connection->is_open());
+  EXPECT_TRUE(connect("127.0.0.3")->is_open());
+  EXPECT_TRUE(
+      server::run_program(channel_to(server.address()), {}, server::g239_program).status.ok());
+  // A place that has become free is given again.
+  held.pop_back();
+  EXPECT_TRUE(eventually([&] {
+    const auto next = connect("127.0.0.2");
+    std::this_thread::sleep_for(milliseconds(100));
+    return next->is_open();
+  }));
+}
+
 TEST(Hostile, ConnectionsThatCarryMuchAreLeftAlone) {
   const ServerProcess server({"--admin-listen", "127.0.0.1:0"});
   const auto channel = channel_to(server.address());

@@ -3,6 +3,7 @@
 #include <arpa/inet.h>
 #include <netinet/in.h>
 #include <sys/socket.h>
+#include <sys/time.h>
 #include <unistd.h>
 
 #include <array>
@@ -13,6 +14,9 @@ namespace trc::faults {
 
 RawConnection::RawConnection(const std::string& address, const char* from)
     : socket_(socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0)) {
+  // A server that reads no more must not hold the test up.
+  const timeval longest{.tv_sec = 2, .tv_usec = 0};
+  setsockopt(socket_, SOL_SOCKET, SO_SNDTIMEO, &longest, sizeof(longest));
   sockaddr_in own{};
   own.sin_family = AF_INET;
   inet_pton(AF_INET, from, &own.sin_addr);

@@ -16,7 +16,7 @@ class RawConnection {
   RawConnection& operator=(const RawConnection&) = delete;
 
   [[nodiscard]] bool connected() const { return connected_; }
-  // False when the other side has gone.
+  // False when the other side has gone, or reads nothing for two seconds.
   bool send_bytes(std::string_view bytes) const;
   // Reads and forgets what has come. False when the other side has closed the connection.
   [[nodiscard]] bool is_open() const;

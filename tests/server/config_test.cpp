@@ -67,7 +67,8 @@ TEST(ServerConfig, StartsWithTheDocumentedDefaults) {
   EXPECT_EQ(config.max_blocks_per_selection, 20'000'000U);
   for (const std::uint32_t open :
        {config.memory_limit_mib, config.max_session_memory_mib, config.max_grpc_buffer_mib,
-        config.max_streams, config.max_streams_per_peer, config.max_memory_per_peer_mib})
+        config.max_streams, config.max_streams_per_peer, config.max_memory_per_peer_mib,
+        config.max_connections_per_peer})
     EXPECT_EQ(open, 0U);
   EXPECT_EQ(config.max_selection_cpu_s, 120U);
   EXPECT_EQ(config.max_stream_cpu_s, 7200U);
@@ -203,7 +204,8 @@ TEST(ServerConfig, PrintedConfigurationReadsBackAsTheSame) {
             "--health-listen=127.0.0.1:0", "--resume-key-file=/run/trcd/key", "--insecure-admin",
             "--max-early-cancels=3", "--max-overhead-kib-per-s=99", "--stall-timeout-s=4",
             "--max-log-lines-per-s=17", "--memory-limit-mib=2048", "--max-streams-per-peer=3",
-            "--max-memory-per-peer-mib=100", "--max-selection-cpu-s=7", "--max-stream-cpu-s=8"});
+            "--max-memory-per-peer-mib=100", "--max-connections-per-peer=9",
+            "--max-selection-cpu-s=7", "--max-stream-cpu-s=8"});
   ASSERT_TRUE(printed.exit.has_value());
   ASSERT_EQ(printed.exit->code, 0) << printed.exit->text;
   const TextFile file(printed.exit->text);
