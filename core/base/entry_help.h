@@ -29,10 +29,15 @@ struct EntryProposal {
 // What would do in place of a selection or deselection block that was refused. Each proposal has
 // been compensated, and keeps clear of the contour as far as that was known.
 struct EntryHelp {
-  bool leaves = false;         // the way off the contour, else the one to it
-  double given_length = 0;     // mm, of the block that was refused
-  double needed_length = 0;    // mm; 0: not its length is at fault
-  std::uint32_t tried_on = 0;  // so many contour blocks were known
+  bool leaves = false;          // the way off the contour, else the one to it
+  std::uint8_t third_axis = 2;  // the one across the plane: 0 X, 1 Y, 2 Z
+  double given_length = 0;      // mm, of the block that was refused
+  double needed_length = 0;     // mm; 0: not its length is at fault
+  std::uint32_t tried_on = 0;   // so many contour blocks were known
+  // So many contour blocks next to the refused one are leads, which the proposals replace as well.
+  std::uint32_t replaced = 0;
+  // So many at the far end of the contour are leads as well, and have to go with them.
+  std::uint32_t left_out = 0;
   // Near to where the block was programmed to start (to end where it leaves), a point it might
   // start (end) in, all else as it is.
   std::optional<DiagnosticPoint> legal{};

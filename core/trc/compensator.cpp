@@ -20,6 +20,15 @@
 
 namespace trc {
 
+namespace {
+
+// What LoopRemoval refuses, which leads that the tool does not fit into may be the cause of.
+bool may_be_of_leads(Code code) {
+  return code == Code::line_reversed || code == Code::arc_wrapped || code == Code::most_left_out;
+}
+
+}  // namespace
+
 // The passes and the blocks on their way between them.
 struct Compensator::Passes {
   Passes(const CompensatorSetup& given, Diagnostics& log)
@@ -115,11 +124,15 @@ struct Compensator::Passes {
 
   // What would do in place of the block that was refused. Looks for it once.
   void help_with_entry() {
-    if (refused_way.blocks.empty() || !setup.helps_with_entries) return;
+    if (!setup.helps_with_entries || diagnostics.pending().empty()) return;
     selection::RefusedWay refused = std::exchange(refused_way, {});
+    if (may_be_of_leads(diagnostics.pending().back().code)) refused = loop_removal.refused_way();
+    const bool left_out = diagnostics.pending().back().code == Code::most_left_out;
+    if (refused.removes_loops && !refused.at_begin && !left_out) return;
+    if (refused.blocks.empty()) return;
     const PathBlock* next = relevant_blocks.held();
-    const bool goes_on = !refused.leaves && !refused.target && next != nullptr &&
-                         next->role == Role::contour &&
+    const bool goes_on = !refused.leaves && !refused.target && !refused.removes_loops &&
+                         next != nullptr && next->role == Role::contour &&
                          start_of(next->programmed.path) == end_of(refused.blocks.back().path);
     if (goes_on) refused.blocks.push_back(next->programmed);
     diagnostics.help_with_entry(selection::help_with(refused, setup));

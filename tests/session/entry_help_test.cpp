@@ -169,6 +169,38 @@ TEST(EntryHelp, IsTheSameHoweverTheTextIsCut) {
   }
 }
 
+// A pocket of 100, entered and left in the middle of a wall.
+std::string pocket(const std::string& way_in, const std::string& way_out) {
+  return "V.G.WZ_AKT.R=10 F1000\n#TRC[REMOVE_MASKED_BLOCKS=1]\nG141\n" + way_in +
+         "\nG1 X50\nY50\nX-50\nY-50\nX0\n" + way_out + "\nM30\n";
+}
+
+// The tool of 10 does not fit into a circle of 4: it would begin behind the wall.
+TEST(EntryHelp, ReplacesLeadsTheToolDoesNotFitInto) {
+  const std::string small_in = "G0 X0 Y-46\nG41 G1 X-4\nG3 X0 Y-50 I4";
+  const std::string small_out = "G3 X4 Y-46 J4\nG40 G1 X0";
+  const std::string large_out = "G3 X20 Y-30 J20\nG40 G1 X0";
+  const std::string quarter =
+      "from 0.000 -30.000: to -20.000 -30.000; ccw to 0.000 -50.000 about 0.000 -30.000;";
+  const auto one = refused(pocket(small_in, large_out));
+  EXPECT_EQ(one.code, 90038);
+  ASSERT_EQ(one.help.proposals.size(), 1U);
+  EXPECT_EQ(text_of(one.help.proposals[0]), quarter);
+  EXPECT_EQ(one.help.replaced, 1U);
+  EXPECT_EQ(one.help.left_out, 0U);
+  // Put in.
+  const std::string large_in = "G0 X0 Y-30\nG41 G1 X-20\nG3 X0 Y-50 I20";
+  EXPECT_TRUE(to_blocks(pocket(large_in, large_out)).completed);
+  // The way out is as small: it has to go with it.
+  const auto both = refused(pocket(small_in, small_out));
+  ASSERT_EQ(both.help.proposals.size(), 1U);
+  EXPECT_EQ(text_of(both.help.proposals[0]), quarter);
+  EXPECT_EQ(both.help.left_out, 1U);
+  EXPECT_TRUE(to_blocks(pocket(large_in, "G40 G1 X0 Y-30")).completed);
+  // Where the way in is well, another one is no help.
+  EXPECT_TRUE(refused(pocket(large_in, small_out)).help.proposals.empty());
+}
+
 // What is accepted, or refused for another reason, says nothing of entries.
 TEST(EntryHelp, IsGivenToNothingElse) {
   const ProgramRun run =

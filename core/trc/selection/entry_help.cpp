@@ -55,6 +55,14 @@ std::optional<Segment> behind_cut(const Segment& block, double cut) {
   return arc;
 }
 
+// Accepted, but not what anybody would want.
+bool leaves_much_out(const Diagnostics& found) {
+  const auto& told = found.pending();
+  return std::any_of(told.begin(), told.end(), [](const Diagnostic& diagnostic) {
+    return diagnostic.code == Code::blocks_masked && diagnostic.severity == Severity::warning;
+  });
+}
+
 class Helper {
  public:
   Helper(const RefusedWay& refused, const CompensatorSetup& setup)
@@ -64,12 +72,15 @@ class Helper {
         contour_(refused.leaves ? std::span(refused.blocks).first(1)
                                 : std::span(refused.blocks).subspan(1)),
         nearest_contour_block_(contour_.front()),
+        walls_(contour_.first(contour_.size() - refused.leads_out)),
         plane_(refused_block_.mode->plane) {
     setup_.helps_with_entries = false;
     setup_.take_portion = {};
   }
 
   [[nodiscard]] EntryHelp find() const;
+  // Where loops are removed: with the leads at the end, or without them.
+  [[nodiscard]] EntryHelp find_past_leads();
 
  private:
   [[nodiscard]] std::optional<Way> longer_line() const;
@@ -101,11 +112,13 @@ class Helper {
   const MotionBlock& refused_block_;
   std::span<const MotionBlock> contour_;
   const MotionBlock& nearest_contour_block_;
+  std::span<const MotionBlock> walls_;
   Plane plane_;
 };
 
 EntryHelp Helper::find() const {
   EntryHelp help{.leaves = refused_.leaves,
+                 .third_axis = static_cast<std::uint8_t>(axes_of(plane_).third),
                  .given_length = length_of(refused_block_.path),
                  .needed_length = refused_.needed_length.value_or(0),
                  .tried_on = static_cast<std::uint32_t>(contour_.size())};
@@ -117,6 +130,22 @@ EntryHelp Helper::find() const {
   // The contour of G238 closes where it begins: an arc before it would open it.
   if (inside_corner) return help;
   if (const auto quarter = quarter_circle()) help.proposals.push_back(proposal(*quarter));
+  return help;
+}
+
+EntryHelp Helper::find_past_leads() {
+  EntryHelp help{.third_axis = static_cast<std::uint8_t>(axes_of(plane_).third),
+                 .given_length = length_of(refused_block_.path),
+                 .replaced = static_cast<std::uint32_t>(refused_.leads_in)};
+  std::optional<Way> quarter = quarter_circle();
+  // Where the begin is well, it is the end that has to be another one.
+  if (!quarter && refused_.at_begin && refused_.leads_out > 0) {
+    contour_ = walls_;
+    help.left_out = static_cast<std::uint32_t>(refused_.leads_out);
+    quarter = quarter_circle();
+  }
+  help.tried_on = static_cast<std::uint32_t>(contour_.size());
+  if (quarter) help.proposals.push_back(proposal(*quarter));
   return help;
 }
 
@@ -212,6 +241,7 @@ bool Helper::does(const Way& way) const {
   Compensator compensator(setup, diagnostics);
   std::vector<CompensatedBlock> path;
   if (!compensator.feed(blocks, path) || !compensator.finish(at_end, path)) return false;
+  if (refused_.removes_loops && leaves_much_out(diagnostics)) return false;
   return std::all_of(path.begin(), path.end(), [&](const CompensatedBlock& block) {
     return !is_of_way(block, way.motions.size()) || is_clear(block.path);
   });
@@ -265,7 +295,7 @@ bool Helper::is_of_way(const CompensatedBlock& block, std::size_t motions) const
 bool Helper::is_clear(const Segment& path) const {
   if (length_of(path) <= setup_.tolerances.same_point) return true;
   const double required = tool_radius() - setup_.tolerances.on_contour;
-  return std::all_of(contour_.begin(), contour_.end(), [&](const MotionBlock& block) {
+  return std::all_of(walls_.begin(), walls_.end(), [&](const MotionBlock& block) {
     return nearness(path, block.path, setup_.tolerances.same_point).distance >= required;
   });
 }
@@ -292,9 +322,14 @@ EntryProposal Helper::proposal(const Way& way) const {
 
 std::shared_ptr<const EntryHelp> help_with(const RefusedWay& refused,
                                            const CompensatorSetup& setup) {
-  if (refused.blocks.size() < 2 || refused.blocks.size() > most_blocks || refused.shift == 0)
+  if (refused.blocks.size() < 2 + refused.leads_out || refused.blocks.size() > most_blocks ||
+      refused.shift == 0)
     return nullptr;
-  return std::make_shared<const EntryHelp>(Helper(refused, setup).find());
+  Helper helper(refused, setup);
+  if (!refused.removes_loops) return std::make_shared<const EntryHelp>(helper.find());
+  // What loop removal refuses has other causes mostly.
+  EntryHelp help = helper.find_past_leads();
+  return help.proposals.empty() ? nullptr : std::make_shared<const EntryHelp>(std::move(help));
 }
 
 }  // namespace trc::selection

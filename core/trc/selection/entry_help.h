@@ -17,9 +17,11 @@ namespace trc::selection {
 //           \                                     |               /
 //   ---------E======== contour                    E =====<=======  contour
 //
-// and, under G238, a start point that is free, near to the one programmed. Each is compensated with
-// the contour that is known, in a Compensator of its own, and its path measured against that: what
-// is refused or comes nearer than the tool radius is not offered. Null: nothing is known of use.
+// Where loops are removed and there is no way past the begin, the circle takes the place of the
+// leads at the begin, too. Under G238 it is a start point that is free, near to the one programmed.
+// Each is compensated with the contour that is known, in a Compensator of its own, and its path
+// measured against that: what is refused or comes nearer than the tool radius is not offered. Null:
+// nothing is known of use.
 //
 // Only what was refused costs anything.
 [[nodiscard]] std::shared_ptr<const EntryHelp> help_with(const RefusedWay& refused,

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <vector>
 
@@ -22,6 +23,12 @@ struct RefusedWay {
   std::optional<double> needed_straight{};
   // What the corner before it takes off the last contour block, as in PathBlock.
   double cut_at_start = 0;
+  // Where loops are removed `blocks` has what there is behind the leads at the begin; so many leads
+  // are left out there, and so many blocks at its end are no walls.
+  bool removes_loops = false;
+  bool at_begin = false;  // nothing of it can be travelled
+  std::size_t leads_in = 0;
+  std::size_t leads_out = 0;
   // Where the way in meets the equidistant under G238, which needs no length but a free start.
   std::optional<Point> target{};
   // Under G238 too: the start has to lie on the tool side of the first block (rule 3.5).
