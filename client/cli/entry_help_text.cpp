@@ -82,18 +82,21 @@ std::string line_of(const EntryProposal& proposal, bool leaves, const Words& wor
     if (leaves && i + 1 == proposal.blocks.size()) text += " with G40";
     from = axes_of(block.end);
   }
+  // The contour may go on without a G word of its own.
+  if (!leaves && !proposal.blocks.empty() && proposal.blocks.back().center) text += ", G1";
   return text;
 }
 
-std::string blocks(std::uint32_t count) {
-  return std::to_string(count) + (count == 1 ? " block" : " blocks");
+// "the block", "the 2 blocks"
+std::string blocks(const std::string& which, std::uint32_t count) {
+  return count == 1 ? which + "block" : which + std::to_string(count) + " blocks";
 }
 
 std::string words_of_leads(const EntryHelp& help) {
   std::string text = "what leads to the contour has to be another one: replace the approach";
-  if (help.replaced > 0) text += " and the " + blocks(help.replaced) + " behind it, as leads";
+  if (help.replaced > 0) text += " and " + blocks("the ", help.replaced) + " behind it, as leads";
   if (help.left_out > 0)
-    text += ", and leave out the last " + blocks(help.left_out) + " before G40";
+    text += ", and leave out " + blocks("the last ", help.left_out) + " before G40";
   return text;
 }
 

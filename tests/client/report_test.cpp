@@ -65,14 +65,14 @@ TEST(EntryHelpText, SaysWhatWouldDoInWordsAndInLines) {
             "the approach is 3.000 mm long and needs at least 5.000 mm; it may start at X-5 Y12.7");
   EXPECT_EQ(lines[1],
             "proposed entry, quarter circle, in mm: G0 X5 Y25.4, G1 X-20.4 Y25.4 Z0 with G41 or "
-            "G42 as before, G3 X5 Y0 R25.4");
+            "G42 as before, G3 X5 Y0 R25.4, G1");
 }
 
 TEST(EntryHelpText, WritesAsTheProgramIsWritten) {
   EntryHelp help = quarter_circle_help();
   EXPECT_EQ(lines_of(help, {.dialect = DialectName::fanuc, .inch = true})[1],
             "proposed entry, quarter circle, in inch: G0 X0.19685 Y1., G1 X-0.80315 Y1. Z0. with "
-            "G41 or G42 as before, G3 X0.19685 Y0. R1.");
+            "G41 or G42 as before, G3 X0.19685 Y0. R1., G1");
   EXPECT_NE(lines_of(help, {.dialect = DialectName::sinumerik})[1].find("CR=25.4"),
             std::string::npos);
   EXPECT_EQ(lines_of(help, {.dialect = DialectName::heidenhain}).size(), 1U);
@@ -83,6 +83,21 @@ TEST(EntryHelpText, WritesAsTheProgramIsWritten) {
   help.proposals.clear();
   EXPECT_EQ(lines_of(help, {}),
             std::vector<std::string>{"the retract is 3.000 mm long; it may end at X1 Z0"});
+}
+
+TEST(EntryHelpText, NamesTheLeadsThatHaveToGo) {
+  EntryHelp help = quarter_circle_help();
+  help.needed_length = 0;
+  help.legal.reset();
+  help.replaced = 1;
+  EXPECT_EQ(lines_of(help, {})[0],
+            "what leads to the contour has to be another one: replace the approach and the block "
+            "behind it, as leads");
+  help.replaced = 2;
+  help.left_out = 3;
+  EXPECT_EQ(lines_of(help, {})[0],
+            "what leads to the contour has to be another one: replace the approach and the 2 "
+            "blocks behind it, as leads, and leave out the last 3 blocks before G40");
 }
 
 TEST(EntryHelpText, SaysNothingWhereNothingIsKnown) {

@@ -35,13 +35,15 @@ struct Program {
   std::vector<Segment> way_in{};
   std::vector<Segment> contour{};
   std::vector<Segment> way_out{};
+  CompensatorSetup compensator = all_walls();
+  std::size_t leads_out = 0;  // at the end of the contour
 };
 
 constexpr std::size_t first_of_way_out = 1000;
 
 // Of the way in the numbers are 0, 1; of the contour they begin with 100.
 Outcome compensate(const Program& program) {
-  Channel channel(program.mode, program.start);
+  Channel channel(program.mode, program.start, 1, program.compensator);
   std::size_t ordinal = 0;
   channel.note(channel.program().select(program.mode.side, channel.place(0)));
   for (const Segment& block : program.way_in) channel.move(block, ordinal++);
@@ -89,6 +91,13 @@ Program with(const Program& program, const EntryHelp& help, const EntryProposal&
   } else {
     changed.start = in_plane(proposal.start, program.mode.plane);
     changed.way_in = motions;
+    std::vector<Segment>& contour = changed.contour;
+    contour.erase(contour.begin(), contour.begin() + help.replaced);
+    contour.resize(contour.size() - help.left_out);
+    changed.leads_out -= help.left_out;
+    if (help.left_out > 0)
+      changed.way_out = {
+          Line{.start = point_at(contour.back(), 1), .end = point_at(program.way_out.back(), 1)}};
   }
   return changed;
 }
@@ -101,7 +110,8 @@ double nearest(const Segment& path, const Segment& wall) {
 }
 
 void expect_clear(const Program& program, const EntryHelp& help, const Outcome& outcome) {
-  const std::size_t known = std::min<std::size_t>(help.tried_on, program.contour.size());
+  const std::size_t known =
+      std::min<std::size_t>(help.tried_on, program.contour.size() - program.leads_out);
   const auto walls = help.leaves ? std::span(program.contour).last(known)
                                  : std::span(program.contour).first(known);
   for (const CompensatedBlock& block : moving(outcome.blocks, 1e-6)) {
@@ -242,6 +252,69 @@ TEST(EveryProposedEntry, IsAcceptedAndClearUnderG238) {
     const Point legal = in_plane(*error.entry_help->legal, program.mode.plane);
     for (const Segment& wall : program.contour)
       ASSERT_GE(slow_distance(legal, wall), program.mode.tool_radius - 1e-9);
+  }
+  ::testing::Test::RecordProperty("refused", std::to_string(refused));
+  ::testing::Test::RecordProperty("helped", std::to_string(helped));
+  EXPECT_GT(refused, samples() / 4);
+  EXPECT_GT(helped, refused / 2);
+}
+
+// A convex pocket that is entered and left in the middle of a side by quarter circles, which are
+// too small now and then.
+Program pocket(std::uint64_t seed) {
+  Random random(seed);
+  Program program;
+  program.mode = random_mode(random);
+  program.mode.masking = Masking::on;
+  program.mode.options.remove_masked_blocks = true;
+  program.compensator = {};
+  const double radius = program.mode.tool_radius;
+  const double hand = program.mode.side == Side::left ? 1 : -1;
+  const std::size_t count = 4 + random.below(5);
+  const double first = random.between(-pi, pi);
+  const double away = radius * random.between(4, 12);
+  std::vector<Point> corners;
+  for (std::size_t k = 0; k < count; ++k) {
+    const double angle = first + hand * 2 * pi * (static_cast<double>(k) + random.between(0, 0.3)) /
+                                     static_cast<double>(count);
+    corners.emplace_back(away * std::cos(angle), away * std::sin(angle));
+  }
+  const Point begin = (corners[0] + corners[1]) / 2;
+  const Vector along = (corners[1] - corners[0]).normalized();
+  const Vector inward = hand * Vector(-along.y(), along.x());
+  const double in = radius * random.between(0.2, 1.4);
+  const double out = radius * random.between(0.2, 2.5);
+  const Point center_in = begin + in * inward;
+  const Point center_out = begin + out * inward;
+  const Point on = center_in - in * along;
+  const Point off = center_out + out * along;
+  program.start = center_in;
+  program.way_in = {Line{.start = center_in, .end = on}};
+  program.contour.emplace_back(
+      Arc{.start = on, .end = begin, .center = center_in, .sweep = hand * pi / 2});
+  Point at = begin;
+  for (std::size_t k = 1; k <= count; ++k) {
+    program.contour.emplace_back(Line{.start = at, .end = corners[k % count]});
+    at = corners[k % count];
+  }
+  program.contour.emplace_back(Line{.start = at, .end = begin});
+  program.contour.emplace_back(
+      Arc{.start = begin, .end = off, .center = center_out, .sweep = hand * pi / 2});
+  program.leads_out = 1;
+  program.way_out = {Line{.start = off, .end = center_out}};
+  return program;
+}
+
+TEST(EveryProposedEntry, TakesThePlaceOfLeadsThatAreTooSmall) {
+  std::uint64_t refused = 0;
+  std::uint64_t helped = 0;
+  for (std::uint64_t seed = 1; seed <= samples() && !::testing::Test::HasFailure(); ++seed) {
+    const Program program = pocket(seed);
+    SCOPED_TRACE(story_of(seed, program));
+    const Outcome outcome = compensate(program);
+    if (!outcome.stopped) continue;
+    ++refused;
+    if (expect_useful(program, *outcome.error())) ++helped;
   }
   ::testing::Test::RecordProperty("refused", std::to_string(refused));
   ::testing::Test::RecordProperty("helped", std::to_string(helped));

@@ -12,7 +12,7 @@ namespace {
 constexpr double pi = std::numbers::pi;
 constexpr int directions = 48;
 constexpr double spread = 1.2;  // of one ring to the next
-constexpr int halvings = 14;
+constexpr int halvings = 16;
 
 }  // namespace
 
@@ -21,15 +21,20 @@ std::optional<Point> FreeStart::find() const {
   if (!best) return std::nullopt;
   best = drawn_near(*best);
   double turn = pi / directions;
-  for (int halving = 0; halving < halvings; ++halving, turn /= 2) {
-    for (const double way : {-turn, turn}) {
-      const Place beside{.angle = best->angle + way, .distance = best->distance};
-      if (!is_free(beside)) continue;
-      const Place nearer = drawn_near(beside);
-      if (nearer.distance < best->distance) best = nearer;
-    }
-  }
+  for (int halving = 0; halving < halvings; ++halving, turn /= 2)
+    for (const double step : {-turn, turn}) *best = turned(*best, step);
   return point_at(*best);
+}
+
+FreeStart::Place FreeStart::turned(Place place, double step) const {
+  for (int turn = 0; turn < directions; ++turn) {
+    const Place beside{.angle = place.angle + step, .distance = place.distance};
+    if (!is_free(beside)) break;
+    const Place nearer = drawn_near(beside);
+    if (!(nearer.distance < place.distance)) break;
+    place = nearer;
+  }
+  return place;
 }
 
 std::optional<FreeStart::Place> FreeStart::first_ring() const {

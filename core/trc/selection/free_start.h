@@ -40,6 +40,8 @@ class FreeStart {
   [[nodiscard]] bool is_free(const Place& place) const { return is_free(point_at(place)); }
   [[nodiscard]] Point point_at(const Place& place) const;
   [[nodiscard]] std::optional<Place> first_ring() const;
+  // On in steps of this angle as long as that leads nearer.
+  [[nodiscard]] Place turned(Place place, double step) const;
   // As near as the way there stays free.
   [[nodiscard]] Place drawn_near(Place place) const;
 
