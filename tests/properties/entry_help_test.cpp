@@ -41,14 +41,21 @@ struct Program {
 
 constexpr std::size_t first_of_way_out = 1000;
 
-// Of the way in the numbers are 0, 1; of the contour they begin with 100.
+double height_at(std::size_t ordinal) { return 0.25 * static_cast<double>(ordinal % 7); }
+
+// Of the way in the numbers are 0, 1; of the contour they begin with 100. Each block moves across
+// the plane, too.
 Outcome compensate(const Program& program) {
   Channel channel(program.mode, program.start, 1, program.compensator);
   std::size_t ordinal = 0;
   channel.note(channel.program().select(program.mode.side, channel.place(0)));
-  for (const Segment& block : program.way_in) channel.move(block, ordinal++);
+  const auto give = [&](const Segment& block) {
+    channel.move(block, ordinal, height_at(ordinal));
+    ++ordinal;
+  };
+  for (const Segment& block : program.way_in) give(block);
   ordinal = 100;
-  for (const Segment& block : program.contour) channel.move(block, ordinal++);
+  for (const Segment& block : program.contour) give(block);
   ordinal = first_of_way_out;
   for (std::size_t k = 0; k < program.way_out.size(); ++k, ++ordinal) {
     if (k + 1 == program.way_out.size() && channel.running()) {
@@ -56,7 +63,7 @@ Outcome compensate(const Program& program) {
         channel.note(channel.program().set_selection(program.deselection, channel.place(ordinal)));
       channel.note(channel.program().deselect(channel.place(ordinal)));
     }
-    channel.move(program.way_out[k], ordinal);
+    channel.move(program.way_out[k], ordinal, height_at(ordinal));
   }
   return channel.finish(ordinal);
 }

@@ -201,6 +201,17 @@ TEST(EntryHelp, ReplacesLeadsTheToolDoesNotFitInto) {
   EXPECT_TRUE(refused(pocket(large_in, small_out)).help.proposals.empty());
 }
 
+// What comes down in a lead that is replaced comes down all the same.
+TEST(EntryHelp, KeepsTheHeightAtWhichTheContourBegins) {
+  const auto [code, help] = refused(
+      pocket("G0 X0 Y-46 Z5\nG41 G1 X-4 Z2\nG3 X0 Y-50 I4 Z-3", "G3 X20 Y-30 J20\nG40 G1 X0 Z5"));
+  EXPECT_EQ(code, 90038);
+  ASSERT_EQ(help.proposals.size(), 1U);
+  EXPECT_EQ(text_of(help.proposals[0]),
+            "from 0.000 -30.000 5.000: to -20.000 -30.000 2.000; ccw to 0.000 -50.000 -3.000 about "
+            "0.000 -30.000 2.000;");
+}
+
 // What is accepted, or refused for another reason, says nothing of entries.
 TEST(EntryHelp, IsGivenToNothingElse) {
   const ProgramRun run =

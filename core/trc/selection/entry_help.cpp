@@ -253,7 +253,6 @@ std::vector<Block> Helper::program(const Way& way) const {
   const auto add_lead = [&](const Segment& path, const MotionBlock& like) {
     MotionBlock lead = like;
     lead.path = path;
-    lead.normal = {.from = like.normal.from, .to = like.normal.from};
     motions.push_back(std::move(lead));
   };
   if (refused_.leaves) {
@@ -267,7 +266,6 @@ std::vector<Block> Helper::program(const Way& way) const {
     mode.tangential = false;
     last.mode = std::make_shared<const TrcMode>(mode);
     motions.push_back(last);
-    last.normal = {.from = last.normal.to, .to = last.normal.to};
     for (std::size_t i = 0; i + 1 < way.motions.size(); ++i) add_lead(way.motions[i], last);
     motions.push_back(refused_block_);
     motions.back().path = way.motions.back();
@@ -281,6 +279,8 @@ std::vector<Block> Helper::program(const Way& way) const {
   std::vector<Block> blocks;
   for (MotionBlock& motion : motions) {
     motion.source.index = blocks.size();
+    // A matter of the plane; of leads that are left out the height would be missing.
+    motion.normal = {.from = refused_block_.normal.from, .to = refused_block_.normal.from};
     motion.tracking.clear();
     blocks.emplace_back(std::move(motion));
   }
@@ -301,18 +301,23 @@ bool Helper::is_clear(const Segment& path) const {
 }
 
 EntryProposal Helper::proposal(const Way& way) const {
-  const double from = refused_block_.normal.from;
   const double to = refused_block_.normal.to;
+  // Leads that are left out may have come down to the contour.
+  const double at_contour = refused_.leads_in > 0 ? contour_.front().normal.from : to;
+  double height = refused_block_.normal.from;
   EntryProposal result{.shape = way.shape, .start = start_point(start_of(way.motions.front()))};
   for (const Segment& motion : way.motions) {
     // A way out rises in its last motion, a way in comes down in its first one.
     const bool is_last = &motion == &way.motions.back();
-    const double height = !refused_.leaves || is_last ? to : from;
-    ProposedBlock block{.end = machine_point(plane_, end_of(motion), height)};
+    const double last = refused_.leaves ? to : at_contour;
+    const double between = refused_.leaves ? height : to;
+    const double end = is_last ? last : between;
+    ProposedBlock block{.end = machine_point(plane_, end_of(motion), end)};
     if (const auto* arc = std::get_if<Arc>(&motion)) {
       block.center = machine_point(plane_, arc->center, height);
       block.sweep = arc->sweep;
     }
+    height = end;
     result.blocks.push_back(block);
   }
   return result;

@@ -43,12 +43,15 @@ std::optional<FreeStart::Place> FreeStart::first_ring() const {
   double farthest = 4 * radius;
   for (const MotionBlock& block : asked_.contour)
     farthest = std::max(farthest, 4 * radius + (end_of(block.path) - given).norm());
-  for (double distance = radius / 50; distance <= farthest; distance *= spread)
+  double distance = radius / 50;
+  while (distance <= farthest) {
     for (int direction = 0; direction < directions; ++direction) {
       checkpoint_.pass();
       const Place place{.angle = 2 * pi * direction / directions, .distance = distance};
       if (is_free(place)) return place;
     }
+    distance *= spread;
+  }
   return std::nullopt;
 }
 
