@@ -172,6 +172,21 @@ TEST(Compensate, ProposesAnEntryThatIsAccepted) {
   }
 }
 
+TEST(Compensate, PutsTheProposedEntryIntoJson) {
+  const Ended ended = trc({"compensate", "-", "--format", "jsonl"},
+                          "V.G.WZ_AKT.R=10\nG236 F1000\nG0 X0 Y0\nG1 G41 X5\nX60 "
+                          "Y10\nG40\nX120 Y30\nM30\n");
+  EXPECT_EQ(ended.code, 1);
+  const auto lines = lines_of(ended.out);
+  ASSERT_FALSE(lines.empty());
+  const auto last = object_of(lines.back());
+  const auto& diagnostic = last.fields().at("diagnostic").struct_value().fields();
+  const auto& help = diagnostic.at("entryHelp").struct_value().fields();
+  EXPECT_EQ(help.at("neededLength").number_value(), 10);
+  EXPECT_EQ(help.at("legalPoint").struct_value().fields().at("x").number_value(), -5);
+  EXPECT_EQ(help.at("proposals").list_value().values_size(), 2);
+}
+
 TEST(Compensate, LeavesNoFileOfARefusedProgram) {
   const Folder folder;
   folder.write("in.nc", violating);
