@@ -70,7 +70,7 @@ void add_plot(CLI::App& app, Action& action) {
       "says\n"
       "where. A refused program gives the picture of what was certain, with the place marked, and "
       "exit "
-      "code 1.\n\n" +
+      "code 1;\nwhat is proposed in place of an approach or a retract is green and dashed.\n\n" +
       settings_help());
   command->callback([call, &action] { action = [call] { return run(*call); }; });
 }

@@ -24,16 +24,21 @@ void append_printable(std::string& line, std::string_view text) {
   }
 }
 
+// "FILE:LINE: WORD CODE: "
+std::string place_and_code(std::string_view file, const Diagnostic& diagnostic,
+                           std::string_view word) {
+  std::string line;
+  append_printable(line, file);
+  if (diagnostic.source.line > 0) line += ":" + std::to_string(diagnostic.source.line);
+  line.append(": ").append(word);
+  return line + " " + std::to_string(static_cast<int>(diagnostic.code)) + ": ";
+}
+
 }  // namespace
 
 std::string line_for(std::string_view file, const wire::ReceivedDiagnostic& received) {
   const Diagnostic& diagnostic = received.diagnostic;
-  std::string line;
-  append_printable(line, file);
-  if (diagnostic.source.line > 0) line += ":" + std::to_string(diagnostic.source.line);
-  line += ": ";
-  line += word_for(diagnostic.severity);
-  line += " " + std::to_string(static_cast<int>(diagnostic.code)) + ": ";
+  std::string line = place_and_code(file, diagnostic, word_for(diagnostic.severity));
   append_printable(line, received.message);
   if (diagnostic.column > 0) line += ", column " + std::to_string(diagnostic.column);
   if (!received.remedy.empty()) {
@@ -42,6 +47,14 @@ std::string line_for(std::string_view file, const wire::ReceivedDiagnostic& rece
     line += ")";
   }
   return line;
+}
+
+std::vector<std::string> help_lines_for(std::string_view file, const Diagnostic& diagnostic,
+                                        const Writing& writing) {
+  if (!diagnostic.entry_help) return {};
+  std::vector<std::string> lines = lines_of(*diagnostic.entry_help, writing);
+  for (std::string& line : lines) line.insert(0, place_and_code(file, diagnostic, "help"));
+  return lines;
 }
 
 }  // namespace trc::cli

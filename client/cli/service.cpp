@@ -8,6 +8,7 @@
 #include "client/cli/report.h"
 #include "client/trc/connection.h"
 #include "client/trc/remote_program_session.h"
+#include "proto/wire/setup.h"
 #include "server/in_process.h"
 
 namespace trc::cli {
@@ -81,12 +82,15 @@ class Service {
 // Prints the diagnostics of an answer and remembers whether one stops the program.
 class Reporter {
  public:
-  Reporter(const Input& input, Progress& progress) : input_(input), progress_(progress) {}
+  Reporter(const Input& input, const v1::ProgramSetup& setup, Progress& progress)
+      : input_(input), writing_(writing_of(setup)), progress_(progress) {}
 
   void report(const Answer& answer) {
     for (const wire::ReceivedDiagnostic& received : answer.diagnostics) {
       progress_.clear();
       std::cerr << line_for(input_.name(), received) << '\n';
+      for (const std::string& line : help_lines_for(input_.name(), received.diagnostic, writing_))
+        std::cerr << line << '\n';
       refused_ = refused_ || received.diagnostic.severity == Severity::error;
     }
   }
@@ -94,7 +98,16 @@ class Reporter {
   [[nodiscard]] bool refused() const { return refused_; }
 
  private:
+  static Writing writing_of(const v1::ProgramSetup& setup) {
+    wire::FieldFaults faults;
+    const wire::ProgramSettings settings =
+        wire::from_proto(setup, wire::FieldPath("setup"), faults);
+    const ProgramSetup& program = settings.path.session.program;
+    return {.dialect = program.dialect, .inch = program.inch};
+  }
+
   const Input& input_;
+  Writing writing_;
   Progress& progress_;
   bool refused_ = false;
 };
@@ -123,7 +136,7 @@ Outcome compensate_program(const ServiceOptions& options, const v1::ProgramSetup
   const Service service(options);
   if (service.failure()) return {.exit = service.explain(*service.failure(), false)};
   client::RemoteProgramSession session(service.connection(), setup);
-  Reporter reporter(input, progress);
+  Reporter reporter(input, setup, progress);
   bool answered = false;
   std::uint64_t bytes = 0;
   const AnswerSink take = [&](const Answer& answer) {

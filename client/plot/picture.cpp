@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "client/plot/changed_contour.h"
+#include "core/base/entry_help.h"
 #include "core/geometry/along.h"
 #include "core/trc/result/listing.h"
 #include "core/trc/walls/selection_contours.h"
@@ -94,6 +95,7 @@ class Composer {
     add_tools();
     add_warnings();
     add_fault();
+    add_proposals();
     std::stable_sort(picture_.strokes.begin(), picture_.strokes.end(),
                      [](const Stroke& a, const Stroke& b) { return a.layer < b.layer; });
     return std::move(picture_);
@@ -292,11 +294,42 @@ class Composer {
     }
   }
 
-  [[nodiscard]] std::optional<Point> place_of(const Diagnostic& diagnostic) const {
-    if (diagnostic.point) {
-      const Position position{diagnostic.point->x, diagnostic.point->y, diagnostic.point->z};
-      return to_plane(picture_.plane, position);
+  // Never travelled: the operator may put them in.
+  void add_proposals() {
+    for (const Diagnostic& diagnostic : contents_.diagnostics) {
+      if (!diagnostic.entry_help) continue;
+      const EntryHelp& help = *diagnostic.entry_help;
+      if (axes_of(picture_.plane).third != help.third_axis) continue;
+      for (const EntryProposal& proposal : help.proposals) add(proposal, help.leaves);
     }
+    flush_joined();
+  }
+
+  void add(const EntryProposal& proposal, bool leaves) {
+    const bool is_line = proposal.shape == EntryProposal::Shape::line;
+    Stroke stroke{.layer = Layer::proposal,
+                  .title = std::string(leaves ? "proposed exit" : "proposed entry") +
+                           (is_line ? ", line" : ", quarter circle")};
+    Point at = in_plane(proposal.start);
+    for (const ProposedBlock& block : proposal.blocks) {
+      const Point end = in_plane(block.end);
+      if (block.center) {
+        stroke.segments.emplace_back(
+            Arc{.start = at, .end = end, .center = in_plane(*block.center), .sweep = block.sweep});
+      } else {
+        stroke.segments.emplace_back(Line{.start = at, .end = end});
+      }
+      at = end;
+    }
+    add(std::move(stroke));
+  }
+
+  [[nodiscard]] Point in_plane(const DiagnosticPoint& point) const {
+    return to_plane(picture_.plane, Position{point.x, point.y, point.z});
+  }
+
+  [[nodiscard]] std::optional<Point> place_of(const Diagnostic& diagnostic) const {
+    if (diagnostic.point) return in_plane(*diagnostic.point);
     std::optional<Point> reached;
     for (const Block& block : contents_.programmed) {
       const auto* motion = std::get_if<MotionBlock>(&block);
@@ -332,7 +365,7 @@ class Composer {
   Picture picture_;
   bool single_ = true;
   std::map<std::uint64_t, Segment> changed_{};
-  std::array<Stroke, 6> joined_{};
+  std::array<Stroke, 7> joined_{};
 };
 
 }  // namespace

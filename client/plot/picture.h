@@ -22,6 +22,7 @@ enum class Layer : std::uint8_t {
   masked,      // programmed, but masked or removed: the tool does not get there
   path,        // the way of the tool centre
   transition,  // inserted on that way
+  proposal,    // what is proposed in place of an approach or a retract
 };
 
 struct Stroke {

@@ -27,13 +27,14 @@ struct Style {
   bool dashed = false;  // also where it is no rapid motion
 };
 
-constexpr std::array<Style, 6> styles{{
+constexpr std::array<Style, 7> styles{{
     {Layer::lead, "lead", "black", "0.9", "lead-in, lead-out"},
     {Layer::programmed, "programmed", "black", "2.4", "programmed contour"},
     {Layer::replaced, "replaced", "red", "1.6", "as programmed, replaced", true},
     {Layer::masked, "masked", "red", "2.4", "masked or removed"},
     {Layer::path, "path", "blue", "1.5", "compensated path"},
     {Layer::transition, "transition", "deepskyblue", "2.4", "transition block"},
+    {Layer::proposal, "proposal", "green", "2", "proposed instead", true},
 }};
 constexpr const char* dash = "8 5";
 

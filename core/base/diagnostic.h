@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -117,6 +118,8 @@ struct DiagnosticPoint {
   double z = 0;
 };
 
+struct EntryHelp;  // core/base/entry_help.h
+
 struct Diagnostic {
   Code code{};
   Severity severity = Severity::error;
@@ -126,6 +129,9 @@ struct Diagnostic {
   std::vector<DiagnosticValue> values{};
   std::optional<DiagnosticPoint> point{};
   bool found_together = false;  // one of several errors of one run
+  // What would do instead, where a selection or deselection block was refused; never used by
+  // itself.
+  std::shared_ptr<const EntryHelp> entry_help{};
 };
 
 // One row of the public table: everything that is known about a code before it

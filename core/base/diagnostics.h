@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -37,6 +38,11 @@ class Diagnostics {
   }
 
   [[nodiscard]] bool stopped() const { return stopped_; }
+
+  // Goes with the error reported last.
+  void help_with_entry(std::shared_ptr<const EntryHelp> help) {
+    if (stopped_ && !pending_.empty()) pending_.back().entry_help = std::move(help);
+  }
 
   // Reported and not yet taken, in order.
   [[nodiscard]] const std::vector<Diagnostic>& pending() const { return pending_; }

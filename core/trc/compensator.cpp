@@ -12,16 +12,28 @@
 #include "core/trc/passes/relevant_blocks.h"
 #include "core/trc/passes/reporting.h"
 #include "core/trc/passes/transitions.h"
+#include "core/trc/selection/entry_help.h"
 #include "core/trc/selection/inside_corner.h"
+#include "core/trc/selection/refused_way.h"
 #include "core/trc/selection/split.h"
 #include "core/trc/state_archive.h"
 
 namespace trc {
 
+namespace {
+
+// What LoopRemoval refuses, which leads that the tool does not fit into may be the cause of.
+bool may_be_of_leads(Code code) {
+  return code == Code::line_reversed || code == Code::arc_wrapped || code == Code::most_left_out;
+}
+
+}  // namespace
+
 // The passes and the blocks on their way between them.
 struct Compensator::Passes {
-  Passes(const CompensatorSetup& setup, Diagnostics& log)
-      : diagnostics(log),
+  Passes(const CompensatorSetup& given, Diagnostics& log)
+      : setup(given),
+        diagnostics(log),
         checkpoint(setup.interrupt),
         take_portion(setup.take_portion),
         engine(setup.engine),
@@ -29,9 +41,10 @@ struct Compensator::Passes {
         convert_circles(setup.tolerances),
         kerf_masking(setup.circular_kerf_masking, setup.tolerances),
         offset(setup.tolerances, log),
-        inside_corner(setup.limits.selection_blocks, setup.tolerances, log, checkpoint),
+        inside_corner(setup.limits.selection_blocks, setup.tolerances, log, checkpoint,
+                      refused_way),
         contour_masking(setup, log, checkpoint),
-        transitions(setup.tolerances, log),
+        transitions(setup.tolerances, log, refused_way),
         loop_removal(setup, log, checkpoint),
         contour_violations(setup.tolerances, log),
         bottlenecks(setup, log, checkpoint),
@@ -109,13 +122,31 @@ struct Compensator::Passes {
             (loop_removal.ignores(block) && bottlenecks.ignores(block)));
   }
 
+  // What would do in place of the block that was refused. Looks for it once.
+  void help_with_entry() {
+    if (!setup.helps_with_entries || diagnostics.pending().empty()) return;
+    selection::RefusedWay refused = std::exchange(refused_way, {});
+    if (may_be_of_leads(diagnostics.pending().back().code)) refused = loop_removal.refused_way();
+    const bool left_out = diagnostics.pending().back().code == Code::most_left_out;
+    if (refused.removes_loops && !refused.at_begin && !left_out) return;
+    if (refused.blocks.empty()) return;
+    const PathBlock* next = relevant_blocks.held();
+    const bool goes_on = !refused.leaves && !refused.target && !refused.removes_loops &&
+                         next != nullptr && next->role == Role::contour &&
+                         start_of(next->programmed.path) == end_of(refused.blocks.back().path);
+    if (goes_on) refused.blocks.push_back(next->programmed);
+    diagnostics.help_with_entry(selection::help_with(refused, setup));
+  }
+
   static constexpr std::size_t portion = 1024;
   static constexpr std::size_t some = 32;  // of a portion
 
+  CompensatorSetup setup;
   Diagnostics& diagnostics;
   Checkpoint checkpoint;
   TakePortion take_portion;
   Engine engine;
+  selection::RefusedWay refused_way;  // by the pass that has stopped the stream
   RelevantBlocks relevant_blocks;
   ConvertCircles convert_circles;
   KerfMasking kerf_masking;
@@ -169,14 +200,16 @@ std::size_t Compensator::take(std::span<Block> blocks, std::vector<CompensatedBl
   }
   ++summary.blocks_in;
   passes_->programmed = blocks.first(1);
-  passes_->step(Input::more, out);
+  if (!passes_->step(Input::more, out)) passes_->help_with_entry();
   passes_->programmed = {};
   return 1;
 }
 
 bool Compensator::finish(const TrcMode& at_end, std::vector<CompensatedBlock>& out) {
   passes_->relevant_blocks.end_in(at_end);
-  return passes_->step(Input::ended, out);
+  if (passes_->step(Input::ended, out)) return true;
+  passes_->help_with_entry();
+  return false;
 }
 
 void Compensator::save(StateWriter& archive) const { archive(*passes_); }

@@ -49,6 +49,7 @@ struct CompensatorSetup {
   double smallest_feed_factor = 0.01;     // D-31
   bool inverse_path = false;              // CompensatedBlock::inverse
   Engine engine = Engine::automatic;
+  bool helps_with_entries = true;     // Diagnostic::entry_help
   Checkpoint::Interrupt interrupt{};  // of long work
   TakePortion take_portion{};
 };

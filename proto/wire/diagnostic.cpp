@@ -1,9 +1,89 @@
 #include "proto/wire/diagnostic.h"
 
 #include <algorithm>
+#include <array>
 #include <limits>
+#include <memory>
+
+#include "core/base/entry_help.h"
 
 namespace trc::wire {
+namespace {
+
+// By the axis across each.
+constexpr std::array planes{v1::PLANE_YZ, v1::PLANE_ZX, v1::PLANE_XY};
+
+void write(const DiagnosticPoint& point, v1::Position& message) {
+  message.set_x(point.x);
+  message.set_y(point.y);
+  message.set_z(point.z);
+}
+
+DiagnosticPoint point_of(const v1::Position& message) {
+  return {.x = message.x(), .y = message.y(), .z = message.z()};
+}
+
+void write(const EntryProposal& proposal, v1::EntryProposal& message) {
+  message.set_shape(proposal.shape == EntryProposal::Shape::line
+                        ? v1::EntryProposal::SHAPE_LINE
+                        : v1::EntryProposal::SHAPE_QUARTER_CIRCLE);
+  write(proposal.start, *message.mutable_start());
+  for (const ProposedBlock& block : proposal.blocks) {
+    v1::ProposedMotion& motion = *message.add_motions();
+    if (!block.center) {
+      write(block.end, *motion.mutable_line()->mutable_end());
+      continue;
+    }
+    write(block.end, *motion.mutable_arc()->mutable_end());
+    write(*block.center, *motion.mutable_arc()->mutable_center());
+    motion.mutable_arc()->set_sweep(block.sweep);
+  }
+}
+
+EntryProposal proposal_of(const v1::EntryProposal& message) {
+  EntryProposal proposal{.shape = message.shape() == v1::EntryProposal::SHAPE_QUARTER_CIRCLE
+                                      ? EntryProposal::Shape::quarter_circle
+                                      : EntryProposal::Shape::line,
+                         .start = point_of(message.start())};
+  for (const v1::ProposedMotion& motion : message.motions()) {
+    ProposedBlock block{.end = point_of(motion.line().end())};
+    if (motion.has_arc())
+      block = {.end = point_of(motion.arc().end()),
+               .center = point_of(motion.arc().center()),
+               .sweep = motion.arc().sweep()};
+    proposal.blocks.push_back(block);
+  }
+  return proposal;
+}
+
+void write(const EntryHelp& help, v1::EntryHelp& message) {
+  message.set_leaves(help.leaves);
+  message.set_plane(planes.at(help.third_axis));
+  message.set_given_length(help.given_length);
+  if (help.needed_length > 0) message.set_needed_length(help.needed_length);
+  message.set_tried_on(help.tried_on);
+  message.set_replaced_blocks(help.replaced);
+  message.set_left_out_blocks(help.left_out);
+  if (help.legal) write(*help.legal, *message.mutable_legal_point());
+  for (const EntryProposal& proposal : help.proposals) write(proposal, *message.add_proposals());
+}
+
+EntryHelp help_of(const v1::EntryHelp& message) {
+  EntryHelp help{.leaves = message.leaves(),
+                 .given_length = message.given_length(),
+                 .needed_length = message.needed_length(),
+                 .tried_on = message.tried_on(),
+                 .replaced = message.replaced_blocks(),
+                 .left_out = message.left_out_blocks()};
+  if (message.plane() == v1::PLANE_ZX) help.third_axis = 1;
+  if (message.plane() == v1::PLANE_YZ) help.third_axis = 0;
+  if (message.has_legal_point()) help.legal = point_of(message.legal_point());
+  for (const v1::EntryProposal& proposal : message.proposals())
+    help.proposals.push_back(proposal_of(proposal));
+  return help;
+}
+
+}  // namespace
 
 v1::Diagnostic::Severity to_proto(Severity severity) {
   switch (severity) {
@@ -33,12 +113,8 @@ void to_proto(const Diagnostic& diagnostic, v1::Diagnostic& message) {
   for (const DiagnosticValue& value : diagnostic.values)
     (*message.mutable_values())[value.name] = value.value;
   message.set_remedy(std::string(row.remedy));
-  if (diagnostic.point) {
-    v1::Position& point = *message.mutable_point();
-    point.set_x(diagnostic.point->x);
-    point.set_y(diagnostic.point->y);
-    point.set_z(diagnostic.point->z);
-  }
+  if (diagnostic.point) write(*diagnostic.point, *message.mutable_point());
+  if (diagnostic.entry_help) write(*diagnostic.entry_help, *message.mutable_entry_help());
   message.set_reason(std::string(row.reason));
   message.set_detail(diagnostic.detail);
 }
@@ -70,9 +146,9 @@ ReceivedDiagnostic from_proto(const v1::Diagnostic& message) {
     diagnostic.values.push_back({.name = name, .value = value});
   std::sort(diagnostic.values.begin(), diagnostic.values.end(),
             [](const DiagnosticValue& a, const DiagnosticValue& b) { return a.name < b.name; });
-  if (message.has_point())
-    diagnostic.point = DiagnosticPoint{
-        .x = message.point().x(), .y = message.point().y(), .z = message.point().z()};
+  if (message.has_point()) diagnostic.point = point_of(message.point());
+  if (message.has_entry_help())
+    diagnostic.entry_help = std::make_shared<const EntryHelp>(help_of(message.entry_help()));
   return received;
 }
 

@@ -142,6 +142,51 @@ TEST(Compensate, TellsFileLineCodeAndRemedyOfARefusal) {
   EXPECT_EQ(lines[0].back(), ')');
 }
 
+// What is proposed is text that can be put in: from "… in mm: " on, one line of the program between
+// two commas, with G41 where it says so.
+std::string program_with(const std::string& proposal) {
+  std::string lines = proposal.substr(proposal.find(", in mm: ") + 9);
+  const std::string selection = " with G41 or G42 as before";
+  lines.replace(lines.find(selection), selection.size(), " G41");
+  for (std::size_t comma = 0; (comma = lines.find(", ")) != std::string::npos;)
+    lines.replace(comma, 2, "\n");
+  return "V.G.WZ_AKT.R=10\nG236 F1000\n" + lines + "\nX60 Y10\nG40\nX120 Y30\nM30\n";
+}
+
+TEST(Compensate, ProposesAnEntryThatIsAccepted) {
+  const Ended refused = trc({"compensate", "-"},
+                            "V.G.WZ_AKT.R=10\nG236 F1000\nG0 X0 Y0\nG1 G41 X5\nX60 "
+                            "Y10\nG40\nX120 Y30\nM30\n");
+  EXPECT_EQ(refused.code, 1);
+  const auto lines = lines_of(refused.err);
+  ASSERT_EQ(lines.size(), 4u) << refused.err;
+  EXPECT_EQ(lines[0].rfind("<stdin>:4: error 900201: ", 0), 0u) << lines[0];
+  EXPECT_EQ(
+      lines[1],
+      "<stdin>:4: help 900201: the approach is 5.000 mm long and needs at least 10.000 mm; it "
+      "may start at X-5 Y0");
+  for (const std::size_t proposal : {2U, 3U}) {
+    const std::string program = program_with(lines[proposal]);
+    const Ended accepted = trc({"compensate", "-"}, program);
+    EXPECT_EQ(accepted.code, 0) << program << accepted.err;
+  }
+}
+
+TEST(Compensate, PutsTheProposedEntryIntoJson) {
+  const Ended ended = trc({"compensate", "-", "--format", "jsonl"},
+                          "V.G.WZ_AKT.R=10\nG236 F1000\nG0 X0 Y0\nG1 G41 X5\nX60 "
+                          "Y10\nG40\nX120 Y30\nM30\n");
+  EXPECT_EQ(ended.code, 1);
+  const auto lines = lines_of(ended.out);
+  ASSERT_FALSE(lines.empty());
+  const auto last = object_of(lines.back());
+  const auto& diagnostic = last.fields().at("diagnostic").struct_value().fields();
+  const auto& help = diagnostic.at("entryHelp").struct_value().fields();
+  EXPECT_EQ(help.at("neededLength").number_value(), 10);
+  EXPECT_EQ(help.at("legalPoint").struct_value().fields().at("x").number_value(), -5);
+  EXPECT_EQ(help.at("proposals").list_value().values_size(), 2);
+}
+
 TEST(Compensate, LeavesNoFileOfARefusedProgram) {
   const Folder folder;
   folder.write("in.nc", violating);
@@ -398,6 +443,14 @@ TEST(Plot, MarksThePlaceOfARefusal) {
   const std::string svg = content_of(folder.path("part.svg"));
   EXPECT_NE(svg.find("<g class=\"fault\""), std::string::npos);
   EXPECT_NE(svg.find("error 90019 in line 5 (N50)"), std::string::npos);
+}
+
+TEST(Plot, DrawsWhatIsProposed) {
+  const Ended ended = trc({"plot", "-", "-o", "-"},
+                          "V.G.WZ_AKT.R=10\nG236 F1000\nG0 X0 Y0\nG1 G41 X5\nX60 Y10\nG40\nX120 "
+                          "Y30\nM30\n");
+  EXPECT_EQ(ended.code, 1);
+  EXPECT_NE(ended.out.find("<title>proposed entry, quarter circle</title>"), std::string::npos);
 }
 
 TEST(Plot, KnowsTheKindOfPictureByItsName) {

@@ -10,6 +10,7 @@
 #include "client/plot/html.h"
 #include "client/plot/picture.h"
 #include "client/plot/svg.h"
+#include "core/base/entry_help.h"
 
 namespace trc::plot {
 namespace {
@@ -387,6 +388,27 @@ TEST(Picture, DrawsTheToolAtTheFault) {
   const Picture picture = compose({.programmed = corner_contour, .diagnostics = found});
   ASSERT_TRUE(picture.fault);
   EXPECT_EQ(picture.fault->tool_radius, 10);
+}
+
+TEST(Svg, DrawsProposalsGreenAndDashed) {
+  EntryHelp help{.tried_on = 1};
+  help.proposals.push_back({.start = {.x = -300}, .blocks = {{.end = {.x = 0}}}});
+  help.proposals.push_back(
+      {.shape = EntryProposal::Shape::quarter_circle,
+       .start = {.x = 0, .y = 20},
+       .blocks = {{.end = {.x = -20, .y = 20}},
+                  {.end = {}, .center = DiagnosticPoint{.x = 0, .y = 20}, .sweep = pi / 2}}});
+  Diagnostic error = diagnostic(Code::selection_block_too_short, source(20));
+  error.entry_help = std::make_shared<const EntryHelp>(help);
+  const std::string drawn = group(svg_of(corner_contour, {}, {}, {error}), "proposal");
+  EXPECT_NE(drawn.find("stroke=\"green\""), std::string::npos);
+  EXPECT_NE(drawn.find("stroke-dasharray"), std::string::npos);
+  EXPECT_EQ(paths_in(drawn).size(), 2U);
+  // Across another plane there is nothing to be seen of an arc.
+  help.third_axis = 0;
+  error.entry_help = std::make_shared<const EntryHelp>(help);
+  EXPECT_EQ(group(svg_of(corner_contour, {}, {}, {error}), "proposal"), "");
+  EXPECT_EQ(group(svg_of(corner_contour, {}), "proposal"), "");
 }
 
 TEST(Svg, WritesBlockNumbersOnDemandOnly) {

@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <memory>
+
+#include "core/base/entry_help.h"
 #include "proto/wire/path_item.h"
 
 namespace trc::wire {
@@ -43,6 +46,62 @@ TEST(DiagnosticMessage, ReadsBackAbsence) {
   const ReceivedDiagnostic read = from_proto(message);
   EXPECT_EQ(read.diagnostic.source, Source{});
   EXPECT_FALSE(read.diagnostic.point);
+}
+
+TEST(DiagnosticMessage, ReadsBackWhatItProposes) {
+  EntryHelp help{.leaves = true,
+                 .third_axis = 1,
+                 .given_length = 3,
+                 .needed_length = 5,
+                 .tried_on = 2,
+                 .replaced = 6,
+                 .left_out = 4,
+                 .legal = DiagnosticPoint{.x = 1, .y = 2, .z = 3}};
+  help.proposals.push_back({.shape = EntryProposal::Shape::quarter_circle,
+                            .start = {.x = 4, .y = 5, .z = 6},
+                            .blocks = {{.end = {.x = 7, .y = 8, .z = 9}},
+                                       {.end = {.x = 10, .y = 11, .z = 12},
+                                        .center = DiagnosticPoint{.x = 13, .y = 14, .z = 15},
+                                        .sweep = -1.5}}});
+  Diagnostic sent = diagnostic(Code::selection_block_too_short, {});
+  sent.entry_help = std::make_shared<const EntryHelp>(help);
+  v1::Diagnostic message;
+  to_proto(sent, message);
+  const auto read = from_proto(message).diagnostic.entry_help;
+  ASSERT_TRUE(read);
+  EXPECT_TRUE(read->leaves);
+  EXPECT_EQ(read->third_axis, 1);
+  EXPECT_EQ(read->given_length, 3);
+  EXPECT_EQ(read->needed_length, 5);
+  EXPECT_EQ(read->tried_on, 2U);
+  EXPECT_EQ(read->replaced, 6U);
+  EXPECT_EQ(read->left_out, 4U);
+  ASSERT_TRUE(read->legal);
+  EXPECT_EQ(read->legal->y, 2);
+  ASSERT_EQ(read->proposals.size(), 1U);
+  const EntryProposal& proposal = read->proposals[0];
+  EXPECT_EQ(proposal.shape, EntryProposal::Shape::quarter_circle);
+  EXPECT_EQ(proposal.start.z, 6);
+  ASSERT_EQ(proposal.blocks.size(), 2U);
+  EXPECT_EQ(proposal.blocks[0].end.x, 7);
+  EXPECT_FALSE(proposal.blocks[0].center);
+  EXPECT_EQ(proposal.blocks[1].end.y, 11);
+  ASSERT_TRUE(proposal.blocks[1].center);
+  EXPECT_EQ(proposal.blocks[1].center->z, 15);
+  EXPECT_EQ(proposal.blocks[1].sweep, -1.5);
+}
+
+// Where nothing is of use, nothing is sent of it.
+TEST(DiagnosticMessage, LeavesOutWhatNothingIsProposedOf) {
+  v1::Diagnostic message;
+  to_proto({.code = Code::line_reversed}, message);
+  EXPECT_FALSE(message.has_entry_help());
+  EXPECT_FALSE(from_proto(message).diagnostic.entry_help);
+  Diagnostic start = diagnostic(Code::selection_point_too_near, {});
+  start.entry_help = std::make_shared<const EntryHelp>(EntryHelp{.given_length = 3});
+  to_proto(start, message);
+  EXPECT_FALSE(message.entry_help().has_needed_length());
+  EXPECT_FALSE(message.entry_help().has_legal_point());
 }
 
 TEST(DiagnosticMessage, EveryCodeHasTextsAndReadsBack) {

@@ -780,6 +780,32 @@ bool LoopRemoval::check_left_out() {
   return diagnostics_.report(refusal_of(longest, largest_masked_share_));
 }
 
+selection::RefusedWay LoopRemoval::refused_way() const {
+  if (entering_.empty() || path_.empty() || path_.begin_of_contour() > 0) return {};
+  const PathBlock& approach = *entering_.front();
+  if (approach.role != Role::approach) return {};
+  const Walls& walls = obstacles_.walls();
+  selection::RefusedWay refused{
+      .shift = approach.at_end.shift, .removes_loops = true, .at_begin = walked_.empty()};
+  const std::size_t end = end_of_contour();
+  for (const Walls::Range& leads : walls.leads) {
+    if (leads.first == 0) refused.leads_in = leads.end;
+    if (leads.end == end) refused.leads_out = end - leads.first;
+  }
+  refused.blocks.push_back(approach.programmed);
+  for (std::size_t number = refused.leads_in; number < end; ++number) {
+    const HeldPath::ContourBlock block = contour(number);
+    const HeldPath::Setting& setting = path_.setting_of(block.block);
+    refused.blocks.push_back({.source = block.source,
+                              .path = block.programmed,
+                              .normal = setting.normal,
+                              .feed = setting.feed,
+                              .role = block.role,
+                              .mode = setting.mode});
+  }
+  return refused;
+}
+
 bool LoopRemoval::refuse(const Onset& onset) {
   const HeldPath::ContourBlock own = contour(number_of(at_.block));
   const TrcMode& mode = path_.mode_of(at_.block);

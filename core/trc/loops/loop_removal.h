@@ -17,6 +17,7 @@
 #include "core/trc/loops/obstacles.h"
 #include "core/trc/loops/walked_path.h"
 #include "core/trc/path_block.h"
+#include "core/trc/selection/refused_way.h"
 #include "core/trc/walls/left_out.h"
 
 namespace trc {
@@ -76,6 +77,9 @@ class LoopRemoval {
   // Passes by a loop that is left out next, if nothing comes out in its place.
   void pass_by_without_trace();
   [[nodiscard]] const HeldPath& path() const { return path_; }
+  // The selection it has stopped at, approach first and without the leads at the begin; no blocks
+  // where not all of it is held any more.
+  [[nodiscard]] selection::RefusedWay refused_way() const;
 
   // The middle of a contour is being held: ContourRun may give it more of it.
   [[nodiscard]] bool takes_contour() const { return !leaving_ && end_of_contour() > 0; }

@@ -43,6 +43,7 @@ class Obstacles {
   // The contour block that has been appended to the path; `apart`: its equidistant does not meet
   // that of the block before.
   void append(const Certificate::Block& course, const Box& area, bool apart);
+  [[nodiscard]] const Walls& walls() const { return walls_; }
   // Which of them are walls, and for whose path; all for all until it is said (D-38).
   void set_walls(Walls walls) {
     walls_ = std::move(walls);

@@ -7,6 +7,7 @@
 #include "core/geometry/parallel.h"
 #include "core/trc/corner/joints.h"
 #include "core/trc/corner/tool_path.h"
+#include "core/trc/selection/on_path.h"
 
 namespace trc {
 namespace {
@@ -182,7 +183,8 @@ bool Transitions::join(PathBlock& after, PathBlocks& out) {
   PathBlock& before = *held_;
   const Corner corner = corner_between(before, after, tolerances_);
   JointResult result = joint_between(before, after, corner, tolerances_);
-  if (const auto* refusal = std::get_if<JointRefusal>(&result)) return refuse(*refusal, after);
+  if (const auto* refusal = std::get_if<JointRefusal>(&result))
+    return refuse(*refusal, corner, after);
   auto& [joint, tangential_path, apart] = std::get<JoinedBlocks>(result);
   if (tangential_path) {
     PathBlock& block = before.role == Role::approach ? before : after;
@@ -232,7 +234,29 @@ void Transitions::change_radius_at_once(const Corner& corner, PathBlock& after,
   after.at_start = after.at_end;
 }
 
-bool Transitions::refuse(const JointRefusal& refusal, const PathBlock& after) {
+void Transitions::keep_refused_way(const Corner& corner, const PathBlock& after) {
+  const PathBlock& before = *held_;
+  const bool leaves = after.role == Role::retract;
+  // A change of side has a contour at both ends.
+  if (!leaves && before.role != Role::approach) return;
+  const PathBlock& block = leaves ? after : before;
+  const bool linear = block.mode().options.g236_lin;
+  const auto needed = [&](const Segment& path, const Vector& tangent) {
+    return leaves ? selection::needed_off_path(corner, path, tangent, linear, tolerances_)
+                  : selection::needed_on_path(corner, path, tangent, linear, tolerances_);
+  };
+  const Vector& tangent = leaves ? after.tangent_at_start : before.tangent_at_end;
+  refused_way_ = {.leaves = leaves,
+                  .blocks = {before.programmed, after.programmed},
+                  .shift = corner.shift,
+                  .needed_length = needed(block.programmed.path, tangent),
+                  .needed_straight = needed(Line{}, tangent),
+                  .cut_at_start = leaves ? before.cut_at_start : 0};
+}
+
+bool Transitions::refuse(const JointRefusal& refusal, const Corner& corner,
+                         const PathBlock& after) {
+  if (refusal.code == Code::selection_block_too_short) keep_refused_way(corner, after);
   const PathBlock& block = refusal.of_after ? after : *held_;
   Diagnostic problem = diagnostic(refusal.code, block.programmed.source);
   const Position position =

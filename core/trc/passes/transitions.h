@@ -8,6 +8,7 @@
 #include "core/trc/corner/corner.h"
 #include "core/trc/corner/joints.h"
 #include "core/trc/path_block.h"
+#include "core/trc/selection/refused_way.h"
 
 namespace trc {
 
@@ -25,8 +26,9 @@ namespace trc {
 // selection/. Does not see further than the next relevant block.
 class Transitions {
  public:
-  Transitions(const Tolerances& tolerances, Diagnostics& diagnostics)
-      : tolerances_(tolerances), diagnostics_(diagnostics) {}
+  Transitions(const Tolerances& tolerances, Diagnostics& diagnostics,
+              selection::RefusedWay& refused_way)
+      : tolerances_(tolerances), diagnostics_(diagnostics), refused_way_(refused_way) {}
 
   bool feed(PathBlockPtr&& block, PathBlocks& out);
   bool drain(PathBlocks& out);
@@ -51,10 +53,13 @@ class Transitions {
   void join_anew(PathBlock& after, PathBlocks& out);
   void change_radius_at_once(const Corner& corner, PathBlock& after, Joint& joint) const;
 
-  bool refuse(const JointRefusal& refusal, const PathBlock& after);
+  bool refuse(const JointRefusal& refusal, const Corner& corner, const PathBlock& after);
+  // What is known of a selection or deselection block that is too short.
+  void keep_refused_way(const Corner& corner, const PathBlock& after);
 
   Tolerances tolerances_;
   Diagnostics& diagnostics_;
+  selection::RefusedWay& refused_way_;
   PathBlockPtr held_;
   PathBlocks masked_;  // behind the held block
 };

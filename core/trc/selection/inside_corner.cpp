@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <utility>
 
 #include "core/geometry/distance.h"
@@ -22,6 +23,25 @@ Corner closing_corner(const PathBlock& last, const PathBlock& first, const Toler
       offset_curve(first.programmed.path, first.tangent_at_start, first.offset_start, corner.shift);
   corner.reversal = reversal_of(corner, last.programmed.path, first.programmed.path, tolerances);
   return corner;
+}
+
+// Where path and contour begin and end; none: their equidistants do not meet.
+std::optional<Joint> closing_joint(const PathBlock& last, const PathBlock& first,
+                                   const Tolerances& tolerances) {
+  const Corner corner = closing_corner(last, first, tolerances);
+  switch (kind_of(corner, tolerances)) {
+    case CornerKind::tangential:
+      return tangential_joint(corner);
+    case CornerKind::inside:
+      if (const auto inside = inside_joint(corner, tolerances)) return Joint(*inside);
+      return std::nullopt;
+    case CornerKind::outside:
+      break;
+  }
+  Joint joint;
+  joint.end = corner.before.anchor;
+  joint.start = corner.after.anchor;
+  return joint;
 }
 
 bool is_full_circle(const Segment& segment, double same_point) {
@@ -102,31 +122,39 @@ bool InsideCorner::check_start(const PathBlock& approach) {
 
 bool InsideCorner::give_points(PathBlock& approach, const PathBlock& first, PathBlock& last,
                                PathBlock* retract) {
-  const Corner corner = closing_corner(last, first, tolerances_);
-  const CornerKind kind = kind_of(corner, tolerances_);
-  Joint joint;
-  joint.end = corner.before.anchor;
-  joint.start = corner.after.anchor;
-  if (kind == CornerKind::tangential) joint = tangential_joint(corner);
-  if (kind == CornerKind::inside) {
-    const auto inside = inside_joint(corner, tolerances_);
-    if (!inside) return refuse(Code::line_reversed, last);
-    joint = Joint(*inside);
-  }
-  approach.offset_end = joint.start;
-  approach.cut_at_end = joint.cut_after;
-  last.offset_end = joint.end;
-  last.cut_at_end = joint.cut_before;
+  const auto joint = closing_joint(last, first, tolerances_);
+  if (!joint) return refuse(Code::line_reversed, last);
+  approach.offset_end = joint->start;
+  approach.cut_at_end = joint->cut_after;
+  last.offset_end = joint->end;
+  last.cut_at_end = joint->cut_before;
   if (retract != nullptr) {
-    retract->offset_start = joint.end;
-    retract->cut_at_start = joint.cut_before;
+    retract->offset_start = joint->end;
+    retract->cut_at_start = joint->cut_before;
   }
   return true;
+}
+
+void InsideCorner::keep_refused_way() {
+  const PathBlock& first = *held_[1];
+  const PathBlock& last = *held_.back();
+  const auto joint = closing_joint(last, first, tolerances_);
+  if (!joint) return;
+  const CornerKind kind = kind_of(closing_corner(last, first, tolerances_), tolerances_);
+  refused_way_ = {.shift = held_.front()->at_end.shift,
+                  .target = joint->start,
+                  .starts_on_tool_side = kind == CornerKind::outside};
+  refused_way_.blocks.reserve(held_.size());
+  for (const PathBlockPtr& block : held_) refused_way_.blocks.push_back(block->programmed);
 }
 
 bool InsideCorner::refuse(Code code, const PathBlock& block, std::vector<DiagnosticValue> values) {
   Diagnostic problem = diagnostic(code, block.programmed.source);
   problem.values = std::move(values);
+  const bool is_of_start = code == Code::selection_point_too_near ||
+                           code == Code::approach_crosses_contour ||
+                           code == Code::inside_corner_angle_too_large;
+  if (is_of_start) keep_refused_way();
   if (code == Code::selection_point_too_near) {
     const MotionBlock& approach = held_.front()->programmed;
     const Position start =

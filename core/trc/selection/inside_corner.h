@@ -7,6 +7,7 @@
 #include "core/base/diagnostics.h"
 #include "core/base/tolerances.h"
 #include "core/trc/path_block.h"
+#include "core/trc/selection/refused_way.h"
 
 namespace trc::selection {
 
@@ -24,11 +25,12 @@ namespace trc::selection {
 class InsideCorner {
  public:
   InsideCorner(std::size_t selection_blocks, const Tolerances& tolerances, Diagnostics& diagnostics,
-               Checkpoint& checkpoint)
+               Checkpoint& checkpoint, RefusedWay& refused_way)
       : selection_blocks_(selection_blocks),
         tolerances_(tolerances),
         diagnostics_(diagnostics),
-        checkpoint_(checkpoint) {}
+        checkpoint_(checkpoint),
+        refused_way_(refused_way) {}
 
   bool feed(PathBlockPtr block, PathBlocks& out);
   bool drain(PathBlocks& out);
@@ -51,6 +53,8 @@ class InsideCorner {
   bool close(PathBlock* retract, PathBlocks& out);
   bool check_contour(const PathBlock& approach, const PathBlock& first, const PathBlock& last);
   bool check_start(const PathBlock& approach);
+  // What is known where the approach is at fault.
+  void keep_refused_way();
   bool give_points(PathBlock& approach, const PathBlock& first, PathBlock& last,
                    PathBlock* retract);
   bool refuse(Code code, const PathBlock& block, std::vector<DiagnosticValue> values = {});
@@ -59,6 +63,7 @@ class InsideCorner {
   Tolerances tolerances_;
   Diagnostics& diagnostics_;
   Checkpoint& checkpoint_;
+  RefusedWay& refused_way_;
   PathBlocks held_;  // the approach and the contour of one selection
 };
 

@@ -52,7 +52,40 @@ bool is_linear(bool wanted, double angle, const Tolerances& tolerances) {
   return wanted && angle <= pi + tolerances.tangent;
 }
 
+// The block with nothing of it missing: all of the circle, or a line as long as coordinates reach.
+Segment unlimited(const Segment& block, const Tolerances& tolerances) {
+  if (const auto* arc = std::get_if<Arc>(&block)) {
+    Arc circle = *arc;
+    circle.sweep = std::copysign(2 * pi, arc->sweep);
+    return circle;
+  }
+  return Line{.start = Point::Zero(), .end = {2 * tolerances.largest_coordinate, 0}};
+}
+
+double length_of_cut(const Segment& block, double cut) {
+  const auto* arc = std::get_if<Arc>(&block);
+  return arc != nullptr ? cut * radius_of(*arc) : cut;
+}
+
 }  // namespace
+
+std::optional<double> needed_on_path(const Corner& corner, const Segment& selection,
+                                     const Vector& tangent, bool linear,
+                                     const Tolerances& tolerances) {
+  const auto joint =
+      approach_on_path(corner, unlimited(selection, tolerances), tangent, linear, tolerances);
+  if (!joint) return std::nullopt;
+  return length_of_cut(selection, joint->cut_before);
+}
+
+std::optional<double> needed_off_path(const Corner& corner, const Segment& deselection,
+                                      const Vector& tangent, bool linear,
+                                      const Tolerances& tolerances) {
+  const auto joint =
+      retract_on_path(corner, unlimited(deselection, tolerances), tangent, linear, tolerances);
+  if (!joint) return std::nullopt;
+  return length_of_cut(deselection, joint->cut_after);
+}
 
 std::optional<Joint> approach_on_path(const Corner& corner, const Segment& selection,
                                       const Vector& tangent, bool linear,

@@ -25,4 +25,14 @@ namespace trc::selection {
                                                    const Vector& tangent, bool linear,
                                                    const Tolerances& tolerances);
 
+// The length the block has to have for that, mm, going on before (behind) what is given of it;
+// none: however long it is, there is no such point.
+[[nodiscard]] std::optional<double> needed_on_path(const Corner& corner, const Segment& selection,
+                                                   const Vector& tangent, bool linear,
+                                                   const Tolerances& tolerances);
+[[nodiscard]] std::optional<double> needed_off_path(const Corner& corner,
+                                                    const Segment& deselection,
+                                                    const Vector& tangent, bool linear,
+                                                    const Tolerances& tolerances);
+
 }  // namespace trc::selection

@@ -1,0 +1,130 @@
+#include "client/cli/entry_help_text.h"
+
+#include <array>
+#include <cmath>
+
+#include "core/nc/dialect/dialect.h"
+#include "core/nc/text/number_format.h"
+
+namespace trc::cli {
+namespace {
+
+constexpr double mm_per_inch = 25.4;
+
+using Axes = std::array<double, 3>;
+
+Axes axes_of(const DiagnosticPoint& point) { return {point.x, point.y, point.z}; }
+
+std::string millimetres(double length) {
+  std::string text;
+  append_fixed(text, length, 3);
+  return text + " mm";
+}
+
+// Writes the words of one help.
+class Words {
+ public:
+  Words(const EntryHelp& help, const Writing& writing)
+      : third_(help.third_axis),
+        dialect_(writing.dialect),
+        inch_(writing.inch),
+        points_(dialect_of(writing.dialect).writes_points) {}
+
+  // The axes of the plane, and the third one where it changes.
+  [[nodiscard]] std::string place(const Axes& point, double height) const {
+    constexpr std::array<char, 3> letters{'X', 'Y', 'Z'};
+    std::string text;
+    for (std::size_t axis = 0; axis < letters.size(); ++axis) {
+      if (axis == third_ && point[axis] == height) continue;
+      text += (text.empty() ? "" : " ") + std::string(1, letters[axis]) + number(point[axis]);
+    }
+    return text;
+  }
+
+  [[nodiscard]] std::string line_of(const ProposedBlock& block, const Axes& from) const {
+    const Axes to = axes_of(block.end);
+    if (!block.center) return "G1 " + place(to, from[third_]);
+    const Axes center = axes_of(*block.center);
+    double squared = 0;
+    for (std::size_t axis = 0; axis < to.size(); ++axis)
+      if (axis != third_) squared += (to[axis] - center[axis]) * (to[axis] - center[axis]);
+    const std::string radius = dialect_ == DialectName::sinumerik ? " CR=" : " R";
+    return (block.sweep > 0 ? "G3 " : "G2 ") + place(to, from[third_]) + radius +
+           number(std::sqrt(squared));
+  }
+
+  [[nodiscard]] double height(const Axes& point) const { return point[third_]; }
+
+ private:
+  // In the unit of the program, without zeros at its end.
+  [[nodiscard]] std::string number(double value) const {
+    std::string text;
+    append_fixed(text, inch_ ? value / mm_per_inch : value, inch_ ? 5 : 4);
+    text.erase(text.find_last_not_of('0') + 1);
+    if (text.ends_with('.') && !points_) text.pop_back();
+    return text == "-0" ? "0" : text;
+  }
+
+  std::size_t third_;
+  DialectName dialect_;
+  bool inch_;
+  bool points_;
+};
+
+std::string line_of(const EntryProposal& proposal, bool leaves, const Words& words) {
+  std::string text;
+  Axes from = axes_of(proposal.start);
+  if (!leaves) text = "G0 " + words.place(from, words.height(from));
+  for (std::size_t i = 0; i < proposal.blocks.size(); ++i) {
+    const ProposedBlock& block = proposal.blocks[i];
+    text += (text.empty() ? "" : ", ") + words.line_of(block, from);
+    if (!leaves && i == 0) text += " with G41 or G42 as before";
+    if (leaves && i + 1 == proposal.blocks.size()) text += " with G40";
+    from = axes_of(block.end);
+  }
+  // The contour may go on without a G word of its own.
+  if (!leaves && !proposal.blocks.empty() && proposal.blocks.back().center) text += ", G1";
+  return text;
+}
+
+// "the block", "the 2 blocks"
+std::string blocks(const std::string& which, std::uint32_t count) {
+  return count == 1 ? which + "block" : which + std::to_string(count) + " blocks";
+}
+
+std::string words_of_leads(const EntryHelp& help) {
+  std::string text = "what leads to the contour has to be another one: replace the approach";
+  if (help.replaced > 0) text += " and " + blocks("the ", help.replaced) + " behind it, as leads";
+  if (help.left_out > 0)
+    text += ", and leave out " + blocks("the last ", help.left_out) + " before G40";
+  return text;
+}
+
+std::string first_line(const EntryHelp& help, const Words& words) {
+  if (!help.leaves && help.needed_length == 0 && !help.legal) return words_of_leads(help);
+  std::string text = help.leaves ? "the retract is " : "the approach is ";
+  text += millimetres(help.given_length) + " long";
+  if (help.needed_length > 0) text += " and needs at least " + millimetres(help.needed_length);
+  if (!help.legal) return text;
+  const Axes place = axes_of(*help.legal);
+  return text + "; it may " + (help.leaves ? "end" : "start") + " at " +
+         words.place(place, words.height(place));
+}
+
+}  // namespace
+
+std::vector<std::string> lines_of(const EntryHelp& help, const Writing& writing) {
+  const Words words(help, writing);
+  if (help.needed_length == 0 && !help.legal && help.proposals.empty()) return {};
+  std::vector<std::string> lines{first_line(help, words)};
+  if (writing.dialect == DialectName::heidenhain) return lines;
+  for (const EntryProposal& proposal : help.proposals) {
+    const bool is_line = proposal.shape == EntryProposal::Shape::line;
+    lines.push_back(std::string(help.leaves ? "proposed exit, " : "proposed entry, ") +
+                    (is_line ? "line, in " : "quarter circle, in ") +
+                    (writing.inch ? "inch: " : "mm: ") + line_of(proposal, help.leaves, words));
+  }
+  return lines;
+}
+
+}  // namespace trc::cli

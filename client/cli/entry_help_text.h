@@ -1,0 +1,26 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/base/entry_help.h"
+#include "core/nc/state/dialect_name.h"
+
+namespace trc::cli {
+
+// How the program that was refused is written.
+struct Writing {
+  DialectName dialect = DialectName::isg;
+  bool inch = false;
+};
+
+// What would do in place of a refused approach or retract, in words and as lines of the program:
+//
+//   the approach is 3.000 mm long and needs at least 5.000 mm; it may start at X-5 Y0
+//   proposed entry, quarter circle, in mm: G0 X5 Y20, G1 X-15 Y20 with G41 or G42 as before, G3 X5
+//   Y0 R20, G1
+//
+// Klartext has no lines here: its arcs and coordinates are said in words of their own.
+[[nodiscard]] std::vector<std::string> lines_of(const EntryHelp& help, const Writing& writing);
+
+}  // namespace trc::cli

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "core/geometry/segment.h"
+#include "core/nc/state/block.h"
+
+namespace trc::selection {
+
+// What the pass that refuses a selection or deselection block knows of it, for whoever looks for a
+// way that would do.
+struct RefusedWay {
+  bool leaves = false;
+  // A way in: the selection block and the contour behind it as far as it is known. A way out: the
+  // last contour block and the deselection block. None: nothing was refused.
+  std::vector<MotionBlock> blocks{};
+  double shift = 0;  // mm to the left of the contour; negative: right
+  // What the block needs under G236, mm along itself, and what a line in its last (first) direction
+  // would need; none: there is no such length.
+  std::optional<double> needed_length{};
+  std::optional<double> needed_straight{};
+  // What the corner before it takes off the last contour block, as in PathBlock.
+  double cut_at_start = 0;
+  // Where loops are removed `blocks` has what there is behind the leads at the begin; so many leads
+  // are left out there, and so many blocks at its end are no walls.
+  bool removes_loops = false;
+  bool at_begin = false;  // nothing of it can be travelled
+  std::size_t leads_in = 0;
+  std::size_t leads_out = 0;
+  // Where the way in meets the equidistant under G238, which needs no length but a free start.
+  std::optional<Point> target{};
+  // Under G238 too: the start has to lie on the tool side of the first block (rule 3.5).
+  bool starts_on_tool_side = false;
+};
+
+}  // namespace trc::selection

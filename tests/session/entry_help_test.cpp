@@ -1,0 +1,224 @@
+#include "core/base/entry_help.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "core/geometry/segment.h"
+#include "core/nc/text/number_format.h"
+#include "tests/session/run_program.h"
+
+// What a refusal at the approach or the retract proposes instead.
+
+namespace trc::testing {
+namespace {
+
+std::string text_of(const DiagnosticPoint& point) {
+  std::string text;
+  append_fixed(text, point.x, 3);
+  text += ' ';
+  append_fixed(text, point.y, 3);
+  if (point.z != 0) {
+    text += ' ';
+    append_fixed(text, point.z, 3);
+  }
+  return text;
+}
+
+// "from X Y: to X Y, arc to X Y about X Y"
+std::string text_of(const EntryProposal& proposal) {
+  std::string text = "from " + text_of(proposal.start) + ":";
+  for (const ProposedBlock& block : proposal.blocks) {
+    text += block.center ? (block.sweep > 0 ? " ccw to " : " cw to ") : " to ";
+    text += text_of(block.end);
+    if (block.center) text += " about " + text_of(*block.center);
+    text += ';';
+  }
+  return text;
+}
+
+struct Refused {
+  int code = 0;
+  EntryHelp help{};
+};
+
+Refused refused(const std::string& program) {
+  const ProgramRun run = to_blocks(program);
+  if (run.diagnostics.empty()) return {};
+  const Diagnostic& last = run.diagnostics.back();
+  return {.code = static_cast<int>(last.code),
+          .help = last.entry_help ? *last.entry_help : EntryHelp{}};
+}
+
+// 5 mm where R is 10, and alpha 163 degrees: the line has to reach R before the corner.
+TEST(EntryHelp, MakesTheSelectionBlockOfG236AsLongAsItMustBe) {
+  const auto [code, help] =
+      refused("G0 X0 Y0 F1000\nV.G.WZ_AKT.R=10\nG236\nG41 G1 X5\nX60 Y10\nG40\nX120 Y30\nM30\n");
+  EXPECT_EQ(code, 900201);
+  EXPECT_FALSE(help.leaves);
+  EXPECT_DOUBLE_EQ(help.given_length, 5);
+  EXPECT_DOUBLE_EQ(help.needed_length, 10);
+  EXPECT_EQ(help.tried_on, 1U);
+  ASSERT_TRUE(help.legal);
+  EXPECT_EQ(text_of(*help.legal), "-5.000 0.000");
+  ASSERT_EQ(help.proposals.size(), 2U);
+  EXPECT_EQ(help.proposals[0].shape, EntryProposal::Shape::line);
+  EXPECT_EQ(text_of(help.proposals[0]), "from -5.000 0.000: to 5.000 0.000;");
+}
+
+// Along +X at the corner: C = (5, 20) and A = (-15, 20) for a circle of 20.
+TEST(EntryHelp, ProposesAQuarterCircleOnTheToolSide) {
+  const auto left =
+      refused("G0 X0 Y0 F1000\nV.G.WZ_AKT.R=10\nG236\nG41 G1 X5\nX60\nG40\nX120\nM30\n");
+  ASSERT_EQ(left.help.proposals.size(), 2U);
+  EXPECT_EQ(left.help.proposals[1].shape, EntryProposal::Shape::quarter_circle);
+  EXPECT_EQ(text_of(left.help.proposals[1]),
+            "from 5.000 20.000: to -15.000 20.000; ccw to 5.000 0.000 about 5.000 20.000;");
+  const auto right =
+      refused("G0 X0 Y0 F1000\nV.G.WZ_AKT.R=10\nG236\nG42 G1 X5\nX60\nG40\nX120\nM30\n");
+  ASSERT_EQ(right.help.proposals.size(), 2U);
+  EXPECT_EQ(text_of(right.help.proposals[1]),
+            "from 5.000 -20.000: to -15.000 -20.000; cw to 5.000 0.000 about 5.000 -20.000;");
+}
+
+// Below 90 degrees up to the equidistant: 10 / sin 45 degrees.
+TEST(EntryHelp, KnowsTheLengthToTheEquidistant) {
+  const auto [code, help] =
+      refused("G0 X0 Y0 F1000\nV.G.WZ_AKT.R=10\nG236\nG41 G1 X5\nX-45 Y50\nG40\nX-120 Y50\nM30\n");
+  EXPECT_EQ(code, 900201);
+  EXPECT_NEAR(help.needed_length, 14.1421356, 1e-6);
+  ASSERT_TRUE(help.legal);
+  EXPECT_LE(help.legal->x, 5 - help.needed_length);
+  EXPECT_GT(help.legal->x, 5 - help.needed_length - 0.003);
+}
+
+TEST(EntryHelp, ProposesTheWayOffTheContourToo) {
+  const auto [code, help] =
+      refused("G0 X-30 Y0 F1000\nV.G.WZ_AKT.R=10\nG236\nG41 G1 X0\nX60\nG40\nX64\nM30\n");
+  EXPECT_EQ(code, 900201);
+  EXPECT_TRUE(help.leaves);
+  EXPECT_DOUBLE_EQ(help.given_length, 4);
+  EXPECT_DOUBLE_EQ(help.needed_length, 10);
+  ASSERT_TRUE(help.legal);
+  EXPECT_EQ(text_of(*help.legal), "70.000 0.000");
+  ASSERT_EQ(help.proposals.size(), 2U);
+  EXPECT_EQ(text_of(help.proposals[0]), "from 60.000 0.000: to 70.000 0.000;");
+  EXPECT_EQ(text_of(help.proposals[1]),
+            "from 60.000 0.000: ccw to 80.000 20.000 about 60.000 20.000; to 60.000 20.000;");
+}
+
+TEST(EntryHelp, IsGivenInThePlaneOfTheSelection) {
+  const auto [code, help] =
+      refused("G18\nG0 X0 Y7 Z0 F1000\nV.G.WZ_AKT.R=10\nG236\nG41 G1 Z5\nZ60\nG40\nZ120\nM30\n");
+  EXPECT_EQ(code, 900201);
+  ASSERT_TRUE(help.legal);
+  EXPECT_EQ(help.legal->x, 0);
+  EXPECT_EQ(help.legal->y, 7);
+  EXPECT_EQ(help.legal->z, -5);
+}
+
+// A square of 20 and R = 6: the only point 6 away from two sides, next to (-7, -7), is (-4, -4).
+TEST(EntryHelp, FindsAFreeStartForG238) {
+  const auto [code, help] = refused(
+      "G0 X-7 Y-7 F1000\nV.G.WZ_AKT.R=6\nG238\nG41 G1 X-10 Y-10\nX10\nY10\nX-10\nY-10\nG40 X0 Y0\n"
+      "M30\n");
+  EXPECT_EQ(code, 90123);
+  EXPECT_EQ(help.needed_length, 0);
+  EXPECT_EQ(help.tried_on, 4U);
+  ASSERT_TRUE(help.legal);
+  EXPECT_NEAR(help.legal->x, -4, 0.05);
+  EXPECT_NEAR(help.legal->y, -4, 0.05);
+  EXPECT_GE(help.legal->x, -4);
+  EXPECT_GE(help.legal->y, -4);
+  ASSERT_EQ(help.proposals.size(), 1U);
+}
+
+// A tool as large as the square leaves no point free.
+TEST(EntryHelp, OffersNothingWhereNothingWouldDo) {
+  const auto [code, help] = refused(
+      "G0 X-7 Y-7 F1000\nV.G.WZ_AKT.R=11\nG238\nG41 G1 X-10 Y-10\nX10\nY10\nX-10\nY-10\n"
+      "G40 X0 Y0\nM30\n");
+  EXPECT_EQ(code, 90123);
+  EXPECT_FALSE(help.legal);
+  EXPECT_TRUE(help.proposals.empty());
+}
+
+// Around the outside of the square. On the way to (-10, -16), which is P, the corner has to be 6
+// off.
+TEST(EntryHelp, FindsAStartOnTheToolSideForG238) {
+  const auto [code, help] = refused(
+      "G0 X-60 Y20 F1000\nV.G.WZ_AKT.R=6\nG238\nG42 G1 X-10 Y-10\nX10\nY10\nX-10\nY-10\nG40 X0 "
+      "Y-40\n"
+      "M30\n");
+  EXPECT_EQ(code, 90130);
+  ASSERT_TRUE(help.legal);
+  const Vector way = Vector(-10 - help.legal->x, -16 - help.legal->y).normalized();
+  EXPECT_NEAR(cross(way, Vector(0, 6)), 6, 1e-3);
+  EXPECT_LT(help.legal->y, -10 - 1e-3);
+}
+
+TEST(EntryHelp, IsTheSameHoweverTheTextIsCut) {
+  const std::string program =
+      "G0 X0 Y0 F1000\nV.G.WZ_AKT.R=10\nG236\nG41 G1 X5\nX60 Y10\nX70 Y40\nX20 Y60\nG40\nX120 "
+      "Y30\nM30\n";
+  for (const std::size_t cut : {0, 1, 7}) {
+    const ProgramRun run = to_text(program, {}, cut);
+    ASSERT_FALSE(run.diagnostics.empty());
+    ASSERT_TRUE(run.diagnostics.back().entry_help) << cut;
+    EXPECT_EQ(run.diagnostics.back().entry_help->tried_on, 2U) << cut;
+  }
+}
+
+// A pocket of 100, entered and left in the middle of a wall.
+std::string pocket(const std::string& way_in, const std::string& way_out) {
+  return "V.G.WZ_AKT.R=10 F1000\n#TRC[REMOVE_MASKED_BLOCKS=1]\nG141\n" + way_in +
+         "\nG1 X50\nY50\nX-50\nY-50\nX0\n" + way_out + "\nM30\n";
+}
+
+// The tool of 10 does not fit into a circle of 4: it would begin behind the wall.
+TEST(EntryHelp, ReplacesLeadsTheToolDoesNotFitInto) {
+  const std::string small_in = "G0 X0 Y-46\nG41 G1 X-4\nG3 X0 Y-50 I4";
+  const std::string small_out = "G3 X4 Y-46 J4\nG40 G1 X0";
+  const std::string large_out = "G3 X20 Y-30 J20\nG40 G1 X0";
+  const std::string quarter =
+      "from 0.000 -30.000: to -20.000 -30.000; ccw to 0.000 -50.000 about 0.000 -30.000;";
+  const auto one = refused(pocket(small_in, large_out));
+  EXPECT_EQ(one.code, 90038);
+  ASSERT_EQ(one.help.proposals.size(), 1U);
+  EXPECT_EQ(text_of(one.help.proposals[0]), quarter);
+  EXPECT_EQ(one.help.replaced, 1U);
+  EXPECT_EQ(one.help.left_out, 0U);
+  // Put in.
+  const std::string large_in = "G0 X0 Y-30\nG41 G1 X-20\nG3 X0 Y-50 I20";
+  EXPECT_TRUE(to_blocks(pocket(large_in, large_out)).completed);
+  // The way out is as small: it has to go with it.
+  const auto both = refused(pocket(small_in, small_out));
+  ASSERT_EQ(both.help.proposals.size(), 1U);
+  EXPECT_EQ(text_of(both.help.proposals[0]), quarter);
+  EXPECT_EQ(both.help.left_out, 1U);
+  EXPECT_TRUE(to_blocks(pocket(large_in, "G40 G1 X0 Y-30")).completed);
+  // Where the way in is well, another one is no help.
+  EXPECT_TRUE(refused(pocket(large_in, small_out)).help.proposals.empty());
+}
+
+// What comes down in a lead that is replaced comes down all the same.
+TEST(EntryHelp, KeepsTheHeightAtWhichTheContourBegins) {
+  const auto [code, help] = refused(
+      pocket("G0 X0 Y-46 Z5\nG41 G1 X-4 Z2\nG3 X0 Y-50 I4 Z-3", "G3 X20 Y-30 J20\nG40 G1 X0 Z5"));
+  EXPECT_EQ(code, 90038);
+  ASSERT_EQ(help.proposals.size(), 1U);
+  EXPECT_EQ(text_of(help.proposals[0]),
+            "from 0.000 -30.000 5.000: to -20.000 -30.000 2.000; ccw to 0.000 -50.000 -3.000 about "
+            "0.000 -30.000 2.000;");
+}
+
+// What is accepted, or refused for another reason, says nothing of entries.
+TEST(EntryHelp, IsGivenToNothingElse) {
+  const ProgramRun run =
+      to_blocks("G0 X-30 Y0 F1000\nV.G.WZ_AKT.R=10\nG41 G1 X0\nX50\nX55 Y5\nY50\nG40 Y80\nM30\n");
+  ASSERT_FALSE(run.diagnostics.empty());
+  for (const Diagnostic& told : run.diagnostics) EXPECT_FALSE(told.entry_help);
+}
+
+}  // namespace
+}  // namespace trc::testing
