@@ -213,7 +213,8 @@ class Selection {
   // Whether the middle of the path lies on the side of its own block that the program asks for.
   void check_side(const PathPiece& path, const ProgrammedPiece& own) {
     const Rule& rule = held_.rule_of(own);
-    if (!rule.follows) return;
+    const bool is_point = !own.piece.is_arc() && own.piece.start == own.piece.end;
+    if (!rule.follows || is_point) return;
     const Point middle = place_at(segment_of(path.piece), 0.5).point;
     const Segment contour = segment_of(own.piece);
     const Point foot = nearest_point(contour, middle);

@@ -81,6 +81,10 @@ void to_proto(const PathSummary& summary, v1::PathSummary& message) {
     entry.set_origin(to_proto(static_cast<Origin>(origin)));
     entry.set_count(core.blocks_by_origin[origin]);
   }
+  message.set_effective_radius(summary.effective_radius);
+  message.set_wear(summary.wear);
+  message.set_allowance(summary.allowance);
+  message.set_nominal_radius(summary.nominal_radius);
   message.set_notes(summary.notes);
   message.set_warnings(summary.warnings);
   message.set_wall_time_seconds(summary.wall_time_seconds);
@@ -95,7 +99,11 @@ void to_proto(const ProgramSummary& summary, v1::ProgramSummary& message) {
 }
 
 PathSummary from_proto(const v1::PathSummary& message) {
-  PathSummary summary{.notes = message.notes(),
+  PathSummary summary{.effective_radius = message.effective_radius(),
+                      .wear = message.wear(),
+                      .allowance = message.allowance(),
+                      .nominal_radius = message.nominal_radius(),
+                      .notes = message.notes(),
                       .warnings = message.warnings(),
                       .wall_time_seconds = message.wall_time_seconds(),
                       .cpu_time_seconds = message.cpu_time_seconds()};

@@ -12,6 +12,10 @@ namespace trc::wire {
 struct PathSummary {
   Summary summary{};
   verify::ClearanceReport clearance{};  // empty unless the setup asks for it
+  double effective_radius = 0;          // at the end, mm, and of it:
+  double wear = 0;
+  double allowance = 0;
+  double nominal_radius = 0;
   std::uint64_t notes = 0;
   std::uint64_t warnings = 0;
   double wall_time_seconds = 0;
