@@ -76,6 +76,12 @@ std::map<char, double> words_of(std::string_view line) {
   return words;
 }
 
+struct Sizes {
+  double radius = 0;
+  double wear = 0;
+  bool has_radius = true;
+};
+
 class Table {
  public:
   explicit Table(v1::ProgramSetup& setup)
@@ -92,11 +98,13 @@ class Table {
       if (const std::string fault = read_line(line); !fault.empty())
         return "line " + std::to_string(line_number) + ": " + fault;
     }
-    if (radii_.empty()) return "it names no tool with a radius";
-    for (const auto& [number, radius] : radii_) {
+    if (tools_.empty()) return "it names no tool with a radius";
+    for (const auto& [number, sizes] : tools_) {
+      if (!sizes.has_radius) return "tool " + std::to_string(number) + " has wear, but no radius";
       v1::Tool& tool = *setup_.add_tools();
       tool.set_number(number);
-      tool.set_radius(radius);
+      tool.set_radius(sizes.radius);
+      tool.set_wear(sizes.wear);
     }
     return {};
   }
@@ -113,13 +121,15 @@ class Table {
       if (!wear && words.at('L') != 12) return {};
       const auto number = tool_number(words.at('P'));
       if (!number) return "P is no number of a tool";
-      radii_[*number] += words.at('R') * unit_;
+      Sizes& sizes = tools_.try_emplace(*number, Sizes{.has_radius = false}).first->second;
+      (wear ? sizes.wear : sizes.radius) = words.at('R') * unit_;
+      sizes.has_radius |= !wear;
       return {};
     }
     if (has('T') && has('D')) {
       const auto number = tool_number(words.at('T'));
       if (!number) return "T is no number of a tool";
-      radii_[*number] = words.at('D') / 2 * unit_;
+      tools_[*number].radius = words.at('D') / 2 * unit_;
       return {};
     }
     return has('G') || line == "%" || has('O') || has('M') || has('T')
@@ -172,15 +182,16 @@ class Table {
     }
     const auto tool = tool_number(number);
     if (!tool) return "number is no number of a tool";
-    if (radii_.contains(*tool)) return "tool " + std::to_string(*tool) + " a second time";
-    radii_[*tool] = (value + wear) / (diameter ? 2 : 1);
+    if (tools_.contains(*tool)) return "tool " + std::to_string(*tool) + " a second time";
+    const double share = diameter ? 0.5 : 1;
+    tools_[*tool] = {.radius = share * value, .wear = share * wear};
     return {};
   }
 
   v1::ProgramSetup& setup_;
   double unit_;
   std::vector<std::string> columns_{};
-  std::map<std::uint32_t, double> radii_{};
+  std::map<std::uint32_t, Sizes> tools_{};
 };
 
 }  // namespace
