@@ -32,6 +32,15 @@ constexpr std::array<const char*, 3> center_words{"I", "J", "K"};
 
 }  // namespace
 
+void give_radius(const RadiusTerms& terms, Side side, TrcMode& mode) {
+  const double beside = terms.beside();
+  mode.tool_radius = std::abs(beside);
+  mode.nominal_radius = terms.nominal;
+  mode.below_nominal = terms.nominal > 0 && beside < 0;
+  mode.side = side;
+  if (beside < 0 && side != Side::off) mode.side = side == Side::left ? Side::right : Side::left;
+}
+
 ProgramState::ProgramState(const ProgramSetup& setup, const Tolerances& tolerances,
                            Diagnostics& diagnostics, std::vector<Block>& blocks)
     : setup_(setup),
@@ -50,6 +59,10 @@ ProgramState::ProgramState(const ProgramSetup& setup, const Tolerances& toleranc
   // A centre path asks for no more than the nominal radius: nothing may differ from it.
   if (setup.tool_radius_given || setup.mode.tool_radius != 0 || setup.nominal_radius > 0)
     radius_giver_ = RadiusGiver::setup;
+  if (setup.every_radius) {
+    terms_.radius = *setup.every_radius;
+    radius_giver_ = RadiusGiver::setup;
+  }
   if (setup.masking_switches_kerf && mode_.masking == Masking::on)
     mode_.options.kerf_masking = true;
   // Programs in inch with three decimals.
@@ -79,18 +92,12 @@ TrcMode& ProgramState::change_mode() {
   return mode_;
 }
 
-void ProgramState::share_mode() { shared_mode_ = std::make_shared<const TrcMode>(mode_); }
-
-void ProgramState::update_side() {
-  TrcMode& mode = change_mode();
-  const double beside = terms_.beside();
-  mode.tool_radius = std::abs(beside);
-  mode.nominal_radius = terms_.nominal;
-  mode.below_nominal = terms_.nominal > 0 && beside < 0;
-  mode.side = programmed_side_;
-  if (beside < 0 && programmed_side_ != Side::off)
-    mode.side = programmed_side_ == Side::left ? Side::right : Side::left;
+void ProgramState::share_mode() {
+  shared_mode_ = std::make_shared<const TrcMode>(mode_);
+  if (setup_.every_radius) radius_uses_.push_back(radius_use());
 }
+
+void ProgramState::update_side() { give_radius(terms_, programmed_side_, change_mode()); }
 
 bool ProgramState::select(Side side, const Source& source) {
   if (side == Side::off) return deselect(source);
@@ -118,6 +125,7 @@ bool ProgramState::deselect(const Source& source) {
   if (has_contour && mode_.selection == Selection::without_block) {
     const Point point = last_equidistant_point();
     const double third = position_[axes_of(mode_.plane).third];
+    moves_by_radius_ = true;
     displaced_ |= (point - trc::end_of(last_path_)).norm() > tolerances_.same_point;
     position_ = from_plane(mode_.plane, point, third);
     target_ = position_;
@@ -230,14 +238,18 @@ bool ProgramState::set_allowance(double allowance, const Source& source) {
 bool ProgramState::enter_row(const ToolRow& row, RadiusGiver giver, const Source& source) {
   RadiusTerms terms = terms_;
   terms.radius = row.radius;
-  terms.wear = row.wear;
+  terms.wear = setup_.every_radius ? setup_.wear : row.wear;
   return enter_terms(terms, giver, source);
 }
 
 bool ProgramState::enter_terms(const RadiusTerms& terms, RadiusGiver giver, const Source& source) {
   radius_giver_ = giver;
   missing_tool_ = no_tool;
-  return change_terms(terms, source);
+  if (!setup_.every_radius) return change_terms(terms, source);
+  RadiusTerms surveyed = terms;
+  const double radius = *setup_.every_radius;
+  surveyed.radius = terms.nominal > 0 ? radius : std::copysign(radius, terms.radius);
+  return change_terms(surveyed, source);
 }
 
 bool ProgramState::change_terms(const RadiusTerms& terms, const Source& source) {
@@ -274,6 +286,8 @@ bool ProgramState::set_tool(std::int64_t number, const Source& source) {
     return enter_row({defined->second, tool != setup_.tools.end() ? tool->second.wear : 0},
                      RadiusGiver::program, source);
   if (tool != setup_.tools.end()) return enter_row(tool->second, RadiusGiver::program, source);
+  if (setup_.every_radius && number != 0)
+    return enter_row({*setup_.every_radius, setup_.wear}, RadiusGiver::program, source);
   if (number == 0) {
     radius_giver_ = RadiusGiver::nobody;
     missing_tool_ = 0;

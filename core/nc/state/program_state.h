@@ -47,6 +47,16 @@ struct RadiusTerms {
   bool operator==(const RadiusTerms&) const = default;
 };
 
+// A radius of such terms for a program that says `side`, as it is in force.
+void give_radius(const RadiusTerms& terms, Side side, TrcMode& mode);
+
+// What a mode that blocks were programmed under makes of its radius.
+struct RadiusUse {
+  std::shared_ptr<const TrcMode> mode{};
+  RadiusTerms terms{};
+  Side side = Side::off;  // as programmed
+};
+
 // What holds before the first block.
 struct ProgramSetup {
   TrcMode mode{};                // plane, mode, radius, options; side must be off
@@ -62,6 +72,9 @@ struct ProgramSetup {
   double allowance = 0;       // mm; positive leaves stock on the part
   double nominal_radius = 0;  // mm; above 0: wear mode (RadiusTerms::nominal)
   double max_wear = 1;        // mm; beyond that in size 900222
+  // Takes the place of every radius that setup, tools and program give, mm, with their sign; in
+  // wear mode the difference. Tools have the wear of the setup then, and every D but D0 is one.
+  std::optional<double> every_radius{};
   // P-CHAN-00284 = 0: G141 and G140 switch KERF_MASKING, the last writer wins (rule 7.1).
   bool masking_switches_kerf = false;
   DialectName dialect = DialectName::isg;  // of NC text
@@ -145,7 +158,8 @@ class ProgramState {
   void define_tool(std::int64_t number, double radius) { defined_tools_[number] = radius; }
   // Whether a D word may name it.
   [[nodiscard]] bool has_tool(std::int64_t number) const {
-    return number == 0 || defined_tools_.contains(number) || setup_.tools.contains(number);
+    return number == 0 || setup_.every_radius || defined_tools_.contains(number) ||
+           setup_.tools.contains(number);
   }
   // A STRETCH_FACTOR out of range becomes 1, with a warning (22007). 22125, 900005.
   bool set_options(const TrcOptions& options, const Source& source);
@@ -185,6 +199,11 @@ class ProgramState {
   [[nodiscard]] const TrcMode& mode() const { return mode_; }
   // Of the radius in force.
   [[nodiscard]] const RadiusTerms& radius_terms() const { return terms_; }
+  // Of each mode given to a block so far, in order; only with ProgramSetup::every_radius.
+  [[nodiscard]] const std::vector<RadiusUse>& radius_uses() const { return radius_uses_; }
+  [[nodiscard]] RadiusUse radius_use() const { return {shared_mode_, terms_, programmed_side_}; }
+  // Whether a motion begins where it does because of the radius (rule 3.6).
+  [[nodiscard]] bool moves_by_radius() const { return moves_by_radius_; }
   // Where the last block ended, mm.
   [[nodiscard]] const Position& position() const { return position_; }
   // Whether this is a feed, mm/min: 0 is none.
@@ -321,6 +340,8 @@ class ProgramState {
   // A deselection under G239 has left the tool beside the programmed point, and no straight motion
   // in the plane has followed.
   bool displaced_ = false;
+  bool moves_by_radius_ = false;
+  std::vector<RadiusUse> radius_uses_{};
   std::vector<double> tracking_{};  // positions; empty until one is programmed
 
   // The selection in force, or the last one.
