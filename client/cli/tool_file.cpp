@@ -1,5 +1,6 @@
 #include "client/cli/tool_file.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <cstdint>
@@ -7,6 +8,7 @@
 #include <map>
 #include <optional>
 #include <sstream>
+#include <utility>
 #include <vector>
 
 #include "core/nc/text/number_format.h"
@@ -91,11 +93,12 @@ class Table {
     std::size_t line_number = 0;
     while (!text.empty()) {
       const auto end = text.find('\n');
-      const std::string_view line = trimmed(text.substr(0, end));
+      const std::string_view as_written = text.substr(0, end);
+      const std::string_view line = trimmed(as_written);
       text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
       ++line_number;
       if (line.empty() || line.front() == '#' || line.front() == ';') continue;
-      if (const std::string fault = read_line(line); !fault.empty())
+      if (const std::string fault = read_line(line, as_written); !fault.empty())
         return "line " + std::to_string(line_number) + ": " + fault;
     }
     if (tools_.empty()) return "it names no tool with a radius";
@@ -110,7 +113,15 @@ class Table {
   }
 
  private:
-  std::string read_line(std::string_view line) {
+  // As it stands in the file: blanks in front count where columns do.
+  std::string read_line(std::string_view line, std::string_view as_written) {
+    if (const std::string words = upper(line);
+        words.starts_with("BEGIN ") && words.find(".T") != std::string::npos) {
+      heidenhain_ = true;
+      unit_ = words.ends_with("INCH") ? mm_per_inch : 1;
+      return {};
+    }
+    if (heidenhain_) return line == "[END]" ? std::string() : row_of_places(as_written);
     if (columns_.empty() && upper(line).find("NUMBER") != std::string::npos) return header(line);
     if (!columns_.empty()) return row(line);
     const std::map<char, double> words = words_of(line);
@@ -137,6 +148,49 @@ class Table {
                : "\"" + std::string(line) +
                      "\" is no row of a table of tools; a CSV begins with a "
                      "header such as number,radius";
+  }
+
+  // TOOL.T of Heidenhain: the first line names the columns, each cell begins below its name.
+  std::string row_of_places(std::string_view line) {
+    if (places_.empty()) {
+      for (std::size_t at = line.find_first_not_of(" \t\r"); at != std::string_view::npos;) {
+        const auto end = std::min(line.find_first_of(" \t\r", at), line.size());
+        places_.emplace_back(upper(line.substr(at, end - at)), at);
+        at = line.find_first_not_of(" \t\r", end);
+      }
+      for (const char* name : {"T", "R"})
+        if (!column_of(name)) return std::string("the table has no column ") + name;
+      return {};
+    }
+    const auto number = tool_number(number_from(cell(line, "T")));
+    if (!number) return "T is no number of a tool";
+    if (tools_.contains(*number)) return "tool " + std::to_string(*number) + " a second time";
+    const std::string_view radius = cell(line, "R");
+    const std::string_view wear = cell(line, "DR");
+    // Places without a tool.
+    if (radius.empty() && wear.empty()) return {};
+    const auto read_radius = number_from(radius);
+    const auto read_wear = wear.empty() ? std::optional(0.0) : number_from(wear);
+    if (!read_radius || !read_wear)
+      return (read_radius ? "DR is \"" + std::string(wear) : "R is \"" + std::string(radius)) +
+             "\", which is no number";
+    tools_[*number] = {.radius = *read_radius * unit_, .wear = *read_wear * unit_};
+    return {};
+  }
+
+  [[nodiscard]] std::optional<std::size_t> column_of(std::string_view name) const {
+    for (std::size_t i = 0; i < places_.size(); ++i)
+      if (places_[i].first == name) return i;
+    return std::nullopt;
+  }
+
+  [[nodiscard]] std::string_view cell(std::string_view line, std::string_view name) const {
+    const auto column = column_of(name);
+    if (!column || places_[*column].second >= line.size()) return {};
+    const std::size_t begin = places_[*column].second;
+    const std::size_t end =
+        *column + 1 < places_.size() ? places_[*column + 1].second : line.size();
+    return trimmed(line.substr(begin, end - begin));
   }
 
   std::string header(std::string_view line) {
@@ -191,6 +245,8 @@ class Table {
   v1::ProgramSetup& setup_;
   double unit_;
   std::vector<std::string> columns_{};
+  bool heidenhain_ = false;
+  std::vector<std::pair<std::string, std::size_t>> places_{};  // of its columns: name and begin
   std::map<std::uint32_t, Sizes> tools_{};
 };
 

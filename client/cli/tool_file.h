@@ -16,6 +16,7 @@ namespace trc::cli {
 //     comment.
 //   - Fanuc: lines `G10 L12 P2 R5.` (radius) and `G10 L13 P2 R-0.02` (wear), in the
 //     unit of the setup; other lines are passed over.
+//   - Heidenhain: TOOL.T with its columns T, R and DR, the wear.
 //
 // Returns what is wrong, as a sentence; empty when all is read.
 [[nodiscard]] std::string read_tool_table(std::string_view text, v1::ProgramSetup& setup);

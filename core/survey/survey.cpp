@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string_view>
+#include <unordered_map>
 #include <utility>
 #include <variant>
 
@@ -149,14 +150,21 @@ void Survey::look_for_uncut(const Reading& reading, Surveyed& found) {
 // Of a centre path only: elsewhere reading has looked at the wear, which is the same for all.
 std::optional<Diagnostic> Survey::too_much_wear(const Reading& reading, double radius) const {
   const ProgramSetup& program = setup_.session.program;
-  const double wear = term_of(radius) + program.wear;
-  if (program.nominal_radius <= 0 || std::abs(wear) <= program.max_wear) return std::nullopt;
+  if (program.nominal_radius <= 0) return std::nullopt;
+  std::unordered_map<const TrcMode*, double> beyond;  // by modes, what they would have
+  for (const RadiusUse& use : reading.uses) {
+    const double wear = term_of(radius) + (use.terms.radius - reading.radius) + use.terms.wear;
+    if (std::abs(wear) > program.max_wear) beyond.emplace(use.mode.get(), wear);
+  }
+  if (beyond.empty()) return std::nullopt;
   for (const Block& block : reading.blocks) {
     const MotionBlock* motion = contour_of(block);
-    if (motion == nullptr) continue;
+    const auto found = motion != nullptr ? beyond.find(motion->mode.get()) : beyond.end();
+    if (found == beyond.end()) continue;
     Diagnostic fault = diagnostic(Code::wear_too_large, motion->source);
-    fault.values = {
-        {"wear", wear}, {"max_wear", program.max_wear}, {"nominal_radius", program.nominal_radius}};
+    fault.values = {{"wear", found->second},
+                    {"max_wear", program.max_wear},
+                    {"nominal_radius", program.nominal_radius}};
     return fault;
   }
   return std::nullopt;

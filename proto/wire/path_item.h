@@ -31,6 +31,8 @@ struct ProgramSummary {
 };
 
 void to_proto(const PathSummary& summary, v1::PathSummary& message);
+// Of what has a worst place.
+void to_proto(const verify::ClearanceReport& report, v1::Certificate& message);
 void to_proto(const ProgramSummary& summary, v1::ProgramSummary& message);
 [[nodiscard]] PathSummary from_proto(const v1::PathSummary& message);
 [[nodiscard]] ProgramSummary from_proto(const v1::ProgramSummary& message);

@@ -59,6 +59,20 @@ TEST(ToolFile, HoldsTheOffsetsOfFanuc) {
   EXPECT_DOUBLE_EQ(wear_in(table).at(1), -0.02);
 }
 
+TEST(ToolFile, IsATableOfHeidenhain) {
+  constexpr const char* table =
+      "BEGIN TOOL    .T MM\n"
+      "T    NAME             L          R          R2    DL     DR     TL\n"
+      "0\n"
+      "1    MILL_D10         +100       +5         +0    +0     -0.02\n"
+      "2    MILL D6          +80        3                +0\n"
+      "[END]\n";
+  EXPECT_EQ(radii_in(table), (std::map<std::uint32_t, double>{{1, 5}, {2, 3}}));
+  EXPECT_EQ(wear_in(table), (std::map<std::uint32_t, double>{{1, -0.02}, {2, 0}}));
+  EXPECT_NE(fault_in("BEGIN TOOL .T MM\nT NAME L\n1 A 3\n").find("no column R"), std::string::npos);
+  EXPECT_NE(fault_in("BEGIN TOOL .T MM\nT  R\n1  x\n").find("R is \"x\""), std::string::npos);
+}
+
 TEST(ToolFile, SaysInWhichLineItIsWrong) {
   EXPECT_EQ(fault_in("number,radius\n1,five\n"), "line 2: RADIUS is \"five\", which is no number");
   EXPECT_EQ(fault_in("number,radius\n1,5\n1,6\n"), "line 3: tool 1 a second time");
