@@ -47,7 +47,7 @@ std::optional<Failure> survey_program(const Connection& connection, const v1::Su
     if (at == text.size()) break;
   }
   if (!wanted) stream.cancel();
-  const auto failure = failure_of(stream.close(take));
+  auto failure = failure_of(stream.close(take));
   if (failure) return failure;
   return whole ? std::nullopt : std::optional(missing_summary());
 }
