@@ -14,6 +14,7 @@ namespace trc::survey {
 namespace {
 
 constexpr double micrometre = 1e-3;  // mm
+constexpr double per_mm = 1000;      // micrometres: a quotient is the number people write
 constexpr double rounding = 1e-6;    // of a micrometre
 
 std::optional<double> value_of(const Diagnostic& found, std::string_view name) {
@@ -226,7 +227,7 @@ double Survey::search_limit() const {
 }
 
 const Survey::Tried& Survey::tried(Micrometres radius) {
-  const double mm = static_cast<double>(radius) * micrometre;
+  const double mm = static_cast<double>(radius) / per_mm;
   const auto known = tried_.find(mm);
   if (known != tried_.end()) return known->second;
   ++runs_;
@@ -305,7 +306,7 @@ Largest Survey::largest() {
       bracket = {.low = *bracket.high};
       continue;
     }
-    result.radius = static_cast<double>(bracket.low) * micrometre;
+    result.radius = static_cast<double>(bracket.low) / per_mm;
     result.is_limited = bracket.high.has_value();
     if (bracket.high) {
       const Tried& above = tried(*bracket.high);
