@@ -7,6 +7,7 @@
 #include "server/rpc/get_server_info.h"
 #include "server/rpc/preview_path.h"
 #include "server/rpc/start_stream.h"
+#include "server/rpc/survey_radii.h"
 
 namespace trc::server {
 
@@ -34,6 +35,11 @@ grpc::ServerUnaryReactor* TrcService::CompensateProgramOnce(grpc::CallbackServer
   using Reactor = UnaryReactor<v1::CompensateProgramOnceRequest, v1::CompensateProgramOnceResponse>;
   return start_stream<server::CompensateProgramOnce, Reactor>(
       backend_, *context, Method::compensate_program_once, *request, *response);
+}
+
+TrcService::BytesReactor* TrcService::SurveyRadii(grpc::CallbackServerContext* context) {
+  using Reactor = BidiReactor<v1::SurveyRadiiRequest, v1::SurveyRadiiResponse>;
+  return start_stream<server::SurveyRadii, Reactor>(backend_, *context, Method::survey_radii);
 }
 
 grpc::ServerUnaryReactor* TrcService::GetServerInfo(grpc::CallbackServerContext* context,

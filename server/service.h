@@ -12,8 +12,9 @@ class TrcService final : public v1::TrcService::WithRawCallbackMethod_Compensate
                              v1::TrcService::WithRawCallbackMethod_CompensateProgram<
                                  v1::TrcService::WithRawCallbackMethod_CompensateProgramOnce<
                                      v1::TrcService::WithRawCallbackMethod_PreviewPath<
-                                         v1::TrcService::WithCallbackMethod_GetServerInfo<
-                                             v1::TrcService::Service>>>>> {
+                                         v1::TrcService::WithRawCallbackMethod_SurveyRadii<
+                                             v1::TrcService::WithCallbackMethod_GetServerInfo<
+                                                 v1::TrcService::Service>>>>>> {
  public:
   explicit TrcService(Backend& backend) : backend_(backend) {}
 
@@ -26,6 +27,7 @@ class TrcService final : public v1::TrcService::WithRawCallbackMethod_Compensate
   grpc::ServerUnaryReactor* CompensateProgramOnce(grpc::CallbackServerContext* context,
                                                   const grpc::ByteBuffer* request,
                                                   grpc::ByteBuffer* response) override;
+  BytesReactor* SurveyRadii(grpc::CallbackServerContext* context) override;
   grpc::ServerUnaryReactor* GetServerInfo(grpc::CallbackServerContext* context,
                                           const v1::GetServerInfoRequest* request,
                                           v1::GetServerInfoResponse* response) override;

@@ -19,6 +19,7 @@ using Action = std::function<Exit()>;
 // One file each.
 void add_compensate(CLI::App& app, Action& action);
 void add_plot(CLI::App& app, Action& action);
+void add_radii(CLI::App& app, Action& action);
 void add_verify(CLI::App& app, Action& action);
 void add_view(CLI::App& app, Action& action);
 void add_generate(CLI::App& app, Action& action);

@@ -81,6 +81,14 @@ Table limits_of(const v1::Limits& limits) {
            {"coordinate", number(limits.max_coordinate()) + " mm"}}};
 }
 
+Table radius_terms_of(const v1::GetServerInfoResponse& info) {
+  Table table{{{"Term", "Range", "Default", "Meaning"}}};
+  for (const v1::RadiusTerm& term : info.radius_terms())
+    table.rows.push_back({term.name(), number(term.min()) + " … " + number(term.max()) + " mm",
+                          number(term.default_value()), term.meaning()});
+  return table;
+}
+
 // Letters, not bytes: UTF-8 continuation bytes take no room.
 std::size_t width_of(std::string_view text) {
   return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) {
@@ -189,6 +197,8 @@ std::string text_of(const v1::GetServerInfoResponse& info) {
   std::string text = "trc " + info.version() + " (" + info.commit() + ")\n";
   if (!info.build().empty()) text += info.build() + "\n";
   text += "\nLimits\n" + aligned(limits_of(info.limits()));
+  if (!info.radius_terms().empty())
+    text += "\nThe tool radius, the sum of\n" + aligned(radius_terms_of(info));
   text += "\n#TRC options\n" + aligned(options_of(info));
   text += "\nG functions\n" + aligned(functions_of(info));
   text += "\nDiagnostics\n" + aligned(diagnostics_of(info));

@@ -21,6 +21,7 @@ int run(int argc, char** argv) {
   trc::cli::Action action;
   trc::cli::add_compensate(app, action);
   trc::cli::add_plot(app, action);
+  trc::cli::add_radii(app, action);
   trc::cli::add_verify(app, action);
   trc::cli::add_view(app, action);
   trc::cli::add_generate(app, action);

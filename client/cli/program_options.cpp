@@ -39,10 +39,18 @@ void add_setup_options(CLI::App& command, ProgramOptions& options) {
   command
       .add_option("--tools", options.tools,
                   "Table of tools: CSV with the header number,radius (mm, whatever the program "
-                  "counts in), a tool table of LinuxCNC, "
+                  "counts in), a tool table of LinuxCNC, TOOL.T of Heidenhain, "
                   "G10 lines of Fanuc")
       ->type_name("FILE")
       ->check(CLI::ExistingFile);
+  command
+      .add_option("--radius", options.radius,
+                  "Radius of the tool before the program says, mm: --set tool_radius")
+      ->type_name("MM");
+  command
+      .add_option("--wear", options.wear,
+                  "What that tool is larger by, mm; negative: worn off: --set wear")
+      ->type_name("MM");
   add_service_options(command, options.service);
 }
 
@@ -57,6 +65,8 @@ bool setup_of(const ProgramOptions& options, v1::ProgramSetup& setup) {
     setup.set_dialect(wire::to_proto(*dialect));
   if (options.unknown_words == "copy") setup.set_unknown_words(v1::UNKNOWN_WORDS_COPY);
   if (options.unit == "inch") setup.set_unit(v1::LENGTH_UNIT_INCH);
+  if (options.radius) setup.mutable_path()->set_tool_radius(*options.radius);
+  if (options.wear) setup.mutable_path()->set_wear(*options.wear);
   if (!options.tools.empty()) {
     const std::string fault = read_tool_file(options.tools, setup);
     if (!fault.empty()) {

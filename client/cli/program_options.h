@@ -1,6 +1,7 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,8 @@ struct ProgramOptions {
   std::string dialect{};                   // empty: ISG
   std::string unit{};                      // empty: mm
   std::string tools{};                     // file
+  std::optional<double> radius{};          // mm
+  std::optional<double> wear{};            // mm
   std::string unknown_words{};             // empty: refuse
   ServiceOptions service{};
 };

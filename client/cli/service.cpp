@@ -8,6 +8,8 @@
 #include "client/cli/report.h"
 #include "client/trc/connection.h"
 #include "client/trc/remote_program_session.h"
+#include "client/trc/survey.h"
+#include "proto/wire/diagnostic.h"
 #include "proto/wire/setup.h"
 #include "server/in_process.h"
 
@@ -161,6 +163,29 @@ Outcome compensate_program(const ServiceOptions& options, const v1::ProgramSetup
   if (reporter.refused()) return {.exit = Exit::refused};
   if (!session.failure()) return {.exit = Exit::unreachable};
   return {.exit = service.explain(*session.failure(), answered)};
+}
+
+Exit survey_program(const ServiceOptions& options, const v1::SurveySetup& setup,
+                    const std::string& name, std::string_view text, v1::SurveyAnswer& answer) {
+  const Service service(options);
+  if (service.failure()) return service.explain(*service.failure(), false);
+  bool answered = false;
+  bool refused = false;
+  const auto failure = client::survey_program(
+      service.connection(), setup, text, [&](const v1::SurveyRadiiResponse& response) {
+        answered = true;
+        for (const v1::Diagnostic& told : response.diagnostics()) {
+          const wire::ReceivedDiagnostic received = wire::from_proto(told);
+          std::cerr << line_for(name, received) << '\n';
+          refused = refused || received.diagnostic.severity == Severity::error;
+          *answer.add_diagnostics() = told;
+        }
+        if (response.has_radius()) *answer.add_radii() = response.radius();
+        if (response.has_summary()) *answer.mutable_summary() = response.summary();
+        return true;
+      });
+  if (!failure) return Exit::done;
+  return refused ? Exit::refused : service.explain(*failure, answered);
 }
 
 Exit connect(const ServiceOptions& options, std::size_t count, ServiceConnections& connections,

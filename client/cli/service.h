@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "client/cli/command.h"
@@ -13,6 +14,7 @@
 #include "client/cli/progress.h"
 #include "client/trc/answer.h"
 #include "proto/wire/path_item.h"
+#include "trc/v1/http.pb.h"
 #include "trc/v1/setup.pb.h"
 #include "trc/v1/trc_service.pb.h"
 
@@ -44,6 +46,11 @@ struct Outcome {
 [[nodiscard]] Outcome compensate_program(const ServiceOptions& options,
                                          const v1::ProgramSetup& setup, Input& input,
                                          Progress& progress, const AnswerSink& sink);
+
+// What tools of many radii make of a program. What is wrong is on standard error when it returns.
+[[nodiscard]] Exit survey_program(const ServiceOptions& options, const v1::SurveySetup& setup,
+                                  const std::string& name, std::string_view text,
+                                  v1::SurveyAnswer& answer);
 
 // Connections for streams of the caller's own.
 struct ServiceConnections {

@@ -1,5 +1,6 @@
 #include "client/cli/tool_file.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <cstdint>
@@ -7,6 +8,7 @@
 #include <map>
 #include <optional>
 #include <sstream>
+#include <utility>
 #include <vector>
 
 #include "core/nc/text/number_format.h"
@@ -76,6 +78,12 @@ std::map<char, double> words_of(std::string_view line) {
   return words;
 }
 
+struct Sizes {
+  double radius = 0;
+  double wear = 0;
+  bool has_radius = true;
+};
+
 class Table {
  public:
   explicit Table(v1::ProgramSetup& setup)
@@ -85,24 +93,35 @@ class Table {
     std::size_t line_number = 0;
     while (!text.empty()) {
       const auto end = text.find('\n');
-      const std::string_view line = trimmed(text.substr(0, end));
+      const std::string_view as_written = text.substr(0, end);
+      const std::string_view line = trimmed(as_written);
       text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
       ++line_number;
       if (line.empty() || line.front() == '#' || line.front() == ';') continue;
-      if (const std::string fault = read_line(line); !fault.empty())
+      if (const std::string fault = read_line(line, as_written); !fault.empty())
         return "line " + std::to_string(line_number) + ": " + fault;
     }
-    if (radii_.empty()) return "it names no tool with a radius";
-    for (const auto& [number, radius] : radii_) {
+    if (tools_.empty()) return "it names no tool with a radius";
+    for (const auto& [number, sizes] : tools_) {
+      if (!sizes.has_radius) return "tool " + std::to_string(number) + " has wear, but no radius";
       v1::Tool& tool = *setup_.add_tools();
       tool.set_number(number);
-      tool.set_radius(radius);
+      tool.set_radius(sizes.radius);
+      tool.set_wear(sizes.wear);
     }
     return {};
   }
 
  private:
-  std::string read_line(std::string_view line) {
+  // As it stands in the file: blanks in front count where columns do.
+  std::string read_line(std::string_view line, std::string_view as_written) {
+    if (const std::string words = upper(line);
+        words.starts_with("BEGIN ") && words.find(".T") != std::string::npos) {
+      heidenhain_ = true;
+      unit_ = words.ends_with("INCH") ? mm_per_inch : 1;
+      return {};
+    }
+    if (heidenhain_) return line == "[END]" ? std::string() : row_of_places(as_written);
     if (columns_.empty() && upper(line).find("NUMBER") != std::string::npos) return header(line);
     if (!columns_.empty()) return row(line);
     const std::map<char, double> words = words_of(line);
@@ -113,13 +132,15 @@ class Table {
       if (!wear && words.at('L') != 12) return {};
       const auto number = tool_number(words.at('P'));
       if (!number) return "P is no number of a tool";
-      radii_[*number] += words.at('R') * unit_;
+      Sizes& sizes = tools_.try_emplace(*number, Sizes{.has_radius = false}).first->second;
+      (wear ? sizes.wear : sizes.radius) = words.at('R') * unit_;
+      sizes.has_radius |= !wear;
       return {};
     }
     if (has('T') && has('D')) {
       const auto number = tool_number(words.at('T'));
       if (!number) return "T is no number of a tool";
-      radii_[*number] = words.at('D') / 2 * unit_;
+      tools_[*number].radius = words.at('D') / 2 * unit_;
       return {};
     }
     return has('G') || line == "%" || has('O') || has('M') || has('T')
@@ -127,6 +148,49 @@ class Table {
                : "\"" + std::string(line) +
                      "\" is no row of a table of tools; a CSV begins with a "
                      "header such as number,radius";
+  }
+
+  // TOOL.T of Heidenhain: the first line names the columns, each cell begins below its name.
+  std::string row_of_places(std::string_view line) {
+    if (places_.empty()) {
+      for (std::size_t at = line.find_first_not_of(" \t\r"); at != std::string_view::npos;) {
+        const auto end = std::min(line.find_first_of(" \t\r", at), line.size());
+        places_.emplace_back(upper(line.substr(at, end - at)), at);
+        at = line.find_first_not_of(" \t\r", end);
+      }
+      for (const char* name : {"T", "R"})
+        if (!column_of(name)) return std::string("the table has no column ") + name;
+      return {};
+    }
+    const auto number = tool_number(number_from(cell(line, "T")));
+    if (!number) return "T is no number of a tool";
+    if (tools_.contains(*number)) return "tool " + std::to_string(*number) + " a second time";
+    const std::string_view radius = cell(line, "R");
+    const std::string_view wear = cell(line, "DR");
+    // Places without a tool.
+    if (radius.empty() && wear.empty()) return {};
+    const auto read_radius = number_from(radius);
+    const auto read_wear = wear.empty() ? std::optional(0.0) : number_from(wear);
+    if (!read_radius || !read_wear)
+      return (read_radius ? "DR is \"" + std::string(wear) : "R is \"" + std::string(radius)) +
+             "\", which is no number";
+    tools_[*number] = {.radius = *read_radius * unit_, .wear = *read_wear * unit_};
+    return {};
+  }
+
+  [[nodiscard]] std::optional<std::size_t> column_of(std::string_view name) const {
+    for (std::size_t i = 0; i < places_.size(); ++i)
+      if (places_[i].first == name) return i;
+    return std::nullopt;
+  }
+
+  [[nodiscard]] std::string_view cell(std::string_view line, std::string_view name) const {
+    const auto column = column_of(name);
+    if (!column || places_[*column].second >= line.size()) return {};
+    const std::size_t begin = places_[*column].second;
+    const std::size_t end =
+        *column + 1 < places_.size() ? places_[*column + 1].second : line.size();
+    return trimmed(line.substr(begin, end - begin));
   }
 
   std::string header(std::string_view line) {
@@ -172,15 +236,18 @@ class Table {
     }
     const auto tool = tool_number(number);
     if (!tool) return "number is no number of a tool";
-    if (radii_.contains(*tool)) return "tool " + std::to_string(*tool) + " a second time";
-    radii_[*tool] = (value + wear) / (diameter ? 2 : 1);
+    if (tools_.contains(*tool)) return "tool " + std::to_string(*tool) + " a second time";
+    const double share = diameter ? 0.5 : 1;
+    tools_[*tool] = {.radius = share * value, .wear = share * wear};
     return {};
   }
 
   v1::ProgramSetup& setup_;
   double unit_;
   std::vector<std::string> columns_{};
-  std::map<std::uint32_t, double> radii_{};
+  bool heidenhain_ = false;
+  std::vector<std::pair<std::string, std::size_t>> places_{};  // of its columns: name and begin
+  std::map<std::uint32_t, Sizes> tools_{};
 };
 
 }  // namespace

@@ -262,8 +262,8 @@ class Composer {
         break;
       }
     }
-    if (!selected || !(selected->mode->tool_radius > 0)) return;
-    const double radius = selected->mode->tool_radius;
+    if (!selected || !(selected->mode->cutting_radius() > 0)) return;
+    const double radius = selected->mode->cutting_radius();
     const auto approach =
         std::find_if(contents_.path.begin(), contents_.path.end(), [&](const auto& block) {
           return block.source.index >= selected->source.index &&
@@ -348,7 +348,7 @@ class Composer {
       const auto* motion = std::get_if<MotionBlock>(&block);
       if (!motion || !motion->mode) continue;
       if (motion->source.index > index) break;
-      if (motion->mode->active()) radius = motion->mode->tool_radius;
+      if (motion->mode->active()) radius = motion->mode->cutting_radius();
     }
     return radius;
   }

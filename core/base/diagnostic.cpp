@@ -238,6 +238,15 @@ constexpr auto rows = std::to_array<CodeRow>({
     {Code::center_corrected, warning, "CENTER_CORRECTED",
      "the circle centre does not fit start and end point and is shifted (G165)",
      "Correct I, J, K or the end point; the arc runs about the shifted centre."},
+    {Code::wear_too_large, error, "WEAR_TOO_LARGE",
+     "the wear of the tool is larger than max_wear; with nominal_radius the program is a centre "
+     "path, and the tool radius only what the tool differs from that",
+     "Is this the whole radius? Give the difference from the nominal one, or raise max_wear."},
+    {Code::wear_not_deeper, note, "WEAR_NOT_DEEPER",
+     "the tool is smaller than the nominal one, but the shifted centre path does not take it "
+     "deeper "
+     "into this inside corner",
+     "Where the corner has to be sharper, compensate the contour itself by the whole radius."},
 });
 
 static_assert(std::ranges::is_sorted(rows, {}, &CodeRow::code));

@@ -105,6 +105,8 @@ enum class Code : std::int32_t {
   no_tool_radius = 900219,
   tool_radius_zero = 900220,
   center_corrected = 900221,
+  wear_too_large = 900222,
+  wear_not_deeper = 900223,
 };
 
 struct DiagnosticValue {

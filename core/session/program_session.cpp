@@ -292,6 +292,7 @@ const verify::ClearanceReport* ProgramSession::clearance() const {
 std::size_t ProgramSession::verification_bytes() const {
   return parts_->compensator.verification_bytes();
 }
+const RadiusTerms& ProgramSession::radius_terms() const { return parts_->program.radius_terms(); }
 std::uint64_t ProgramSession::lines_read() const { return parts_->interpreter.lines_read(); }
 
 }  // namespace trc

@@ -49,6 +49,7 @@ class ProgramSession {
   [[nodiscard]] const verify::ClearanceReport* clearance() const;
   // As of PathSession.
   [[nodiscard]] std::size_t verification_bytes() const;
+  [[nodiscard]] const RadiusTerms& radius_terms() const;
   [[nodiscard]] std::uint64_t lines_read() const;
 
  private:

@@ -58,6 +58,8 @@ class PathSession {
   [[nodiscard]] const verify::ClearanceReport* clearance() const {
     return compensator_.clearance();
   }
+  // Of the tool radius in force.
+  [[nodiscard]] const RadiusTerms& radius_terms() const { return program_.radius_terms(); }
   // Memory the measurement holds, and what it will take in addition, bytes.
   [[nodiscard]] std::size_t verification_bytes() const { return compensator_.verification_bytes(); }
 

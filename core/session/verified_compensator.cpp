@@ -10,14 +10,15 @@
 namespace trc {
 
 VerifiedCompensator::VerifiedCompensator(const CompensatorSetup& setup, Verify verify,
-                                         Diagnostics& diagnostics)
+                                         Diagnostics& diagnostics, verify::UncutSink uncut)
     : compensator_(measuring(setup, verify), diagnostics), diagnostics_(diagnostics) {
   if (verify == Verify::off) return;
   verification_.emplace(verify::VerificationSetup{.verify = verify,
                                                   .allowed = setup.tolerances.on_contour,
                                                   .leads = setup.leads,
                                                   .selection_blocks = setup.limits.selection_blocks,
-                                                  .interrupt = setup.interrupt},
+                                                  .interrupt = setup.interrupt,
+                                                  .uncut = std::move(uncut)},
                         diagnostics);
 }
 

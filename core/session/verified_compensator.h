@@ -13,7 +13,9 @@ namespace trc {
 // A compensator whose path is measured on its way out, where that is asked for.
 class VerifiedCompensator {
  public:
-  VerifiedCompensator(const CompensatorSetup& setup, Verify verify, Diagnostics& diagnostics);
+  // `uncut` is told the walls that the measured path does not touch.
+  VerifiedCompensator(const CompensatorSetup& setup, Verify verify, Diagnostics& diagnostics,
+                      verify::UncutSink uncut = {});
   VerifiedCompensator(const VerifiedCompensator&) = delete;
   VerifiedCompensator& operator=(const VerifiedCompensator&) = delete;
 

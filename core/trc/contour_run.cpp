@@ -33,12 +33,14 @@ bool knows(const TrcOptions& options, bool removes_loops) {
 
 bool is_plain(const TrcMode& mode, bool removes_loops) {
   [[maybe_unused]] const auto& [plane, side /* the shift */, tool_radius /* the shift */,
-                                selection_number, selection /* at the ends */,
-                                deselection /* at the ends */, tangential /* at the ends */,
-                                transition /* asked for */, masking, feed_adaptation,
-                                tangfeed_minimum /* of feed_adaptation */, options] = mode;
+                                nominal_radius, below_nominal, selection_number,
+                                selection /* at the ends */, deselection /* at the ends */,
+                                tangential /* at the ends */, transition /* asked for */, masking,
+                                feed_adaptation, tangfeed_minimum /* of feed_adaptation */,
+                                options] = mode;
   const bool adapts = masking == Masking::on || feed_adaptation == FeedAdaptation::on;
-  return knows(options, removes_loops) && (removes_loops || !adapts);
+  // Transitions tells how deep a smaller tool of wear mode reaches.
+  return knows(options, removes_loops) && (removes_loops || !adapts) && !below_nominal;
 }
 
 // In the middle of a contour, under one compensation, and nothing else.

@@ -30,7 +30,7 @@ class Selection {
  public:
   // Its programmed pieces are those from `begin` to `end`.
   Selection(const HeldPath& held, std::size_t begin, std::size_t end, double allowed,
-            const LeadSettings& leads, Checkpoint& checkpoint)
+            const LeadSettings& leads, Checkpoint& checkpoint, bool keeps_touched)
       : held_(held),
         begin_(begin),
         end_(end),
@@ -39,6 +39,7 @@ class Selection {
         sides_(walls_between(begin, end, leads)),
         tree_(held, begin, end, sides_, checkpoint) {
     report_.walls = tree_.walls();
+    if (keeps_touched) touched_.resize(end - begin);
     is_plain_ = sides_.sides.size() == 1 && sides_.sides.front().are_plain();
     for (std::size_t place = begin; place < end; ++place) {
       checkpoint.pass();
@@ -72,7 +73,33 @@ class Selection {
 
   [[nodiscard]] const ClearanceReport& report() const { return report_; }
 
+  // What was kept as touched leaves over.
+  void tell_uncut(const UncutSink& uncut) {
+    for (std::size_t place = begin_; place < end_; ++place) {
+      checkpoint_.pass();
+      const ProgrammedPiece& block = held_.programmed()[place];
+      if (!block.is_contour) continue;
+      std::vector<Stretch>& touched = touched_[place - begin_];
+      std::sort(touched.begin(), touched.end(),
+                [](const Stretch& a, const Stretch& b) { return a.from < b.from; });
+      Stretch left = wall_of(block);
+      for (const Stretch& stretch : touched) {
+        tell_uncut(block, {left.from, stretch.from}, uncut);
+        left.from = std::max(left.from, stretch.to);
+      }
+      tell_uncut(block, left, uncut);
+    }
+  }
+
  private:
+  void tell_uncut(const ProgrammedPiece& block, const Stretch& stretch, const UncutSink& uncut) {
+    constexpr double shortest = 1e-3;  // mm
+    if (stretch.length() < shortest) return;
+    uncut({.source = block.source,
+           .plane = held_.rule_of(block).plane,
+           .path = trc::verify::part_of(segment_of(block.piece), stretch)});
+  }
+
   [[nodiscard]] SidedWalls walls_between(std::size_t begin, std::size_t end,
                                          const LeadSettings& leads) const {
     std::vector<std::size_t> places;  // of the contour blocks
@@ -120,9 +147,13 @@ class Selection {
     required_ = required_of(path);
     gouges_ = false;
     if (path.on_contour) check_side(path, own);
-    if (!path.inserted && own.is_contour)
-      report_.touched_length +=
-          touched_length(segment_of(own.piece), wall_of(own), segment_of(path.piece), required_);
+    if (!path.inserted && own.is_contour) {
+      const Stretch stretch =
+          touched(segment_of(own.piece), wall_of(own), segment_of(path.piece), required_);
+      report_.touched_length += stretch.length();
+      if (!touched_.empty() && stretch.length() > 0)
+        touched_[path.programmed - begin_].push_back(stretch);
+    }
     if (!is_clear_here(path.piece)) search(path);
     if (!gouges_) return;
     ++report_.gouging;
@@ -213,7 +244,8 @@ class Selection {
   // Whether the middle of the path lies on the side of its own block that the program asks for.
   void check_side(const PathPiece& path, const ProgrammedPiece& own) {
     const Rule& rule = held_.rule_of(own);
-    if (!rule.follows) return;
+    const bool is_point = !own.piece.is_arc() && own.piece.start == own.piece.end;
+    if (!rule.follows || is_point) return;
     const Point middle = place_at(segment_of(path.piece), 0.5).point;
     const Segment contour = segment_of(own.piece);
     const Point foot = nearest_point(contour, middle);
@@ -256,7 +288,8 @@ class Selection {
   bool is_plain_ = false;  // all of the contour is a wall for all of the path
   WallTree tree_;
   ClearanceReport report_;
-  std::vector<WallTree::Stretch> near_;  // to the group of pieces that is being measured
+  std::vector<std::vector<Stretch>> touched_;  // of each programmed piece, where that is asked for
+  std::vector<WallTree::Stretch> near_;        // to the group of pieces that is being measured
   // A place of the path that is clear with `slack` to spare.
   struct Clear {
     Point place = Point::Zero();
@@ -294,14 +327,16 @@ void ClearanceReport::add(const ClearanceReport& other) {
 }
 
 ClearanceReport measure_clearance(const HeldPath& held, std::size_t end, double allowed,
-                                  const LeadSettings& leads, Checkpoint& checkpoint) {
+                                  const LeadSettings& leads, Checkpoint& checkpoint,
+                                  const UncutSink& uncut) {
   ClearanceReport report;
   std::size_t next = held.path().begin();
   for (std::size_t begin = held.programmed().begin(); begin < end;) {
     const std::size_t behind = end_of_selection(held, begin, end, checkpoint);
-    Selection selection(held, begin, behind, allowed, leads, checkpoint);
+    Selection selection(held, begin, behind, allowed, leads, checkpoint, bool{uncut});
     next = selection.measure_from(next);
     report.add(selection.report());
+    if (uncut) selection.tell_uncut(uncut);
     begin = behind;
   }
   return report;

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <span>
 
@@ -46,6 +47,15 @@ struct ClearanceReport {
   void add(const ClearanceReport& other);
 };
 
+// A stretch of a wall that the path does not touch: the programmed block, and what of it.
+struct UncutWall {
+  Source source{};
+  Plane plane = Plane::xy;
+  Segment path{};
+};
+// Is told them in the order of the program.
+using UncutSink = std::function<void(const UncutWall&)>;
+
 // Measures every block of the compensated path between approach and retract against all walls of
 // its selection, with the exact distance of lines and arcs. Shares no code with the compensation
 // and decides nothing by it: only source positions link path and contour. What is a wall is data:
@@ -62,6 +72,7 @@ inline constexpr double margin_resolution = 1e-5;  // mm
 // The same of what is held, as far as it stems from programmed pieces before the number `end`.
 [[nodiscard]] ClearanceReport measure_clearance(const HeldPath& held, std::size_t end,
                                                 double allowed, const LeadSettings& leads,
-                                                Checkpoint& checkpoint);
+                                                Checkpoint& checkpoint,
+                                                const UncutSink& uncut = {});
 
 }  // namespace trc::verify

@@ -41,15 +41,15 @@ Stretch beside(const Arc& programmed, const Segment& path) {
 
 }  // namespace
 
-double touched_length(const Segment& programmed, const Stretch& within, const Segment& path,
-                      double required) {
-  if (extent_of(path) == 0 || extent_of(programmed) == 0) return 0;
+Stretch touched(const Segment& programmed, const Stretch& within, const Segment& path,
+                double required) {
+  if (extent_of(path) == 0 || extent_of(programmed) == 0) return {};
   const Point middle = place_at(path, 0.5).point;
   const double apart = (nearest_point(programmed, middle) - middle).norm();
-  if (std::abs(apart - required) > touch) return 0;
-  const Stretch touched =
+  if (std::abs(apart - required) > touch) return {};
+  const Stretch stretch =
       std::visit([&](const auto& shape) { return beside(shape, path); }, programmed);
-  return Stretch{std::max(touched.from, within.from), std::min(touched.to, within.to)}.length();
+  return {.from = std::max(stretch.from, within.from), .to = std::min(stretch.to, within.to)};
 }
 
 Segment part_of(const Segment& programmed, const Stretch& within) {

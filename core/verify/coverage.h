@@ -13,9 +13,9 @@ struct Stretch {
 };
 
 // What of `within` the path touches, where it runs beside the programmed block at the distance
-// `required`; mm.
-[[nodiscard]] double touched_length(const Segment& programmed, const Stretch& within,
-                                    const Segment& path, double required);
+// `required`.
+[[nodiscard]] Stretch touched(const Segment& programmed, const Stretch& within, const Segment& path,
+                              double required);
 
 // The part of a programmed block between two places.
 [[nodiscard]] Segment part_of(const Segment& programmed, const Stretch& within);

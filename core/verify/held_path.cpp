@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/verify/part_wall.h"
 #include "core/verify/shape.h"
 #include "core/verify/wall_tree.h"
 
@@ -33,11 +34,14 @@ std::uint32_t HeldPath::number_of(const std::shared_ptr<const TrcMode>& shared) 
   if (shared == last_mode_ && !rules_.empty()) return static_cast<std::uint32_t>(rules_.size() - 1);
   last_mode_ = shared;
   const TrcMode& mode = *shared;
-  const bool follows = !mode.options.suppress_trc && mode.tool_radius > 0;
+  const double required = mode.cutting_radius();
+  const bool follows = !mode.options.suppress_trc && required > 0;
+  const Side other = mode.side == Side::left ? Side::right : Side::left;
   const Rule rule{.selection = mode.selection_number,
-                  .required = follows ? mode.tool_radius : 0,
-                  .radius = mode.tool_radius,
-                  .side = mode.side,
+                  .required = follows ? required : 0,
+                  .radius = required,
+                  .side = mode.below_nominal ? other : mode.side,
+                  .nominal = follows ? mode.nominal_radius : 0,
                   .plane = mode.plane,
                   .accepts = mode.options.ignore_cont_damage,
                   .reverses = mode.options.reverse,
@@ -48,12 +52,12 @@ std::uint32_t HeldPath::number_of(const std::shared_ptr<const TrcMode>& shared) 
 
 // The approach block is no contour, and neither is the block that carries the
 // change to the other side, unless the side changes at its corner (REVERSE).
-bool HeldPath::is_contour(const MotionBlock& block) const {
+bool HeldPath::is_contour(const MotionBlock& block, Side side) const {
   const TrcMode& mode = *block.mode;
   const Rule* before = programmed_.empty() ? nullptr : &rule_of(programmed_.back());
   if (before == nullptr || before->selection != mode.selection_number)
     return mode.selection == Selection::perpendicular && !mode.tangential;
-  if (before->side == mode.side) return true;
+  if (before->side == side) return true;
   return mode.options.reverse;
 }
 
@@ -63,8 +67,9 @@ void HeldPath::add(const MotionBlock& block) {
   ProgrammedPiece piece{.piece = piece_of(block.path),
                         .source = block.source,
                         .rule = rule,
-                        .is_contour = is_contour(block),
+                        .is_contour = is_contour(block, rules_[rule].side),
                         .role = block.role};
+  if (rules_[rule].nominal > 0) put_at_part(piece);
   if (!programmed_.empty()) {
     ProgrammedPiece& before = programmed_.back();
     if (rule_of(before).selection == rules_[rule].selection) {
@@ -73,6 +78,30 @@ void HeldPath::add(const MotionBlock& block) {
     }
   }
   programmed_.push_back(piece);
+}
+
+void HeldPath::put_at_part(ProgrammedPiece& last) {
+  const Rule& rule = rules_[last.rule];
+  PartWall wall = part_wall(last.piece, rule.side, rule.nominal);
+  wall.exists = wall.exists && last.is_contour;
+  // Short walls may end before they begin: the one before them is the neighbour then.
+  constexpr std::size_t most_gone = 64;
+  const std::size_t end = programmed_.end();
+  for (std::size_t place = end; place > programmed_.begin() && end - place < most_gone;) {
+    ProgrammedPiece& before = programmed_[--place];
+    const Rule& rule_before = rule_of(before);
+    if (rule_before.selection != rule.selection || rule_before.side != rule.side) break;
+    if (!before.is_contour) continue;
+    PartWall wall_before{.piece = before.piece};
+    end_at_corner(wall_before, wall, rule.side);
+    before.piece = wall_before.piece;
+    before.is_contour = wall_before.exists;
+    if (before.is_contour) break;
+    for (std::size_t behind = place + 1; behind < end; ++behind)
+      programmed_[behind].number = before.number;
+  }
+  last.piece = wall.piece;
+  last.is_contour = wall.exists;
 }
 
 void HeldPath::add(const CompensatedBlock& block) {

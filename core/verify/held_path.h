@@ -17,9 +17,10 @@ namespace trc::verify {
 // What was in force when a block was programmed, as far as measuring it asks.
 struct Rule {
   std::uint32_t selection = 0;
-  double required = 0;  // mm, the least distance of path and wall: the tool radius
-  double radius = 0;    // mm, of the tool
-  Side side = Side::off;
+  double required = 0;    // mm, the least distance of path and wall: what the tool cuts with
+  double radius = 0;      // mm, of the tool
+  Side side = Side::off;  // of the wall
+  double nominal = 0;     // mm; above 0: wear mode, the walls are beside the program (part_wall.h)
   Plane plane = Plane::xy;
   bool accepts = false;   // IGNORE_CONT_DAMAGE
   bool reverses = false;  // REVERSE
@@ -78,7 +79,9 @@ class HeldPath {
 
  private:
   std::uint32_t number_of(const std::shared_ptr<const TrcMode>& mode);
-  [[nodiscard]] bool is_contour(const MotionBlock& block) const;
+  [[nodiscard]] bool is_contour(const MotionBlock& block, Side side) const;
+  // Of a piece that is to be the last one: it becomes the wall it stands for in wear mode.
+  void put_at_part(ProgrammedPiece& last);
   // The last programmed piece with this Source::index; false: there is none.
   bool find(std::uint64_t index);
 

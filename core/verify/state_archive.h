@@ -20,8 +20,8 @@ void serialize(Archive& archive, Piece& piece) {
 
 template <class Archive>
 void serialize(Archive& archive, Rule& rule) {
-  auto& [selection, required, radius, side, plane, accepts, reverses, follows] = rule;
-  archive(selection, required, radius, side, plane, accepts, reverses, follows);
+  auto& [selection, required, radius, side, nominal, plane, accepts, reverses, follows] = rule;
+  archive(selection, required, radius, side, nominal, plane, accepts, reverses, follows);
 }
 
 template <class Archive>

@@ -30,6 +30,7 @@ struct VerificationSetup {
   // Programmed blocks of one selection that are held until it is measured.
   std::size_t selection_blocks = 0;
   Checkpoint::Interrupt interrupt{};  // of long work
+  UncutSink uncut{};                  // of what is measured
 };
 
 // Measures a path as it comes out: what is programmed is given first, then the path it has

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <utility>
 
 namespace trc::verify {
@@ -61,26 +63,42 @@ void WallTree::hide_copies(Checkpoint& checkpoint) {
     return std::array{piece.start.x(),  piece.start.y(),  piece.end.x(), piece.end.y(),
                       piece.center.x(), piece.center.y(), piece.sweep,   static_cast<double>(rule)};
   };
-  std::vector<std::size_t> order;
+  // Most differ in a number made of all: sorting looks at that.
+  struct Wall {
+    std::uint64_t key;
+    std::size_t number;
+  };
+  const auto key_of = [&](std::size_t number) {
+    std::uint64_t key = 0;
+    // The two zeros are the same.
+    for (const double value : what_is_compared(number))
+      key = (std::rotl(key, 23) ^ std::bit_cast<std::uint64_t>(value + 0.0)) * 0x9E3779B97F4A7C15U;
+    return key;
+  };
+  std::vector<Wall> order;
   order.reserve(end_ - begin_);
   first_.reserve(end_ - begin_);
   for (std::size_t number = begin_; number < end_; ++number) {
     checkpoint.pass();
     first_.push_back(programmed[number].number);
     if (is_wall(programmed[number]) && !sides_.part_of(programmed[number].number))
-      order.push_back(number);
+      order.push_back({.key = key_of(number), .number = number});
   }
-  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+  std::sort(order.begin(), order.end(), [&](const Wall& a, const Wall& b) {
     checkpoint.pass();
-    const auto of_a = what_is_compared(a);
-    const auto of_b = what_is_compared(b);
-    return of_a != of_b ? of_a < of_b : a < b;
+    if (a.key != b.key) return a.key < b.key;
+    const auto of_a = what_is_compared(a.number);
+    const auto of_b = what_is_compared(b.number);
+    return of_a != of_b ? of_a < of_b : a.number < b.number;
   });
   for (std::size_t index = 1; index < order.size(); ++index) {
     checkpoint.pass();
-    const std::size_t before = order[index - 1];
-    if (what_is_compared(before) != what_is_compared(order[index])) continue;
-    first_[order[index] - begin_] = std::exchange(first_[before - begin_], hidden);
+    const std::size_t before = order[index - 1].number;
+    const std::size_t number = order[index].number;
+    if (order[index - 1].key != order[index].key ||
+        what_is_compared(before) != what_is_compared(number))
+      continue;
+    first_[number - begin_] = std::exchange(first_[before - begin_], hidden);
   }
 }
 

@@ -28,17 +28,6 @@ void tell(const verify::ClearanceReport& report, v1::Clearance& message) {
   message.set_contour_index(contour.index);
 }
 
-void tell(const verify::ClearanceReport& report, v1::Certificate& message) {
-  tell_where(report, message);
-  const Source& wall = report.worst->contour;
-  message.set_clearance(report.worst->distance);
-  if (wall.number != Source::no_number)
-    message.set_wall_number(static_cast<std::uint64_t>(wall.number));
-  message.set_wall_index(wall.index);
-  message.set_walls(report.walls);
-  message.set_method_version(verify::method_version);
-}
-
 Source source_of(std::uint64_t index, bool has_number, std::uint64_t number) {
   return {.index = index,
           .number = has_number ? static_cast<std::int64_t>(number) : Source::no_number};
@@ -62,6 +51,17 @@ verify::ClearanceReport from_proto(const v1::Certificate& message) {
 
 }  // namespace
 
+void to_proto(const verify::ClearanceReport& report, v1::Certificate& message) {
+  tell_where(report, message);
+  const Source& wall = report.worst->contour;
+  message.set_clearance(report.worst->distance);
+  if (wall.number != Source::no_number)
+    message.set_wall_number(static_cast<std::uint64_t>(wall.number));
+  message.set_wall_index(wall.index);
+  message.set_walls(report.walls);
+  message.set_method_version(verify::method_version);
+}
+
 void to_proto(const PathSummary& summary, v1::PathSummary& message) {
   message.Clear();
   const Summary& core = summary.summary;
@@ -73,7 +73,7 @@ void to_proto(const PathSummary& summary, v1::PathSummary& message) {
   if (summary.clearance.wall_length > 0) message.set_coverage(summary.clearance.coverage());
   if (summary.clearance.worst) {
     tell(summary.clearance, *message.mutable_min_clearance());
-    tell(summary.clearance, *message.mutable_certificate());
+    to_proto(summary.clearance, *message.mutable_certificate());
   }
   for (std::size_t origin = 0; origin < core.blocks_by_origin.size(); ++origin) {
     if (core.blocks_by_origin[origin] == 0) continue;
@@ -81,6 +81,10 @@ void to_proto(const PathSummary& summary, v1::PathSummary& message) {
     entry.set_origin(to_proto(static_cast<Origin>(origin)));
     entry.set_count(core.blocks_by_origin[origin]);
   }
+  message.set_effective_radius(summary.effective_radius);
+  message.set_wear(summary.wear);
+  message.set_allowance(summary.allowance);
+  message.set_nominal_radius(summary.nominal_radius);
   message.set_notes(summary.notes);
   message.set_warnings(summary.warnings);
   message.set_wall_time_seconds(summary.wall_time_seconds);
@@ -95,7 +99,11 @@ void to_proto(const ProgramSummary& summary, v1::ProgramSummary& message) {
 }
 
 PathSummary from_proto(const v1::PathSummary& message) {
-  PathSummary summary{.notes = message.notes(),
+  PathSummary summary{.effective_radius = message.effective_radius(),
+                      .wear = message.wear(),
+                      .allowance = message.allowance(),
+                      .nominal_radius = message.nominal_radius(),
+                      .notes = message.notes(),
                       .warnings = message.warnings(),
                       .wall_time_seconds = message.wall_time_seconds(),
                       .cpu_time_seconds = message.cpu_time_seconds()};

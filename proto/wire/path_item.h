@@ -12,6 +12,10 @@ namespace trc::wire {
 struct PathSummary {
   Summary summary{};
   verify::ClearanceReport clearance{};  // empty unless the setup asks for it
+  double effective_radius = 0;          // at the end, mm, and of it:
+  double wear = 0;
+  double allowance = 0;
+  double nominal_radius = 0;
   std::uint64_t notes = 0;
   std::uint64_t warnings = 0;
   double wall_time_seconds = 0;
@@ -27,6 +31,8 @@ struct ProgramSummary {
 };
 
 void to_proto(const PathSummary& summary, v1::PathSummary& message);
+// Of what has a worst place.
+void to_proto(const verify::ClearanceReport& report, v1::Certificate& message);
 void to_proto(const ProgramSummary& summary, v1::ProgramSummary& message);
 [[nodiscard]] PathSummary from_proto(const v1::PathSummary& message);
 [[nodiscard]] ProgramSummary from_proto(const v1::ProgramSummary& message);

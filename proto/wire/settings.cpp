@@ -264,14 +264,18 @@ bool set_field(Message& owner, const FieldDescriptor& field, std::string_view te
 std::string set_tools(std::string_view text, v1::ProgramSetup& setup) {
   for (const std::string_view entry : split(text, ',')) {
     const auto parts = split(entry, ':');
-    const auto number = parts.size() == 2 ? number_from<std::uint32_t>(parts[0]) : std::nullopt;
-    const auto radius = parts.size() == 2 ? finite_from(parts[1]) : std::nullopt;
-    if (!number || !radius)
+    const bool complete = parts.size() == 2 || parts.size() == 3;
+    const auto number = complete ? number_from<std::uint32_t>(parts[0]) : std::nullopt;
+    const auto radius = complete ? finite_from(parts[1]) : std::nullopt;
+    const auto wear = parts.size() == 3 ? finite_from(parts[2]) : std::optional<double>(0);
+    if (!number || !radius || !wear)
       return "tools: \"" + std::string(entry) +
-             "\" is no D or T word with its radius in mm, as in 1:5";
+             "\" is no D or T word with its radius in mm, as in 1:5, or with its wear too, as in "
+             "1:5:-0.02";
     v1::Tool& tool = *setup.add_tools();
     tool.set_number(*number);
     tool.set_radius(*radius);
+    tool.set_wear(*wear);
   }
   return {};
 }
@@ -341,7 +345,9 @@ std::vector<SettingRow> settings() {
   std::vector<SettingRow> rows;
   for (const Route& route : all_routes()) rows.push_back({key_of(route), values_of(*route.back())});
   rows.push_back(
-      {"tools", "the tool table, number of the D or T word:radius in mm, as in 1:5,2:3.5"});
+      {"tools",
+       "the tool table, number of the D or T word:radius in mm, as in 1:5,2:3.5, or with the wear "
+       "too, as in 1:5:-0.02"});
   return rows;
 }
 

@@ -191,8 +191,32 @@ void read_leads(const v1::PathSetup& message, const FieldPath& path, Compensator
     compensator.largest_masked_share = message.max_masked_share();
 }
 
+// D-43
+void read_radius_terms(const v1::PathSetup& message, const FieldPath& path, ProgramSetup& program,
+                       FieldFaults& faults) {
+  const auto take = [&](bool present, double value, double low, const char* name, double& target) {
+    if (present && check_range(value, low, ProgramState::largest_tool_radius, "mm",
+                               FieldPath(path, name), faults))
+      target = value;
+  };
+  constexpr double largest = ProgramState::largest_tool_radius;
+  take(message.has_wear(), message.wear(), -largest, "wear", program.wear);
+  take(message.has_allowance(), message.allowance(), -largest, "allowance", program.allowance);
+  take(message.has_max_wear(), message.max_wear(), 0, "max_wear", program.max_wear);
+  // A tenth of a micrometre is the finest there is (rule 1.6).
+  take(message.has_nominal_radius(), message.nominal_radius(), 1e-4, "nominal_radius",
+       program.nominal_radius);
+}
+
+void to_proto(const ProgramSetup& program, v1::PathSetup& message) {
+  if (program.wear != 0) message.set_wear(program.wear);
+  if (program.allowance != 0) message.set_allowance(program.allowance);
+  if (program.max_wear != ProgramSetup{}.max_wear) message.set_max_wear(program.max_wear);
+  if (program.nominal_radius != 0) message.set_nominal_radius(program.nominal_radius);
+}
+
 void read_tools(const v1::ProgramSetup& message, const FieldPath& path,
-                std::map<std::int64_t, double>& tools, FieldFaults& faults) {
+                std::map<std::int64_t, ToolRow>& tools, FieldFaults& faults) {
   if (message.tools_size() > most_tools) {
     add_fault(FieldPath(path, "tools"),
               "has " + std::to_string(message.tools_size()) + " entries, allowed are " +
@@ -205,7 +229,8 @@ void read_tools(const v1::ProgramSetup& message, const FieldPath& path,
     const FieldPath entry(path, "tools", static_cast<std::size_t>(i));
     check_range(tool.number(), 0, 2147483647, "", FieldPath(entry, "number"), faults);
     check_tool_radius(tool.radius(), FieldPath(entry, "radius"), faults);
-    if (!tools.emplace(tool.number(), tool.radius()).second)
+    check_tool_radius(tool.wear(), FieldPath(entry, "wear"), faults);
+    if (!tools.try_emplace(tool.number(), tool.radius(), tool.wear()).second)
       add_fault(FieldPath(entry, "number"),
                 "names the tool " + std::to_string(tool.number()) + " a second time", faults);
   }
@@ -246,6 +271,7 @@ PathSettings from_proto(const v1::PathSetup& message, const FieldPath& path, Fie
                                 .from_proto(message.circle_center_mode().reference(),
                                             FieldPath(circles, "reference"), faults)
                                 .value_or(program.absolute_center);
+  read_radius_terms(message, path, program, faults);
   read_axis_names(message, path, program.tracking_axes, faults);
   read_limits(message, path, settings.session.compensator, faults);
   read_leads(message, path, settings.session.compensator, faults);
@@ -298,6 +324,7 @@ void to_proto(const PathSettings& settings, v1::PathSetup& message) {
   if (mode.plane != Plane::xy) message.set_plane(to_proto(mode.plane));
   if (program.start != Position{}) to_proto(program.start, *message.mutable_start_position());
   if (mode.tool_radius != 0 || program.tool_radius_given) message.set_tool_radius(mode.tool_radius);
+  to_proto(program, message);
   if (mode.selection != Selection::indirect)
     message.set_selection_mode(selections.to_proto(mode.selection));
   if (mode.transition != Transition::linear)
@@ -345,10 +372,11 @@ void to_proto(const PathSettings& settings, v1::PathSetup& message) {
 void to_proto(const ProgramSettings& settings, v1::ProgramSetup& message) {
   message.Clear();
   to_proto(settings.path, *message.mutable_path());
-  for (const auto& [number, radius] : settings.path.session.program.tools) {
+  for (const auto& [number, row] : settings.path.session.program.tools) {
     v1::Tool& tool = *message.add_tools();
     tool.set_number(static_cast<std::uint32_t>(number));
-    tool.set_radius(radius);
+    tool.set_radius(row.radius);
+    tool.set_wear(row.wear);
   }
   if (!settings.nc_text) message.set_output(outputs.to_proto(false));
   if (settings.decimals != ProgramSettings{}.decimals)

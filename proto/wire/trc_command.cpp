@@ -15,6 +15,8 @@ bool apply(const TrcCommand& command, ProgramState& program) {
       !program.set_options(changed(program.mode().options, *command.options), source))
     return false;
   if (command.tool_radius && !program.set_tool_radius(*command.tool_radius, source)) return false;
+  if (command.wear && !program.set_wear(*command.wear, source)) return false;
+  if (command.allowance && !program.set_allowance(*command.allowance, source)) return false;
   if (command.tangfeed_minimum && !program.set_tangfeed_minimum(*command.tangfeed_minimum, source))
     return false;
   if (command.feed_adaptation && !program.set_feed_adaptation(*command.feed_adaptation, source))
@@ -53,6 +55,14 @@ bool from_proto(const v1::TrcCommand& message, const FieldPath& path, TrcCommand
     check_tool_radius(message.tool_radius(), FieldPath(path, "tool_radius"), faults);
     command.tool_radius = message.tool_radius();
   }
+  if (message.has_wear()) {
+    check_tool_radius(message.wear(), FieldPath(path, "wear"), faults);
+    command.wear = message.wear();
+  }
+  if (message.has_allowance()) {
+    check_tool_radius(message.allowance(), FieldPath(path, "allowance"), faults);
+    command.allowance = message.allowance();
+  }
   if (message.has_options())
     command.options = from_proto(message.options(), FieldPath(path, "options"), faults);
   command.plane = from_proto(message.plane(), FieldPath(path, "plane"), faults);
@@ -74,6 +84,8 @@ void to_proto(const TrcCommand& command, v1::TrcCommand& message) {
     message.set_feed_adaptation(feed_adaptations.to_proto(*command.feed_adaptation));
   if (command.tangfeed_minimum) message.set_tangfeed_min_radius(*command.tangfeed_minimum);
   if (command.tool_radius) message.set_tool_radius(*command.tool_radius);
+  if (command.wear) message.set_wear(*command.wear);
+  if (command.allowance) message.set_allowance(*command.allowance);
   if (command.options) to_proto(*command.options, *message.mutable_options());
   if (command.plane) message.set_plane(to_proto(*command.plane));
   if (command.absolute_center)

@@ -20,6 +20,8 @@ struct TrcCommand {
   std::optional<FeedAdaptation> feed_adaptation{};
   std::optional<double> tangfeed_minimum{};  // mm
   std::optional<double> tool_radius{};       // mm; negative swaps the side
+  std::optional<double> wear{};              // mm
+  std::optional<double> allowance{};         // mm
   std::optional<TrcOptionChanges> options{};
   std::optional<Plane> plane{};
   std::optional<bool> absolute_center{};  // G161 / G162

@@ -15,13 +15,17 @@
 namespace trc::server::http {
 namespace {
 
-constexpr std::array<Route, 17> table{{
+constexpr std::array<Route, 18> table{{
     {"POST", "/v1/programs:compensate", Body::program, true, "text/plain,application/x-ndjson",
      "Compensates an NC program: NC text in, NC text with TRC resolved out, or the path as JSON "
      "lines",
      compensate_program},
     {"POST", "/v1/programs:verify", Body::program, true, "application/json",
      "Compensates an NC program and measures the path against the contour", verify_program},
+    {"POST", "/v1/programs:surveyRadii", Body::program, true, "application/json",
+     "Says what tools of many radii make of an NC program: `radii` (3,5,8 or 3:8:0.5), `uncut`, "
+     "`largest`; a SurveyAnswer",
+     survey_program},
     {"POST", "/v1/paths:compensate", Body::message, false, "application/json,application/x-ndjson",
      "Compensates a path of motion blocks: a PreviewPathRequest in, a PathAnswer out, or JSON "
      "lines",

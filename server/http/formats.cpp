@@ -74,6 +74,21 @@ void PathAnswerFormat<Response>::close(std::string& out) {
   out += '\n';
 }
 
+bool SurveyFormat::take(const grpc::ByteBuffer& answer, std::string& /*out*/) {
+  if (!RpcCall::read_message(answer, answer_)) return false;
+  remember(answer_.diagnostics());
+  whole_.mutable_diagnostics()->MergeFrom(answer_.diagnostics());
+  if (answer_.has_radius()) *whole_.add_radii() = answer_.radius();
+  if (answer_.has_summary()) *whole_.mutable_summary() = answer_.summary();
+  bytes_ += answer.Length();
+  return bytes_ <= most_bytes_;
+}
+
+void SurveyFormat::close(std::string& out) {
+  wire::Json().append(whole_, out);
+  out += '\n';
+}
+
 template class JsonLinesFormat<v1::CompensateProgramResponse>;
 template class JsonLinesFormat<v1::PreviewPathResponse>;
 template class PathAnswerFormat<v1::CompensateProgramResponse>;

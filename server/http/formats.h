@@ -80,6 +80,23 @@ class PathAnswerFormat final : public ProblemFormat {
   v1::PathAnswer whole_;
 };
 
+// What a survey found as one JSON object.
+class SurveyFormat final : public ProblemFormat {
+ public:
+  explicit SurveyFormat(std::size_t most_bytes) : most_bytes_(most_bytes) {}
+
+  [[nodiscard]] Head head() const override { return {.content_type = "application/json"}; }
+  bool take(const grpc::ByteBuffer& answer, std::string& out) override;
+  void close(std::string& out) override;
+  [[nodiscard]] bool streams() const override { return false; }
+
+ private:
+  std::size_t most_bytes_;
+  std::size_t bytes_ = 0;
+  v1::SurveyRadiiResponse answer_;
+  v1::SurveyAnswer whole_;
+};
+
 extern template class JsonLinesFormat<v1::CompensateProgramResponse>;
 extern template class JsonLinesFormat<v1::PreviewPathResponse>;
 extern template class PathAnswerFormat<v1::CompensateProgramResponse>;

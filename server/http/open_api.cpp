@@ -125,6 +125,12 @@ void add_settings(Struct& operation) {
   add_parameter(operation, "name", "query", "name of the program in diagnostics");
 }
 
+void add_survey(Struct& operation) {
+  add_parameter(operation, "radii", "query", "mm: 3,5,8 or 3:8:0.5, from, to and step; 64 at most");
+  add_parameter(operation, "uncut", "query", "true: what each radius leaves uncut");
+  add_parameter(operation, "largest", "query", "false: without the largest radius that fits");
+}
+
 void add_body(Body body, Struct& operation, Schemas& known) {
   if (body == Body::none) return;
   Struct& content = object(object(operation, "requestBody"), "content");
@@ -163,6 +169,7 @@ void add_routes(Struct& paths, Schemas& known) {
     text(operation, "summary", route.meaning);
     add_parameters_in_path(route.path, operation);
     if (route.takes_settings) add_settings(operation);
+    if (route.handle == survey_program) add_survey(operation);
     add_body(route.body, operation, known);
     add_answers(route, operation, known);
   }

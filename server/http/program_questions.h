@@ -9,10 +9,12 @@
 
 namespace trc::server::http {
 
-// The requests of CompensateProgram for a whole text.
-class ProgramQuestions final : public Questions {
+// The requests of CompensateProgram, or of another RPC that takes a setup and text, for a whole
+// text.
+template <class Request, class Setup>
+class TextQuestions final : public Questions {
  public:
-  ProgramQuestions(const v1::ProgramSetup& setup, std::string text, std::size_t most_message_bytes)
+  TextQuestions(const Setup& setup, std::string text, std::size_t most_message_bytes)
       : text_(std::move(text)), piece_bytes_(std::min(piece_bytes, most_message_bytes / 2)) {
     *message_.mutable_setup() = setup;
   }
@@ -36,7 +38,10 @@ class ProgramQuestions final : public Questions {
   std::size_t piece_bytes_;
   std::size_t at_ = 0;
   bool set_up_ = false;
-  v1::CompensateProgramRequest message_;
+  Request message_;
 };
+
+using ProgramQuestions = TextQuestions<v1::CompensateProgramRequest, v1::ProgramSetup>;
+using SurveyQuestions = TextQuestions<v1::SurveyRadiiRequest, v1::SurveySetup>;
 
 }  // namespace trc::server::http

@@ -2,16 +2,19 @@
 #include <memory>
 #include <utility>
 
+#include "proto/wire/survey.h"
 #include "server/http/api.h"
 #include "server/http/formats.h"
 #include "server/http/handlers.h"
 #include "server/http/program_questions.h"
 #include "server/http/settings.h"
+#include "server/text.h"
 
 namespace trc::server::http {
 namespace {
 
 constexpr const char* compensate_program_rpc = "/trc.v1.TrcService/CompensateProgram";
+constexpr const char* survey_radii_rpc = "/trc.v1.TrcService/SurveyRadii";
 
 // NC text, whatever it is called; but not what a form sends.
 bool is_text(std::string_view type) {
@@ -19,15 +22,40 @@ bool is_text(std::string_view type) {
 }
 
 // The setup of a request; what is wrong with the request is answered.
-bool read_setup(Exchange& exchange, v1::ProgramSetup& setup) {
+bool read_setup(Exchange& exchange, const Pairs& query, v1::ProgramSetup& setup) {
   if (!is_text(exchange.request().content_type())) {
     answer_problem(exchange, problem(415, "CONTENT_TYPE", "The body must be NC text",
                                      "send it as text/plain; charset=utf-8"));
     return false;
   }
-  const auto refused = read_settings(exchange.request().query, setup);
+  const auto refused = read_settings(query, setup);
   if (refused) answer_problem(exchange, *refused);
   return !refused;
+}
+
+bool read_flag(const std::string& name, const std::string& value, bool& flag, std::string& fault) {
+  flag = value == "1" || value == "true";
+  if (!flag && value != "0" && value != "false") fault = name + ": it takes true, false";
+  return fault.empty();
+}
+
+// What a survey asks besides the settings, which are left over.
+Pairs take_questions(const Pairs& query, v1::SurveySetup& setup, std::string& fault) {
+  Pairs left;
+  for (const auto& [name, value] : query) {
+    bool flag = false;
+    if (name == "radii") {
+      const std::string wrong = wire::read_radii(value, setup);
+      if (!wrong.empty() && fault.empty()) fault = "radii: " + wrong;
+    } else if (name == "uncut") {
+      if (read_flag(name, value, flag, fault)) setup.set_want_uncut(flag);
+    } else if (name == "largest") {
+      if (read_flag(name, value, flag, fault)) setup.set_without_largest(!flag);
+    } else {
+      left.emplace_back(name, value);
+    }
+  }
+  return left;
 }
 
 void start(Api& api, const ExchangePointer& exchange, const v1::ProgramSetup& setup,
@@ -42,7 +70,7 @@ void start(Api& api, const ExchangePointer& exchange, const v1::ProgramSetup& se
 
 void compensate_program(Api& api, const ExchangePointer& exchange) {
   v1::ProgramSetup setup;
-  if (!read_setup(*exchange, setup)) return;
+  if (!read_setup(*exchange, exchange->request().query, setup)) return;
   if (exchange->request().accepts("application/x-ndjson")) {
     setup.set_output(v1::PROGRAM_OUTPUT_BLOCKS);
     setup.mutable_path()->set_response_layout(v1::RESPONSE_LAYOUT_BLOCKS);
@@ -56,12 +84,28 @@ void compensate_program(Api& api, const ExchangePointer& exchange) {
 void verify_program(Api& api, const ExchangePointer& exchange) {
   using Measured = PathAnswerFormat<v1::CompensateProgramResponse>;
   v1::ProgramSetup setup;
-  if (!read_setup(*exchange, setup)) return;
+  if (!read_setup(*exchange, exchange->request().query, setup)) return;
   setup.set_output(v1::PROGRAM_OUTPUT_BLOCKS);
   setup.mutable_path()->set_response_layout(v1::RESPONSE_LAYOUT_COLUMNS);
   setup.mutable_path()->set_verify(v1::VERIFICATION_ENFORCE);
   start(api, exchange, setup,
         std::make_shared<Measured>(Measured::Blocks::left_out, api.most_message_bytes()));
+}
+
+void survey_program(Api& api, const ExchangePointer& exchange) {
+  v1::SurveySetup setup;
+  std::string fault;
+  const Pairs settings = take_questions(exchange->request().query, setup, fault);
+  if (!fault.empty())
+    return answer_problem(*exchange, problem(400, "SETTING_INVALID",
+                                             "A query parameter is no setting that can be taken",
+                                             presentable(fault)));
+  if (!read_setup(*exchange, settings, *setup.mutable_program())) return;
+  constexpr std::size_t messages = 4;
+  Run::start(api, exchange, survey_radii_rpc,
+             std::make_unique<SurveyQuestions>(setup, std::move(exchange->request().body),
+                                               api.most_message_bytes()),
+             std::make_shared<SurveyFormat>(messages * api.most_message_bytes()));
 }
 
 }  // namespace trc::server::http

@@ -12,6 +12,7 @@
 #include "core/nc/dialect/dialect.h"
 #include "core/nc/dialect/g_function.h"
 #include "core/nc/dialect/trc_command.h"
+#include "core/nc/state/program_state.h"
 #include "proto/wire/diagnostic.h"
 #include "proto/wire/setup.h"
 
@@ -37,6 +38,29 @@ void describe_limits(const Config& config, v1::Limits& limits) {
   limits.set_max_coordinate(Tolerances{}.largest_coordinate);
 }
 
+// D-43
+void describe_radius_terms(v1::GetServerInfoResponse& response) {
+  constexpr double largest = ProgramState::largest_tool_radius;
+  const ProgramSetup initial;
+  const auto add = [&](const char* name, double least, double most, double value,
+                       const char* meaning) {
+    v1::RadiusTerm& term = *response.add_radius_terms();
+    term.set_name(name);
+    term.set_min(least);
+    term.set_max(most);
+    term.set_default_value(value);
+    term.set_meaning(meaning);
+  };
+  add("tool_radius", -largest, largest, initial.mode.tool_radius,
+      "the size of the tool; negative: on the other side; with nominal_radius what the tool "
+      "differs from that");
+  add("wear", -initial.max_wear, initial.max_wear, initial.wear,
+      "what the tool is larger by; max_wear of the setup allows more");
+  add("allowance", -largest, largest, initial.allowance, "stock that is left on the part");
+  add("nominal_radius", 0, largest, initial.nominal_radius,
+      "the tool whose centre path the program is; 0: the program is the contour");
+}
+
 // G01, G41, G138
 std::string as_written(std::int16_t number) {
   return (number < 10 ? "G0" : "G") + std::to_string(number);
@@ -53,6 +77,7 @@ void describe(const Config& config, v1::GetServerInfoResponse& response) {
   build.append(", protobuf ")
       .append(google::protobuf::internal::VersionString(GOOGLE_PROTOBUF_VERSION));
   describe_limits(config, *response.mutable_limits());
+  describe_radius_terms(response);
   for (const TrcKeyword& keyword : trc_keywords()) {
     v1::TrcKeyword& row = *response.add_trc_keywords();
     row.set_name(std::string(keyword.name));

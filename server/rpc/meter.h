@@ -1,9 +1,11 @@
 #pragma once
 
 #include <chrono>
+#include <cmath>
 #include <cstdint>
 
 #include "core/base/diagnostics.h"
+#include "core/nc/state/program_state.h"
 #include "core/trc/compensator.h"
 #include "proto/wire/path_item.h"
 
@@ -40,6 +42,11 @@ class Meter {
   [[nodiscard]] wire::PathSummary summary(Session& session) const {
     wire::PathSummary summary = summary_of(session.summary(), session.diagnostics());
     if (const auto* clearance = session.clearance()) summary.clearance = *clearance;
+    const RadiusTerms& radius = session.radius_terms();
+    summary.effective_radius = std::abs(radius.effective());
+    summary.wear = radius.wear;
+    summary.allowance = radius.allowance;
+    summary.nominal_radius = radius.nominal;
     return summary;
   }
 

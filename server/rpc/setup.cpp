@@ -38,6 +38,19 @@ std::optional<Ending> read_setup(const v1::ProgramSetup& message, const Config& 
   return std::nullopt;
 }
 
+std::optional<Ending> read_setup(const v1::SurveySetup& message, const Config& config,
+                                 wire::SurveySettings& settings) {
+  wire::FieldFaults faults;
+  settings = wire::from_proto(message, wire::FieldPath("setup"), faults);
+  if (!faults.empty()) return refuse(faults);
+  const v1::PathSetup& path = message.has_path() ? message.path() : message.program().path();
+  if (path.want_resume_tokens() || !path.resume_token().empty())
+    return refuse(Refusal::resume_token_invalid, "SurveyRadii begins anew",
+                  {{"field", "setup.path.resume_token"}});
+  apply_limits(path, config, settings.program.path.session);
+  return std::nullopt;
+}
+
 void accept(const Config& config, v1::StreamAccepted& accepted) {
   accepted.set_max_blocks_per_batch(config.max_blocks_per_batch);
   accepted.set_max_batches_in_flight(config.max_batches_in_flight);

@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "proto/wire/setup.h"
+#include "proto/wire/survey.h"
 #include "server/config.h"
 #include "server/rpc/status.h"
 #include "trc/v1/trc_service.pb.h"
@@ -14,6 +15,8 @@ std::optional<Ending> read_setup(const v1::PathSetup& message, const Config& con
                                  wire::PathSettings& settings);
 std::optional<Ending> read_setup(const v1::ProgramSetup& message, const Config& config,
                                  wire::ProgramSettings& settings);
+std::optional<Ending> read_setup(const v1::SurveySetup& message, const Config& config,
+                                 wire::SurveySettings& settings);
 
 // The first response of a stream.
 void accept(const Config& config, v1::StreamAccepted& accepted);

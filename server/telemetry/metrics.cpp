@@ -55,6 +55,8 @@ std::string_view name_of(Method method) {
       return "CompensateProgramOnce";
     case Method::preview_path:
       return "PreviewPath";
+    case Method::survey_radii:
+      return "SurveyRadii";
     case Method::get_server_info:
       return "GetServerInfo";
     case Method::reflection:
@@ -67,6 +69,7 @@ std::string_view kind_of(Method method) {
   switch (method) {
     case Method::compensate_path:
     case Method::compensate_program:
+    case Method::survey_radii:
     case Method::reflection:
       return "bidi_stream";
     case Method::preview_path:

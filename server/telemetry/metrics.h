@@ -25,10 +25,11 @@ enum class Method {
   compensate_program,
   compensate_program_once,
   preview_path,
+  survey_radii,
   get_server_info,
   reflection
 };
-inline constexpr std::size_t method_count = 6;
+inline constexpr std::size_t method_count = 7;
 
 // "CompensatePath", as in the proto.
 std::string_view name_of(Method method);

@@ -287,6 +287,24 @@ def peer(table, blocks):
               f"LinuxCNC's `rs274` {1e9 * theirs / blocks:.0f} ns, {theirs / ours:.1f} ×")
 
 
+def survey(table, blocks, radii):
+    """Many radii of one program against as many runs of it, all of them measured."""
+    with tempfile.TemporaryDirectory() as folder:
+        with open(pathlib.Path(folder) / "part.nc", "w", encoding="utf-8") as part:
+            subprocess.run([BIN / "trc", "generate", "--shape", "random", "--blocks", str(blocks)],
+                           stdout=part, check=True)
+        asked = [f"{4 + i / radii:.6g}" for i in range(radii)]
+        together = cpu_of([BIN / "trc", "radii", "part.nc", "--radii", ",".join(asked),
+                           "--no-largest"], folder)
+        alone = sum(cpu_of([BIN / "trc", "compensate", "part.nc", "--radius", radius, "--set",
+                            "verify=enforce", "-o", "out.nc", "--force"], folder)
+                    for radius in asked)
+    table.add(f"`trc radii`, {radii} radii, {blocks} lines",
+              "≤ 0.6 of as many runs", aim(together / alone, 0.6, f"{together / alone:.2f}"),
+              f"{1e9 * together / blocks / radii:.0f} ns CPU a line and radius, a run "
+              f"{1e9 * alone / blocks / radii:.0f} ns")
+
+
 def machine():
     model = platform.processor() or "unknown processor"
     with contextlib.suppress(OSError):
@@ -315,6 +333,7 @@ def main():
     steps = {
         "core": lambda: core(table),
         "peer": lambda: peer(table, 1_000_000),
+        "survey": lambda: survey(table, 100_000, 16),
         "throughput": lambda: throughput(table, arguments.seconds),
         "program": lambda: program(table, arguments.seconds),
         "scaling": lambda: scaling(table, arguments.seconds),

@@ -609,6 +609,103 @@ TEST(Folder, IsNotMixedUp) {
   EXPECT_EQ(read_file(file), demo);
 }
 
+// The contour without a radius of its own.
+const std::string unsized =
+    "N10 G90 G17 G00 X0 Y0\n"
+    "N40 G138 G41 G01 X30 Y20 F1000\n"
+    "N60 X90\n"
+    "N80 G40 X120 Y0\n";
+
+TEST(Compensate, TakesRadiusAndWear) {
+  const Ended ended =
+      trc({"compensate", "-", "--format", "jsonl", "--radius", "10", "--wear", "-0.25"}, unsized);
+  ASSERT_EQ(ended.code, 0) << ended.err;
+  const auto last = object_of(lines_of(ended.out).back());
+  const auto& summary = last.fields().at("summary").struct_value().fields();
+  EXPECT_EQ(summary.at("effectiveRadius").number_value(), 9.75);
+  EXPECT_EQ(summary.at("wear").number_value(), -0.25);
+  const Ended same = trc({"compensate", "-", "--radius", "10", "--wear", "-0.25"}, unsized);
+  EXPECT_EQ(
+      same.out,
+      trc({"compensate", "-", "--set", "tool_radius=10", "--set", "wear=-0.25"}, unsized).out);
+  const Ended whole = trc({"compensate", "-", "--radius", "10", "--wear", "5"}, unsized);
+  EXPECT_EQ(whole.code, 1);
+  EXPECT_NE(whole.err.find("900222"), std::string::npos) << whole.err;
+}
+
+// Two walls, 8 mm apart.
+const std::string slot =
+    "N10 G90 G17 G00 X-20 Y4\n"
+    "N20 G138 G41 G01 X-10 Y0 F500\n"
+    "N30 X30\n"
+    "N40 Y8\n"
+    "N50 X-10\n"
+    "N60 G40 X-20 Y4\n"
+    "N70 M30\n";
+
+TEST(Radii, AreATable) {
+  const Ended ended = trc({"radii", "-", "--radii", "3,5"}, slot);
+  ASSERT_EQ(ended.code, 0) << ended.err;
+  const auto lines = lines_of(ended.out);
+  ASSERT_EQ(lines.size(), 4U) << ended.out;
+  EXPECT_NE(lines[0].find("radius"), std::string::npos);
+  const std::regex fits(R"( 3\.000  reaches all +0\.0 % +3\.000 +12\.000 +\d+\.\d{3})");
+  EXPECT_TRUE(std::regex_match(lines[1], fits)) << ended.out;
+  EXPECT_NE(lines[2].find("5.000  refused 9"), std::string::npos) << ended.out;
+  EXPECT_EQ(lines[3].find("4.000 mm is the largest radius that reaches every wall, limited by line "
+                          "3 (N30) and line 5 (N50)"),
+            0U)
+      << ended.out;
+}
+
+TEST(Radii, AreThoseOfTheTools) {
+  const Folder folder;
+  const std::string tools =
+      folder.write("tools.csv", "number,radius,wear\n1,3,\n2,4.02,-0.05\n3,6,\n");
+  const Ended ended = trc({"radii", "-", "--tools", tools, "--no-largest"}, slot);
+  ASSERT_EQ(ended.code, 0) << ended.err;
+  const auto lines = lines_of(ended.out);
+  ASSERT_EQ(lines.size(), 4U) << ended.out;
+  // The reground one fits.
+  EXPECT_NE(lines[2].find("3.970  T2    reaches all"), std::string::npos) << ended.out;
+  EXPECT_NE(lines[3].find("6.000  T3    refused"), std::string::npos) << ended.out;
+}
+
+TEST(Radii, AreJson) {
+  const Ended ended = trc({"radii", "-", "--radii", "1:3:1", "--json"}, slot);
+  ASSERT_EQ(ended.code, 0) << ended.err;
+  const auto answer = object_of(ended.out);
+  EXPECT_EQ(answer.fields().at("radii").list_value().values_size(), 3);
+  const auto& largest =
+      answer.fields().at("summary").struct_value().fields().at("largest").struct_value().fields();
+  EXPECT_NEAR(largest.at("radius").number_value(), 4, 1e-3 + 1e-9);
+}
+
+TEST(Radii, AreDrawn) {
+  const Folder folder;
+  const std::string picture = folder.path("radii.svg");
+  const Ended ended = trc({"radii", "-", "--radii", "2,3,5", "--picture", picture}, slot);
+  ASSERT_EQ(ended.code, 0) << ended.err;
+  const std::string svg = content_of(picture);
+  EXPECT_EQ(svg.rfind("<?xml", 0), 0U);
+  std::size_t drawn = 0;
+  for (std::size_t at = svg.find("class=\"uncut\""); at != std::string::npos;
+       at = svg.find("class=\"uncut\"", at + 1))
+    ++drawn;
+  // Of the largest one nothing would be left at all: it is marked where it is refused.
+  EXPECT_EQ(drawn, 2U);
+  EXPECT_NE(svg.find("class=\"refused\""), std::string::npos);
+  EXPECT_NE(svg.find("class=\"limits\""), std::string::npos);
+  EXPECT_NE(svg.find("R 3.000: reaches all, 12.000 mm of wall uncut"), std::string::npos);
+}
+
+TEST(Radii, RefuseWhatCannotBeRead) {
+  EXPECT_EQ(trc({"radii", "-", "--radii", "3"}, "N10 G999\n").code, 1);
+  EXPECT_EQ(trc({"radii", "-", "--radii", "3;5"}, slot).code, 2);
+  EXPECT_EQ(trc({"radii", "-", "--radii", "0"}, slot).code, 2);
+  EXPECT_EQ(trc({"radii", "-", "--radii", "3", "--server", "127.0.0.1:1"}, slot).code, 3);
+}
+
 TEST(Generate, WritesTheSameTextAgain) {
   const std::vector<std::string> call{"generate", "--shape", "random", "--blocks",
                                       "50",       "--seed",  "3"};
@@ -620,7 +717,7 @@ TEST(Generate, WritesTheSameTextAgain) {
 TEST(Help, NamesEverySubcommand) {
   const Ended help = trc({"--help"});
   EXPECT_EQ(help.code, 0);
-  for (const char* name : {"compensate", "plot", "verify", "generate", "info", "health"}) {
+  for (const char* name : {"compensate", "plot", "verify", "radii", "generate", "info", "health"}) {
     EXPECT_NE(help.out.find(name), std::string::npos) << name;
     EXPECT_EQ(trc({name, "--help"}).code, 0) << name;
   }

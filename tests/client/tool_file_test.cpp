@@ -7,6 +7,14 @@
 namespace trc::cli {
 namespace {
 
+std::map<std::uint32_t, double> wear_in(std::string_view text) {
+  v1::ProgramSetup setup;
+  EXPECT_EQ(read_tool_table(text, setup), "");
+  std::map<std::uint32_t, double> wear;
+  for (const v1::Tool& tool : setup.tools()) wear[tool.number()] = tool.wear();
+  return wear;
+}
+
 std::map<std::uint32_t, double> radii_in(std::string_view text, bool inch = false) {
   v1::ProgramSetup setup;
   if (inch) setup.set_unit(v1::LENGTH_UNIT_INCH);
@@ -26,10 +34,12 @@ TEST(ToolFile, IsACsvWithAHeader) {
   EXPECT_EQ(radii, (std::map<std::uint32_t, double>{{1, 5}, {2, 3.5}}));
 }
 
-TEST(ToolFile, HalvesDiametersAndAddsTheWear) {
-  const auto radii =
-      radii_in("Holds,Number,Radius,Wear,Name\nDIAMETER,7,12,-0.1,\"finisher\"\nradius,8,4,,\n");
-  EXPECT_DOUBLE_EQ(radii.at(7), 5.95);
+TEST(ToolFile, HalvesDiametersAndTheirWear) {
+  constexpr const char* table =
+      "Holds,Number,Radius,Wear,Name\nDIAMETER,7,12,-0.1,\"finisher\"\nradius,8,4,,\n";
+  const auto radii = radii_in(table);
+  EXPECT_EQ(wear_in(table), (std::map<std::uint32_t, double>{{7, -0.05}, {8, 0}}));
+  EXPECT_DOUBLE_EQ(radii.at(7), 6);
   EXPECT_DOUBLE_EQ(radii.at(8), 4);
   EXPECT_DOUBLE_EQ(radii_in("number,diameter\n3,10\n").at(3), 5);
 }
@@ -41,10 +51,26 @@ TEST(ToolFile, IsATableOfLinuxcnc) {
 }
 
 TEST(ToolFile, HoldsTheOffsetsOfFanuc) {
-  const auto radii =
-      radii_in("%\nO9001\nG10 L10 P1 R120.5\nG10 L12 P1 R5.\nG10 L13 P1 R-0.02\nM30\n%\n");
+  constexpr const char* table =
+      "%\nO9001\nG10 L10 P1 R120.5\nG10 L12 P1 R5.\nG10 L13 P1 R-0.02\nM30\n%\n";
+  const auto radii = radii_in(table);
   EXPECT_EQ(radii.size(), 1u);
-  EXPECT_DOUBLE_EQ(radii.at(1), 4.98);
+  EXPECT_DOUBLE_EQ(radii.at(1), 5);
+  EXPECT_DOUBLE_EQ(wear_in(table).at(1), -0.02);
+}
+
+TEST(ToolFile, IsATableOfHeidenhain) {
+  constexpr const char* table =
+      "BEGIN TOOL    .T MM\n"
+      "T    NAME             L          R          R2    DL     DR     TL\n"
+      "0\n"
+      "1    MILL_D10         +100       +5         +0    +0     -0.02\n"
+      "2    MILL D6          +80        3                +0\n"
+      "[END]\n";
+  EXPECT_EQ(radii_in(table), (std::map<std::uint32_t, double>{{1, 5}, {2, 3}}));
+  EXPECT_EQ(wear_in(table), (std::map<std::uint32_t, double>{{1, -0.02}, {2, 0}}));
+  EXPECT_NE(fault_in("BEGIN TOOL .T MM\nT NAME L\n1 A 3\n").find("no column R"), std::string::npos);
+  EXPECT_NE(fault_in("BEGIN TOOL .T MM\nT  R\n1  x\n").find("R is \"x\""), std::string::npos);
 }
 
 TEST(ToolFile, SaysInWhichLineItIsWrong) {
@@ -53,6 +79,7 @@ TEST(ToolFile, SaysInWhichLineItIsWrong) {
   EXPECT_NE(fault_in("number,length\n").find("unknown column"), std::string::npos);
   EXPECT_NE(fault_in("number\n1\n").find("needs number and one of"), std::string::npos);
   EXPECT_NE(fault_in("1;5\n").find("is no row"), std::string::npos);
+  EXPECT_EQ(fault_in("G10 L13 P1 R-0.02\n"), "tool 1 has wear, but no radius");
   EXPECT_EQ(fault_in("\n"), "it names no tool with a radius");
 }
 

@@ -112,6 +112,32 @@ class Programs(unittest.TestCase):
         self.assertAlmostEqual(answer["summary"]["minClearance"]["distance"], 5, places=4)
         self.assertNotIn("blocks", answer)
 
+    def test_a_survey_tells_of_many_radii(self):
+        status, answer = self.server.ask_json(
+            "POST", "/v1/programs:surveyRadii?radii=2:6:2&uncut=true&selection_mode=G138", SQUARE,
+            TEXT)
+        self.assertEqual(status, 200)
+        self.assertEqual([found["radius"] for found in answer["radii"]], [2, 4, 6])
+        self.assertTrue(answer["radii"][0]["accepted"])
+        self.assertIn("largest", answer["summary"])
+        code, told = trc("radii", "-", "--radii", "2:6:2", "--set", "selection_mode=G138",
+                         "--json", text=SQUARE.encode())
+        self.assertEqual(code, 0)
+        same = json.loads(told)
+        self.assertEqual(same["radii"], answer["radii"])
+        self.assertEqual(same["summary"]["largest"], answer["summary"]["largest"])
+
+        for query in ("radii=three", "radii=3&uncut=perhaps", "radii=3&tool_radios=5"):
+            status, problem = self.server.ask_json(
+                "POST", "/v1/programs:surveyRadii?" + query, SQUARE, TEXT)
+            self.assertEqual((status, problem["reason"]), (400, "SETTING_INVALID"), query)
+        status, problem = self.server.ask_json(
+            "POST", "/v1/programs:surveyRadii?radii=-3", SQUARE, TEXT)
+        self.assertEqual((status, problem["reason"]), (400, "FIELD_INVALID"))
+        status, problem = self.server.ask_json(
+            "POST", "/v1/programs:surveyRadii?radii=3", "N10 G999\n", TEXT)
+        self.assertEqual((status, problem["diagnostics"][0]["code"]), (422, 900002))
+
     def test_paths_take_and_give_json(self):
         path = {"setup": {"toolRadius": 5}, "batch": {"blocks": [
             {"command": {"side": "COMPENSATION_SIDE_LEFT"}},

@@ -39,7 +39,10 @@ std::string words_of(std::string_view line) {
       case WordKind::number:
       case WordKind::variable:
         std::snprintf(shown, sizeof shown, "%s%.17g",
-                      word.kind == WordKind::variable ? "radius=" : "", word.value);
+                      word.kind != WordKind::variable ? ""
+                      : word.relative                 ? "radius+="
+                                                      : "radius=",
+                      word.value);
         text += shown;
         break;
       default:
@@ -69,6 +72,14 @@ TEST(Words, KeepTheNumberBehindAnIndexedAddress) {
 TEST(Words, TheToolRadiusHasTwoNames) {
   EXPECT_EQ(words_of("V.G.WZ_AKT.R = 10"), "radius=10");
   EXPECT_EQ(words_of("v.g.wzr=-2.5 G41"), "radius=-2.5 G41");
+}
+
+TEST(Words, TheToolRadiusMayBeChangedByANumber) {
+  EXPECT_EQ(words_of("V.G.WZ_AKT.R = V.G.WZ_AKT.R + 0.25"), "radius+=0.25");
+  EXPECT_EQ(words_of("v.g.wzr=v.g.wzr-.5 G41"), "radius+=-0.5 G41");
+  for (const char* other : {"V.G.WZR=V.G.WZ_AKT.R+1", "V.G.WZR=V.G.WZR", "V.G.WZR=V.G.WZR*2",
+                            "V.G.WZR=V.G.WZR+P1", "V.G.WZR=V.G.WZR+1+1", "V.G.WZR=V.G.WZR+-1"})
+    EXPECT_EQ(words_of(other), "fault 900003 at 0") << other;
 }
 
 TEST(Words, VIsAnAxisWhenADigitFollows) { EXPECT_EQ(words_of("V10 W.5"), "V10 W0.5"); }

@@ -121,5 +121,20 @@ TEST(Capabilities, EveryKeywordIsReadOrRefusedAsSaid) {
   }
 }
 
+// What is said of the terms of the radius is what a setup takes.
+TEST(Capabilities, TermsOfTheRadiusAreThoseOfTheSetup) {
+  const v1::GetServerInfoResponse info = server_info();
+  std::vector<std::string> names;
+  for (const v1::RadiusTerm& term : info.radius_terms()) {
+    names.push_back(term.name());
+    EXPECT_NE(v1::PathSetup::descriptor()->FindFieldByName(term.name()), nullptr) << term.name();
+    EXPECT_LE(term.min(), term.default_value());
+    EXPECT_LT(term.min(), term.max());
+    EXPECT_FALSE(term.meaning().empty());
+  }
+  EXPECT_EQ(names,
+            (std::vector<std::string>{"tool_radius", "wear", "allowance", "nominal_radius"}));
+}
+
 }  // namespace
 }  // namespace trc::server

@@ -202,6 +202,12 @@ ProgramSessionSetup read_setup(std::string_view program) {
       setup.session.compensator.largest_masked_share = words.number();
     } else if (key == "verify") {
       setup.session.verify = Verify::enforce;
+    } else if (key == "wear") {
+      setup.session.program.wear = words.number();
+    } else if (key == "allowance") {
+      setup.session.program.allowance = words.number();
+    } else if (key == "nominal_radius") {
+      setup.session.program.nominal_radius = words.number();
     } else if (key == "implicit_masking") {
       setup.session.compensator.implicit_contour_masking = true;
     } else {

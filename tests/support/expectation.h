@@ -59,7 +59,8 @@ struct Expectation {
 // The setup of a program: defaults, and per line `; setup: tool NUMBER RADIUS`,
 // `; setup: start X Y Z`, `; setup: look_ahead BLOCKS`, `; setup: implicit_masking`,
 // `; setup: verify`, `; setup: dialect NAME`, `; setup: leads` (none) or `; setup: leads IN OUT`
-// (so many blocks), `; setup: max_masked_share SHARE`.
+// (so many blocks), `; setup: max_masked_share SHARE`, `; setup: wear MM`,
+// `; setup: allowance MM`, `; setup: nominal_radius MM`.
 [[nodiscard]] ProgramSessionSetup read_setup(std::string_view program);
 
 // A sentence about the first difference beyond 1e-4 mm and 1e-4 degrees, or

@@ -37,6 +37,7 @@ SessionSetup setup_for(const TrcMode& mode, const Point& start,
   setup.program.mode = mode;
   setup.program.mode.side = Side::off;
   setup.program.tool_radius_given = true;
+  setup.program.nominal_radius = mode.nominal_radius;
   setup.program.absolute_center = true;
   setup.program.start = from_plane(mode.plane, start, 0);
   return setup;

@@ -80,6 +80,7 @@ struct Feeding {
   std::function<void(std::size_t ordinal, const std::vector<CompensatedBlock>& out)> watch{};
 };
 
+// With `nominal_radius` in the mode its tool radius is what the tool differs from that (D-43).
 // Compensates one selection: G41 or G42 with the approach block, G40 with the
 // retract block. Coordinates are in the plane of `mode`; `Source::number` of a
 // block is its ordinal (0: approach, 1 … n: contour, n + 1: retract).

@@ -218,8 +218,9 @@ ClearanceReport slow_verification(std::span<const Block> programmed,
         });
     if (!inserted && own->second.is_contour)
       report.touched_length +=
-          touched_length(own->second.block->path, contour->second.wall_of(own->second.number),
-                         block.path, own_required);
+          touched(own->second.block->path, contour->second.wall_of(own->second.number), block.path,
+                  own_required)
+              .length();
     if (block.origin == Origin::programmed && !on_programmed_side(block, *own->second.block)) {
       const Point middle = place_at(block.path, 0.5).point;
       const Point foot = nearest_point(own->second.block->path, middle);

@@ -76,6 +76,9 @@ TEST(Settings, TakePositionsListsAndTools) {
   ASSERT_EQ(setup.tools_size(), 2);
   EXPECT_EQ(setup.tools(1).number(), 2u);
   EXPECT_EQ(setup.tools(1).radius(), 3.5);
+  EXPECT_EQ(set({"tools=1:5:-0.02"}).tools(0).wear(), -0.02);
+  EXPECT_EQ(set({"allowance=0.2"}).path().allowance(), 0.2);
+  EXPECT_EQ(set({"nominal_radius=5"}).path().nominal_radius(), 5);
 }
 
 TEST(Settings, NameTheNearestKeysForAnUnknownOne) {

@@ -29,7 +29,11 @@ PathSettings every_setting() {
                     .largest_radius_difference = 0.5,
                     .largest_radius_factor = 0};
   program.tracking_axes = {"C", "E2"};
-  program.tools = {{0, 0}, {5, 2.5}, {7, -3}};
+  program.tools = {{0, 0}, {5, {2.5, -0.02}}, {7, -3}};
+  program.wear = 0.03;
+  program.allowance = -0.2;
+  program.nominal_radius = 5;
+  program.max_wear = 0.5;
   CompensatorSetup& compensator = settings.session.compensator;
   compensator.limits.look_ahead_blocks = 200;
   compensator.limits.passive_blocks = 7;
@@ -74,6 +78,10 @@ TEST(Setup, ReadsBackEveryField) {
   EXPECT_EQ(program.circle.largest_radius_factor, expected.circle.largest_radius_factor);
   EXPECT_EQ(program.tracking_axes, expected.tracking_axes);
   EXPECT_EQ(program.tools, expected.tools);
+  EXPECT_EQ(program.wear, expected.wear);
+  EXPECT_EQ(program.allowance, expected.allowance);
+  EXPECT_EQ(program.nominal_radius, expected.nominal_radius);
+  EXPECT_EQ(program.max_wear, expected.max_wear);
   const CompensatorSetup& compensator = read.path.session.compensator;
   EXPECT_EQ(compensator.start, expected.start);
   EXPECT_EQ(compensator.limits.look_ahead_blocks, 200U);
@@ -202,6 +210,11 @@ INSTANTIATE_TEST_SUITE_P(
         RefusedSetup{"ToolTwice", "tools { number: 1 } tools { number: 1 }",
                      "setup.tools[1].number"},
         RefusedSetup{"ToolRadius", "tools { radius: inf }", "setup.tools[0].radius"},
+        RefusedSetup{"ToolWear", "tools { wear: inf }", "setup.tools[0].wear"},
+        RefusedSetup{"Wear", "path { wear: nan }", "setup.path.wear"},
+        RefusedSetup{"Allowance", "path { allowance: 3e5 }", "setup.path.allowance"},
+        RefusedSetup{"NominalRadius", "path { nominal_radius: 0 }", "setup.path.nominal_radius"},
+        RefusedSetup{"MaxWear", "path { max_wear: -1 }", "setup.path.max_wear"},
         RefusedSetup{"Decimals", "decimals: 9", "setup.decimals"},
         RefusedSetup{"Output", "output: 3", "setup.output"}),
     [](const auto& tested) { return tested.param.name; });

@@ -40,6 +40,8 @@ struct Interpreter::BlockWords {
   std::optional<Value> tool_number{};   // T
   bool loads_tool = false;              // M06
   std::optional<Value> tool_radius{};   // V.G.WZ_AKT.R
+  std::optional<Value> allowance{};     // OFFN
+  bool radius_is_change = false;        // it is what that one grows by
   std::optional<TrcOptions> options{};  // #TRC
   std::optional<double> tangfeed{};     // #TANGFEED
   std::optional<std::uint32_t> number_alone{};

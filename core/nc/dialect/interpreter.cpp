@@ -516,8 +516,14 @@ bool Interpreter::apply_trc(const ProgramLine& line, const BlockWords& block) {
   if (has(selection) &&
       !state_.set_selection(selection_of(block.of(selection).function->number), source))
     return false;
-  if (block.tool_radius && at(block.tool_radius->begin) &&
-      !state_.set_tool_radius(block.tool_radius->value * length_unit(), source))
+  if (block.tool_radius && at(block.tool_radius->begin)) {
+    const double value = block.tool_radius->value * length_unit();
+    if (!(block.radius_is_change ? state_.change_tool_radius(value, source)
+                                 : state_.set_tool_radius(value, source)))
+      return false;
+  }
+  if (block.allowance && at(block.allowance->begin) &&
+      !state_.set_allowance_of_program(block.allowance->value * length_unit(), source))
     return false;
   if (block.tool_number) state_.prepare_tool(static_cast<std::int64_t>(block.tool_number->value));
   if (block.loads_tool && at(0) && !state_.load_tool(source)) return false;

@@ -140,6 +140,7 @@ bool Interpreter::read_words(ProgramLine& line, BlockWords& block) {
         if (block.tool_radius) return refuse(line, word, Code::nc_word_twice);
         isg_word_seen_ = true;
         block.tool_radius = {.value = word.value, .begin = word.begin};
+        block.radius_is_change = word.relative;
         add(line, word, WordRole::trc);
         break;
       case WordKind::command:

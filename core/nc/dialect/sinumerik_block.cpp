@@ -239,8 +239,12 @@ bool Interpreter::read_assignment(const NamedWord& word, ProgramLine& line, Bloc
   if (std::ranges::find(corner_words, word.name) != corner_words.end() && trc_active() &&
       word.value != 0)
     return refused(Code::nc_unsupported, "a rounding or a chamfer while TRC is active");
-  if (is("OFFN") && word.value != 0)
-    return refused(Code::nc_unsupported, "an allowance: add it to the radius of the tool");
+  if (is("OFFN")) {
+    if (block.allowance) return refused(Code::nc_word_twice, "a second OFFN");
+    block.allowance = {.value = word.value, .begin = word.begin};
+    add(line, word, WordRole::trc);
+    return true;
+  }
   if (is("DISC") && word.value != 0)
     return refused(Code::nc_unsupported, "corners that reach out: DISC=0");
   if (is("AP") || is("RP")) return read_polar_word(word, line, block);
@@ -250,7 +254,7 @@ bool Interpreter::read_assignment(const NamedWord& word, ProgramLine& line, Bloc
     add(line, word, WordRole::technology);
     return true;
   }
-  const bool passes = begins_with_any(word.name, passing_assignments) || is("OFFN") || is("DISC") ||
+  const bool passes = begins_with_any(word.name, passing_assignments) || is("DISC") ||
                       std::ranges::find(corner_words, word.name) != corner_words.end() || is("RPL");
   if (!passes) return refused(Code::nc_unsupported, "a variable");
   add(line, word, WordRole::technology);

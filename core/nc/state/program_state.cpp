@@ -32,6 +32,15 @@ constexpr std::array<const char*, 3> center_words{"I", "J", "K"};
 
 }  // namespace
 
+void give_radius(const RadiusTerms& terms, Side side, TrcMode& mode) {
+  const double beside = terms.beside();
+  mode.tool_radius = std::abs(beside);
+  mode.nominal_radius = terms.nominal;
+  mode.below_nominal = terms.nominal > 0 && beside < 0;
+  mode.side = side;
+  if (beside < 0 && side != Side::off) mode.side = side == Side::left ? Side::right : Side::left;
+}
+
 ProgramState::ProgramState(const ProgramSetup& setup, const Tolerances& tolerances,
                            Diagnostics& diagnostics, std::vector<Block>& blocks)
     : setup_(setup),
@@ -39,12 +48,21 @@ ProgramState::ProgramState(const ProgramSetup& setup, const Tolerances& toleranc
       diagnostics_(diagnostics),
       blocks_(blocks),
       mode_(setup.mode),
-      programmed_radius_(setup.mode.tool_radius),
+      terms_{.radius = setup.mode.tool_radius,
+             .wear = setup.wear,
+             .allowance = setup.allowance,
+             .nominal = setup.nominal_radius},
       absolute_center_(setup.absolute_center),
       circle_(setup.circle),
       position_(setup.start),
       target_(setup.start) {
-  if (setup.tool_radius_given || setup.mode.tool_radius != 0) radius_giver_ = RadiusGiver::setup;
+  // A centre path asks for no more than the nominal radius: nothing may differ from it.
+  if (setup.tool_radius_given || setup.mode.tool_radius != 0 || setup.nominal_radius > 0)
+    radius_giver_ = RadiusGiver::setup;
+  if (setup.every_radius) {
+    terms_.radius = *setup.every_radius;
+    radius_giver_ = RadiusGiver::setup;
+  }
   if (setup.masking_switches_kerf && mode_.masking == Masking::on)
     mode_.options.kerf_masking = true;
   // Programs in inch with three decimals.
@@ -74,15 +92,12 @@ TrcMode& ProgramState::change_mode() {
   return mode_;
 }
 
-void ProgramState::share_mode() { shared_mode_ = std::make_shared<const TrcMode>(mode_); }
-
-void ProgramState::update_side() {
-  TrcMode& mode = change_mode();
-  mode.tool_radius = std::abs(programmed_radius_);
-  mode.side = programmed_side_;
-  if (programmed_radius_ < 0 && programmed_side_ != Side::off)
-    mode.side = programmed_side_ == Side::left ? Side::right : Side::left;
+void ProgramState::share_mode() {
+  shared_mode_ = std::make_shared<const TrcMode>(mode_);
+  if (setup_.every_radius) radius_uses_.push_back(radius_use());
 }
+
+void ProgramState::update_side() { give_radius(terms_, programmed_side_, change_mode()); }
 
 bool ProgramState::select(Side side, const Source& source) {
   if (side == Side::off) return deselect(source);
@@ -110,6 +125,7 @@ bool ProgramState::deselect(const Source& source) {
   if (has_contour && mode_.selection == Selection::without_block) {
     const Point point = last_equidistant_point();
     const double third = position_[axes_of(mode_.plane).third];
+    moves_by_radius_ = true;
     displaced_ |= (point - trc::end_of(last_path_)).norm() > tolerances_.same_point;
     position_ = from_plane(mode_.plane, point, third);
     target_ = position_;
@@ -190,29 +206,88 @@ bool ProgramState::set_plane(Plane plane, const Source& source) {
 }
 
 bool ProgramState::set_tool_radius(double radius, const Source& source) {
-  if (!in_range(radius, -largest_tool_radius, largest_tool_radius))
-    return report(source, Code::tool_radius_out_of_range, {},
-                  {{"tool_radius", radius}, {"largest", largest_tool_radius}});
-  return enter_radius(radius, RadiusGiver::program, source);
+  RadiusTerms terms = terms_;
+  terms.radius = radius;
+  return enter_terms(terms, RadiusGiver::program, source);
 }
 
-bool ProgramState::enter_radius(double radius, RadiusGiver giver, const Source& source) {
+// A T word that waits for its first motion has given what is changed here.
+bool ProgramState::change_tool_radius(double more, const Source& source) {
+  if (prepared_tool_ != no_tool && !loads_tools_ &&
+      !take_tool(std::exchange(prepared_tool_, no_tool), source))
+    return false;
+  if (radius_giver_ == RadiusGiver::nobody)
+    return report(source, Code::no_tool_radius, "a radius that is changed has to be there");
+  RadiusTerms terms = terms_;
+  terms.radius += more;
+  return change_terms(terms, source);
+}
+
+bool ProgramState::set_wear(double wear, const Source& source) {
+  RadiusTerms terms = terms_;
+  terms.wear = wear;
+  return change_terms(terms, source);
+}
+
+bool ProgramState::set_allowance(double allowance, const Source& source) {
+  RadiusTerms terms = terms_;
+  terms.allowance = allowance;
+  return change_terms(terms, source);
+}
+
+bool ProgramState::enter_row(const ToolRow& row, RadiusGiver giver, const Source& source) {
+  RadiusTerms terms = terms_;
+  terms.radius = row.radius;
+  terms.wear = setup_.every_radius ? setup_.wear : row.wear;
+  return enter_terms(terms, giver, source);
+}
+
+bool ProgramState::enter_terms(const RadiusTerms& terms, RadiusGiver giver, const Source& source) {
   radius_giver_ = giver;
   missing_tool_ = no_tool;
-  if (radius == programmed_radius_) return true;
-  if (mode_.active() && mode_.selection == Selection::inside_corner)
-    return report(source, Code::radius_change_under_inside_corner, {}, {{"tool_radius", radius}});
-  programmed_radius_ = radius;
+  if (!setup_.every_radius) return change_terms(terms, source);
+  RadiusTerms surveyed = terms;
+  const double radius = *setup_.every_radius;
+  surveyed.radius = terms.nominal > 0 ? radius : std::copysign(radius, terms.radius);
+  return change_terms(surveyed, source);
+}
+
+bool ProgramState::change_terms(const RadiusTerms& terms, const Source& source) {
+  const auto fits = [](double value) {
+    return in_range(value, -largest_tool_radius, largest_tool_radius);
+  };
+  if (!fits(terms.radius) || !fits(terms.effective()))
+    return report(source, Code::tool_radius_out_of_range, {},
+                  {{"tool_radius", fits(terms.radius) ? terms.effective() : terms.radius},
+                   {"largest", largest_tool_radius}});
+  if (terms == terms_) return true;
+  const bool moves = terms.beside() != terms_.beside();
+  if (moves && mode_.active() && mode_.selection == Selection::inside_corner)
+    return report(source, Code::radius_change_under_inside_corner, {},
+                  {{"tool_radius", terms.effective()}});
+  terms_ = terms;
   update_side();
-  if (radius != 0) zero_radius_reported_ = false;
+  if (terms_.beside() != 0) zero_radius_reported_ = false;
   return !mode_.active() || in_plane_blocks_ == 0 || check_radius(source);
 }
 
+bool ProgramState::check_wear(const Source& source) {
+  const bool wear_mode = terms_.nominal > 0;
+  const double wear = wear_mode ? terms_.radius + terms_.wear : terms_.wear;
+  if (std::abs(wear) <= setup_.max_wear) return true;
+  std::vector<DiagnosticValue> values{{"wear", wear}, {"max_wear", setup_.max_wear}};
+  if (wear_mode) values.push_back({"nominal_radius", terms_.nominal});
+  return report(source, Code::wear_too_large, {}, std::move(values));
+}
+
 bool ProgramState::set_tool(std::int64_t number, const Source& source) {
-  if (const auto defined = defined_tools_.find(number); defined != defined_tools_.end())
-    return set_tool_radius(defined->second, source);
   const auto tool = setup_.tools.find(number);
-  if (tool != setup_.tools.end()) return set_tool_radius(tool->second, source);
+  if (const auto defined = defined_tools_.find(number); defined != defined_tools_.end())
+    return enter_row({defined->second, tool != setup_.tools.end() ? tool->second.wear : 0},
+                     RadiusGiver::program, source);
+  if (tool != setup_.tools.end()) return enter_row(tool->second, RadiusGiver::program, source);
+  if (setup_.every_radius && number != 0)
+    return enter_row({*setup_.every_radius, setup_.wear}, RadiusGiver::program, source);
   if (number == 0) {
     radius_giver_ = RadiusGiver::nobody;
     missing_tool_ = 0;
@@ -232,7 +307,7 @@ bool ProgramState::take_tool(std::int64_t number, const Source& source) {
   if (radius_giver_ == RadiusGiver::program) return true;
   const auto tool = setup_.tools.find(number);
   if (tool != setup_.tools.end())
-    return enter_radius(tool->second, RadiusGiver::tool_in_spindle, source);
+    return enter_row(tool->second, RadiusGiver::tool_in_spindle, source);
   if (radius_giver_ == RadiusGiver::setup) return true;
   radius_giver_ = RadiusGiver::nobody;
   missing_tool_ = number;
@@ -245,7 +320,9 @@ bool ProgramState::check_radius(const Source& source) {
     return false;
   if (radius_giver_ == RadiusGiver::nobody)
     return report(source, Code::no_tool_radius, missing_radius());
-  if (programmed_radius_ != 0 || std::exchange(zero_radius_reported_, true)) return true;
+  if (!check_wear(source)) return false;
+  const bool is_zero = terms_.nominal == 0 && terms_.beside() == 0;
+  if (!is_zero || std::exchange(zero_radius_reported_, true)) return true;
   return report(source, Code::tool_radius_zero);
 }
 

@@ -18,6 +18,45 @@
 
 namespace trc {
 
+// A row of the tool table; a radius alone is one.
+struct ToolRow {
+  ToolRow(double tool_radius = 0, double tool_wear = 0) : radius(tool_radius), wear(tool_wear) {}
+
+  double radius;  // mm; negative swaps the side
+  double wear;    // mm, what the tool is larger by
+
+  bool operator==(const ToolRow&) const = default;
+};
+
+// The parts of the tool radius in force (D-43), mm.
+struct RadiusTerms {
+  double radius = 0;  // as programmed; negative swaps the side
+  double wear = 0;
+  double allowance = 0;
+  double nominal = 0;  // above 0: wear mode, the program is the centre path of such a tool
+
+  // How far the path is beside the program; negative: on the side that was not programmed.
+  [[nodiscard]] double beside() const {
+    const double size = nominal > 0 || radius >= 0 ? radius : -radius;
+    const double sum = size + wear + allowance;
+    return nominal > 0 || radius >= 0 ? sum : -sum;
+  }
+  // What the tool cuts with, allowance included.
+  [[nodiscard]] double effective() const { return nominal + beside(); }
+
+  bool operator==(const RadiusTerms&) const = default;
+};
+
+// A radius of such terms for a program that says `side`, as it is in force.
+void give_radius(const RadiusTerms& terms, Side side, TrcMode& mode);
+
+// What a mode that blocks were programmed under makes of its radius.
+struct RadiusUse {
+  std::shared_ptr<const TrcMode> mode{};
+  RadiusTerms terms{};
+  Side side = Side::off;  // as programmed
+};
+
 // What holds before the first block.
 struct ProgramSetup {
   TrcMode mode{};                // plane, mode, radius, options; side must be off
@@ -25,10 +64,17 @@ struct ProgramSetup {
   bool absolute_center = false;  // G161; G162 is the initial state (rule 10.4)
   CircleCheck circle{};
   std::vector<std::string> tracking_axes{"A", "B", "C", "U", "V", "W"};
-  std::map<std::int64_t, double> tools{};  // number of D or T word -> tool radius, mm
+  std::map<std::int64_t, ToolRow> tools{};  // by the number of the D or T word
   // The tool radius of `mode` is meant as it stands. One that is not 0 always is; 0 without this
-  // is none at all (D-40).
+  // is none at all (D-40), but in wear mode.
   bool tool_radius_given = false;
+  double wear = 0;            // mm, of the tool whose radius `mode` has; a D word brings its own
+  double allowance = 0;       // mm; positive leaves stock on the part
+  double nominal_radius = 0;  // mm; above 0: wear mode (RadiusTerms::nominal)
+  double max_wear = 1;        // mm; beyond that in size 900222
+  // Takes the place of every radius that setup, tools and program give, mm, with their sign; in
+  // wear mode the difference. Tools have the wear of the setup then, and every D but D0 is one.
+  std::optional<double> every_radius{};
   // P-CHAN-00284 = 0: G141 and G140 switch KERF_MASKING, the last writer wins (rule 7.1).
   bool masking_switches_kerf = false;
   DialectName dialect = DialectName::isg;  // of NC text
@@ -91,7 +137,16 @@ class ProgramState {
   // mm; negative swaps the side (rule 1.5). At most `largest_tool_radius` in
   // size (900104); not under an active G238 (90127).
   bool set_tool_radius(double radius, const Source& source);
-  // D word, with the radius of the tool table; D0 without entry is no tool, and
+  // Likewise, by so much more: V.G.WZ_AKT.R = V.G.WZ_AKT.R + 0.2. 900219 where there is none.
+  bool change_tool_radius(double more, const Source& source);
+  // Both as set_tool_radius, mm. 900222.
+  bool set_wear(double wear, const Source& source);
+  bool set_allowance(double allowance, const Source& source);
+  // OFFN: in addition to that of the setup, which is none of the program's business.
+  bool set_allowance_of_program(double allowance, const Source& source) {
+    return set_allowance(setup_.allowance + allowance, source);
+  }
+  // D word, with the radius and the wear of the tool table; D0 without entry is no tool, and
   // there is no radius. 900013; 900219 while TRC is active.
   bool set_tool(std::int64_t number, const Source& source);
   // T word: the tool of that number is made ready. M06: it is the one in the spindle. Its radius
@@ -103,7 +158,8 @@ class ProgramState {
   void define_tool(std::int64_t number, double radius) { defined_tools_[number] = radius; }
   // Whether a D word may name it.
   [[nodiscard]] bool has_tool(std::int64_t number) const {
-    return number == 0 || defined_tools_.contains(number) || setup_.tools.contains(number);
+    return number == 0 || setup_.every_radius || defined_tools_.contains(number) ||
+           setup_.tools.contains(number);
   }
   // A STRETCH_FACTOR out of range becomes 1, with a warning (22007). 22125, 900005.
   bool set_options(const TrcOptions& options, const Source& source);
@@ -141,6 +197,13 @@ class ProgramState {
   bool end(const Source& source);
 
   [[nodiscard]] const TrcMode& mode() const { return mode_; }
+  // Of the radius in force.
+  [[nodiscard]] const RadiusTerms& radius_terms() const { return terms_; }
+  // Of each mode given to a block so far, in order; only with ProgramSetup::every_radius.
+  [[nodiscard]] const std::vector<RadiusUse>& radius_uses() const { return radius_uses_; }
+  [[nodiscard]] RadiusUse radius_use() const { return {shared_mode_, terms_, programmed_side_}; }
+  // Whether a motion begins where it does because of the radius (rule 3.6).
+  [[nodiscard]] bool moves_by_radius() const { return moves_by_radius_; }
   // Where the last block ended, mm.
   [[nodiscard]] const Position& position() const { return position_; }
   // Whether this is a feed, mm/min: 0 is none.
@@ -169,12 +232,12 @@ class ProgramState {
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(defined_tools_, column_, mode_, shared_mode_, programmed_side_, programmed_radius_,
-            tangential_requested_, absolute_center_, circle_.correct_center, position_, target_,
-            known_, position_forgotten_, displaced_, tracking_, radius_giver_, prepared_tool_,
-            loads_tools_, missing_tool_, zero_radius_reported_, selected_, selections_,
-            in_plane_blocks_, has_approach_, last_path_, last_mode_, retract_pending_,
-            just_deselected_, corner_, held_, ended_);
+    archive(defined_tools_, column_, mode_, shared_mode_, programmed_side_, terms_.radius,
+            terms_.wear, terms_.allowance, tangential_requested_, absolute_center_,
+            circle_.correct_center, position_, target_, known_, position_forgotten_, displaced_,
+            tracking_, radius_giver_, prepared_tool_, loads_tools_, missing_tool_,
+            zero_radius_reported_, selected_, selections_, in_plane_blocks_, has_approach_,
+            last_path_, last_mode_, retract_pending_, just_deselected_, corner_, held_, ended_);
   }
 
  private:
@@ -201,10 +264,16 @@ class ProgramState {
   }
   void share_mode();
   void update_side();
-  bool enter_radius(double radius, RadiusGiver giver, const Source& source);
+  // What takes the place of the terms in force, and who gave the radius.
+  bool enter_terms(const RadiusTerms& terms, RadiusGiver giver, const Source& source);
+  // The same giver; a tool not found stays so.
+  bool change_terms(const RadiusTerms& terms, const Source& source);
+  bool enter_row(const ToolRow& row, RadiusGiver giver, const Source& source);
   bool take_tool(std::int64_t number, const Source& source);
-  // What D-40 asks of the first motion of a selection, and of a change while active.
+  // What D-40 and D-43 ask of the first motion of a selection, and of a change while active.
   bool check_radius(const Source& source);
+  // Whether the wear is no whole radius.
+  bool check_wear(const Source& source);
   [[nodiscard]] std::string missing_radius() const;
 
   // Where the request ends on an axis that it names.
@@ -252,7 +321,7 @@ class ProgramState {
   TrcMode mode_;
   std::shared_ptr<const TrcMode> shared_mode_{};  // a copy of mode_; empty: out of date
   Side programmed_side_ = Side::off;              // G41, G42 before a negative radius swaps
-  double programmed_radius_ = 0;                  // with its sign
+  RadiusTerms terms_{};
   RadiusGiver radius_giver_ = RadiusGiver::nobody;
   std::int64_t prepared_tool_ = no_tool;  // of a T word, until it is loaded
   bool loads_tools_ = false;              // the program has an M06
@@ -271,6 +340,8 @@ class ProgramState {
   // A deselection under G239 has left the tool beside the programmed point, and no straight motion
   // in the plane has followed.
   bool displaced_ = false;
+  bool moves_by_radius_ = false;
+  std::vector<RadiusUse> radius_uses_{};
   std::vector<double> tracking_{};  // positions; empty until one is programmed
 
   // The selection in force, or the last one.

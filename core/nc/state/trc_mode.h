@@ -69,7 +69,10 @@ struct TrcOptions {
 struct TrcMode {
   Plane plane = Plane::xy;
   Side side = Side::off;   // after a negative radius has swapped it
-  double tool_radius = 0;  // mm, never negative
+  double tool_radius = 0;  // mm, never negative; what the path is beside the program (D-43)
+  // Wear mode: the program is the centre path of a tool of this radius, mm; 0: it is the contour.
+  double nominal_radius = 0;
+  bool below_nominal = false;  // the tool is smaller than that: `side` is swapped for it
   // Counts the selections of the program from 1; 0 while off. Two blocks of one
   // side with different numbers have a deselection between them.
   std::uint32_t selection_number = 0;
@@ -85,6 +88,17 @@ struct TrcMode {
   TrcOptions options{};
 
   [[nodiscard]] bool active() const { return side != Side::off; }
+  // What the tool cuts with where it runs `beside` mm beside the program: all of it, or what it
+  // differs from the nominal radius.
+  [[nodiscard]] double cutting_radius(double beside) const {
+    if (nominal_radius == 0) return beside;
+    return below_nominal ? nominal_radius - beside : nominal_radius + beside;
+  }
+  [[nodiscard]] double cutting_radius() const { return cutting_radius(tool_radius); }
+  // The radius at the part of an arc that was programmed with this one.
+  [[nodiscard]] double part_radius(double programmed, bool centre_on_tool_side) const {
+    return centre_on_tool_side ? programmed + nominal_radius : programmed - nominal_radius;
+  }
   bool operator==(const TrcMode&) const = default;
 };
 

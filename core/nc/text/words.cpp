@@ -286,13 +286,35 @@ Word WordReader::no_number(const Word& word) {
   return fail(Code::nc_number, begin, detail);
 }
 
-Word WordReader::variable() {
-  const char* const begin = at_ - 1;
+std::string WordReader::variable_name() {
   std::string name;
-  for (at_ = begin; at_ != end_; ++at_) {
+  for (; at_ != end_; ++at_) {
     if (class_of(*at_) != Class::letter && !is_digit(*at_) && *at_ != '.' && *at_ != '_') break;
     name += upper(*at_);
   }
+  return name;
+}
+
+// "V.G.WZ_AKT.R + 0.2" behind the sign of "V.G.WZ_AKT.R =": what the tool has worn off.
+bool WordReader::sum(const std::string& variable, Word& word) {
+  if (variable_name() != variable || !skip_blanks()) return false;
+  const char sign = peek();
+  if (sign != '+' && sign != '-') return false;
+  ++at_;
+  if (!skip_blanks() || (!is_digit(peek()) && peek() != '.') || !number(word.value, word.whole))
+    return false;
+  if (sign == '-') word.value = -word.value;
+  word.relative = true;
+  word.end = place_of(at_);
+  pass_blanks();
+  const char next = peek();
+  return next != '+' && next != '-' && next != '*' && next != '/';
+}
+
+Word WordReader::variable() {
+  const char* const begin = at_ - 1;
+  at_ = begin;
+  std::string name = variable_name();
   if (name != "V.G.WZ_AKT.R" && name != "V.G.WZR")
     return fail(Code::nc_unsupported, begin, name.append(", a variable"));
   Word word{.kind = WordKind::variable, .begin = place_of(begin)};
@@ -300,7 +322,9 @@ Word WordReader::variable() {
     return fail(Code::nc_syntax, begin, name.append(" without ="));
   ++at_;
   const bool readable = skip_blanks();
-  if (readable && (peek() == '[' || class_of(peek()) == Class::letter))
+  const bool names = readable && upper(peek()) == 'V';
+  if (names && sum(name, word)) return word;
+  if (names || (readable && (peek() == '[' || class_of(peek()) == Class::letter)))
     return fail(Code::nc_unsupported, begin, name.append(" with an expression"));
   if (!readable || !number(word.value, word.whole)) return fail(Code::nc_number, begin, name);
   word.end = place_of(at_);

@@ -24,6 +24,7 @@ struct Word {
   char letter = 0;            // address: upper case
   bool whole = false;         // the number has neither decimal point nor fraction
   bool has_argument = false;  // G159=3, S2=500: the number behind the sign
+  bool relative = false;      // a variable: itself and `value`
   double value = 0;
   double argument = 0;
   std::uint32_t begin = 0;  // bytes of the line
@@ -62,6 +63,8 @@ class WordReader {
   [[nodiscard]] Word comment();
   [[nodiscard]] Word command();
   [[nodiscard]] Word variable();
+  [[nodiscard]] std::string variable_name();
+  [[nodiscard]] bool sum(const std::string& variable, Word& word);
   [[nodiscard]] Word other_sign();
   [[nodiscard]] bool number(double& value, bool& whole);
   // A view, so that no string is on the way of the words that are right.

@@ -735,7 +735,8 @@ void LoopRemoval::report_masked(const PathPlace& next, const Point& place) {
 }
 
 LeftOut LoopRemoval::left_out(const PathPlace& from, const PathPlace& to) const {
-  LeftOut stretch{.tool_radius = path_.radius_of_tool(from.block)};
+  LeftOut stretch{.tool_radius =
+                      path_.mode_of(from.block).cutting_radius(path_.radius_of_tool(from.block))};
   // The share of a wall that lies along the part of its path.
   const auto add = [&](std::size_t block, double begin, double end) {
     if (!path_.is_contour(block)) return;
@@ -814,7 +815,7 @@ bool LoopRemoval::refuse(const Onset& onset) {
       diagnostic(is_arc(own.programmed) ? Code::arc_wrapped : Code::line_reversed, own.source,
                  "REMOVE_MASKED_BLOCKS finds no way past this block");
   const Source other = contour(onset.obstacle).source;
-  violation.values = {{"tool_radius", path_.radius_of_tool(at_.block)}};
+  violation.values = {{"tool_radius", mode.cutting_radius(path_.radius_of_tool(at_.block))}};
   append_place(violation.values, "other", other);
   const Position position =
       from_plane(mode.plane, point_along(travelled, onset.along), path_.height_of(at_.block));

@@ -18,6 +18,8 @@ bool is_contour(const PathBlock& block) { return block.role == Role::contour; }
 // Approach and retract are not monitored (D-11), and neither is the line REVERSE puts between the
 // two sides of a corner (D-22).
 bool is_monitored(const PathBlock& block) {
+  // A smaller tool of wear mode runs towards the part, away from the programmed centre path.
+  if (block.mode().below_nominal) return false;
   const bool crosses = block.at_start.shift * block.at_end.shift < 0;
   return (is_contour(block) && !block.masked) ||
          (block.role == Role::inserted && block.origin == Origin::transition && !crosses);
@@ -87,7 +89,7 @@ void Bottlenecks::find_walls() {
   double radius = 0;
   bool has_roles = false;
   for (const MotionBlock& block : contour_) {
-    radius = std::max(radius, block.mode->tool_radius);
+    radius = std::max(radius, block.mode->cutting_radius());
     has_roles = has_roles || block.role != ContourRole::unspecified;
   }
   ContourView view{.count = contour_.size(),
@@ -161,7 +163,9 @@ bool Bottlenecks::report(const PathBlock& path, const MotionBlock& contour, doub
   const bool masking = path.mode().masking == Masking::on;
   if (path.mode().options.ignore_cont_damage || (masking && !implicit_))
     found.severity = Severity::warning;
-  found.values = {{"clearance", distance}, {"tool_radius", tool_radius(path)}};
+  const TrcMode& mode = path.mode();
+  found.values = {{"clearance", mode.cutting_radius(distance)},
+                  {"tool_radius", mode.cutting_radius(tool_radius(path))}};
   append_place(found.values, "other", contour.source);
   const Position position = from_plane(path.mode().plane, place, path.programmed.normal.to);
   found.point = DiagnosticPoint{.x = position[0], .y = position[1], .z = position[2]};

@@ -290,8 +290,9 @@ double ContourMasking::wall_length(std::size_t index) const {
 }
 
 LeftOut ContourMasking::left_out(std::size_t first, std::size_t& end) const {
-  LeftOut stretch{.first = held(first).programmed.source,
-                  .tool_radius = std::abs(held(first).at_end.shift)};
+  LeftOut stretch{
+      .first = held(first).programmed.source,
+      .tool_radius = held(first).mode().cutting_radius(std::abs(held(first).at_end.shift))};
   std::size_t index = first;
   for (; index < end && held(index).masked; ++index) {
     stretch.length += wall_length(index);
@@ -367,8 +368,10 @@ bool ContourMasking::refuse(Code code, const PathBlock& block,
   Diagnostic problem = diagnostic(
       code, block.programmed.source,
       "G141 finds no way past this block; #TRC [REMOVE_MASKED_BLOCKS=1] leaves out whole loops");
-  problem.values = {{"tool_radius", std::abs(block.at_end.shift)}};
-  if (largest_radius) problem.values.push_back({"largest_radius", *largest_radius});
+  const TrcMode& mode = block.mode();
+  problem.values = {{"tool_radius", mode.cutting_radius(std::abs(block.at_end.shift))}};
+  if (largest_radius && !mode.below_nominal)
+    problem.values.push_back({"largest_radius", mode.cutting_radius(*largest_radius)});
   const Position place =
       from_plane(block.mode().plane, block.offset_end, block.programmed.normal.to);
   problem.point = DiagnosticPoint{.x = place[0], .y = place[1], .z = place[2]};

@@ -31,7 +31,7 @@ bool ContourViolations::report_reversed(const PathBlock& block, double along) {
   Diagnostic violation = diagnostic(Code::line_reversed, block.programmed.source);
   violation.values = {{"programmed_length", length_of(block.programmed.path)},
                       {"compensated_length", along},
-                      {"tool_radius", std::abs(block.at_end.shift)}};
+                      {"tool_radius", block.mode().cutting_radius(std::abs(block.at_end.shift))}};
   return report(std::move(violation), block);
 }
 
@@ -46,7 +46,7 @@ bool ContourViolations::report_wrapped(const PathBlock& block, double left, doub
   Diagnostic violation = diagnostic(Code::arc_wrapped, block.programmed.source);
   violation.values = {{"corrected_sweep", (left + 2 * std::numbers::pi) * degrees},
                       {"largest_sweep", sweep * degrees},
-                      {"tool_radius", std::abs(block.at_end.shift)}};
+                      {"tool_radius", block.mode().cutting_radius(std::abs(block.at_end.shift))}};
   return report(std::move(violation), block);
 }
 

@@ -47,10 +47,14 @@ bool Offset::keeps_circle(PathBlock& block, double shift) {
 bool Offset::report_not_smaller(const PathBlock& block, const Arc& arc, double shift) {
   const double radius = parallel_radius(arc, shift);
   Diagnostic violation = diagnostic(Code::tool_not_smaller_than_arc, block.programmed.source);
-  violation.values = {{"contour_radius", radius_of(arc)},
-                      {"tool_radius", std::abs(shift)},
-                      {"difference", radius},
-                      {"smallest_difference", tolerances_.on_contour}};
+  // In wear mode the part is told of, not the programmed centre path.
+  const TrcMode& mode = block.mode();
+  const bool inside = (arc.sweep > 0) == (shift > 0);
+  violation.values = {
+      {"contour_radius", mode.part_radius(radius_of(arc), inside != mode.below_nominal)},
+      {"tool_radius", mode.cutting_radius(std::abs(shift))},
+      {"difference", radius},
+      {"smallest_difference", tolerances_.on_contour}};
   const Position place =
       from_plane(block.mode().plane, block.offset_start, block.programmed.normal.from);
   violation.point = DiagnosticPoint{.x = place[0], .y = place[1], .z = place[2]};

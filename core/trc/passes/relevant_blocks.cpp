@@ -228,7 +228,7 @@ bool RelevantBlocks::warn_of_corner(const PathBlock& block) {
       from_plane(block.mode().plane, start_of(block.programmed.path), block.programmed.normal.from);
   Diagnostic warning = diagnostic(Code::side_changed_at_corner, block.programmed.source);
   warning.values = {{"turn", std::abs(turn) * 180 / std::numbers::pi},
-                    {"tool_radius", block.mode().tool_radius}};
+                    {"tool_radius", block.mode().cutting_radius()}};
   warning.point = DiagnosticPoint{.x = corner[0], .y = corner[1], .z = corner[2]};
   return diagnostics_.report(std::move(warning));
 }

@@ -63,7 +63,9 @@ double Reporting::feed_factor(const PathBlock& block) {
   if (block.path_given) {
     // A G05 arc has no programmed circle: the tool would touch at |rho| + R with
     // the centre on its own side, else at |rho| - R.
-    const double radius = (mode.active() ? block.at_end : block.at_start).shift;
+    const double shift = (mode.active() ? block.at_end : block.at_start).shift;
+    const double cutting = mode.cutting_radius(std::abs(shift));
+    const double radius = (shift < 0) != mode.below_nominal ? -cutting : cutting;
     at_contour = at_center + (arc->sweep > 0 ? radius : -radius);
     if (at_contour <= 0) {
       Diagnostic warning =
@@ -76,7 +78,11 @@ double Reporting::feed_factor(const PathBlock& block) {
     }
   } else if (const auto* circle = std::get_if<Arc>(&block.programmed.path);
              circle != nullptr && block.role == Role::contour) {
-    at_contour = radius_of(*circle);
+    // In wear mode the tool touches the part, which lies beside what was programmed.
+    const bool left = mode.side == Side::left;
+    const bool inside = (circle->sweep > 0) == left;
+    at_contour = mode.part_radius(radius_of(*circle), inside != mode.below_nominal);
+    if (!(at_contour > 0)) return 1;
   } else {
     return 1;
   }

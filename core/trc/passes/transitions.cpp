@@ -1,5 +1,6 @@
 #include "core/trc/passes/transitions.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <utility>
@@ -201,6 +202,7 @@ bool Transitions::join(PathBlock& after, PathBlocks& out) {
   const bool radius_changes = is_contour(before) && is_contour(after) &&
                               after.at_start != after.at_end &&
                               after.mode().options.perpendicular_radius_change;
+  if (!tell_depth(before, after, joint)) return false;
   const Point contour_start = joint.start;
   if (radius_changes) change_radius_at_once(corner, after, joint);
   open(after, joint.start, joint.cut_after, tolerances_);
@@ -218,6 +220,35 @@ bool Transitions::join(PathBlock& after, PathBlocks& out) {
   if (radius_changes)
     insert_here(Line{.start = contour_start, .end = joint.start}, Origin::radius_change);
   return true;
+}
+
+// Wear mode: a smaller tool turns about the corner of the centre path, where it could go deeper.
+bool Transitions::tell_depth(const PathBlock& before, const PathBlock& after, const Joint& joint) {
+  if (!is_contour(before) || !is_contour(after) || !before.mode().below_nominal ||
+      !after.mode().below_nominal || joint.inserted().empty())
+    return true;
+  const Point& corner = start_of(after.programmed.path);
+  const Vector across = left_of(tangent_at_end(before.programmed.path)) +
+                        left_of(tangent_at_start(after.programmed.path));
+  constexpr double reverses = 1e-2;  // no corner one could speak of
+  if (across.norm() < reverses) return true;
+  const double shift = std::abs(after.at_start.shift);
+  const Vector outward = (after.at_start.shift < 0 ? -1 : 1) * across.normalized();
+  double reached = 0;
+  for (const auto& segment : joint.inserted()) {
+    if (is_arc(*segment)) reached = shift;
+    reached = std::max({reached, (start_of(*segment) - corner).dot(outward),
+                        (end_of(*segment) - corner).dot(outward)});
+  }
+  const double deeper = 2 * shift / across.norm() - reached;
+  constexpr double worth_telling = 1e-3;  // mm more than before
+  if (deeper < deepest_told_ + worth_telling) return true;
+  deepest_told_ = deeper;
+  Diagnostic told = diagnostic(Code::wear_not_deeper, after.programmed.source);
+  told.values = {{"deeper", deeper}, {"tool_radius", after.mode().cutting_radius()}};
+  const Position place = from_plane(after.mode().plane, corner, after.programmed.normal.from);
+  told.point = DiagnosticPoint{.x = place[0], .y = place[1], .z = place[2]};
+  return diagnostics_.report(std::move(told));
 }
 
 // D-21: the corner is solved with the old radius on both sides; a line across the
@@ -262,7 +293,7 @@ bool Transitions::refuse(const JointRefusal& refusal, const Corner& corner,
   const Position position =
       from_plane(block.mode().plane, refusal.place, block.programmed.normal.to);
   problem.point = DiagnosticPoint{.x = position[0], .y = position[1], .z = position[2]};
-  problem.values = {{"tool_radius", block.mode().tool_radius}};
+  problem.values = {{"tool_radius", block.mode().cutting_radius()}};
   return diagnostics_.report(std::move(problem));
 }
 

@@ -38,7 +38,7 @@ class Transitions {
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(held_, masked_);
+    archive(held_, masked_, deepest_told_);
   }
 
  private:
@@ -53,6 +53,7 @@ class Transitions {
   void join_anew(PathBlock& after, PathBlocks& out);
   void change_radius_at_once(const Corner& corner, PathBlock& after, Joint& joint) const;
 
+  bool tell_depth(const PathBlock& before, const PathBlock& after, const Joint& joint);
   bool refuse(const JointRefusal& refusal, const Corner& corner, const PathBlock& after);
   // What is known of a selection or deselection block that is too short.
   void keep_refused_way(const Corner& corner, const PathBlock& after);
@@ -61,7 +62,8 @@ class Transitions {
   Diagnostics& diagnostics_;
   selection::RefusedWay& refused_way_;
   PathBlockPtr held_;
-  PathBlocks masked_;  // behind the held block
+  PathBlocks masked_;        // behind the held block
+  double deepest_told_ = 0;  // mm, of corners that wear mode does not reach
 };
 
 }  // namespace trc

@@ -111,8 +111,8 @@ bool InsideCorner::check_start(const PathBlock& approach) {
     if (clearance < radius - tolerances_.on_contour)
       return refuse(Code::selection_point_too_near, block,
                     {{"selection_block", static_cast<double>(approach.programmed.source.number)},
-                     {"distance", clearance},
-                     {"tool_radius", radius}});
+                     {"distance", block.mode().cutting_radius(clearance)},
+                     {"tool_radius", block.mode().cutting_radius(radius)}});
     const bool neighbour = i == 1 || i + 1 == held_.size();
     if (!neighbour && meet(way, block.programmed.path, tolerances_.same_point))
       return refuse(Code::approach_crosses_contour, block);

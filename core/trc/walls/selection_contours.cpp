@@ -36,7 +36,7 @@ SidedWalls find_walls(const SelectionContour& contour, const LeadSettings& setti
   double radius = 0;
   bool has_roles = false;
   for (const MotionBlock* block : blocks) {
-    radius = std::max(radius, block->mode->tool_radius);
+    radius = std::max(radius, block->mode->cutting_radius());
     has_roles = has_roles || block->role != ContourRole::unspecified;
   }
   ContourView view{.count = blocks.size(),

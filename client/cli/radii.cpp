@@ -1,0 +1,166 @@
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <filesystem>
+#include <iostream>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "client/cli/command.h"
+#include "client/cli/files.h"
+#include "client/cli/program_options.h"
+#include "client/cli/service.h"
+#include "client/cli/survey_text.h"
+#include "client/plot/survey_svg.h"
+#include "core/survey/reading.h"
+#include "proto/wire/json.h"
+#include "proto/wire/setup.h"
+#include "proto/wire/survey.h"
+
+namespace trc::cli {
+namespace {
+
+struct Call {
+  ProgramOptions program;
+  std::vector<std::string> radii;
+  std::string picture;
+  bool json = false;
+  bool without_largest = false;
+};
+
+// The tools of a table are what is asked about: the table is none of the program's.
+void ask_for_tools(v1::SurveySetup& setup, ToolNames& names) {
+  v1::ProgramSetup& program = *setup.mutable_program();
+  for (const v1::Tool& tool : program.tools()) {
+    // Its sign says on which side it runs, not how large it is.
+    const double radius = std::abs(tool.radius()) + tool.wear();
+    names.add(radius, tool.number());
+    const auto& asked = setup.radii();
+    if (std::find(asked.begin(), asked.end(), radius) == asked.end()) setup.add_radii(radius);
+  }
+  program.clear_tools();
+}
+
+bool survey_setup(const Call& call, v1::SurveySetup& setup, ToolNames& names) {
+  if (!setup_of(call.program, *setup.mutable_program())) return false;
+  for (const std::string& text : call.radii) {
+    const std::string fault = wire::read_radii(text, setup);
+    if (fault.empty()) continue;
+    std::cerr << "trc: --radii: " << fault << '\n';
+    return false;
+  }
+  setup.set_without_largest(call.without_largest);
+  setup.set_want_uncut(call.json || !call.picture.empty());
+  ask_for_tools(setup, names);
+  return true;
+}
+
+Point to_point(Plane plane, const v1::Position& position) {
+  return to_plane(plane, {position.x(), position.y(), position.z()});
+}
+
+Segment segment_of(Plane plane, const v1::UncutWall& wall) {
+  const Point start = to_point(plane, wall.start());
+  const Point end = to_point(plane, wall.end());
+  if (!wall.has_center()) return Line{.start = start, .end = end};
+  return Arc{
+      .start = start, .end = end, .center = to_point(plane, wall.center()), .sweep = wall.sweep()};
+}
+
+// The contour is read here: its blocks are not sent back.
+plot::SurveyPicture picture_of(const std::string& name, const std::string& text,
+                               const v1::SurveySetup& setup, const v1::SurveyAnswer& answer,
+                               const ToolNames& names) {
+  plot::SurveyPicture picture{.title = name};
+  wire::FieldFaults faults;
+  const wire::SurveySettings settings = wire::from_proto(setup, wire::FieldPath("setup"), faults);
+  const SessionSetup& session = settings.program.path.session;
+  const double radius = session.program.nominal_radius > 0 ? 0 : 1;
+  const survey::Reading reading =
+      survey::read_with(radius, session, survey::text_reader(text, {}, {}));
+  const auto& limits = answer.summary().largest().limits();
+  bool begun = false;
+  for (const Block& block : reading.blocks) {
+    const auto* motion = std::get_if<MotionBlock>(&block);
+    if (motion == nullptr || !motion->mode->active()) continue;
+    if (!std::exchange(begun, true)) picture.plane = motion->mode->plane;
+    if (motion->mode->plane != picture.plane) continue;
+    picture.contour.push_back(motion->path);
+    if (std::any_of(limits.begin(), limits.end(), [&](const v1::SurveyPlace& place) {
+          return place.source_index() == motion->source.index;
+        }))
+      picture.limits.push_back(motion->path);
+  }
+  for (const v1::SurveyedRadius& found : answer.radii()) {
+    plot::SurveyPicture::Radius drawn{.radius = found.radius(), .text = legend_of(found, names)};
+    for (const v1::UncutWall& wall : found.uncut())
+      drawn.uncut.push_back(segment_of(picture.plane, wall));
+    if (found.refusal().has_point())
+      drawn.refused_at = to_point(picture.plane, found.refusal().point());
+    picture.radii.push_back(std::move(drawn));
+  }
+  if (answer.summary().has_largest()) picture.largest = sentence_of(answer.summary().largest());
+  return picture;
+}
+
+Exit run(const Call& call) {
+  v1::SurveySetup setup;
+  ToolNames names;
+  if (!survey_setup(call, setup, names)) return Exit::wrong_call;
+  if (!call.picture.empty() && is_same_file(call.program.file, call.picture)) {
+    std::cerr << "trc: --picture " << call.picture
+              << " is the program itself; write another file\n";
+    return Exit::wrong_call;
+  }
+  Input input(call.program.file);
+  if (!input.open()) return Exit::wrong_call;
+  std::string text;
+  for (std::string_view piece = input.read(); !piece.empty(); piece = input.read()) text += piece;
+  if (input.failed()) return Exit::wrong_call;
+
+  v1::SurveyAnswer answer;
+  const Exit exit = survey_program(call.program.service, setup, input.name(), text, answer);
+  if (exit != Exit::done) return exit;
+  if (call.json)
+    std::cout << wire::json_of(answer) << '\n';
+  else
+    std::cout << table_of(answer, names);
+  if (call.picture.empty()) return Exit::done;
+  Output output(call.picture);
+  const std::string name = std::filesystem::path(input.name()).filename().string();
+  return output.open() && output.write(to_svg(picture_of(name, text, setup, answer, names))) &&
+                 output.commit()
+             ? Exit::done
+             : Exit::wrong_call;
+}
+
+}  // namespace
+
+void add_radii(CLI::App& app, Action& action) {
+  auto* command = app.add_subcommand(
+      "radii",
+      "Say what tools of many radii make of a program, and which is the largest that fits");
+  auto call = std::make_shared<Call>();
+  add_program_options(*command, call->program);
+  command
+      ->add_option("--radii", call->radii,
+                   "Radii to ask about, mm: 3,5,8 or 3:8:0.5, from, to and step; 64 at most")
+      ->type_name("LIST|RANGE")
+      ->allow_extra_args(false);
+  command->add_flag("--no-largest", call->without_largest,
+                    "Without the largest radius that reaches every wall");
+  command->add_flag("--json", call->json, "Print what was found as one JSON object");
+  command->add_option("--picture", call->picture, "Picture of what each radius cannot reach")
+      ->type_name("OUT.svg");
+  command->footer(
+      "With --tools the radii are those of the table, wear added. A radius takes the place of "
+      "every one that\nthe program gives, by D and T words as well; --wear and allowance are added "
+      "to each. Exit code 1 when\nthe program cannot be read with any radius.\n\n" +
+      settings_help());
+  command->callback([call, &action] { action = [call] { return run(*call); }; });
+}
+
+}  // namespace trc::cli

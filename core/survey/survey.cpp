@@ -1,0 +1,323 @@
+#include "core/survey/survey.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string_view>
+#include <unordered_map>
+#include <utility>
+#include <variant>
+
+#include "core/geometry/box_tree.h"
+#include "core/session/verified_compensator.h"
+
+namespace trc::survey {
+namespace {
+
+constexpr double micrometre = 1e-3;  // mm
+constexpr double per_mm = 1000;      // micrometres: a quotient is the number people write
+constexpr double rounding = 1e-6;    // of a micrometre
+
+std::optional<double> value_of(const Diagnostic& found, std::string_view name) {
+  for (const DiagnosticValue& value : found.values)
+    if (value.name == name) return value.value;
+  return std::nullopt;
+}
+
+// The block that append_place() has named.
+std::optional<Source> place_in(const Diagnostic& found, const std::string& name) {
+  const auto index = value_of(found, name + "_index");
+  if (!index) return std::nullopt;
+  Source source{.index = static_cast<std::uint64_t>(*index)};
+  if (const auto line = value_of(found, name + "_line"))
+    source.line = static_cast<std::uint32_t>(*line);
+  if (const auto number = value_of(found, name + "_number"))
+    source.number = static_cast<std::int64_t>(*number);
+  return source;
+}
+
+const MotionBlock* contour_of(const Block& block) {
+  const auto* motion = std::get_if<MotionBlock>(&block);
+  return motion != nullptr && motion->mode->active() ? motion : nullptr;
+}
+
+// A note tells the same stretch in one or in several parts: the first is named.
+void note(const Diagnostic& found, double least, Surveyed& result) {
+  if (found.severity == Severity::warning) ++result.warnings;
+  if (found.code != Code::blocks_masked) return;
+  const double length = value_of(found, "left_out_length").value_or(0);
+  result.left_out_length += length;
+  if (length <= least || !result.limits.empty()) return;
+  result.limits.push_back(found.source);
+  if (const auto last = place_in(found, "last"); last && *last != found.source)
+    result.limits.push_back(*last);
+}
+
+}  // namespace
+
+Survey::Survey(SurveySetup setup, Reader reader)
+    : setup_(std::move(setup)), reader_(std::move(reader)) {
+  if (setup_.session.verify == Verify::off) setup_.session.verify = Verify::enforce;
+}
+
+double Survey::term_of(double radius) const {
+  return radius - setup_.session.program.nominal_radius;
+}
+
+bool Survey::read() {
+  // A centre path is read as for the nominal tool, from which nothing differs.
+  const bool wear_mode = setup_.session.program.nominal_radius > 0;
+  reading_ = read_with(wear_mode ? 0 : 1, setup_.session, reader_);
+  return !reading_.refused;
+}
+
+Surveyed Survey::run(double radius) {
+  std::optional<Reading> own;
+  if (reading_.moves_by_radius) own = read_with(term_of(radius), setup_.session, reader_);
+  const Reading& reading = own ? *own : reading_;
+  Surveyed found{.radius = radius};
+  if (own && own->refused) {
+    for (const Diagnostic& fault : own->diagnostics)
+      if (fault.severity == Severity::error && !found.refusal) found.refusal = fault;
+  } else if (auto wear = too_much_wear(reading, radius)) {
+    found.refusal = std::move(wear);
+  } else {
+    compensate(reading, false, found);
+  }
+  found.reaches_all = found.accepted() && found.clearance.gouging == 0 && found.limits.empty();
+  if (!found.reaches_all && found.limits.empty()) found.limits = limits_of(reading, found);
+  tried_[radius] = {.reaches = found.reaches_all,
+                    .guess = guess_of(found),
+                    .refusal = found.refusal,
+                    .limits = found.limits};
+  if (setup_.uncut && !found.accepted() && !reading.refused) look_for_uncut(reading, found);
+  return found;
+}
+
+void Survey::compensate(const Reading& reading, bool removes_loops, Surveyed& found) {
+  // So many at once lie in the caches still.
+  constexpr std::size_t portion = 256;
+  CompensatorSetup compensator = setup_.session.compensator;
+  compensator.start = setup_.session.program.start;
+  compensator.inverse_path = false;
+  const auto let_go = [this](std::vector<CompensatedBlock>& out) {
+    if (!out.empty() && setup_.progressed) setup_.progressed();
+    out.clear();
+  };
+  compensator.take_portion = let_go;
+  if (removes_loops) compensator.largest_masked_share = 1;
+  verify::UncutSink uncut;
+  if (setup_.uncut)
+    uncut = [&found](const verify::UncutWall& wall) { found.uncut.push_back(wall); };
+  ChangedModes modes(reading, {.radius = term_of(found.radius), .removes_loops = removes_loops});
+  Diagnostics log;
+  VerifiedCompensator session(compensator, setup_.session.verify, log, std::move(uncut));
+  std::vector<Block> blocks;
+  std::vector<CompensatedBlock> out;
+  const auto take_log = [&] {
+    for (const Diagnostic& told : log.take()) {
+      note(told, setup_.session.compensator.tolerances.on_contour, found);
+      if (told.severity == Severity::error && !found.refusal) found.refusal = told;
+    }
+    let_go(out);
+  };
+  for (std::size_t at = 0; at < reading.blocks.size() && !log.stopped(); at += portion) {
+    blocks.clear();
+    const std::size_t end = std::min(at + portion, reading.blocks.size());
+    for (std::size_t i = at; i < end; ++i) blocks.push_back(modes.changed(reading.blocks[i]));
+    session.feed(blocks, out);
+    take_log();
+  }
+  if (!log.stopped()) session.finish(modes.at_end(), out);
+  take_log();
+  found.summary = session.summary();
+  if (session.clearance() != nullptr) found.clearance = *session.clearance();
+  found.uncut_known = setup_.uncut && found.accepted();
+  found.wall_length = found.clearance.wall_length;
+  found.uncut_length = found.clearance.wall_length - found.clearance.touched_length;
+}
+
+// The verification has not measured what was refused before its end.
+void Survey::look_for_uncut(const Reading& reading, Surveyed& found) {
+  Surveyed other{.radius = found.radius};
+  compensate(reading, true, other);
+  found.uncut_known = other.accepted();
+  found.uncut_by_removal = other.accepted();
+  if (!other.accepted()) return;
+  found.wall_length = other.wall_length;
+  found.uncut_length = other.uncut_length;
+  found.uncut = std::move(other.uncut);
+}
+
+// Of a centre path only: elsewhere reading has looked at the wear, which is the same for all.
+std::optional<Diagnostic> Survey::too_much_wear(const Reading& reading, double radius) const {
+  const ProgramSetup& program = setup_.session.program;
+  if (program.nominal_radius <= 0) return std::nullopt;
+  std::unordered_map<const TrcMode*, double> beyond;  // by modes, what they would have
+  for (const RadiusUse& use : reading.uses) {
+    const double wear = term_of(radius) + (use.terms.radius - reading.radius) + use.terms.wear;
+    if (std::abs(wear) > program.max_wear) beyond.emplace(use.mode.get(), wear);
+  }
+  if (beyond.empty()) return std::nullopt;
+  for (const Block& block : reading.blocks) {
+    const MotionBlock* motion = contour_of(block);
+    const auto found = motion != nullptr ? beyond.find(motion->mode.get()) : beyond.end();
+    if (found == beyond.end()) continue;
+    Diagnostic fault = diagnostic(Code::wear_too_large, motion->source);
+    fault.values = {{"wear", found->second},
+                    {"max_wear", program.max_wear},
+                    {"nominal_radius", program.nominal_radius}};
+    return fault;
+  }
+  return std::nullopt;
+}
+
+std::vector<Source> Survey::limits_of(const Reading& reading, const Surveyed& found) const {
+  if (!found.refusal) {
+    if (!found.clearance.worst) return {};
+    return {found.clearance.worst->path, found.clearance.worst->contour};
+  }
+  const Diagnostic& refusal = *found.refusal;
+  if (const auto other = place_in(refusal, "other"))
+    return *other == refusal.source ? std::vector{refusal.source}
+                                    : std::vector{refusal.source, *other};
+  if (refusal.code == Code::most_left_out)
+    if (const auto last = place_in(refusal, "last")) return {refusal.source, *last};
+  // Of a line without a rest the tool stands at the blocks before and behind it.
+  const bool pinched = refusal.code == Code::line_reversed || refusal.code == Code::arc_wrapped;
+  if (!pinched) return {refusal.source};
+  const MotionBlock* before = nullptr;
+  bool passed = false;
+  for (const Block& block : reading.blocks) {
+    const MotionBlock* motion = contour_of(block);
+    if (motion == nullptr) continue;
+    if (motion->source.index > refusal.source.index)
+      return passed && before != nullptr ? std::vector{before->source, motion->source}
+                                         : std::vector{refusal.source};
+    if (motion->source.index == refusal.source.index)
+      passed = true;
+    else
+      before = motion;
+  }
+  return {refusal.source};
+}
+
+// Between two parallel walls the tool has half of the room that there is between them.
+std::optional<double> Survey::guess_of(const Surveyed& found) {
+  if (found.clearance.gouging > 0 && found.clearance.worst) {
+    const verify::Clearance& worst = *found.clearance.worst;
+    return found.radius + 0.5 * (worst.distance + worst.required) - worst.required;
+  }
+  if (!found.refusal) return std::nullopt;
+  const auto radius = value_of(*found.refusal, "tool_radius");
+  if (!radius) return std::nullopt;
+  for (const std::string_view name : {"largest_radius", "contour_radius"})
+    if (const auto most = value_of(*found.refusal, name)) return found.radius + *most - *radius;
+  return std::nullopt;
+}
+
+// A tool much larger than the part meets nothing new.
+double Survey::search_limit() const {
+  Box around;
+  for (const Block& block : reading_.blocks)
+    if (const MotionBlock* motion = contour_of(block)) around.extend(bounding_box(motion->path));
+  constexpr double parts = 10;
+  const double size = around.isEmpty() ? 0 : around.diagonal().norm();
+  const double listed = tried_.empty() ? 0 : tried_.rbegin()->first;
+  return std::clamp(parts * size, 2 * listed + 1, 0.5 * ProgramState::largest_tool_radius);
+}
+
+const Survey::Tried& Survey::tried(Micrometres radius) {
+  const double mm = static_cast<double>(radius) / per_mm;
+  const auto known = tried_.find(mm);
+  if (known != tried_.end()) return known->second;
+  ++runs_;
+  static_cast<void>(run(mm));
+  return tried_.at(mm);
+}
+
+// A list may hold radii between two micrometres: of these next to them nothing is known but that it
+// ought to be the same, which is looked at when the rest is found.
+Survey::Bracket Survey::bracket_of_list() const {
+  Bracket bracket;
+  for (const auto& [radius, known] : tried_) {
+    if (!known.reaches) {
+      bracket.high = static_cast<Micrometres>(std::ceil(radius / micrometre - rounding));
+      bracket.guess = known.guess;
+      break;
+    }
+    bracket.low = static_cast<Micrometres>(std::floor(radius / micrometre + rounding));
+  }
+  return bracket;
+}
+
+void Survey::look_above(Bracket& bracket) {
+  const auto most = static_cast<Micrometres>(search_limit() / micrometre);
+  constexpr Micrometres first = 1000;
+  while (bracket.low < most) {
+    const Micrometres next = std::min(std::max(2 * bracket.low, first), most);
+    const Tried& found = tried(next);
+    if (!found.reaches) {
+      bracket.high = next;
+      bracket.guess = found.guess;
+      return;
+    }
+    bracket.low = next;
+  }
+}
+
+// What is in the way tells most often how large the tool may be: two runs are enough then, with
+// that radius and the next one. Where it does not lead on, halving does.
+void Survey::narrow(Bracket& bracket) {
+  constexpr unsigned guesses_in_a_row = 3;
+  Micrometres& high = *bracket.high;
+  bool guessed = false;
+  for (unsigned step = 0; high - bracket.low > 1; ++step) {
+    Micrometres next = bracket.low + (high - bracket.low) / 2;
+    if (std::exchange(guessed, false)) {
+      next = bracket.low + 1;
+    } else if (bracket.guess && step % (guesses_in_a_row + 1) < guesses_in_a_row) {
+      next = static_cast<Micrometres>(std::floor(*bracket.guess / micrometre + rounding));
+      next = std::clamp(next, bracket.low + 1, high - 1);
+      guessed = true;
+    }
+    const Tried& found = tried(next);
+    if (found.reaches) {
+      bracket.low = next;
+    } else {
+      high = next;
+      bracket.guess = found.guess;
+      guessed = false;
+    }
+  }
+}
+
+Largest Survey::largest() {
+  const bool wanted_uncut = std::exchange(setup_.uncut, false);
+  runs_ = 0;
+  Largest result;
+  for (Bracket bracket = bracket_of_list();;) {
+    if (!bracket.high) look_above(bracket);
+    if (bracket.high) narrow(bracket);
+    if (bracket.low > 0 && !tried(bracket.low).reaches) {
+      bracket = {.high = bracket.low};
+      continue;
+    }
+    if (bracket.high && tried(*bracket.high).reaches) {
+      bracket = {.low = *bracket.high};
+      continue;
+    }
+    result.radius = static_cast<double>(bracket.low) / per_mm;
+    result.is_limited = bracket.high.has_value();
+    if (bracket.high) {
+      const Tried& above = tried(*bracket.high);
+      result.refusal = above.refusal;
+      result.limits = above.limits;
+    }
+    break;
+  }
+  result.runs = runs_;
+  setup_.uncut = wanted_uncut;
+  return result;
+}
+
+}  // namespace trc::survey
