@@ -36,7 +36,10 @@ const std::array<Dialect, 5>& dialects() {
        .functions = sinumerik_functions(),
        .selection = Selection::direct,
        .transition = Transition::circular},
-      {.name = DialectName::heidenhain, .spelling = "heidenhain", .selection = Selection::direct},
+      {.name = DialectName::heidenhain,
+       .spelling = "heidenhain",
+       .selection = Selection::direct,
+       .transition = Transition::circular},
   }};
   return table;
 }
