@@ -454,6 +454,23 @@ TEST(PolarWords, AloneDoNotCountOnOnesThatAreNotWritten) {
   EXPECT_FALSE(run(contour + "G0 RP=40 AP=180\nAP=90\nM30\n", setup, true).stopped);
 }
 
+// It compensates nothing, and no contour runs so without a word.
+TEST(RegisterZero, IsToldWithTheFirstContourOfIt) {
+  for (const DialectName dialect : {DialectName::fanuc, DialectName::linuxcnc}) {
+    ProgramSessionSetup setup;
+    setup.session.program.dialect = dialect;
+    setup.session.program.mode.selection = Selection::direct;
+    const std::string contour = "G41 D0 G1 X0 Y0 F9\nY9\nG40 X-9 Y-9\n";
+    const Written written = run("G0 X-9 Y-9\n" + contour + contour + "M2\n", setup, false);
+    EXPECT_FALSE(written.stopped);
+    ASSERT_EQ(written.diagnostics.size(), 1u) << written.report();
+    EXPECT_EQ(written.diagnostics[0].code, Code::tool_radius_zero);
+    EXPECT_EQ(written.diagnostics[0].source.line, 2u);
+    setup.session.program.tools[0] = 2;
+    EXPECT_TRUE(run("G0 X-9 Y-9\n" + contour + "M2\n", setup, false).diagnostics.empty());
+  }
+}
+
 TEST(Klartext, IsPassedOnWhereNothingIsCompensated) {
   ProgramSessionSetup setup;
   setup.session.program.dialect = DialectName::heidenhain;

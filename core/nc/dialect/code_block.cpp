@@ -261,12 +261,17 @@ bool Interpreter::read_code_machine_function(const CodeWord& word, ProgramLine& 
 // What the words mean together, before any of it takes effect.
 bool Interpreter::complete_code_block(ProgramLine& line, BlockWords& block) {
   if (block.tool_number) code_.next_tool = whole_number(block.tool_number->value);
+  code_.tool_named |= block.tool_number.has_value();
   code_.changes_by_m6 |= block.changes_tool;
   if (block.changes_tool) {
     code_.spindle_tool = code_.next_tool;
+    code_.spindle_empty = code_.tool_named && code_.next_tool == 0;
     block.forget |= static_cast<AxisBits>(1U << axes_of(state_.mode().plane).third);
   }
-  if (block.names_tool && block.quantity) code_.spindle_tool = whole_number(block.quantity->value);
+  if (block.names_tool && block.quantity) {
+    code_.spindle_tool = whole_number(block.quantity->value);
+    code_.spindle_empty = code_.spindle_tool == 0;
+  }
   const bool spindle_limit = block.has(unfollowed_end) && block.of(unfollowed_end).is(50);
   const bool has_spindle = std::ranges::any_of(line.words, [&](const WordRange& word) {
     return line.text[word.begin] == 'S' || line.text[word.begin] == 's';
@@ -481,7 +486,8 @@ bool Interpreter::check_code_selection(ProgramLine& line, BlockWords& block) {
     if (!block.tool) return wrong(Code::nc_number, "G41.1, G42.1 without D, the diameter");
     block.tool_radius = {.value = block.tool->value / 2, .begin = block.tool->begin};
     block.tool.reset();
-  } else if (selects && dialect_.tool_of_spindle && !block.tool && code_.spindle_tool != 0) {
+  } else if (selects && dialect_.tool_of_spindle && !block.tool &&
+             (code_.spindle_tool != 0 || code_.spindle_empty)) {
     block.tool = {.value = static_cast<double>(code_.spindle_tool), .begin = block.of(side).begin};
   }
   if (selects && !block.tool && !block.tool_radius && code_.missing_tool >= 0)

@@ -534,7 +534,10 @@ bool Interpreter::apply_trc(const ProgramLine& line, const BlockWords& block) {
     return false;
   if (block.tool_number) state_.prepare_tool(static_cast<std::int64_t>(block.tool_number->value));
   if (block.loads_tool && at(0) && !state_.load_tool(source)) return false;
-  if (block.tool && at(block.tool->begin) &&
+  const bool zero = block.tool && block.tool->value == 0 && dialect_.zero_is_a_radius &&
+                    !state_.radius_of_tool(0);
+  if (zero && at(block.tool->begin) && !state_.set_tool_radius(0, source)) return false;
+  if (block.tool && !zero && at(block.tool->begin) &&
       !state_.set_tool(static_cast<std::int64_t>(block.tool->value), source))
     return false;
   if (has(tangential) && !state_.set_tangential(source)) return false;

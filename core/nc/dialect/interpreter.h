@@ -226,6 +226,8 @@ class Interpreter {
     bool turned = false;               // coordinates are rotated or mirrored
     std::int64_t next_tool = 0;        // T
     std::int64_t spindle_tool = 0;
+    bool tool_named = false;     // by a T word
+    bool spindle_empty = false;  // T0 M06
     std::int64_t missing_tool = -1;  // of the last D word, which the table has not
     std::string tool_name{};         // of T="…"
     std::string only_tool_name{};
@@ -244,7 +246,8 @@ class Interpreter {
     void serialize(Archive& archive) {
       archive(cycle, unfollowed, turning, y_seen, dimension_uncertain, turned, next_tool,
               spindle_tool, tool_name, edge_off, changes_by_m6, only_register, pole, polar_angle,
-              polar_radius, polar_rewritten, missing_tool, only_tool_name, tangent_arcs);
+              polar_radius, polar_rewritten, missing_tool, only_tool_name, tangent_arcs,
+              tool_named, spindle_empty);
     }
   };
   // What a program in Klartext has in force besides.
