@@ -37,7 +37,7 @@ bool is_plain(const TrcMode& mode, bool removes_loops) {
                                 deselection /* at the ends */, tangential /* at the ends */,
                                 transition /* asked for */, masking, feed_adaptation,
                                 tangfeed_minimum /* of feed_adaptation */, options] = mode;
-  const bool adapts = masking == Masking::on || feed_adaptation == FeedAdaptation::on;
+  const bool adapts = masking == Masking::on || feed_adaptation != FeedAdaptation::off;
   return knows(options, removes_loops) && (removes_loops || !adapts);
 }
 

@@ -437,12 +437,13 @@ bool Interpreter::read_klartext_function(const KlartextWord& word, ProgramLine& 
       if (trc_active()) unfollowed(m == 97 ? ", corners of small steps" : ", open corners");
       break;
     case 109:
+    case 110:
     case 111:
       role = WordRole::trc;
-      block.adapts_feed = m == 109;
+      block.adapts_feed = m == 109   ? FeedAdaptation::on
+                          : m == 110 ? FeedAdaptation::inside
+                                     : FeedAdaptation::off;
       break;
-    case 110:
-      return refuse_klartext(line, word.begin, "M110, a feed at inside arcs alone: M109 or M111");
     case 120:
       role = WordRole::trc;
       block.masks = false;  // LA says how far

@@ -223,7 +223,7 @@ void Interpreter::enter_modes(ProgramLine& line) const {
   line.incremental = incremental_;
   line.inch = inch_;
   line.absolute_center = absolute_center_;
-  line.plane = state_.mode().plane;
+  line.plane = state_.programmed_plane();
   line.feed = feed_mode_ == 94 ? feed_ : 0;
 }
 
@@ -518,8 +518,11 @@ bool Interpreter::apply_trc(const ProgramLine& line, const BlockWords& block) {
       !state_.set_masking(block.of(masking).is(141) ? Masking::on : Masking::off, source))
     return false;
   if (has(feed_adaptation) &&
-      !state_.set_feed_adaptation(
-          block.of(feed_adaptation).is(11) ? FeedAdaptation::on : FeedAdaptation::off, source))
+      !state_.set_feed_adaptation(block.of(feed_adaptation).is(11) ? FeedAdaptation::on
+                                  : block.of(feed_adaptation).is(feed_at_inside)
+                                      ? FeedAdaptation::inside
+                                      : FeedAdaptation::off,
+                                  source))
     return false;
   if (block.options && at(block.command) && !state_.set_options(*block.options, source))
     return false;
@@ -555,7 +558,7 @@ bool Interpreter::apply_motion(ProgramLine& line, BlockWords& block) {
   const std::uint32_t begin = std::min(block.axis.value_or(~0U), block.center.value_or(~0U));
   place(line, begin);
   const bool per_minute = feed_mode_ == 94;
-  const bool adapted = state_.mode().feed_adaptation == FeedAdaptation::on;
+  const bool adapted = state_.mode().feed_adaptation != FeedAdaptation::off;
   if (!per_minute && state_.contour_open() && (feed_mode_ == 93 || adapted))
     return refuse(line,
                   TextFault{.code = Code::nc_unsupported,

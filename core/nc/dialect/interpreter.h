@@ -131,6 +131,8 @@ class Interpreter {
   bool copy_code_block(ProgramLine& line, BlockWords& block);
   bool check_code_selection(ProgramLine& line, BlockWords& block);
   bool take_corner(ProgramLine& line, BlockWords& block);
+  bool take_modal_rounding(ProgramLine& line, BlockWords& block);
+  bool take_fagor_words(ProgramLine& line, BlockWords& block);
   bool take_tool_data(ProgramLine& line, BlockWords& block);
   bool refuse_code(const ProgramLine& line, const CodeWord& word, Code code,
                    std::string_view meaning = {});
@@ -226,12 +228,13 @@ class Interpreter {
     bool turned = false;               // coordinates are rotated or mirrored
     std::int64_t next_tool = 0;        // T
     std::int64_t spindle_tool = 0;
-    bool tool_named = false;     // by a T word
-    bool spindle_empty = false;  // T0 M06
+    bool tool_named = false;         // by a T word
+    bool spindle_empty = false;      // T0 M06
     std::int64_t missing_tool = -1;  // of the last D word, which the table has not
     std::string tool_name{};         // of T="…"
     std::string only_tool_name{};
     bool tangent_arcs = false;   // CT
+    double modal_rounding = 0;   // RNDM=, mm
     bool edge_off = false;       // D0
     bool changes_by_m6 = false;  // T only prepares a tool
     // The one register that stands for the radius of the setup, where it has no tools.
@@ -246,8 +249,8 @@ class Interpreter {
     void serialize(Archive& archive) {
       archive(cycle, unfollowed, turning, y_seen, dimension_uncertain, turned, next_tool,
               spindle_tool, tool_name, edge_off, changes_by_m6, only_register, pole, polar_angle,
-              polar_radius, polar_rewritten, missing_tool, only_tool_name, tangent_arcs,
-              tool_named, spindle_empty);
+              polar_radius, polar_rewritten, missing_tool, only_tool_name, tangent_arcs, tool_named,
+              spindle_empty, modal_rounding);
     }
   };
   // What a program in Klartext has in force besides.

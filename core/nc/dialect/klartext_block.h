@@ -65,9 +65,9 @@ struct Interpreter::KlartextBlock {
   bool machine_place = false;  // M91, M92
   bool feed_per_turn = false;
   bool feed_per_minute = false;
-  std::optional<bool> masks{};        // M120
-  std::optional<bool> adapts_feed{};  // M109, M111
-  MoveRequest move{};                 // where it leads to
+  std::optional<bool> masks{};                  // M120
+  std::optional<FeedAdaptation> adapts_feed{};  // M109 M110 M111
+  MoveRequest move{};                           // where it leads to
   // What keeps the block from being followed: a parameter, M91 … It is copied while TRC is off.
   std::optional<std::uint32_t> unfollowed{};
   std::string unfollowed_why{};

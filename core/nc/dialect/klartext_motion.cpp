@@ -125,9 +125,7 @@ bool Interpreter::apply_klartext_modes(ProgramLine& line, KlartextBlock& block) 
   if (block.called_feed) feed_ = klartext_.called_feed;
   if (block.feed_per_turn) feed_ = 0;
   place(line, block.side ? block.side_begin : block.begin);
-  if (block.adapts_feed &&
-      !state_.set_feed_adaptation(*block.adapts_feed ? FeedAdaptation::on : FeedAdaptation::off,
-                                  line.source))
+  if (block.adapts_feed && !state_.set_feed_adaptation(*block.adapts_feed, line.source))
     return false;
   const TrcMode& initial = state_.setup().mode;
   const bool ends = block.side == Side::off || block.is(KlartextStatement::departure);

@@ -14,11 +14,12 @@ struct CornerCut {
   // open: a line of its own may still say it.
   enum class Form : std::uint8_t { round, leg, width, open };
   Form form = Form::round;
-  double size = 0;  // mm: the radius, how much either line loses, the length of the chamfer
+  double size = 0;     // mm: the radius, how much either line loses, the length of the chamfer
+  bool modal = false;  // of every corner that there is
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(form, size);
+    archive(form, size, modal);
   }
 };
 

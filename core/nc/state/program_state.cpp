@@ -113,7 +113,7 @@ bool ProgramState::deselect(const Source& source) {
   if (!mode_.active()) return true;
   if (lead_) return report(lead_->request.source, Code::nc_unsupported, approach_without_contour);
   // A corner that is cut is refused by the next motion.
-  if (corner_ && corner_->form == CornerCut::Form::open) release_held();
+  if (corner_ && (corner_->form == CornerCut::Form::open || corner_->modal)) release_held();
   const bool has_contour = in_plane_blocks_ > (has_approach_ ? 1U : 0U);
   if (has_contour && mode_.selection == Selection::without_block) {
     const Point point = last_equidistant_point();
@@ -191,7 +191,12 @@ bool ProgramState::set_tangfeed_minimum(double radius, const Source& source) {
 }
 
 bool ProgramState::set_plane(Plane plane, const Source& source) {
-  if (plane == mode_.plane) return true;
+  if (plane == programmed_plane()) return true;
+  // Behind a bare G40 the next straight motion leaves the contour first, in the plane of that.
+  if (setup_.dialect != DialectName::isg && retract_pending_ && !mode_.active()) {
+    next_plane_ = plane;
+    return true;
+  }
   if (contour_open()) return report(source, Code::plane_change_while_active);
   change_mode().plane = plane;
   return true;
@@ -447,7 +452,12 @@ bool ProgramState::move(const MoveRequest& request) {
     if (auto refusal = unknown_start(request)) return refuse(request.source, std::move(*refusal));
   if (request.feed != 0 && !is_feed(request.feed))
     return report(request.source, Code::field_invalid, "feed", {{"feed", request.feed}});
-  return is_circle(request.kind) ? move_on_circle(request, end) : move_straight(request, end);
+  if (next_plane_ && is_circle(request.kind))
+    return report(request.source, Code::plane_change_while_active);
+  const bool goes_on =
+      is_circle(request.kind) ? move_on_circle(request, end) : move_straight(request, end);
+  if (next_plane_ && !retract_pending_) change_mode().plane = *std::exchange(next_plane_, {});
+  return goes_on;
 }
 
 bool ProgramState::move_on_circle(const MoveRequest& request, const Position& end) {
@@ -510,7 +520,8 @@ bool ProgramState::refuse_corner(const Source& source) {
 // Only between motions of the contour itself, along which nothing else moves.
 bool ProgramState::check_corner(const MoveRequest& request, bool alone) {
   const bool in_contour = mode_.active() && in_plane_blocks_ > 0;
-  return !request.corner || (alone && in_contour) || refuse_corner(request.source);
+  return !request.corner || request.corner->modal || (alone && in_contour) ||
+         refuse_corner(request.source);
 }
 
 // The block that is held loses its end and `path` its beginning.
@@ -523,6 +534,13 @@ bool ProgramState::cut_corner_before(const MoveRequest& request, Segment& path, 
   auto& before = *std::get_if<MotionBlock>(&held_.front());
   const bool in_contour = mode_.active() && before.mode->side == mode_.side &&
                           before.mode->selection_number == mode_.selection_number;
+  const bool no_corner =
+      corner_->modal && std::abs(turn_between(tangent_at_end(before.path),
+                                              tangent_at_start(path))) <= tolerances_.tangent;
+  if (no_corner || (corner_->modal && (!alone || !in_contour))) {
+    release_held();
+    return true;
+  }
   if (!alone || !in_contour) return refuse_corner(request.source);
   const auto corner = cut_corner(before.path, path, *corner_, tolerances_);
   if (!corner)
@@ -546,7 +564,11 @@ bool ProgramState::cut_corner_before(const MoveRequest& request, Segment& path, 
 
 // In Klartext the corner stands in the next line.
 void ProgramState::hold_for_corner(const MoveRequest& request) {
-  corner_ = request.corner;
+  if (!request.corner || !request.corner->modal || in_plane_blocks_ > 1) corner_ = request.corner;
+  const auto* last = std::get_if<MotionBlock>(&blocks_.back());
+  if (corner_ && corner_->modal &&
+      (last == nullptr || last->rapid || last->normal.moves() || !mode_.active()))
+    corner_.reset();
   if (setup_.dialect == DialectName::heidenhain && mode_.active() && in_plane_blocks_ > 1)
     corner_ = CornerCut{.form = CornerCut::Form::open};
   if (!corner_) return;
@@ -749,7 +771,8 @@ bool ProgramState::pass(const Source& source, std::string text) {
 
 bool ProgramState::end(const Source& source) {
   if (lead_) return report(lead_->request.source, Code::nc_unsupported, approach_without_contour);
-  if (corner_ && corner_->form != CornerCut::Form::open) return refuse_corner(source);
+  if (corner_ && corner_->form != CornerCut::Form::open && !corner_->modal)
+    return refuse_corner(source);
   release_held();
   if (std::exchange(ended_, true) || !contour_open()) return !diagnostics_.stopped();
   return report(source, Code::ended_while_active);

@@ -158,6 +158,8 @@ class ProgramState {
   bool end(const Source& source);
 
   [[nodiscard]] const TrcMode& mode() const { return mode_; }
+  // The plane that the program has named last.
+  [[nodiscard]] Plane programmed_plane() const { return next_plane_.value_or(mode_.plane); }
   // Where the last block ended, mm.
   [[nodiscard]] const Position& position() const { return position_; }
   // Whether this is a feed, mm/min: 0 is none.
@@ -192,7 +194,8 @@ class ProgramState {
             known_, position_forgotten_, displaced_, tracking_, radius_giver_, prepared_tool_,
             loads_tools_, missing_tool_, zero_radius_reported_, selected_, selections_,
             in_plane_blocks_, has_approach_, last_path_, last_mode_, retract_pending_,
-            just_deselected_, corner_, corner_source_, corner_feed_, lead_, held_, ended_);
+            just_deselected_, next_plane_, corner_, corner_source_, corner_feed_, lead_, held_,
+            ended_);
   }
 
  private:
@@ -308,6 +311,7 @@ class ProgramState {
   std::shared_ptr<const TrcMode> last_mode_{};
   bool retract_pending_ = false;
   bool just_deselected_ = false;
+  std::optional<Plane> next_plane_{};  // named behind a bare G40
   // To be cut, and the blocks from the one before it on, until the next motion in the plane.
   std::optional<CornerCut> corner_{};
   std::optional<Source> corner_source_{};  // of a line of its own
