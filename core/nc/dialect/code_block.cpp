@@ -165,6 +165,8 @@ bool Interpreter::read_code_axis(const CodeWord& word, ProgramLine& line, BlockW
 bool Interpreter::read_code_address(const CodeWord& word, ProgramLine& line, BlockWords& block) {
   const auto twice = [&] { return refuse_code(line, word, Code::nc_word_twice); };
   const BlockWords::Value value{.value = word.value, .begin = word.begin};
+  if (word.comma && dialect_.name == DialectName::linuxcnc)
+    return refuse_code(line, word, Code::nc_unsupported, "which LinuxCNC does not have");
   if (word.comma) {
     const bool angle = word.letter == 'A';
     if (word.letter == 'R' || word.letter == 'C') {

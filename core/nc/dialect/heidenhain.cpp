@@ -500,9 +500,10 @@ bool Interpreter::copy_klartext(ProgramLine& line, std::size_t begin, WordRole r
   return state_.end(line.source);
 }
 
-void Interpreter::forget_klartext_position(const ProgramLine& line) {
+void Interpreter::forget_klartext_position(const ProgramLine& line,
+                                           const std::array<bool, 3>& axes) {
   if (!faults_.empty()) return;
-  state_.forget_position({true, true, true}, line.source);
+  state_.forget_position(axes, line.source);
   klartext_.tangent.reset();
 }
 
@@ -550,7 +551,7 @@ bool Interpreter::read_klartext_statement(ProgramLine& line, std::size_t begin) 
         return refuse_klartext(line, begin,
                                std::string(side).substr(1) + ", a compensation along one axis");
   const bool moves = defines_frame(statement) || is_any(statement, moving);
-  if (moves && contour_open()) return while_active(first);
+  if (moves && trc_active()) return while_active(first);
   if (moves) {
     forget_klartext_position(line);
     klartext_.pole.reset();
@@ -584,7 +585,7 @@ bool Interpreter::read_label(ProgramLine& line, std::size_t begin, std::string_v
       return refuse_klartext(line, begin, "LBL, which is called, while TRC is active");
     return copy_klartext(line, begin, WordRole::technology);
   }
-  if (contour_open()) return refuse_klartext(line, begin, "CALL LBL while TRC is active");
+  if (trc_active()) return refuse_klartext(line, begin, "CALL LBL while TRC is active");
   const auto known = klartext_.labels.find(label);
   if (known != klartext_.labels.end() && known->second != contours)
     return refuse_klartext(line, begin, "CALL LBL, which repeats a compensated contour");

@@ -168,7 +168,8 @@ class Interpreter {
   bool move_in_turns(ProgramLine& line, KlartextBlock& block);
   bool move_in_klartext(ProgramLine& line, MoveRequest& request);
   bool lead_in_klartext(ProgramLine& line, KlartextBlock& block);
-  void forget_klartext_position(const ProgramLine& line);
+  void forget_klartext_position(const ProgramLine& line,
+                                const std::array<bool, 3>& axes = {true, true, true});
 
   // Of Sinumerik: sinumerik_block.cpp.
   bool read_named_words(ProgramLine& line, BlockWords& block);

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <string>
@@ -42,7 +43,8 @@ bool Interpreter::check_klartext(ProgramLine& line, KlartextBlock& block) {
     block.unfollowed = block.begin;
     block.unfollowed_why = block.name + ", in coordinates that are scaled or led by the tool tip";
   }
-  const bool in_contour = active || selects || contour_open();
+  // R0 beside M91 ends TRC first.
+  const bool in_contour = (active && block.side != Side::off) || selects;
   if (block.unfollowed && in_contour)
     return refuse_klartext(line, *block.unfollowed,
                            block.unfollowed_why + (active ? ", while TRC is active" : ""));
@@ -97,7 +99,11 @@ bool Interpreter::apply_klartext(ProgramLine& line, KlartextBlock& block) {
   }
   if (has(WordRole::technology) && !pass_words(line, WordRole::technology)) return false;
   if (copied) {
-    forget_klartext_position(line);
+    std::array<bool, 3> axes{true, true, true};
+    const bool named = block.end[0] || block.end[1] || block.end[2];
+    for (std::size_t axis = 0; axis < axes.size(); ++axis)
+      axes[axis] = !block.machine_place || !named || block.end[axis];
+    forget_klartext_position(line, axes);
     if (block.is(KlartextStatement::center)) klartext_.pole.reset();
     klartext_.polar_radius.reset();
     if (block.feed_per_turn || block.unfollowed_why.ends_with("variable")) feed_ = 0;

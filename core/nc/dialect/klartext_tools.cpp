@@ -82,7 +82,7 @@ bool Interpreter::read_tool_call(ProgramLine& line, std::size_t begin, std::stri
       feed = value;
     }
   }
-  if (contour_open() && (names_tool || changes_delta))
+  if (trc_active() && (names_tool || changes_delta))
     return refuse_klartext(line, begin, "TOOL CALL while TRC is active");
   if (!faults_.empty()) return false;
   if (feed) modes.called_feed = *feed * (inch_ ? mm_per_inch / 10 : 1);
