@@ -13,6 +13,7 @@
 #include "core/base/archive.h"
 #include "core/nc/dialect/dialect.h"
 #include "core/nc/text/number_format.h"
+#include "core/session/conversion.h"
 #include "core/session/program_session.h"
 #include "tests/support/contours.h"
 #include "tests/support/run.h"
@@ -218,6 +219,13 @@ TEST_P(OfADialect, GivesTheSameResumed) {
   }
 }
 
+// In space: the plane may be another one.
+Eigen::Vector3d place_at(const CompensatedBlock& block, double t) {
+  const double height = block.normal.from + t * (block.normal.to - block.normal.from);
+  const Position place = from_plane(block.plane, point_at(block.path, t), height);
+  return {place[0], place[1], place[2]};
+}
+
 // No word of TRC is left, and a reader of the output makes the compensated path.
 TEST_P(OfADialect, WritesThePathInItsDialect) {
   const DialectProgram& program = GetParam();
@@ -237,7 +245,7 @@ TEST_P(OfADialect, WritesThePathInItsDialect) {
     EXPECT_EQ(path[k].origin, Origin::uncompensated);
     ASSERT_EQ(is_arc(path[k].path), is_arc(wanted[k].path)) << written.text;
     for (const double t : {0.5, 1.0})
-      EXPECT_LT((point_at(path[k].path, t) - point_at(wanted[k].path, t)).norm(), 2e-3)
+      EXPECT_LT((place_at(path[k], t) - place_at(wanted[k], t)).norm(), 2e-3)
           << text_of(wanted[k]) << '\n'
           << written.text;
   }
@@ -249,8 +257,8 @@ TEST_P(OfADialect, ComesOutAsItIsWithoutSelections) {
   if (program.refused != 0) return;
   if (program.text.find("APPR") != std::string::npos) return;  // is one without a side, too
   const std::string plain = std::regex_replace(
-      program.text, std::regex("G ?4[12](\\.1)?( D ?[0-9.]+)? ?| R[LR]| M109| M111| M120 LA20"),
-      "");
+      program.text,
+      std::regex("G ?4[12](\\.1)?( D ?[0-9.]+)? ?| R[LR]| M109| M110| M111| M120 LA20"), "");
   const Written written = run(plain, program.setup, true);
   ASSERT_FALSE(written.stopped) << written.report() << plain;
   EXPECT_EQ(written.text, plain);
@@ -267,6 +275,75 @@ INSTANTIATE_TEST_SUITE_P(
       }
       return name;
     });
+
+// What comes out in another dialect is the same path there, with the same feeds.
+TEST_P(OfADialect, IsTheSamePathInAnotherDialectOrRefused) {
+  const DialectProgram& program = GetParam();
+  if (program.refused != 0) return;
+  const Written written = run(program.text, program.setup, true);
+  const ProgramSetup& setup = program.setup.session.program;
+  for (const Dialect& other : all_dialects()) {
+    if (other.name == setup.dialect) continue;
+    const ConvertedProgram converted = convert_program(written.text, setup, other.name, 4);
+    if (!converted.fault.empty()) continue;
+    ProgramSessionSetup read;
+    read.session.program.dialect = other.name;
+    const auto wanted = moving(run(written.text, program.setup, false).blocks, 1e-3);
+    const Written again = run(converted.text, read, false);
+    ASSERT_FALSE(again.stopped) << again.report() << converted.text;
+    const auto path = moving(again.blocks, 1e-3);
+    ASSERT_EQ(path.size(), wanted.size()) << converted.text;
+    for (std::size_t k = 0; k < path.size(); ++k) {
+      EXPECT_EQ(path[k].rapid, wanted[k].rapid) << converted.text;
+      EXPECT_NEAR(path[k].rapid ? 0 : path[k].feed - wanted[k].feed, 0, 1e-3) << converted.text;
+      EXPECT_LT((place_at(path[k], 0.5) - place_at(wanted[k], 0.5)).norm(), 2e-3) << converted.text;
+      EXPECT_LT((place_at(path[k], 1) - place_at(wanted[k], 1)).norm(), 2e-3) << converted.text;
+    }
+  }
+}
+
+ConvertedProgram converted(const std::string& text, DialectName from, DialectName to) {
+  ProgramSetup setup;
+  setup.dialect = from;
+  return convert_program(text, setup, to, 3);
+}
+
+TEST(Conversion, SaysMotionsFeedsAndToolsInTheWordsOfTheOther) {
+  const std::string fanuc =
+      "%\nO0012 (PLATE)\nG17 G20 G90 G40 G49 G80\nT3 M06\nN1 G0 X1. Y2. S900 M3 (START)\nG91\n"
+      "G1 X1. F10. M8\nG2 X1. Y-1. I0 J-1.\nG90 G1 Z-0.5\nG18\nM9\nM30\n%\n";
+  EXPECT_EQ(converted(fanuc, DialectName::fanuc, DialectName::linuxcnc).text,
+            "G17 G21 G40 G90 G91.1 G94\n(PLATE)\nT3 M6\nG00 X25.4 Y50.8 S900 M3 (START)\n"
+            "G01 X50.8 F254 M8\nG02 X76.2 Y25.4 I0 J-25.4\nG01 Z-12.7\nG18\nM9\nM30\n");
+  const std::string plain = fanuc.substr(0, fanuc.find("G18")) + "M9\nM30\n%\n";
+  EXPECT_EQ(converted(plain, DialectName::fanuc, DialectName::heidenhain).text,
+            "BEGIN PGM CONVERTED MM\n; PLATE\nTOOL CALL 3 Z\nTOOL CALL Z S900\n"
+            "L X+25.4 Y+50.8 FMAX M3 ; START\nL X+50.8 F254 M8\nCC X+50.8 Y+25.4\n"
+            "C X+76.2 Y+25.4 DR-\nL Z-12.7\nM9\nM30\nEND PGM CONVERTED MM\n");
+  const std::string klartext =
+      "0 BEGIN PGM A MM\n1 TOOL CALL 4 Z S2000 F300\n2 L X+0 IY+5 R0 FMAX M3\n3 L X-4 F AUTO ; go\n"
+      "4 CC X+6 Y+5\n5 C X+16 DR+\n6 L Z+2 M30\n7 END PGM A MM\n";
+  EXPECT_EQ(converted(klartext, DialectName::heidenhain, DialectName::sinumerik).fault, "");
+  EXPECT_EQ(converted(klartext, DialectName::heidenhain, DialectName::sinumerik).text,
+            "G17 G71 G40 G90 G94\nT4 M6 S2000\nG00 X0 Y5 M3\nG01 X-4 F300 ; go\n"
+            "G03 X16 Y5 I10 J0\nG01 Z2 M30\n");
+}
+
+TEST(Conversion, RefusesByNameWhatMeansSomethingElseThere) {
+  for (const auto& [text, word] :
+       std::vector<std::pair<std::string, std::string>>{{"G0 X1\nG54\nG0 X2\nM30\n", "G54"},
+                                                        {"G0 X1\nG43 H1 Z5\nM30\n", "G43"},
+                                                        {"G0 X1\nG4 P2\nM30\n", "G4"},
+                                                        {"G0 X1\nM98 P1\nM30\n", "M98"},
+                                                        {"G0 X1\nG81 X2 Z-3 R1\nM30\n", "G81"},
+                                                        {"G0 X1\nM88\nM30\n", "M88"},
+                                                        {"G0 X1\nG18\nM30\n", "G18"}}) {
+    const ConvertedProgram refused = converted(text, DialectName::fanuc, DialectName::heidenhain);
+    EXPECT_NE(refused.fault.find(word), std::string::npos) << text << refused.fault;
+    EXPECT_EQ(refused.line, 2u) << text;
+    EXPECT_EQ(refused.text, "") << text;
+  }
+}
 
 TEST(FaultsOfReading, AreAllToldInOneRunWithTheNumberOfTheirLines) {
   ProgramSessionSetup setup;
@@ -396,6 +473,57 @@ TEST(Corners, AreCutAsTheirWordsSay) {
     EXPECT_EQ(text.find("RND"), std::string::npos) << text;
     EXPECT_EQ(text.find("CH"), std::string::npos) << text;
   }
+}
+
+// Counter-clockwise arcs with the tool inside, then outside: a contact point at 10 mm with the
+// centre at 6 mm, and at 14 mm.
+TEST(FeedAtInsideArcs, IsThatOfTheContactPointThereAlone) {
+  const std::string contour =
+      "X50\nG3 X60 Y10 CR=10\nG1 Y30\nG2 X70 Y40 CR=10\nG1 X90\nG40 X99 Y60\n";
+  for (const auto& [word, inside, outside] :
+       {std::tuple{"CFIN", 60.0, 100.0}, std::tuple{"CFC", 60.0, 140.0},
+        std::tuple{"CFTCP", 100.0, 100.0}}) {
+    ProgramSessionSetup setup;
+    setup.session.program.dialect = DialectName::sinumerik;
+    setup.session.program.mode.tool_radius = 4;
+    setup.session.program.mode.selection = Selection::direct;
+    setup.session.program.mode.transition = Transition::circular;
+    const Written written =
+        run("G0 X30 Y30\n" + std::string(word) + "\nG41 G1 X40 Y0 F100\n" + contour + "M30\n",
+            setup, false);
+    ASSERT_FALSE(written.stopped) << written.report();
+    std::vector<double> feeds;
+    for (const CompensatedBlock& block : moving(written.blocks, 1e-3))
+      if (is_arc(block.path)) feeds.push_back(block.feed);
+    ASSERT_EQ(feeds.size(), 2u);
+    EXPECT_NEAR(feeds[0], inside, 1e-9) << word;
+    EXPECT_NEAR(feeds[1], outside, 1e-9) << word;
+  }
+}
+
+// The rounding between a line and an arc touches both: its centre is a radius away from either.
+TEST(Corners, AreRoundedBesideArcs) {
+  ProgramSessionSetup setup;
+  setup.session.program.dialect = DialectName::fanuc;
+  setup.session.program.tools[1] = 0;
+  setup.session.program.mode.selection = Selection::direct;
+  const Written written =
+      run("G0 X-9 Y-9\nG42 D1 G1 X0 Y0 F9\nX40 ,R5\nG3 X40 Y30 I-9 J15 ,R4\nG1 X0\nG40 X-9\nM30\n",
+          setup, false);
+  ASSERT_FALSE(written.stopped) << written.report();
+  std::vector<Arc> arcs;
+  for (const CompensatedBlock& block : moving(written.blocks, 1e-6))
+    if (const Arc* arc = std::get_if<Arc>(&block.path)) arcs.push_back(*arc);
+  ASSERT_EQ(arcs.size(), 3u);
+  const Point center(31, 15);
+  const double radius = std::hypot(9.0, 15.0);
+  EXPECT_LT((arcs[1].center - center).norm(), 1e-9);
+  EXPECT_NEAR(arcs[0].center.y(), 5, 1e-9);
+  EXPECT_NEAR((arcs[0].center - center).norm(), radius - 5, 1e-9);
+  EXPECT_NEAR(arcs[2].center.y(), 26, 1e-9);
+  EXPECT_NEAR((arcs[2].center - center).norm(), radius - 4, 1e-9);
+  for (std::size_t k = 0; k < 2; ++k)
+    EXPECT_LT((tangent_at_end(arcs[k]) - tangent_at_start(arcs[k + 1])).norm(), 1e-6) << k;
 }
 
 TEST(Corners, ThatHaveNoPlaceAreRefused) {
