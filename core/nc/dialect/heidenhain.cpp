@@ -271,6 +271,7 @@ bool Interpreter::read_klartext_name(const KlartextWord& word, ProgramLine& line
   // FMAX or F MAX.
   const auto two_words = [&](WordRole role) {
     if (block.feed) {
+      if (line.word(line.words.back()).size() != 1) return refuse_klartext(line, word.begin, name);
       block.feed.reset();
       line.words.back().end = word.end;
       line.words.back().role = role;
@@ -304,7 +305,7 @@ bool Interpreter::read_klartext_name(const KlartextWord& word, ProgramLine& line
                                                               {"LN", Lead::Form::normal},
                                                               {"CT", Lead::Form::arc},
                                                               {"LCT", Lead::Form::arc_and_line}});
-  if (block.is_lead() && line.words.back().role == WordRole::motion) {
+  if (block.is_lead() && !line.words.empty() && line.words.back().role == WordRole::motion) {
     const bool polar = name.starts_with('P');
     const auto form = std::ranges::find(forms, std::string_view(name).substr(polar ? 1 : 0),
                                         [](const auto& known) { return known.first; });
