@@ -437,7 +437,7 @@ bool Interpreter::resolve_references(ProgramLine& line, BlockWords& block) {
   const double unit = length_unit();
   const auto refuse_unknown = [&](std::size_t axis) {
     return refuse(line, TextFault{.code = Code::position_unknown,
-                                  .begin = *block.axis,
+                                  .begin = block.axis.value_or(block.center.value_or(0)),
                                   .detail = std::string(1, static_cast<char>('X' + axis))});
   };
   for (std::size_t axis = 0; axis < move.end.size(); ++axis) {
