@@ -13,6 +13,9 @@
 #include "client/cli/progress.h"
 #include "client/cli/result_text.h"
 #include "client/cli/service.h"
+#include "core/nc/dialect/dialect.h"
+#include "core/session/conversion.h"
+#include "proto/wire/setup.h"
 
 namespace trc::cli {
 namespace {
@@ -26,6 +29,7 @@ struct Call {
   std::string output;
   std::uint32_t decimals = 4;
   std::string record;
+  std::string to;
   bool force = false;
 };
 
@@ -75,12 +79,31 @@ Exit run_folder(const Call& call, const std::vector<std::string>& words) {
   return compensate_folder(run);
 }
 
+// The program as it was compensated, in the words of another dialect.
+Exit write_converted(const Call& call, const v1::ProgramSetup& setup, const std::string& text,
+                     Output& output) {
+  wire::FieldFaults faults;
+  const wire::ProgramSettings read = wire::from_proto(setup, wire::FieldPath("setup"), faults);
+  const ConvertedProgram converted = convert_program(
+      text, read.path.session.program, *dialect_spelled(call.to), static_cast<int>(call.decimals));
+  if (!converted.fault.empty()) {
+    std::cerr << call.program.file << ": error: --to " << call.to << " does not convert "
+              << converted.fault << " (line " << converted.line << " of the compensated program)\n";
+    return Exit::refused;
+  }
+  return output.write(converted.text) && output.commit() ? Exit::done : Exit::wrong_call;
+}
+
 Exit run(const Call& call) {
   v1::ProgramSetup setup;
   if (!setup_for(call, setup)) return Exit::wrong_call;
 
   if (!may_write(call)) return Exit::wrong_call;
   const bool as_nc = call.format == "nc";
+  if (!as_nc && !call.to.empty()) {
+    std::cerr << "trc: --to writes an NC program: leave out --format " << call.format << '\n';
+    return Exit::wrong_call;
+  }
 
   Input input(call.program.file);
   Output output(call.output, as_nc ? Output::OnScreen::with_commit : Output::OnScreen::at_once);
@@ -92,8 +115,14 @@ Exit run(const Call& call) {
           .input_name = call.program.file,
           .output_name = call.output.empty() ? "-" : call.output,
           .recorded = !call.record.empty()};
-  const Exit exit =
-      do_job(job, input, progress, [&](const std::string& text) { return output.write(text); });
+  std::string whole;
+  const Exit exit = do_job(job, input, progress, [&](const std::string& text) {
+    if (call.to.empty()) return output.write(text);
+    whole += text;
+    return true;
+  });
+  if (!call.to.empty())
+    return exit == Exit::done ? write_converted(call, setup, whole, output) : exit;
   // Half a program must not look like a whole one. Listings and JSON lines of what was certain
   // before a refusal are shown on the screen: no control runs them.
   const bool keep = exit == Exit::done || (output.is_standard_output() && !as_nc);
@@ -143,6 +172,15 @@ void add_compensate(CLI::App& app, Action& action) {
                    "settings, and how it was measured. trc verify --record checks it")
       ->type_name("FILE.json")
       ->excludes(directory);
+  std::vector<std::string> dialects;
+  for (const Dialect& dialect : all_dialects()) dialects.emplace_back(dialect.spelling);
+  command
+      ->add_option("--to", call->to,
+                   "Dialect to write: motions, feeds, M, S and T in its words, absolute and in mm. "
+                   "A program that says more is refused by the word")
+      ->transform(CLI::IsMember(dialects, CLI::ignore_case))
+      ->excludes(directory)
+      ->excludes("--record");
   command->footer(
       "The path is measured against the contour on its way (verify=report): where it comes nearer "
       "than the tool\nradius, warning 900216 says where. verify=enforce refuses such a program, "

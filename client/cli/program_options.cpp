@@ -1,5 +1,7 @@
 #include "client/cli/program_options.h"
 
+#include <filesystem>
+#include <fstream>
 #include <iostream>
 
 #include "client/cli/tool_file.h"
@@ -8,6 +10,22 @@
 #include "proto/wire/setup.h"
 
 namespace trc::cli {
+
+namespace {
+
+// By the option, or by what the file itself says.
+bool counts_in_inch(const ProgramOptions& options, const v1::ProgramSetup& setup) {
+  if (setup.unit() == v1::LENGTH_UNIT_INCH) return true;
+  if (!std::filesystem::is_regular_file(options.file)) return false;
+  constexpr std::size_t head = 64 * 1024;
+  std::ifstream stream(options.file, std::ios::binary);
+  std::string text(head, '\0');
+  stream.read(text.data(), head);
+  text.resize(static_cast<std::size_t>(stream.gcount()));
+  return switches_to_inch(text, setup.dialect());
+}
+
+}  // namespace
 
 void add_program_options(CLI::App& command, ProgramOptions& options) {
   command.add_option("file", options.file, "NC program; - reads standard input")
@@ -39,8 +57,8 @@ void add_setup_options(CLI::App& command, ProgramOptions& options) {
   command
       .add_option("--tools", options.tools,
                   "Table of tools: CSV with the header number,radius (mm, whatever the program "
-                  "counts in), a tool table of LinuxCNC, TOOL.T of Heidenhain, "
-                  "G10 lines of Fanuc")
+                  "counts in, unless a first line unit,inch or a column unit says otherwise), a "
+                  "tool table of LinuxCNC, TOOL.T of Heidenhain, G10 lines of Fanuc")
       ->type_name("FILE")
       ->check(CLI::ExistingFile);
   command
@@ -68,11 +86,17 @@ bool setup_of(const ProgramOptions& options, v1::ProgramSetup& setup) {
   if (options.radius) setup.mutable_path()->set_tool_radius(*options.radius);
   if (options.wear) setup.mutable_path()->set_wear(*options.wear);
   if (!options.tools.empty()) {
-    const std::string fault = read_tool_file(options.tools, setup);
+    bool unit_unsaid = false;
+    const std::string fault = read_tool_file(options.tools, setup, unit_unsaid);
     if (!fault.empty()) {
       std::cerr << "trc: --tools: " << fault << '\n';
       return false;
     }
+    if (unit_unsaid && counts_in_inch(options, setup))
+      std::cerr
+          << "trc: note: the radii of " << options.tools
+          << " are read in mm, as the file names no unit, though the program counts in inch; a "
+             "first line unit,inch or a column unit says otherwise\n";
   }
   // The server shows the name in its log; the end says more than the directory.
   constexpr std::size_t longest_name = 255;

@@ -102,6 +102,8 @@ class Table {
         return "line " + std::to_string(line_number) + ": " + fault;
     }
     if (tools_.empty()) return "it names no tool with a radius";
+    unit_unsaid_ =
+        !columns_.empty() && !table_unit_ && std::ranges::find(columns_, "UNIT") == columns_.end();
     for (const auto& [number, sizes] : tools_) {
       if (!sizes.has_radius) return "tool " + std::to_string(number) + " has wear, but no radius";
       v1::Tool& tool = *setup_.add_tools();
@@ -112,7 +114,15 @@ class Table {
     return {};
   }
 
+  [[nodiscard]] bool unit_unsaid() const { return unit_unsaid_; }
+
  private:
+  static std::optional<double> unit_named(std::string_view name) {
+    if (upper(name) == "MM") return 1;
+    if (upper(name) == "INCH") return mm_per_inch;
+    return {};
+  }
+
   // As it stands in the file: blanks in front count where columns do.
   std::string read_line(std::string_view line, std::string_view as_written) {
     if (const std::string words = upper(line);
@@ -122,6 +132,13 @@ class Table {
       return {};
     }
     if (heidenhain_) return line == "[END]" ? std::string() : row_of_places(as_written);
+    if (columns_.empty() && upper(line).starts_with("UNIT,") &&
+        upper(line).find("NUMBER") == std::string::npos) {
+      const auto cells = split(line, ',');
+      table_unit_ = unit_named(cells[1]);
+      return table_unit_ ? std::string()
+                         : "unit is \"" + std::string(cells[1]) + "\", not mm or inch";
+    }
     if (columns_.empty() && upper(line).find("NUMBER") != std::string::npos) return header(line);
     if (!columns_.empty()) return row(line);
     const std::map<char, double> words = words_of(line);
@@ -202,7 +219,7 @@ class Table {
     };
     for (const std::string& column : columns_)
       if (column != "NUMBER" && column != "RADIUS" && column != "DIAMETER" && column != "WEAR" &&
-          column != "NAME" && column != "HOLDS")
+          column != "NAME" && column != "HOLDS" && column != "UNIT")
         return "unknown column \"" + column + "\"";
     if (!has("NUMBER") || has("RADIUS") == has("DIAMETER"))
       return "the header needs number and one of radius, diameter";
@@ -215,10 +232,17 @@ class Table {
     double value = 0;
     double wear = 0;
     bool diameter = false;
+    double unit = table_unit_.value_or(1);
     for (std::size_t i = 0; i < columns_.size(); ++i) {
       const std::string_view cell = i < cells.size() ? cells[i] : std::string_view();
       const std::string& column = columns_[i];
       if (column == "NAME") continue;
+      if (column == "UNIT") {
+        const auto named = unit_named(cell);
+        if (!named && !cell.empty()) return "unit is \"" + std::string(cell) + "\", not mm or inch";
+        unit = named.value_or(unit);
+        continue;
+      }
       if (column == "HOLDS") {
         const std::string holds = upper(cell);
         if (!holds.empty() && holds != "RADIUS" && holds != "DIAMETER")
@@ -237,13 +261,15 @@ class Table {
     const auto tool = tool_number(number);
     if (!tool) return "number is no number of a tool";
     if (tools_.contains(*tool)) return "tool " + std::to_string(*tool) + " a second time";
-    const double share = diameter ? 0.5 : 1;
-    tools_[*tool] = {.radius = share * value, .wear = share * wear};
+    const double factor = unit * (diameter ? 0.5 : 1);
+    tools_[*tool] = {.radius = factor * value, .wear = factor * wear};
     return {};
   }
 
   v1::ProgramSetup& setup_;
   double unit_;
+  std::optional<double> table_unit_{};  // of a CSV, for all of its rows
+  bool unit_unsaid_ = false;
   std::vector<std::string> columns_{};
   bool heidenhain_ = false;
   std::vector<std::pair<std::string, std::size_t>> places_{};  // of its columns: name and begin
@@ -256,13 +282,36 @@ std::string read_tool_table(std::string_view text, v1::ProgramSetup& setup) {
   return Table(setup).read(text);
 }
 
-std::string read_tool_file(const std::string& path, v1::ProgramSetup& setup) {
+std::string read_tool_file(const std::string& path, v1::ProgramSetup& setup, bool& unit_unsaid) {
   std::ifstream stream(path, std::ios::binary);
   std::ostringstream text;
   text << stream.rdbuf();
   if (!stream) return "cannot read " + path;
-  const std::string fault = read_tool_table(text.str(), setup);
+  Table table(setup);
+  const std::string fault = table.read(text.str());
+  unit_unsaid = table.unit_unsaid();
   return fault.empty() ? fault : path + ": " + fault;
+}
+
+bool switches_to_inch(std::string_view program, v1::Dialect dialect) {
+  while (!program.empty()) {
+    const auto end = program.find('\n');
+    const std::string line = upper(trimmed(program.substr(0, end)));
+    program.remove_prefix(end == std::string_view::npos ? program.size() : end + 1);
+    if (dialect == v1::DIALECT_HEIDENHAIN) {
+      if (line.find("BEGIN PGM") != std::string::npos) return line.ends_with(" INCH");
+      continue;
+    }
+    const std::string words = line.substr(0, line.find_first_of(";("));
+    const bool twenty = dialect == v1::DIALECT_FANUC || dialect == v1::DIALECT_LINUXCNC;
+    for (const std::string_view word : {twenty ? "G20" : "G70", twenty ? "G20" : "G700"}) {
+      const auto at = words.find(word);
+      if (at == std::string::npos) continue;
+      const char behind = at + word.size() < words.size() ? words[at + word.size()] : ' ';
+      if ((behind < '0' || behind > '9') && behind != '.') return true;
+    }
+  }
+  return false;
 }
 
 }  // namespace trc::cli

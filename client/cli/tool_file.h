@@ -11,7 +11,8 @@ namespace trc::cli {
 //
 //   - CSV with a header that names its columns, in any order: `number,radius` in mm, and as wanted
 //     `diameter` in place of `radius`, `wear` (what the tool is larger by), `holds` (RADIUS or
-//     DIAMETER: what the radius column and the wear are), `name`; `#` begins a comment.
+//     DIAMETER: what the radius column and the wear are), `name`, `unit` (mm or inch: what the row
+//     counts in); `#` begins a comment. A line `unit,inch` above the header counts for all rows.
 //   - LinuxCNC: lines with T and D words, D the diameter in the unit of the setup; `;` begins a
 //     comment.
 //   - Fanuc: lines `G10 L12 P2 R5.` (radius) and `G10 L13 P2 R-0.02` (wear), in the
@@ -21,7 +22,13 @@ namespace trc::cli {
 // Returns what is wrong, as a sentence; empty when all is read.
 [[nodiscard]] std::string read_tool_table(std::string_view text, v1::ProgramSetup& setup);
 
-// The same for a file; - reads nothing here.
-[[nodiscard]] std::string read_tool_file(const std::string& path, v1::ProgramSetup& setup);
+// The same for a file; - reads nothing here. `unit_unsaid`: a CSV was read in mm as it names no
+// unit.
+[[nodiscard]] std::string read_tool_file(const std::string& path, v1::ProgramSetup& setup,
+                                         bool& unit_unsaid);
+
+// Whether the text of a program switches to inch: G20, G70, G700 or INCH in Klartext. For a note,
+// never for reading it.
+[[nodiscard]] bool switches_to_inch(std::string_view program, v1::Dialect dialect);
 
 }  // namespace trc::cli

@@ -30,13 +30,15 @@ constexpr std::size_t most_silent_bytes = 16 * 1024 * 1024;
 
 NcWriter::Setup writer_setup(const ProgramSessionSetup& setup) {
   const ProgramSetup& program = setup.session.program;
+  const bool klartext = program.dialect == DialectName::heidenhain;
   // Decimals out of range are refused before anything is written.
-  NcWriter::Setup writer{.decimals = std::clamp(setup.decimals, 0, most_decimals - 1),
-                         .start = program.start,
-                         .absolute_center = program.absolute_center,
-                         .plane = program.mode.plane,
-                         .inch = program.inch,
-                         .points = dialect_of(program.dialect).writes_points};
+  NcWriter::Setup writer{
+      .decimals = std::clamp(setup.decimals, 0, most_decimals - 1),
+      .start = program.start,
+      .absolute_center = program.absolute_center || klartext,
+      .plane = program.mode.plane,
+      .inch = program.inch,
+      .spelling = {.points = dialect_of(program.dialect).writes_points, .klartext = klartext}};
   // Text has no word for an axis with a longer name.
   for (const std::string& axis : program.tracking_axes)
     writer.tracking_letters += axis.size() == 1 ? axis.front() : '?';
@@ -98,11 +100,12 @@ struct ProgramSession::Parts {
   bool end(ProgramOutput& out);
   void hand_out(std::vector<CompensatedBlock>& given);
 
-  // All lines read have been taken when a call has ended, but for those of a corner.
+  // All lines read have been taken when a call has ended, but for those of a corner; a helix gives
+  // blocks of several turns, of which the last waits for its corner.
   template <class Archive>
   void serialize(Archive& archive) {
     archive(read_diagnostics, diagnostics, program, interpreter, compensator, writer, meaning,
-            silent_lines, ended, lines);
+            silent_lines, ended, lines, blocks);
   }
 
   ProgramSessionSetup setup;

@@ -38,7 +38,7 @@ bool is_plain(const TrcMode& mode, bool removes_loops) {
                                 tangential /* at the ends */, transition /* asked for */, masking,
                                 feed_adaptation, tangfeed_minimum /* of feed_adaptation */,
                                 options] = mode;
-  const bool adapts = masking == Masking::on || feed_adaptation == FeedAdaptation::on;
+  const bool adapts = masking == Masking::on || feed_adaptation != FeedAdaptation::off;
   // Transitions tells how deep a smaller tool of wear mode reaches.
   return knows(options, removes_loops) && (removes_loops || !adapts) && !below_nominal;
 }

@@ -5,6 +5,7 @@
 
 #include <chrono>
 #include <csignal>
+#include <filesystem>
 #include <fstream>
 #include <functional>
 #include <regex>
@@ -243,6 +244,49 @@ TEST(Compensate, TakesInitialValues) {
                           plain);
   EXPECT_EQ(ended.code, 0) << ended.err;
   EXPECT_NE(ended.out.find("-> 30.0000 24.0000 0.0000"), std::string::npos) << ended.out;
+}
+
+TEST(Compensate, WritesAnotherDialect) {
+  const std::string part =
+      "G17 G21 G90\nT2 M6\nG0 X-9. Y-9.\nG41 D2 G1 X0 Y0 F90.\nY9.\nG40 X-9.\nM30\n";
+  const std::vector<std::string> call{"compensate",    "-",    "--dialect", "fanuc", "--set",
+                                      "tool_radius=2", "--to", "heidenhain"};
+  const Ended ended = trc(call, part);
+  EXPECT_EQ(ended.code, 0) << ended.err;
+  EXPECT_EQ(ended.out,
+            "BEGIN PGM CONVERTED MM\nTOOL CALL 2 Z\nL X-9 Y-9 FMAX\nL X-2 Y+0 F90\nL X-2 Y+9\n"
+            "L X-9 Y+9\nM30\nEND PGM CONVERTED MM\n");
+  const Ended refused = trc(call, "G54\n" + part);
+  EXPECT_EQ(refused.code, 1);
+  EXPECT_EQ(refused.out, "");
+  EXPECT_NE(refused.err.find("does not convert G54 (line 1"), std::string::npos) << refused.err;
+}
+
+// Whoever counts in inch may have written the radii in inch as well.
+TEST(Compensate, SaysThatItTookRadiiInMmForAProgramInInch) {
+  const auto folder = std::filesystem::temp_directory_path() / "trc_commandline_tools";
+  std::filesystem::create_directories(folder);
+  const auto write = [&](const char* name, const std::string& text) {
+    std::ofstream(folder / name) << text;
+    return (folder / name).string();
+  };
+  const std::string tools = write("tools.csv", "number,radius\n1,0.25\n");
+  const std::string inches = write("inches.csv", "unit,inch\nnumber,radius\n1,0.25\n");
+  const std::string part = "G0 X-1. Y-1.\nG41 D1 G1 X0 Y0 F9.\nY1.\nG40 X-1.\nM30\n";
+  const std::string program = write("part.nc", "G20\n" + part);
+  const auto told = [&](const std::string& file, const std::string& table,
+                        std::vector<std::string> more = {}) {
+    std::vector<std::string> call{"compensate", file, "--dialect", "fanuc", "--tools", table};
+    call.insert(call.end(), more.begin(), more.end());
+    const Ended ended = trc(call, part);
+    EXPECT_EQ(ended.code, 0) << ended.err;
+    return ended.err.find("are read in mm") != std::string::npos;
+  };
+  EXPECT_TRUE(told(program, tools));
+  EXPECT_TRUE(told("-", tools, {"--unit", "inch"}));
+  EXPECT_FALSE(told("-", tools));
+  EXPECT_FALSE(told(program, inches));
+  std::filesystem::remove_all(folder);
 }
 
 TEST(Compensate, RefusesUnknownAndImpossibleSettings) {

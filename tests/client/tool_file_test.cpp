@@ -73,6 +73,29 @@ TEST(ToolFile, IsATableOfHeidenhain) {
   EXPECT_NE(fault_in("BEGIN TOOL .T MM\nT  R\n1  x\n").find("R is \"x\""), std::string::npos);
 }
 
+TEST(ToolFile, CountsInTheUnitItNames) {
+  EXPECT_DOUBLE_EQ(radii_in("number,radius,unit\n1,0.25,inch\n2,5,MM\n3,4,\n").at(1), 6.35);
+  EXPECT_DOUBLE_EQ(radii_in("number,radius,unit\n1,0.25,inch\n2,5,MM\n3,4,\n").at(2), 5);
+  EXPECT_DOUBLE_EQ(radii_in("number,radius,unit\n1,0.25,inch\n2,5,MM\n3,4,\n", true).at(3), 4);
+  const auto all =
+      radii_in("# inches\nunit,inch\nnumber,diameter,wear,unit\n1,0.5,0.01,\n2,8,0,mm\n");
+  EXPECT_DOUBLE_EQ(all.at(1), 6.477);
+  EXPECT_DOUBLE_EQ(all.at(2), 4);
+  // Whatever the program counts in.
+  EXPECT_DOUBLE_EQ(radii_in("number,radius\n1,5\n", true).at(1), 5);
+  EXPECT_EQ(fault_in("number,radius,unit\n1,5,cm\n"), "line 2: unit is \"cm\", not mm or inch");
+  EXPECT_EQ(fault_in("unit,cm\nnumber,radius\n1,5\n"), "line 1: unit is \"cm\", not mm or inch");
+}
+
+TEST(ToolFile, SaysWhetherAProgramCountsInInch) {
+  EXPECT_TRUE(switches_to_inch("(G21)\nN1 G90 G20\n", v1::DIALECT_FANUC));
+  EXPECT_FALSE(switches_to_inch("(G20)\nG90 G200 ; G20\n", v1::DIALECT_LINUXCNC));
+  EXPECT_TRUE(switches_to_inch("g700 G90\n", v1::DIALECT_SINUMERIK));
+  EXPECT_TRUE(switches_to_inch("G70\n", v1::DIALECT_ISG));
+  EXPECT_TRUE(switches_to_inch("0 BEGIN PGM A INCH\n", v1::DIALECT_HEIDENHAIN));
+  EXPECT_FALSE(switches_to_inch("0 BEGIN PGM INCH MM\n", v1::DIALECT_HEIDENHAIN));
+}
+
 TEST(ToolFile, SaysInWhichLineItIsWrong) {
   EXPECT_EQ(fault_in("number,radius\n1,five\n"), "line 2: RADIUS is \"five\", which is no number");
   EXPECT_EQ(fault_in("number,radius\n1,5\n1,6\n"), "line 3: tool 1 a second time");

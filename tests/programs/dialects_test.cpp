@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <limits>
 #include <regex>
 #include <set>
 #include <sstream>
@@ -12,13 +13,15 @@
 #include "core/base/archive.h"
 #include "core/nc/dialect/dialect.h"
 #include "core/nc/text/number_format.h"
+#include "core/session/conversion.h"
 #include "core/session/program_session.h"
 #include "tests/support/contours.h"
 #include "tests/support/run.h"
 
 // Programs in the manner of each control. The first line of each says with which tools it runs, or
-// with which code it is refused: `; radius 5`, `; radius 0.25 in`, `; tool 1 5`, `; refused
-// 900003`.
+// with which code it is refused and where: `; radius 5`, `; radius 0.25 in`, `; tool 1 5`, `;
+// refused 900003 line 7`. `; path -5 0 L; -5 60 A` says where the motions of the compensated path
+// end, from the first selection on: lines and arcs.
 
 namespace trc::support {
 namespace {
@@ -31,6 +34,12 @@ struct DialectProgram {
   std::string name{};
   std::string text{};
   int refused = 0;  // code
+  std::uint32_t line = 0;
+  struct End {
+    Point point = Point::Zero();
+    bool arc = false;
+  };
+  std::vector<End> path{};
   ProgramSessionSetup setup{};
 };
 
@@ -45,7 +54,15 @@ void read_head(DialectProgram& program) {
     std::string key;
     std::string unit;
     words >> key;
-    if (key == "refused") words >> program.refused;
+    if (key == "refused") words >> program.refused >> unit >> program.line;
+    if (key == "path") {
+      char kind = ' ';
+      for (DialectProgram::End end; words >> end.point.x() >> end.point.y() >> kind;
+           words.ignore(std::numeric_limits<std::streamsize>::max(), ';')) {
+        end.arc = kind == 'A';
+        program.path.push_back(end);
+      }
+    }
     if (key == "radius") {
       double radius = 0;
       words >> radius >> unit;
@@ -158,8 +175,27 @@ TEST_P(OfADialect, IsAcceptedOrRefusedForTheReasonOfItsHead) {
   }
   ASSERT_TRUE(written.stopped);
   EXPECT_TRUE(std::ranges::any_of(written.diagnostics, [&](const Diagnostic& found) {
-    return static_cast<int>(found.code) == program.refused;
+    return static_cast<int>(found.code) == program.refused &&
+           (program.line == 0 || found.source.line == program.line);
   })) << written.report();
+}
+
+TEST_P(OfADialect, MakesThePathOfItsHead) {
+  const DialectProgram& program = GetParam();
+  if (program.path.empty()) return;
+  std::vector<CompensatedBlock> path = moving(run(program.text, program.setup, false).blocks, 1e-6);
+  path.erase(path.begin(), std::ranges::find_if(path, [](const CompensatedBlock& block) {
+               return block.origin != Origin::uncompensated || block.normal.from != block.normal.to;
+             }));
+  while (!path.empty() && path.front().origin == Origin::uncompensated) path.erase(path.begin());
+  std::ostringstream all;
+  for (const CompensatedBlock& block : path) all << text_of(block) << '\n';
+  ASSERT_EQ(path.size(), program.path.size()) << all.str();
+  for (std::size_t k = 0; k < path.size(); ++k) {
+    EXPECT_LT((end_of(path[k].path) - program.path[k].point).norm(), 1e-4) << k << '\n'
+                                                                           << all.str();
+    EXPECT_EQ(is_arc(path[k].path), program.path[k].arc) << k;
+  }
 }
 
 TEST_P(OfADialect, GivesTheSameInPieces) {
@@ -183,6 +219,13 @@ TEST_P(OfADialect, GivesTheSameResumed) {
   }
 }
 
+// In space: the plane may be another one.
+Eigen::Vector3d place_at(const CompensatedBlock& block, double t) {
+  const double height = block.normal.from + t * (block.normal.to - block.normal.from);
+  const Position place = from_plane(block.plane, point_at(block.path, t), height);
+  return {place[0], place[1], place[2]};
+}
+
 // No word of TRC is left, and a reader of the output makes the compensated path.
 TEST_P(OfADialect, WritesThePathInItsDialect) {
   const DialectProgram& program = GetParam();
@@ -190,7 +233,7 @@ TEST_P(OfADialect, WritesThePathInItsDialect) {
   const Written written = run(program.text, program.setup, true);
   for (const std::string& line : lines_of(written.text)) {
     const std::string words = std::regex_replace(line, std::regex("\\([^)]*\\)|;.*"), "");
-    EXPECT_FALSE(std::regex_search(words, std::regex("G ?4[12]"))) << line;
+    EXPECT_FALSE(std::regex_search(words, std::regex("G ?4[12]| R[LR]| APPR L| DEP "))) << line;
   }
   const std::vector<CompensatedBlock> wanted =
       moving(run(program.text, program.setup, false).blocks, 1e-3);
@@ -202,7 +245,7 @@ TEST_P(OfADialect, WritesThePathInItsDialect) {
     EXPECT_EQ(path[k].origin, Origin::uncompensated);
     ASSERT_EQ(is_arc(path[k].path), is_arc(wanted[k].path)) << written.text;
     for (const double t : {0.5, 1.0})
-      EXPECT_LT((point_at(path[k].path, t) - point_at(wanted[k].path, t)).norm(), 2e-3)
+      EXPECT_LT((place_at(path[k], t) - place_at(wanted[k], t)).norm(), 2e-3)
           << text_of(wanted[k]) << '\n'
           << written.text;
   }
@@ -212,8 +255,10 @@ TEST_P(OfADialect, WritesThePathInItsDialect) {
 TEST_P(OfADialect, ComesOutAsItIsWithoutSelections) {
   const DialectProgram& program = GetParam();
   if (program.refused != 0) return;
-  const std::string plain =
-      std::regex_replace(program.text, std::regex("G ?4[12](\\.1)?( D ?[0-9.]+)? ?"), "");
+  if (program.text.find("APPR") != std::string::npos) return;  // is one without a side, too
+  const std::string plain = std::regex_replace(
+      program.text,
+      std::regex("G ?4[12](\\.1)?( D ?[0-9.]+)? ?| R[LR]| M109| M110| M111| M120 LA20"), "");
   const Written written = run(plain, program.setup, true);
   ASSERT_FALSE(written.stopped) << written.report() << plain;
   EXPECT_EQ(written.text, plain);
@@ -230,6 +275,75 @@ INSTANTIATE_TEST_SUITE_P(
       }
       return name;
     });
+
+// What comes out in another dialect is the same path there, with the same feeds.
+TEST_P(OfADialect, IsTheSamePathInAnotherDialectOrRefused) {
+  const DialectProgram& program = GetParam();
+  if (program.refused != 0) return;
+  const Written written = run(program.text, program.setup, true);
+  const ProgramSetup& setup = program.setup.session.program;
+  for (const Dialect& other : all_dialects()) {
+    if (other.name == setup.dialect) continue;
+    const ConvertedProgram converted = convert_program(written.text, setup, other.name, 4);
+    if (!converted.fault.empty()) continue;
+    ProgramSessionSetup read;
+    read.session.program.dialect = other.name;
+    const auto wanted = moving(run(written.text, program.setup, false).blocks, 1e-3);
+    const Written again = run(converted.text, read, false);
+    ASSERT_FALSE(again.stopped) << again.report() << converted.text;
+    const auto path = moving(again.blocks, 1e-3);
+    ASSERT_EQ(path.size(), wanted.size()) << converted.text;
+    for (std::size_t k = 0; k < path.size(); ++k) {
+      EXPECT_EQ(path[k].rapid, wanted[k].rapid) << converted.text;
+      EXPECT_NEAR(path[k].rapid ? 0 : path[k].feed - wanted[k].feed, 0, 1e-3) << converted.text;
+      EXPECT_LT((place_at(path[k], 0.5) - place_at(wanted[k], 0.5)).norm(), 2e-3) << converted.text;
+      EXPECT_LT((place_at(path[k], 1) - place_at(wanted[k], 1)).norm(), 2e-3) << converted.text;
+    }
+  }
+}
+
+ConvertedProgram converted(const std::string& text, DialectName from, DialectName to) {
+  ProgramSetup setup;
+  setup.dialect = from;
+  return convert_program(text, setup, to, 3);
+}
+
+TEST(Conversion, SaysMotionsFeedsAndToolsInTheWordsOfTheOther) {
+  const std::string fanuc =
+      "%\nO0012 (PLATE)\nG17 G20 G90 G40 G49 G80\nT3 M06\nN1 G0 X1. Y2. S900 M3 (START)\nG91\n"
+      "G1 X1. F10. M8\nG2 X1. Y-1. I0 J-1.\nG90 G1 Z-0.5\nG18\nM9\nM30\n%\n";
+  EXPECT_EQ(converted(fanuc, DialectName::fanuc, DialectName::linuxcnc).text,
+            "G17 G21 G40 G90 G91.1 G94\n(PLATE)\nT3 M6\nG00 X25.4 Y50.8 S900 M3 (START)\n"
+            "G01 X50.8 F254 M8\nG02 X76.2 Y25.4 I0 J-25.4\nG01 Z-12.7\nG18\nM9\nM30\n");
+  const std::string plain = fanuc.substr(0, fanuc.find("G18")) + "M9\nM30\n%\n";
+  EXPECT_EQ(converted(plain, DialectName::fanuc, DialectName::heidenhain).text,
+            "BEGIN PGM CONVERTED MM\n; PLATE\nTOOL CALL 3 Z\nTOOL CALL Z S900\n"
+            "L X+25.4 Y+50.8 FMAX M3 ; START\nL X+50.8 F254 M8\nCC X+50.8 Y+25.4\n"
+            "C X+76.2 Y+25.4 DR-\nL Z-12.7\nM9\nM30\nEND PGM CONVERTED MM\n");
+  const std::string klartext =
+      "0 BEGIN PGM A MM\n1 TOOL CALL 4 Z S2000 F300\n2 L X+0 IY+5 R0 FMAX M3\n3 L X-4 F AUTO ; go\n"
+      "4 CC X+6 Y+5\n5 C X+16 DR+\n6 L Z+2 M30\n7 END PGM A MM\n";
+  EXPECT_EQ(converted(klartext, DialectName::heidenhain, DialectName::sinumerik).fault, "");
+  EXPECT_EQ(converted(klartext, DialectName::heidenhain, DialectName::sinumerik).text,
+            "G17 G71 G40 G90 G94\nT4 M6 S2000\nG00 X0 Y5 M3\nG01 X-4 F300 ; go\n"
+            "G03 X16 Y5 I10 J0\nG01 Z2 M30\n");
+}
+
+TEST(Conversion, RefusesByNameWhatMeansSomethingElseThere) {
+  for (const auto& [text, word] :
+       std::vector<std::pair<std::string, std::string>>{{"G0 X1\nG54\nG0 X2\nM30\n", "G54"},
+                                                        {"G0 X1\nG43 H1 Z5\nM30\n", "G43"},
+                                                        {"G0 X1\nG4 P2\nM30\n", "G4"},
+                                                        {"G0 X1\nM98 P1\nM30\n", "M98"},
+                                                        {"G0 X1\nG81 X2 Z-3 R1\nM30\n", "G81"},
+                                                        {"G0 X1\nM88\nM30\n", "M88"},
+                                                        {"G0 X1\nG18\nM30\n", "G18"}}) {
+    const ConvertedProgram refused = converted(text, DialectName::fanuc, DialectName::heidenhain);
+    EXPECT_NE(refused.fault.find(word), std::string::npos) << text << refused.fault;
+    EXPECT_EQ(refused.line, 2u) << text;
+    EXPECT_EQ(refused.text, "") << text;
+  }
+}
 
 TEST(FaultsOfReading, AreAllToldInOneRunWithTheNumberOfTheirLines) {
   ProgramSessionSetup setup;
@@ -361,6 +475,57 @@ TEST(Corners, AreCutAsTheirWordsSay) {
   }
 }
 
+// Counter-clockwise arcs with the tool inside, then outside: a contact point at 10 mm with the
+// centre at 6 mm, and at 14 mm.
+TEST(FeedAtInsideArcs, IsThatOfTheContactPointThereAlone) {
+  const std::string contour =
+      "X50\nG3 X60 Y10 CR=10\nG1 Y30\nG2 X70 Y40 CR=10\nG1 X90\nG40 X99 Y60\n";
+  for (const auto& [word, inside, outside] :
+       {std::tuple{"CFIN", 60.0, 100.0}, std::tuple{"CFC", 60.0, 140.0},
+        std::tuple{"CFTCP", 100.0, 100.0}}) {
+    ProgramSessionSetup setup;
+    setup.session.program.dialect = DialectName::sinumerik;
+    setup.session.program.mode.tool_radius = 4;
+    setup.session.program.mode.selection = Selection::direct;
+    setup.session.program.mode.transition = Transition::circular;
+    const Written written =
+        run("G0 X30 Y30\n" + std::string(word) + "\nG41 G1 X40 Y0 F100\n" + contour + "M30\n",
+            setup, false);
+    ASSERT_FALSE(written.stopped) << written.report();
+    std::vector<double> feeds;
+    for (const CompensatedBlock& block : moving(written.blocks, 1e-3))
+      if (is_arc(block.path)) feeds.push_back(block.feed);
+    ASSERT_EQ(feeds.size(), 2u);
+    EXPECT_NEAR(feeds[0], inside, 1e-9) << word;
+    EXPECT_NEAR(feeds[1], outside, 1e-9) << word;
+  }
+}
+
+// The rounding between a line and an arc touches both: its centre is a radius away from either.
+TEST(Corners, AreRoundedBesideArcs) {
+  ProgramSessionSetup setup;
+  setup.session.program.dialect = DialectName::fanuc;
+  setup.session.program.tools[1] = 0;
+  setup.session.program.mode.selection = Selection::direct;
+  const Written written =
+      run("G0 X-9 Y-9\nG42 D1 G1 X0 Y0 F9\nX40 ,R5\nG3 X40 Y30 I-9 J15 ,R4\nG1 X0\nG40 X-9\nM30\n",
+          setup, false);
+  ASSERT_FALSE(written.stopped) << written.report();
+  std::vector<Arc> arcs;
+  for (const CompensatedBlock& block : moving(written.blocks, 1e-6))
+    if (const Arc* arc = std::get_if<Arc>(&block.path)) arcs.push_back(*arc);
+  ASSERT_EQ(arcs.size(), 3u);
+  const Point center(31, 15);
+  const double radius = std::hypot(9.0, 15.0);
+  EXPECT_LT((arcs[1].center - center).norm(), 1e-9);
+  EXPECT_NEAR(arcs[0].center.y(), 5, 1e-9);
+  EXPECT_NEAR((arcs[0].center - center).norm(), radius - 5, 1e-9);
+  EXPECT_NEAR(arcs[2].center.y(), 26, 1e-9);
+  EXPECT_NEAR((arcs[2].center - center).norm(), radius - 4, 1e-9);
+  for (std::size_t k = 0; k < 2; ++k)
+    EXPECT_LT((tangent_at_end(arcs[k]) - tangent_at_start(arcs[k + 1])).norm(), 1e-6) << k;
+}
+
 TEST(Corners, ThatHaveNoPlaceAreRefused) {
   ProgramSessionSetup setup;
   setup.session.program.dialect = DialectName::fanuc;
@@ -417,6 +582,23 @@ TEST(PolarWords, AloneDoNotCountOnOnesThatAreNotWritten) {
   EXPECT_FALSE(run(contour + "G0 RP=40 AP=180\nAP=90\nM30\n", setup, true).stopped);
 }
 
+// It compensates nothing, and no contour runs so without a word.
+TEST(RegisterZero, IsToldWithTheFirstContourOfIt) {
+  for (const DialectName dialect : {DialectName::fanuc, DialectName::linuxcnc}) {
+    ProgramSessionSetup setup;
+    setup.session.program.dialect = dialect;
+    setup.session.program.mode.selection = Selection::direct;
+    const std::string contour = "G41 D0 G1 X0 Y0 F9\nY9\nG40 X-9 Y-9\n";
+    const Written written = run("G0 X-9 Y-9\n" + contour + contour + "M2\n", setup, false);
+    EXPECT_FALSE(written.stopped);
+    ASSERT_EQ(written.diagnostics.size(), 1u) << written.report();
+    EXPECT_EQ(written.diagnostics[0].code, Code::tool_radius_zero);
+    EXPECT_EQ(written.diagnostics[0].source.line, 2u);
+    setup.session.program.tools[0] = 2;
+    EXPECT_TRUE(run("G0 X-9 Y-9\n" + contour + "M2\n", setup, false).diagnostics.empty());
+  }
+}
+
 TEST(Klartext, IsPassedOnWhereNothingIsCompensated) {
   ProgramSessionSetup setup;
   setup.session.program.dialect = DialectName::heidenhain;
@@ -425,12 +607,166 @@ TEST(Klartext, IsPassedOnWhereNothingIsCompensated) {
       "3 L X+10 Y+5 R0 FMAX M3\n4 CR X+20 Y+5 R+30 DR-\n5 CYCL DEF 203 ~\n   Q200=1 ;GAP \xE4\n"
       "6 END PGM RR12 MM\n";
   EXPECT_EQ(run(text, setup, true).text, text);
-  for (const char* contour : {"7 L X+5 RL F200\n", "APPR LCT X+5 Y+0 R20 RR\n", "N6 L Y-3 RLF300\n",
-                              "9 X+3 R+ F90\n", "L X1RR\n", "N40 G01 G41 X+5 Y+5*\n"}) {
-    const Written refused = run(text + contour, setup, true);
+  for (const char* contour : {"9 X+3 R+ F90\n", "9 L X+3 R- F90\n", "9 IX+3 RL\n",
+                              "N40 G01 G41 X+5 Y+5*\n", "9 VANISH 3\n", "9 L X+1 VANISH\n"}) {
+    const Written refused = run(contour + text, setup, true);
     ASSERT_TRUE(refused.stopped) << contour;
     EXPECT_EQ(refused.diagnostics.back().code, Code::nc_unsupported) << contour;
   }
+}
+
+// The same part, in Klartext and in words of Fanuc; `radius` of the tool.
+struct Twins {
+  std::string name{};
+  std::string klartext{};
+  std::string fanuc{};
+  double radius = 4;
+};
+
+std::ostream& operator<<(std::ostream& out, const Twins& part) { return out << part.name; }
+
+class SamePart : public ::testing::TestWithParam<Twins> {};
+
+TEST_P(SamePart, HasTheSamePath) {
+  const Twins& part = GetParam();
+  const auto path_of = [&](DialectName dialect, const std::string& text) {
+    ProgramSessionSetup setup;
+    setup.session.program.dialect = dialect;
+    setup.session.program.mode.tool_radius = part.radius;
+    setup.session.program.mode.selection = Selection::direct;
+    setup.session.program.mode.transition = Transition::circular;
+    const Written written = run(text, setup, false);
+    EXPECT_FALSE(written.stopped) << written.report() << text;
+    return moving(written.blocks, 1e-6);
+  };
+  const auto klartext =
+      path_of(DialectName::heidenhain, "BEGIN PGM A MM\nTOOL CALL 1 Z S900\nL X-30 Y-30 R0 FMAX\n" +
+                                           part.klartext + "END PGM A MM\n");
+  const auto fanuc =
+      path_of(DialectName::fanuc, "G17 G21 G90\nT1 M6\nG0 X-30 Y-30\n" + part.fanuc + "M30\n");
+  ASSERT_EQ(klartext.size(), fanuc.size());
+  for (std::size_t k = 0; k < fanuc.size(); ++k) {
+    ASSERT_EQ(is_arc(klartext[k].path), is_arc(fanuc[k].path)) << k;
+    EXPECT_EQ(klartext[k].rapid, fanuc[k].rapid) << k;
+    EXPECT_NEAR(klartext[k].rapid ? 0 : klartext[k].feed - fanuc[k].feed, 0, 1e-9) << k;
+    for (const double t : {0.0, 0.3, 1.0})
+      EXPECT_LT((point_at(klartext[k].path, t) - point_at(fanuc[k].path, t)).norm(), 1e-6)
+          << k << ' ' << text_of(klartext[k]) << ' ' << text_of(fanuc[k]);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Klartext, SamePart,
+    ::testing::Values(
+        Twins{"Square", "L X+0 Y+0 RL F300\nL Y+50\nL X+70\nL Y-9\nL X-30 Y-30 R0 FMAX\n",
+              "G41 D1 G1 X0 Y0 F300\nY50\nX70\nY-9\nG0 G40 X-30 Y-30\n"},
+        Twins{"Increments", "L X+0 Y+0 RR F300\nL IX+50\nL IX+5 Y+30\nL X-3 IY+9\nL X-30 R0\n",
+              "G42 D1 G1 X0 Y0 F300\nX50\nX55 Y30\nX-3 Y39\nG40 X-30\n"},
+        Twins{"ArcsAboutAPole",
+              "L X+0 Y+20 RL F300\nCC X+30 Y+20\nC X+60 DR-\nCC IX-20 IY+0\nC X+20 DR-\n"
+              "L Y+60\nL X-30 R0\n",
+              "G41 D1 G1 X0 Y20 F300\nG2 X60 I30 J0\nG2 X20 Y20 I-20 J0\nG1 Y60\nG40 X-30\n"},
+        Twins{"ArcsOfARadius",
+              "L X+0 Y+20 RL F300\nCR X+20 Y+40 R+20 DR-\nCR X+40 Y+20 R-20 DR-\nL Y-20\n"
+              "L X-30 R0\n",
+              "G41 D1 G1 X0 Y20 F300\nG2 X20 Y40 R20\nG2 X40 Y20 R-20\nG1 Y-20\nG40 X-30\n"},
+        Twins{"ArcsThatTouch",
+              "L X+0 Y+0 RL F300\nL Y+40\nCT X+30 Y+70\nCT X+60 Y+40\nL Y+0\nL X-30 Y-30 R0\n",
+              "G41 D1 G1 X0 Y0 F300\nY40\nG2 X30 Y70 I30 J0\nG2 X60 Y40 I0 J-30\nG1 Y0\n"
+              "G40 X-30 Y-30\n"},
+        Twins{"PolarWords",
+              "CC X+50 Y+50\nLP PR+40 PA+180 RL F300\nCP PA+90 DR-\nCP IPA-90 DR-\nLP PR+50 PA+0\n"
+              "LP IPR+5 IPA-30\nL X-30 Y-30 R0\n",
+              "G41 D1 G1 X10 Y50 F300\nG2 X50 Y90 I40 J0\nG2 X90 Y50 I0 J-40\nG1 X100 Y50\n"
+              "X97.63139720814412 Y22.5\nG40 X-30 Y-30\n"},
+        Twins{"Helix",
+              "L Z+0 FMAX\nL X+70 Y+50 RL F300\nCC X+50 Y+50\nCP IPA+720 IZ-4 DR+\nL Y+80\nL X-30 "
+              "R0\n",
+              "G0 Z0\nG41 D1 G1 X70 Y50 F300\nG3 X70 Y50 Z-2 I-20 J0\nG3 X70 Y50 Z-4 I-20 J0\nG1 "
+              "Y80\n"
+              "G40 X-30\n"},
+        Twins{"Corners",
+              "L X+0 Y+0 RL F300\nL Y+50\nRND R8 F90\nL X+70\nCHF 6\nL Y+0\nL X-30 Y-30 R0\n",
+              "G41 D1 G1 X0 Y0 F300\nY42\nG2 X8 Y50 R8 F90\nG1 X64 F300\nX70 Y44\nY0\n"
+              "G40 X-30 Y-30\n"},
+        // Half of an octagon's angle: tan(22.5) of the radius is what either line loses.
+        Twins{"ObtuseCorner",
+              "L X+0 Y+0 RL F300\nL Y+50\nRND R8\nL IX+40 IY+40\nL X+90\nL X-30 Y-30 R0\n",
+              "G41 D1 G1 X0 Y0 F300\nY46.68629150101524\n"
+              "G2 X2.3431457505076194 Y52.34314575050762 I8 J0\nG1 X40 Y90\nX90\n"
+              "G40 X-30 Y-30\n"},
+        // LEN and R count on the path of the tool, which is the contour plus 4 mm.
+        Twins{"TangentLeads",
+              "APPR LT X+0 Y+0 LEN10 RL F300\nL Y+50\nDEP LT LEN7 F200\nL X-30 FMAX\n",
+              "G41 D1 G0 X0 Y-10\nG1 Y0 F300\nY50\nG40 X-4 Y57 F200\nG0 X-30\n"},
+        Twins{"LeadsAcross",
+              "L X-29 Y-29 F700\nAPPR LN X+0 Y+0 LEN10 RL F300\nL Y+50\nDEP LN LEN7\nL X-30 FMAX\n",
+              "G1 X-29 Y-29 F700\nX-14 Y0\nG41 D1 X0 Y0 F300\nY50\nG40 X-11\nG0 X-30\n"},
+        Twins{"RoundLeads",
+              "L X-29 Y-29 F700\nAPPR CT X+0 Y+0 CCA90 R+10 RL F300\nL Y+50\nDEP CT CCA90 R+6\n"
+              "L X-30 FMAX\n",
+              "G1 X-29 Y-29 F700\nG41 D1 X-14 Y-14\nG3 X0 Y0 I0 J14 F300\nG1 Y50\n"
+              "G3 X-10 Y60 I-10 J0\nG40 G1 X-10 Y56\nG0 X-30\n"},
+        Twins{"RoundLeadsOnTheRight",
+              "L X-29 Y-29 F700\nAPPR CT X+0 Y+0 CCA90 R+10 RR F300\nL Y+50\nDEP CT CCA90 R+6\n"
+              "L X-30 FMAX\n",
+              "G1 X-29 Y-29 F700\nG42 D1 X14 Y-14\nG2 X0 Y0 I0 J14 F300\nG1 Y50\n"
+              "G2 X10 Y60 I10 J0\nG40 G1 X10 Y56\nG0 X-30\n"},
+        // From straight below the circle about (-16, 0): 3-4-5.
+        Twins{"RoundAndStraightLeads",
+              "L X-36 Y+0 F700\nAPPR LCT X+0 Y+0 R12 RL F300\nL Y+50\nDEP LCT X-36 Y+50 R12\n",
+              "G1 X-36 Y0 F700\nG41 D1 X-25.6 Y-12.8\nG3 X0 Y0 I9.6 J12.8 F300\nG1 Y50\n"
+              "G3 X-25.6 Y62.8 I-16 J0\nG40 G1 X-36 Y50\n"},
+        Twins{"NoRadius", "L X+0 Y+0 RL F300\nL Y+50\nL X-30 R0\n",
+              "G41 D1 G1 X0 Y0 F300\nY50\nG40 X-30\n", 0.5}),
+    [](const auto& tested) { return tested.param.name; });
+
+TEST(Klartext, CountsFeedsOfAnInchInTenths) {
+  ProgramSessionSetup setup;
+  setup.session.program.dialect = DialectName::heidenhain;
+  setup.session.program.mode.tool_radius = 2.54;
+  setup.session.program.mode.selection = Selection::direct;
+  const std::string text =
+      "BEGIN PGM Z INCH\nTOOL CALL 1 Z\nL X-1 Y-1 R0 FMAX\nL X+0 Y+0 RL F80\nL Y+2\nRND R0.5 F40\n"
+      "L X+3\nL Y+4 R0\nEND PGM Z INCH\n";
+  const auto path = moving(run(text, setup, false).blocks, 1e-6);
+  ASSERT_EQ(path.size(), 6u);
+  EXPECT_NEAR(path[2].feed, 203.2, 1e-9);
+  EXPECT_NEAR(path[3].feed, 101.6, 1e-9);
+  EXPECT_NEAR(end_of(path[3].path).y(), 53.34, 1e-6);
+  const std::string written = run(text, setup, true).text;
+  EXPECT_NE(written.find("DR- F40\n"), std::string::npos) << written;
+  EXPECT_NE(written.find("X+3 Y+2.1 F80\n"), std::string::npos) << written;
+}
+
+// An arc of the output has its centre in a CC of its own. What the program counts on its pole for
+// gets it back.
+TEST(Klartext, GivesBackThePoleThatArcsOfTheOutputHaveMoved) {
+  ProgramSessionSetup setup;
+  setup.session.program.dialect = DialectName::heidenhain;
+  setup.session.program.mode.tool_radius = 2;
+  setup.session.program.mode.selection = Selection::direct;
+  setup.session.program.mode.transition = Transition::circular;
+  const std::string text =
+      "1 BEGIN PGM P MM\n2 TOOL CALL 1 Z\n3 CC X+7 Y+8\n4 L X-9 Y-9 R0 FMAX\n5 L X+0 Y+0 RL F80\n"
+      "6 L Y+20\n7 L X+30\n8 L Y+50 R0\n9 L X+7 Y+18\n10 C X+7 Y-2 DR+\n11 CP PA+90 DR+\n"
+      "12 END PGM P MM\n";
+  const std::string written = run(text, setup, true).text;
+  EXPECT_NE(written.find("9 L X+7 Y+18\nCC X+7 Y+8\n10 C X+7 Y-2 DR+\n11 CP PA+90 DR+\n"),
+            std::string::npos)
+      << written;
+}
+
+TEST(Klartext, LeavesTheSideOfATextAndOfAComment) {
+  ProgramSessionSetup setup;
+  setup.session.program.dialect = DialectName::heidenhain;
+  const std::string text =
+      "0 BEGIN PGM RL MM\n1 TOOL CALL \"RL 5\" Z S3 ; RL\n2 L X+1 Y+2 R0 FMAX ; RR \xE4\n"
+      "/3 L X+3\n4 L X+2 Y+2 M99\n* RL\n5 M8\n6 L A+30 C-5 F90\n7 STOP M5\n8 ; DEP ~~~\n"
+      "9 END PGM RL MM\n";
+  const Written written = run(text, setup, true);
+  EXPECT_FALSE(written.stopped) << written.report();
+  EXPECT_EQ(written.text, text);
 }
 
 // Behind G40 alone the tool still stands beside the contour: to go where the contour ends in the

@@ -10,6 +10,9 @@
 
 namespace trc {
 
+// CFIN of Sinumerik, among the numbers of the feed adaptation.
+inline constexpr int feed_at_inside = 1008;
+
 // What the words of one block say, before any of it takes effect: the order of
 // the words within a block does not matter.
 struct Interpreter::BlockWords {
@@ -56,7 +59,8 @@ struct Interpreter::BlockWords {
   std::optional<Value> tool_data_number{};  // P of G10
   bool changes_tool = false;                // M06
   bool to_skip = false;                     // `/` in front
-  std::optional<std::uint32_t> corner{};    // ,R ,C RND= CHF= CHR=
+  std::optional<std::uint32_t> corner{};    // ,R ,C RND= CHF= CHR=, G36 G39 with R
+  std::optional<Value> modal_rounding{};    // RNDM=
   bool sets_position = false;               // G92: the axis words say where the machine stands
   bool names_tool = false;                  // M61 of LinuxCNC: Q is the tool in the spindle
   std::optional<Value> quantity{};          // Q

@@ -165,6 +165,8 @@ bool Interpreter::read_code_axis(const CodeWord& word, ProgramLine& line, BlockW
 bool Interpreter::read_code_address(const CodeWord& word, ProgramLine& line, BlockWords& block) {
   const auto twice = [&] { return refuse_code(line, word, Code::nc_word_twice); };
   const BlockWords::Value value{.value = word.value, .begin = word.begin};
+  if (word.comma && dialect_.name == DialectName::linuxcnc)
+    return refuse_code(line, word, Code::nc_unsupported, "which LinuxCNC does not have");
   if (word.comma) {
     const bool angle = word.letter == 'A';
     if (word.letter == 'R' || word.letter == 'C') {
@@ -261,12 +263,17 @@ bool Interpreter::read_code_machine_function(const CodeWord& word, ProgramLine& 
 // What the words mean together, before any of it takes effect.
 bool Interpreter::complete_code_block(ProgramLine& line, BlockWords& block) {
   if (block.tool_number) code_.next_tool = whole_number(block.tool_number->value);
+  code_.tool_named |= block.tool_number.has_value();
   code_.changes_by_m6 |= block.changes_tool;
   if (block.changes_tool) {
     code_.spindle_tool = code_.next_tool;
+    code_.spindle_empty = code_.tool_named && code_.next_tool == 0;
     block.forget |= static_cast<AxisBits>(1U << axes_of(state_.mode().plane).third);
   }
-  if (block.names_tool && block.quantity) code_.spindle_tool = whole_number(block.quantity->value);
+  if (block.names_tool && block.quantity) {
+    code_.spindle_tool = whole_number(block.quantity->value);
+    code_.spindle_empty = code_.spindle_tool == 0;
+  }
   const bool spindle_limit = block.has(unfollowed_end) && block.of(unfollowed_end).is(50);
   const bool has_spindle = std::ranges::any_of(line.words, [&](const WordRange& word) {
     return line.text[word.begin] == 'S' || line.text[word.begin] == 's';
@@ -307,11 +314,13 @@ bool Interpreter::complete_code_block(ProgramLine& line, BlockWords& block) {
     take_pole(block);
     if (!resolve_polar_words(line, block)) return false;
   }
+  if (!take_fagor_words(line, block) || !take_modal_rounding(line, block)) return false;
   if (!check_code_selection(line, block) || !take_corner(line, block)) return false;
   const bool goes_on = copy_code_block(line, block);
   if (block.has(cycle)) code_.cycle = true;
   reads_plain_lines_ = !code_.cycle && code_.unfollowed < 0 && !code_.tangent_arcs &&
-                       !code_.dimension_uncertain && code_.y_seen && faults_.empty();
+                       !code_.dimension_uncertain && code_.y_seen && faults_.empty() &&
+                       code_.modal_rounding == 0;
   return goes_on && take_tool_data(line, block);
 }
 
@@ -399,7 +408,12 @@ bool Interpreter::copy_code_block(ProgramLine& line, BlockWords& block) {
     return refuse(line, TextFault{.code = Code::nc_unsupported,
                                   .begin = block.of(axis_technology).begin,
                                   .detail = "G5 or G8 with axis words"});
-  if (block.axis) copy(axis_technology, AxisBits{0});
+  // A pole moves nothing, nor does it count from where the tool stands.
+  if (block.of(axis_technology).is(111) || block.of(axis_technology).is(112)) {
+    block.copied = true;
+  } else if (block.axis) {
+    copy(axis_technology, AxisBits{0});
+  }
   if (block.unfollowed_word) copy_motion("CT, TURN=, AP=, RP=, ANG= or ,A", all_axes);
   if (code_.tangent_arcs) copy_motion("CT", named);
   const bool fanuc = dialect_.name == DialectName::fanuc;
@@ -429,6 +443,68 @@ bool Interpreter::copy_code_block(ProgramLine& line, BlockWords& block) {
   for (WordRange& word : line.words)
     if (word.role == WordRole::coordinate || word.role == WordRole::trc)
       word.role = WordRole::technology;
+  return true;
+}
+
+// With R beside them G36 to G39 are those of Fagor: a rounding, a tangential entry and exit, a
+// chamfer. Elsewhere they measure, or have no R.
+bool Interpreter::take_fagor_words(ProgramLine& line, BlockWords& block) {
+  BlockWords::Function& found = block.functions[static_cast<std::size_t>(single_move)];
+  if (dialect_.name != DialectName::fanuc || found.function == nullptr || !block.move.radius)
+    return true;
+  const int number = found.function->number;
+  if (number < 36 || number > 39) return true;
+  if (number == 37 || number == 38) {
+    const bool selects = block.has(side) && !block.of(side).is(40);
+    if (!trc_active() && !selects) return true;
+    return refuse(
+        line,
+        TextFault{.code = Code::nc_unsupported,
+                  .begin = found.begin,
+                  .detail = number == 37 ? "G37 R, a tangential entry: program its line and arc"
+                                         : "G38 R, a tangential exit: program its arc and line"});
+  }
+  block.corner = found.begin;
+  block.move.corner = {.form = number == 36 ? CornerCut::Form::round : CornerCut::Form::leg,
+                       .size = *block.move.radius};
+  block.move.radius.reset();
+  const bool in_contour = trc_active() && !block.has(side);
+  block.center.reset();
+  for (WordRange& word : line.words) {
+    const char letter = line.text[word.begin];
+    if (word.role == WordRole::coordinate && (letter == 'R' || letter == 'r'))
+      word.role = in_contour ? WordRole::trc : WordRole::technology;
+    const bool is_center = letter >= 'I' && letter <= 'K';
+    if (word.role == WordRole::coordinate && (is_center || (letter >= 'i' && letter <= 'k')) &&
+        !block.center)
+      block.center = word.begin;
+  }
+  found = {};
+  return true;
+}
+
+// RNDM= rounds every corner. What the control would round in the output too must not be modal
+// there, so that it begins and ends within the contour.
+bool Interpreter::take_modal_rounding(ProgramLine& line, BlockWords& block) {
+  const bool selects = block.has(side) && !block.of(side).is(40);
+  const bool ends = block.of(side).is(40) && trc_active();
+  if (block.modal_rounding) {
+    code_.modal_rounding = block.modal_rounding->value * length_unit();
+    if (trc_active() || selects)
+      for (WordRange& word : line.words)
+        if (word.begin == block.modal_rounding->begin) word.role = WordRole::trc;
+  }
+  const bool from_outside = selects && !trc_active() && !block.modal_rounding;
+  if (code_.modal_rounding != 0 && (from_outside || ends))
+    return refuse(line, TextFault{.code = Code::nc_unsupported,
+                                  .begin = block.of(side).begin,
+                                  .detail = "RNDM= beyond the contour: set it behind G41, G42, and "
+                                            "to 0 in front of G40"});
+  if (code_.modal_rounding != 0 && trc_active() && !selects && (block.axis || block.center) &&
+      !block.corner && !block.copied)
+    block.move.corner = {.form = CornerCut::Form::round,
+                         .size = code_.modal_rounding / length_unit(),
+                         .modal = true};
   return true;
 }
 
@@ -481,7 +557,8 @@ bool Interpreter::check_code_selection(ProgramLine& line, BlockWords& block) {
     if (!block.tool) return wrong(Code::nc_number, "G41.1, G42.1 without D, the diameter");
     block.tool_radius = {.value = block.tool->value / 2, .begin = block.tool->begin};
     block.tool.reset();
-  } else if (selects && dialect_.tool_of_spindle && !block.tool && code_.spindle_tool != 0) {
+  } else if (selects && dialect_.tool_of_spindle && !block.tool &&
+             (code_.spindle_tool != 0 || code_.spindle_empty)) {
     block.tool = {.value = static_cast<double>(code_.spindle_tool), .begin = block.of(side).begin};
   }
   if (selects && !block.tool && !block.tool_radius && code_.missing_tool >= 0)

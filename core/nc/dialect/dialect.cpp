@@ -22,7 +22,8 @@ const std::array<Dialect, 5>& dialects() {
        .functions = fanuc_functions(),
        .inch_function = 20,
        .selection = Selection::direct,
-       .writes_points = true},
+       .writes_points = true,
+       .zero_is_a_radius = true},
       {.name = DialectName::linuxcnc,
        .spelling = "linuxcnc",
        .functions = linuxcnc_functions(),
@@ -30,13 +31,17 @@ const std::array<Dialect, 5>& dialects() {
        .selection = Selection::direct,
        .transition = Transition::circular,
        .tool_of_spindle = true,
+       .zero_is_a_radius = true,
        .arcs_to_the_contour = true},
       {.name = DialectName::sinumerik,
        .spelling = "sinumerik",
        .functions = sinumerik_functions(),
        .selection = Selection::direct,
        .transition = Transition::circular},
-      {.name = DialectName::heidenhain, .spelling = "heidenhain", .selection = Selection::direct},
+      {.name = DialectName::heidenhain,
+       .spelling = "heidenhain",
+       .selection = Selection::direct,
+       .transition = Transition::circular},
   }};
   return table;
 }

@@ -23,6 +23,8 @@ struct Dialect {
   bool writes_points = false;
   // G41 without a D word takes the tool that the last M06 brought.
   bool tool_of_spindle = false;
+  // D0 is a register that always holds 0: a radius of 0 (900220). Elsewhere it is no tool (900219).
+  bool zero_is_a_radius = false;
   // An arc may lead to the contour.
   bool arcs_to_the_contour = false;
   bool available = true;

@@ -1,15 +1,19 @@
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <string>
 #include <string_view>
+#include <utility>
 
-#include "core/nc/dialect/block_words.h"
+#include "core/nc/dialect/klartext_block.h"
+#include "core/nc/text/characters.h"
 
-// Klartext is copied line by line: its contours are not compensated here, so that a line that
-// selects the radius compensation of the control is refused, and nothing else is looked at.
+// How a block of Klartext is read. What it does: klartext_motion.cpp.
 
 namespace trc {
 namespace {
+
+using Kind = KlartextWord::Kind;
 
 char upper(char letter) {
   return letter >= 'a' && letter <= 'z' ? static_cast<char>(letter - 'a' + 'A') : letter;
@@ -17,78 +21,581 @@ char upper(char letter) {
 bool is_letter(char sign) { return upper(sign) >= 'A' && upper(sign) <= 'Z'; }
 bool is_digit(char sign) { return sign >= '0' && sign <= '9'; }
 
-// Lines that move nothing, where RL and RR are part of a name or a text.
-constexpr auto without_motion = std::to_array<std::string_view>(
-    {"*", "BEGIN", "END", "BLK", "TOOL", "CYCL", "CALL", "LBL", "SEL", "PGM", "FN", "Q", "FUNCTION",
-     "PLANE", "TCH", "OPEN", "STOP"});
+void add(ProgramLine& line, const KlartextWord& word, WordRole role) {
+  line.words.push_back({.begin = word.begin, .end = word.end, .role = role});
+}
 
-// In capitals, what stands in quotes and behind `;` left out.
-std::string words_of(std::string_view line) {
-  std::string words;
+// In capitals, with single blanks, without what stands in quotes and behind `;`.
+std::string statement_of(std::string_view text) {
+  std::string statement;
   bool quoted = false;
-  for (const char sign : line) {
-    if (sign == '"') quoted = !quoted;
-    if (sign == ';' && !quoted) break;
-    words += quoted || sign == '\t' ? ' ' : upper(sign);
+  bool comment = false;
+  for (const char sign : text) {
+    if (sign == '\n' || sign == '\r') comment = false;
+    if (sign == '"' && !comment) quoted = !quoted;
+    if (sign == ';' && !quoted) comment = true;
+    if (comment) continue;
+    const bool blank = sign == ' ' || sign == '\t' || sign == '\n' || sign == '\r' || sign == '~';
+    if (blank && (statement.empty() || statement.back() == ' ')) continue;
+    statement += blank ? ' ' : quoted && sign != '"' ? '?' : upper(sign);
   }
-  return words;
+  while (statement.ends_with(' ')) statement.pop_back();
+  return statement;
 }
 
-// Behind blanks, `/`, the number of the block.
-std::size_t begin_of_statement(std::string_view words) {
-  std::size_t at = words.find_first_not_of(" /");
-  if (at == std::string_view::npos) return words.size();
-  if (words[at] == 'N' && at + 1 < words.size() && is_digit(words[at + 1])) ++at;
-  at = words.find_first_not_of("0123456789", at);
-  if (at != std::string_view::npos) at = words.find_first_not_of(' ', at);
-  return std::min(at, words.size());
+bool begins_with_word(std::string_view statement, std::string_view word) {
+  return statement.starts_with(word) &&
+         (statement.size() == word.size() || !is_letter(statement[word.size()]));
 }
 
-// G41 and G42 of the programs in DIN/ISO that these controls read as well.
-bool selects_in_iso(std::string_view words, std::size_t at) {
-  if (words[at] != 'G' || at + 2 >= words.size() || words[at + 1] != '4') return false;
-  const bool number_ends = at + 3 >= words.size() || !is_digit(words[at + 3]);
-  return (words[at + 2] == '1' || words[at + 2] == '2') && number_ends;
+struct Motion {
+  std::string_view name{};
+  Interpreter::KlartextStatement statement{};
+};
+
+constexpr auto motions = [] {
+  using enum Interpreter::KlartextStatement;
+  return std::to_array<Motion>({{"L", straight},
+                                {"LP", polar_line},
+                                {"CC", center},
+                                {"C", circle},
+                                {"CR", radius_arc},
+                                {"CT", tangent_arc},
+                                {"CP", polar_circle},
+                                {"CTP", polar_tangent_arc},
+                                {"RND", rounding},
+                                {"CHF", chamfer},
+                                {"APPR", approach},
+                                {"DEP", departure}});
+}();
+
+// Statements that neither move an axis nor change what coordinates mean.
+constexpr auto passing = std::to_array<std::string_view>(
+    {"BLK", "STOP", "TCH", "OPEN", "SEL", "POLARKIN", "STRETCH", "WRITE", "CYCL DEF"});
+
+// Statements behind which the axes stand where only the control knows.
+constexpr auto moving = std::to_array<std::string_view>(
+    {"CYCL CALL", "CALL", "PGM", "PLANE", "TRANS",   "FUNCTION", "LN",  "FL",
+     "FLT",       "FC",   "FCT", "FPOL",  "FSELECT", "SPL",      "SPC", "PATTERN",
+     "CONTOUR",   "X",    "Y",   "Z",     "A",       "B",        "U",   "V",
+     "W",         "IX",   "IY",  "IZ",    "G",       "TCHPROBE"});
+
+// Cycles that change what coordinates mean as soon as they are defined.
+constexpr auto frame_cycles = std::to_array<std::string_view>(
+    {"7", "8", "10", "11", "12", "19", "26", "247", "7.", "8.", "10.", "11.", "12.", "19.", "26."});
+
+bool defines_frame(std::string_view statement) {
+  constexpr std::string_view head = "CYCL DEF ";
+  if (!statement.starts_with(head)) return false;
+  std::string_view number = statement.substr(head.size());
+  number = number.substr(0, std::min(number.find_first_not_of("0123456789"), number.size()));
+  return std::ranges::find(frame_cycles, number) != frame_cycles.end();
 }
 
-// RL, RR, and R+ R- beside a single axis: not RLENGTH, nor the radius R+30 of CR.
-std::size_t place_of_compensation(std::string_view words, std::size_t from) {
-  for (std::size_t at = from; at + 1 < words.size(); ++at) {
-    if (at > 0 && is_letter(words[at - 1])) continue;
-    if (selects_in_iso(words, at)) return at;
-    if (words[at] != 'R') continue;
-    const char side = words[at + 1];
-    const char behind = at + 2 < words.size() ? words[at + 2] : ' ';
-    const bool contour =
-        (side == 'L' || side == 'R') && (!is_letter(behind) || behind == 'F' || behind == 'M');
-    const bool axis = (side == '+' || side == '-') && (behind == ' ' || is_letter(behind));
-    if (contour || axis) return at;
-  }
-  return std::string_view::npos;
+bool is_any(std::string_view statement, std::span<const std::string_view> words) {
+  return std::ranges::any_of(words,
+                             [&](std::string_view w) { return begins_with_word(statement, w); });
+}
+
+// FN 9 … FN 12, IF: the program goes on elsewhere.
+bool jumps(std::string_view statement) {
+  return statement.find("GOTO") != std::string_view::npos || begins_with_word(statement, "IF");
+}
+
+bool assigns(std::string_view statement) {
+  return begins_with_word(statement, "FN") || begins_with_word(statement, "Q") ||
+         begins_with_word(statement, "QL") || begins_with_word(statement, "QR") ||
+         begins_with_word(statement, "QS") || begins_with_word(statement, "DECLARE");
 }
 
 }  // namespace
 
-bool Interpreter::read_klartext(ProgramLine& line, BlockWords& block) {
-  const std::string words = words_of(line.text);
-  const std::size_t begin = begin_of_statement(words);
-  const std::string_view statement = std::string_view(words).substr(begin);
-  const std::size_t place = place_of_compensation(words, begin);
-  const bool moves = std::ranges::none_of(
-      without_motion, [&](std::string_view word) { return statement.starts_with(word); });
-  if (moves && place != std::string::npos)
-    return refuse(line, TextFault{.code = Code::nc_unsupported,
-                                  .begin = static_cast<std::uint32_t>(place),
-                                  .detail = words.substr(place, 2) +
-                                            ", a contour in Klartext: only programs without "
-                                            "compensation are passed on"});
-  if (statement.empty()) return true;
-  block.copied = true;
-  const std::size_t first = line.text.find_first_not_of(" \t");
-  line.words.push_back({.begin = static_cast<std::uint32_t>(first),
-                        .end = static_cast<std::uint32_t>(line.text.find_last_not_of(" \t") + 1),
-                        .role = WordRole::technology});
+// RL, RR, and R+ R- beside a single axis: not RLENGTH, nor the radius R+30 of CR.
+std::size_t place_of_klartext_side(std::string_view block) {
+  const std::string words = statement_of(block);
+  const std::size_t first = words.find_first_not_of("0123456789 /");
+  if (first == std::string::npos) return first;
+  const bool moves = std::ranges::any_of(motions, [&](const Motion& motion) {
+    return begins_with_word(std::string_view(words).substr(first), motion.name);
+  });
+  if (!moves) return std::string_view::npos;
+  KlartextReader reader(block);
+  for (KlartextWord word = reader.next(); word.kind != Kind::end && word.kind != Kind::fault;
+       word = reader.next())
+    if (word.name == "RL" || word.name == "RR") return word.begin;
+  return std::string_view::npos;
+}
+
+bool Interpreter::refuse_klartext(const ProgramLine& line, std::size_t begin, std::string detail,
+                                  Code code) {
+  return refuse(line, TextFault{.code = code,
+                                .begin = static_cast<std::uint32_t>(begin),
+                                .detail = std::move(detail)});
+}
+
+bool Interpreter::read_klartext(ProgramLine& line) {
+  std::string_view rest = line.text;
+  std::size_t at = 0;
+  const auto skip_blanks = [&] {
+    at = std::min(rest.find_first_not_of(" \t", at), rest.size());
+    return at < rest.size();
+  };
+  KlartextBlock block;
+  if (!skip_blanks()) return true;
+  if (rest[at] == '/') {
+    block.to_skip = true;
+    line.words.push_back({.begin = static_cast<std::uint32_t>(at),
+                          .end = static_cast<std::uint32_t>(at + 1),
+                          .role = WordRole::technology});
+    ++at;
+    if (!skip_blanks()) return true;
+  }
+  const bool has_letter = upper(rest[at]) == 'N' && at + 1 < rest.size() && is_digit(rest[at + 1]);
+  if (is_digit(rest[at]) || has_letter) {
+    const std::size_t digits = at + (has_letter ? 1 : 0);
+    const std::size_t end = std::min(rest.find_first_not_of("0123456789", digits), rest.size());
+    if (end - digits < 16) line.source.number = std::stoll(std::string(rest, digits, end - digits));
+    line.words.push_back({.begin = static_cast<std::uint32_t>(at),
+                          .end = static_cast<std::uint32_t>(end),
+                          .role = WordRole::number});
+    at = end;
+    if (!skip_blanks()) {
+      line.words.clear();
+      return true;
+    }
+  }
+  if (rest[at] == ';' || rest[at] == '*') {
+    line.words.push_back({.begin = static_cast<std::uint32_t>(at),
+                          .end = static_cast<std::uint32_t>(rest.size()),
+                          .role = WordRole::comment});
+    line.roles = bit(WordRole::comment);
+    return true;
+  }
+  const std::string statement = statement_of(rest.substr(at));
+  const auto motion = std::ranges::find_if(motions, [&](const Motion& candidate) {
+    return begins_with_word(statement, candidate.name);
+  });
+  // C+90 alone turns an axis.
+  const bool axis_alone = statement.size() > 1 && statement[0] == 'C' &&
+                          (statement[1] == '+' || statement[1] == '-' || is_digit(statement[1]));
+  const bool functions = statement.size() > 1 && statement[0] == 'M' &&
+                         (is_digit(statement[1]) || statement[1] == ' ');
+  if ((motion == motions.end() || axis_alone) && !functions)
+    return read_klartext_statement(line, at);
+  if (!functions) {
+    block.statement = motion->statement;
+    block.name = motion->name;
+  }
+  block.begin = static_cast<std::uint32_t>(at);
+  const bool readable = read_klartext_words(line, block) && check_klartext(line, block);
+  if (!faults_.empty()) {
+    if (block.side) scanned_trc_ = *block.side != Side::off;
+    if (block.is(KlartextStatement::departure)) scanned_trc_ = false;
+  }
+  if (!readable || !faults_.empty()) return false;
+  line.has_words = true;
+  ++blocks_read_;
+  const bool goes_on = apply_klartext(line, block);
+  line.roles = 0;
+  for (const WordRange& word : line.words) line.roles |= bit(word.role);
+  line.has_trc_words = line.has(WordRole::trc);
+  return goes_on;
+}
+
+// Behind the number; all words are read, also behind one that is refused.
+bool Interpreter::read_klartext_words(ProgramLine& line, KlartextBlock& block) {
+  KlartextReader reader(std::string_view(line.text).substr(block.begin));
+  bool readable = true;
+  bool first = true;
+  for (;;) {
+    KlartextWord word = reader.next();
+    word.begin += block.begin;
+    word.end += block.begin;
+    if (word.kind == Kind::end) return readable;
+    if (word.kind == Kind::fault) {
+      TextFault fault = reader.fault();
+      fault.begin += block.begin;
+      refuse(line, fault);
+      return false;
+    }
+    if (word.kind == Kind::comment) {
+      add(line, word, WordRole::comment);
+      continue;
+    }
+    const bool names_statement = std::exchange(first, false) && !block.name.empty();
+    if (names_statement && word.kind == Kind::name) {
+      add(line, word, WordRole::motion);
+      continue;
+    }
+    readable = read_klartext_word(word, line, block) && readable;
+    if (diagnostics_.stopped()) return false;
+  }
+}
+
+bool Interpreter::read_klartext_word(const KlartextWord& word, ProgramLine& line,
+                                     KlartextBlock& block) {
+  const std::string text(line.word({.begin = word.begin, .end = word.end}));
+  if (word.name == "M" && word.kind == Kind::value)
+    return read_klartext_function(word, line, block);
+  if (block.ignores_words) {
+    add(line, word, WordRole::technology);
+    return true;
+  }
+  switch (word.kind) {
+    case Kind::variable:
+      add(line, word, WordRole::coordinate);
+      block.unfollowed = word.begin;
+      block.unfollowed_why = text + ", a variable";
+      return true;
+    case Kind::name:
+      return read_klartext_name(word, line, block);
+    case Kind::sign:
+      if (word.name == "DR") {
+        if (block.clockwise) return refuse_klartext(line, word.begin, text, Code::nc_word_twice);
+        block.clockwise = word.negative;
+        add(line, word, WordRole::coordinate);
+        return true;
+      }
+      return refuse_klartext(line, word.begin,
+                             text + (word.name == "R" ? ", a compensation along one axis" : ""));
+    case Kind::value:
+      return read_klartext_value(word, line, block);
+    default:
+      return refuse_klartext(line, word.begin, text, Code::nc_syntax);
+  }
+}
+
+bool Interpreter::read_klartext_name(const KlartextWord& word, ProgramLine& line,
+                                     KlartextBlock& block) {
+  const std::string& name = word.name;
+  // FMAX or F MAX.
+  const auto two_words = [&](WordRole role) {
+    if (block.feed) {
+      if (line.word(line.words.back()).size() != 1) return refuse_klartext(line, word.begin, name);
+      block.feed.reset();
+      line.words.back().end = word.end;
+      line.words.back().role = role;
+    } else {
+      add(line, word, role);
+    }
+    return true;
+  };
+  if (name == "RL" || name == "RR") {
+    if (block.side) return refuse_klartext(line, word.begin, name, Code::compensation_side_twice);
+    block.side = name == "RL" ? Side::left : Side::right;
+    block.side_begin = word.begin;
+    add(line, word, WordRole::trc);
+    return true;
+  }
+  if (name == "FMAX" || (name == "MAX" && block.feed && block.feed->begin == ~0U)) {
+    block.rapid = true;
+    return two_words(WordRole::motion);
+  }
+  if (name == "FAUTO" || (name == "AUTO" && block.feed && block.feed->begin == ~0U)) {
+    block.called_feed = true;
+    return two_words(WordRole::feed);
+  }
+  if (name == "F" && !block.feed) {  // F MAX, F AUTO
+    block.feed = {.begin = ~0U};
+    add(line, word, WordRole::motion);
+    return true;
+  }
+  constexpr auto forms =
+      std::to_array<std::pair<std::string_view, Lead::Form>>({{"LT", Lead::Form::tangent},
+                                                              {"LN", Lead::Form::normal},
+                                                              {"CT", Lead::Form::arc},
+                                                              {"LCT", Lead::Form::arc_and_line}});
+  if (block.is_lead() && !line.words.empty() && line.words.back().role == WordRole::motion) {
+    const bool polar = name.starts_with('P');
+    const auto form = std::ranges::find(forms, std::string_view(name).substr(polar ? 1 : 0),
+                                        [](const auto& known) { return known.first; });
+    if (form != forms.end()) {
+      block.lead.form = form->second;
+      block.polar_lead = polar;
+      block.name.append(" ").append(name);
+      add(line, word, WordRole::coordinate);
+      return true;
+    }
+  }
+  return refuse_klartext(line, word.begin, name);
+}
+
+bool Interpreter::read_klartext_value(const KlartextWord& word, ProgramLine& line,
+                                      KlartextBlock& block) {
+  const std::string& name = word.name;
+  const auto take = [&](std::optional<KlartextBlock::Value>& value, bool increment = false) {
+    if (value)
+      return refuse_klartext(line, word.begin,
+                             std::string(line.word({.begin = word.begin, .end = word.end})),
+                             Code::nc_word_twice);
+    value = {.value = word.value, .increment = increment, .begin = word.begin};
+    add(line, word, WordRole::coordinate);
+    return true;
+  };
+  if (name == "R" && word.value == 0 && line.text[word.end - 1] == '0' &&
+      line.text.find_first_of("+-.", word.begin) >= word.end) {
+    if (block.side) return refuse_klartext(line, word.begin, "R0", Code::compensation_side_twice);
+    block.side = Side::off;
+    block.side_begin = word.begin;
+    // Where there is nothing to end, R0 is a word of the program like any other.
+    add(line, word, contour_open() ? WordRole::trc : WordRole::mode);
+    return true;
+  }
+  if (name == "R" || (name == "RND" && block.is(KlartextStatement::rounding)))
+    return take(block.radius);
+  if (name == "LEN" || (name == "CHF" && block.is(KlartextStatement::chamfer)))
+    return take(block.length);
+  if (name == "CCA") return take(block.center_angle);
+  if (name == "PR" || name == "IPR") return take(block.polar_radius, name == "IPR");
+  if (name == "PA" || name == "IPA") return take(block.polar_angle, name == "IPA");
+  if (name.starts_with('F')) return read_klartext_feed(word, line, block);
+  if (name == "LA" && block.masks) {
+    block.masks = word.value > 0;
+    add(line, word, WordRole::trc);
+    return true;
+  }
+  return read_klartext_axis(word, line, block);
+}
+
+bool Interpreter::read_klartext_axis(const KlartextWord& word, ProgramLine& line,
+                                     KlartextBlock& block) {
+  const bool increment = word.name.size() == 2 && word.name[0] == 'I';
+  const char letter = word.name.back();
+  const std::string text(line.word({.begin = word.begin, .end = word.end}));
+  if (word.name.size() != (increment ? 2U : 1U)) return refuse_klartext(line, word.begin, text);
+  const int axis = axis_of_letter_[static_cast<std::size_t>(letter - 'A')];
+  if (axis < 0) return refuse_klartext(line, word.begin, text, Code::nc_axis_unknown);
+  const auto index = static_cast<std::size_t>(axis);
+  const auto twice = [&] { return refuse_klartext(line, word.begin, text, Code::nc_word_twice); };
+  if (index < 3) {
+    if (block.end[index]) return twice();
+    block.end[index] = {.value = word.value, .increment = increment, .begin = word.begin};
+  } else {
+    if (block.tracking.empty()) block.tracking.resize(state_.setup().tracking_axes.size());
+    if (block.tracking[index - 3]) return twice();
+    block.tracking[index - 3] = word.value;
+    if (increment) block.tracking_increments |= std::uint64_t{1} << (index - 3);
+  }
+  add(line, word, WordRole::coordinate);
   return true;
+}
+
+bool Interpreter::read_klartext_feed(const KlartextWord& word, ProgramLine& line,
+                                     KlartextBlock& block) {
+  const std::string text(line.word({.begin = word.begin, .end = word.end}));
+  if (word.name != "F") {
+    if (word.name != "FU" && word.name != "FZ" && word.name != "FT" && word.name != "FMAXT")
+      return refuse_klartext(line, word.begin, text);
+    if (trc_active())
+      return refuse_klartext(line, word.begin, text + ", no feed per minute, while TRC is active");
+    block.feed_per_turn = true;
+    add(line, word, WordRole::technology);
+    return true;
+  }
+  if (block.feed) return refuse_klartext(line, word.begin, text, Code::nc_word_twice);
+  block.feed = {.value = word.value, .begin = word.begin};
+  const bool of_the_corner =
+      block.is(KlartextStatement::rounding) || block.is(KlartextStatement::chamfer);
+  add(line, word,
+      klartext_.feed_per_turn           ? WordRole::technology
+      : of_the_corner && contour_open() ? WordRole::trc
+                                        : WordRole::feed);
+  if (klartext_.feed_per_turn) block.feed.reset();
+  return true;
+}
+
+bool Interpreter::read_klartext_function(const KlartextWord& word, ProgramLine& line,
+                                         KlartextBlock& block) {
+  const auto m = static_cast<int>(word.value);
+  const std::string text(line.word({.begin = word.begin, .end = word.end}));
+  const auto unfollowed = [&](const char* why) {
+    if (!block.unfollowed) block.unfollowed_why = text + why;
+    if (!block.unfollowed) block.unfollowed = word.begin;
+  };
+  WordRole role = WordRole::technology;
+  switch (m) {
+    case 0:
+    case 1:
+    case 2:
+    case 30:
+      role = WordRole::stop;
+      line.ends_program |= m == 2 || m == 30;
+      break;
+    case 89:
+    case 99:
+      block.calls_cycle = true;
+      if (m == 89) klartext_.modal_cycle = true;
+      if (m == 99) klartext_.modal_cycle = false;
+      if (trc_active()) unfollowed(", a cycle call");
+      break;
+    case 91:
+    case 92:
+      block.machine_place = true;
+      unfollowed(", machine coordinates");
+      break;
+    case 97:
+    case 98:
+      if (trc_active()) unfollowed(m == 97 ? ", corners of small steps" : ", open corners");
+      break;
+    case 109:
+    case 110:
+    case 111:
+      role = WordRole::trc;
+      block.adapts_feed = m == 109   ? FeedAdaptation::on
+                          : m == 110 ? FeedAdaptation::inside
+                                     : FeedAdaptation::off;
+      break;
+    case 120:
+      role = WordRole::trc;
+      block.masks = false;  // LA says how far
+      break;
+    case 136:
+      block.feed_per_turn = true;
+      klartext_.feed_per_turn = true;
+      if (trc_active()) unfollowed(", feed per turn");
+      break;
+    case 137:
+      klartext_.feed_per_turn = false;
+      break;
+    case 128:
+    case 144:
+      klartext_.unfollowed = true;
+      block.ignores_words = true;
+      if (trc_active()) unfollowed(", the tool tip is led");
+      break;
+    case 129:
+    case 145:
+      klartext_.unfollowed = false;
+      break;
+    case 103:
+    case 118:
+    case 138:
+      block.ignores_words = true;
+      break;
+    case 140:
+      block.ignores_words = true;
+      unfollowed(", a retract along the tool");
+      break;
+    default:
+      break;
+  }
+  add(line, word, role);
+  return true;
+}
+
+// The statement as it stands, with the place where it begins.
+bool Interpreter::copy_klartext(ProgramLine& line, std::size_t begin, WordRole role) {
+  line.words.push_back({.begin = static_cast<std::uint32_t>(begin),
+                        .end = static_cast<std::uint32_t>(without_blanks_behind(line.text).size()),
+                        .role = role});
+  line.roles = 0;
+  for (const WordRange& word : line.words) line.roles |= bit(word.role);
+  if (!faults_.empty()) return false;
+  line.has_words = true;
+  ++blocks_read_;
+  place(line, static_cast<std::uint32_t>(begin));
+  if (!pass_words(line, role)) return false;
+  if (!line.ends_program) return true;
+  ended_ = true;
+  state_.place(0);
+  return state_.end(line.source);
+}
+
+void Interpreter::forget_klartext_position(const ProgramLine& line,
+                                           const std::array<bool, 3>& axes) {
+  if (!faults_.empty()) return;
+  state_.forget_position(axes, line.source);
+  klartext_.tangent.reset();
+}
+
+// Everything that is no contour.
+bool Interpreter::read_klartext_statement(ProgramLine& line, std::size_t begin) {
+  const std::string statement = statement_of(std::string_view(line.text).substr(begin));
+  const std::string first = statement.substr(0, std::min(statement.find(' '), statement.size()));
+  const auto while_active = [&](std::string_view what) {
+    return refuse_klartext(line, begin, std::string(what).append(" while TRC is active"));
+  };
+  if (begins_with_word(statement, "BEGIN")) {
+    if (faults_.empty()) inch_ = statement.ends_with(" INCH");
+    return copy_klartext(line, begin, WordRole::mode);
+  }
+  if (begins_with_word(statement, "END")) {
+    line.ends_program = true;
+    return copy_klartext(line, begin, WordRole::stop);
+  }
+  if (begins_with_word(statement, "TOOL")) {
+    return begins_with_word(statement, "TOOL CALL") ? read_tool_call(line, begin, statement)
+                                                    : read_tool_definition(line, begin, statement);
+  }
+  if (begins_with_word(statement, "LBL") || begins_with_word(statement, "CALL LBL"))
+    return read_label(line, begin, statement);
+  if (jumps(statement)) return refuse_klartext(line, begin, first + ", a jump");
+  if (assigns(statement)) {
+    if (trc_active()) return while_active(first + ", a variable");
+    return copy_klartext(line, begin, WordRole::technology);
+  }
+  const bool scales = statement.find(" SCL") != std::string::npos ||
+                      begins_with_word(statement, "TRANS SCALE") ||
+                      begins_with_word(statement, "FUNCTION TCPM");
+  if (scales)
+    klartext_.unfollowed = !statement.ends_with(" SCL 1") && !statement.ends_with(" SCL1") &&
+                           !statement.ends_with("RESET") && !statement.ends_with("SCL1.0");
+  if (begins_with_word(statement, "FUNCTION RESET TCPM")) klartext_.unfollowed = false;
+  if (statement.find("MODE TURN") != std::string::npos)
+    return refuse_klartext(line, begin, "FUNCTION MODE TURN", Code::turning);
+  // Of the programs in DIN/ISO that these controls read as well, and of single axes.
+  if (statement.find("G41") != std::string::npos || statement.find("G42") != std::string::npos)
+    return refuse_klartext(line, begin, first + ", TRC of DIN/ISO");
+  if (statement.size() == 1 || !is_letter(statement[1]) || statement[0] == 'I')
+    for (const char* side : {" R+", " R-", " RL", " RR"})
+      if (statement.find(side) != std::string::npos)
+        return refuse_klartext(line, begin,
+                               std::string(side).substr(1) + ", a compensation along one axis");
+  const bool moves = defines_frame(statement) || is_any(statement, moving);
+  if (moves && trc_active()) return while_active(first);
+  if (moves) {
+    forget_klartext_position(line);
+    klartext_.pole.reset();
+    return copy_klartext(line, begin, WordRole::technology);
+  }
+  if (is_any(statement, passing) || state_.setup().copies_unknown_words)
+    return copy_klartext(line, begin, WordRole::technology);
+  return refuse_klartext(line, begin, first, Code::nc_unsupported);
+}
+
+// LBL 1 … LBL 0, CALL LBL 1 REP 3. What a call repeats is not written anew, so that no contour may
+// be within it.
+bool Interpreter::read_label(ProgramLine& line, std::size_t begin, std::string_view statement) {
+  const bool calls = statement.starts_with("CALL");
+  std::string_view name = statement.substr(calls ? 8 : 3);
+  name = without_blanks_in_front(name);
+  const std::size_t end = name.find(' ');
+  std::string label(name.substr(0, end));
+  if (label.starts_with('"')) {  // its letters are hidden there
+    const std::size_t open = line.text.find('"', begin);
+    label = line.text.substr(open, line.text.find('"', open + 1) - open);
+  }
+  const std::uint64_t contours = klartext_.contours;
+  if (!calls) {
+    if (label == "0") klartext_.called_section = 0;
+    if (const auto call = klartext_.calls.find(label); call != klartext_.calls.end())
+      klartext_.called_section = call->second;
+    // A contour that is open goes on behind the label.
+    if (label != "0") klartext_.labels[label] = trc_active() ? contours - 1 : contours;
+    if (klartext_.called_section != 0 && trc_active())
+      return refuse_klartext(line, begin, "LBL, which is called, while TRC is active");
+    return copy_klartext(line, begin, WordRole::technology);
+  }
+  if (trc_active()) return refuse_klartext(line, begin, "CALL LBL while TRC is active");
+  const auto known = klartext_.labels.find(label);
+  if (known != klartext_.labels.end() && known->second != contours)
+    return refuse_klartext(line, begin, "CALL LBL, which repeats a compensated contour");
+  if (known == klartext_.labels.end()) klartext_.calls.try_emplace(label, line.source.line);
+  forget_klartext_position(line);
+  klartext_.pole.reset();
+  klartext_.polar_radius.reset();
+  feed_ = 0;
+  return copy_klartext(line, begin, WordRole::technology);
 }
 
 }  // namespace trc

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "core/nc/dialect/block_words.h"
+#include "core/nc/dialect/klartext_block.h"
 #include "core/nc/text/characters.h"
 
 namespace trc {
@@ -104,6 +105,10 @@ Interpreter::Interpreter(const ReaderLimits& limits, ProgramState& state, Diagno
       inch_(state.setup().inch),
       absolute_center_(state.setup().absolute_center),
       reads_plain_lines_(state.setup().dialect == DialectName::isg) {
+  if (dialect_.name == DialectName::heidenhain) {
+    absolute_center_ = true;
+    state_.set_absolute_center(true);
+  }
   axis_of_letter_.fill(-1);
   for (const char main : {'X', 'Y', 'Z'})
     axis_of_letter_[static_cast<std::size_t>(main - 'A')] = static_cast<std::int16_t>(main - 'X');
@@ -169,7 +174,10 @@ bool Interpreter::take_line(std::string_view text, std::string_view line_end,
     text.remove_prefix(byte_order_mark.size());
   }
   const std::string_view last_line = continued_ == 0 ? text : last_line_of(text);
-  if (!ended_ && comment_block_ == 0 && may_be_continued(last_line) && is_continued(last_line)) {
+  const bool goes_on_below = dialect_.name == DialectName::heidenhain
+                                 ? is_continued_klartext(last_line)
+                                 : may_be_continued(last_line) && is_continued(last_line);
+  if (!ended_ && comment_block_ == 0 && goes_on_below) {
     if (line_end.empty()) return refuse_open_line();
     if (partial_.empty()) partial_.assign(text);
     partial_.erase(0, partial_.size() - text.size());  // the byte order mark
@@ -206,6 +214,7 @@ ProgramLine& Interpreter::append_line(std::string_view text, std::string_view li
   line.main_axes = 0;
   line.has_words = line.is_motion = line.has_trc_words = false;
   line.ends_program = false;
+  line.klartext.reset();
   return line;
 }
 
@@ -214,7 +223,7 @@ void Interpreter::enter_modes(ProgramLine& line) const {
   line.incremental = incremental_;
   line.inch = inch_;
   line.absolute_center = absolute_center_;
-  line.plane = state_.mode().plane;
+  line.plane = state_.programmed_plane();
   line.feed = feed_mode_ == 94 ? feed_ : 0;
 }
 
@@ -255,8 +264,9 @@ bool Interpreter::refuse_long_line() {
 // The text ends behind a `\`.
 bool Interpreter::refuse_open_line() {
   const auto last_line = static_cast<std::uint32_t>(lines_read_ + std::max(continued_, 1U));
-  return diagnostics_.report(
-      diagnostic(Code::nc_unclosed, {.index = blocks_read_, .line = last_line}, "\\"));
+  return diagnostics_.report(diagnostic(Code::nc_unclosed,
+                                        {.index = blocks_read_, .line = last_line},
+                                        dialect_.name == DialectName::heidenhain ? "~" : "\\"));
 }
 
 // The place of a fault is its physical line, also within a continued block.
@@ -366,13 +376,16 @@ bool Interpreter::read_line(ProgramLine& line) {
 }
 
 bool Interpreter::read_line_behind_end(ProgramLine& line) {
-  const std::size_t place = place_of_side(line.text);
-  return place == std::string::npos ||
-         refuse(line,
-                TextFault{.code = Code::side_behind_end,
-                          .begin = static_cast<std::uint32_t>(place),
-                          .detail = line.text.substr(
-                              place, line.text.find_first_not_of("Gg0123456789 ", place) - place)});
+  const std::size_t place = dialect_.name == DialectName::heidenhain
+                                ? place_of_klartext_side(line.text)
+                                : place_of_side(line.text);
+  if (place == std::string::npos) return true;
+  const std::size_t behind = dialect_.name == DialectName::heidenhain
+                                 ? place + 2
+                                 : line.text.find_first_not_of("Gg0123456789 ", place);
+  return refuse(line, TextFault{.code = Code::side_behind_end,
+                                .begin = static_cast<std::uint32_t>(place),
+                                .detail = line.text.substr(place, behind - place)});
 }
 
 bool Interpreter::read_words_of_dialect(ProgramLine& line, BlockWords& block) {
@@ -382,7 +395,6 @@ bool Interpreter::read_words_of_dialect(ProgramLine& line, BlockWords& block) {
     case DialectName::sinumerik:
       return read_named_words(line, block);
     case DialectName::heidenhain:
-      return read_klartext(line, block);
     case DialectName::fanuc:
     case DialectName::linuxcnc:
       break;
@@ -391,6 +403,7 @@ bool Interpreter::read_words_of_dialect(ProgramLine& line, BlockWords& block) {
 }
 
 bool Interpreter::read_block(ProgramLine& line) {
+  if (dialect_.name == DialectName::heidenhain) return read_klartext(line);
   BlockWords block;
   const bool is_isg = dialect_.name == DialectName::isg;
   const bool readable = read_words_of_dialect(line, block);
@@ -505,8 +518,11 @@ bool Interpreter::apply_trc(const ProgramLine& line, const BlockWords& block) {
       !state_.set_masking(block.of(masking).is(141) ? Masking::on : Masking::off, source))
     return false;
   if (has(feed_adaptation) &&
-      !state_.set_feed_adaptation(
-          block.of(feed_adaptation).is(11) ? FeedAdaptation::on : FeedAdaptation::off, source))
+      !state_.set_feed_adaptation(block.of(feed_adaptation).is(11) ? FeedAdaptation::on
+                                  : block.of(feed_adaptation).is(feed_at_inside)
+                                      ? FeedAdaptation::inside
+                                      : FeedAdaptation::off,
+                                  source))
     return false;
   if (block.options && at(block.command) && !state_.set_options(*block.options, source))
     return false;
@@ -527,7 +543,10 @@ bool Interpreter::apply_trc(const ProgramLine& line, const BlockWords& block) {
     return false;
   if (block.tool_number) state_.prepare_tool(static_cast<std::int64_t>(block.tool_number->value));
   if (block.loads_tool && at(0) && !state_.load_tool(source)) return false;
-  if (block.tool && at(block.tool->begin) &&
+  const bool zero =
+      block.tool && block.tool->value == 0 && dialect_.zero_is_a_radius && !state_.row_of_tool(0);
+  if (zero && at(block.tool->begin) && !state_.set_tool_radius(0, source)) return false;
+  if (block.tool && !zero && at(block.tool->begin) &&
       !state_.set_tool(static_cast<std::int64_t>(block.tool->value), source))
     return false;
   if (has(tangential) && !state_.set_tangential(source)) return false;
@@ -545,7 +564,7 @@ bool Interpreter::apply_motion(ProgramLine& line, BlockWords& block) {
   const std::uint32_t begin = std::min(block.axis.value_or(~0U), block.center.value_or(~0U));
   place(line, begin);
   const bool per_minute = feed_mode_ == 94;
-  const bool adapted = state_.mode().feed_adaptation == FeedAdaptation::on;
+  const bool adapted = state_.mode().feed_adaptation != FeedAdaptation::off;
   if (!per_minute && state_.contour_open() && (feed_mode_ == 93 || adapted))
     return refuse(line,
                   TextFault{.code = Code::nc_unsupported,

@@ -3,6 +3,8 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -13,6 +15,7 @@
 #include "core/nc/state/program_line.h"
 #include "core/nc/state/program_state.h"
 #include "core/nc/text/code_words.h"
+#include "core/nc/text/klartext_words.h"
 #include "core/nc/text/named_words.h"
 #include "core/nc/text/number_format.h"
 #include "core/nc/text/words.h"
@@ -53,6 +56,23 @@ struct ReaderLimits {
 //     and G42 behind the end are refused (900015), as nothing resolves them.
 class Interpreter {
  public:
+  // What a block of Klartext that may move begins with.
+  enum class KlartextStatement : std::uint8_t {
+    none,  // M words alone
+    straight,
+    polar_line,
+    center,       // CC
+    circle,       // C
+    radius_arc,   // CR
+    tangent_arc,  // CT
+    polar_circle,
+    polar_tangent_arc,
+    rounding,
+    chamfer,
+    approach,
+    departure,
+  };
+
   Interpreter(const ReaderLimits& limits, ProgramState& state, Diagnostics& diagnostics);
 
   // Appends to `lines` every line that is complete. Returns whether the stream
@@ -72,7 +92,8 @@ class Interpreter {
   void serialize(Archive& archive) {
     archive(partial_, continued_, carriage_return_, lines_read_, blocks_read_, comment_block_,
             ended_, motion_, incremental_, inch_, absolute_center_, feed_mode_, feed_,
-            isg_word_seen_, reads_plain_lines_, feed_in_mm_, code_, faults_, scanned_trc_);
+            isg_word_seen_, reads_plain_lines_, feed_in_mm_, code_, klartext_, faults_,
+            scanned_trc_);
   }
 
  private:
@@ -110,12 +131,45 @@ class Interpreter {
   bool copy_code_block(ProgramLine& line, BlockWords& block);
   bool check_code_selection(ProgramLine& line, BlockWords& block);
   bool take_corner(ProgramLine& line, BlockWords& block);
+  bool take_modal_rounding(ProgramLine& line, BlockWords& block);
+  bool take_fagor_words(ProgramLine& line, BlockWords& block);
   bool take_tool_data(ProgramLine& line, BlockWords& block);
   bool refuse_code(const ProgramLine& line, const CodeWord& word, Code code,
                    std::string_view meaning = {});
 
   // Of Heidenhain: heidenhain.cpp.
-  bool read_klartext(ProgramLine& line, BlockWords& block);
+  struct KlartextBlock;
+  bool read_klartext(ProgramLine& line);
+  bool read_klartext_words(ProgramLine& line, KlartextBlock& block);
+  bool read_klartext_word(const KlartextWord& word, ProgramLine& line, KlartextBlock& block);
+  bool read_klartext_value(const KlartextWord& word, ProgramLine& line, KlartextBlock& block);
+  bool read_klartext_axis(const KlartextWord& word, ProgramLine& line, KlartextBlock& block);
+  bool read_klartext_name(const KlartextWord& word, ProgramLine& line, KlartextBlock& block);
+  bool read_klartext_feed(const KlartextWord& word, ProgramLine& line, KlartextBlock& block);
+  bool read_klartext_function(const KlartextWord& word, ProgramLine& line, KlartextBlock& block);
+  bool read_klartext_statement(ProgramLine& line, std::size_t begin);
+  bool copy_klartext(ProgramLine& line, std::size_t begin, WordRole role);
+  bool read_label(ProgramLine& line, std::size_t begin, std::string_view statement);
+  bool read_tool_call(ProgramLine& line, std::size_t begin, std::string_view statement);
+  bool read_tool_definition(ProgramLine& line, std::size_t begin, std::string_view statement);
+  bool refuse_klartext(const ProgramLine& line, std::size_t begin, std::string detail,
+                       Code code = Code::nc_unsupported);
+  bool check_klartext(ProgramLine& line, KlartextBlock& block);
+  bool apply_klartext(ProgramLine& line, KlartextBlock& block);
+  bool apply_klartext_modes(ProgramLine& line, KlartextBlock& block);
+  bool apply_klartext_motion(ProgramLine& line, KlartextBlock& block);
+  bool select_in_klartext(const ProgramLine& line, Side side, std::size_t begin);
+  bool choose_called_tool(const ProgramLine& line, std::size_t begin);
+  bool take_klartext_pole(ProgramLine& line, KlartextBlock& block);
+  bool find_klartext_end(ProgramLine& line, KlartextBlock& block);
+  bool find_polar_end(ProgramLine& line, KlartextBlock& block, const Point& start, Point& end);
+  bool move_on_klartext_arc(ProgramLine& line, KlartextBlock& block);
+  bool move_on_tangent_arc(ProgramLine& line, KlartextBlock& block);
+  bool move_in_turns(ProgramLine& line, KlartextBlock& block);
+  bool move_in_klartext(ProgramLine& line, MoveRequest& request);
+  bool lead_in_klartext(ProgramLine& line, KlartextBlock& block);
+  void forget_klartext_position(const ProgramLine& line,
+                                const std::array<bool, 3>& axes = {true, true, true});
 
   // Of Sinumerik: sinumerik_block.cpp.
   bool read_named_words(ProgramLine& line, BlockWords& block);
@@ -175,10 +229,13 @@ class Interpreter {
     bool turned = false;               // coordinates are rotated or mirrored
     std::int64_t next_tool = 0;        // T
     std::int64_t spindle_tool = 0;
+    bool tool_named = false;         // by a T word
+    bool spindle_empty = false;      // T0 M06
     std::int64_t missing_tool = -1;  // of the last D word, which the table has not
     std::string tool_name{};         // of T="…"
     std::string only_tool_name{};
     bool tangent_arcs = false;   // CT
+    double modal_rounding = 0;   // RNDM=, mm
     bool edge_off = false;       // D0
     bool changes_by_m6 = false;  // T only prepares a tool
     // The one register that stands for the radius of the setup, where it has no tools.
@@ -193,7 +250,38 @@ class Interpreter {
     void serialize(Archive& archive) {
       archive(cycle, unfollowed, turning, y_seen, dimension_uncertain, turned, next_tool,
               spindle_tool, tool_name, edge_off, changes_by_m6, only_register, pole, polar_angle,
-              polar_radius, polar_rewritten);
+              polar_radius, polar_rewritten, missing_tool, only_tool_name, tangent_arcs, tool_named,
+              spindle_empty, modal_rounding);
+    }
+  };
+  // What a program in Klartext has in force besides.
+  struct KlartextModes {
+    std::optional<Point> pole{};           // CC, mm, in the plane
+    std::optional<double> polar_radius{};  // PR, mm
+    std::optional<Vector> tangent{};       // behind the last motion in the plane
+    bool rapid = false;                    // the last motion was one with FMAX
+    double feed_before = 0;                // in force before the block
+    double called_feed = 0;                // F AUTO, mm/min
+    bool feed_per_turn = false;            // M136
+    bool modal_cycle = false;              // M89
+    bool unfollowed = false;               // coordinates are scaled or led by the tool tip
+    // Of TOOL CALL.
+    std::optional<std::int64_t> tool{};
+    double radius_delta = 0;  // DR, mm
+    std::string tool_name{};  // in quotes, or a parameter
+    std::string only_tool_name{};
+    // How many contours had been selected where a label stands, and which labels were called
+    // before they stood anywhere.
+    std::uint64_t contours = 0;
+    std::map<std::string, std::uint64_t> labels{};
+    std::map<std::string, std::uint32_t> calls{};
+    std::uint32_t called_section = 0;  // the line that called it; 0: not in one
+
+    template <class Archive>
+    void serialize(Archive& archive) {
+      archive(pole, polar_radius, tangent, rapid, called_feed, feed_per_turn, modal_cycle,
+              unfollowed, tool, radius_delta, tool_name, only_tool_name, contours, labels, calls,
+              called_section);
     }
   };
   // The first of its kind; the others only count.
@@ -239,6 +327,7 @@ class Interpreter {
   bool reads_plain_lines_ = true;
   bool isg_word_seen_ = false;  // one that no other dialect has
   CodeModes code_{};
+  KlartextModes klartext_{};
   std::vector<Fault> faults_{};
   bool scanned_trc_ = false;  // behind the first fault: TRC is active
 };

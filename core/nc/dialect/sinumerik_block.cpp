@@ -87,7 +87,7 @@ constexpr auto cycles = std::to_array<std::string_view>(
 constexpr auto passing_assignments = std::to_array<std::string_view>(
     {"ACC", "ADIS", "ADISPOS", "FA", "FZ", "LIMS", "SCC", "SPOS", "SVC"});
 // Words with values that round or bevel corners.
-constexpr auto corner_words = std::to_array<std::string_view>({"FRC", "FRCM", "RNDM"});
+constexpr auto corner_words = std::to_array<std::string_view>({"FRC", "FRCM"});
 
 // The functions that names stand for.
 constexpr GFunction frame_name{.number = 1000, .group = frame, .meaning = "a frame"};
@@ -99,6 +99,7 @@ constexpr GFunction single_name{
     .number = 1003, .group = single_move, .meaning = "a cycle or motion of its own"};
 constexpr GFunction cycle_name{.number = 1004, .group = cycle, .meaning = "a modal cycle"};
 constexpr GFunction feed_at_contour{.number = 11, .group = feed_adaptation};
+constexpr GFunction feed_at_inside_arcs{.number = feed_at_inside, .group = feed_adaptation};
 constexpr GFunction feed_at_center{.number = 10, .group = feed_adaptation};
 constexpr GFunction unknown_name{
     .number = 1007, .group = single_move, .meaning = "an unknown name"};
@@ -233,6 +234,12 @@ bool Interpreter::read_assignment(const NamedWord& word, ProgramLine& line, Bloc
                                  : is("CHR") ? CornerCut::Form::leg
                                              : CornerCut::Form::width,
                          .size = word.value};
+    add(line, word, WordRole::technology);
+    return true;
+  }
+  if (is("RNDM")) {
+    if (block.modal_rounding || word.value < 0) return refused(Code::nc_number, "once, 0 or more");
+    block.modal_rounding = {.value = word.value, .begin = word.begin};
     add(line, word, WordRole::technology);
     return true;
   }
@@ -388,7 +395,7 @@ bool Interpreter::read_name(const NamedWord& word, ProgramLine& line, BlockWords
   }
   if (word.name == "CFC") return stands_for(feed_at_contour);
   if (word.name == "CFTCP") return stands_for(feed_at_center);
-  if (word.name == "CFIN") return refused("a feed at inner curves alone: CFC or CFTCP");
+  if (word.name == "CFIN") return stands_for(feed_at_inside_arcs);
   if (word.name == "CT") block.begins_tangent_arcs = true;
   if (word.name == "KONT" || word.name == "KONTC" || word.name == "KONTT")
     return refused("an approach round the corner: NORM");
@@ -434,7 +441,7 @@ bool Interpreter::resolve_references(ProgramLine& line, BlockWords& block) {
   const double unit = length_unit();
   const auto refuse_unknown = [&](std::size_t axis) {
     return refuse(line, TextFault{.code = Code::position_unknown,
-                                  .begin = *block.axis,
+                                  .begin = block.axis.value_or(block.center.value_or(0)),
                                   .detail = std::string(1, static_cast<char>('X' + axis))});
   };
   for (std::size_t axis = 0; axis < move.end.size(); ++axis) {

@@ -3,35 +3,142 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <vector>
+
+#include "core/geometry/intersect.h"
+#include "core/geometry/parallel.h"
 
 namespace trc {
+namespace {
 
-std::optional<CutCorner> cut_corner(const Line& before, const Line& after, const CornerCut& cut,
-                                    const Tolerances& tolerances) {
-  const Vector first = before.end - before.start;
-  const Vector second = after.end - after.start;
-  const double shorter = std::min(first.norm(), second.norm());
-  if (shorter <= tolerances.same_point) return {};
-  const Vector in = first.normalized();
-  const Vector out = second.normalized();
+constexpr double full_turn = 2 * std::numbers::pi;
+constexpr double nearly_back = std::numbers::pi - 1e-3;
+
+// How far along the segment the point lies, mm; it lies on the line or circle of it.
+double way_to(const Segment& segment, const Point& point) {
+  if (const auto* line = std::get_if<Line>(&segment))
+    return (point - line->start).dot(tangent_of(*line));
+  const Arc& arc = std::get<Arc>(segment);
+  const double turn = arc.sweep > 0 ? 1 : -1;
+  double angle = turn * turn_between(arc.start - arc.center, point - arc.center);
+  if (angle < 0) angle += full_turn;
+  return angle * radius_of(arc);
+}
+
+Segment ended_at(const Segment& segment, const Point& point) {
+  if (const auto* line = std::get_if<Line>(&segment)) return Line{line->start, point};
+  Arc arc = std::get<Arc>(segment);
+  arc.sweep = std::copysign(way_to(segment, point) / radius_of(arc), arc.sweep);
+  arc.end = point;
+  return arc;
+}
+
+Segment begun_at(const Segment& segment, const Point& point) {
+  if (const auto* line = std::get_if<Line>(&segment)) return Line{point, line->end};
+  Arc arc = std::get<Arc>(segment);
+  arc.sweep -= std::copysign(way_to(segment, point) / radius_of(arc), arc.sweep);
+  arc.start = point;
+  return arc;
+}
+
+// Where circles that touch the segment from the side of `shift` have their centres.
+struct Parallel {
+  std::optional<StraightLine> line{};
+  std::optional<Circle> circle{};
+};
+
+std::optional<Parallel> parallel_to(const Segment& segment, double shift, double same_point) {
+  if (const auto* line = std::get_if<Line>(&segment)) {
+    const Vector tangent = tangent_of(*line);
+    return Parallel{.line = StraightLine{parallel_point(line->start, tangent, shift), tangent}};
+  }
+  const Arc& arc = std::get<Arc>(segment);
+  const double radius = parallel_radius(arc, shift);
+  if (radius <= same_point) return {};
+  return Parallel{.circle = Circle{arc.center, radius}};
+}
+
+Meetings meetings_of(const Parallel& a, const Parallel& b, double same_point) {
+  if (a.line && b.line) return intersect(*a.line, *b.line);
+  if (a.line) return intersect(*a.line, *b.circle, same_point);
+  if (b.line) return intersect(*b.line, *a.circle, same_point);
+  return intersect(*a.circle, *b.circle, same_point);
+}
+
+// Where a circle about the centre touches the segment.
+Point touched(const Segment& segment, const Point& center) {
+  if (const auto* line = std::get_if<Line>(&segment)) {
+    const Vector tangent = tangent_of(*line);
+    return line->start + (center - line->start).dot(tangent) * tangent;
+  }
+  const Arc& arc = std::get<Arc>(segment);
+  return arc.center + radius_of(arc) * (center - arc.center).normalized();
+}
+
+std::optional<CutCorner> round_corner(const Segment& before, const Segment& after, double turn,
+                                      double radius, double same_point) {
+  const double shift = turn > 0 ? radius : -radius;
+  const auto first = parallel_to(before, shift, same_point);
+  const auto second = parallel_to(after, shift, same_point);
+  if (!first || !second) return {};
+  const Point corner = end_of(before);
+  std::optional<Point> nearest;
+  for (const Point& center : meetings_of(*first, *second, same_point)) {
+    const double on_before = way_to(before, touched(before, center));
+    const double on_after = way_to(after, touched(after, center));
+    const bool has_room = on_before > same_point && on_before < length_of(before) - same_point &&
+                          on_after > same_point && on_after < length_of(after) - same_point;
+    if (has_room && (!nearest || (center - corner).norm() < (*nearest - corner).norm()))
+      nearest = center;
+  }
+  if (!nearest) return {};
+  const Segment cut_before = ended_at(before, touched(before, *nearest));
+  const Segment cut_after = begun_at(after, touched(after, *nearest));
+  double sweep = turn_between(tangent_at_end(cut_before), tangent_at_start(cut_after));
+  if (sweep * turn < 0) sweep += turn > 0 ? full_turn : -full_turn;
+  return CutCorner{.before = cut_before,
+                   .between = Arc{.start = end_of(cut_before),
+                                  .end = start_of(cut_after),
+                                  .center = *nearest,
+                                  .sweep = sweep},
+                   .after = cut_after};
+}
+
+std::optional<CutCorner> cut_lines(const Line& before, const Line& after, const CornerCut& cut,
+                                   double same_point) {
+  const Vector in = tangent_of(before);
+  const Vector out = tangent_of(after);
   const double turn = turn_between(in, out);
-  constexpr double nearly_back = std::numbers::pi - 1e-3;
-  if (std::abs(turn) > nearly_back) return {};
   double leg = cut.size;
   if (cut.form == CornerCut::Form::round) leg = cut.size * std::tan(std::abs(turn) / 2);
   if (cut.form == CornerCut::Form::width) leg = cut.size / (2 * std::cos(turn / 2));
-  if (!(leg > tolerances.same_point && leg + tolerances.same_point < shorter)) return {};
-  CutCorner corner{.end_before = before.end - leg * in, .start_after = after.start + leg * out};
-  if (cut.form == CornerCut::Form::round) {
-    const Vector to_center = turn > 0 ? left_of(in) : Vector(-left_of(in));
-    corner.between = Arc{.start = corner.end_before,
-                         .end = corner.start_after,
-                         .center = corner.end_before + cut.size * to_center,
-                         .sweep = turn};
-  } else {
-    corner.between = Line{.start = corner.end_before, .end = corner.start_after};
+  const double shorter = std::min(length_of(before), length_of(after));
+  if (!(leg > same_point && leg + same_point < shorter)) return {};
+  const Point begin = before.end - leg * in;
+  const Point end = after.start + leg * out;
+  CutCorner corner{.before = Line{before.start, begin}, .after = Line{end, after.end}};
+  if (cut.form != CornerCut::Form::round) {
+    corner.between = Line{.start = begin, .end = end};
+    return corner;
   }
+  const Vector to_center = turn > 0 ? left_of(in) : Vector(-left_of(in));
+  corner.between =
+      Arc{.start = begin, .end = end, .center = begin + cut.size * to_center, .sweep = turn};
   return corner;
+}
+
+}  // namespace
+
+std::optional<CutCorner> cut_corner(const Segment& before, const Segment& after,
+                                    const CornerCut& cut, const Tolerances& tolerances) {
+  const double same_point = tolerances.same_point;
+  if (std::min(length_of(before), length_of(after)) <= same_point) return {};
+  const double turn = turn_between(tangent_at_end(before), tangent_at_start(after));
+  if (std::abs(turn) > nearly_back) return {};
+  if (!is_arc(before) && !is_arc(after))
+    return cut_lines(std::get<Line>(before), std::get<Line>(after), cut, same_point);
+  if (cut.form != CornerCut::Form::round || std::abs(turn) <= tolerances.tangent) return {};
+  return round_corner(before, after, turn, cut.size, same_point);
 }
 
 }  // namespace trc

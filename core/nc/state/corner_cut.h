@@ -8,27 +8,30 @@
 
 namespace trc {
 
-// What a program does to the corner behind a straight motion: ,R ,C of Fanuc, RND= CHF= CHR= of
-// Sinumerik.
+// What a program does to the corner behind a motion: ,R ,C of Fanuc, RND= CHF= CHR= of Sinumerik,
+// RND CHF of Heidenhain.
 struct CornerCut {
-  enum class Form : std::uint8_t { round, leg, width };
+  // open: a line of its own may still say it.
+  enum class Form : std::uint8_t { round, leg, width, open };
   Form form = Form::round;
-  double size = 0;  // mm: the radius, how much either line loses, the length of the chamfer
+  double size = 0;     // mm: the radius, how much either line loses, the length of the chamfer
+  bool modal = false;  // of every corner that there is
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(form, size);
+    archive(form, size, modal);
   }
 };
 
 struct CutCorner {
-  Point end_before = Point::Zero();
-  Point start_after = Point::Zero();
+  Segment before{};
   Segment between{};
+  Segment after{};
 };
 
-// Nothing where the lines have no room for it, or turn back.
-[[nodiscard]] std::optional<CutCorner> cut_corner(const Line& before, const Line& after,
+// Nothing where the motions have no room for it, turn back or touch. A chamfer is one between
+// lines: controls differ in what it is beside an arc.
+[[nodiscard]] std::optional<CutCorner> cut_corner(const Segment& before, const Segment& after,
                                                   const CornerCut& cut,
                                                   const Tolerances& tolerances);
 

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -45,6 +46,26 @@ struct WordRange {
   bool operator==(const WordRange&) const = default;
 };
 
+// What a line of Klartext says besides its words, for whoever copies it.
+struct KlartextLine {
+  std::uint64_t axes = 0;        // named; bits as AxisSet has them
+  std::uint64_t increments = 0;  // of those
+  bool sets_pole = false;        // CC
+  bool needs_pole = false;       // C CP LP CTP
+  bool sets_polar_radius = false;
+  bool needs_polar_radius = false;  // LP without PR
+  bool counts_from_start = false;   // CT, IPA, IPR: more than increments of axes
+  bool needs_tangent = false;       // CT CTP
+  double pole_x = 0;                // in force behind the line, in the axes of the plane, mm
+  double pole_y = 0;
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(axes, increments, sets_pole, needs_pole, sets_polar_radius, needs_polar_radius,
+            counts_from_start, needs_tangent, pole_x, pole_y);
+  }
+};
+
 // Of the archives of core/base/archive.h; defined in core/nc/state_archive.h.
 template <class Archive>
 void serialize_line_end(Archive& archive, std::string_view& line_end);
@@ -78,6 +99,7 @@ struct ProgramLine {
   bool absolute_center = false;  // G161
   Plane plane = Plane::xy;
   double feed = 0;  // mm/min; 0: none programmed yet, or not per minute (G93, G95)
+  std::optional<KlartextLine> klartext{};
 
   [[nodiscard]] bool has(WordRole role) const { return (roles & bit(role)) != 0; }
   [[nodiscard]] std::string_view word(const WordRange& range) const {

@@ -25,7 +25,12 @@ bool retracts_in_a_block(Selection selection) {
 }
 
 constexpr const char* corner_without_contour =
-    "a rounding or a chamfer that is not between two straight motions of one contour";
+    "a rounding or a chamfer that is not between two motions of one contour, at feed and in the "
+    "plane";
+constexpr const char* approach_without_contour = "APPR without a contour behind it";
+constexpr const char* lead_without_room =
+    "an approach or a departure that has no room: LCT from within its circle, CT with an arc that "
+    "is smaller than the tool";
 
 constexpr std::array<const char*, 3> axis_words{"X", "Y", "Z"};
 constexpr std::array<const char*, 3> center_words{"I", "J", "K"};
@@ -121,6 +126,9 @@ bool ProgramState::select(Side side, const Source& source) {
 bool ProgramState::deselect(const Source& source) {
   const bool tangential = std::exchange(tangential_requested_, false);
   if (!mode_.active()) return true;
+  if (lead_) return report(lead_->request.source, Code::nc_unsupported, approach_without_contour);
+  // A corner that is cut is refused by the next motion.
+  if (corner_ && (corner_->form == CornerCut::Form::open || corner_->modal)) release_held();
   const bool has_contour = in_plane_blocks_ > (has_approach_ ? 1U : 0U);
   if (has_contour && mode_.selection == Selection::without_block) {
     const Point point = last_equidistant_point();
@@ -199,7 +207,12 @@ bool ProgramState::set_tangfeed_minimum(double radius, const Source& source) {
 }
 
 bool ProgramState::set_plane(Plane plane, const Source& source) {
-  if (plane == mode_.plane) return true;
+  if (plane == programmed_plane()) return true;
+  // Behind a bare G40 the next straight motion leaves the contour first, in the plane of that.
+  if (setup_.dialect != DialectName::isg && retract_pending_ && !mode_.active()) {
+    next_plane_ = plane;
+    return true;
+  }
   if (contour_open()) return report(source, Code::plane_change_while_active);
   change_mode().plane = plane;
   return true;
@@ -281,13 +294,7 @@ bool ProgramState::check_wear(const Source& source) {
 }
 
 bool ProgramState::set_tool(std::int64_t number, const Source& source) {
-  const auto tool = setup_.tools.find(number);
-  if (const auto defined = defined_tools_.find(number); defined != defined_tools_.end())
-    return enter_row({defined->second, tool != setup_.tools.end() ? tool->second.wear : 0},
-                     RadiusGiver::program, source);
-  if (tool != setup_.tools.end()) return enter_row(tool->second, RadiusGiver::program, source);
-  if (setup_.every_radius && number != 0)
-    return enter_row({*setup_.every_radius, setup_.wear}, RadiusGiver::program, source);
+  if (const auto row = row_of_tool(number)) return call_tool(*row, source);
   if (number == 0) {
     radius_giver_ = RadiusGiver::nobody;
     missing_tool_ = 0;
@@ -295,6 +302,20 @@ bool ProgramState::set_tool(std::int64_t number, const Source& source) {
     return !mode_.active() || in_plane_blocks_ == 0 || check_radius(source);
   }
   return report(source, Code::tool_unknown, std::string("D").append(std::to_string(number)));
+}
+
+std::optional<ToolRow> ProgramState::row_of_tool(std::int64_t number) const {
+  const auto tool = setup_.tools.find(number);
+  const bool is_in_table = tool != setup_.tools.end();
+  if (const auto defined = defined_tools_.find(number); defined != defined_tools_.end())
+    return ToolRow(defined->second, is_in_table ? tool->second.wear : 0);
+  if (is_in_table) return tool->second;
+  if (setup_.every_radius && number != 0) return ToolRow(*setup_.every_radius, setup_.wear);
+  return std::nullopt;
+}
+
+bool ProgramState::call_tool(const ToolRow& row, const Source& source) {
+  return enter_row(row, RadiusGiver::program, source);
 }
 
 bool ProgramState::load_tool(const Source& source) {
@@ -327,7 +348,8 @@ bool ProgramState::check_radius(const Source& source) {
 }
 
 std::string ProgramState::missing_radius() const {
-  std::string text = "G41 or G42 " + place_of(selected_);
+  const bool klartext = setup_.dialect == DialectName::heidenhain;
+  std::string text = (klartext ? "RL or RR " : "G41 or G42 ") + place_of(selected_);
   if (missing_tool_ == 0) return text + ", D0 or T0 is no tool";
   if (missing_tool_ != no_tool)
     return text + ", the tool table has no T" + std::to_string(missing_tool_);
@@ -508,7 +530,12 @@ bool ProgramState::move(const MoveRequest& request) {
     if (auto refusal = unknown_start(request)) return refuse(request.source, std::move(*refusal));
   if (request.feed != 0 && !is_feed(request.feed))
     return report(request.source, Code::field_invalid, "feed", {{"feed", request.feed}});
-  return is_circle(request.kind) ? move_on_circle(request, end) : move_straight(request, end);
+  if (next_plane_ && is_circle(request.kind))
+    return report(request.source, Code::plane_change_while_active);
+  const bool goes_on =
+      is_circle(request.kind) ? move_on_circle(request, end) : move_straight(request, end);
+  if (next_plane_ && !retract_pending_) change_mode().plane = *std::exchange(next_plane_, {});
+  return goes_on;
 }
 
 bool ProgramState::move_on_circle(const MoveRequest& request, const Position& end) {
@@ -521,12 +548,15 @@ bool ProgramState::move_on_circle(const MoveRequest& request, const Position& en
                {"corrected_radius", radius_of(programmed.arc)}}))
     return false;
   if (mode_.active() && in_plane_blocks_ == 0 && !check_radius(request.source)) return false;
-  Line none;
-  if (!check_corner(request, false) || !cut_corner_before(request, none, false)) return false;
   TrackingTravel tracking;
   if (!move_tracking(request, tracking)) return false;
+  const bool alone = moves_in_plane_alone(request, end, tracking);
+  Segment path = programmed.arc;
+  if (!check_corner(request, alone) || !cut_corner_before(request, path, alone)) return false;
+  if (lead_ && !approach_contour(path)) return false;
   enter_target(request, end);
-  append_motion(request, programmed.arc, end, std::move(tracking));
+  append_motion(request, std::get<Arc>(path), end, std::move(tracking));
+  hold_for_corner(request);
   return true;
 }
 
@@ -541,15 +571,12 @@ bool ProgramState::move_straight(const MoveRequest& request, const Position& end
   if ((line.end - line.start).norm() > tolerances_.same_point) {
     if (mode_.active() && in_plane_blocks_ == 0 && !check_radius(request.source)) return false;
     displaced_ = false;
-    const bool flat = end[axes_of(mode_.plane).third] == position_[axes_of(mode_.plane).third] &&
-                      std::ranges::none_of(tracking, &AxisTravel::moves);
-    if (!check_corner(request, flat) || !cut_corner_before(request, line, flat)) return false;
-    append_motion(request, line, end, std::move(tracking));
-    corner_ = request.corner;
-    if (corner_) {
-      held_.push_back(std::move(blocks_.back()));
-      blocks_.pop_back();
-    }
+    const bool alone = moves_in_plane_alone(request, end, tracking);
+    Segment path = line;
+    if (!check_corner(request, alone) || !cut_corner_before(request, path, alone)) return false;
+    if (lead_ && !approach_contour(path)) return false;
+    append_motion(request, std::get<Line>(path), end, std::move(tracking));
+    hold_for_corner(request);
   } else {
     const bool tracking_moves = std::ranges::any_of(tracking, &AxisTravel::moves);
     append_passive(request, end, std::move(tracking), tracking_moves);
@@ -557,32 +584,85 @@ bool ProgramState::move_straight(const MoveRequest& request, const Position& end
   return true;
 }
 
-// Only between motions of the contour itself, along which nothing else moves.
-bool ProgramState::check_corner(const MoveRequest& request, bool straight) {
-  const bool in_contour = mode_.active() && in_plane_blocks_ > 0;
-  return !request.corner || (straight && in_contour && request.kind == MotionKind::linear) ||
-         report(request.source, Code::nc_unsupported, corner_without_contour);
+bool ProgramState::moves_in_plane_alone(const MoveRequest& request, const Position& end,
+                                        const TrackingTravel& tracking) const {
+  const std::size_t third = axes_of(mode_.plane).third;
+  return request.kind != MotionKind::rapid && end[third] == position_[third] &&
+         std::ranges::none_of(tracking, &AxisTravel::moves);
 }
 
-// The block that is held loses its end and `line` its beginning.
-bool ProgramState::cut_corner_before(const MoveRequest& request, Line& line, bool straight) {
+bool ProgramState::refuse_corner(const Source& source) {
+  return report(source, Code::nc_unsupported, corner_without_contour);
+}
+
+// Only between motions of the contour itself, along which nothing else moves.
+bool ProgramState::check_corner(const MoveRequest& request, bool alone) {
+  const bool in_contour = mode_.active() && in_plane_blocks_ > 0;
+  return !request.corner || request.corner->modal || (alone && in_contour) ||
+         refuse_corner(request.source);
+}
+
+// The block that is held loses its end and `path` its beginning.
+bool ProgramState::cut_corner_before(const MoveRequest& request, Segment& path, bool alone) {
   if (!corner_) return true;
-  auto* before = std::get_if<MotionBlock>(&held_.front());
-  const bool in_contour = mode_.active() && before->mode->side == mode_.side &&
-                          before->mode->selection_number == mode_.selection_number;
-  if (!straight || !in_contour || request.kind != MotionKind::linear)
-    return report(request.source, Code::nc_unsupported, corner_without_contour);
-  Line& path = *std::get_if<Line>(&before->path);
-  const auto corner = cut_corner(path, line, *corner_, tolerances_);
+  if (corner_->form == CornerCut::Form::open) {
+    release_held();
+    return true;
+  }
+  auto& before = *std::get_if<MotionBlock>(&held_.front());
+  const bool in_contour = mode_.active() && before.mode->side == mode_.side &&
+                          before.mode->selection_number == mode_.selection_number;
+  const bool no_corner =
+      corner_->modal && std::abs(turn_between(tangent_at_end(before.path),
+                                              tangent_at_start(path))) <= tolerances_.tangent;
+  if (no_corner || (corner_->modal && (!alone || !in_contour))) {
+    release_held();
+    return true;
+  }
+  if (!alone || !in_contour) return refuse_corner(request.source);
+  const auto corner = cut_corner(before.path, path, *corner_, tolerances_);
   if (!corner)
     return report(request.source, Code::nc_unsupported,
-                  "a rounding or a chamfer the motions have no room for");
-  path.end = corner->end_before;
-  line.start = corner->start_after;
-  MotionBlock between = *before;
+                  "a rounding or a chamfer the motions have no room for, or a chamfer beside an "
+                  "arc");
+  before.path = corner->before;
+  path = corner->after;
+  MotionBlock between = before;
   between.path = corner->between;
-  held_.insert(held_.begin() + 1, std::move(between));
+  if (corner_feed_ != 0) between.feed = corner_feed_;
+  auto place = held_.begin() + 1;
+  if (corner_source_) {
+    between.source = *corner_source_;
+    while (place != held_.end() && index_of(*place) <= between.source.index) ++place;
+  }
+  held_.insert(place, std::move(between));
   release_held();
+  return true;
+}
+
+// In Klartext the corner stands in the next line.
+void ProgramState::hold_for_corner(const MoveRequest& request) {
+  if (!request.corner || !request.corner->modal || in_plane_blocks_ > 1) corner_ = request.corner;
+  const auto* last = std::get_if<MotionBlock>(&blocks_.back());
+  if (corner_ && corner_->modal &&
+      (last == nullptr || last->rapid || last->normal.moves() || !mode_.active()))
+    corner_.reset();
+  if (setup_.dialect == DialectName::heidenhain && mode_.active() && in_plane_blocks_ > 1)
+    corner_ = CornerCut{.form = CornerCut::Form::open};
+  if (!corner_) return;
+  held_.push_back(std::move(blocks_.back()));
+  blocks_.pop_back();
+}
+
+bool ProgramState::cut_corner_behind(const CornerCut& cut, double feed, const Source& source) {
+  if (!corner_ || corner_->form != CornerCut::Form::open) return refuse_corner(source);
+  const auto& before = *std::get_if<MotionBlock>(&held_.front());
+  const bool alone = !before.rapid && !before.normal.moves() &&
+                     std::ranges::none_of(before.tracking, &AxisTravel::moves);
+  if (!alone || !mode_.active()) return refuse_corner(source);
+  corner_ = cut;
+  corner_source_ = source;
+  corner_feed_ = feed;
   return true;
 }
 
@@ -590,6 +670,111 @@ void ProgramState::release_held() {
   std::ranges::move(held_, std::back_inserter(blocks_));
   held_.clear();
   corner_.reset();
+  corner_source_.reset();
+  corner_feed_ = 0;
+}
+
+ContourEnd ProgramState::contour_end(const Point& point, const Vector& tangent) const {
+  return {.point = point,
+          .tangent = tangent,
+          .side = mode_.side == Side::right ? -1.0 : 1.0,
+          .reach = mode_.options.suppress_trc ? 0 : mode_.tool_radius};
+}
+
+TrackingTravel ProgramState::standing_tracking() const {
+  TrackingTravel standing;
+  standing.reserve(tracking_.size());
+  for (const double axis : tracking_) standing.push_back({.from = axis, .to = axis});
+  return standing;
+}
+
+bool ProgramState::approach_by(const Lead& lead, const MoveRequest& request,
+                               const MoveRequest& way) {
+  Position end;
+  if (!find_end(request, end)) return refuse(request.source, end_out_of_range(request));
+  if (auto refusal = unknown_start(request)) return refuse(request.source, std::move(*refusal));
+  if (lead_ || in_plane_blocks_ > 0 || !mode_.active())
+    return report(request.source, Code::nc_unsupported, "APPR within a contour");
+  if (!check_radius(request.source)) return false;
+  lead_ = PendingLead{.lead = lead, .request = request, .way = way, .from = position_};
+  enter_target(request, end);
+  position_ = end;
+  return true;
+}
+
+// Across the plane where the path in it has ended, as the control does it.
+void ProgramState::travel_across(const MoveRequest& request) {
+  const std::size_t third = axes_of(mode_.plane).third;
+  if (!request.end[third] || *request.end[third] == position_[third]) return;
+  Position end = position_;
+  end[third] = *request.end[third];
+  append_passive(request, end, standing_tracking(), false);
+}
+
+// What leads to the contour comes out before what has been held since.
+bool ProgramState::approach_contour(const Segment& contour) {
+  const PendingLead pending = *std::exchange(lead_, std::nullopt);
+  const Position here = position_;
+  std::vector<Block> held = std::exchange(held_, {});
+  const ContourEnd begin = contour_end(start_of(contour), tangent_at_start(contour));
+  const Point from = to_plane(mode_.plane, pending.from);
+  const auto path = path_to(begin, pending.lead, from, tolerances_.same_point);
+  if (!path) return report(pending.request.source, Code::nc_unsupported, lead_without_room);
+  position_ = pending.from;
+  const std::size_t third = axes_of(mode_.plane).third;
+  const auto go = [&](const MoveRequest& request, const auto& shape) {
+    if (length_of(shape) <= tolerances_.same_point) return;
+    append_motion(request, shape, position_, standing_tracking());
+    std::get<MotionBlock>(blocks_.back()).role = ContourRole::lead;
+  };
+  if (path->contour) {
+    go(pending.way, Line{.start = from, .end = start_of(*path->contour)});
+    travel_across(pending.request);
+    std::visit([&](const auto& shape) { go(pending.request, shape); }, *path->contour);
+  } else {
+    // Up to the path of the tool without compensation, whatever the line leads across.
+    const TrcMode mode = mode_;
+    TrcMode& off = change_mode();
+    off.side = Side::off;
+    off.selection_number = 0;
+    go(pending.way, Line{.start = from, .end = path->away});
+    travel_across(pending.request);
+    change_mode() = mode;
+    go(pending.request, Line{.start = path->away, .end = begin.point});
+  }
+  const double height = here[third];
+  position_ = from_plane(mode_.plane, begin.point, height);
+  std::ranges::move(held, std::back_inserter(blocks_));
+  return true;
+}
+
+bool ProgramState::depart_by(const Lead& lead, const MoveRequest& request) {
+  if (corner_ && corner_->form != CornerCut::Form::open) return refuse_corner(request.source);
+  release_held();
+  if (!mode_.active() || in_plane_blocks_ <= (has_approach_ ? 1U : 0U))
+    return report(request.source, Code::nc_unsupported, "DEP without a contour before it");
+  Position end;
+  if (!find_end(request, end)) return refuse(request.source, end_out_of_range(request));
+  const ContourEnd last = contour_end(trc::end_of(last_path_), tangent_at_end(last_path_));
+  const auto path = path_from(last, lead, to_plane(mode_.plane, end), tolerances_.same_point);
+  if (!path) return report(request.source, Code::nc_unsupported, lead_without_room);
+  if (const Arc* arc = path->contour ? std::get_if<Arc>(&*path->contour) : nullptr) {
+    append_motion(request, *arc, position_, standing_tracking());
+    std::get<MotionBlock>(blocks_.back()).role = ContourRole::lead;
+  }
+  if (!deselect(request.source)) return false;
+  MoveRequest away = request;
+  const PlaneAxes axes = axes_of(mode_.plane);
+  if (lead.form != Lead::Form::arc_and_line) {
+    away.end[axes.first] = path->away.x();
+    away.end[axes.second] = path->away.y();
+  }
+  away.end[axes.third].reset();
+  target_ = position_;
+  if (!move(away)) return false;
+  travel_across(request);
+  target_[axes.third] = position_[axes.third];
+  return true;
 }
 
 // Behind G40 alone the tool stands beside the contour, so that a motion to where it ends in the
@@ -654,19 +839,19 @@ void ProgramState::append_passive(const MoveRequest& request, const Position& en
 
 bool ProgramState::pass(const Source& source, std::string text) {
   const double height = position_[axes_of(mode_.plane).third];
-  TrackingTravel standing;
-  standing.reserve(tracking_.size());
-  for (const double axis : tracking_) standing.push_back({.from = axis, .to = axis});
   sink().emplace_back(PassiveBlock{.source = source,
                                    .text = std::move(text),
                                    .normal = {.from = height, .to = height},
                                    .mode = shared_mode(),
-                                   .tracking = std::move(standing)});
+                                   .tracking = standing_tracking()});
   return true;
 }
 
 bool ProgramState::end(const Source& source) {
-  if (corner_) return report(source, Code::nc_unsupported, corner_without_contour);
+  if (lead_) return report(lead_->request.source, Code::nc_unsupported, approach_without_contour);
+  if (corner_ && corner_->form != CornerCut::Form::open && !corner_->modal)
+    return refuse_corner(source);
+  release_held();
   if (std::exchange(ended_, true) || !contour_open()) return !diagnostics_.stopped();
   return report(source, Code::ended_while_active);
 }

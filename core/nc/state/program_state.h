@@ -15,6 +15,7 @@
 #include "core/nc/state/circle.h"
 #include "core/nc/state/corner_cut.h"
 #include "core/nc/state/dialect_name.h"
+#include "core/nc/state/lead.h"
 
 namespace trc {
 
@@ -101,6 +102,11 @@ struct MoveRequest {
   double feed = 0;                                // mm/min in force
   ContourRole role = ContourRole::unspecified;
   std::optional<CornerCut> corner{};  // behind the motion, in a contour
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(source, kind, end, center, radius, incremental, tracking, feed, role, corner);
+  }
 };
 
 // The modal state and the position of one NC channel: turns requests into
@@ -156,6 +162,10 @@ class ProgramState {
   bool load_tool(const Source& source);
   // The program itself gives a tool of the table its radius, mm: G10 L12 of Fanuc.
   void define_tool(std::int64_t number, double radius) { defined_tools_[number] = radius; }
+  // Of the program or of the tool table.
+  [[nodiscard]] std::optional<ToolRow> row_of_tool(std::int64_t number) const;
+  // A tool with its sizes.
+  bool call_tool(const ToolRow& row, const Source& source);
   // Whether a D word may name it.
   [[nodiscard]] bool has_tool(std::int64_t number) const {
     return number == 0 || setup_.every_radius || defined_tools_.contains(number) ||
@@ -190,6 +200,15 @@ class ProgramState {
   // The first motion in the plane of a selection needs a tool radius: 900219; one
   // given as 0 gets a warning once (900220).
   bool move(const MoveRequest& request);
+  // RND and CHF of Klartext, lines of their own behind a motion of a contour. `feed`: of the cut,
+  // mm/min; 0: that of the motion. 900003 where the motion has no corner to be cut.
+  bool cut_corner_behind(const CornerCut& cut, double feed, const Source& source);
+  // APPR of Klartext, behind select(): the contour begins at `end` of the request, whose feed is
+  // that of the lead. `way`: how the tool goes there from where it stands. Comes out with the first
+  // motion of the contour, which says where the contour leads. 900003 where there is no room.
+  bool approach_by(const Lead& lead, const MoveRequest& request, const MoveRequest& way);
+  // DEP: leaves the contour and deselects; of LCT `end` of the request is where to.
+  bool depart_by(const Lead& lead, const MoveRequest& request);
   // Technology text, dwell …: comes out in its place, never interpreted.
   bool pass(const Source& source, std::string text);
   // Program end (M30, M02, end of text or of the stream): D-27. Only the first
@@ -204,6 +223,8 @@ class ProgramState {
   [[nodiscard]] RadiusUse radius_use() const { return {shared_mode_, terms_, programmed_side_}; }
   // Whether a motion begins where it does because of the radius (rule 3.6).
   [[nodiscard]] bool moves_by_radius() const { return moves_by_radius_; }
+  // The plane that the program has named last.
+  [[nodiscard]] Plane programmed_plane() const { return next_plane_.value_or(mode_.plane); }
   // Where the last block ended, mm.
   [[nodiscard]] const Position& position() const { return position_; }
   // Whether this is a feed, mm/min: 0 is none.
@@ -221,6 +242,7 @@ class ProgramState {
   void approach_tangentially() { change_mode().tangential = true; }
   // Of the blocks that are not given yet: the Source::index of the first, or the largest number.
   [[nodiscard]] std::uint64_t held_from() const {
+    if (lead_) return lead_->request.source.index;
     return held_.empty() ? std::numeric_limits<std::uint64_t>::max() : index_of(held_.front());
   }
   // No motion in the plane has followed the last G40 yet.
@@ -237,7 +259,8 @@ class ProgramState {
             circle_.correct_center, position_, target_, known_, position_forgotten_, displaced_,
             tracking_, radius_giver_, prepared_tool_, loads_tools_, missing_tool_,
             zero_radius_reported_, selected_, selections_, in_plane_blocks_, has_approach_,
-            last_path_, last_mode_, retract_pending_, just_deselected_, corner_, held_, ended_);
+            last_path_, last_mode_, retract_pending_, just_deselected_, next_plane_, corner_,
+            corner_source_, corner_feed_, lead_, held_, ended_);
   }
 
  private:
@@ -281,10 +304,19 @@ class ProgramState {
     return *request.end[axis] + (request.incremental ? target_[axis] : 0);
   }
   // Whether that is in range on all of them.
-  [[nodiscard]] std::vector<Block>& sink() { return corner_ ? held_ : blocks_; }
-  bool check_corner(const MoveRequest& request, bool straight);
-  bool cut_corner_before(const MoveRequest& request, Line& line, bool straight);
+  [[nodiscard]] std::vector<Block>& sink() { return corner_ || lead_ ? held_ : blocks_; }
+  bool refuse_corner(const Source& source);
+  // Whether the motion to `end` may have a corner that is cut: at feed, in the plane alone.
+  [[nodiscard]] bool moves_in_plane_alone(const MoveRequest& request, const Position& end,
+                                          const TrackingTravel& tracking) const;
+  bool check_corner(const MoveRequest& request, bool alone);
+  bool cut_corner_before(const MoveRequest& request, Segment& path, bool alone);
+  void hold_for_corner(const MoveRequest& request);
   void release_held();
+  bool approach_contour(const Segment& contour);
+  [[nodiscard]] ContourEnd contour_end(const Point& point, const Vector& tangent) const;
+  [[nodiscard]] TrackingTravel standing_tracking() const;
+  void travel_across(const MoveRequest& request);
   [[nodiscard]] bool leads_back(const MoveRequest& request) const;
   [[nodiscard]] bool find_end(const MoveRequest& request, Position& end) const;
   [[nodiscard]] Refusal end_out_of_range(const MoveRequest& request) const;
@@ -352,8 +384,24 @@ class ProgramState {
   std::shared_ptr<const TrcMode> last_mode_{};
   bool retract_pending_ = false;
   bool just_deselected_ = false;
+  std::optional<Plane> next_plane_{};  // named behind a bare G40
   // To be cut, and the blocks from the one before it on, until the next motion in the plane.
   std::optional<CornerCut> corner_{};
+  std::optional<Source> corner_source_{};  // of a line of its own
+  double corner_feed_ = 0;
+  // The way to the contour of which the first motion is still to come.
+  struct PendingLead {
+    Lead lead{};
+    MoveRequest request{};
+    MoveRequest way{};
+    Position from{};
+
+    template <class Archive>
+    void serialize(Archive& archive) {
+      archive(lead, request, way, from);
+    }
+  };
+  std::optional<PendingLead> lead_{};
   std::vector<Block> held_{};
   bool ended_ = false;
 };

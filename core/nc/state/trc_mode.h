@@ -27,8 +27,8 @@ enum class Transition : std::uint8_t { linear, circular };
 enum class Masking : std::uint8_t { off, on };
 
 // Where the programmed feed applies: at the tool centre (G10, initial) or at the
-// contact point of tool and contour (G11).
-enum class FeedAdaptation : std::uint8_t { off, on };
+// contact point of tool and contour (G11); or there at inside arcs alone (CFIN, M110).
+enum class FeedAdaptation : std::uint8_t { off, on, inside };
 
 // SPLIT words: the feed of the parts next to the contour, rule 7.2.
 struct SplitOption {

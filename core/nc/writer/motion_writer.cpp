@@ -45,6 +45,8 @@ char* write_function(char* at, char digit) {
   return at;
 }
 
+char* write_name(char* at, std::string_view name) { return std::ranges::copy(name, at).out; }
+
 // For the words of one motion: a function, three axes and two words for the centre, and the
 // tracking axes.
 char* room_of_motion(TextBuffer& out, const TrackingTravel& tracking) {
@@ -127,19 +129,20 @@ std::array<Arc, 2> halves_of(const Arc& arc) {
           Arc{.start = middle, .end = arc.end, .center = arc.center, .sweep = half}};
 }
 
-MotionWriter::MotionWriter(int decimals, std::string tracking_letters, bool points)
+MotionWriter::MotionWriter(int decimals, std::string tracking_letters, Spelling spelling)
     : decimals_(decimals),
       unit_of_mm_(from_units(1, decimals)),
       unit_of_inch_(from_units(1, decimals + 1) * mm_per_inch),
       tracking_letters_(std::move(tracking_letters)),
-      points_(points) {}
+      spelling_(spelling) {}
 
 inline char* MotionWriter::write_word(char* at, char letter, std::int64_t units,
                                       int decimals) const {
   *at++ = ' ';
   *at++ = letter;
+  if (spelling_.klartext && units >= 0 && letter != 'F') *at++ = '+';
   at = write_units(at, units, decimals);
-  if (points_ && units % units_per_one(decimals) == 0) *at++ = '.';
+  if (spelling_.points && units % units_per_one(decimals) == 0) *at++ = '.';
   return at;
 }
 
@@ -234,14 +237,19 @@ void MotionWriter::append_line(TextBuffer& out, MotionKind kind, const Position&
                                const TrackingTravel& tracking, AxisSet always,
                                WrittenState& state) const {
   char* at = room_of_motion(out, tracking);
-  at = write_function(at, kind == MotionKind::rapid ? '0' : '1');
-  out.end_at(write_axes(at, always, 0, end, tracking, {}, state));
+  at = spelling_.klartext ? write_name(at, " L")
+                          : write_function(at, kind == MotionKind::rapid ? '0' : '1');
+  at = write_axes(at, always, 0, end, tracking, {}, state);
+  if (spelling_.klartext && kind == MotionKind::rapid) at = write_name(at, " FMAX");
+  out.end_at(at);
   state.motion = kind;
 }
 
 void MotionWriter::append_arc(TextBuffer& out, const Arc& arc, const ArcNumbers& numbers,
                               Plane plane, const Position& end, const TrackingTravel& tracking,
                               AxisSet always, WrittenState& state) const {
+  if (spelling_.klartext)
+    return append_klartext_arc(out, arc, numbers, plane, end, tracking, always, state);
   const bool clockwise = arc.sweep < 0;
   const PlaneAxes axes = axes_of(plane);
   const AxisSet plane_axes = axis_bit(axes.first) | axis_bit(axes.second);
@@ -269,15 +277,69 @@ void MotionWriter::append_arc(TextBuffer& out, const Arc& arc, const ArcNumbers&
   state.motion = clockwise ? MotionKind::clockwise : MotionKind::counter_clockwise;
 }
 
+void MotionWriter::append_pole(TextBuffer& out, const Point& pole, Plane plane,
+                               WrittenState& state) const {
+  const PlaneAxes axes = axes_of(plane);
+  const Written first = written(pole.x(), state.inch);
+  const Written second = written(pole.y(), state.inch);
+  char* at = out.room(3 * room_of_word);
+  at = write_name(at, " CC");
+  const bool swapped = axes.first > axes.second;
+  const auto write = [&](std::size_t axis, const Written& number) {
+    at = write_word(at, main_axis_letters[axis], number.units, decimals_of(state.inch));
+  };
+  if (swapped) write(axes.second, second);
+  write(axes.first, first);
+  if (!swapped) write(axes.second, second);
+  out.end_at(at);
+  state.pole = {first.read, second.read};
+}
+
+// Behind its CC. A helix has the angle that it turns by, as C has no third axis.
+void MotionWriter::append_klartext_arc(TextBuffer& out, const Arc& arc, const ArcNumbers& numbers,
+                                       Plane plane, const Position& end,
+                                       const TrackingTravel& tracking, AxisSet always,
+                                       WrittenState& state) const {
+  const bool clockwise = arc.sweep < 0;
+  const PlaneAxes axes = axes_of(plane);
+  const AxisSet in_plane = axis_bit(axes.first) | axis_bit(axes.second);
+  const AxisSet third = axis_bit(axes.third);
+  const bool helix =
+      (always & third) != 0 || !reaches(end[axes.third], state.position[axes.third], state.inch);
+  char* at = room_of_motion(out, tracking);
+  if (helix) {
+    constexpr int angle_decimals = 6;
+    const std::int64_t angle = to_units(arc.sweep * 180 / std::numbers::pi, angle_decimals);
+    at = write_name(at, " CP IPA");
+    if (angle >= 0) *at++ = '+';
+    at = write_units(at, angle, angle_decimals);
+    at = write_axes(at, always, in_plane, end, tracking, {}, state);
+    const Vector arm = to_plane(plane, state.position) - state.pole;
+    const double turn = from_units(angle, angle_decimals) * std::numbers::pi / 180;
+    const Point read = state.pole + std::cos(turn) * arm + std::sin(turn) * left_of(arm);
+    state.position[axes.first] = read.x();
+    state.position[axes.second] = read.y();
+  } else {
+    KnownNumbers known{};
+    known[axes.first] = &numbers.end[0];
+    known[axes.second] = &numbers.end[1];
+    at = write_name(at, " C");
+    at = write_axes(at, always | in_plane, 0, end, tracking, known, state);
+  }
+  at = write_name(at, clockwise ? " DR-" : " DR+");
+  out.end_at(at);
+  state.motion = clockwise ? MotionKind::clockwise : MotionKind::counter_clockwise;
+}
+
 // A feed counts by its digits, not by its decimals: a slow one gets more of them,
 // and none becomes F0.
 MotionWriter::WrittenFeed MotionWriter::written_feed(double feed, bool inch) const {
-  const double value = inch ? feed / mm_per_inch : feed;
+  const double value = feed / feed_unit(inch);
   int decimals = decimals_of(inch);
   while (decimals < most_decimals && to_units(value, decimals) < least_feed_units) ++decimals;
   const std::int64_t units = std::max<std::int64_t>(to_units(value, decimals), 1);
   const double number = from_units(units, decimals);
-  return {.units = units, .decimals = decimals, .read = inch ? number * mm_per_inch : number};
+  return {.units = units, .decimals = decimals, .read = number * feed_unit(inch)};
 }
 
 bool MotionWriter::same_feed(double a, double b, bool inch) const {

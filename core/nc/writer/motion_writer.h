@@ -25,10 +25,17 @@ struct WrittenState {
   double feed = 0;  // mm/min; 0: none written yet
   Position position{};
   std::vector<double> tracking{};  // by index into the tracking axes of the session
+  // Of Klartext.
+  Point pole = Point::Zero();  // CC, mm, in the plane
+  bool has_pole = false;
+  bool pole_written = false;   // it is not the one in force in the program
+  bool other_tangent = false;  // the last motion does not lead where that of the program led
+  bool other_radius = false;   // the last PR of the program has not come out
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(motion, incremental, inch, absolute_center, plane, feed, position, tracking);
+    archive(motion, incremental, inch, absolute_center, plane, feed, position, tracking, pole,
+            has_pole, pole_written, other_tangent, other_radius);
   }
 };
 
@@ -39,6 +46,12 @@ using AxisSet = std::uint64_t;
 // The two parts of an arc of half the sweep each; they share their joint.
 [[nodiscard]] std::array<Arc, 2> halves_of(const Arc& arc);
 
+// How numbers and motions are spelled.
+struct Spelling {
+  bool points = false;    // whole numbers end in a decimal point
+  bool klartext = false;  // L X+10 FMAX; CC and C
+};
+
 // Turns motions into words (G01 X30 Y30 …) such that a reader of the text makes
 // the same motion: ends to half a unit of the last decimal, points inside an arc to
 // one and a half units, to five in one of more than 180 degrees. The state is brought up to what
@@ -46,8 +59,7 @@ using AxisSet = std::uint64_t;
 class MotionWriter {
  public:
   // `tracking_letters`: one letter per tracking axis. 0 <= decimals < most_decimals.
-  // `points`: whole numbers end in a decimal point.
-  MotionWriter(int decimals, std::string tracking_letters, bool points = false);
+  MotionWriter(int decimals, std::string tracking_letters, Spelling spelling = {});
 
   // How an arc can be written from the position the reader is at.
   enum class ArcForm : std::uint8_t {
@@ -91,6 +103,9 @@ class MotionWriter {
                   const Position& end, const TrackingTravel& tracking, AxisSet always,
                   WrittenState& state) const;
 
+  // In Klartext the centre is a block of its own, in front of the arc: CC.
+  void append_pole(TextBuffer& out, const Point& pole, Plane plane, WrittenState& state) const;
+
   // Whether two feeds are written alike, mm/min.
   [[nodiscard]] bool same_feed(double a, double b, bool inch) const;
   void append_feed(TextBuffer& out, double feed, WrittenState& state) const;
@@ -119,6 +134,13 @@ class MotionWriter {
   [[nodiscard]] double unit(bool inch) const { return inch ? unit_of_inch_ : unit_of_mm_; }
 
   [[nodiscard]] char* write_word(char* at, char letter, std::int64_t units, int decimals) const;
+  // Klartext counts feeds in tenths of an inch.
+  [[nodiscard]] double feed_unit(bool inch) const {
+    return inch ? mm_per_inch / (spelling_.klartext ? 10 : 1) : 1;
+  }
+  void append_klartext_arc(TextBuffer& out, const Arc& arc, const ArcNumbers& numbers, Plane plane,
+                           const Position& end, const TrackingTravel& tracking, AxisSet always,
+                           WrittenState& state) const;
 
   // `known`: the numbers of main axes that have been asked for already.
   using KnownNumbers = std::array<const Written*, 3>;
@@ -131,7 +153,7 @@ class MotionWriter {
   double unit_of_mm_;
   double unit_of_inch_;
   std::string tracking_letters_;
-  bool points_;
+  Spelling spelling_;
 };
 
 }  // namespace trc

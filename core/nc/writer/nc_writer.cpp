@@ -44,7 +44,8 @@ AxisSet plane_axes(Plane plane) {
 }  // namespace
 
 NcWriter::NcWriter(const Setup& setup)
-    : motions_(setup.decimals, setup.tracking_letters, setup.points),
+    : motions_(setup.decimals, setup.tracking_letters, setup.spelling),
+      klartext_(setup.spelling.klartext),
       tracking_letters_(setup.tracking_letters),
       center_letters_are_axes_(setup.tracking_letters.find_first_of("IJKR") != std::string::npos) {
   state_.absolute_center = setup.absolute_center;
@@ -106,6 +107,11 @@ void NcWriter::write(const CompensatedBlock& block, std::string& out) {
     drop_first();
     return;
   }
+  if (!has_own && klartext_ && block.source.index == copied_index_) {
+    // A further turn of a helix.
+    state_.position = from_plane(block.plane, end_of(block.path), block.normal.to);
+    return;
+  }
   const bool may_be_copied = has_own && block.origin == Origin::uncompensated;
   if (!may_be_copied || !copy_motion(*own_, block, out)) write_motion(block, out);
   if (own_ != nullptr && (own_->line->roles & roles_without_motion) != 0) {
@@ -124,6 +130,8 @@ void NcWriter::write_without_motion(const Waiting& own, std::string& out) {
     bool has_more_than_number = false;
     for (const WordRange& word : line.words) {
       if (word.role == WordRole::trc || word.role == WordRole::coordinate) continue;
+      if (klartext_ && word.role == WordRole::mode) continue;
+      if (klartext_ && word.role == WordRole::feed) words_.append(" L");
       if (word.role == WordRole::motion && line.is_motion) continue;
       has_more_than_number |= word.role != WordRole::number;
       append(line, word);
@@ -131,6 +139,7 @@ void NcWriter::write_without_motion(const Waiting& own, std::string& out) {
     if (has_more_than_number) write_words(line.line_end, out);
   }
   enter_modes(own);
+  if (line.klartext) enter_klartext(line, !line.has_trc_words && !line.is_motion);
   if (own.line->has(WordRole::feed)) enter_feed(line);
   if (own.line->has(WordRole::motion) && !line.is_motion) state_.motion = line.motion;
 }
@@ -143,11 +152,19 @@ bool NcWriter::copy_motion(const Waiting& own, const CompensatedBlock& block, st
   if (is_arc(block.path) && line.plane != block.plane) return false;
   if (!block.rapid && block.feed > 0 && !own.line->has(WordRole::feed) && !has_feed(block))
     return false;
+  if (line.klartext && !has_what_it_counts_on(line, block)) return false;
   after_.position = state_.position;
   after_.tracking = state_.tracking;
   if (!reads_as(own, block, after_)) return false;
 
   enter_modes(own);
+  if (line.klartext) {
+    const Point pole(line.klartext->pole_x, line.klartext->pole_y);
+    if (line.klartext->needs_pole && state_.pole_written) write_pole(pole, block.plane, out);
+    enter_klartext(line, true);
+    state_.pole_written &= !line.klartext->needs_pole;
+  }
+  copied_index_ = line.source.index;
   state_.position = after_.position;
   state_.tracking = after_.tracking;
   if (own.line->has(WordRole::feed)) enter_feed(line);
@@ -178,7 +195,9 @@ bool NcWriter::reads_as(const Waiting& own, const CompensatedBlock& block,
         !motions_.reaches(end[axis], own.meaning.end[axis], line.inch))
       return false;
     if ((named & bit) != 0)
-      position = line.incremental ? position + (end[axis] - start[axis]) : end[axis];
+      position = line.incremental || (line.klartext && (line.klartext->increments & bit) != 0)
+                     ? position + (end[axis] - start[axis])
+                     : end[axis];
     if (!motions_.reaches(end[axis], position, line.inch)) return false;
   }
   for (std::size_t axis = 0; axis < block.tracking.size(); ++axis) {
@@ -189,6 +208,36 @@ bool NcWriter::reads_as(const Waiting& own, const CompensatedBlock& block,
     if (!motions_.reaches_tracking(axis, travel.to, position, line.inch)) return false;
   }
   return true;
+}
+
+bool NcWriter::has_what_it_counts_on(const ProgramLine& line, const CompensatedBlock& block) const {
+  const KlartextLine& says = *line.klartext;
+  if (says.needs_tangent && state_.other_tangent) return false;
+  if (says.needs_polar_radius && state_.other_radius) return false;
+  if (!says.counts_from_start) return true;
+  const Position start = from_plane(block.plane, start_of(block.path), block.normal.from);
+  return std::ranges::equal(state_.position, start,
+                            [](double a, double b) { return std::abs(a - b) <= same_start; });
+}
+
+// What a reader of the output knows behind the line.
+void NcWriter::enter_klartext(const ProgramLine& line, bool copied) {
+  const KlartextLine& says = *line.klartext;
+  if (says.sets_polar_radius) state_.other_radius = !copied;
+  if (line.is_motion) state_.other_tangent = !copied;
+  if (!says.sets_pole) return;
+  state_.pole_written = !copied;
+  if (!copied) return;
+  state_.pole = {says.pole_x, says.pole_y};
+  state_.has_pole = true;
+}
+
+void NcWriter::write_pole(const Point& pole, Plane plane, std::string& out) {
+  begin_words();
+  motions_.append_pole(words_, pole, plane, state_);
+  write_words(line_end_, out);
+  state_.pole_written = true;
+  state_.has_pole = true;
 }
 
 void NcWriter::write_motion(const CompensatedBlock& block, std::string& out) {
@@ -241,10 +290,17 @@ void NcWriter::write_piece(const CompensatedBlock& block, const Segment& piece,
   const bool must_be_written = (always & (in_plane ? ~plane_axes(block.plane) : ~AxisSet{0})) != 0;
   if (arc == nullptr && !must_be_written && !motions_.moves(end, tracking, state_)) return;
 
+  if (klartext_ && arc != nullptr &&
+      !(state_.has_pole && motions_.reaches(arc->center.x(), state_.pole.x(), state_.inch) &&
+        motions_.reaches(arc->center.y(), state_.pole.y(), state_.inch)))
+    write_pole(arc->center, block.plane, out);
+  if (own_ != nullptr && own_->line->klartext) enter_klartext(*own_->line, false);
+  if (klartext_) state_.other_tangent = true;
   begin_words();
   if (own_ != nullptr && (own_->line->roles & roles_in_front) != 0) {
     for (const WordRange& word : own_->line->words)
-      if (word.role == WordRole::number || word.role == WordRole::mode) append(*own_->line, word);
+      if (word.role == WordRole::number || (word.role == WordRole::mode && !klartext_))
+        append(*own_->line, word);
   }
   const MotionKind kind = kind_of(block);
   if (arc != nullptr) {
@@ -311,6 +367,7 @@ void NcWriter::enter_feed(const ProgramLine& line) {
 }
 
 void NcWriter::write_plane(Plane plane, std::string& out) {
+  if (klartext_) return;  // its plane is that of the tool
   begin_words();
   words_.append(plane == Plane::xy ? " G17" : plane == Plane::zx ? " G18" : " G19");
   write_words(line_end_, out);

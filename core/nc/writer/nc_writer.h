@@ -34,7 +34,7 @@ class NcWriter {
     bool absolute_center = false;
     Plane plane = Plane::xy;
     bool inch = false;
-    bool points = false;             // numbers are written with a decimal point
+    Spelling spelling{};
     std::string tracking_letters{};  // one per tracking axis
   };
   explicit NcWriter(const Setup& setup);
@@ -73,7 +73,7 @@ class NcWriter {
   template <class Archive>
   void serialize(Archive& archive) {
     archive(state_, feed_is_programmed_, waiting_, first_, waiting_for_blocks_, silent_bytes_,
-            rewritten_index_, line_end_missing_);
+            rewritten_index_, copied_index_, line_end_missing_);
     serialize_line_end(archive, line_end_);
   }
 
@@ -103,6 +103,12 @@ class NcWriter {
   [[nodiscard]] bool reads_as(const Waiting& own, const CompensatedBlock& block,
                               WrittenState& after) const;
 
+  // What Klartext takes for granted: pole, polar radius, the tangent of the motion before.
+  [[nodiscard]] bool has_what_it_counts_on(const ProgramLine& line,
+                                           const CompensatedBlock& block) const;
+  void enter_klartext(const ProgramLine& line, bool copied);
+  void write_pole(const Point& pole, Plane plane, std::string& out);
+
   void write_motion(const CompensatedBlock& block, std::string& out);
   void write_arc(const CompensatedBlock& block, const Arc& arc, double from, double to,
                  std::string& out);
@@ -131,12 +137,14 @@ class NcWriter {
   [[nodiscard]] AxisSet axes_to_keep(const Waiting& own, const CompensatedBlock& block,
                                      const Position& end) const;
   [[nodiscard]] AxisSet axes_named_in(const ProgramLine& line) const {
+    if (line.klartext) return line.klartext->axes;
     return line.names_other_axes || center_letters_are_axes_ ? all_axes_named_in(line)
                                                              : AxisSet{line.main_axes};
   }
   [[nodiscard]] AxisSet all_axes_named_in(const ProgramLine& line) const;
 
   MotionWriter motions_;
+  bool klartext_;
   std::string tracking_letters_;
   bool center_letters_are_axes_;  // I J K R among them
   WrittenState state_;
@@ -151,6 +159,8 @@ class NcWriter {
   // The line whose motion was last written anew: what stops behind the motion is
   // still to come.
   std::uint64_t rewritten_index_ = std::numeric_limits<std::uint64_t>::max();
+  // Of the line copied last: what else it gives has come out with it.
+  std::uint64_t copied_index_ = std::numeric_limits<std::uint64_t>::max();
   const Waiting* own_ = nullptr;      // the line of the block being written, until it has come out
   TextBuffer words_;                  // of the line being written, a blank before each
   TextBuffer last_comment_;           // behind them: what begins with `;` ends the line

@@ -15,8 +15,9 @@ bool Reporting::feed(PathBlock& block, std::vector<CompensatedBlock>& out) {
     return true;
   }
   MotionBlock& programmed = block.programmed;
-  const bool adapts = block.mode().feed_adaptation == FeedAdaptation::on;
-  const double factor = adapts ? feed_factor(block) : 1;
+  const FeedAdaptation adaptation = block.mode().feed_adaptation;
+  double factor = adaptation == FeedAdaptation::off ? 1 : feed_factor(block);
+  if (adaptation == FeedAdaptation::inside) factor = std::min(factor, 1.0);
   CompensatedBlock& result = put_out(programmed, block.mode(), block.origin, block.tool_path, out);
   result.feed = std::min(programmed.feed * factor, tolerances_.largest_feed);
   if (inverse_path_) {

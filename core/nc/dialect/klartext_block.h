@@ -1,0 +1,76 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/nc/dialect/interpreter.h"
+#include "core/nc/state/lead.h"
+
+namespace trc {
+
+// Where RL or RR stands in a block of Klartext that is not read; npos: nowhere.
+[[nodiscard]] std::size_t place_of_klartext_side(std::string_view block);
+
+// What the words of a block that may move say, before any of it takes effect.
+struct Interpreter::KlartextBlock {
+  struct Value {
+    double value = 0;
+    bool increment = false;
+    std::uint32_t begin = 0;
+  };
+
+  [[nodiscard]] bool is(KlartextStatement other) const { return statement == other; }
+  // L, LP and the arcs.
+  [[nodiscard]] bool is_motion() const {
+    return statement != KlartextStatement::none && statement != KlartextStatement::center &&
+           statement < KlartextStatement::rounding;
+  }
+  [[nodiscard]] bool is_lead() const { return statement >= KlartextStatement::approach; }
+  [[nodiscard]] bool is_polar() const {
+    return statement == KlartextStatement::polar_line ||
+           statement == KlartextStatement::polar_circle ||
+           statement == KlartextStatement::polar_tangent_arc || polar_lead;
+  }
+  [[nodiscard]] bool names_axes() const {
+    return end[0] || end[1] || end[2] || !tracking.empty() || polar_radius || polar_angle;
+  }
+
+  KlartextStatement statement = KlartextStatement::none;
+  std::string name{};  // of the statement, for messages
+  std::uint32_t begin = 0;
+  std::array<std::optional<Value>, 3> end{};
+  std::vector<std::optional<double>> tracking{};
+  std::uint64_t tracking_increments = 0;
+  std::optional<Value> polar_radius{};
+  std::optional<Value> polar_angle{};   // degrees
+  std::optional<Value> radius{};        // R of CR and of leads, RND
+  std::optional<Value> length{};        // LEN, CHF
+  std::optional<Value> center_angle{};  // CCA, degrees
+  std::optional<bool> clockwise{};      // DR
+  std::optional<Side> side{};           // RL RR R0
+  std::uint32_t side_begin = 0;
+  std::optional<Value> feed{};
+  bool rapid = false;
+  bool called_feed = false;  // F AUTO
+  Lead lead{};
+  bool polar_lead = false;
+  bool to_skip = false;
+  // Of M words and what stands behind them.
+  bool ignores_words = false;  // M118, M128 …: what follows are no coordinates
+  bool calls_cycle = false;    // M99, M89
+  bool machine_place = false;  // M91, M92
+  bool feed_per_turn = false;
+  bool feed_per_minute = false;
+  std::optional<bool> masks{};                  // M120
+  std::optional<FeedAdaptation> adapts_feed{};  // M109 M110 M111
+  MoveRequest move{};                           // where it leads to
+  // What keeps the block from being followed: a parameter, M91 … It is copied while TRC is off.
+  std::optional<std::uint32_t> unfollowed{};
+  std::string unfollowed_why{};
+};
+
+}  // namespace trc

@@ -1,0 +1,461 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <string>
+
+#include "core/nc/dialect/klartext_block.h"
+
+// What a block of Klartext that may move does.
+
+namespace trc {
+namespace {
+
+constexpr double radians = std::numbers::pi / 180;
+constexpr double full_turn = 2 * std::numbers::pi;
+
+bool is_arc_of(Interpreter::KlartextStatement statement) {
+  using enum Interpreter::KlartextStatement;
+  return statement == circle || statement == radius_arc || statement == polar_circle;
+}
+
+}  // namespace
+
+// What the words must be together, and whether the block is followed.
+bool Interpreter::check_klartext(ProgramLine& line, KlartextBlock& block) {
+  const auto wrong = [&](std::string detail, Code code) {
+    return refuse_klartext(line, block.begin, block.name + std::move(detail), code);
+  };
+  if (block.feed && block.feed->begin == ~0U) return wrong(" with F alone", Code::nc_number);
+  const double unit = inch_ ? mm_per_inch / 10 : 1;
+  if (block.feed && !state_.is_feed(block.feed->value * unit))
+    return refuse_klartext(line, block.feed->begin, "F, more than 0 and at most 1000000000 mm/min",
+                           Code::nc_number);
+  const bool active = trc_active();
+  const bool selects = block.side && *block.side != Side::off;
+  const bool moves = block.is_motion() || block.is_lead() ||
+                     block.is(KlartextStatement::rounding) || block.is(KlartextStatement::chamfer);
+  if (block.to_skip && (moves || block.is(KlartextStatement::center)) && !block.unfollowed) {
+    block.unfollowed = block.begin;
+    block.unfollowed_why = block.name + ", a motion that may be skipped";
+  }
+  if (klartext_.unfollowed && moves && !block.unfollowed) {
+    block.unfollowed = block.begin;
+    block.unfollowed_why = block.name + ", in coordinates that are scaled or led by the tool tip";
+  }
+  // R0 beside M91 ends TRC first.
+  const bool in_contour = (active && block.side != Side::off) || selects;
+  if (block.unfollowed && in_contour)
+    return refuse_klartext(line, *block.unfollowed,
+                           block.unfollowed_why + (active ? ", while TRC is active" : ""));
+  if (block.unfollowed) return true;
+  if ((is_arc_of(block.statement)) && !block.clockwise)
+    return wrong(" without DR", Code::circle_incomplete);
+  if (block.is(KlartextStatement::radius_arc) && !block.radius)
+    return wrong(" without R", Code::circle_incomplete);
+  if (block.radius && !block.is(KlartextStatement::radius_arc) && !block.is_lead() &&
+      !block.is(KlartextStatement::rounding))
+    return refuse_klartext(line, block.radius->begin, "R beside " + block.name);
+  const bool corner = block.is(KlartextStatement::rounding) || block.is(KlartextStatement::chamfer);
+  const auto& size = block.is(KlartextStatement::rounding) ? block.radius : block.length;
+  if (corner && (!size || size->value < 0)) return wrong(" without its size", Code::nc_number);
+  if (!block.is_lead()) return true;
+  if (block.name.find(' ') == std::string::npos)
+    return wrong(" without LT, LN, CT or LCT", Code::nc_syntax);
+  const bool straight =
+      block.lead.form == Lead::Form::tangent || block.lead.form == Lead::Form::normal;
+  if (straight && !(block.length && block.length->value > 0))
+    return wrong(" without LEN", Code::nc_number);
+  if (!straight && !(block.radius && block.radius->value != 0))
+    return wrong(" without R", Code::nc_number);
+  const bool arc = block.lead.form == Lead::Form::arc;
+  if (!straight && !arc && block.radius->value < 0)
+    return wrong(" with R below 0", Code::nc_number);
+  if (arc &&
+      !(block.center_angle && block.center_angle->value > 0 && block.center_angle->value <= 360))
+    return wrong(" without CCA, more than 0 and at most 360", Code::nc_number);
+  return true;
+}
+
+bool Interpreter::apply_klartext(ProgramLine& line, KlartextBlock& block) {
+  line.klartext.emplace();
+  const bool is_lead = block.is_lead();
+  if (!apply_klartext_modes(line, block)) return false;
+  const auto has = [&](WordRole role) {
+    return std::ranges::find(line.words, role, &WordRange::role) != line.words.end();
+  };
+  const bool selects = block.side && *block.side != Side::off;
+  const bool approaches = block.is(KlartextStatement::approach) && selects;
+  const bool departs = block.is(KlartextStatement::departure) && trc_active();
+  const bool copied = block.unfollowed.has_value() || (is_lead && !approaches && !departs);
+  if (copied || ((block.is(KlartextStatement::rounding) || block.is(KlartextStatement::chamfer) ||
+                  block.is(KlartextStatement::center)) &&
+                 !contour_open())) {
+    // As it stands: nothing of it is written anew.
+    for (WordRange& word : line.words)
+      if (word.role == WordRole::coordinate || word.role == WordRole::trc ||
+          word.role == WordRole::motion)
+        word.role = WordRole::technology;
+  }
+  if (has(WordRole::technology) && !pass_words(line, WordRole::technology)) return false;
+  if (copied) {
+    std::array<bool, 3> axes{true, true, true};
+    const bool named = block.end[0] || block.end[1] || block.end[2];
+    for (std::size_t axis = 0; axis < axes.size(); ++axis)
+      axes[axis] = !block.machine_place || !named || block.end[axis];
+    forget_klartext_position(line, axes);
+    if (block.is(KlartextStatement::center)) klartext_.pole.reset();
+    klartext_.polar_radius.reset();
+    if (block.feed_per_turn || block.unfollowed_why.ends_with("variable")) feed_ = 0;
+  } else if (!apply_klartext_motion(line, block)) {
+    return false;
+  }
+  if (klartext_.pole) {
+    line.klartext->pole_x = klartext_.pole->x();
+    line.klartext->pole_y = klartext_.pole->y();
+  }
+  if (block.calls_cycle || (klartext_.modal_cycle && block.is_motion()))
+    forget_klartext_position(line);
+  if (has(WordRole::stop) && !pass_words(line, WordRole::stop)) return false;
+  if (!line.ends_program) return true;
+  ended_ = true;
+  state_.place(0);
+  return state_.end(line.source);
+}
+
+// Feed and side before the motion, as in every other dialect.
+bool Interpreter::apply_klartext_modes(ProgramLine& line, KlartextBlock& block) {
+  const bool corner = block.is(KlartextStatement::rounding) || block.is(KlartextStatement::chamfer);
+  klartext_.feed_before = feed_;
+  if (block.feed && !corner) feed_ = block.feed->value * (inch_ ? mm_per_inch / 10 : 1);
+  if (block.called_feed) feed_ = klartext_.called_feed;
+  if (block.feed_per_turn) feed_ = 0;
+  place(line, block.side ? block.side_begin : block.begin);
+  if (block.adapts_feed && !state_.set_feed_adaptation(*block.adapts_feed, line.source))
+    return false;
+  const TrcMode& initial = state_.setup().mode;
+  const bool ends = block.side == Side::off || block.is(KlartextStatement::departure);
+  const auto mask = [&](bool on) {
+    TrcOptions options = state_.mode().options;
+    options.remove_masked_blocks = on || initial.options.remove_masked_blocks;
+    return state_.set_masking(on ? Masking::on : initial.masking, line.source) &&
+           state_.set_options(options, line.source);
+  };
+  if (block.masks && !mask(*block.masks)) return false;
+  if (block.is_lead() || !block.side) return true;
+  if (*block.side != Side::off) return select_in_klartext(line, *block.side, block.side_begin);
+  return state_.deselect(line.source) && (!ends || block.masks || mask(false));
+}
+
+bool Interpreter::apply_klartext_motion(ProgramLine& line, KlartextBlock& block) {
+  using enum KlartextStatement;
+  const bool open = contour_open();
+  place(line, block.begin);
+  switch (block.statement) {
+    case none:
+      return true;
+    case center:
+      if (open)
+        for (WordRange& word : line.words)
+          if (word.role == WordRole::coordinate || word.role == WordRole::motion)
+            word.role = WordRole::trc;
+      return take_klartext_pole(line, block);
+    case rounding:
+    case chamfer: {
+      klartext_.tangent.reset();
+      if (!open) return true;
+      const bool round = block.is(rounding);
+      const double size = (round ? block.radius : block.length)->value * length_unit();
+      line.is_motion = true;
+      if (size == 0) return true;
+      return state_.cut_corner_behind(
+          {.form = round ? CornerCut::Form::round : CornerCut::Form::leg, .size = size},
+          block.feed ? block.feed->value * (inch_ ? mm_per_inch / 10 : 1) : 0, line.source);
+    }
+    case approach:
+    case departure:
+      return lead_in_klartext(line, block);
+    default:
+      break;
+  }
+  if (!block.names_axes() && !is_arc_of(block.statement)) {
+    // L RL F200, L R0 FMAX M2
+    klartext_.rapid = block.rapid;
+    motion_ = block.rapid ? MotionKind::rapid : MotionKind::linear;
+    return true;
+  }
+  return find_klartext_end(line, block);
+}
+
+// CC: the pole, also where it is told from where the tool stands.
+bool Interpreter::take_klartext_pole(ProgramLine& line, KlartextBlock& block) {
+  const PlaneAxes axes = axes_of(state_.mode().plane);
+  if (block.end[axes.third] || !block.tracking.empty())
+    return refuse_klartext(line, block.begin, "CC across the plane");
+  line.klartext->sets_pole = true;
+  const bool alone = !block.end[axes.first] && !block.end[axes.second];
+  const std::optional<Point> old = klartext_.pole;
+  Point pole = old.value_or(Point::Zero());
+  bool known = true;
+  for (const auto& [axis, coordinate] :
+       {std::pair{axes.first, &pole.x()}, std::pair{axes.second, &pole.y()}}) {
+    const auto& word = block.end[axis];
+    const bool from_tool = alone || (word && word->increment);
+    known = known && (from_tool ? state_.is_known(axis) : word.has_value() || old.has_value());
+    const double base = from_tool ? state_.position()[axis] : 0;
+    if (word || alone) *coordinate = base + (word ? word->value * length_unit() : 0);
+  }
+  klartext_.pole = known ? std::optional(pole) : std::nullopt;
+  return true;
+}
+
+bool Interpreter::find_polar_end(ProgramLine& line, KlartextBlock& block, const Point& start,
+                                 Point& end) {
+  KlartextLine& says = *line.klartext;
+  const auto wrong = [&](const char* why, Code code = Code::nc_unsupported) {
+    return refuse_klartext(line, block.begin, block.name + why, code);
+  };
+  if (!klartext_.pole) return wrong(" without CC, or behind what moves it");
+  const Vector arm = start - *klartext_.pole;
+  const bool circle = block.is(KlartextStatement::polar_circle);
+  says.needs_pole = true;
+  double radius = arm.norm();
+  if (!circle) {
+    says.sets_polar_radius = block.polar_radius.has_value();
+    says.needs_polar_radius = !block.polar_radius || block.polar_radius->increment;
+    if (says.needs_polar_radius && !klartext_.polar_radius) return wrong(" without PR");
+    radius = (says.needs_polar_radius ? *klartext_.polar_radius : 0) +
+             (block.polar_radius ? block.polar_radius->value * length_unit() : 0);
+    klartext_.polar_radius = radius;
+  }
+  const bool from_start = !block.polar_angle || block.polar_angle->increment;
+  says.counts_from_start |= from_start || circle;
+  const PlaneAxes axes = axes_of(state_.mode().plane);
+  if ((from_start || circle) && !(state_.is_known(axes.first) && state_.is_known(axes.second)))
+    return wrong(", from a place that is not known", Code::position_unknown);
+  if ((from_start || circle) && arm.norm() < 1e-6) return wrong(", from the pole itself");
+  const double begin = std::atan2(arm.y(), arm.x());
+  const double angle =
+      (from_start ? begin : 0) + (block.polar_angle ? block.polar_angle->value * radians : 0);
+  end = *klartext_.pole + radius * Vector(std::cos(angle), std::sin(angle));
+  return true;
+}
+
+bool Interpreter::find_klartext_end(ProgramLine& line, KlartextBlock& block) {
+  const PlaneAxes axes = axes_of(state_.mode().plane);
+  const double unit = length_unit();
+  KlartextLine& says = *line.klartext;
+  MoveRequest request;
+  for (std::size_t axis = 0; axis < block.end.size(); ++axis) {
+    const auto& word = block.end[axis];
+    if (!word) continue;
+    says.axes |= std::uint64_t{1} << axis;
+    if (word->increment) says.increments |= std::uint64_t{1} << axis;
+    if (word->increment && !state_.is_known(axis))
+      return refuse_klartext(line, word->begin, "an increment from a place that is not known",
+                             Code::position_unknown);
+    request.end[axis] = word->value * unit + (word->increment ? state_.position()[axis] : 0);
+  }
+  const bool arc = is_arc_of(block.statement) || block.is(KlartextStatement::tangent_arc) ||
+                   block.is(KlartextStatement::polar_tangent_arc);
+  if (arc && block.end[axes.third] && !block.is(KlartextStatement::polar_circle))
+    return refuse_klartext(line, block.end[axes.third]->begin,
+                           block.name + " with a coordinate across the plane");
+  request.tracking = block.tracking;
+  if (block.tracking_increments != 0)
+    return refuse_klartext(line, block.begin, block.name + " with an increment of a turning axis");
+  for (std::size_t axis = 0; axis < request.tracking.size(); ++axis)
+    if (request.tracking[axis]) says.axes |= std::uint64_t{1} << (axis + 3);
+  const Point start = to_plane(state_.mode().plane, state_.position());
+  if (block.is_polar()) {
+    if (block.end[axes.first] || block.end[axes.second])
+      return refuse_klartext(line, block.begin, block.name + " with X, Y or Z of its plane");
+    Point end = start;
+    if (!find_polar_end(line, block, start, end)) return false;
+    request.end[axes.first] = end.x();
+    request.end[axes.second] = end.y();
+    says.axes |= std::uint64_t{1} << axes.first | std::uint64_t{1} << axes.second;
+  }
+  if (!arc) {
+    motion_ = block.rapid ? MotionKind::rapid : MotionKind::linear;
+    return move_in_klartext(line, request);
+  }
+  if (block.rapid) return refuse_klartext(line, block.begin, block.name + " with FMAX");
+  block.move = request;
+  return block.is(KlartextStatement::tangent_arc) || block.is(KlartextStatement::polar_tangent_arc)
+             ? move_on_tangent_arc(line, block)
+             : move_on_klartext_arc(line, block);
+}
+
+bool Interpreter::move_on_klartext_arc(ProgramLine& line, KlartextBlock& block) {
+  const PlaneAxes axes = axes_of(state_.mode().plane);
+  MoveRequest& request = block.move;
+  motion_ = *block.clockwise ? MotionKind::clockwise : MotionKind::counter_clockwise;
+  if (block.is(KlartextStatement::radius_arc)) {
+    request.radius = block.radius->value * length_unit();
+    return move_in_klartext(line, request);
+  }
+  if (!klartext_.pole)
+    return refuse_klartext(line, block.begin, block.name + " without CC, or behind what moves it");
+  line.klartext->needs_pole = true;
+  request.center[axes.first] = klartext_.pole->x();
+  request.center[axes.second] = klartext_.pole->y();
+  if (block.is(KlartextStatement::polar_circle)) return move_in_turns(line, block);
+  return move_in_klartext(line, request);
+}
+
+// CP: IPA may be several turns, each a block.
+bool Interpreter::move_in_turns(ProgramLine& line, KlartextBlock& block) {
+  MoveRequest& request = block.move;
+  const PlaneAxes axes = axes_of(state_.mode().plane);
+  const auto wrong = [&](const char* why) {
+    return refuse_klartext(line, block.begin, block.name + why, Code::circle_incomplete);
+  };
+  if (!block.polar_angle) return wrong(" without PA");
+  if (block.polar_radius) return wrong(" with PR");
+  const double turns = std::abs(block.polar_angle->value) / 360;
+  if (!block.polar_angle->increment || turns <= 1) {
+    const bool clockwise = block.polar_angle->value < 0;
+    if (block.polar_angle->increment &&
+        (block.polar_angle->value == 0 || clockwise != *block.clockwise))
+      return wrong(" with IPA against DR");
+    return move_in_klartext(line, request);
+  }
+  constexpr double most_turns = 1000;
+  if ((block.polar_angle->value < 0) != *block.clockwise) return wrong(" with IPA against DR");
+  if (turns > most_turns) return wrong(" with more than 1000 turns");
+  const Position start = state_.position();
+  const Point end(*request.end[axes.first], *request.end[axes.second]);
+  const double height = request.end[axes.third].value_or(start[axes.third]);
+  const auto whole = static_cast<int>(std::ceil(turns - 1e-9)) - 1;
+  for (int turn = 0; turn <= whole; ++turn) {
+    MoveRequest part = request;
+    const double share = turn == whole ? 1 : (turn + 1) / turns;
+    part.end[axes.third] = start[axes.third] + share * (height - start[axes.third]);
+    if (turn < whole) {
+      part.end[axes.first] = start[axes.first];
+      part.end[axes.second] = start[axes.second];
+    } else {
+      part.end[axes.first] = end.x();
+      part.end[axes.second] = end.y();
+    }
+    if (!move_in_klartext(line, part)) return false;
+  }
+  return true;
+}
+
+// CT, CTP: the arc goes on where the motion before it has led.
+bool Interpreter::move_on_tangent_arc(ProgramLine& line, KlartextBlock& block) {
+  const PlaneAxes axes = axes_of(state_.mode().plane);
+  MoveRequest& request = block.move;
+  const auto wrong = [&](const char* why) {
+    return refuse_klartext(line, block.begin, block.name + why);
+  };
+  if (!klartext_.tangent) return wrong(" without a motion in the plane before it");
+  const Point start = to_plane(state_.mode().plane, state_.position());
+  const Point end(request.end[axes.first].value_or(start.x()),
+                  request.end[axes.second].value_or(start.y()));
+  const Vector chord = end - start;
+  line.klartext->needs_tangent = true;
+  line.klartext->counts_from_start = true;
+  const double across = cross(*klartext_.tangent, chord);
+  if (std::abs(across) <= 1e-6) {
+    if (chord.dot(*klartext_.tangent) <= 0) return wrong(" straight back");
+    motion_ = MotionKind::linear;
+    return move_in_klartext(line, request);
+  }
+  const double radius = chord.squaredNorm() / (2 * across);  // positive: counter-clockwise
+  const Point center = start + radius * left_of(*klartext_.tangent);
+  request.center[axes.first] = center.x();
+  request.center[axes.second] = center.y();
+  motion_ = across > 0 ? MotionKind::counter_clockwise : MotionKind::clockwise;
+  return move_in_klartext(line, request);
+}
+
+// Moves, and keeps where the motion has led.
+bool Interpreter::move_in_klartext(ProgramLine& line, MoveRequest& request) {
+  const PlaneAxes axes = axes_of(state_.mode().plane);
+  const Point start = to_plane(state_.mode().plane, state_.position());
+  request.source = line.source;
+  request.kind = motion_;
+  request.feed = klartext_.feed_per_turn ? 0 : feed_;
+  klartext_.rapid = motion_ == MotionKind::rapid;
+  line.is_motion = true;
+  if (!state_.move(request)) return false;
+  const Point end = to_plane(state_.mode().plane, state_.position());
+  const bool known = state_.is_known(axes.first) && state_.is_known(axes.second);
+  if (!known) klartext_.tangent.reset();
+  if (!known || ((end - start).norm() <= 1e-6 && !request.center[axes.first])) return true;
+  if (motion_ == MotionKind::rapid || motion_ == MotionKind::linear) {
+    klartext_.tangent = (end - start).normalized();
+    return true;
+  }
+  const bool clockwise = motion_ == MotionKind::clockwise;
+  std::optional<Point> center;
+  if (request.radius) {
+    const CircleResult arc = arc_of_radius(
+        *request.radius, {.start = start, .end = end, .clockwise = clockwise}, {}, {});
+    if (const Arc* found = std::get_if<Arc>(&arc)) center = found->center;
+  } else {
+    center = Point(*request.center[axes.first], *request.center[axes.second]);
+  }
+  klartext_.tangent.reset();
+  if (!center) return true;
+  const Vector arm = (end - *center).normalized();
+  klartext_.tangent = clockwise ? Vector(-left_of(arm)) : left_of(arm);
+  return true;
+}
+
+// APPR and DEP.
+bool Interpreter::lead_in_klartext(ProgramLine& line, KlartextBlock& block) {
+  const PlaneAxes axes = axes_of(state_.mode().plane);
+  const bool approaches = block.is(KlartextStatement::approach);
+  const double unit = length_unit();
+  MoveRequest request;
+  request.source = line.source;
+  request.kind = MotionKind::linear;
+  request.feed = feed_;
+  for (std::size_t axis = 0; axis < block.end.size(); ++axis) {
+    const auto& word = block.end[axis];
+    if (!word) continue;
+    if (word->increment && !state_.is_known(axis))
+      return refuse_klartext(line, word->begin, "an increment from a place that is not known",
+                             Code::position_unknown);
+    request.end[axis] = word->value * unit + (word->increment ? state_.position()[axis] : 0);
+  }
+  const bool to_a_point = approaches || block.lead.form == Lead::Form::arc_and_line;
+  if (!to_a_point && (request.end[axes.first] || request.end[axes.second]))
+    return refuse_klartext(line, block.begin, block.name + " with a place in the plane");
+  if (block.polar_lead) {
+    Point end = Point::Zero();
+    if (!find_polar_end(line, block, to_plane(state_.mode().plane, state_.position()), end))
+      return false;
+    request.end[axes.first] = end.x();
+    request.end[axes.second] = end.y();
+  }
+  Lead lead = block.lead;
+  if (block.length) lead.length = block.length->value * unit;
+  if (block.radius) lead.radius = block.radius->value * unit;
+  if (block.center_angle) lead.angle = block.center_angle->value * radians;
+  if (lead.angle > full_turn - 1e-12) lead.angle = full_turn;
+  line.is_motion = true;
+  klartext_.tangent.reset();
+  motion_ = MotionKind::linear;
+  if (!approaches) {
+    if (block.rapid) request.kind = MotionKind::rapid;
+    klartext_.rapid = block.rapid;
+    const TrcMode& initial = state_.setup().mode;
+    TrcOptions options = state_.mode().options;
+    options.remove_masked_blocks = initial.options.remove_masked_blocks;
+    return state_.depart_by(lead, request) && state_.set_masking(initial.masking, line.source) &&
+           state_.set_options(options, line.source);
+  }
+  MoveRequest way = request;
+  way.kind = klartext_.rapid ? MotionKind::rapid : MotionKind::linear;
+  way.feed = klartext_.feed_before;
+  klartext_.rapid = false;
+  return select_in_klartext(line, *block.side, block.side_begin) &&
+         state_.approach_by(lead, request, way);
+}
+
+}  // namespace trc

@@ -1,0 +1,171 @@
+#include <cmath>
+#include <string>
+#include <string_view>
+
+#include "core/nc/dialect/klartext_block.h"
+
+// TOOL CALL and TOOL DEF of Klartext, and the radius that RL and RR take from them.
+
+namespace trc {
+namespace {
+
+// The words of a statement, one after the other.
+class Words {
+ public:
+  explicit Words(std::string_view statement) : rest_(statement) {}
+  // Empty: no more.
+  [[nodiscard]] std::string_view next() {
+    rest_.remove_prefix(std::min(rest_.find_first_not_of(' '), rest_.size()));
+    const std::string_view word = rest_.substr(0, rest_.find(' '));
+    rest_.remove_prefix(word.size());
+    return word;
+  }
+
+ private:
+  std::string_view rest_;
+};
+
+bool is_number(std::string_view word, double& value) {
+  bool whole = false;
+  return !word.empty() && read_number(word, value, whole) == word.size();
+}
+
+// DR2 is the radius of a corner of the tool.
+bool is_corner_radius(std::string_view word) {
+  return word.starts_with("DR2") && (word.size() == 3 || word.find_first_of("+-:") == 3);
+}
+
+}  // namespace
+
+bool Interpreter::read_tool_call(ProgramLine& line, std::size_t begin, std::string_view statement) {
+  Words words(statement);
+  (void)words.next();
+  (void)words.next();
+  std::string_view word = words.next();
+  const auto wrong = [&](std::string_view which) {
+    return refuse_klartext(line, begin, std::string(which).append(" of TOOL CALL"),
+                           Code::nc_number);
+  };
+  KlartextModes& modes = klartext_;
+  double value = 0;
+  bool names_tool = is_number(word, value);
+  std::string tool_name;
+  if (word.starts_with('"') || word.starts_with('Q')) {
+    const std::size_t open = line.text.find(word[0] == '"' ? '"' : word[0], begin + 9);
+    const std::size_t close = word[0] == '"' && open != std::string::npos
+                                  ? line.text.find('"', open + 1)
+                                  : open + word.size();
+    if (open == std::string::npos || close == std::string::npos) return wrong(word);
+    tool_name = line.text.substr(open, close - open);
+    while (word.find('"', 1) == std::string_view::npos && word.starts_with('"')) {
+      const std::string_view more = words.next();
+      if (more.empty() || more.ends_with('"')) break;
+    }
+    names_tool = true;
+    word = words.next();
+  } else if (names_tool) {
+    word = words.next();
+  }
+  Plane plane = state_.mode().plane;
+  double delta = 0;
+  std::optional<double> feed;
+  bool changes_delta = false;
+  const std::int64_t tool = std::isfinite(value) ? static_cast<std::int64_t>(value) : -1;
+  for (; !word.empty(); word = words.next()) {
+    if (word == "Z") plane = Plane::xy;
+    if (word == "Y") plane = Plane::zx;
+    if (word == "X") plane = Plane::yz;
+    if (word.starts_with("DR") && !is_corner_radius(word)) {
+      if (!is_number(word.substr(2), delta)) return wrong(word);
+      changes_delta = true;
+    } else if (word.starts_with('F') && is_number(word.substr(1), value)) {
+      feed = value;
+    }
+  }
+  if (trc_active() && (names_tool || changes_delta))
+    return refuse_klartext(line, begin, "TOOL CALL while TRC is active");
+  if (!faults_.empty()) return false;
+  if (feed) modes.called_feed = *feed * (inch_ ? mm_per_inch / 10 : 1);
+  if (names_tool) {
+    modes.tool = tool_name.empty() ? tool : -1;
+    modes.tool_name = tool_name;
+    modes.modal_cycle = false;
+    modes.radius_delta = 0;
+    std::array<bool, 3> third{};
+    third[axes_of(plane).third] = true;
+    state_.forget_position(third, line.source);
+  }
+  if (changes_delta) modes.radius_delta = delta * length_unit();
+  if (plane != state_.mode().plane) {
+    modes.pole.reset();
+    modes.tangent.reset();
+    if (!state_.set_plane(plane, line.source)) return false;
+  }
+  return copy_klartext(line, begin, WordRole::technology);
+}
+
+// TOOL DEF 5 L+0 R+4 gives a tool its radius; TOOL DEF 5 prepares it.
+bool Interpreter::read_tool_definition(ProgramLine& line, std::size_t begin,
+                                       std::string_view statement) {
+  Words words(statement);
+  (void)words.next();
+  (void)words.next();
+  double number = 0;
+  double radius = 0;
+  const bool has_number = is_number(words.next(), number);
+  for (std::string_view word = words.next(); !word.empty(); word = words.next())
+    if (has_number && is_whole(number) && word.starts_with('R') &&
+        is_number(word.substr(1), radius) && faults_.empty())
+      state_.define_tool(static_cast<std::int64_t>(number), radius * length_unit());
+  return copy_klartext(line, begin, WordRole::technology);
+}
+
+// R + DR + DR: radius and wear of the tool in the table, or the radius of TOOL DEF, and the
+// allowance of TOOL CALL.
+bool Interpreter::choose_called_tool(const ProgramLine& line, std::size_t begin) {
+  KlartextModes& modes = klartext_;
+  if (!modes.tool) return true;
+  const ProgramSetup& setup = state_.setup();
+  const auto unknown = [&](const std::string& tool) {
+    return refuse_klartext(line, begin, "tool " + tool, Code::tool_unknown);
+  };
+  place(line, static_cast<std::uint32_t>(begin));
+  if (*modes.tool == 0) return state_.set_tool(0, line.source);
+  std::optional<ToolRow> row = state_.row_of_tool(*modes.tool);
+  // The radius of the setup stands for the one tool that the program selects with.
+  if (!row && setup.tools.empty() && setup.mode.tool_radius != 0) {
+    const std::int64_t number = *modes.tool;
+    if (modes.only_tool_name.empty()) modes.only_tool_name = modes.tool_name;
+    if (code_.only_register.value_or(number) != number || modes.only_tool_name != modes.tool_name)
+      return unknown(number < 0 ? modes.tool_name : std::to_string(number));
+    code_.only_register = number;
+    row = ToolRow(setup.mode.tool_radius, setup.wear);
+  }
+  if (!row && *modes.tool < 0 && !setup.tools.empty())
+    return unknown(modes.tool_name + ", with a name: give it a number");
+  if (!row && !setup.tools.empty()) return unknown(std::to_string(*modes.tool));
+  if (!row) return true;  // nobody has given one, or it is 0
+  if (row->radius + row->wear + modes.radius_delta < 0)
+    return refuse_klartext(line, begin, "R + DR of TOOL CALL is less than 0",
+                           Code::tool_radius_out_of_range);
+  return state_.call_tool(*row, line.source) &&
+         state_.set_allowance_of_program(modes.radius_delta, line.source);
+}
+
+bool Interpreter::select_in_klartext(const ProgramLine& line, Side side, std::size_t begin) {
+  if (klartext_.unfollowed)
+    return refuse_klartext(line, begin,
+                           "RL, RR while coordinates are scaled or the tool tip is led");
+  if (klartext_.called_section != 0)
+    return refuse_klartext(
+        line, begin,
+        "RL, RR in a section that line " + std::to_string(klartext_.called_section) + " calls");
+  if (!trc_active()) {
+    ++klartext_.contours;
+    if (!choose_called_tool(line, begin)) return false;
+  }
+  place(line, static_cast<std::uint32_t>(begin));
+  return state_.select(side, line.source);
+}
+
+}  // namespace trc

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "core/geometry/segment.h"
+
+namespace trc {
+
+// How a program comes to its contour or leaves it by a word of its own: APPR and DEP of Klartext.
+// Lengths and radii are those of the path of the tool centre.
+struct Lead {
+  enum class Form : std::uint8_t {
+    tangent,       // LT: along the line on which the contour begins or ends
+    normal,        // LN: across it
+    arc,           // CT: on an arc that touches the contour
+    arc_and_line,  // LCT: on such an arc and the line that touches it
+  };
+  Form form = Form::tangent;
+  double length = 0;  // mm: LT, LN
+  double radius = 0;  // mm: CT, LCT; negative, of CT: on the other side than the tool
+  double angle = 0;   // rad: CT
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(form, length, radius, angle);
+  }
+};
+
+// Where the contour begins or ends.
+struct ContourEnd {
+  Point point = Point::Zero();
+  Vector tangent = Vector::UnitX();  // of unit length, in the direction of travel
+  double side = 1;                   // where the tool runs: 1 left, -1 right
+  double reach = 0;                  // mm: how far from the contour
+
+  [[nodiscard]] double shift() const { return side * reach; }
+};
+
+// What a lead adds to the programmed contour, so that its equidistant is the path that the lead
+// says.
+struct LeadPath {
+  std::optional<Segment> contour{};  // between the point `away` and the contour
+  // Where the lead begins or ends: at the path of the tool.
+  Point away = Point::Zero();
+};
+
+// `from`, `to`: where the tool stands before and behind the lead, for LCT alone. Nothing where the
+// lead has no room: LCT from within its circle, CT whose arc is smaller than the tool.
+[[nodiscard]] std::optional<LeadPath> path_to(const ContourEnd& begin, const Lead& lead,
+                                              const Point& from, double same_point);
+[[nodiscard]] std::optional<LeadPath> path_from(const ContourEnd& end, const Lead& lead,
+                                                const Point& to, double same_point);
+
+}  // namespace trc

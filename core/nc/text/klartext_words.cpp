@@ -1,0 +1,140 @@
+#include "core/nc/text/klartext_words.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "core/nc/text/characters.h"
+
+namespace trc {
+namespace {
+
+using Kind = KlartextWord::Kind;
+
+char upper(char letter) {
+  return letter >= 'a' && letter <= 'z' ? static_cast<char>(letter - 'a' + 'A') : letter;
+}
+bool is_letter(char sign) { return upper(sign) >= 'A' && upper(sign) <= 'Z'; }
+bool is_digit(char sign) { return sign >= '0' && sign <= '9'; }
+bool is_sign(char sign) { return sign == '+' || sign == '-'; }
+bool is_line_end(char sign) { return sign == '\n' || sign == '\r'; }
+
+// RLF300, RRM3: the compensation needs no blank behind it.
+std::size_t length_of_name(std::string_view letters) {
+  const bool side = letters.size() > 2 && upper(letters[0]) == 'R' &&
+                    (upper(letters[1]) == 'L' || upper(letters[1]) == 'R') &&
+                    (upper(letters[2]) == 'F' || upper(letters[2]) == 'M');
+  return side ? 2 : letters.size();
+}
+
+}  // namespace
+
+bool is_continued_klartext(std::string_view line) {
+  std::string_view block = without_blanks_behind(line);
+  if (!block.ends_with('~')) return false;
+  block = without_blanks_in_front(block);
+  const std::size_t statement = block.find_first_not_of("0123456789 \t/Nn");
+  return statement != std::string_view::npos && block[statement] != ';' && block[statement] != '*';
+}
+
+void KlartextReader::skip_blanks() {
+  for (;; ++at_) {
+    const char sign = peek();
+    if (sign != ' ' && sign != '\t' && sign != '~' && !is_line_end(sign)) return;
+    if (at_ >= block_.size()) return;
+  }
+}
+
+KlartextWord KlartextReader::word(Kind kind, std::size_t begin, std::size_t end) {
+  at_ = end;
+  return {.kind = kind,
+          .begin = static_cast<std::uint32_t>(begin),
+          .end = static_cast<std::uint32_t>(end)};
+}
+
+KlartextWord KlartextReader::fail(Code code, std::size_t begin, std::string detail) {
+  fault_ = {.code = code, .begin = static_cast<std::uint32_t>(begin), .detail = std::move(detail)};
+  return word(Kind::fault, begin, block_.size());
+}
+
+KlartextWord KlartextReader::next() {
+  skip_blanks();
+  const std::size_t begin = at_;
+  if (begin >= block_.size()) return word(Kind::end, begin, begin);
+  const char sign = peek();
+  if (sign == ';') {
+    const std::size_t line_end = block_.find_first_of("\r\n", begin);
+    return word(Kind::comment, begin, std::min(line_end, block_.size()));
+  }
+  if (sign == '"') {
+    const std::size_t close = block_.find('"', begin + 1);
+    if (close == std::string_view::npos)
+      return fail(Code::nc_unclosed, begin, "\", a text without its end");
+    return word(Kind::text, begin, close + 1);
+  }
+  if (sign == '/') return word(Kind::skip, begin, begin + 1);
+  if (is_letter(sign)) return named();
+  if (is_digit(sign) || is_sign(sign) || sign == '.') {
+    KlartextWord number = word(Kind::number, begin, begin);
+    return numbered(std::move(number));
+  }
+  const auto byte = static_cast<unsigned char>(sign);
+  if (byte < 0x20 || byte >= 0x7f) return fail(Code::nc_not_text, begin, "outside a comment");
+  return fail(Code::nc_syntax, begin, std::string(1, sign));
+}
+
+KlartextWord KlartextReader::named() {
+  const std::size_t begin = at_;
+  std::size_t end = begin;
+  while (end < block_.size() && is_letter(block_[end])) ++end;
+  end = begin + length_of_name(block_.substr(begin, end - begin));
+  KlartextWord found = word(Kind::name, begin, end);
+  for (const char letter : block_.substr(begin, end - begin)) found.name += upper(letter);
+  skip_blanks();
+  const char sign = peek();
+  const bool number = is_digit(sign) || is_sign(sign) || (sign == '.' && is_digit(peek(1)));
+  if (!number) {
+    at_ = end;
+    return found;
+  }
+  // FQ5, XQL2: Q is a parameter where something stands in front of it.
+  const bool parameter =
+      found.name.size() > 1 &&
+      (found.name.ends_with('Q') || found.name.ends_with("QL") || found.name.ends_with("QR"));
+  found.kind = parameter ? Kind::variable : Kind::value;
+  return numbered(std::move(found));
+}
+
+// The number behind the name; `at_` stands on it.
+KlartextWord KlartextReader::numbered(KlartextWord found) {
+  if (is_sign(peek())) {
+    const char behind = upper(peek(1));
+    found.negative = peek() == '-';
+    if (behind == 'Q' || behind == '(') {
+      while (at_ < block_.size() && peek() != ' ' && peek() != ';' && !is_line_end(peek())) ++at_;
+      found.kind = Kind::variable;
+      found.end = static_cast<std::uint32_t>(at_);
+      return found;
+    }
+    if (!is_digit(behind) && behind != '.') {
+      if (found.kind == Kind::number)
+        return fail(Code::nc_syntax, found.begin, std::string(1, peek()));
+      found.kind = Kind::sign;
+      found.end = static_cast<std::uint32_t>(++at_);
+      return found;
+    }
+  }
+  bool whole = false;
+  const std::size_t length = read_number(block_.substr(at_), found.value, whole);
+  const std::size_t behind = at_ + length;
+  if (length == 0 || !std::isfinite(found.value))
+    return fail(Code::nc_number, found.begin, found.name);
+  if (behind + 1 < block_.size() && block_[behind] == ',' && is_digit(block_[behind + 1]))
+    return fail(Code::nc_number, found.begin,
+                found.name + ", a decimal comma: write a decimal point");
+  at_ = behind;
+  found.end = static_cast<std::uint32_t>(behind);
+  return found;
+}
+
+}  // namespace trc

@@ -1,0 +1,385 @@
+#include "core/session/conversion.h"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "core/nc/dialect/dialect.h"
+#include "core/nc/dialect/interpreter.h"
+#include "core/nc/text/characters.h"
+#include "core/nc/writer/nc_writer.h"
+
+namespace trc {
+namespace {
+
+char upper(char letter) {
+  return letter >= 'a' && letter <= 'z' ? static_cast<char>(letter - 'a' + 'A') : letter;
+}
+
+std::string capitals(std::string_view text) {
+  std::string result;
+  for (const char sign : text)
+    if (sign != ' ' && sign != '\t') result += upper(sign);
+  return result;
+}
+
+// A letter and a whole number; -1: anything else.
+std::int64_t whole_behind(std::string_view word, char letter) {
+  if (word.size() < 2 || word.size() > 10 || word[0] != letter) return -1;
+  std::int64_t number = 0;
+  for (const char digit : word.substr(1)) {
+    if (digit < '0' || digit > '9') return -1;
+    number = 10 * number + (digit - '0');
+  }
+  return number;
+}
+
+// What a line says besides its motion.
+struct Words {
+  std::vector<std::string> functions{};  // M
+  std::string speed{};                   // S, its number
+  std::optional<std::int64_t> tool{};
+  bool loads_tool = false;
+  std::string comment{};  // its text
+
+  [[nodiscard]] bool says_something() const {
+    return !functions.empty() || !speed.empty() || tool || loads_tool || !comment.empty();
+  }
+};
+
+class Conversion {
+ public:
+  Conversion(const ProgramSetup& setup, DialectName to, int decimals)
+      : from_(dialect_of(setup.dialect)),
+        to_(dialect_of(to)),
+        setup_(setup),
+        klartext_(to == DialectName::heidenhain),
+        writer_({.decimals = decimals,
+                 .start = setup.start,
+                 .absolute_center = klartext_,
+                 .plane = setup.mode.plane,
+                 .spelling = {.points = to_.writes_points, .klartext = klartext_},
+                 .tracking_letters = letters_of(setup)}) {}
+
+  ConvertedProgram run(std::string_view program);
+
+ private:
+  static std::string letters_of(const ProgramSetup& setup) {
+    std::string letters;
+    for (const std::string& axis : setup.tracking_axes)
+      letters += axis.size() == 1 ? axis.front() : '?';
+    return letters;
+  }
+
+  bool fail(const ProgramLine& line, std::string fault) {
+    result_.fault = std::move(fault);
+    result_.line = line.source.line;
+    return false;
+  }
+  bool read_words(const ProgramLine& line, Words& words);
+  bool read_mode(const ProgramLine& line, std::string_view word);
+  bool read_technology(const ProgramLine& line, std::string_view word, Words& words);
+  bool read_tool_call(const ProgramLine& line, std::string_view statement, Words& words);
+  bool write_line(const ProgramLine& line, std::vector<Block>& blocks);
+  void write_text(const std::string& text);
+  bool write_tool(const ProgramLine& line, Words& words);
+  [[nodiscard]] std::string spelled(const Words& words) const;
+  [[nodiscard]] AxisSet axes_named(const ProgramLine& line) const;
+  [[nodiscard]] LinePointer new_line();
+  void begin();
+  void end();
+
+  const Dialect& from_;
+  const Dialect& to_;
+  const ProgramSetup& setup_;
+  bool klartext_;
+  NcWriter writer_;
+  ConvertedProgram result_{};
+  std::uint64_t index_ = 0;
+  Point place_ = Point::Zero();
+  Plane plane_ = Plane::xy;
+  std::int64_t tool_ = 0;  // of T, until it is loaded
+  bool ended_ = false;
+};
+
+LinePointer Conversion::new_line() {
+  LinePointer line = std::make_unique<ProgramLine>();
+  line->line_end = "\n";
+  line->has_words = true;
+  line->source = {.index = index_++, .line = 1};
+  line->absolute_center = klartext_;
+  line->plane = plane_;
+  // No feed of the program: the writer puts in what its own text needs.
+  line->feed = -1;
+  return line;
+}
+
+void Conversion::write_text(const std::string& text) {
+  LinePointer line = new_line();
+  line->text = text;
+  writer_.take(std::move(line), {});
+}
+
+void Conversion::begin() {
+  switch (to_.name) {
+    case DialectName::heidenhain:
+      return write_text("BEGIN PGM CONVERTED MM");
+    case DialectName::fanuc:
+      return write_text("G17 G21 G40 G90 G94");
+    case DialectName::linuxcnc:
+      return write_text("G17 G21 G40 G90 G91.1 G94");
+    case DialectName::sinumerik:
+      return write_text("G17 G71 G40 G90 G94");
+    case DialectName::isg:
+      return write_text("G17 G71 G40 G90 G94 G162");
+  }
+}
+
+void Conversion::end() {
+  if (klartext_) return write_text("END PGM CONVERTED MM");
+  if (!ended_) write_text("M30");
+}
+
+bool Conversion::read_mode(const ProgramLine& line, std::string_view word) {
+  if (word.starts_with("BEGINPGM")) return true;
+  // The coordinates are written absolutely and in mm, whatever they were.
+  for (const std::string_view known : {"G90", "G91", "G20", "G21", "G70", "G71", "G700", "G710",
+                                       "G40", "R0", "G161", "G162", "G90.1", "G91.1"})
+    if (word == known) return true;
+  for (const auto& [name, plane] :
+       {std::pair{"G17", Plane::xy}, std::pair{"G18", Plane::zx}, std::pair{"G19", Plane::yz}}) {
+    if (word != name) continue;
+    if (plane == plane_) return true;
+    if (klartext_)
+      return fail(line, std::string(word) + ", a plane: Klartext has it with TOOL CALL");
+    plane_ = plane;
+    write_text(name);
+    return true;
+  }
+  return fail(line, std::string(word));
+}
+
+// TOOL CALL 5 Z S900 F120 DR+0.1: the radius has been compensated, a length would be lost.
+bool Conversion::read_tool_call(const ProgramLine& line, std::string_view statement, Words& words) {
+  bool first = true;
+  for (std::size_t at = 0; at < statement.size();) {
+    at = statement.find_first_not_of(' ', at);
+    if (at == std::string_view::npos) break;
+    const std::size_t behind = std::min(statement.find(' ', at), statement.size());
+    const std::string word = capitals(statement.substr(at, behind - at));
+    at = behind;
+    const bool is_call = word == "TOOL" || word == "CALL";
+    const std::int64_t number = whole_behind("T" + word, 'T');
+    if (!is_call && first && number >= 0) {
+      words.tool = number;
+      words.loads_tool = true;
+    } else if (word.starts_with('S') && word.size() > 1) {
+      words.speed = word.substr(1);
+    } else if (!is_call && word != "Z" && !word.starts_with('F') && !word.starts_with("DR")) {
+      return fail(line, word + " of TOOL CALL");
+    }
+    first = is_call;
+  }
+  return true;
+}
+
+bool Conversion::read_technology(const ProgramLine& line, std::string_view given, Words& words) {
+  const std::string word = capitals(given);
+  if (word.starts_with("TOOLCALL")) return read_tool_call(line, given, words);
+  if (word.starts_with("BLKFORM")) {
+    words.comment = given;
+    return true;
+  }
+  if (word[0] == 'S' && word.find_first_not_of("0123456789.", 1) == std::string::npos) {
+    words.speed = word.substr(1);
+    return true;
+  }
+  if (const std::int64_t tool = whole_behind(word, 'T'); tool >= 0) {
+    words.tool = tool;
+    return true;
+  }
+  const std::int64_t m = whole_behind(word, 'M');
+  if (m == 6) {
+    words.loads_tool = true;
+    return true;
+  }
+  if ((m >= 0 && m <= 9) || m == 30) {
+    words.functions.push_back("M" + std::to_string(m));
+    ended_ |= m == 2 || m == 30;
+    return true;
+  }
+  // What holds at the start anyway.
+  double number = 0;
+  bool whole = false;
+  if (word[0] == 'G' && read_number(std::string_view(word).substr(1), number, whole) > 0)
+    if (const GFunction* function = from_.function(number);
+        function != nullptr && function->initial && function->group != GGroup::zero_shift)
+      return true;
+  return fail(line, word);
+}
+
+bool Conversion::read_words(const ProgramLine& line, Words& words) {
+  for (const WordRange& range : line.words) {
+    const std::string_view word = line.word(range);
+    switch (range.role) {
+      case WordRole::comment: {
+        std::string_view text = word.substr(1);
+        if (word[0] == '(' && text.ends_with(')')) text.remove_suffix(1);
+        // The number of a program has no place here.
+        if (word[0] != '(' && word[0] != ';' && word[0] != '*') break;
+        words.comment += words.comment.empty() ? "" : " ";
+        words.comment += without_blanks_in_front(without_blanks_behind(text));
+        break;
+      }
+      case WordRole::mode:
+        if (!read_mode(line, capitals(word))) return false;
+        break;
+      case WordRole::technology:
+      case WordRole::stop:
+        // The arcs of a pole have their centres in their own blocks.
+        if (line.klartext && line.klartext->sets_pole) break;
+        if (capitals(word).starts_with("ENDPGM")) break;
+        if (!read_technology(line, word, words)) return false;
+        break;
+      case WordRole::trc:
+        return fail(line, capitals(word));
+      default:
+        break;
+    }
+  }
+  return true;
+}
+
+std::string Conversion::spelled(const Words& words) const {
+  std::string text;
+  const auto add = [&](const std::string& word) { text += (text.empty() ? "" : " ") + word; };
+  if (!klartext_ && words.tool) add("T" + std::to_string(*words.tool));
+  if (!klartext_ && words.loads_tool) add("M6");
+  if (!klartext_ && !words.speed.empty()) add("S" + words.speed);
+  for (const std::string& function : words.functions) add(function);
+  return text;
+}
+
+// In Klartext tool and speed are a statement of their own.
+bool Conversion::write_tool(const ProgramLine& line, Words& words) {
+  if (!klartext_) return true;
+  if (words.tool) tool_ = *words.tool;
+  if (words.loads_tool && tool_ == 0) return fail(line, "M6 without a tool");
+  if (words.loads_tool || !words.speed.empty())
+    write_text("TOOL CALL " + (words.loads_tool ? std::to_string(tool_) + " " : std::string()) +
+               "Z" + (words.speed.empty() ? "" : " S" + words.speed));
+  return true;
+}
+
+AxisSet Conversion::axes_named(const ProgramLine& line) const {
+  if (line.klartext) return line.klartext->axes;
+  AxisSet named = line.main_axes;
+  if (!line.names_other_axes) return named;
+  const std::string letters = letters_of(setup_);
+  for (const WordRange& word : line.words) {
+    if (word.role != WordRole::coordinate) continue;
+    if (is_polar(line, word)) named |= 7;
+    const std::size_t axis = letters.find(upper(line.text[word.begin]));
+    if (axis != std::string::npos && names_an_axis(line, word)) named |= axis_bit(3 + axis);
+  }
+  return named;
+}
+
+bool Conversion::write_line(const ProgramLine& line, std::vector<Block>& blocks) {
+  Words words;
+  if (!read_words(line, words) || !write_tool(line, words)) return false;
+  std::string text = spelled(words);
+  const bool semicolon = klartext_ || to_.name == DialectName::sinumerik;
+  std::string comment;
+  if (!words.comment.empty())
+    comment = semicolon ? "; " + words.comment : "(" + words.comment + ")";
+  std::erase_if(blocks, [](const Block& block) {
+    const auto* passive = std::get_if<PassiveBlock>(&block);
+    return passive != nullptr && !passive->text.empty();
+  });
+  if (blocks.empty()) {
+    if (!text.empty() && !comment.empty()) text += ' ';
+    text += comment;
+    if (!text.empty()) write_text(text);
+    return true;
+  }
+  LinePointer written = new_line();
+  written->is_motion = written->has_trc_words = true;
+  const AxisSet named = axes_named(line);
+  written->main_axes = static_cast<std::uint8_t>(named & 7);
+  if (klartext_) written->klartext = KlartextLine{.axes = named};
+  for (const auto& [part, role] :
+       {std::pair<std::string_view, WordRole>{text, WordRole::technology},
+        {comment, WordRole::comment}}) {
+    if (part.empty()) continue;
+    const auto begin = static_cast<std::uint32_t>(written->text.size());
+    written->text += part;
+    written->words.push_back(
+        {.begin = begin, .end = static_cast<std::uint32_t>(written->text.size()), .role = role});
+    written->roles |= bit(role);
+  }
+  NcWriter::Meaning meaning{.gives_block = true};
+  std::vector<CompensatedBlock> motions;
+  for (const Block& block : blocks) {
+    CompensatedBlock& motion = motions.emplace_back();
+    motion.source = written->source;
+    std::visit(
+        [&](const auto& given) {
+          motion.plane = given.mode->plane;
+          motion.rapid = given.rapid;
+          motion.normal = given.normal;
+          motion.feed = given.feed;
+          motion.tracking = given.tracking;
+        },
+        block);
+    const auto* moved = std::get_if<MotionBlock>(&block);
+    motion.path = moved != nullptr ? moved->path : Segment(Line{place_, place_});
+    place_ = end_of(motion.path);
+    meaning.end = from_plane(motion.plane, place_, motion.normal.to);
+  }
+  writer_.take(std::move(written), meaning);
+  for (const CompensatedBlock& motion : motions) writer_.write(motion, result_.text);
+  return true;
+}
+
+ConvertedProgram Conversion::run(std::string_view program) {
+  Diagnostics diagnostics;
+  std::vector<Block> blocks;
+  ProgramState state(setup_, {}, diagnostics, blocks);
+  Interpreter interpreter({.longest_line = 1 << 20}, state, diagnostics);
+  std::vector<LinePointer> lines;
+  place_ = to_plane(setup_.mode.plane, setup_.start);
+  if (interpreter.feed(program, lines)) interpreter.finish(lines);
+  if (diagnostics.stopped()) {
+    const std::vector<Diagnostic> told = diagnostics.take();
+    result_.fault = message_of(told.back());
+    result_.line = told.back().source.line;
+    return std::move(result_);
+  }
+  begin();
+  auto next = blocks.begin();
+  for (const LinePointer& line : lines) {
+    std::vector<Block> own;
+    while (line->has_words && next != blocks.end() && index_of(*next) == line->source.index)
+      own.push_back(std::move(*next++));
+    if (ended_ || !write_line(*line, own)) break;
+  }
+  if (!result_.fault.empty()) {
+    result_.text.clear();
+    return std::move(result_);
+  }
+  end();
+  writer_.finish(result_.text);
+  return std::move(result_);
+}
+
+}  // namespace
+
+ConvertedProgram convert_program(std::string_view program, const ProgramSetup& setup,
+                                 DialectName to, int decimals) {
+  return Conversion(setup, to, decimals).run(program);
+}
+
+}  // namespace trc

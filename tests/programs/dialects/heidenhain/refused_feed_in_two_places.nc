@@ -1,0 +1,6 @@
+; radius 5
+; refused 900003 line 5
+0 BEGIN PGM A MM
+1 TOOL CALL 1 Z S4000
+2 L X-20 F Y-20 MAX
+5 END PGM A MM

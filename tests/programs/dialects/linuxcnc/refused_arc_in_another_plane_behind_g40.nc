@@ -1,0 +1,9 @@
+; radius 3
+; refused 20133 line 8
+G21 G17 G90 G0 X-20 Y-20 Z0
+G41 D1 G1 X0 Y0 F200
+Y40
+G40
+G18
+G2 X0 Z-10 R5
+M2

@@ -1,0 +1,8 @@
+; radius 2
+; refused 900003 line 5
+G21 G90 G0 X-9 Y-9
+G41 D1 G1 X0 Y0 F90
+X20 ,R3
+Y20
+G40 X-9
+M2

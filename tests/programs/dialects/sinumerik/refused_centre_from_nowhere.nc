@@ -1,0 +1,6 @@
+; radius 2
+; refused 900106 line 5
+N10 G17 G90 G54 G71
+N15 G2
+N20 I=AC(60)
+N30 M30

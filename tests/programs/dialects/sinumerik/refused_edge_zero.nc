@@ -1,0 +1,10 @@
+; tool 2 3
+; refused 900219 line 7
+G71 G17 G90 G40
+T2
+G0 X-20 Y-20
+D0
+G41 G1 X0 Y0 F200
+Y40
+G40 X-20
+M30
