@@ -77,10 +77,11 @@ TEST(ToolFile, CountsInTheUnitItNames) {
   EXPECT_DOUBLE_EQ(radii_in("number,radius,unit\n1,0.25,inch\n2,5,MM\n3,4,\n").at(1), 6.35);
   EXPECT_DOUBLE_EQ(radii_in("number,radius,unit\n1,0.25,inch\n2,5,MM\n3,4,\n").at(2), 5);
   EXPECT_DOUBLE_EQ(radii_in("number,radius,unit\n1,0.25,inch\n2,5,MM\n3,4,\n", true).at(3), 4);
-  const auto all =
-      radii_in("# inches\nunit,inch\nnumber,diameter,wear,unit\n1,0.5,0.01,\n2,8,0,mm\n");
-  EXPECT_DOUBLE_EQ(all.at(1), 6.477);
-  EXPECT_DOUBLE_EQ(all.at(2), 4);
+  constexpr const char* mixed =
+      "# inches\nunit,inch\nnumber,diameter,wear,unit\n1,0.5,0.01,\n2,8,0,mm\n";
+  EXPECT_DOUBLE_EQ(radii_in(mixed).at(1), 6.35);
+  EXPECT_DOUBLE_EQ(wear_in(mixed).at(1), 0.127);
+  EXPECT_DOUBLE_EQ(radii_in(mixed).at(2), 4);
   // Whatever the program counts in.
   EXPECT_DOUBLE_EQ(radii_in("number,radius\n1,5\n", true).at(1), 5);
   EXPECT_EQ(fault_in("number,radius,unit\n1,5,cm\n"), "line 2: unit is \"cm\", not mm or inch");
