@@ -234,6 +234,7 @@ TEST_P(OfADialect, WritesThePathInItsDialect) {
   for (const std::string& line : lines_of(written.text)) {
     const std::string words = std::regex_replace(line, std::regex("\\([^)]*\\)|;.*"), "");
     EXPECT_FALSE(std::regex_search(words, std::regex("G ?4[12]| R[LR]| APPR L| DEP "))) << line;
+    EXPECT_FALSE(std::regex_search(words, std::regex(" FMAX.* F ?[0-9]"))) << line;
   }
   const std::vector<CompensatedBlock> wanted =
       moving(run(program.text, program.setup, false).blocks, 1e-3);
@@ -244,6 +245,7 @@ TEST_P(OfADialect, WritesThePathInItsDialect) {
   for (std::size_t k = 0; k < path.size(); ++k) {
     EXPECT_EQ(path[k].origin, Origin::uncompensated);
     ASSERT_EQ(is_arc(path[k].path), is_arc(wanted[k].path)) << written.text;
+    EXPECT_EQ(path[k].rapid, wanted[k].rapid) << text_of(wanted[k]) << '\n' << written.text;
     for (const double t : {0.5, 1.0})
       EXPECT_LT((place_at(path[k], t) - place_at(wanted[k], t)).norm(), 2e-3)
           << text_of(wanted[k]) << '\n'

@@ -339,6 +339,8 @@ void NcWriter::append_feed_and_rest(const CompensatedBlock& block) {
     if (word.role == WordRole::technology || word.role == WordRole::comment) {
       append(line, word);
     } else if (word.role == WordRole::feed) {
+      // FMAX stands for the feed of its block; that of the line comes with the next one.
+      if (klartext_ && block.rapid) continue;
       if (needs_feed && !motions_.same_feed(line.feed, block.feed, line.inch)) {
         append_feed(block.feed);
       } else {
