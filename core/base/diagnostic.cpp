@@ -81,12 +81,12 @@ constexpr auto rows = std::to_array<CodeRow>({
      "Correct I, J, K or the end point, or let G165 correct the centre."},
     {Code::line_reversed, error, "LINE_REVERSED",
      "the compensated line runs against the programmed one: the contour would be damaged",
-     "Use a smaller tool. Where they are off, G141 masks such blocks, and with it #TRC "
-     "[REMOVE_MASKED_BLOCKS=1] leaves out whole loops."},
+     "Use a smaller tool: SurveyRadii (trc radii) says which one fits. Where they are off, G141 "
+     "masks such blocks, and with it #TRC [REMOVE_MASKED_BLOCKS=1] leaves out whole loops."},
     {Code::arc_wrapped, error, "ARC_WRAPPED",
      "the compensated arc is longer than the programmed one: the contour would be damaged",
-     "Use a smaller tool. Where they are off, G141 masks such blocks, and with it #TRC "
-     "[REMOVE_MASKED_BLOCKS=1] leaves out whole loops."},
+     "Use a smaller tool: SurveyRadii (trc radii) says which one fits. Where they are off, G141 "
+     "masks such blocks, and with it #TRC [REMOVE_MASKED_BLOCKS=1] leaves out whole loops."},
     {Code::no_feed_adaptation_in_tangential_block, warning,
      "NO_FEED_ADAPTATION_IN_TANGENTIAL_BLOCK",
      "the feed of the G05 block cannot be adapted (G11): the tool radius is too large",
@@ -225,9 +225,9 @@ constexpr auto rows = std::to_array<CodeRow>({
      "Let the motion reverse exactly there, or deselect with G40 before the other side."},
     {Code::most_left_out, error, "MOST_LEFT_OUT",
      "more of the contour than allowed would be left out in one stretch",
-     "Use a smaller tool. If a block that bounds no material is in the way, mark it as a lead. "
-     "Where "
-     "the stretch may be left out, raise max_masked_share."},
+     "Use a smaller tool: SurveyRadii (trc radii) says which one fits. If a block that bounds no "
+     "material is in the way, mark it as a lead, or make leads larger than the tool. Where the "
+     "stretch may be left out, raise max_masked_share."},
     {Code::no_tool_radius, error, "NO_TOOL_RADIUS",
      "TRC is selected although no tool radius has been given",
      "Program a D word or T word whose radius the tool table of the setup holds, or "
