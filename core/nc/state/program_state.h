@@ -109,6 +109,19 @@ struct MoveRequest {
   }
 };
 
+// A way to the contour (APPR) whose first motion is still to come.
+struct PendingLead {
+  Lead lead{};
+  MoveRequest request{};
+  MoveRequest way{};
+  Position from{};
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(lead, request, way, from);
+  }
+};
+
 // The modal state and the position of one NC channel: turns requests into
 // absolute blocks. NC text and motion messages both end here, so that a program
 // means the same however it arrives.
@@ -389,18 +402,6 @@ class ProgramState {
   std::optional<CornerCut> corner_{};
   std::optional<Source> corner_source_{};  // of a line of its own
   double corner_feed_ = 0;
-  // The way to the contour of which the first motion is still to come.
-  struct PendingLead {
-    Lead lead{};
-    MoveRequest request{};
-    MoveRequest way{};
-    Position from{};
-
-    template <class Archive>
-    void serialize(Archive& archive) {
-      archive(lead, request, way, from);
-    }
-  };
   std::optional<PendingLead> lead_{};
   std::vector<Block> held_{};
   bool ended_ = false;
