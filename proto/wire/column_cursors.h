@@ -23,7 +23,7 @@ class Spread {
                   " or one for all",
               faults);
   }
-  auto next() { return values_[single_ ? 0 : next_++]; }
+  auto next() { return values_.begin()[single_ ? 0 : next_++]; }
 
  private:
   const Field& values_;
