@@ -14,10 +14,6 @@
 namespace trc {
 namespace {
 
-char upper(char letter) {
-  return letter >= 'a' && letter <= 'z' ? static_cast<char>(letter - 'a' + 'A') : letter;
-}
-
 std::string capitals(std::string_view text) {
   std::string result;
   for (const char sign : text)
@@ -86,6 +82,7 @@ class Conversion {
   void write_text(const std::string& text);
   bool write_tool(const ProgramLine& line, Words& words);
   [[nodiscard]] std::string spelled(const Words& words) const;
+  [[nodiscard]] std::string spelled_comment(std::string comment) const;
   [[nodiscard]] AxisSet axes_named(const ProgramLine& line) const;
   [[nodiscard]] LinePointer new_line();
   void begin();
@@ -287,14 +284,20 @@ AxisSet Conversion::axes_named(const ProgramLine& line) const {
   return named;
 }
 
+// A bracket would end a comment in brackets, and what is behind it would be words.
+std::string Conversion::spelled_comment(std::string comment) const {
+  if (comment.empty()) return comment;
+  if (klartext_ || to_.name == DialectName::sinumerik) return "; " + comment;
+  std::replace(comment.begin(), comment.end(), '(', '[');
+  std::replace(comment.begin(), comment.end(), ')', ']');
+  return "(" + comment + ")";
+}
+
 bool Conversion::write_line(const ProgramLine& line, std::vector<Block>& blocks) {
   Words words;
   if (!read_words(line, words) || !write_tool(line, words)) return false;
   std::string text = spelled(words);
-  const bool semicolon = klartext_ || to_.name == DialectName::sinumerik;
-  std::string comment;
-  if (!words.comment.empty())
-    comment = semicolon ? "; " + words.comment : "(" + words.comment + ")";
+  const std::string comment = spelled_comment(std::move(words.comment));
   std::erase_if(blocks, [](const Block& block) {
     const auto* passive = std::get_if<PassiveBlock>(&block);
     return passive != nullptr && !passive->text.empty();

@@ -331,6 +331,18 @@ TEST(Conversion, SaysMotionsFeedsAndToolsInTheWordsOfTheOther) {
             "G03 X16 Y5 I10 J0\nG01 Z2 M30\n");
 }
 
+// What is a comment stays one: behind its bracket there would be words.
+TEST(Conversion, LeavesNoBracketInACommentInBrackets) {
+  const std::string text = "N1 G0 X1 Y2 ; rapid) Z-100 (here\nN2 G1 X5 F100\nN3 M30\n";
+  for (const DialectName to : {DialectName::fanuc, DialectName::linuxcnc, DialectName::isg}) {
+    const std::string written = converted(text, DialectName::sinumerik, to).text;
+    EXPECT_NE(written.find(" (rapid] Z-100 [here)\n"), std::string::npos) << written;
+  }
+  EXPECT_NE(converted(text, DialectName::sinumerik, DialectName::heidenhain)
+                .text.find(" ; rapid) Z-100 (here\n"),
+            std::string::npos);
+}
+
 TEST(Conversion, RefusesByNameWhatMeansSomethingElseThere) {
   for (const auto& [text, word] :
        std::vector<std::pair<std::string, std::string>>{{"G0 X1\nG54\nG0 X2\nM30\n", "G54"},
