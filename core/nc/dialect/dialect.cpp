@@ -6,12 +6,10 @@
 #include <initializer_list>
 #include <string>
 
+#include "core/nc/text/characters.h"
+
 namespace trc {
 namespace {
-
-char upper(char letter) {
-  return letter >= 'a' && letter <= 'z' ? static_cast<char>(letter - 'a' + 'A') : letter;
-}
 
 // The others reach the contour as under G138: straight to the point beside its start.
 const std::array<Dialect, 5>& dialects() {
@@ -56,9 +54,6 @@ std::string words_of(std::string_view line) {
   }
   return words;
 }
-
-bool is_letter(char sign) { return sign >= 'A' && sign <= 'Z'; }
-bool is_digit(char sign) { return sign >= '0' && sign <= '9'; }
 
 // Whether one of the words of a line is this letter with this number.
 bool has_word(std::string_view words, char letter, std::string_view number) {

@@ -15,12 +15,6 @@ namespace {
 
 using Kind = KlartextWord::Kind;
 
-char upper(char letter) {
-  return letter >= 'a' && letter <= 'z' ? static_cast<char>(letter - 'a' + 'A') : letter;
-}
-bool is_letter(char sign) { return upper(sign) >= 'A' && upper(sign) <= 'Z'; }
-bool is_digit(char sign) { return sign >= '0' && sign <= '9'; }
-
 void add(ProgramLine& line, const KlartextWord& word, WordRole role) {
   line.words.push_back({.begin = word.begin, .end = word.end, .role = role});
 }

@@ -17,12 +17,6 @@ constexpr std::size_t usual_words = 8;
 
 constexpr std::string_view center_letters = "IJKR";
 
-char upper(char letter) {
-  return letter >= 'a' && letter <= 'z' ? static_cast<char>(letter - 'a' + 'A') : letter;
-}
-
-bool is_line_end(char byte) { return byte == '\n' || byte == '\r'; }
-
 // Enters which roles and axes there are.
 void sum_up_words(ProgramLine& line) {
   line.roles = 0;

@@ -62,12 +62,6 @@ constexpr auto flags = std::to_array<Flag>({
     {"INVERSE", &TrcOptions::inverse},
 });
 
-bool is_letter(char byte) { return (byte >= 'A' && byte <= 'Z') || (byte >= 'a' && byte <= 'z'); }
-bool is_digit(char byte) { return byte >= '0' && byte <= '9'; }
-char upper(char letter) {
-  return letter >= 'a' && letter <= 'z' ? static_cast<char>(letter - 'a' + 'A') : letter;
-}
-
 std::string number_text(double value) {
   std::array<char, 32> digits{};
   const auto written = std::to_chars(digits.data(), digits.data() + digits.size(), value,

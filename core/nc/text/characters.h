@@ -7,6 +7,16 @@
 
 namespace trc {
 
+// Of ASCII alone, whatever the locale.
+[[nodiscard]] constexpr char upper(char letter) {
+  return letter >= 'a' && letter <= 'z' ? static_cast<char>(letter - 'a' + 'A') : letter;
+}
+[[nodiscard]] constexpr bool is_letter(char sign) {
+  return upper(sign) >= 'A' && upper(sign) <= 'Z';
+}
+[[nodiscard]] constexpr bool is_digit(char sign) { return sign >= '0' && sign <= '9'; }
+[[nodiscard]] constexpr bool is_line_end(char sign) { return sign == '\n' || sign == '\r'; }
+
 // Bytes of the UTF-8 character at the start of `text`; 0: it is none.
 [[nodiscard]] std::size_t utf8_character(std::string_view text);
 

@@ -4,14 +4,11 @@
 #include <cmath>
 #include <utility>
 
+#include "core/nc/text/characters.h"
+
 namespace trc {
 namespace {
 
-char upper(char letter) {
-  return letter >= 'a' && letter <= 'z' ? static_cast<char>(letter - 'a' + 'A') : letter;
-}
-bool is_letter(char sign) { return upper(sign) >= 'A' && upper(sign) <= 'Z'; }
-bool is_digit(char sign) { return sign >= '0' && sign <= '9'; }
 bool begins_number(char sign) {
   return is_digit(sign) || sign == '+' || sign == '-' || sign == '.';
 }

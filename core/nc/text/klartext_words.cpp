@@ -11,13 +11,7 @@ namespace {
 
 using Kind = KlartextWord::Kind;
 
-char upper(char letter) {
-  return letter >= 'a' && letter <= 'z' ? static_cast<char>(letter - 'a' + 'A') : letter;
-}
-bool is_letter(char sign) { return upper(sign) >= 'A' && upper(sign) <= 'Z'; }
-bool is_digit(char sign) { return sign >= '0' && sign <= '9'; }
 bool is_sign(char sign) { return sign == '+' || sign == '-'; }
-bool is_line_end(char sign) { return sign == '\n' || sign == '\r'; }
 
 // RLF300, RRM3: the compensation needs no blank behind it.
 std::size_t length_of_name(std::string_view letters) {

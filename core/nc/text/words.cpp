@@ -49,11 +49,6 @@ constexpr std::array<Class, 256> make_classes() {
 constexpr std::array<Class, 256> classes = make_classes();
 
 Class class_of(char byte) { return classes[static_cast<unsigned char>(byte)]; }
-bool is_digit(char byte) { return byte >= '0' && byte <= '9'; }
-bool is_line_end(char byte) { return byte == '\n' || byte == '\r'; }
-char upper(char letter) {
-  return letter >= 'a' && letter <= 'z' ? static_cast<char>(letter - 'a' + 'A') : letter;
-}
 
 struct CommentEnd {
   std::size_t at = 0;  // behind the closing parenthesis, or at the line end

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <utility>
 
+#include "core/nc/text/characters.h"
+
 namespace trc {
 namespace {
 
@@ -18,10 +20,6 @@ constexpr RoleSet roles_without_motion =
 constexpr RoleSet roles_in_front = bit(WordRole::number) | bit(WordRole::mode);
 constexpr RoleSet roles_behind =
     bit(WordRole::technology) | bit(WordRole::comment) | bit(WordRole::feed);
-
-char upper(char letter) {
-  return letter >= 'a' && letter <= 'z' ? static_cast<char>(letter - 'a' + 'A') : letter;
-}
 
 // mm; a reader takes the start of a copied arc for the programmed one.
 constexpr double same_start = 1e-9;

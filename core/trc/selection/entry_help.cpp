@@ -63,9 +63,9 @@ bool leaves_much_out(const Diagnostics& found) {
   });
 }
 
-class Helper {
+class EntrySearch {
  public:
-  Helper(const RefusedWay& refused, const CompensatorSetup& setup)
+  EntrySearch(const RefusedWay& refused, const CompensatorSetup& setup)
       : refused_(refused),
         setup_(setup),
         refused_block_(refused.leaves ? refused.blocks.back() : refused.blocks.front()),
@@ -116,7 +116,7 @@ class Helper {
   Plane plane_;
 };
 
-EntryHelp Helper::find() const {
+EntryHelp EntrySearch::find() const {
   EntryHelp help{.leaves = refused_.leaves,
                  .third_axis = static_cast<std::uint8_t>(axes_of(plane_).third),
                  .given_length = length_of(refused_block_.path),
@@ -133,7 +133,7 @@ EntryHelp Helper::find() const {
   return help;
 }
 
-EntryHelp Helper::find_past_leads() {
+EntryHelp EntrySearch::find_past_leads() {
   EntryHelp help{.third_axis = static_cast<std::uint8_t>(axes_of(plane_).third),
                  .given_length = length_of(refused_block_.path),
                  .replaced = static_cast<std::uint32_t>(refused_.leads_in)};
@@ -149,7 +149,7 @@ EntryHelp Helper::find_past_leads() {
   return help;
 }
 
-std::optional<Way> Helper::longer_line() const {
+std::optional<Way> EntrySearch::longer_line() const {
   if (!refused_.needed_straight) return std::nullopt;
   const Segment& given = refused_block_.path;
   for (const double spare : spares) {
@@ -169,7 +169,7 @@ std::optional<Way> Helper::longer_line() const {
   return std::nullopt;
 }
 
-std::optional<Way> Helper::longer_arc() const {
+std::optional<Way> EntrySearch::longer_arc() const {
   const Arc& given = std::get<Arc>(refused_block_.path);
   const double radius = radius_of(given);
   if (!refused_.needed_length || !(radius > 0)) return std::nullopt;
@@ -188,7 +188,7 @@ std::optional<Way> Helper::longer_arc() const {
   return std::nullopt;
 }
 
-std::optional<Way> Helper::quarter_circle() const {
+std::optional<Way> EntrySearch::quarter_circle() const {
   for (const double radii : quarter_radii) {
     Way way = quarter_circle(radii * tool_radius());
     if (does(way)) return way;
@@ -196,7 +196,7 @@ std::optional<Way> Helper::quarter_circle() const {
   return std::nullopt;
 }
 
-Way Helper::quarter_circle(double radius) const {
+Way EntrySearch::quarter_circle(double radius) const {
   const Segment& contour = nearest_contour_block_.path;
   const Vector along = refused_.leaves ? tangent_at_end(contour) : tangent_at_start(contour);
   const Point& corner = refused_.leaves ? end_of(contour) : start_of(contour);
@@ -215,7 +215,7 @@ Way Helper::quarter_circle(double radius) const {
   return way;
 }
 
-std::optional<Way> Helper::line_from_free_start() const {
+std::optional<Way> EntrySearch::line_from_free_start() const {
   const FreeStart search({.contour = contour_,
                           .way = {start_of(refused_block_.path), end_of(refused_block_.path)},
                           .target = *refused_.target,
@@ -230,7 +230,7 @@ std::optional<Way> Helper::line_from_free_start() const {
   return way;
 }
 
-bool Helper::does(const Way& way) const {
+bool EntrySearch::does(const Way& way) const {
   std::vector<Block> blocks = program(way);
   if (blocks.empty()) return false;
   CompensatorSetup setup = setup_;
@@ -248,7 +248,7 @@ bool Helper::does(const Way& way) const {
 }
 
 // The way and the contour, numbered from 0 by Source::index; none: of the contour nothing is left.
-std::vector<Block> Helper::program(const Way& way) const {
+std::vector<Block> EntrySearch::program(const Way& way) const {
   std::vector<MotionBlock> motions;
   const auto add_lead = [&](const Segment& path, const MotionBlock& like) {
     MotionBlock lead = like;
@@ -287,12 +287,12 @@ std::vector<Block> Helper::program(const Way& way) const {
   return blocks;
 }
 
-bool Helper::is_of_way(const CompensatedBlock& block, std::size_t motions) const {
+bool EntrySearch::is_of_way(const CompensatedBlock& block, std::size_t motions) const {
   if (refused_.leaves) return block.source.index > 0 || block.origin == Origin::retract;
   return block.source.index < motions;
 }
 
-bool Helper::is_clear(const Segment& path) const {
+bool EntrySearch::is_clear(const Segment& path) const {
   if (length_of(path) <= setup_.tolerances.same_point) return true;
   const double required = tool_radius() - setup_.tolerances.on_contour;
   return std::all_of(walls_.begin(), walls_.end(), [&](const MotionBlock& block) {
@@ -300,7 +300,7 @@ bool Helper::is_clear(const Segment& path) const {
   });
 }
 
-EntryProposal Helper::proposal(const Way& way) const {
+EntryProposal EntrySearch::proposal(const Way& way) const {
   const double to = refused_block_.normal.to;
   // Leads that are left out may have come down to the contour.
   const double at_contour = refused_.leads_in > 0 ? contour_.front().normal.from : to;
@@ -330,10 +330,10 @@ std::shared_ptr<const EntryHelp> help_with(const RefusedWay& refused,
   if (refused.blocks.size() < 2 + refused.leads_out || refused.blocks.size() > most_blocks ||
       refused.shift == 0)
     return nullptr;
-  Helper helper(refused, setup);
-  if (!refused.removes_loops) return std::make_shared<const EntryHelp>(helper.find());
+  EntrySearch search(refused, setup);
+  if (!refused.removes_loops) return std::make_shared<const EntryHelp>(search.find());
   // What loop removal refuses has other causes mostly.
-  EntryHelp help = helper.find_past_leads();
+  EntryHelp help = search.find_past_leads();
   return help.proposals.empty() ? nullptr : std::make_shared<const EntryHelp>(std::move(help));
 }
 
