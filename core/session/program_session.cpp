@@ -295,7 +295,7 @@ const verify::ClearanceReport* ProgramSession::clearance() const {
 std::size_t ProgramSession::verification_bytes() const {
   return parts_->compensator.verification_bytes();
 }
-const RadiusTerms& ProgramSession::radius_terms() const { return parts_->program.radius_terms(); }
+const RadiusTerms& ProgramSession::radius_terms() const { return parts_->program.tool().terms(); }
 std::uint64_t ProgramSession::lines_read() const { return parts_->interpreter.lines_read(); }
 
 }  // namespace trc

@@ -59,7 +59,7 @@ class PathSession {
     return compensator_.clearance();
   }
   // Of the tool radius in force.
-  [[nodiscard]] const RadiusTerms& radius_terms() const { return program_.radius_terms(); }
+  [[nodiscard]] const RadiusTerms& radius_terms() const { return program_.tool().terms(); }
   // Memory the measurement holds, and what it will take in addition, bytes.
   [[nodiscard]] std::size_t verification_bytes() const { return compensator_.verification_bytes(); }
 

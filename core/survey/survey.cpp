@@ -223,7 +223,7 @@ double Survey::search_limit() const {
   constexpr double parts = 10;
   const double size = around.isEmpty() ? 0 : around.diagonal().norm();
   const double listed = tried_.empty() ? 0 : tried_.rbegin()->first;
-  return std::clamp(parts * size, 2 * listed + 1, 0.5 * ProgramState::largest_tool_radius);
+  return std::clamp(parts * size, 2 * listed + 1, 0.5 * ToolInForce::largest_tool_radius);
 }
 
 const Survey::Tried& Survey::tried(Micrometres radius) {

@@ -195,11 +195,11 @@ void read_leads(const v1::PathSetup& message, const FieldPath& path, Compensator
 void read_radius_terms(const v1::PathSetup& message, const FieldPath& path, ProgramSetup& program,
                        FieldFaults& faults) {
   const auto take = [&](bool present, double value, double low, const char* name, double& target) {
-    if (present && check_range(value, low, ProgramState::largest_tool_radius, "mm",
+    if (present && check_range(value, low, ToolInForce::largest_tool_radius, "mm",
                                FieldPath(path, name), faults))
       target = value;
   };
-  constexpr double largest = ProgramState::largest_tool_radius;
+  constexpr double largest = ToolInForce::largest_tool_radius;
   take(message.has_wear(), message.wear(), -largest, "wear", program.wear);
   take(message.has_allowance(), message.allowance(), -largest, "allowance", program.allowance);
   take(message.has_max_wear(), message.max_wear(), 0, "max_wear", program.max_wear);

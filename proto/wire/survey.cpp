@@ -18,7 +18,7 @@ namespace {
 
 // A tenth of a micrometre is the finest there is (rule 1.6).
 constexpr double smallest_radius = 1e-4;
-constexpr double largest_radius = 0.5 * ProgramState::largest_tool_radius;
+constexpr double largest_radius = 0.5 * ToolInForce::largest_tool_radius;
 // Of what a message names.
 constexpr std::size_t most_stretches = 2000;
 

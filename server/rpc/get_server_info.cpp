@@ -40,7 +40,7 @@ void describe_limits(const Config& config, v1::Limits& limits) {
 
 // D-43
 void describe_radius_terms(v1::GetServerInfoResponse& response) {
-  constexpr double largest = ProgramState::largest_tool_radius;
+  constexpr double largest = ToolInForce::largest_tool_radius;
   const ProgramSetup initial;
   const auto add = [&](const char* name, double least, double most, double value,
                        const char* meaning) {

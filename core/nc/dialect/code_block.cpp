@@ -573,7 +573,7 @@ bool Interpreter::check_code_selection(ProgramLine& line, BlockWords& block) {
   if (!is_whole(block.tool->value))
     return refuse(line,
                   TextFault{.code = Code::nc_number, .begin = block.tool->begin, .detail = "D"});
-  if (state_.has_tool(number)) return true;
+  if (state_.tool().has_tool(number)) return true;
   const bool one_radius = state_.setup().tools.empty() && state_.setup().mode.tool_radius != 0;
   if (one_radius && (!selects || code_.only_register.value_or(number) == number)) {
     // The radius of the setup stands for the one register that the program selects with.

@@ -537,8 +537,8 @@ bool Interpreter::apply_trc(const ProgramLine& line, const BlockWords& block) {
     return false;
   if (block.tool_number) state_.prepare_tool(static_cast<std::int64_t>(block.tool_number->value));
   if (block.loads_tool && at(0) && !state_.load_tool(source)) return false;
-  const bool zero =
-      block.tool && block.tool->value == 0 && dialect_.zero_is_a_radius && !state_.row_of_tool(0);
+  const bool zero = block.tool && block.tool->value == 0 && dialect_.zero_is_a_radius &&
+                    !state_.tool().row_of_tool(0);
   if (zero && at(block.tool->begin) && !state_.set_tool_radius(0, source)) return false;
   if (block.tool && !zero && at(block.tool->begin) &&
       !state_.set_tool(static_cast<std::int64_t>(block.tool->value), source))

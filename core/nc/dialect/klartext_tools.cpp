@@ -131,7 +131,7 @@ bool Interpreter::choose_called_tool(const ProgramLine& line, std::size_t begin)
   };
   place(line, static_cast<std::uint32_t>(begin));
   if (*modes.tool == 0) return state_.set_tool(0, line.source);
-  std::optional<ToolRow> row = state_.row_of_tool(*modes.tool);
+  std::optional<ToolRow> row = state_.tool().row_of_tool(*modes.tool);
   // The radius of the setup stands for the one tool that the program selects with.
   if (!row && setup.tools.empty() && setup.mode.tool_radius != 0) {
     const std::int64_t number = *modes.tool;

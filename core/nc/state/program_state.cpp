@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <utility>
 
 #include "core/geometry/parallel.h"
@@ -24,27 +23,10 @@ bool retracts_in_a_block(Selection selection) {
   return selection != Selection::perpendicular && selection != Selection::without_block;
 }
 
-constexpr const char* corner_without_contour =
-    "a rounding or a chamfer that is not between two motions of one contour, at feed and in the "
-    "plane";
-constexpr const char* approach_without_contour = "APPR without a contour behind it";
-constexpr const char* lead_without_room =
-    "an approach or a departure that has no room: LCT from within its circle, CT with an arc that "
-    "is smaller than the tool";
-
 constexpr std::array<const char*, 3> axis_words{"X", "Y", "Z"};
 constexpr std::array<const char*, 3> center_words{"I", "J", "K"};
 
 }  // namespace
-
-void give_radius(const RadiusTerms& terms, Side side, TrcMode& mode) {
-  const double beside = terms.beside();
-  mode.tool_radius = std::abs(beside);
-  mode.nominal_radius = terms.nominal;
-  mode.below_nominal = terms.nominal > 0 && beside < 0;
-  mode.side = side;
-  if (beside < 0 && side != Side::off) mode.side = side == Side::left ? Side::right : Side::left;
-}
 
 ProgramState::ProgramState(const ProgramSetup& setup, const Tolerances& tolerances,
                            Diagnostics& diagnostics, std::vector<Block>& blocks)
@@ -52,22 +34,12 @@ ProgramState::ProgramState(const ProgramSetup& setup, const Tolerances& toleranc
       tolerances_(tolerances),
       diagnostics_(diagnostics),
       blocks_(blocks),
+      tool_(setup_),
       mode_(setup.mode),
-      terms_{.radius = setup.mode.tool_radius,
-             .wear = setup.wear,
-             .allowance = setup.allowance,
-             .nominal = setup.nominal_radius},
       absolute_center_(setup.absolute_center),
       circle_(setup.circle),
       position_(setup.start),
       target_(setup.start) {
-  // A centre path asks for no more than the nominal radius: nothing may differ from it.
-  if (setup.tool_radius_given || setup.mode.tool_radius != 0 || setup.nominal_radius > 0)
-    radius_giver_ = RadiusGiver::setup;
-  if (setup.every_radius) {
-    terms_.radius = *setup.every_radius;
-    radius_giver_ = RadiusGiver::setup;
-  }
   if (setup.masking_switches_kerf && mode_.masking == Masking::on)
     mode_.options.kerf_masking = true;
   // Programs in inch with three decimals.
@@ -102,7 +74,10 @@ void ProgramState::share_mode() {
   if (setup_.every_radius) radius_uses_.push_back(radius_use());
 }
 
-void ProgramState::update_side() { give_radius(terms_, programmed_side_, change_mode()); }
+void ProgramState::update_side() {
+  terms_in_mode_ = tool_.terms();
+  give_radius(terms_in_mode_, programmed_side_, change_mode());
+}
 
 bool ProgramState::select(Side side, const Source& source) {
   if (side == Side::off) return deselect(source);
@@ -126,7 +101,7 @@ bool ProgramState::select(Side side, const Source& source) {
 bool ProgramState::deselect(const Source& source) {
   const bool tangential = std::exchange(tangential_requested_, false);
   if (!mode_.active()) return true;
-  if (lead_) return report(lead_->request.source, Code::nc_unsupported, approach_without_contour);
+  if (lead_) return refuse_open_lead();
   // A corner that is cut is refused by the next motion.
   if (corner_ && (corner_->form == CornerCut::Form::open || corner_->modal)) release_held();
   const bool has_contour = in_plane_blocks_ > (has_approach_ ? 1U : 0U);
@@ -218,144 +193,53 @@ bool ProgramState::set_plane(Plane plane, const Source& source) {
   return true;
 }
 
-bool ProgramState::set_tool_radius(double radius, const Source& source) {
-  RadiusTerms terms = terms_;
-  terms.radius = radius;
-  return enter_terms(terms, RadiusGiver::program, source);
-}
-
-// A T word that waits for its first motion has given what is changed here.
-bool ProgramState::change_tool_radius(double more, const Source& source) {
-  if (prepared_tool_ != no_tool && !loads_tools_ &&
-      !take_tool(std::exchange(prepared_tool_, no_tool), source))
-    return false;
-  if (radius_giver_ == RadiusGiver::nobody)
-    return report(source, Code::no_tool_radius, "a radius that is changed has to be there");
-  RadiusTerms terms = terms_;
-  terms.radius += more;
-  return change_terms(terms, source);
-}
-
-bool ProgramState::set_wear(double wear, const Source& source) {
-  RadiusTerms terms = terms_;
-  terms.wear = wear;
-  return change_terms(terms, source);
-}
-
-bool ProgramState::set_allowance(double allowance, const Source& source) {
-  RadiusTerms terms = terms_;
-  terms.allowance = allowance;
-  return change_terms(terms, source);
-}
-
-bool ProgramState::enter_row(const ToolRow& row, RadiusGiver giver, const Source& source) {
-  RadiusTerms terms = terms_;
-  terms.radius = row.radius;
-  terms.wear = setup_.every_radius ? setup_.wear : row.wear;
-  return enter_terms(terms, giver, source);
-}
-
-bool ProgramState::enter_terms(const RadiusTerms& terms, RadiusGiver giver, const Source& source) {
-  radius_giver_ = giver;
-  missing_tool_ = no_tool;
-  if (!setup_.every_radius) return change_terms(terms, source);
-  RadiusTerms surveyed = terms;
-  const double radius = *setup_.every_radius;
-  surveyed.radius = terms.nominal > 0 ? radius : std::copysign(radius, terms.radius);
-  return change_terms(surveyed, source);
-}
-
-bool ProgramState::change_terms(const RadiusTerms& terms, const Source& source) {
-  const auto fits = [](double value) {
-    return in_range(value, -largest_tool_radius, largest_tool_radius);
-  };
-  if (!fits(terms.radius) || !fits(terms.effective()))
-    return report(source, Code::tool_radius_out_of_range, {},
-                  {{"tool_radius", fits(terms.radius) ? terms.effective() : terms.radius},
-                   {"largest", largest_tool_radius}});
-  if (terms == terms_) return true;
-  const bool moves = terms.beside() != terms_.beside();
-  if (moves && mode_.active() && mode_.selection == Selection::inside_corner)
-    return report(source, Code::radius_change_under_inside_corner, {},
-                  {{"tool_radius", terms.effective()}});
-  terms_ = terms;
-  update_side();
-  if (terms_.beside() != 0) zero_radius_reported_ = false;
-  return !mode_.active() || in_plane_blocks_ == 0 || check_radius(source);
-}
-
-bool ProgramState::check_wear(const Source& source) {
-  const bool wear_mode = terms_.nominal > 0;
-  const double wear = wear_mode ? terms_.radius + terms_.wear : terms_.wear;
-  if (std::abs(wear) <= setup_.max_wear) return true;
-  std::vector<DiagnosticValue> values{{"wear", wear}, {"max_wear", setup_.max_wear}};
-  if (wear_mode) values.push_back({"nominal_radius", terms_.nominal});
-  return report(source, Code::wear_too_large, {}, std::move(values));
-}
-
-bool ProgramState::set_tool(std::int64_t number, const Source& source) {
-  if (const auto row = row_of_tool(number)) return call_tool(*row, source);
-  if (number == 0) {
-    radius_giver_ = RadiusGiver::nobody;
-    missing_tool_ = 0;
-    prepared_tool_ = no_tool;
-    return !mode_.active() || in_plane_blocks_ == 0 || check_radius(source);
+bool ProgramState::follow_tool(std::optional<Refusal> refusal, const Source& source) {
+  if (refusal) return refuse(source, std::move(*refusal));
+  const RadiusTerms& terms = tool_.terms();
+  if (terms != terms_in_mode_) {
+    const bool moves = terms.beside() != terms_in_mode_.beside();
+    if (moves && mode_.active() && mode_.selection == Selection::inside_corner)
+      return report(source, Code::radius_change_under_inside_corner, {},
+                    {{"tool_radius", terms.effective()}});
+    update_side();
   }
-  return report(source, Code::tool_unknown, std::string("D").append(std::to_string(number)));
-}
-
-std::optional<ToolRow> ProgramState::row_of_tool(std::int64_t number) const {
-  const auto tool = setup_.tools.find(number);
-  const bool is_in_table = tool != setup_.tools.end();
-  if (const auto defined = defined_tools_.find(number); defined != defined_tools_.end())
-    return ToolRow(defined->second, is_in_table ? tool->second.wear : 0);
-  if (is_in_table) return tool->second;
-  if (setup_.every_radius && number != 0) return ToolRow(*setup_.every_radius, setup_.wear);
-  return std::nullopt;
-}
-
-bool ProgramState::call_tool(const ToolRow& row, const Source& source) {
-  return enter_row(row, RadiusGiver::program, source);
-}
-
-bool ProgramState::load_tool(const Source& source) {
-  loads_tools_ = true;
-  return prepared_tool_ == no_tool || take_tool(std::exchange(prepared_tool_, no_tool), source);
-}
-
-// A radius the setup has given stands for tools that the table does not hold.
-bool ProgramState::take_tool(std::int64_t number, const Source& source) {
-  if (radius_giver_ == RadiusGiver::program) return true;
-  const auto tool = setup_.tools.find(number);
-  if (tool != setup_.tools.end())
-    return enter_row(tool->second, RadiusGiver::tool_in_spindle, source);
-  if (radius_giver_ == RadiusGiver::setup) return true;
-  radius_giver_ = RadiusGiver::nobody;
-  missing_tool_ = number;
-  return !mode_.active() || in_plane_blocks_ == 0 || check_radius(source);
+  if (!mode_.active() || in_plane_blocks_ == 0) return true;
+  refusal = tool_.check(selected_);
+  return !refusal || refuse(source, std::move(*refusal));
 }
 
 bool ProgramState::check_radius(const Source& source) {
-  if (prepared_tool_ != no_tool && !loads_tools_ && in_plane_blocks_ == 0 &&
-      !take_tool(prepared_tool_, source))
-    return false;
-  if (radius_giver_ == RadiusGiver::nobody)
-    return report(source, Code::no_tool_radius, missing_radius());
-  if (!check_wear(source)) return false;
-  const bool is_zero = terms_.nominal == 0 && terms_.beside() == 0;
-  if (!is_zero || std::exchange(zero_radius_reported_, true)) return true;
-  return report(source, Code::tool_radius_zero);
+  std::optional<Refusal> refusal = tool_.check_at_first_motion(selected_);
+  if (tool_.terms() != terms_in_mode_) update_side();
+  return !refusal || refuse(source, std::move(*refusal));
 }
 
-std::string ProgramState::missing_radius() const {
-  const bool klartext = setup_.dialect == DialectName::heidenhain;
-  std::string text = (klartext ? "RL or RR " : "G41 or G42 ") + place_of(selected_);
-  if (missing_tool_ == 0) return text + ", D0 or T0 is no tool";
-  if (missing_tool_ != no_tool)
-    return text + ", the tool table has no T" + std::to_string(missing_tool_);
-  if (prepared_tool_ != no_tool)
-    return text + ", T" + std::to_string(prepared_tool_) + " without M06";
-  return text;
+bool ProgramState::set_tool_radius(double radius, const Source& source) {
+  return follow_tool(tool_.set_radius(radius), source);
+}
+
+bool ProgramState::change_tool_radius(double more, const Source& source) {
+  return follow_tool(tool_.change_radius(more), source);
+}
+
+bool ProgramState::set_wear(double wear, const Source& source) {
+  return follow_tool(tool_.set_wear(wear), source);
+}
+
+bool ProgramState::set_allowance(double allowance, const Source& source) {
+  return follow_tool(tool_.set_allowance(allowance), source);
+}
+
+bool ProgramState::set_tool(std::int64_t number, const Source& source) {
+  return follow_tool(tool_.set_tool(number), source);
+}
+
+bool ProgramState::call_tool(const ToolRow& row, const Source& source) {
+  return follow_tool(tool_.call_tool(row), source);
+}
+
+bool ProgramState::load_tool(const Source& source) {
+  return follow_tool(tool_.load_tool(), source);
 }
 
 bool ProgramState::set_options(const TrcOptions& options, const Source& source) {
@@ -419,7 +303,7 @@ bool ProgramState::find_end(const MoveRequest& request, Position& end) const {
   return all_in_range;
 }
 
-ProgramState::Refusal ProgramState::end_out_of_range(const MoveRequest& request) const {
+Refusal ProgramState::end_out_of_range(const MoveRequest& request) const {
   for (std::size_t axis = 0; axis < request.end.size(); ++axis) {
     if (!request.end[axis]) continue;
     const double value = end_on(axis, request);
@@ -431,7 +315,7 @@ ProgramState::Refusal ProgramState::end_out_of_range(const MoveRequest& request)
   return {};
 }
 
-std::optional<ProgramState::Refusal> ProgramState::unknown_start(const MoveRequest& request) const {
+std::optional<Refusal> ProgramState::unknown_start(const MoveRequest& request) const {
   if (all_known()) return {};
   const PlaneAxes axes = axes_of(mode_.plane);
   const bool in_plane =
@@ -449,9 +333,8 @@ std::optional<ProgramState::Refusal> ProgramState::unknown_start(const MoveReque
   return {};
 }
 
-std::optional<ProgramState::Refusal> ProgramState::circle(const MoveRequest& request,
-                                                          const Position& end,
-                                                          ProgrammedCircle& programmed) const {
+std::optional<Refusal> ProgramState::circle(const MoveRequest& request, const Position& end,
+                                            ProgrammedCircle& programmed) const {
   if (displaced_)
     return Refusal{.code = Code::circle_center_misfit,
                    .detail = "an arc behind G40 under G239, before a straight motion",
@@ -584,199 +467,6 @@ bool ProgramState::move_straight(const MoveRequest& request, const Position& end
   return true;
 }
 
-bool ProgramState::moves_in_plane_alone(const MoveRequest& request, const Position& end,
-                                        const TrackingTravel& tracking) const {
-  const std::size_t third = axes_of(mode_.plane).third;
-  return request.kind != MotionKind::rapid && end[third] == position_[third] &&
-         std::ranges::none_of(tracking, &AxisTravel::moves);
-}
-
-bool ProgramState::refuse_corner(const Source& source) {
-  return report(source, Code::nc_unsupported, corner_without_contour);
-}
-
-// Only between motions of the contour itself, along which nothing else moves.
-bool ProgramState::check_corner(const MoveRequest& request, bool alone) {
-  const bool in_contour = mode_.active() && in_plane_blocks_ > 0;
-  return !request.corner || request.corner->modal || (alone && in_contour) ||
-         refuse_corner(request.source);
-}
-
-// The block that is held loses its end and `path` its beginning.
-bool ProgramState::cut_corner_before(const MoveRequest& request, Segment& path, bool alone) {
-  if (!corner_) return true;
-  if (corner_->form == CornerCut::Form::open) {
-    release_held();
-    return true;
-  }
-  auto& before = *std::get_if<MotionBlock>(&held_.front());
-  const bool in_contour = mode_.active() && before.mode->side == mode_.side &&
-                          before.mode->selection_number == mode_.selection_number;
-  const bool no_corner =
-      corner_->modal && std::abs(turn_between(tangent_at_end(before.path),
-                                              tangent_at_start(path))) <= tolerances_.tangent;
-  if (no_corner || (corner_->modal && (!alone || !in_contour))) {
-    release_held();
-    return true;
-  }
-  if (!alone || !in_contour) return refuse_corner(request.source);
-  const auto corner = cut_corner(before.path, path, *corner_, tolerances_);
-  if (!corner)
-    return report(request.source, Code::nc_unsupported,
-                  "a rounding or a chamfer the motions have no room for, or a chamfer beside an "
-                  "arc");
-  before.path = corner->before;
-  path = corner->after;
-  MotionBlock between = before;
-  between.path = corner->between;
-  if (corner_feed_ != 0) between.feed = corner_feed_;
-  auto place = held_.begin() + 1;
-  if (corner_source_) {
-    between.source = *corner_source_;
-    while (place != held_.end() && index_of(*place) <= between.source.index) ++place;
-  }
-  held_.insert(place, std::move(between));
-  release_held();
-  return true;
-}
-
-// In Klartext the corner stands in the next line.
-void ProgramState::hold_for_corner(const MoveRequest& request) {
-  if (!request.corner || !request.corner->modal || in_plane_blocks_ > 1) corner_ = request.corner;
-  const auto* last = std::get_if<MotionBlock>(&blocks_.back());
-  if (corner_ && corner_->modal &&
-      (last == nullptr || last->rapid || last->normal.moves() || !mode_.active()))
-    corner_.reset();
-  if (setup_.dialect == DialectName::heidenhain && mode_.active() && in_plane_blocks_ > 1)
-    corner_ = CornerCut{.form = CornerCut::Form::open};
-  if (!corner_) return;
-  held_.push_back(std::move(blocks_.back()));
-  blocks_.pop_back();
-}
-
-bool ProgramState::cut_corner_behind(const CornerCut& cut, double feed, const Source& source) {
-  if (!corner_ || corner_->form != CornerCut::Form::open) return refuse_corner(source);
-  const auto& before = *std::get_if<MotionBlock>(&held_.front());
-  const bool alone = !before.rapid && !before.normal.moves() &&
-                     std::ranges::none_of(before.tracking, &AxisTravel::moves);
-  if (!alone || !mode_.active()) return refuse_corner(source);
-  corner_ = cut;
-  corner_source_ = source;
-  corner_feed_ = feed;
-  return true;
-}
-
-void ProgramState::release_held() {
-  std::ranges::move(held_, std::back_inserter(blocks_));
-  held_.clear();
-  corner_.reset();
-  corner_source_.reset();
-  corner_feed_ = 0;
-}
-
-ContourEnd ProgramState::contour_end(const Point& point, const Vector& tangent) const {
-  return {.point = point,
-          .tangent = tangent,
-          .side = mode_.side == Side::right ? -1.0 : 1.0,
-          .reach = mode_.options.suppress_trc ? 0 : mode_.tool_radius};
-}
-
-TrackingTravel ProgramState::standing_tracking() const {
-  TrackingTravel standing;
-  standing.reserve(tracking_.size());
-  for (const double axis : tracking_) standing.push_back({.from = axis, .to = axis});
-  return standing;
-}
-
-bool ProgramState::approach_by(const Lead& lead, const MoveRequest& request,
-                               const MoveRequest& way) {
-  Position end;
-  if (!find_end(request, end)) return refuse(request.source, end_out_of_range(request));
-  if (auto refusal = unknown_start(request)) return refuse(request.source, std::move(*refusal));
-  if (lead_ || in_plane_blocks_ > 0 || !mode_.active())
-    return report(request.source, Code::nc_unsupported, "APPR within a contour");
-  if (!check_radius(request.source)) return false;
-  lead_ = PendingLead{.lead = lead, .request = request, .way = way, .from = position_};
-  enter_target(request, end);
-  position_ = end;
-  return true;
-}
-
-// Across the plane where the path in it has ended, as the control does it.
-void ProgramState::travel_across(const MoveRequest& request) {
-  const std::size_t third = axes_of(mode_.plane).third;
-  if (!request.end[third] || *request.end[third] == position_[third]) return;
-  Position end = position_;
-  end[third] = *request.end[third];
-  append_passive(request, end, standing_tracking(), false);
-}
-
-// What leads to the contour comes out before what has been held since.
-bool ProgramState::approach_contour(const Segment& contour) {
-  const PendingLead pending = *std::exchange(lead_, std::nullopt);
-  const Position here = position_;
-  std::vector<Block> held = std::exchange(held_, {});
-  const ContourEnd begin = contour_end(start_of(contour), tangent_at_start(contour));
-  const Point from = to_plane(mode_.plane, pending.from);
-  const auto path = path_to(begin, pending.lead, from, tolerances_.same_point);
-  if (!path) return report(pending.request.source, Code::nc_unsupported, lead_without_room);
-  position_ = pending.from;
-  const std::size_t third = axes_of(mode_.plane).third;
-  const auto go = [&](const MoveRequest& request, const auto& shape) {
-    if (length_of(shape) <= tolerances_.same_point) return;
-    append_motion(request, shape, position_, standing_tracking());
-    std::get<MotionBlock>(blocks_.back()).role = ContourRole::lead;
-  };
-  if (path->contour) {
-    go(pending.way, Line{.start = from, .end = start_of(*path->contour)});
-    travel_across(pending.request);
-    std::visit([&](const auto& shape) { go(pending.request, shape); }, *path->contour);
-  } else {
-    // Up to the path of the tool without compensation, whatever the line leads across.
-    const TrcMode mode = mode_;
-    TrcMode& off = change_mode();
-    off.side = Side::off;
-    off.selection_number = 0;
-    go(pending.way, Line{.start = from, .end = path->away});
-    travel_across(pending.request);
-    change_mode() = mode;
-    go(pending.request, Line{.start = path->away, .end = begin.point});
-  }
-  const double height = here[third];
-  position_ = from_plane(mode_.plane, begin.point, height);
-  std::ranges::move(held, std::back_inserter(blocks_));
-  return true;
-}
-
-bool ProgramState::depart_by(const Lead& lead, const MoveRequest& request) {
-  if (corner_ && corner_->form != CornerCut::Form::open) return refuse_corner(request.source);
-  release_held();
-  if (!mode_.active() || in_plane_blocks_ <= (has_approach_ ? 1U : 0U))
-    return report(request.source, Code::nc_unsupported, "DEP without a contour before it");
-  Position end;
-  if (!find_end(request, end)) return refuse(request.source, end_out_of_range(request));
-  const ContourEnd last = contour_end(trc::end_of(last_path_), tangent_at_end(last_path_));
-  const auto path = path_from(last, lead, to_plane(mode_.plane, end), tolerances_.same_point);
-  if (!path) return report(request.source, Code::nc_unsupported, lead_without_room);
-  if (const Arc* arc = path->contour ? std::get_if<Arc>(&*path->contour) : nullptr) {
-    append_motion(request, *arc, position_, standing_tracking());
-    std::get<MotionBlock>(blocks_.back()).role = ContourRole::lead;
-  }
-  if (!deselect(request.source)) return false;
-  MoveRequest away = request;
-  const PlaneAxes axes = axes_of(mode_.plane);
-  if (lead.form != Lead::Form::arc_and_line) {
-    away.end[axes.first] = path->away.x();
-    away.end[axes.second] = path->away.y();
-  }
-  away.end[axes.third].reset();
-  target_ = position_;
-  if (!move(away)) return false;
-  travel_across(request);
-  target_[axes.third] = position_[axes.third];
-  return true;
-}
-
 // Behind G40 alone the tool stands beside the contour, so that a motion to where it ends in the
 // program moves it all the same: programs go back there and begin the next pass.
 bool ProgramState::leads_back(const MoveRequest& request) const {
@@ -823,6 +513,11 @@ void ProgramState::append_motion(const MoveRequest& request, const Shape& path, 
   if (mode_.tangential) change_mode().tangential = false;
 }
 
+template void ProgramState::append_motion<Line>(const MoveRequest&, const Line&, const Position&,
+                                                TrackingTravel&&);
+template void ProgramState::append_motion<Arc>(const MoveRequest&, const Arc&, const Position&,
+                                               TrackingTravel&&);
+
 void ProgramState::append_passive(const MoveRequest& request, const Position& end,
                                   TrackingTravel tracking, bool tracking_moves) {
   const std::size_t third = axes_of(mode_.plane).third;
@@ -848,7 +543,7 @@ bool ProgramState::pass(const Source& source, std::string text) {
 }
 
 bool ProgramState::end(const Source& source) {
-  if (lead_) return report(lead_->request.source, Code::nc_unsupported, approach_without_contour);
+  if (lead_) return refuse_open_lead();
   if (corner_ && corner_->form != CornerCut::Form::open && !corner_->modal)
     return refuse_corner(source);
   release_held();

@@ -3,7 +3,6 @@
 #include <array>
 #include <cstdint>
 #include <limits>
-#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -12,75 +11,19 @@
 #include "core/base/diagnostics.h"
 #include "core/base/tolerances.h"
 #include "core/nc/state/block.h"
-#include "core/nc/state/circle.h"
 #include "core/nc/state/corner_cut.h"
-#include "core/nc/state/dialect_name.h"
 #include "core/nc/state/lead.h"
+#include "core/nc/state/program_setup.h"
+#include "core/nc/state/refusal.h"
+#include "core/nc/state/tool_in_force.h"
 
 namespace trc {
-
-// A row of the tool table; a radius alone is one.
-struct ToolRow {
-  ToolRow(double tool_radius = 0, double tool_wear = 0) : radius(tool_radius), wear(tool_wear) {}
-
-  double radius;  // mm; negative swaps the side
-  double wear;    // mm, what the tool is larger by
-
-  bool operator==(const ToolRow&) const = default;
-};
-
-// The parts of the tool radius in force (D-43), mm.
-struct RadiusTerms {
-  double radius = 0;  // as programmed; negative swaps the side
-  double wear = 0;
-  double allowance = 0;
-  double nominal = 0;  // above 0: wear mode, the program is the centre path of such a tool
-
-  // How far the path is beside the program; negative: on the side that was not programmed.
-  [[nodiscard]] double beside() const {
-    const double size = nominal > 0 || radius >= 0 ? radius : -radius;
-    const double sum = size + wear + allowance;
-    return nominal > 0 || radius >= 0 ? sum : -sum;
-  }
-  // What the tool cuts with, allowance included.
-  [[nodiscard]] double effective() const { return nominal + beside(); }
-
-  bool operator==(const RadiusTerms&) const = default;
-};
-
-// A radius of such terms for a program that says `side`, as it is in force.
-void give_radius(const RadiusTerms& terms, Side side, TrcMode& mode);
 
 // What a mode that blocks were programmed under makes of its radius.
 struct RadiusUse {
   std::shared_ptr<const TrcMode> mode{};
   RadiusTerms terms{};
   Side side = Side::off;  // as programmed
-};
-
-// What holds before the first block.
-struct ProgramSetup {
-  TrcMode mode{};                // plane, mode, radius, options; side must be off
-  Position start{};              // mm
-  bool absolute_center = false;  // G161; G162 is the initial state (rule 10.4)
-  CircleCheck circle{};
-  std::vector<std::string> tracking_axes{"A", "B", "C", "U", "V", "W"};
-  std::map<std::int64_t, ToolRow> tools{};  // by the number of the D or T word
-  // The tool radius of `mode` is meant as it stands. One that is not 0 always is; 0 without this
-  // is none at all (D-40), but in wear mode.
-  bool tool_radius_given = false;
-  double wear = 0;            // mm, of the tool whose radius `mode` has; a D word brings its own
-  double allowance = 0;       // mm; positive leaves stock on the part
-  double nominal_radius = 0;  // mm; above 0: wear mode (RadiusTerms::nominal)
-  double max_wear = 1;        // mm; beyond that in size 900222
-  // Takes the place of every radius that setup, tools and program give, mm, with their sign; in
-  // wear mode the difference. Tools have the wear of the setup then, and every D but D0 is one.
-  std::optional<double> every_radius{};
-  // P-CHAN-00284 = 0: G141 and G140 switch KERF_MASKING, the last writer wins (rule 7.1).
-  bool masking_switches_kerf = false;
-  DialectName dialect = DialectName::isg;  // of NC text
-  bool inch = false;                       // NC text counts in inch before it says
-  bool copies_unknown_words = false;       // lines with unknown G functions, while TRC is off
 };
 
 // Some of X Y Z, a bit each.
@@ -131,6 +74,8 @@ class ProgramState {
  public:
   ProgramState(const ProgramSetup& setup, const Tolerances& tolerances, Diagnostics& diagnostics,
                std::vector<Block>& blocks);
+  ProgramState(const ProgramState&) = delete;
+  ProgramState& operator=(const ProgramState&) = delete;
 
   // The 1-based byte of the line that the next calls come from, for diagnostics;
   // 0: unknown.
@@ -153,37 +98,21 @@ class ProgramState {
   bool set_feed_adaptation(FeedAdaptation adaptation, const Source& source);
   bool set_tangfeed_minimum(double radius, const Source& source);  // 20963
   bool set_plane(Plane plane, const Source& source);               // 20133
-  // mm; negative swaps the side (rule 1.5). At most `largest_tool_radius` in
-  // size (900104); not under an active G238 (90127).
+  // As those of ToolInForce; a change of the path under an active G238 is 90127, and while TRC is
+  // active 900219, 900220 and 900222 come at once.
   bool set_tool_radius(double radius, const Source& source);
-  // Likewise, by so much more: V.G.WZ_AKT.R = V.G.WZ_AKT.R + 0.2. 900219 where there is none.
   bool change_tool_radius(double more, const Source& source);
-  // Both as set_tool_radius, mm. 900222.
   bool set_wear(double wear, const Source& source);
   bool set_allowance(double allowance, const Source& source);
   // OFFN: in addition to that of the setup, which is none of the program's business.
   bool set_allowance_of_program(double allowance, const Source& source) {
     return set_allowance(setup_.allowance + allowance, source);
   }
-  // D word, with the radius and the wear of the tool table; D0 without entry is no tool, and
-  // there is no radius. 900013; 900219 while TRC is active.
   bool set_tool(std::int64_t number, const Source& source);
-  // T word: the tool of that number is made ready. M06: it is the one in the spindle. Its radius
-  // in the tool table holds as long as the program has neither a D word nor another radius of its
-  // own; without any M06 a T word acts at once.
-  void prepare_tool(std::int64_t number) { prepared_tool_ = number; }
+  void prepare_tool(std::int64_t number) { tool_.prepare_tool(number); }
   bool load_tool(const Source& source);
-  // The program itself gives a tool of the table its radius, mm: G10 L12 of Fanuc.
-  void define_tool(std::int64_t number, double radius) { defined_tools_[number] = radius; }
-  // Of the program or of the tool table.
-  [[nodiscard]] std::optional<ToolRow> row_of_tool(std::int64_t number) const;
-  // A tool with its sizes.
+  void define_tool(std::int64_t number, double radius) { tool_.define_tool(number, radius); }
   bool call_tool(const ToolRow& row, const Source& source);
-  // Whether a D word may name it.
-  [[nodiscard]] bool has_tool(std::int64_t number) const {
-    return number == 0 || setup_.every_radius || defined_tools_.contains(number) ||
-           setup_.tools.contains(number);
-  }
   // A STRETCH_FACTOR out of range becomes 1, with a warning (22007). 22125, 900005.
   bool set_options(const TrcOptions& options, const Source& source);
   void set_absolute_center(bool absolute) { absolute_center_ = absolute; }        // G161 / G162
@@ -229,11 +158,12 @@ class ProgramState {
   bool end(const Source& source);
 
   [[nodiscard]] const TrcMode& mode() const { return mode_; }
-  // Of the radius in force.
-  [[nodiscard]] const RadiusTerms& radius_terms() const { return terms_; }
+  [[nodiscard]] const ToolInForce& tool() const { return tool_; }
   // Of each mode given to a block so far, in order; only with ProgramSetup::every_radius.
   [[nodiscard]] const std::vector<RadiusUse>& radius_uses() const { return radius_uses_; }
-  [[nodiscard]] RadiusUse radius_use() const { return {shared_mode_, terms_, programmed_side_}; }
+  [[nodiscard]] RadiusUse radius_use() const {
+    return {shared_mode_, tool_.terms(), programmed_side_};
+  }
   // Whether a motion begins where it does because of the radius (rule 3.6).
   [[nodiscard]] bool moves_by_radius() const { return moves_by_radius_; }
   // The plane that the program has named last.
@@ -261,32 +191,18 @@ class ProgramState {
   // No motion in the plane has followed the last G40 yet.
   [[nodiscard]] bool just_deselected() const { return just_deselected_; }
 
-  // mm; the reference control keeps 32 bits of 0.1 um.
-  static constexpr double largest_tool_radius = 214748.3647;
-  static constexpr std::int64_t no_tool = -1;
-
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(defined_tools_, column_, mode_, shared_mode_, programmed_side_, terms_.radius,
-            terms_.wear, terms_.allowance, tangential_requested_, absolute_center_,
-            circle_.correct_center, position_, target_, known_, position_forgotten_, displaced_,
-            tracking_, radius_giver_, prepared_tool_, loads_tools_, missing_tool_,
-            zero_radius_reported_, selected_, selections_, in_plane_blocks_, has_approach_,
-            last_path_, last_mode_, retract_pending_, just_deselected_, next_plane_, corner_,
-            corner_source_, corner_feed_, lead_, held_, ended_);
+    archive(tool_, column_, mode_, shared_mode_, programmed_side_, tangential_requested_,
+            absolute_center_, circle_.correct_center, position_, target_, known_,
+            position_forgotten_, displaced_, tracking_, selected_, selections_, in_plane_blocks_,
+            has_approach_, last_path_,  last_mode_, retract_pending_,
+            just_deselected_, next_plane_, corner_, corner_source_, corner_feed_, lead_, held_,
+            ended_);
+    terms_in_mode_ = tool_.terms();
   }
 
  private:
-  struct Refusal {
-    Code code = Code::field_invalid;
-    std::string detail{};
-    std::vector<DiagnosticValue> values{};
-    std::optional<DiagnosticPoint> point{};
-  };
-
-  // Who has given the radius in force.
-  enum class RadiusGiver : std::uint8_t { nobody, setup, tool_in_spindle, program };
-
   bool report(const Source& source, Code code, std::string detail = {},
               std::vector<DiagnosticValue> values = {});
   bool refuse(const Source& source, Refusal refusal);
@@ -300,25 +216,19 @@ class ProgramState {
   }
   void share_mode();
   void update_side();
-  // What takes the place of the terms in force, and who gave the radius.
-  bool enter_terms(const RadiusTerms& terms, RadiusGiver giver, const Source& source);
-  // The same giver; a tool not found stays so.
-  bool change_terms(const RadiusTerms& terms, const Source& source);
-  bool enter_row(const ToolRow& row, RadiusGiver giver, const Source& source);
-  bool take_tool(std::int64_t number, const Source& source);
-  // What D-40 and D-43 ask of the first motion of a selection, and of a change while active.
+  // Takes over what has become of the tool, or refuses it.
+  bool follow_tool(std::optional<Refusal> refusal, const Source& source);
+  // What D-40 and D-43 ask of the first motion of a selection.
   bool check_radius(const Source& source);
-  // Whether the wear is no whole radius.
-  bool check_wear(const Source& source);
-  [[nodiscard]] std::string missing_radius() const;
 
   // Where the request ends on an axis that it names.
   [[nodiscard]] double end_on(std::size_t axis, const MoveRequest& request) const {
     return *request.end[axis] + (request.incremental ? target_[axis] : 0);
   }
-  // Whether that is in range on all of them.
+  // Where blocks go: they wait while a corner or a lead does.
   [[nodiscard]] std::vector<Block>& sink() { return corner_ || lead_ ? held_ : blocks_; }
   bool refuse_corner(const Source& source);
+  bool refuse_open_lead();
   // Whether the motion to `end` may have a corner that is cut: at feed, in the plane alone.
   [[nodiscard]] bool moves_in_plane_alone(const MoveRequest& request, const Position& end,
                                           const TrackingTravel& tracking) const;
@@ -361,18 +271,13 @@ class ProgramState {
   Diagnostics& diagnostics_;
   std::vector<Block>& blocks_;
 
-  std::map<std::int64_t, double> defined_tools_{};  // by the program
+  ToolInForce tool_;
+  RadiusTerms terms_in_mode_{};
   std::uint32_t column_ = 0;
   TrcMode mode_;
   std::shared_ptr<const TrcMode> shared_mode_{};  // a copy of mode_; empty: out of date
   Side programmed_side_ = Side::off;              // G41, G42 before a negative radius swaps
-  RadiusTerms terms_{};
-  RadiusGiver radius_giver_ = RadiusGiver::nobody;
-  std::int64_t prepared_tool_ = no_tool;  // of a T word, until it is loaded
-  bool loads_tools_ = false;              // the program has an M06
-  std::int64_t missing_tool_ = no_tool;   // asked for last, without a radius
-  bool zero_radius_reported_ = false;
-  Source selected_{};  // the G41 or G42 in force
+  Source selected_{};                             // the G41 or G42 in force
   bool tangential_requested_ = false;
   bool absolute_center_ = false;
   CircleCheck circle_;

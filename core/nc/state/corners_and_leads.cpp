@@ -1,0 +1,219 @@
+// What a program says of the ends of a contour and of its corners: rounding and chamfer words, APPR
+// and DEP. Both make blocks wait until the next motion is known.
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <utility>
+
+#include "core/nc/state/program_state.h"
+
+namespace trc {
+namespace {
+
+constexpr const char* corner_without_contour =
+    "a rounding or a chamfer that is not between two motions of one contour, at feed and in the "
+    "plane";
+constexpr const char* lead_without_room =
+    "an approach or a departure that has no room: LCT from within its circle, CT with an arc that "
+    "is smaller than the tool";
+
+}  // namespace
+
+bool ProgramState::moves_in_plane_alone(const MoveRequest& request, const Position& end,
+                                        const TrackingTravel& tracking) const {
+  const std::size_t third = axes_of(mode_.plane).third;
+  return request.kind != MotionKind::rapid && end[third] == position_[third] &&
+         std::ranges::none_of(tracking, &AxisTravel::moves);
+}
+
+bool ProgramState::refuse_corner(const Source& source) {
+  return report(source, Code::nc_unsupported, corner_without_contour);
+}
+
+bool ProgramState::refuse_open_lead() {
+  return report(lead_->request.source, Code::nc_unsupported, "APPR without a contour behind it");
+}
+
+// Only between motions of the contour itself, along which nothing else moves.
+bool ProgramState::check_corner(const MoveRequest& request, bool alone) {
+  const bool in_contour = mode_.active() && in_plane_blocks_ > 0;
+  return !request.corner || request.corner->modal || (alone && in_contour) ||
+         refuse_corner(request.source);
+}
+
+// The block that is held loses its end and `path` its beginning.
+bool ProgramState::cut_corner_before(const MoveRequest& request, Segment& path, bool alone) {
+  if (!corner_) return true;
+  if (corner_->form == CornerCut::Form::open) {
+    release_held();
+    return true;
+  }
+  auto& before = *std::get_if<MotionBlock>(&held_.front());
+  const bool in_contour = mode_.active() && before.mode->side == mode_.side &&
+                          before.mode->selection_number == mode_.selection_number;
+  const bool no_corner =
+      corner_->modal && std::abs(turn_between(tangent_at_end(before.path),
+                                              tangent_at_start(path))) <= tolerances_.tangent;
+  if (no_corner || (corner_->modal && (!alone || !in_contour))) {
+    release_held();
+    return true;
+  }
+  if (!alone || !in_contour) return refuse_corner(request.source);
+  const auto corner = cut_corner(before.path, path, *corner_, tolerances_);
+  if (!corner)
+    return report(request.source, Code::nc_unsupported,
+                  "a rounding or a chamfer the motions have no room for, or a chamfer beside an "
+                  "arc");
+  before.path = corner->before;
+  path = corner->after;
+  MotionBlock between = before;
+  between.path = corner->between;
+  if (corner_feed_ != 0) between.feed = corner_feed_;
+  auto place = held_.begin() + 1;
+  if (corner_source_) {
+    between.source = *corner_source_;
+    while (place != held_.end() && index_of(*place) <= between.source.index) ++place;
+  }
+  held_.insert(place, std::move(between));
+  release_held();
+  return true;
+}
+
+// In Klartext the corner stands in the next line.
+void ProgramState::hold_for_corner(const MoveRequest& request) {
+  if (!request.corner || !request.corner->modal || in_plane_blocks_ > 1) corner_ = request.corner;
+  const auto* last = std::get_if<MotionBlock>(&blocks_.back());
+  if (corner_ && corner_->modal &&
+      (last == nullptr || last->rapid || last->normal.moves() || !mode_.active()))
+    corner_.reset();
+  if (setup_.dialect == DialectName::heidenhain && mode_.active() && in_plane_blocks_ > 1)
+    corner_ = CornerCut{.form = CornerCut::Form::open};
+  if (!corner_) return;
+  held_.push_back(std::move(blocks_.back()));
+  blocks_.pop_back();
+}
+
+bool ProgramState::cut_corner_behind(const CornerCut& cut, double feed, const Source& source) {
+  if (!corner_ || corner_->form != CornerCut::Form::open) return refuse_corner(source);
+  const auto& before = *std::get_if<MotionBlock>(&held_.front());
+  const bool alone = !before.rapid && !before.normal.moves() &&
+                     std::ranges::none_of(before.tracking, &AxisTravel::moves);
+  if (!alone || !mode_.active()) return refuse_corner(source);
+  corner_ = cut;
+  corner_source_ = source;
+  corner_feed_ = feed;
+  return true;
+}
+
+void ProgramState::release_held() {
+  std::ranges::move(held_, std::back_inserter(blocks_));
+  held_.clear();
+  corner_.reset();
+  corner_source_.reset();
+  corner_feed_ = 0;
+}
+
+ContourEnd ProgramState::contour_end(const Point& point, const Vector& tangent) const {
+  return {.point = point,
+          .tangent = tangent,
+          .side = mode_.side == Side::right ? -1.0 : 1.0,
+          .reach = mode_.options.suppress_trc ? 0 : mode_.tool_radius};
+}
+
+TrackingTravel ProgramState::standing_tracking() const {
+  TrackingTravel standing;
+  standing.reserve(tracking_.size());
+  for (const double axis : tracking_) standing.push_back({.from = axis, .to = axis});
+  return standing;
+}
+
+bool ProgramState::approach_by(const Lead& lead, const MoveRequest& request,
+                               const MoveRequest& way) {
+  Position end;
+  if (!find_end(request, end)) return refuse(request.source, end_out_of_range(request));
+  if (auto refusal = unknown_start(request)) return refuse(request.source, std::move(*refusal));
+  if (lead_ || in_plane_blocks_ > 0 || !mode_.active())
+    return report(request.source, Code::nc_unsupported, "APPR within a contour");
+  if (!check_radius(request.source)) return false;
+  lead_ = PendingLead{.lead = lead, .request = request, .way = way, .from = position_};
+  enter_target(request, end);
+  position_ = end;
+  return true;
+}
+
+// Across the plane where the path in it has ended, as the control does it.
+void ProgramState::travel_across(const MoveRequest& request) {
+  const std::size_t third = axes_of(mode_.plane).third;
+  if (!request.end[third] || *request.end[third] == position_[third]) return;
+  Position end = position_;
+  end[third] = *request.end[third];
+  append_passive(request, end, standing_tracking(), false);
+}
+
+// What leads to the contour comes out before what has been held since.
+bool ProgramState::approach_contour(const Segment& contour) {
+  const PendingLead pending = *std::exchange(lead_, std::nullopt);
+  const Position here = position_;
+  std::vector<Block> held = std::exchange(held_, {});
+  const ContourEnd begin = contour_end(start_of(contour), tangent_at_start(contour));
+  const Point from = to_plane(mode_.plane, pending.from);
+  const auto path = path_to(begin, pending.lead, from, tolerances_.same_point);
+  if (!path) return report(pending.request.source, Code::nc_unsupported, lead_without_room);
+  position_ = pending.from;
+  const std::size_t third = axes_of(mode_.plane).third;
+  const auto go = [&](const MoveRequest& request, const auto& shape) {
+    if (length_of(shape) <= tolerances_.same_point) return;
+    append_motion(request, shape, position_, standing_tracking());
+    std::get<MotionBlock>(blocks_.back()).role = ContourRole::lead;
+  };
+  if (path->contour) {
+    go(pending.way, Line{.start = from, .end = start_of(*path->contour)});
+    travel_across(pending.request);
+    std::visit([&](const auto& shape) { go(pending.request, shape); }, *path->contour);
+  } else {
+    // Up to the path of the tool without compensation, whatever the line leads across.
+    const TrcMode mode = mode_;
+    TrcMode& off = change_mode();
+    off.side = Side::off;
+    off.selection_number = 0;
+    go(pending.way, Line{.start = from, .end = path->away});
+    travel_across(pending.request);
+    change_mode() = mode;
+    go(pending.request, Line{.start = path->away, .end = begin.point});
+  }
+  const double height = here[third];
+  position_ = from_plane(mode_.plane, begin.point, height);
+  std::ranges::move(held, std::back_inserter(blocks_));
+  return true;
+}
+
+bool ProgramState::depart_by(const Lead& lead, const MoveRequest& request) {
+  if (corner_ && corner_->form != CornerCut::Form::open) return refuse_corner(request.source);
+  release_held();
+  if (!mode_.active() || in_plane_blocks_ <= (has_approach_ ? 1U : 0U))
+    return report(request.source, Code::nc_unsupported, "DEP without a contour before it");
+  Position end;
+  if (!find_end(request, end)) return refuse(request.source, end_out_of_range(request));
+  const ContourEnd last = contour_end(trc::end_of(last_path_), tangent_at_end(last_path_));
+  const auto path = path_from(last, lead, to_plane(mode_.plane, end), tolerances_.same_point);
+  if (!path) return report(request.source, Code::nc_unsupported, lead_without_room);
+  if (const Arc* arc = path->contour ? std::get_if<Arc>(&*path->contour) : nullptr) {
+    append_motion(request, *arc, position_, standing_tracking());
+    std::get<MotionBlock>(blocks_.back()).role = ContourRole::lead;
+  }
+  if (!deselect(request.source)) return false;
+  MoveRequest away = request;
+  const PlaneAxes axes = axes_of(mode_.plane);
+  if (lead.form != Lead::Form::arc_and_line) {
+    away.end[axes.first] = path->away.x();
+    away.end[axes.second] = path->away.y();
+  }
+  away.end[axes.third].reset();
+  target_ = position_;
+  if (!move(away)) return false;
+  travel_across(request);
+  target_[axes.third] = position_[axes.third];
+  return true;
+}
+
+}  // namespace trc

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/nc/state/block.h"
+#include "core/nc/state/circle.h"
+#include "core/nc/state/dialect_name.h"
+#include "core/nc/state/radius_terms.h"
+
+namespace trc {
+
+// What holds before the first block.
+struct ProgramSetup {
+  TrcMode mode{};                // plane, mode, radius, options; side must be off
+  Position start{};              // mm
+  bool absolute_center = false;  // G161; G162 is the initial state (rule 10.4)
+  CircleCheck circle{};
+  std::vector<std::string> tracking_axes{"A", "B", "C", "U", "V", "W"};
+  std::map<std::int64_t, ToolRow> tools{};  // by the number of the D or T word
+  // The tool radius of `mode` is meant as it stands. One that is not 0 always is; 0 without this
+  // is none at all (D-40), but in wear mode.
+  bool tool_radius_given = false;
+  double wear = 0;            // mm, of the tool whose radius `mode` has; a D word brings its own
+  double allowance = 0;       // mm; positive leaves stock on the part
+  double nominal_radius = 0;  // mm; above 0: wear mode (RadiusTerms::nominal)
+  double max_wear = 1;        // mm; beyond that in size 900222
+  // Takes the place of every radius that setup, tools and program give, mm, with their sign; in
+  // wear mode the difference. Tools have the wear of the setup then, and every D but D0 is one.
+  std::optional<double> every_radius{};
+  // P-CHAN-00284 = 0: G141 and G140 switch KERF_MASKING, the last writer wins (rule 7.1).
+  bool masking_switches_kerf = false;
+  DialectName dialect = DialectName::isg;  // of NC text
+  bool inch = false;                       // NC text counts in inch before it says
+  bool copies_unknown_words = false;       // lines with unknown G functions, while TRC is off
+};
+
+}  // namespace trc

@@ -1,0 +1,85 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+
+#include "core/nc/state/program_setup.h"
+#include "core/nc/state/refusal.h"
+
+namespace trc {
+
+// Which tool radius holds, and who has given it: the setup, the tool in the spindle or the program
+// (D-40, D-43). What is refused is returned; nothing has changed then.
+class ToolInForce {
+ public:
+  explicit ToolInForce(const ProgramSetup& setup);
+
+  // mm; negative swaps the side (rule 1.5). At most `largest_tool_radius` in size (900104).
+  std::optional<Refusal> set_radius(double radius);
+  // By so much more, mm. 900219 where there is none.
+  std::optional<Refusal> change_radius(double more);
+  std::optional<Refusal> set_wear(double wear);            // mm
+  std::optional<Refusal> set_allowance(double allowance);  // mm
+  // D word; D0 without a row is no tool, and there is no radius. 900013.
+  std::optional<Refusal> set_tool(std::int64_t number);
+  // A tool with its sizes, called by the program.
+  std::optional<Refusal> call_tool(const ToolRow& row);
+  // T word: the tool is made ready. M06: it is the one in the spindle. Its radius in the tool table
+  // holds as long as the program has neither a D word nor another radius of its own; without any
+  // M06 a T word acts at once.
+  void prepare_tool(std::int64_t number) { prepared_ = number; }
+  std::optional<Refusal> load_tool();
+  // The program itself gives a tool of the table its radius, mm.
+  void define_tool(std::int64_t number, double radius) { defined_[number] = radius; }
+
+  // What the first motion of a selection asks for: that there is a radius (900219) and that its
+  // wear is none of a whole radius (900222); 0 gets a warning once (900220). `selected`: by whom.
+  std::optional<Refusal> check(const Source& selected);
+  // The same; a tool made ready without any M06 takes its place first.
+  std::optional<Refusal> check_at_first_motion(const Source& selected);
+
+  // The parts of the radius in force.
+  [[nodiscard]] const RadiusTerms& terms() const { return terms_; }
+  // Of the program or of the tool table.
+  [[nodiscard]] std::optional<ToolRow> row_of_tool(std::int64_t number) const;
+  // Whether a D word may name it.
+  [[nodiscard]] bool has_tool(std::int64_t number) const {
+    return number == 0 || setup_.every_radius || defined_.contains(number) ||
+           setup_.tools.contains(number);
+  }
+
+  // mm; the reference control keeps 32 bits of 0.1 um.
+  static constexpr double largest_tool_radius = 214748.3647;
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(defined_, terms_.radius, terms_.wear, terms_.allowance, giver_, prepared_, loads_tools_,
+            missing_, zero_reported_);
+  }
+
+ private:
+  // Who has given the radius in force.
+  enum class RadiusGiver : std::uint8_t { nobody, setup, tool_in_spindle, program };
+  static constexpr std::int64_t no_tool = -1;
+
+  // What takes the place of the terms in force, and who gave the radius.
+  std::optional<Refusal> enter_terms(const RadiusTerms& terms, RadiusGiver giver);
+  // The same giver; a tool not found stays so.
+  std::optional<Refusal> change_terms(const RadiusTerms& terms);
+  std::optional<Refusal> enter_row(const ToolRow& row, RadiusGiver giver);
+  std::optional<Refusal> take_prepared();
+  [[nodiscard]] std::string missing_radius(const Source& selected) const;
+
+  const ProgramSetup& setup_;
+  std::map<std::int64_t, double> defined_{};  // by the program
+  RadiusTerms terms_;
+  RadiusGiver giver_ = RadiusGiver::nobody;
+  std::int64_t prepared_ = no_tool;  // of a T word, until it is loaded
+  bool loads_tools_ = false;         // the program has an M06
+  std::int64_t missing_ = no_tool;   // asked for last, without a radius
+  bool zero_reported_ = false;
+};
+
+}  // namespace trc
