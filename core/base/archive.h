@@ -19,8 +19,8 @@ namespace trc {
 // one cannot be forgotten.
 template <class Archive>
 void serialize(Archive& archive, Source& source) {
-  auto& [index, number, line] = source;
-  archive(index, number, line);
+  auto& [index, number, line, part] = source;
+  archive(index, number, line, part);
 }
 
 }  // namespace trc

@@ -28,6 +28,10 @@ bool is_measured(Origin origin) {
   return false;
 }
 
+bool is_before(const Source& one, const Source& other) {
+  return one.index != other.index ? one.index < other.index : one.part < other.part;
+}
+
 }  // namespace
 
 std::uint32_t HeldPath::number_of(const std::shared_ptr<const TrcMode>& shared) {
@@ -106,7 +110,7 @@ void HeldPath::put_at_part(ProgrammedPiece& last) {
 
 void HeldPath::add(const CompensatedBlock& block) {
   if (!is_measured(block.origin) || programmed_.empty() || !is_finite(block.path) ||
-      !find(block.source.index))
+      !find(block.source))
     return;
   const bool inserted = block.origin == Origin::transition || block.origin == Origin::radius_change;
   if (inserted && programmed_[last_].crosses_behind) return;
@@ -118,11 +122,15 @@ void HeldPath::add(const CompensatedBlock& block) {
 }
 
 std::size_t HeldPath::first_from(std::uint64_t index) const {
+  return first_from(Source{.index = index});
+}
+
+std::size_t HeldPath::first_from(const Source& source) const {
   std::size_t low = programmed_.begin();
   std::size_t high = programmed_.end();
   while (low < high) {
     const std::size_t middle = low + (high - low) / 2;
-    if (programmed_[middle].source.index < index)
+    if (is_before(programmed_[middle].source, source))
       low = middle + 1;
     else
       high = middle;
@@ -131,16 +139,12 @@ std::size_t HeldPath::first_from(std::uint64_t index) const {
 }
 
 // The path follows the program, but for the seam of a closed contour: the next one is near.
-bool HeldPath::find(std::uint64_t index) {
-  const auto index_at = [&](std::size_t number) { return programmed_[number].source.index; };
+bool HeldPath::find(const Source& source) {
   last_ = std::max(last_, programmed_.begin());
-  if (last_ >= programmed_.end() || index_at(last_) > index) {
-    const std::size_t behind = first_from(index + 1);
-    if (behind == programmed_.begin()) return false;
-    last_ = behind - 1;
-  }
-  while (last_ + 1 < programmed_.end() && index_at(last_ + 1) <= index) ++last_;
-  return index_at(last_) == index;
+  if (last_ >= programmed_.end() || is_before(source, programmed_[last_].source))
+    last_ = first_from(source);
+  while (last_ < programmed_.end() && is_before(programmed_[last_].source, source)) ++last_;
+  return last_ < programmed_.end() && !is_before(source, programmed_[last_].source);
 }
 
 void HeldPath::forget_before(std::size_t number) {

@@ -82,8 +82,9 @@ class HeldPath {
   [[nodiscard]] bool is_contour(const MotionBlock& block, Side side) const;
   // Of a piece that is to be the last one: it becomes the wall it stands for in wear mode.
   void put_at_part(ProgrammedPiece& last);
-  // The last programmed piece with this Source::index; false: there is none.
-  bool find(std::uint64_t index);
+  // The programmed piece that a path stems from; false: there is none.
+  bool find(const Source& source);
+  [[nodiscard]] std::size_t first_from(const Source& source) const;
 
   NumberedQueue<ProgrammedPiece> programmed_;
   NumberedQueue<PathPiece> path_;

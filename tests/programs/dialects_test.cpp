@@ -198,6 +198,20 @@ TEST_P(OfADialect, MakesThePathOfItsHead) {
   }
 }
 
+// No program of these comes too near to its contour, and what is measured finds none that does:
+// one line may have become several motions.
+TEST_P(OfADialect, IsMeasuredClear) {
+  const DialectProgram& program = GetParam();
+  if (program.refused != 0) return;
+  ProgramSessionSetup measured = program.setup;
+  measured.session.verify = Verify::enforce;
+  for (const std::size_t piece : {0, 1}) {
+    const Written written = run(program.text, measured, true, piece);
+    EXPECT_FALSE(written.stopped) << written.report();
+    EXPECT_EQ(written.text, run(program.text, program.setup, true).text);
+  }
+}
+
 TEST_P(OfADialect, GivesTheSameInPieces) {
   const DialectProgram& program = GetParam();
   const Written whole = run(program.text, program.setup, true);

@@ -68,6 +68,7 @@ bool ProgramState::cut_corner_before(const MoveRequest& request, Segment& path, 
   path = corner->after;
   MotionBlock between = before;
   between.path = corner->between;
+  ++between.source.part;
   if (corner_feed_ != 0) between.feed = corner_feed_;
   auto place = held_.begin() + 1;
   if (corner_source_) {

@@ -493,6 +493,7 @@ void ProgramState::append_motion(const MoveRequest& request, const Shape& path, 
   // Filled in where it lies: it is large.
   auto& block = *std::get_if<MotionBlock>(&blocks_.emplace_back(std::in_place_type<MotionBlock>));
   block.source = request.source;
+  block.source.part = part_of(request.source.index);
   block.path.template emplace<Shape>(path);
   block.normal = {.from = position_[third], .to = end[third]};
   block.feed = request.feed;

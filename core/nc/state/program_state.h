@@ -196,7 +196,7 @@ class ProgramState {
     archive(tool_, column_, mode_, shared_mode_, programmed_side_, tangential_requested_,
             absolute_center_, circle_.correct_center, position_, target_, known_,
             position_forgotten_, displaced_, tracking_, selected_, selections_, in_plane_blocks_,
-            has_approach_, last_path_,  last_mode_, retract_pending_,
+            has_approach_, last_path_, last_index_, last_part_, last_mode_, retract_pending_,
             just_deselected_, next_plane_, corner_, corner_source_, corner_feed_, lead_, held_,
             ended_);
     terms_in_mode_ = tool_.terms();
@@ -259,6 +259,12 @@ class ProgramState {
   bool move_tracking(const MoveRequest& request, TrackingTravel& travel);
   bool travel_on_tracking_axes(const MoveRequest& request, TrackingTravel& travel);
   void enter_target(const MoveRequest& request, const Position& end);
+  // Of the next motion of a block, as Source has it.
+  std::uint8_t part_of(std::uint64_t index) {
+    last_part_ = index == last_index_ ? static_cast<std::uint8_t>(last_part_ + 1) : 0;
+    last_index_ = index;
+    return last_part_;
+  }
   template <class Shape>
   void append_motion(const MoveRequest& request, const Shape& path, const Position& end,
                      TrackingTravel&& tracking);
@@ -299,6 +305,8 @@ class ProgramState {
   std::uint64_t in_plane_blocks_ = 0;
   bool has_approach_ = false;  // the first of them leads to the contour
   Segment last_path_{};
+  std::uint64_t last_index_ = std::numeric_limits<std::uint64_t>::max();
+  std::uint8_t last_part_ = 0;
   std::shared_ptr<const TrcMode> last_mode_{};
   bool retract_pending_ = false;
   bool just_deselected_ = false;

@@ -19,14 +19,10 @@ void HeldPath::append(PathBlock& block) {
   }
   if (!block.riders.empty()) riders_.push_back({blocks_.end(), std::move(block.riders)});
   const bool apart = !is_contour && stands_apart(block);
-  if (apart) {
-    const Source& source = block.programmed.source;
+  if (apart)
     apart_.push_back({.block = blocks_.end(),
                       .cuts = {block.cut_at_start, block.cut_at_end},
-                      .index = source.index,
-                      .n_word = source.number,
-                      .line = source.line});
-  }
+                      .source = block.programmed.source});
   const Number setting = note_setting(block);
   std::visit(
       [&](const auto& path) {
@@ -181,7 +177,7 @@ void HeldPath::lengthen_start(std::size_t block, const Point& place, double by) 
 void HeldPath::restore_apart(std::size_t number, PathBlock& block) {
   while (apart_[apart_.begin()].block < number) apart_.drop_before(apart_.begin() + 1);
   const Apart& apart = apart_[apart_.begin()];
-  block.programmed.source = {apart.index, apart.n_word, apart.line};
+  block.programmed.source = apart.source;
   block.cut_at_start = apart.cuts.at_start;
   block.cut_at_end = apart.cuts.at_end;
 }

@@ -248,17 +248,18 @@ class HeldPath {
   struct KeptContour {
     Point start = Point::Zero();
     Point end = Point::Zero();
-    std::uint64_t index = 0;  // index, n_word and line: its Source
+    std::uint64_t index = 0;  // index, n_word, line and part: its Source
     std::int64_t n_word = 0;
     std::uint32_t line = 0;
     Number block = 0;
     Number circle = 0;  // its own, or the next one
     bool is_arc = false;
     ContourRole role = ContourRole::unspecified;
+    std::uint8_t part = 0;
 
     template <class Archive>
     void serialize(Archive& archive) {
-      archive(start, end, index, n_word, line, block, circle, is_arc, role);
+      archive(start, end, index, n_word, line, block, circle, is_arc, role, part);
     }
   };
   struct KeptCircle {
@@ -285,17 +286,17 @@ class HeldPath {
   struct Apart {
     std::size_t block = 0;
     Cuts cuts{};
-    std::uint64_t index = 0;
-    std::int64_t n_word = 0;
-    std::uint32_t line = 0;
+    Source source{};
 
     template <class Archive>
     void serialize(Archive& archive) {
-      archive(block, cuts.at_start, cuts.at_end, index, n_word, line);
+      archive(block, cuts.at_start, cuts.at_end, source);
     }
   };
 
-  static Source source_of(const KeptContour& kept) { return {kept.index, kept.n_word, kept.line}; }
+  static Source source_of(const KeptContour& kept) {
+    return {.index = kept.index, .number = kept.n_word, .line = kept.line, .part = kept.part};
+  }
   // Of the contour block of a block, or of one behind it.
   [[nodiscard]] std::size_t first_circle_of(std::size_t block) const {
     return contour_.empty() ? 0 : contour_[number_of(block)].circle;
@@ -371,7 +372,8 @@ template <class Programmed>
                        .block = static_cast<Number>(blocks_.end()),
                        .circle = static_cast<Number>(circles_.end()),
                        .is_arc = std::is_same_v<Programmed, Arc>,
-                       .role = block.role};
+                       .role = block.role,
+                       .part = block.source.part};
   });
   if constexpr (std::is_same_v<Programmed, Arc>)
     circles_.push_back({.arc = {programmed.center, programmed.sweep}, .cuts = cuts});
