@@ -16,7 +16,7 @@ struct Source {
   // 1-based line of the NC text; 0 when the block did not come from text.
   std::uint32_t line = 0;
   // 0-based among the motions that one block has become: a chamfer behind its line, the arc of a
-  // lead behind the way to it. Not for clients.
+  // lead behind the way to it. Clients do not see it.
   std::uint8_t part = 0;
 
   static constexpr std::int64_t no_number = -1;

@@ -210,6 +210,10 @@ TEST_P(OfADialect, IsMeasuredClear) {
     EXPECT_FALSE(written.stopped) << written.report();
     EXPECT_EQ(written.text, run(program.text, program.setup, true).text);
   }
+  measured.session.program.mode.masking = Masking::on;
+  measured.session.program.mode.options.remove_masked_blocks = true;
+  const Written removed = run(program.text, measured, true);
+  EXPECT_FALSE(removed.stopped) << removed.report();
 }
 
 TEST_P(OfADialect, GivesTheSameInPieces) {

@@ -278,7 +278,7 @@ class ProgramState {
   std::vector<Block>& blocks_;
 
   ToolInForce tool_;
-  RadiusTerms terms_in_mode_{};
+  RadiusTerms terms_in_mode_{};  // those that mode_ has its radius from
   std::uint32_t column_ = 0;
   TrcMode mode_;
   std::shared_ptr<const TrcMode> shared_mode_{};  // a copy of mode_; empty: out of date

@@ -8,7 +8,7 @@
 
 namespace trc {
 
-// Why something that a program says is not done, or a warning of it.
+// What is reported of something that a program says, before it is known where it stands.
 struct Refusal {
   Code code = Code::field_invalid;
   std::string detail{};

@@ -37,8 +37,8 @@ std::optional<Refusal> ToolInForce::set_radius(double radius) {
 
 // A T word that waits for its first motion has given what is changed here.
 std::optional<Refusal> ToolInForce::change_radius(double more) {
-  if (!loads_tools_)
-    if (auto refusal = take_prepared()) return refusal;
+  if (has_tool_that_waits())
+    if (auto refusal = take_tool(std::exchange(prepared_, no_tool))) return refusal;
   if (giver_ == RadiusGiver::nobody)
     return Refusal{.code = Code::no_tool_radius,
                    .detail = "a radius that is changed has to be there"};
@@ -76,7 +76,8 @@ std::optional<Refusal> ToolInForce::call_tool(const ToolRow& row) {
 
 std::optional<Refusal> ToolInForce::load_tool() {
   loads_tools_ = true;
-  return take_prepared();
+  if (prepared_ == no_tool) return {};
+  return take_tool(std::exchange(prepared_, no_tool));
 }
 
 std::optional<ToolRow> ToolInForce::row_of_tool(std::int64_t number) const {
@@ -121,9 +122,7 @@ std::optional<Refusal> ToolInForce::change_terms(const RadiusTerms& terms) {
 }
 
 // A radius the setup has given stands for tools that the table does not hold.
-std::optional<Refusal> ToolInForce::take_prepared() {
-  if (prepared_ == no_tool) return {};
-  const std::int64_t number = std::exchange(prepared_, no_tool);
+std::optional<Refusal> ToolInForce::take_tool(std::int64_t number) {
   if (giver_ == RadiusGiver::program) return {};
   const auto tool = setup_.tools.find(number);
   if (tool != setup_.tools.end()) return enter_row(tool->second, RadiusGiver::tool_in_spindle);
@@ -134,12 +133,8 @@ std::optional<Refusal> ToolInForce::take_prepared() {
 }
 
 std::optional<Refusal> ToolInForce::check_at_first_motion(const Source& selected) {
-  if (prepared_ != no_tool && !loads_tools_) {
-    const std::int64_t number = prepared_;
-    auto refusal = take_prepared();
-    prepared_ = number;
-    if (refusal) return refusal;
-  }
+  if (has_tool_that_waits())
+    if (auto refusal = take_tool(prepared_)) return refusal;
   return check(selected);
 }
 

@@ -11,7 +11,7 @@
 namespace trc {
 
 // Which tool radius holds, and who has given it: the setup, the tool in the spindle or the program
-// (D-40, D-43). What is refused is returned; nothing has changed then.
+// (D-40, D-43). Each function returns what is to be reported of it: an error ends the stream.
 class ToolInForce {
  public:
   explicit ToolInForce(const ProgramSetup& setup);
@@ -69,7 +69,9 @@ class ToolInForce {
   // The same giver; a tool not found stays so.
   std::optional<Refusal> change_terms(const RadiusTerms& terms);
   std::optional<Refusal> enter_row(const ToolRow& row, RadiusGiver giver);
-  std::optional<Refusal> take_prepared();
+  std::optional<Refusal> take_tool(std::int64_t number);
+  // No M06 has said so far that a T word only makes ready.
+  [[nodiscard]] bool has_tool_that_waits() const { return prepared_ != no_tool && !loads_tools_; }
   [[nodiscard]] std::string missing_radius(const Source& selected) const;
 
   const ProgramSetup& setup_;
