@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <utility>
 
 namespace trc::support {
 namespace {
@@ -41,6 +41,19 @@ double signed_area_within(const std::vector<Point>& ring) {
   return twice / 2;
 }
 
+std::optional<PieceLeft> piece_left(Geos& geos, const std::vector<Point>& outline,
+                                    const TrcMode& mode, const Point& place) {
+  // Counter-clockwise, the outside is on the right.
+  const bool outside = (mode.side == Side::right) == (signed_area_within(outline) > 0);
+  const double width = outside ? mode.tool_radius : -mode.tool_radius;
+  std::optional<PieceLeft> nearest;
+  for (auto& ring : geos.rings(geos.buffer(geos.polygon(outline), width, 32))) {
+    const double off = geos.distance(geos.prepared(geos.line(ring)), place);
+    if (!nearest || off < nearest->off) nearest = PieceLeft{std::move(ring), off};
+  }
+  return nearest;
+}
+
 std::optional<Difference> difference_of(Geos& geos, const std::vector<Point>& outline,
                                         const Outcome& outcome, const TrcMode& mode) {
   std::vector<Segment> path;
@@ -49,32 +62,20 @@ std::optional<Difference> difference_of(Geos& geos, const std::vector<Point>& ou
       path.push_back(block.path);
   if (path.empty()) return std::nullopt;
   const auto found = points_along(path, 1e-4 * mode.tool_radius);
-  // Counter-clockwise, the outside is on the right.
-  const bool outside = (mode.side == Side::right) == (signed_area_within(outline) > 0);
-  const double width = outside ? mode.tool_radius : -mode.tool_radius;
-  const auto rings = geos.rings(geos.buffer(geos.polygon(outline), width, 32));
-  double best = std::numeric_limits<double>::infinity();
-  const std::vector<Point>* expected = nullptr;
-  for (const auto& ring : rings) {
-    const double off = geos.distance(geos.prepared(geos.line(ring)), found.front());
-    if (off < best) {
-      best = off;
-      expected = &ring;
-    }
-  }
-  if (expected == nullptr) return std::nullopt;
-  const auto expected_line = geos.line(*expected);
+  const auto expected = piece_left(geos, outline, mode, found.front());
+  if (!expected) return std::nullopt;
+  const auto expected_line = geos.line(expected->ring);
   const auto found_line = geos.line(found);
   const auto near_expected = geos.prepared(expected_line);
   const auto near_found = geos.prepared(found_line);
   Difference result;
   for (const Point& point : found)
     result.farthest = std::max(result.farthest, geos.distance(near_expected, point));
-  for (const Point& point : *expected)
+  for (const Point& point : expected->ring)
     result.farthest = std::max(result.farthest, geos.distance(near_found, point));
   result.area =
-      std::abs(std::abs(signed_area_within(found)) - std::abs(signed_area_within(*expected)));
-  result.length = length_of_ring(*expected);
+      std::abs(std::abs(signed_area_within(found)) - std::abs(signed_area_within(expected->ring)));
+  result.length = length_of_ring(expected->ring);
   return result;
 }
 

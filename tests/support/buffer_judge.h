@@ -53,11 +53,12 @@ class Geos {
     }
     return result;
   }
-  double distance(const Prepared& to, const Point& from) {
+  double distance(const Prepared& to, const Geometry& from) {
     double result = 0;
-    GEOSPreparedDistance_r(handle(), to.get(), point(from).get(), &result);
+    GEOSPreparedDistance_r(handle(), to.get(), from.get(), &result);
     return result;
   }
+  double distance(const Prepared& to, const Point& from) { return distance(to, point(from)); }
 
  private:
   [[nodiscard]] GEOSContextHandle_t handle() const { return context_.get(); }
@@ -90,6 +91,15 @@ class Geos {
 
 // Of a ring, positive counter-clockwise.
 [[nodiscard]] double signed_area_within(const std::vector<Point>& ring);
+
+// What GEOS leaves of a closed contour that is made wider or narrower by the tool radius.
+struct PieceLeft {
+  std::vector<Point> ring{};
+  double off = 0;  // mm, of the place that was asked for
+};
+// The piece nearest to the place; none where nothing is left.
+[[nodiscard]] std::optional<PieceLeft> piece_left(Geos& geos, const std::vector<Point>& outline,
+                                                  const TrcMode& mode, const Point& place);
 
 struct Difference {
   double farthest = 0;  // mm, Hausdorff

@@ -565,7 +565,18 @@ bool LoopRemoval::is_seam(const LoopExit& exit) const {
          number_of(exit.continues.block) + most_blocks_of_seam > last &&
          2 * (number_of(exit.continues.block) - here) >= last &&
          (exit.point - path_.begins_at(0)).norm() <= near_seam() &&
-         (exit.point - path_.ends_at(end_of_path() - 1)).norm() <= near_seam();
+         (exit.point - path_.ends_at(end_of_path() - 1)).norm() <= near_seam() &&
+         !encloses_room(0, here, exit.leaves) &&
+         !encloses_room(number_of(exit.continues.block) + 1, last + 1,
+                        length_of(path(exit.continues.block).path) - exit.continues.along);
+}
+
+// What goes about the tool is longer than its radius.
+bool LoopRemoval::encloses_room(std::size_t first, std::size_t end, double rest) const {
+  double length = rest;
+  for (std::size_t number = first; number < end; ++number)
+    length += length_of(contour(number).programmed);
+  return length > path_.radius_of_tool(0);
 }
 
 bool LoopRemoval::runs_backwards(std::size_t block) const {

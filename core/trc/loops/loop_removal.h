@@ -191,6 +191,9 @@ class LoopRemoval {
   [[nodiscard]] bool is_met_in_bow_tie(const Onset& violation) const;
   // Whether what leads from here to there is all of a closed contour: no loop.
   [[nodiscard]] bool is_seam(const LoopExit& exit) const;
+  // Whether these contour blocks, and some more of one by that, mm, can have the tool between them:
+  // a room whose neck is at the seam.
+  [[nodiscard]] bool encloses_room(std::size_t first, std::size_t end, double rest) const;
   [[nodiscard]] bool is_closed() const;
   // How far from the first and the last point of the path that may be, mm and blocks.
   [[nodiscard]] double near_seam() const { return 0.01 * std::max(path_.radius_of_tool(0), 0.1); }
