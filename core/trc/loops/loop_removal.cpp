@@ -523,7 +523,7 @@ bool LoopRemoval::leave_backwards() {
 }
 
 bool LoopRemoval::is_met_in_bow_tie(const Onset& violation) const {
-  const auto [first, last] = std::minmax(number_of(at_.block), violation.obstacle);
+  const auto [first, last] = std::minmax({number_of(at_.block), violation.obstacle});
   if (last - first > most_blocks_of_seam) return false;
   double between = 0;
   for (std::size_t number = first + 1; number < last; ++number)
