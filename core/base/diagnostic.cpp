@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <utility>
 
 namespace trc {
@@ -74,17 +73,19 @@ constexpr auto rows = std::to_array<CodeRow>({
      "too many blocks without motion in the plane follow one another while TRC is active",
      "Move them before G41 or behind G40, or raise the limit."},
     {Code::tool_not_smaller_than_arc, error, "TOOL_NOT_SMALLER_THAN_ARC",
-     "the tool radius is not smaller than the radius of the arc it cuts from inside",
+     "the tool does not fit into the arc: its radius is not smaller than that of the arc",
      "Use a smaller tool or a larger arc, or G141 with #TRC [CONV_CIR_TO_LIN=1]."},
     {Code::arc_radii_differ, error, "ARC_RADII_DIFFER",
      "start and end radius of the arc differ, so that it has no equidistant (G164)",
      "Correct I, J, K or the end point, or let G165 correct the centre."},
     {Code::line_reversed, error, "LINE_REVERSED",
-     "the compensated line runs against the programmed one: the contour would be damaged",
+     "the tool does not fit: its path beside this line runs backwards and would damage the contour",
      "Use a smaller tool: SurveyRadii (trc radii) says which one fits. Where they are off, G141 "
      "masks such blocks, and with it #TRC [REMOVE_MASKED_BLOCKS=1] leaves out whole loops."},
     {Code::arc_wrapped, error, "ARC_WRAPPED",
-     "the compensated arc is longer than the programmed one: the contour would be damaged",
+     "the tool does not fit: its path beside this arc goes the wrong way round and would damage "
+     "the "
+     "contour",
      "Use a smaller tool: SurveyRadii (trc radii) says which one fits. Where they are off, G141 "
      "masks such blocks, and with it #TRC [REMOVE_MASKED_BLOCKS=1] leaves out whole loops."},
     {Code::no_feed_adaptation_in_tangential_block, warning,
@@ -251,31 +252,6 @@ constexpr auto rows = std::to_array<CodeRow>({
 
 static_assert(std::ranges::is_sorted(rows, {}, &CodeRow::code));
 
-void append_number(std::string& text, double value) {
-  std::array<char, 32> digits{};
-  const auto written = std::to_chars(digits.data(), digits.data() + digits.size(), value,
-                                     std::chars_format::general, 9);
-  text.append(digits.data(), written.ptr);
-}
-
-// Takes the values of one append_place() from the front.
-void append_named_block(std::string& text, std::span<const DiagnosticValue>& values) {
-  const std::string_view index = values.front().name;
-  const std::string name(index.substr(0, index.rfind('_')));
-  Source source{.index = static_cast<std::uint64_t>(values.front().value)};
-  values = values.subspan(1);
-  if (!values.empty() && values.front().name == name + "_line") {
-    source.line = static_cast<std::uint32_t>(values.front().value);
-    values = values.subspan(1);
-  }
-  if (!values.empty() && values.front().name == name + "_number") {
-    source.number = static_cast<std::int64_t>(values.front().value);
-    values = values.subspan(1);
-  }
-  text.append(name).append(" block ").append(
-      std::string_view(place_of(source)).substr(std::string_view("in ").size()));
-}
-
 }  // namespace
 
 std::span<const CodeRow> code_table() { return rows; }
@@ -297,41 +273,6 @@ Diagnostic diagnostic(Code code, const Source& source, std::string detail) {
           .severity = row_of(code).severity,
           .source = source,
           .detail = std::move(detail)};
-}
-
-std::string place_of(const Source& source) {
-  std::string place = source.line > 0 ? "in line " + std::to_string(source.line)
-                                      : "in block " + std::to_string(source.index);
-  if (source.number != Source::no_number) place += " (N" + std::to_string(source.number) + ")";
-  return place;
-}
-
-void append_place(std::vector<DiagnosticValue>& values, const std::string& name,
-                  const Source& source) {
-  values.push_back({name + "_index", static_cast<double>(source.index)});
-  if (source.line > 0) values.push_back({name + "_line", static_cast<double>(source.line)});
-  if (source.number != Source::no_number)
-    values.push_back({name + "_number", static_cast<double>(source.number)});
-}
-
-std::string message_of(const Diagnostic& diagnostic) {
-  std::string text(row_of(diagnostic.code).cause);
-  if (!diagnostic.detail.empty()) text.append(": ").append(diagnostic.detail);
-  const char* separator = " (";
-  std::span<const DiagnosticValue> values(diagnostic.values);
-  while (!values.empty()) {
-    text.append(separator);
-    if (values.front().name.ends_with("_index")) {
-      append_named_block(text, values);
-    } else {
-      text.append(values.front().name).append(" ");
-      append_number(text, values.front().value);
-      values = values.subspan(1);
-    }
-    separator = ", ";
-  }
-  if (!diagnostic.values.empty()) text.append(")");
-  return text;
 }
 
 }  // namespace trc

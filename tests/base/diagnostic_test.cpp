@@ -3,8 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <limits>
 #include <set>
+#include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 namespace trc {
 namespace {
@@ -45,7 +49,40 @@ TEST(Message, HoldsCauseDetailAndValues) {
   shown.values = {{"start_radius", 5}, {"end_radius", 5.25}};
   EXPECT_EQ(message_of(shown),
             "start and end of the arc are not equally far from its centre (G164): J5 "
-            "(start_radius 5, end_radius 5.25)");
+            "(start radius 5.000 mm, end radius 5.250 mm)");
+}
+
+std::string values_in(std::vector<DiagnosticValue> values) {
+  Diagnostic shown = diagnostic(Code::program_empty, {});
+  shown.values = std::move(values);
+  const std::string text = message_of(shown);
+  return text.substr(text.find(" (") + 1);
+}
+
+TEST(Message, TellsLengthsApartThatDiffer) {
+  EXPECT_EQ(values_in({{"start_radius", 5}, {"end_radius", 5.00012}}),
+            "(start radius 5.0000 mm, end radius 5.0001 mm)");
+  EXPECT_EQ(values_in({{"radius", 5}, {"limit", 5.0001}}), "(radius 5.000 mm, limit 5.0001)");
+  EXPECT_EQ(values_in({{"gap", 0.00001234}}), "(gap 1.23e-05 mm)");
+  EXPECT_EQ(values_in({{"coordinate", 1e300}, {"largest", 1e7}}),
+            "(coordinate 1e+300 mm, largest 10000000.000 mm)");
+  EXPECT_EQ(values_in({{"coordinate", std::numeric_limits<double>::quiet_NaN()}}),
+            "(coordinate nan mm)");
+}
+
+TEST(Message, SaysWhatAValueCounts) {
+  EXPECT_EQ(values_in({{"turn", 90}, {"tool_radius", 4}}),
+            "(turn 90.000 degrees, tool radius 4.000 mm)");
+  EXPECT_EQ(values_in({{"left_out_length", 57.9043302}, {"max_masked_share", 0.5}}),
+            "(length left out 57.904 mm, largest share 50 %)");
+  EXPECT_EQ(values_in({{"lines", 12}}), "(lines 12)");
+  EXPECT_EQ(values_in({{"feed", -1}}), "(feed -1 mm/min)");
+}
+
+TEST(Message, NamesAnotherBlockByItsLine) {
+  std::vector<DiagnosticValue> values;
+  append_place(values, "first", {.index = 5, .number = 70, .line = 7});
+  EXPECT_EQ(values_in(values), "(first block line 7 (N70))");
 }
 
 TEST(Message, IsTheCauseAloneWhenThereIsNoMore) {

@@ -495,17 +495,15 @@ bool LoopRemoval::leave_for_last_pass() {
 }
 
 bool LoopRemoval::counts_as_none(const Onset& violation) {
-  const bool is_seam = is_closed() && (is_at_begin(violation) || is_at_end(violation));
-  if (!is_seam && !is_met_in_bow_tie(violation)) return false;
-  const Nearness nearness = is_seam ? Nearness::slight : Nearness::touching;
+  if (!is_closed() || !(is_at_begin(violation) || is_at_end(violation))) return false;
   const Segment segment = path(at_.block).path;
   const Segment obstacle = contour(violation.obstacle).programmed;
   const double end =
       first_exit(segment, violation.along, length_of(segment), obstacle,
                  obstacles_.reach(at_.block, Nearness::passable), slack_of_places(tolerances_));
-  if (first_entry(segment, violation.along, end, obstacle, obstacles_.reach(at_.block, nearness)))
-    return false;
-  tolerate(violation, nearness);
+  const double too_near = obstacles_.reach(at_.block, Nearness::slight);
+  if (first_entry(segment, violation.along, end, obstacle, too_near)) return false;
+  tolerate(violation, Nearness::slight);
   return true;
 }
 
@@ -520,21 +518,6 @@ bool LoopRemoval::leave_backwards() {
     return true;
   }
   return leave_for_last_pass();
-}
-
-bool LoopRemoval::is_met_in_bow_tie(const Onset& violation) const {
-  const auto [first, last] = std::minmax({number_of(at_.block), violation.obstacle});
-  if (last - first > most_blocks_of_seam) return false;
-  double between = 0;
-  for (std::size_t number = first + 1; number < last; ++number)
-    between += length_of(contour(number).programmed);
-  if (between > tolerances_.input_resolution) return false;
-  const Point place = point_along(path(at_.block).path, violation.along);
-  const HeldPath::ContourBlock obstacle = contour(violation.obstacle);
-  const double nearest = nearest_along(obstacle.programmed, place);
-  const Track track(obstacle.programmed);
-  const double side = cross(track.tangent_at(nearest), place - track.at(nearest));
-  return side * path_.setting_of(obstacle.block).at_end.shift <= 0;
 }
 
 // Its first and its last point are those of the selection, as far as that is known.

@@ -186,9 +186,6 @@ class LoopRemoval {
   bool leave_for_last_pass();
   // Whether it is so little that it counts as none.
   [[nodiscard]] bool counts_as_none(const Onset& violation);
-  // Whether the contour block is met from the side the tool is not on, and next to it the contour
-  // crosses itself: what lies between is too short to be written.
-  [[nodiscard]] bool is_met_in_bow_tie(const Onset& violation) const;
   // Whether what leads from here to there is all of a closed contour: no loop.
   [[nodiscard]] bool is_seam(const LoopExit& exit) const;
   // Whether these contour blocks, and some more of one by that, mm, can have the tool between them:

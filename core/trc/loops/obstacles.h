@@ -23,8 +23,8 @@ namespace trc {
 class Obstacles {
  public:
   // How near is too near: to find a loop, or to be a violation (D-36). Less than slight is a gouge
-  // that is none (D-14), less than touching a self-crossing of the contour that is none (D-44).
-  enum class Nearness { exact, passable, slight, touching };
+  // that is none (D-14).
+  enum class Nearness { exact, passable, slight };
   // Where a block of the path comes too near to a contour block.
   struct Onset {
     double along = 0;          // mm from the start of the block
@@ -123,9 +123,7 @@ class Obstacles {
     if (nearness == Nearness::exact) return tolerances_.rounding * size;
     const double passable = tolerances_.passable * size;
     if (nearness == Nearness::passable) return passable;
-    const double none =
-        nearness == Nearness::slight ? tolerances_.on_contour : tolerances_.input_resolution;
-    return std::max(passable, std::min(none, 0.01 * radius));
+    return std::max(passable, std::min(tolerances_.on_contour, 0.01 * radius));
   }
   [[nodiscard, gnu::always_inline]] HeldPath::Block path(std::size_t block) const {
     return path_.block(block);
