@@ -33,6 +33,7 @@ using std::chrono::milliseconds;
 using std::chrono::seconds;
 using testing_support::content_of;
 using testing_support::Folder;
+using testing_support::memory_tells;
 using testing_support::Process;
 using testing_support::ServerProcess;
 
@@ -283,13 +284,14 @@ TEST(Hostile, StreamsThatAreResetAtOnceEndTheirConnection) {
     });
     EXPECT_TRUE(result.closed);
     EXPECT_LT(result.longest_wait_s, longest_stall_s);
-    EXPECT_LT(result.resident_mib, flood_memory_mib);
+    EXPECT_TRUE(!memory_tells || result.resident_mib < flood_memory_mib) << result.resident_mib;
   }
   EXPECT_EQ(closed_for(server, "early_cancels") + closed_for(server, "calls") +
                 closed_for(server, "overhead"),
             3);
   // Once what was begun has been cleared away, its memory is given back.
-  EXPECT_TRUE(eventually([&] { return server.resident_mib() < given_back_mib; }, 60))
+  EXPECT_TRUE(!memory_tells ||
+              eventually([&] { return server.resident_mib() < given_back_mib; }, 60))
       << server.resident_mib();
   EXPECT_NE(server.log().find("\"connection_closed\",\"peer\":\"ipv4:127.0.0.2:"),
             std::string::npos);
@@ -303,7 +305,7 @@ TEST(Hostile, FramesThatCarryNothingHoldNobodyUp) {
                          [](std::uint32_t) { return http2::empty_data(1); });
   EXPECT_TRUE(result.closed) << "or not read any more";
   EXPECT_LT(result.longest_wait_s, longest_stall_s);
-  EXPECT_LT(result.resident_mib, flood_memory_mib);
+  EXPECT_TRUE(!memory_tells || result.resident_mib < flood_memory_mib) << result.resident_mib;
 }
 
 // Others find a descriptor however many connections one address opens.

@@ -26,16 +26,10 @@ using server::Answer;
 using server::eventually;
 using std::chrono::seconds;
 using testing_support::Folder;
+using testing_support::memory_tells;
 using testing_support::Process;
 using testing_support::ServerProcess;
 using Clock = std::chrono::steady_clock;
-
-// A checker takes several times the memory.
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-constexpr bool memory_tells = false;
-#else
-constexpr bool memory_tells = true;
-#endif
 
 std::shared_ptr<grpc::Channel> channel_to(const std::string& address) {
   grpc::ChannelArguments arguments;

@@ -8,6 +8,13 @@
 
 namespace trc::testing_support {
 
+// False where a checker keeps what is freed and takes several times the memory itself.
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+inline constexpr bool memory_tells = false;
+#else
+inline constexpr bool memory_tells = true;
+#endif
+
 // What a program that has ended leaves.
 struct Ended {
   int code = -1;  // exit code; -1: killed after a minute or by a signal
