@@ -11,6 +11,7 @@
 #include "client/cli/job_record.h"
 #include "client/cli/program_options.h"
 #include "client/cli/progress.h"
+#include "client/cli/reporter.h"
 #include "client/cli/result_text.h"
 #include "client/cli/service.h"
 #include "core/nc/dialect/dialect.h"
@@ -109,6 +110,7 @@ Exit run(const Call& call) {
   Output output(call.output, as_nc ? Output::OnScreen::with_commit : Output::OnScreen::at_once);
   if (!input.open() || !output.open()) return Exit::wrong_call;
   Progress progress(output.is_standard_output());
+  Reporter reporter(input, setup, progress);
   Job job{.service = call.program.service,
           .setup = setup,
           .format = call.format,
@@ -116,7 +118,7 @@ Exit run(const Call& call) {
           .output_name = call.output.empty() ? "-" : call.output,
           .recorded = !call.record.empty()};
   std::string whole;
-  const Exit exit = do_job(job, input, progress, [&](const std::string& text) {
+  const Exit exit = do_job(job, input, reporter, [&](const std::string& text) {
     if (call.to.empty()) return output.write(text);
     whole += text;
     return true;

@@ -71,7 +71,7 @@ std::string_view Input::read() {
     const ssize_t count = ::read(descriptor_, buffer_.data(), buffer_.size());
     if (count >= 0) {
       const auto piece_read = std::string_view(buffer_).substr(0, static_cast<std::size_t>(count));
-      if (watcher_) watcher_(piece_read);
+      for (const auto& watcher : watchers_) watcher(piece_read);
       return piece_read;
     }
     if (errno == EINTR) continue;

@@ -4,6 +4,7 @@
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 namespace trc::cli {
 
@@ -20,12 +21,16 @@ class Input {
   // The next piece; empty at the end. Valid until the next call.
   [[nodiscard]] std::string_view read();
   // Shows every piece to somebody else too, before it is returned.
-  void watch(std::function<void(std::string_view)> watcher) { watcher_ = std::move(watcher); }
+  void watch(std::function<void(std::string_view)> watcher) {
+    watchers_.push_back(std::move(watcher));
+  }
   // Whether reading broke off before the end.
   [[nodiscard]] bool failed() const { return failed_; }
 
   // As messages name it.
   [[nodiscard]] const std::string& name() const { return name_; }
+  // As it was asked for, "-" too.
+  [[nodiscard]] const std::string& path() const { return path_; }
 
  private:
   std::string path_;
@@ -33,7 +38,7 @@ class Input {
   int descriptor_ = -1;
   bool failed_ = false;
   std::string buffer_;
-  std::function<void(std::string_view)> watcher_;
+  std::vector<std::function<void(std::string_view)>> watchers_;
 };
 
 // Where a result goes. A file gets its name only with `commit`: until then, and

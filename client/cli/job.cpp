@@ -32,7 +32,7 @@ v1::JobFile file_of(const std::string& name, Sha256& content) {
 
 }  // namespace
 
-Exit do_job(Job& job, Input& input, Progress& progress, const TextSink& sink) {
+Exit do_job(Job& job, Input& input, Reporter& reporter, const TextSink& sink) {
   const auto began = std::chrono::steady_clock::now();
   v1::JobRecord& record = job.record;
   record.set_format(record_format);
@@ -46,7 +46,7 @@ Exit do_job(Job& job, Input& input, Progress& progress, const TextSink& sink) {
     if (const Exit exit = server_info(job.service, info); exit != Exit::done) return exit;
   }
   const Outcome outcome =
-      compensate_program(job.service, job.setup, input, progress, [&](const Answer& answer) {
+      compensate_program(job.service, job.setup, input, reporter, [&](const Answer& answer) {
         const std::string& text = result.of(answer);
         if (job.recorded) {
           for (const wire::ReceivedDiagnostic& received : answer.diagnostics)

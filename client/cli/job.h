@@ -5,7 +5,7 @@
 
 #include "client/cli/command.h"
 #include "client/cli/files.h"
-#include "client/cli/progress.h"
+#include "client/cli/reporter.h"
 #include "client/cli/service.h"
 #include "trc/v1/job_record.pb.h"
 #include "trc/v1/setup.pb.h"
@@ -27,6 +27,6 @@ struct Job {
 using TextSink = std::function<bool(const std::string& text)>;
 
 // Diagnostics and what else went wrong are on standard error when it returns.
-[[nodiscard]] Exit do_job(Job& job, Input& input, Progress& progress, const TextSink& sink);
+[[nodiscard]] Exit do_job(Job& job, Input& input, Reporter& reporter, const TextSink& sink);
 
 }  // namespace trc::cli

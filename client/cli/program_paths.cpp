@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "client/cli/progress.h"
+#include "client/cli/reporter.h"
 #include "core/session/contour_reader.h"
 #include "proto/wire/setup.h"
 
@@ -25,8 +26,9 @@ ProgramPaths read_paths(const ServiceOptions& options, v1::ProgramSetup setup, I
   });
 
   Progress progress(false);
+  Reporter reporter(input, setup, progress);
   const Outcome outcome =
-      compensate_program(options, setup, input, progress, [&](const Answer& answer) {
+      compensate_program(options, setup, input, reporter, [&](const Answer& answer) {
         paths.compensated.insert(paths.compensated.end(), answer.blocks.begin(),
                                  answer.blocks.end());
         for (const wire::ReceivedDiagnostic& received : answer.diagnostics)

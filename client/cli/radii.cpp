@@ -12,6 +12,8 @@
 #include "client/cli/command.h"
 #include "client/cli/files.h"
 #include "client/cli/program_options.h"
+#include "client/cli/progress.h"
+#include "client/cli/reporter.h"
 #include "client/cli/service.h"
 #include "client/cli/survey_text.h"
 #include "client/plot/survey_svg.h"
@@ -117,12 +119,14 @@ Exit run(const Call& call) {
   }
   Input input(call.program.file);
   if (!input.open()) return Exit::wrong_call;
+  Progress progress(false);
+  Reporter reporter(input, setup.program(), progress);
   std::string text;
   for (std::string_view piece = input.read(); !piece.empty(); piece = input.read()) text += piece;
   if (input.failed()) return Exit::wrong_call;
 
   v1::SurveyAnswer answer;
-  const Exit exit = survey_program(call.program.service, setup, input.name(), text, answer);
+  const Exit exit = survey_program(call.program.service, setup, text, reporter, answer);
   if (exit != Exit::done) return exit;
   if (call.json)
     std::cout << wire::json_of(answer) << '\n';

@@ -1,7 +1,24 @@
 #include "client/cli/report.h"
 
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <cstdlib>
+#include <utility>
+
 namespace trc::cli {
 namespace {
+
+// The longest part of a line that is shown, in characters.
+constexpr std::size_t widest = 120;
+
+constexpr std::string_view bold = "1";
+constexpr std::string_view red = "1;31";
+constexpr std::string_view green = "1;32";
+constexpr std::string_view magenta = "1;35";
+constexpr std::string_view cyan = "1;36";
 
 std::string_view word_for(Severity severity) {
   switch (severity) {
@@ -15,46 +32,181 @@ std::string_view word_for(Severity severity) {
   return "error";
 }
 
-// Texts come from the program or from a server: a control character must not
-// reach the terminal.
-void append_printable(std::string& line, std::string_view text) {
-  for (const char c : text) {
-    const auto byte = static_cast<unsigned char>(c);
-    line += byte < 0x20 || byte == 0x7F ? '?' : c;
+std::string_view colour_of(Severity severity) {
+  switch (severity) {
+    case Severity::note:
+      return cyan;
+    case Severity::warning:
+      return magenta;
+    case Severity::error:
+      break;
   }
+  return red;
 }
 
-// "FILE:LINE: WORD CODE: "
-std::string place_and_code(std::string_view file, const Diagnostic& diagnostic,
-                           std::string_view word) {
-  std::string line;
-  append_printable(line, file);
-  if (diagnostic.source.line > 0) line += ":" + std::to_string(diagnostic.source.line);
-  line.append(": ").append(word);
-  return line + " " + std::to_string(static_cast<int>(diagnostic.code)) + ": ";
+// The bytes of the UTF-8 character at the beginning; 0: it is none.
+std::size_t character_length(std::string_view text) {
+  const auto lead = static_cast<unsigned char>(text.front());
+  const std::size_t length = lead < 0x80                   ? 1U
+                             : lead >= 0xC2 && lead < 0xE0 ? 2U
+                             : lead >= 0xE0 && lead < 0xF0 ? 3U
+                             : lead >= 0xF0 && lead < 0xF5 ? 4U
+                                                           : 0U;
+  if (length > text.size()) return 0;
+  for (std::size_t i = 1; i < length; ++i)
+    if ((static_cast<unsigned char>(text[i]) & 0xC0U) != 0x80U) return 0;
+  return length;
+}
+
+// Control characters of ASCII and of U+0080 to U+009F, and those that turn the direction of
+// writing, after which a line reads as something else than it is.
+bool is_control(std::string_view character) {
+  constexpr auto turning =
+      std::to_array<std::string_view>({"\u200E", "\u200F", "\u202A", "\u202B", "\u202C", "\u202D",
+                                       "\u202E", "\u2066", "\u2067", "\u2068", "\u2069"});
+  const auto first = static_cast<unsigned char>(character.front());
+  if (character.size() == 1) return first < 0x20 || first == 0x7F;
+  if (character.size() == 2)
+    return first == 0xC2 && static_cast<unsigned char>(character[1]) < 0xA0;
+  return std::find(turning.begin(), turning.end(), character) != turning.end();
+}
+
+// One place on the screen each. Texts come from the program or from a server: a control character
+// must not reach the terminal.
+struct Character {
+  std::string shown{};
+  std::size_t begin = 0;  // bytes of the text before it
+};
+
+std::vector<Character> characters_of(std::string_view text) {
+  std::vector<Character> characters;
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t length = character_length(text.substr(at));
+    const std::string_view one = text.substr(at, std::max<std::size_t>(1, length));
+    Character next{.begin = at};
+    next.shown = one == "\t" ? " " : length == 0 || is_control(one) ? "?" : one;
+    characters.push_back(std::move(next));
+    at += one.size();
+  }
+  return characters;
+}
+
+std::string printable(std::string_view text) {
+  std::string shown;
+  for (const Character& character : characters_of(text)) shown += character.shown;
+  return shown;
+}
+
+std::string painted(std::string text, std::string_view colour, const Shown& shown) {
+  if (!shown.in_colour) return text;
+  return "\x1b[" + std::string(colour) + "m" + text + "\x1b[0m";
+}
+
+// 1-based byte; 0: not known.
+std::size_t column_of(const Diagnostic& diagnostic, const std::optional<std::string>& line) {
+  if (diagnostic.column > 0 || !line || diagnostic.detail.empty()) return diagnostic.column;
+  const std::size_t at = line->find(diagnostic.detail);
+  const bool once = at != std::string::npos && line->find(diagnostic.detail, at + 1) == line->npos;
+  return once ? at + 1 : 0;
+}
+
+// The bytes of the word at the column: the detail, where it stands there, else a letter and its
+// number.
+std::size_t word_length(std::string_view line, std::size_t begin, std::string_view detail) {
+  if (!detail.empty() && line.substr(begin).starts_with(detail)) return detail.size();
+  const std::size_t end = line.find_first_not_of("0123456789.+-", begin + 1);
+  return std::min(end, line.size()) - begin;
+}
+
+// The line of the program, and under it the mark.
+std::string excerpt_of(const Diagnostic& diagnostic, std::size_t column, const Shown& shown) {
+  const std::string& line = *shown.source_line;
+  const std::vector<Character> all = characters_of(line);
+  const auto at_byte = [&](std::size_t byte) {
+    const auto found = std::find_if(all.begin(), all.end(),
+                                    [&](const Character& one) { return one.begin >= byte; });
+    return static_cast<std::size_t>(found - all.begin());
+  };
+  const bool marked = column > 0 && column <= line.size();
+  const std::size_t mark = marked ? at_byte(column - 1) : 0;
+  const std::size_t mark_end =
+      marked ? at_byte(column - 1 + word_length(line, column - 1, diagnostic.detail)) : 0;
+  const std::size_t from = all.size() > widest && mark > widest / 2 ? mark - widest / 2 : 0;
+  const std::size_t to = std::min(all.size(), from + widest);
+
+  const std::string number = std::to_string(diagnostic.source.line);
+  const std::size_t width = std::max<std::size_t>(5, number.size());
+  std::string text = std::string(width - number.size(), ' ') + number + " | ";
+  if (from > 0) text += "…";
+  for (std::size_t i = from; i < to; ++i) text += all[i].shown;
+  if (to < all.size()) text += "…";
+  text += '\n';
+  if (!marked) return text;
+  text += std::string(width, ' ') + " | " + std::string(mark - from + (from > 0 ? 1 : 0), ' ');
+  const std::size_t tildes = std::min(mark_end, to) - std::min(to, mark + 1);
+  return text + painted("^" + std::string(mark_end > mark ? tildes : 0, '~'), green, shown) + '\n';
+}
+
+std::string lines_of_help(const std::string& help, const Shown& shown) {
+  return painted("help:", green, shown) + ' ' + printable(help) + '\n';
+}
+
+std::string severity_and_code(const Diagnostic& diagnostic, const Shown& shown) {
+  return painted(std::string(word_for(diagnostic.severity)) + ' ' +
+                     std::to_string(static_cast<int>(diagnostic.code)) + ':',
+                 colour_of(diagnostic.severity), shown);
+}
+
+// "8 (N80)"
+std::string name_of(const Source& source) {
+  std::string name = std::to_string(source.line);
+  if (source.number != Source::no_number) name += " (N" + std::to_string(source.number) + ")";
+  return name;
 }
 
 }  // namespace
 
-std::string line_for(std::string_view file, const wire::ReceivedDiagnostic& received) {
+std::string text_of(const wire::ReceivedDiagnostic& received, const Shown& shown) {
   const Diagnostic& diagnostic = received.diagnostic;
-  std::string line = place_and_code(file, diagnostic, word_for(diagnostic.severity));
-  append_printable(line, received.message);
-  if (diagnostic.column > 0) line += ", column " + std::to_string(diagnostic.column);
-  if (!received.remedy.empty()) {
-    line += " (";
-    append_printable(line, received.remedy);
-    line += ")";
-  }
-  return line;
+  const std::size_t column = column_of(diagnostic, shown.source_line);
+  std::string place = printable(shown.file);
+  if (diagnostic.source.line > 0) place += ':' + std::to_string(diagnostic.source.line);
+  if (diagnostic.source.line > 0 && column > 0) place += ':' + std::to_string(column);
+  place += ':';
+  if (diagnostic.source.number != Source::no_number)
+    place += " N" + std::to_string(diagnostic.source.number) + ':';
+
+  std::string text = painted(place, bold, shown) + ' ' + severity_and_code(diagnostic, shown) +
+                     ' ' + painted(printable(received.message), bold, shown) + '\n';
+  if (diagnostic.source.line > 0 && shown.source_line && !shown.source_line->empty())
+    text += excerpt_of(diagnostic, column, shown);
+  if (!received.remedy.empty()) text += lines_of_help(received.remedy, shown);
+  if (diagnostic.entry_help)
+    for (const std::string& line : lines_of(*diagnostic.entry_help, shown.writing))
+      text += lines_of_help(line, shown);
+  return text;
 }
 
-std::vector<std::string> help_lines_for(std::string_view file, const Diagnostic& diagnostic,
-                                        const Writing& writing) {
-  if (!diagnostic.entry_help) return {};
-  std::vector<std::string> lines = lines_of(*diagnostic.entry_help, writing);
-  for (std::string& line : lines) line.insert(0, place_and_code(file, diagnostic, "help"));
-  return lines;
+std::string more_like(const std::vector<Diagnostic>& like, const Shown& shown) {
+  constexpr std::size_t most_named = 8;
+  std::vector<std::string> places;
+  for (const Diagnostic& one : like)
+    if (one.source.line > 0) places.push_back(name_of(one.source));
+  std::string text = painted(printable(shown.file) + ':', bold, shown) + ' ' +
+                     severity_and_code(like.front(), shown) + ' ' + std::to_string(like.size()) +
+                     " more like it";
+  for (std::size_t i = 0; i < std::min(most_named, places.size()); ++i)
+    text += (i > 0 ? ", " : places.size() == 1 ? ", in line " : ", in lines ") + places[i];
+  if (places.size() > most_named)
+    text += " and " + std::to_string(places.size() - most_named) + " others";
+  return text + '\n';
+}
+
+bool colours_wanted() {
+  const char* refused = std::getenv("NO_COLOR");
+  const char* terminal = std::getenv("TERM");
+  return (refused == nullptr || *refused == '\0') && terminal != nullptr &&
+         std::string_view(terminal) != "dumb" && isatty(STDERR_FILENO) == 1;
 }
 
 }  // namespace trc::cli

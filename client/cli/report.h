@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -9,14 +10,32 @@
 
 namespace trc::cli {
 
-// "FILE:LINE: error 90019: message (remedy)", one line; without line when the
-// diagnostic has none.
-[[nodiscard]] std::string line_for(std::string_view file,
-                                   const wire::ReceivedDiagnostic& diagnostic);
+// Where and how a message is shown.
+struct Shown {
+  std::string_view file{};
+  std::optional<std::string> source_line{};  // of the program, as it stands there; none: not known
+  Writing writing{};                         // for proposals
+  bool in_colour = false;
+};
 
-// "FILE:LINE: help 900201: …" for each line of what would do instead; none: nothing is known.
-[[nodiscard]] std::vector<std::string> help_lines_for(std::string_view file,
-                                                      const Diagnostic& diagnostic,
-                                                      const Writing& writing);
+// As compilers write it: place, N number, code and message; the line of the program with a mark
+// under the word; what helps.
+//
+//   part.nc:5:9: N50: error 20035: the circle centre does not fit …
+//       5 | N50 G02 X40 Y20 I25 J0
+//         |         ^~~
+//   help: Correct I, J, K or the end point.
+//
+// Without column where it is not known: then that of the word at fault, if the line has it once.
+// Control characters, and what is no UTF-8, are shown as '?'. Each line ends with a line feed.
+[[nodiscard]] std::string text_of(const wire::ReceivedDiagnostic& received, const Shown& shown);
+
+// "part.nc: warning 22007: 12 more like it, in lines 8 (N80), 9 …". `like`: those that have not
+// been shown, at least one; they have one code and severity.
+[[nodiscard]] std::string more_like(const std::vector<Diagnostic>& like, const Shown& shown);
+
+// Whether what is written to standard error may be in colour: on a terminal that is not TERM=dumb,
+// unless NO_COLOR is set and not empty.
+[[nodiscard]] bool colours_wanted();
 
 }  // namespace trc::cli

@@ -5,12 +5,10 @@
 #include <memory>
 #include <string_view>
 
-#include "client/cli/report.h"
 #include "client/trc/connection.h"
 #include "client/trc/remote_program_session.h"
 #include "client/trc/survey.h"
 #include "proto/wire/diagnostic.h"
-#include "proto/wire/setup.h"
 #include "server/in_process.h"
 
 namespace trc::cli {
@@ -81,39 +79,6 @@ class Service {
   std::optional<client::Failure> failure_;
 };
 
-// Prints the diagnostics of an answer and remembers whether one stops the program.
-class Reporter {
- public:
-  Reporter(const Input& input, const v1::ProgramSetup& setup, Progress& progress)
-      : input_(input), writing_(writing_of(setup)), progress_(progress) {}
-
-  void report(const Answer& answer) {
-    for (const wire::ReceivedDiagnostic& received : answer.diagnostics) {
-      progress_.clear();
-      std::cerr << line_for(input_.name(), received) << '\n';
-      for (const std::string& line : help_lines_for(input_.name(), received.diagnostic, writing_))
-        std::cerr << line << '\n';
-      refused_ = refused_ || received.diagnostic.severity == Severity::error;
-    }
-  }
-
-  [[nodiscard]] bool refused() const { return refused_; }
-
- private:
-  static Writing writing_of(const v1::ProgramSetup& setup) {
-    wire::FieldFaults faults;
-    const wire::ProgramSettings settings =
-        wire::from_proto(setup, wire::FieldPath("setup"), faults);
-    const ProgramSetup& program = settings.path.session.program;
-    return {.dialect = program.dialect, .inch = program.inch};
-  }
-
-  const Input& input_;
-  Writing writing_;
-  Progress& progress_;
-  bool refused_ = false;
-};
-
 }  // namespace
 
 void add_service_options(CLI::App& command, ServiceOptions& options) {
@@ -134,16 +99,16 @@ void add_service_options(CLI::App& command, ServiceOptions& options) {
 }
 
 Outcome compensate_program(const ServiceOptions& options, const v1::ProgramSetup& setup,
-                           Input& input, Progress& progress, const AnswerSink& sink) {
+                           Input& input, Reporter& reporter, const AnswerSink& sink) {
   const Service service(options);
   if (service.failure()) return {.exit = service.explain(*service.failure(), false)};
   client::RemoteProgramSession session(service.connection(), setup);
-  Reporter reporter(input, setup, progress);
+  Progress& progress = reporter.progress();
   bool answered = false;
   std::uint64_t bytes = 0;
   const AnswerSink take = [&](const Answer& answer) {
     answered = true;
-    reporter.report(answer);
+    reporter.report(answer.diagnostics);
     progress.update(bytes);
     return sink(answer);
   };
@@ -158,34 +123,33 @@ Outcome compensate_program(const ServiceOptions& options, const v1::ProgramSetup
   }
   // Half a program must not look like a whole one.
   if (input.failed()) return {.exit = Exit::wrong_call};
-  if (open && session.finish(take)) return {.exit = Exit::done, .summary = session.summary()};
-  progress.clear();
+  const bool done = open && session.finish(take);
+  reporter.finish();
+  if (done) return {.exit = Exit::done, .summary = session.summary()};
   if (reporter.refused()) return {.exit = Exit::refused};
   if (!session.failure()) return {.exit = Exit::unreachable};
   return {.exit = service.explain(*session.failure(), answered)};
 }
 
 Exit survey_program(const ServiceOptions& options, const v1::SurveySetup& setup,
-                    const std::string& name, std::string_view text, v1::SurveyAnswer& answer) {
+                    std::string_view text, Reporter& reporter, v1::SurveyAnswer& answer) {
   const Service service(options);
   if (service.failure()) return service.explain(*service.failure(), false);
   bool answered = false;
-  bool refused = false;
   const auto failure = client::survey_program(
       service.connection(), setup, text, [&](const v1::SurveyRadiiResponse& response) {
         answered = true;
         for (const v1::Diagnostic& told : response.diagnostics()) {
-          const wire::ReceivedDiagnostic received = wire::from_proto(told);
-          std::cerr << line_for(name, received) << '\n';
-          refused = refused || received.diagnostic.severity == Severity::error;
+          reporter.report({wire::from_proto(told)});
           *answer.add_diagnostics() = told;
         }
         if (response.has_radius()) *answer.add_radii() = response.radius();
         if (response.has_summary()) *answer.mutable_summary() = response.summary();
         return true;
       });
+  reporter.finish();
   if (!failure) return Exit::done;
-  return refused ? Exit::refused : service.explain(*failure, answered);
+  return reporter.refused() ? Exit::refused : service.explain(*failure, answered);
 }
 
 Exit connect(const ServiceOptions& options, std::size_t count, ServiceConnections& connections,

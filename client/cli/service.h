@@ -11,7 +11,7 @@
 
 #include "client/cli/command.h"
 #include "client/cli/files.h"
-#include "client/cli/progress.h"
+#include "client/cli/reporter.h"
 #include "client/trc/answer.h"
 #include "proto/wire/path_item.h"
 #include "trc/v1/http.pb.h"
@@ -45,11 +45,11 @@ struct Outcome {
 // and what else went wrong are on standard error when it returns.
 [[nodiscard]] Outcome compensate_program(const ServiceOptions& options,
                                          const v1::ProgramSetup& setup, Input& input,
-                                         Progress& progress, const AnswerSink& sink);
+                                         Reporter& reporter, const AnswerSink& sink);
 
 // What tools of many radii make of a program. What is wrong is on standard error when it returns.
 [[nodiscard]] Exit survey_program(const ServiceOptions& options, const v1::SurveySetup& setup,
-                                  const std::string& name, std::string_view text,
+                                  std::string_view text, Reporter& reporter,
                                   v1::SurveyAnswer& answer);
 
 // Connections for streams of the caller's own.

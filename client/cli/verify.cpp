@@ -8,6 +8,7 @@
 #include "client/cli/program_options.h"
 #include "client/cli/program_paths.h"
 #include "client/cli/progress.h"
+#include "client/cli/reporter.h"
 #include "core/base/tolerances.h"
 #include "core/nc/text/number_format.h"
 #include "core/verify/clearance.h"
@@ -65,7 +66,8 @@ Exit check_record(const Call& call) {
           .input_name = name,
           .recorded = true};
   Progress progress(false);
-  const Exit exit = do_job(job, input, progress, [](const std::string&) { return true; });
+  Reporter reporter(input, job.setup, progress);
+  const Exit exit = do_job(job, input, reporter, [](const std::string&) { return true; });
   if (exit != Exit::done && exit != Exit::refused) return exit;
   const std::vector<std::string> found = differences(filed, job.record);
   for (const std::string& sentence : found)

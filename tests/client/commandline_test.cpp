@@ -138,9 +138,56 @@ TEST(Compensate, TellsFileLineCodeAndRemedyOfARefusal) {
   const Ended ended = trc({"compensate", file});
   EXPECT_EQ(ended.code, 1);
   const auto lines = lines_of(ended.err);
-  ASSERT_EQ(lines.size(), 1u) << ended.err;
-  EXPECT_EQ(lines[0].rfind(file + ":5: error 90019: ", 0), 0u) << lines[0];
-  EXPECT_EQ(lines[0].back(), ')');
+  ASSERT_EQ(lines.size(), 3u) << ended.err;
+  EXPECT_EQ(lines[0].rfind(file + ":5: N50: error 90019: ", 0), 0u) << lines[0];
+  EXPECT_EQ(lines[1], "    5 | N50 X55 Y5");
+  EXPECT_EQ(lines[2].rfind("help: Use a smaller tool", 0), 0u) << lines[2];
+}
+
+TEST(Compensate, MarksTheWordUnderTheLine) {
+  const std::string program = "N10 G90 G17 G01 X0 Y20 F500\nN20 G02 X40 Y20 I25 J0\nM30\n";
+  const Folder folder;
+  const std::string file = folder.write("part.nc", program);
+  // A program that comes through a pipe is shown as one that can be read again.
+  for (const Ended& ended : {trc({"compensate", file}), trc({"compensate", "-"}, program)}) {
+    EXPECT_EQ(ended.code, 1);
+    const auto lines = lines_of(ended.err);
+    ASSERT_EQ(lines.size(), 4u) << ended.err;
+    EXPECT_NE(lines[0].find(":2:9: N20: error 20035: "), std::string::npos) << lines[0];
+    EXPECT_EQ(lines[1], "    2 | N20 G02 X40 Y20 I25 J0");
+    EXPECT_EQ(lines[2], "      |         ^~~");
+    EXPECT_EQ(lines[3].rfind("help: ", 0), 0u);
+  }
+}
+
+TEST(Compensate, CountsMessagesThatAreEqual) {
+  const Ended ended = trc({"compensate", "-"},
+                          "#TRC [STRETCH_FACTOR=30]\nG01 X1 F100\nN7 #TRC [STRETCH_FACTOR=30]\n"
+                          "X2\n#TRC [STRETCH_FACTOR=30]\nM30\n");
+  EXPECT_EQ(ended.code, 0);
+  const auto lines = lines_of(ended.err);
+  ASSERT_EQ(lines.size(), 5u) << ended.err;
+  EXPECT_EQ(lines[4], "<stdin>: warning 22007: 2 more like it, in lines 3 (N7), 5");
+}
+
+// Standard error is a terminal there, and both outputs are one.
+std::string on_a_terminal(const std::string& call, const std::string& environment) {
+  const Ended ended =
+      run({"/usr/bin/script", "-qec", environment + " " TRC_PROGRAM " " + call, "/dev/null"});
+  return ended.out;
+}
+
+TEST(Compensate, IsInColourOnATerminalOnly) {
+  const Folder folder;
+  const std::string call = "compensate " + folder.write("part.nc", violating);
+  const std::string red = "\x1b[1;31merror 90019:\x1b[0m";
+  EXPECT_NE(on_a_terminal(call, "NO_COLOR= TERM=xterm").find(red), std::string::npos);
+  for (const char* environment : {"NO_COLOR=1 TERM=xterm", "NO_COLOR= TERM=dumb"}) {
+    const std::string said = on_a_terminal(call, environment);
+    EXPECT_NE(said.find("error 90019:"), std::string::npos) << said;
+    EXPECT_EQ(said.find('\x1b'), std::string::npos) << said;
+  }
+  EXPECT_EQ(trc({"compensate", folder.path("part.nc")}).err.find('\x1b'), std::string::npos);
 }
 
 // What is proposed is text that can be put in: from "… in mm: " on, one line of the program between
@@ -160,13 +207,12 @@ TEST(Compensate, ProposesAnEntryThatIsAccepted) {
                             "Y10\nG40\nX120 Y30\nM30\n");
   EXPECT_EQ(refused.code, 1);
   const auto lines = lines_of(refused.err);
-  ASSERT_EQ(lines.size(), 4u) << refused.err;
+  ASSERT_EQ(lines.size(), 6u) << refused.err;
   EXPECT_EQ(lines[0].rfind("<stdin>:4: error 900201: ", 0), 0u) << lines[0];
-  EXPECT_EQ(
-      lines[1],
-      "<stdin>:4: help 900201: the approach is 5.000 mm long and needs at least 10.000 mm; it "
-      "may start at X-5 Y0");
-  for (const std::size_t proposal : {2U, 3U}) {
+  EXPECT_EQ(lines[3],
+            "help: the approach is 5.000 mm long and needs at least 10.000 mm; it may start at X-5 "
+            "Y0");
+  for (const std::size_t proposal : {4U, 5U}) {
     const std::string program = program_with(lines[proposal]);
     const Ended accepted = trc({"compensate", "-"}, program);
     EXPECT_EQ(accepted.code, 0) << program << accepted.err;
@@ -321,7 +367,9 @@ TEST(Compensate, RefusesBadInputClearly) {
     EXPECT_EQ(ended.code, 1);
     EXPECT_EQ(ended.err.rfind("<stdin>", 0), 0u) << ended.err;
     EXPECT_NE(ended.err.find(": error "), std::string::npos) << ended.err;
-    EXPECT_EQ(lines_of(ended.err).size(), 1u) << ended.err;
+    const auto lines = lines_of(ended.err);
+    EXPECT_EQ(lines.back().rfind("help: ", 0), 0u) << ended.err;
+    EXPECT_LE(lines.size(), 4u) << ended.err;
   }
 }
 
@@ -483,7 +531,7 @@ TEST(Plot, MarksThePlaceOfARefusal) {
   const Folder folder;
   const Ended ended = trc({"plot", "-", "-o", folder.path("part.svg")}, violating);
   EXPECT_EQ(ended.code, 1);
-  EXPECT_EQ(ended.err.rfind("<stdin>:5: error 90019: ", 0), 0u) << ended.err;
+  EXPECT_EQ(ended.err.rfind("<stdin>:5: N50: error 90019: ", 0), 0u) << ended.err;
   const std::string svg = content_of(folder.path("part.svg"));
   EXPECT_NE(svg.find("<g class=\"fault\""), std::string::npos);
   EXPECT_NE(svg.find("error 90019 in line 5 (N50)"), std::string::npos);

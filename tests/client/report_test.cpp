@@ -2,7 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdint>
 #include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
 
 #include "client/cli/info_text.h"
 
@@ -15,33 +19,116 @@ wire::ReceivedDiagnostic reversed_line() {
           .remedy = "use a smaller tool"};
 }
 
-TEST(Report, NamesFileLineCodeMessageAndRemedy) {
-  EXPECT_EQ(line_for("part.nc", reversed_line()),
-            "part.nc:7: error 90019: the path runs against the contour (use a smaller tool)");
+// The same without its line of the program.
+std::string alone(std::string_view file, const wire::ReceivedDiagnostic& received) {
+  return text_of(received, {.file = file});
+}
+
+TEST(Report, NamesFileLineNumberCodeMessageAndRemedy) {
+  EXPECT_EQ(alone("part.nc", reversed_line()),
+            "part.nc:7: N60: error 90019: the path runs against the contour\n"
+            "help: use a smaller tool\n");
 }
 
 TEST(Report, TellsWarningsAndNotesFromErrors) {
   wire::ReceivedDiagnostic received = reversed_line();
   received.diagnostic.severity = Severity::warning;
-  EXPECT_EQ(line_for("a", received).rfind("a:7: warning 90019: ", 0), 0u);
+  EXPECT_EQ(alone("a", received).rfind("a:7: N60: warning 90019: ", 0), 0u);
   received.diagnostic.severity = Severity::note;
-  EXPECT_EQ(line_for("a", received).rfind("a:7: note 90019: ", 0), 0u);
+  EXPECT_EQ(alone("a", received).rfind("a:7: N60: note 90019: ", 0), 0u);
 }
 
 TEST(Report, LeavesOutWhatIsUnknown) {
   wire::ReceivedDiagnostic received = reversed_line();
   received.diagnostic.source = {};
   received.remedy.clear();
-  EXPECT_EQ(line_for("part.nc", received),
-            "part.nc: error 90019: the path runs against the contour");
-  received.diagnostic.column = 12;
-  EXPECT_NE(line_for("part.nc", received).find(", column 12"), std::string::npos);
+  EXPECT_EQ(alone("part.nc", received),
+            "part.nc: error 90019: the path runs against the contour\n");
+}
+
+TEST(Report, MarksTheWordInItsLine) {
+  wire::ReceivedDiagnostic received = reversed_line();
+  received.diagnostic.column = 9;
+  EXPECT_EQ(text_of(received, {.file = "p", .source_line = "N60 G02 X-40.5 I25"}),
+            "p:7:9: N60: error 90019: the path runs against the contour\n"
+            "    7 | N60 G02 X-40.5 I25\n"
+            "      |         ^~~~~~\n"
+            "help: use a smaller tool\n");
+}
+
+TEST(Report, FindsTheWordAtFaultWhereTheLineHasItOnce) {
+  wire::ReceivedDiagnostic received = reversed_line();
+  received.diagnostic.detail = "G187 P2";
+  EXPECT_NE(
+      text_of(received, {.file = "p", .source_line = "N60 G187 P2 X1"}).find("p:7:5: N60: error"),
+      std::string::npos);
+  EXPECT_NE(
+      text_of(received, {.file = "p", .source_line = "N60 G187 P2 X1"}).find("|     ^~~~~~~\n"),
+      std::string::npos);
+  received.diagnostic.detail = "X1";
+  EXPECT_NE(text_of(received, {.file = "p", .source_line = "X1 X1"}).find("p:7: N60: error"),
+            std::string::npos);
+}
+
+TEST(Report, CountsCharactersNotBytesAndKeepsTheMarkUnderTabs) {
+  wire::ReceivedDiagnostic received = reversed_line();
+  received.diagnostic.column = 9;
+  EXPECT_NE(text_of(received, {.file = "p", .source_line = "\t(\xC3\xB8 12) X5"})
+                .find("    7 |  (\xC3\xB8 12) X5\n      |        ^\n"),
+            std::string::npos)
+      << text_of(received, {.file = "p", .source_line = "\t(\xC3\xB8 12) X5"});
+}
+
+TEST(Report, ShowsThePartOfALongLineThatMatters) {
+  wire::ReceivedDiagnostic received = reversed_line();
+  received.diagnostic.column = 501;
+  const std::string text = text_of(
+      received, {.file = "p", .source_line = std::string(500, 'a') + "X5" + std::string(500, 'b')});
+  const std::size_t line = text.find("    7 | …");
+  ASSERT_NE(line, std::string::npos) << text;
+  EXPECT_NE(text.find("X5bbb"), std::string::npos);
+  EXPECT_LT(text.size(), 400U);
+  const std::size_t mark = text.find('^');
+  const std::size_t above = text.find("X5");
+  const auto column_in_line = [&](std::size_t at) { return at - text.rfind('\n', at); };
+  // The sign that stands for what is left out has three bytes.
+  EXPECT_EQ(column_in_line(mark), column_in_line(above) - 2) << text;
 }
 
 TEST(Report, KeepsControlCharactersFromTheTerminal) {
   wire::ReceivedDiagnostic received = reversed_line();
-  received.message = "bad \x1B[2J word\n";
-  EXPECT_EQ(line_for("p\n", received), "p?:7: error 90019: bad ?[2J word? (use a smaller tool)");
+  received.message = "bad \x1B[2J word\n \xC2\x9B \xFF";
+  EXPECT_EQ(text_of(received, {.file = "p\n", .source_line = "\x1B[2J\xFFX"}),
+            "p?:7: N60: error 90019: bad ?[2J word? ? ?\n    7 | ?[2J?X\n"
+            "help: use a smaller tool\n");
+}
+
+TEST(Report, KeepsTheDirectionOfWriting) {
+  wire::ReceivedDiagnostic received = reversed_line();
+  received.message = "a\u202Eb\u2066c\u200F \u2300";
+  EXPECT_EQ(alone("p", received),
+            "p:7: N60: error 90019: a?b?c? \u2300\nhelp: use a smaller tool\n");
+}
+
+TEST(Report, PaintsOnlyWhenAsked) {
+  const Shown shown{.file = "p", .source_line = "X5", .in_colour = true};
+  EXPECT_NE(text_of(reversed_line(), shown).find("\x1b[1;31merror 90019:\x1b[0m"),
+            std::string::npos);
+  EXPECT_EQ(alone("p", reversed_line()).find('\x1b'), std::string::npos);
+}
+
+TEST(Report, CountsWhatWasToldBefore) {
+  std::vector<Diagnostic> like;
+  for (std::uint32_t line = 8; line < 20; ++line)
+    like.push_back({.code = Code::stretch_factor_out_of_range,
+                    .severity = Severity::warning,
+                    .source = {.number = line * 10, .line = line}});
+  EXPECT_EQ(more_like(like, {.file = "p"}),
+            "p: warning 22007: 12 more like it, in lines 8 (N80), 9 (N90), 10 (N100), 11 (N110), "
+            "12 (N120), 13 (N130), 14 (N140), 15 (N150) and 4 others\n");
+  like.resize(1);
+  like[0].source.number = Source::no_number;
+  EXPECT_EQ(more_like(like, {.file = "p"}), "p: warning 22007: 1 more like it, in line 8\n");
 }
 
 EntryHelp quarter_circle_help() {
@@ -102,15 +189,13 @@ TEST(EntryHelpText, NamesTheLeadsThatHaveToGo) {
 
 TEST(EntryHelpText, SaysNothingWhereNothingIsKnown) {
   EXPECT_TRUE(lines_of({.given_length = 3}, {}).empty());
-  EXPECT_TRUE(help_lines_for("part.nc", reversed_line().diagnostic, {}).empty());
 }
 
-TEST(EntryHelpText, StandsBehindPlaceAndCode) {
-  Diagnostic refused = diagnostic(Code::selection_block_too_short, {.line = 7});
-  refused.entry_help = std::make_shared<const EntryHelp>(quarter_circle_help());
-  const auto lines = help_lines_for("part.nc", refused, {});
-  ASSERT_EQ(lines.size(), 2U);
-  EXPECT_EQ(lines[0].rfind("part.nc:7: help 900201: the approach is ", 0), 0U) << lines[0];
+TEST(EntryHelpText, StandsBehindTheRemedy) {
+  wire::ReceivedDiagnostic received = reversed_line();
+  received.diagnostic.entry_help = std::make_shared<const EntryHelp>(quarter_circle_help());
+  EXPECT_NE(alone("part.nc", received).find("help: use a smaller tool\nhelp: the approach is "),
+            std::string::npos);
 }
 
 TEST(InfoText, MakesMarkdownTables) {

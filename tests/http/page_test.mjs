@@ -88,7 +88,7 @@ const tests = {
     const path = file('notch.nc', notch);
     await show(page, path);
     const said = trc('compensate', path, '--set', 'tool_radius=5').stderr;
-    const [, line, code] = /:(\d+): error (\d+)/.exec(said);
+    const [, line, code] = /notch\.nc:(\d+):.* error (\d+)/.exec(said);
     const button = page.locator('#diagnostics button.error').first();
     assert.equal(await button.getAttribute('data-code'), code, said);
     assert.match(await page.textContent('#state'), /Refused/);

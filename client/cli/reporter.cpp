@@ -1,0 +1,57 @@
+#include "client/cli/reporter.h"
+
+#include <iostream>
+
+#include "client/cli/report.h"
+#include "proto/wire/setup.h"
+
+namespace trc::cli {
+namespace {
+
+Writing writing_of(const v1::ProgramSetup& setup) {
+  wire::FieldFaults faults;
+  const wire::ProgramSettings settings = wire::from_proto(setup, wire::FieldPath("setup"), faults);
+  const ProgramSetup& program = settings.path.session.program;
+  return {.dialect = program.dialect, .inch = program.inch};
+}
+
+}  // namespace
+
+Reporter::Reporter(Input& input, const v1::ProgramSetup& setup, Progress& progress)
+    : input_(input),
+      lines_(input),
+      writing_(writing_of(setup)),
+      in_colour_(colours_wanted()),
+      progress_(progress) {}
+
+void Reporter::report(const std::vector<wire::ReceivedDiagnostic>& diagnostics) {
+  for (const wire::ReceivedDiagnostic& received : diagnostics) {
+    const Diagnostic& found = received.diagnostic;
+    refused_ = refused_ || found.severity == Severity::error;
+    const Text text(found.severity, found.code, received.message);
+    const auto [like, is_new] = not_shown_.try_emplace(text);
+    if (!is_new) {
+      like->second.push_back(found);
+      continue;
+    }
+    order_.push_back(text);
+    progress_.clear();
+    std::cerr << text_of(received, {.file = input_.name(),
+                                    .source_line = lines_.line(found.source.line),
+                                    .writing = writing_,
+                                    .in_colour = in_colour_});
+  }
+}
+
+void Reporter::finish() {
+  progress_.clear();
+  for (const Text& text : order_) {
+    const std::vector<Diagnostic>& like = not_shown_.at(text);
+    if (!like.empty())
+      std::cerr << more_like(like, {.file = input_.name(), .in_colour = in_colour_});
+  }
+  order_.clear();
+  not_shown_.clear();
+}
+
+}  // namespace trc::cli

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <tuple>
+#include <vector>
+
+#include "client/cli/entry_help_text.h"
+#include "client/cli/files.h"
+#include "client/cli/progress.h"
+#include "client/cli/source_lines.h"
+#include "core/base/diagnostic.h"
+#include "proto/wire/diagnostic.h"
+#include "trc/v1/setup.pb.h"
+
+namespace trc::cli {
+
+// Tells on standard error what was found in one program. What equals something that was told,
+// place apart, is counted and told of at the end.
+class Reporter {
+ public:
+  // Before anything of the program is read. All three outlive it.
+  Reporter(Input& input, const v1::ProgramSetup& setup, Progress& progress);
+  Reporter(const Reporter&) = delete;
+  Reporter& operator=(const Reporter&) = delete;
+
+  void report(const std::vector<wire::ReceivedDiagnostic>& diagnostics);
+  // No more will be found.
+  void finish();
+
+  // Whether an error was among them.
+  [[nodiscard]] bool refused() const { return refused_; }
+  [[nodiscard]] Progress& progress() { return progress_; }
+
+ private:
+  using Text = std::tuple<Severity, Code, std::string>;  // of a message, without its place
+
+  const Input& input_;
+  SourceLines lines_;
+  Writing writing_;
+  bool in_colour_;
+  Progress& progress_;
+  bool refused_ = false;
+  std::map<Text, std::vector<Diagnostic>> not_shown_{};
+  std::vector<Text> order_{};  // as they were found first
+};
+
+}  // namespace trc::cli
