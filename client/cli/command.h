@@ -25,6 +25,7 @@ void add_view(CLI::App& app, Action& action);
 void add_generate(CLI::App& app, Action& action);
 void add_load(CLI::App& app, Action& action);
 void add_info(CLI::App& app, Action& action);
+void add_explain(CLI::App& app, Action& action);
 void add_health(CLI::App& app, Action& action);
 
 }  // namespace trc::cli

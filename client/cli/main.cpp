@@ -27,6 +27,7 @@ int run(int argc, char** argv) {
   trc::cli::add_generate(app, action);
   trc::cli::add_load(app, action);
   trc::cli::add_info(app, action);
+  trc::cli::add_explain(app, action);
   trc::cli::add_health(app, action);
   try {
     app.parse(argc, argv);

@@ -3,6 +3,7 @@
 #include <iostream>
 
 #include "client/cli/report.h"
+#include "core/base/explanation.h"
 #include "proto/wire/setup.h"
 
 namespace trc::cli {
@@ -13,6 +14,14 @@ Writing writing_of(const v1::ProgramSetup& setup) {
   const wire::ProgramSettings settings = wire::from_proto(setup, wire::FieldPath("setup"), faults);
   const ProgramSetup& program = settings.path.session.program;
   return {.dialect = program.dialect, .inch = program.inch};
+}
+
+// Its remedy in words of the command line: the sender names fields of the setup.
+wire::ReceivedDiagnostic for_command_line(wire::ReceivedDiagnostic received) {
+  const Explanation* explanation = explanation_of(received.diagnostic.code);
+  if (explanation != nullptr && !explanation->on_command_line.empty())
+    received.remedy = explanation->on_command_line;
+  return received;
 }
 
 }  // namespace
@@ -36,10 +45,10 @@ void Reporter::report(const std::vector<wire::ReceivedDiagnostic>& diagnostics) 
     }
     order_.push_back(text);
     progress_.clear();
-    std::cerr << text_of(received, {.file = input_.name(),
-                                    .source_line = lines_.line(found.source.line),
-                                    .writing = writing_,
-                                    .in_colour = in_colour_});
+    std::cerr << text_of(for_command_line(received), {.file = input_.name(),
+                                                      .source_line = lines_.line(found.source.line),
+                                                      .writing = writing_,
+                                                      .in_colour = in_colour_});
   }
 }
 

@@ -8,7 +8,9 @@
 #include <filesystem>
 #include <fstream>
 #include <functional>
+#include <optional>
 #include <regex>
+#include <sstream>
 #include <string>
 #include <thread>
 #include <vector>
@@ -502,6 +504,64 @@ TEST(Info, PrintsTheTablesOfTheDocumentation) {
   EXPECT_NE(diagnostics.out.find("\n| 90019 | error | "), std::string::npos);
   EXPECT_NE(trc({"info", "--markdown", "options"}).out.find("| KERF_MASKING | 0 … 1 | 0 |"),
             std::string::npos);
+}
+
+TEST(Explain, SaysWhatACodeMeansAndWhatHelps) {
+  const Ended ended = trc({"explain", "90019"});
+  EXPECT_EQ(ended.code, 0) << ended.err;
+  for (const char* words : {"error 90019 LINE_REVERSED", "Causes:", "What helps:", "trc radii",
+                            "trc explain 90019 --example | trc compensate -"})
+    EXPECT_NE(ended.out.find(words), std::string::npos) << words;
+  EXPECT_EQ(trc({"explain", "line_reversed"}).out, ended.out);
+  for (const char* unknown : {"1", "90019x", "NO_REASON"}) {
+    const Ended refused = trc({"explain", unknown});
+    EXPECT_EQ(refused.code, 2) << unknown;
+    EXPECT_NE(refused.err.find(unknown), std::string::npos);
+  }
+  EXPECT_EQ(trc({"explain", "900006", "--example"}).code, 2);
+  EXPECT_EQ(trc({"explain", "--example"}).code, 2);
+}
+
+// Words of a call behind "| trc compensate -" in what explains a code; nothing: no example.
+std::optional<std::vector<std::string>> call_of(const std::string& explained) {
+  const std::string before = "--example | trc compensate -";
+  const std::size_t at = explained.find(before);
+  if (at == std::string::npos) return std::nullopt;
+  const std::size_t begin = at + before.size();
+  std::istringstream line(explained.substr(begin, explained.find('\n', begin) - begin));
+  std::vector<std::string> call{"compensate", "-"};
+  for (std::string word; line >> word;) call.push_back(word);
+  return call;
+}
+
+TEST(Explain, HasAnExampleThatRaisesEachCode) {
+  const Ended list = trc({"explain"});
+  ASSERT_EQ(list.code, 0);
+  int codes = 0;
+  int examples = 0;
+  for (const std::string& line : lines_of(list.out)) {
+    const std::string code = line.substr(0, line.find(' '));
+    if (code.empty() || code.find_first_not_of("0123456789") != std::string::npos) continue;
+    ++codes;
+    const Ended explained = trc({"explain", code});
+    EXPECT_EQ(explained.code, 0) << code << explained.err;
+    const auto call = call_of(explained.out);
+    if (!call) continue;
+    ++examples;
+    const std::string program = trc({"explain", code, "--example"}).out;
+    const Ended raised = trc(*call, program);
+    const std::regex told("(^|\n)[^\n]*: (error|warning|note) " + code + ": ");
+    EXPECT_TRUE(std::regex_search(raised.err, told)) << code << '\n' << program << raised.err;
+  }
+  EXPECT_GT(codes, 75);
+  EXPECT_GE(examples, codes - 2);
+}
+
+TEST(Compensate, RemediesNameWhatTheCommandLineHas) {
+  const Ended ended = trc({"compensate", "-"}, "G41 G01 X10 Y0 F500\nX20\nG40 X30 Y10\nM30\n");
+  EXPECT_EQ(ended.code, 1);
+  EXPECT_NE(ended.err.find("help: Give the radius: --radius 5"), std::string::npos) << ended.err;
+  EXPECT_EQ(ended.err.find("setup"), std::string::npos) << ended.err;
 }
 
 TEST(Plot, DrawsContourAndPath) {

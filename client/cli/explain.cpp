@@ -1,0 +1,142 @@
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <charconv>
+#include <iostream>
+#include <memory>
+#include <string>
+#include <string_view>
+
+#include "client/cli/command.h"
+#include "core/base/diagnostic.h"
+#include "core/base/explanation.h"
+
+namespace trc::cli {
+namespace {
+
+struct Call {
+  std::string code;
+  bool example = false;
+};
+
+std::string_view word_for(Severity severity) {
+  constexpr std::array<std::string_view, 3> words{"note", "warning", "error"};
+  return words.at(static_cast<std::size_t>(severity));
+}
+
+// A number, or the reason of a row in letters of either case; null: there is no such code.
+const CodeRow* row_named(std::string name) {
+  std::transform(name.begin(), name.end(), name.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
+  int number = 0;
+  const auto [end, fault] = std::from_chars(name.data(), name.data() + name.size(), number);
+  const bool is_number = fault == std::errc{} && end == name.data() + name.size();
+  const auto rows = code_table();
+  const auto found = std::find_if(rows.begin(), rows.end(), [&](const CodeRow& row) {
+    return is_number ? static_cast<int>(row.code) == number : row.reason == name;
+  });
+  return found == rows.end() ? nullptr : &*found;
+}
+
+// In lines of at most 96 characters, all but the first behind `indent` blanks.
+std::string folded(std::string_view text, std::size_t indent) {
+  constexpr std::size_t widest = 96;
+  std::string lines;
+  std::size_t column = indent;
+  while (!text.empty()) {
+    const std::size_t length = std::min(text.find(' '), text.size());
+    if (column > indent && column + 1 + length > widest) {
+      lines += '\n' + std::string(indent, ' ');
+      column = indent;
+    } else if (column > indent) {
+      lines += ' ';
+      ++column;
+    }
+    lines += text.substr(0, length);
+    column += length;
+    text.remove_prefix(std::min(length + 1, text.size()));
+  }
+  return lines;
+}
+
+void print_list() {
+  for (const CodeRow& row : code_table()) {
+    const std::string code = std::to_string(static_cast<int>(row.code));
+    const std::string severity(word_for(row.severity));
+    std::cout << code << std::string(8 - code.size(), ' ') << severity
+              << std::string(9 - severity.size(), ' ') << folded(row.cause, 17) << '\n';
+  }
+  std::cout << "trc explain CODE says more: causes, what helps, and a program that raises it.\n";
+}
+
+void print_example(std::string_view code, const Explanation& explanation) {
+  if (explanation.example.empty()) {
+    std::cout << "\nThere is no example. " << folded(explanation.no_example, 0) << '\n';
+    return;
+  }
+  std::cout << "\nExample: trc explain " << code << " --example | trc compensate -"
+            << (explanation.options.empty() ? "" : " ") << explanation.options << "\n";
+  for (std::string_view text = explanation.example; !text.empty();) {
+    const std::size_t end = text.find('\n');
+    std::string line(text.substr(0, end));
+    std::replace_if(
+        line.begin(), line.end(), [](unsigned char c) { return c < 0x20; }, '?');
+    std::cout << "  " << line << '\n';
+    text.remove_prefix(end + 1);
+  }
+}
+
+void print(const CodeRow& row, const Explanation& explanation) {
+  const std::string code = std::to_string(static_cast<int>(row.code));
+  std::cout << word_for(row.severity) << ' ' << code << ' ' << row.reason << '\n'
+            << folded(row.cause, 0) << "\n\n"
+            << folded(explanation.meaning, 0) << "\n\nCauses:\n";
+  for (const std::string_view cause : explanation.causes)
+    if (!cause.empty()) std::cout << "  - " << folded(cause, 4) << '\n';
+  const bool own = !explanation.on_command_line.empty();
+  std::cout << "\nWhat helps:\n  - " << folded(own ? explanation.on_command_line : row.remedy, 4)
+            << '\n';
+  print_example(code, explanation);
+}
+
+Exit run(const Call& call) {
+  if (call.code.empty()) {
+    print_list();
+    return Exit::done;
+  }
+  const CodeRow* row = row_named(call.code);
+  const Explanation* explanation = row == nullptr ? nullptr : explanation_of(row->code);
+  if (explanation == nullptr) {
+    std::cerr << "trc: there is no code " << call.code << "; trc explain lists all\n";
+    return Exit::wrong_call;
+  }
+  if (!call.example) {
+    print(*row, *explanation);
+    return Exit::done;
+  }
+  if (explanation->example.empty()) {
+    std::cerr << "trc: there is no example of " << call.code << ". " << explanation->no_example
+              << '\n';
+    return Exit::wrong_call;
+  }
+  std::cout << explanation->example;
+  return Exit::done;
+}
+
+}  // namespace
+
+void add_explain(CLI::App& app, Action& action) {
+  auto* command = app.add_subcommand(
+      "explain",
+      "Say what a diagnostic means, what causes it and what helps, with a program that "
+      "raises it");
+  auto call = std::make_shared<Call>();
+  auto* code = command->add_option("code", call->code,
+                                   "Code of a message, as in 90019, or its name, as in "
+                                   "LINE_REVERSED; without it all are listed");
+  code->type_name("CODE");
+  command->add_flag("--example", call->example, "Print the program alone")->needs(code);
+  command->callback([call, &action] { action = [call] { return run(*call); }; });
+}
+
+}  // namespace trc::cli
