@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int decisions = 36;
+constexpr int decisions = 45;
 
 std::string name_of(int decision) {
   return (decision < 10 ? "D-0" : "D-") + std::to_string(decision);

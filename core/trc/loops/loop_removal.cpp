@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/geometry/along.h"
+#include "core/trc/loops/refusal.h"
 #include "core/trc/loops/removed_loop.h"
 #include "core/trc/selection/selection_limit.h"
 #include "core/trc/walls/closing.h"
@@ -802,24 +803,14 @@ selection::RefusedWay LoopRemoval::refused_way() const {
 }
 
 bool LoopRemoval::refuse(const Onset& onset) {
-  const HeldPath::ContourBlock own = contour(number_of(at_.block));
-  const TrcMode& mode = path_.mode_of(at_.block);
-  const Segment travelled = path(at_.block).path;
-  Diagnostic violation =
-      diagnostic(is_arc(own.programmed) ? Code::arc_wrapped : Code::line_reversed, own.source,
-                 "REMOVE_MASKED_BLOCKS finds no way past this block");
-  const Source other = contour(onset.obstacle).source;
-  violation.values = {{"tool_radius", mode.cutting_radius(path_.radius_of_tool(at_.block))}};
-  append_place(violation.values, "other", other);
-  const Position position =
-      from_plane(mode.plane, point_along(travelled, onset.along), path_.height_of(at_.block));
-  violation.point = DiagnosticPoint{.x = position[0], .y = position[1], .z = position[2]};
-  if (mode.options.ignore_cont_damage) {
-    violation.severity = Severity::warning;
+  Diagnostic refusal =
+      refusal_of(path_, obstacles_, at_.block, onset, leaving_ || window_ == 0, tolerances_);
+  if (path_.mode_of(at_.block).options.ignore_cont_damage) {
+    refusal.severity = Severity::warning;
     advance();
     exact_from_ = walked_.end();
   }
-  return diagnostics_.report(std::move(violation));
+  return diagnostics_.report(std::move(refusal));
 }
 
 }  // namespace trc

@@ -1,0 +1,82 @@
+#include "core/trc/loops/refusal.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "core/geometry/along.h"
+#include "core/geometry/distance.h"
+
+namespace trc {
+namespace {
+
+// An end of the contour, and the tool that touches it there.
+struct End {
+  const char* name;
+  Point of_contour;
+  Point of_path;
+};
+
+bool has_room(const Point& center, double radius, const HeldPath& path, const Obstacles& obstacles,
+              const Tolerances& tolerances) {
+  const double limit = radius - tolerances.passable * std::max(radius, 1.0);
+  for (std::size_t number = path.begin_of_contour(); number < path.end_of_contour(); ++number)
+    if (!obstacles.is_lead(number) && distance(center, obstacles.wall(number)) < limit)
+      return false;
+  return true;
+}
+
+// Of a tool that touches the contour at this end, where that is smaller than the tool; each smaller
+// one lies inside it.
+std::optional<double> largest_radius_at(const End& end, double radius, const HeldPath& path,
+                                        const Obstacles& obstacles, const Tolerances& tolerances) {
+  constexpr double exact_to = 1e-4;  // mm
+  const Vector outward = end.of_path - end.of_contour;
+  const bool touches = std::abs(outward.norm() - radius) <= tolerances.on_contour;
+  if (!touches || has_room(end.of_path, radius, path, obstacles, tolerances)) return {};
+  double fits = 0;
+  double fits_not = radius;
+  while (fits_not - fits > exact_to) {
+    const double middle = (fits + fits_not) / 2;
+    const Point center = end.of_contour + outward * (middle / radius);
+    (has_room(center, middle, path, obstacles, tolerances) ? fits : fits_not) = middle;
+  }
+  return fits;
+}
+
+}  // namespace
+
+Diagnostic refusal_of(const HeldPath& path, const Obstacles& obstacles, std::size_t block,
+                      const Obstacles::Onset& onset, bool ended, const Tolerances& tolerances) {
+  const HeldPath::ContourBlock own = path.contour_block(path.number_of(block));
+  const TrcMode& mode = path.mode_of(block);
+  const double radius = path.radius_of_tool(block);
+  const char* why = "REMOVE_MASKED_BLOCKS finds no way past this block";
+  std::optional<double> largest_radius;
+  const auto look_at = [&](const End& end) {
+    const auto most = largest_radius_at(end, radius, path, obstacles, tolerances);
+    if (!most || (largest_radius && *largest_radius <= *most)) return;
+    largest_radius = most;
+    why = end.name;
+  };
+  if (path.begin() == 0)
+    look_at({"the tool has no room at the first point of the contour",
+             start_of(path.contour_block(0).programmed), path.begins_at(0)});
+  if (ended)
+    look_at({"the tool has no room at the last point of the contour",
+             end_of(path.contour_block(path.end_of_contour() - 1).programmed),
+             path.ends_at(path.end() - 1)});
+
+  Diagnostic refusal =
+      diagnostic(is_arc(own.programmed) ? Code::arc_wrapped : Code::line_reversed, own.source, why);
+  refusal.values = {{"tool_radius", mode.cutting_radius(radius)}};
+  if (largest_radius && !mode.below_nominal)
+    refusal.values.push_back({"largest_radius", mode.cutting_radius(*largest_radius)});
+  append_place(refusal.values, "other", path.contour_block(onset.obstacle).source);
+  const Position position = from_plane(mode.plane, point_along(path.block(block).path, onset.along),
+                                       path.height_of(block));
+  refusal.point = DiagnosticPoint{.x = position[0], .y = position[1], .z = position[2]};
+  return refusal;
+}
+
+}  // namespace trc
