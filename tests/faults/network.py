@@ -113,6 +113,17 @@ class Net:
                    [trcd, "--listen", f"{SERVER}:50051", "--insecure", "--keepalive-time-s", "2",
                     "--keepalive-timeout-s", "2", "--min-client-ping-interval-s", "1"])
         self.wire_settings = wire
+        self.wait_for_server()
+
+    def wait_for_server(self):
+        """A client that comes before it listens is refused, and gives up."""
+        end = time.monotonic() + 30
+        while time.monotonic() < end:
+            with open(self.log.name) as log:
+                if '"event":"started"' in log.read():
+                    return
+            time.sleep(0.01)
+        sys.exit("the server did not start")
 
     def start(self, address, peer, output, command):
         ours, theirs = socket.socketpair()
