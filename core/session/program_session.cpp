@@ -158,7 +158,7 @@ bool ProgramSession::Parts::advance(ProgramOutput& out) {
   goes_on =
       goes_on && report_until(std::numeric_limits<std::uint32_t>::max(), out) && compensate(out);
   place(out);
-  writer.let_go_lines([this](LinePointer line) { interpreter.recycle(std::move(line)); });
+  writer.release_lines([this](LinePointer line) { interpreter.recycle(std::move(line)); });
   return goes_on;
 }
 

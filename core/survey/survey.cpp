@@ -99,11 +99,11 @@ void Survey::compensate(const Reading& reading, bool removes_loops, Surveyed& fo
   CompensatorSetup compensator = setup_.session.compensator;
   compensator.start = setup_.session.program.start;
   compensator.inverse_path = false;
-  const auto let_go = [this](std::vector<CompensatedBlock>& out) {
+  const auto release = [this](std::vector<CompensatedBlock>& out) {
     if (!out.empty() && setup_.progressed) setup_.progressed();
     out.clear();
   };
-  compensator.take_portion = let_go;
+  compensator.take_portion = release;
   if (removes_loops) compensator.largest_masked_share = 1;
   verify::UncutSink uncut;
   if (setup_.uncut)
@@ -118,7 +118,7 @@ void Survey::compensate(const Reading& reading, bool removes_loops, Surveyed& fo
       note(told, setup_.session.compensator.tolerances.on_contour, found);
       if (told.severity == Severity::error && !found.refusal) found.refusal = told;
     }
-    let_go(out);
+    release(out);
   };
   for (std::size_t at = 0; at < reading.blocks.size() && !log.stopped(); at += portion) {
     blocks.clear();

@@ -63,7 +63,7 @@ struct Compensator::Passes {
   bool step(Input input, std::vector<CompensatedBlock>& out) {
     if (diagnostics.stopped() || !find_path(input)) return false;
     while (loop_removal.is_leaving()) {
-      if (!let_go(out)) return false;
+      if (!release(out)) return false;
       if (out.size() < portion || !take_portion) continue;
       take_portion(out);
       if (diagnostics.stopped()) return false;  // by a verification of what it has taken
@@ -72,11 +72,11 @@ struct Compensator::Passes {
   }
   // Blocks that leave a selection as they came go straight into the result; where one does not, a
   // few go through the passes.
-  bool let_go(std::vector<CompensatedBlock>& out) {
+  bool release(std::vector<CompensatedBlock>& out) {
     checkpoint.pass();
     const bool is_idle = path.blocks.empty() && bottlenecks.is_empty();
-    if (is_idle && engine != Engine::passes && contour_run.let_go(out, out.size() + some)) return true;
-    return loop_removal.let_go_some(path.blocks) && finish_path(Input::more, out);
+    if (is_idle && engine != Engine::passes && contour_run.release(out, out.size() + some)) return true;
+    return loop_removal.release_some(path.blocks) && finish_path(Input::more, out);
   }
   bool find_path(Input input) {
     return advance(relevant_blocks,    programmed,  path.blocks, input, checkpoint)

@@ -281,24 +281,25 @@ void ContourRun::put_out_leaving(std::vector<CompensatedBlock>& out) {
   going_ = going_ && diagnostics_.pending().size() == reports_before_;
 }
 
-TRC_IN_ONE_PIECE bool ContourRun::let_go(std::vector<CompensatedBlock>& out, std::size_t most) {
+TRC_IN_ONE_PIECE bool ContourRun::release(std::vector<CompensatedBlock>& out, std::size_t most) {
   const std::size_t before = out.size();
-  while (out.size() < most) {
-    loop_removal_.pass_by_without_trace();
-    if (const PathPiece* part = loop_removal_.next_part()) {
+  LoopRelease* const path = loop_removal_.releases_path();
+  while (path != nullptr && out.size() < most) {
+    path->pass_by_without_trace();
+    if (const PathPiece* part = path->next_part()) {
       if (!put_out_held(*part, out)) break;
-      loop_removal_.part_has_left();
+      path->part_has_left();
       continue;
     }
-    const LoopRemoval::Row row = loop_removal_.next_as_they_came(most - out.size());
+    const LoopRelease::Row row = path->next_as_they_came(most - out.size());
     const std::size_t count = row.count > 0 ? put_out_held(row, out) : 0;
     if (count == 0) break;
-    loop_removal_.have_left(count);
+    path->have_left(count);
   }
   return out.size() > before;
 }
 
-std::size_t ContourRun::put_out_held(const LoopRemoval::Row& row,
+std::size_t ContourRun::put_out_held(const LoopRelease::Row& row,
                                      std::vector<CompensatedBlock>& out) {
   HeldPath::Reader held = loop_removal_.path().read_from(row.first);
   if (!may_put_out(held.setting())) return 0;

@@ -50,7 +50,7 @@ class ContourRun {
                    std::vector<CompensatedBlock>& out);
   // The other end of a selection that LoopRemoval has held: puts out blocks that leave it as they
   // came, until there are `most` in `out`. Returns whether there was one.
-  bool let_go(std::vector<CompensatedBlock>& out, std::size_t most);
+  bool release(std::vector<CompensatedBlock>& out, std::size_t most);
 
  private:
   // A block between its two corners.
@@ -94,7 +94,7 @@ class ContourRun {
   void put_out_leaving(std::vector<CompensatedBlock>& out);
   // Puts out blocks from the first of the row on, up to one that the passes have to put out.
   // Returns how many.
-  std::size_t put_out_held(const LoopRemoval::Row& row, std::vector<CompensatedBlock>& out);
+  std::size_t put_out_held(const LoopRelease::Row& row, std::vector<CompensatedBlock>& out);
   // The lines in place of the arc it is at, all or none.
   bool put_out_lines(const HeldPath::Reader& held, std::size_t transition,
                      std::vector<CompensatedBlock>& out);

@@ -64,7 +64,7 @@ class NcWriter {
   // Lets go of the lines that have come out: `taker` may use their memory again. Until then they
   // are kept.
   template <class Taker>
-  void let_go_lines(Taker taker) {
+  void release_lines(Taker taker) {
     for (std::size_t i = 0; i < first_; ++i) taker(std::move(waiting_[i].line));
     waiting_.erase(waiting_.begin(), waiting_.begin() + static_cast<std::ptrdiff_t>(first_));
     first_ = 0;

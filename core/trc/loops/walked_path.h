@@ -48,8 +48,8 @@ struct PathPiece {
   }
 };
 
-// The pieces of the path that LoopRemoval has walked, and not yet let go. They are counted from
-// the begin of the selection.
+// The pieces of the path that LoopRemoval has walked, and that has not left yet. They are counted
+// from the begin of the selection.
 class WalkedPath {
  public:
   // A piece as it is kept: most are whole blocks.

@@ -91,7 +91,7 @@ bool ContourMasking::feed(PathBlockPtr block, PathBlocks& out) {
     held_.push_back(std::move(block));
     if (window_ == 0) return true;
     if (!keep(base_ + held_.size() - 1)) return false;
-    return held_.size() <= window_ || let_go(out);
+    return held_.size() <= window_ || release(out);
   }
   if (!resolve(block->at_start.active ? block.get() : nullptr, out)) return false;
   if (masking && block->at_end.active) {
@@ -124,7 +124,7 @@ bool ContourMasking::resolve(const PathBlock* after, PathBlocks& out) {
   return true;
 }
 
-bool ContourMasking::let_go(PathBlocks& out) {
+bool ContourMasking::release(PathBlocks& out) {
   // So many masked blocks that the window does not see the end of them.
   if (kept_.size() == 1) return refuse_to_mask(base_, base_ + held_.size() - 1);
   const std::size_t next = kept_[1].index;

@@ -90,7 +90,7 @@ class ContourMasking {
   // The block that could not be joined to it is `joining`.
   bool mask_last_kept(std::size_t joining);
   // The first kept block, and the masked ones behind it.
-  bool let_go(PathBlocks& out);
+  bool release(PathBlocks& out);
   void report_masked(std::size_t first, std::size_t end);
   // Of masked blocks from `first` on and before `end`, which is moved to the first one behind them.
   [[nodiscard]] LeftOut left_out(std::size_t first, std::size_t& end) const;

@@ -120,7 +120,7 @@ bool KerfMasking::feed(PathBlockPtr block, PathBlocks& out) {
     if (continues) outline = outline_of(*block);
     if (continues || !begins_in_end_of_path(*block, *held_.back()))
       raise_notch(outline ? &*outline : nullptr);
-    let_go(out);
+    release(out);
   }
   if (!continues) drain(out);
   if (continues || wanted(*block)) {
@@ -133,12 +133,12 @@ bool KerfMasking::feed(PathBlockPtr block, PathBlocks& out) {
 
 bool KerfMasking::drain(PathBlocks& out) {
   if (held_.size() == 2) raise_notch(nullptr);
-  while (!held_.empty()) let_go(out);
+  while (!held_.empty()) release(out);
   before_.reset();
   return true;
 }
 
-void KerfMasking::let_go(PathBlocks& out) {
+void KerfMasking::release(PathBlocks& out) {
   before_ = outline_of(*held_.front());
   out.push_back(std::move(held_.front()));
   held_.erase(held_.begin());

@@ -42,7 +42,7 @@ class KerfMasking {
     if (block.role == Role::passive || !block.at_end.active) return false;
     return block.mode().options.kerf_masking;
   }
-  void let_go(PathBlocks& out);
+  void release(PathBlocks& out);
   // The corner of the two held blocks; `next` follows them, if anything does.
   void raise_notch(const PathBlock* next);
 

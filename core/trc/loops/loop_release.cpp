@@ -1,0 +1,215 @@
+#include "core/trc/loops/loop_release.h"
+
+#include <algorithm>
+#include <limits>
+#include <memory>
+#include <utility>
+
+#include "core/trc/loops/removed_loop.h"
+
+namespace trc {
+
+void LoopRelease::begin() {
+  next_ = 0;
+  left_to_ = none_left;
+  longest_left_out_ = {};
+  contour_length_ = 0;
+}
+
+void LoopRelease::leave_out_rest(const Point& place, PathBlocks& out) {
+  if (next_ < end_of_path()) pass_by({end_of_path(), 0}, place, out);
+}
+
+// Up to what leaves as it came, where that is not what the caller has just passed over.
+std::size_t LoopRelease::end_of_portion() const {
+  constexpr std::size_t portion = 32;  // whose storage is the same for each
+  const std::size_t end = std::min(walked_.begin() + portion, walked_.end());
+  if (next_stands_for_itself()) return end;
+  std::size_t number = std::min(walked_.begin() + 1, end);
+  const auto came_so = [&](const WalkedPath::Kept& kept) {
+    return kept.cut == WalkedPath::Kept::whole && kept.block == walked_.kept(number - 1).block + 1;
+  };
+  while (number < end && !came_so(walked_.kept(number))) ++number;
+  return number;
+}
+
+LoopRelease::Row LoopRelease::next_as_they_came(std::size_t most) const {
+  return {next_, walked_.whole_in_a_row(next_, path_.without_riders(next_, most))};
+}
+
+bool LoopRelease::next_stands_for_itself() const {
+  return next_as_they_came(1).count == 1 && !path_.is_apart(next_);
+}
+
+void LoopRelease::have_left(std::size_t count) {
+  constexpr std::size_t now_and_then = 32;
+  const std::size_t left = next_ + count;
+  if (left / now_and_then > next_ / now_and_then) path_.forget_path_before(left - 1);
+  next_ = left;
+  walked_.drop_before(walked_.begin() + count);
+}
+
+const PathPiece* LoopRelease::next_part() const {
+  if (walked_.empty()) return nullptr;
+  const auto& [block, cut] = walked_.kept(walked_.begin());
+  const bool is_next_part = cut != WalkedPath::Kept::whole && block == next_;
+  if (!is_next_part || path_.is_apart(block) || path_.has_riders(block)) return nullptr;
+  return &walked_.cut(cut);
+}
+
+void LoopRelease::part_has_left() {
+  const HeldPath::Number cut = walked_.kept(walked_.begin()).cut;
+  left_to_ = {walked_.cut(cut).block, walked_.cut(cut).to};
+  have_left(1);
+  walked_.drop_cuts_before(cut + 1);
+}
+
+void LoopRelease::pass_by_without_trace() {
+  if (walked_.empty()) return;
+  const auto& [block, cut] = walked_.kept(walked_.begin());
+  if (next_ >= block || !leave_no_trace(block)) return;
+  if (cut == WalkedPath::Kept::whole)
+    report_masked({block, 0}, path_.begins_at(block));
+  else
+    report_masked({block, walked_.cut(cut).from}, walked_.cut(cut).start);
+  next_ = block;
+}
+
+std::size_t LoopRelease::last_dropped_before(std::size_t end) const {
+  std::size_t last = end - 1;
+  while (last > next_ && !path_.is_contour(last)) --last;
+  return last;
+}
+
+bool LoopRelease::leave_no_trace(std::size_t end) const {
+  const std::size_t last = last_dropped_before(end);
+  return !path_.has_riders(last) && path_.have_one_setting(next_, last) && path_.stays_put(last);
+}
+
+void LoopRelease::pass_by(const PathPlace& next, const Point& place, PathBlocks& out) {
+  const std::size_t end = next.block;
+  report_masked(next, place);
+  if (leave_no_trace(end)) {
+    next_ = end;
+    return;
+  }
+  const std::size_t last = last_dropped_before(end);
+  DroppedBlocks dropped(place, out);
+  // Nobody asks for those between the first and the last one, but for what rides on them.
+  bool is_first = true;
+  for (; next_ < end; ++next_) {
+    if (!path_.is_contour(next_)) continue;
+    if (std::exchange(is_first, false) || next_ == last || path_.has_riders(next_))
+      dropped.add(path_.restored(next_));
+  }
+  dropped.finish();
+}
+
+void LoopRelease::release_to(std::size_t end, PathBlocks& out) {
+  for (std::size_t number = walked_.begin(); number < end; ++number) release(number, out);
+  walked_.drop_before(end);
+}
+
+void LoopRelease::release(std::size_t number, PathBlocks& out) {
+  const auto& [at, cut] = walked_.kept(number);
+  if (cut == WalkedPath::Kept::whole) {
+    if (next_ < at) pass_by({at, 0}, start_of(path(at).path), out);
+    next_ = at + 1;
+    if (path_.is_linear(at)) {
+      release_linear(at, out);
+    } else {
+      out.push_back(path_.restored(at));
+    }
+    return;
+  }
+  const PathPiece& piece = walked_.cut(cut);
+  if (next_ < at) pass_by({at, piece.from}, piece.start, out);
+  next_ = at + 1;
+  left_to_ = {at, piece.to};
+  PathBlockPtr block = path_.restored(at);
+  if (piece.behind_loop && block->mode().options.gen_cir_block_in_corner)
+    out.push_back(circle_behind_loop(piece.start, piece.arrives, *block, piece.from));
+  const bool whole = piece.is_all_of(block->tool_path, length_of(block->tool_path));
+  if (!whole) shorten(*block, piece.from, piece.to, piece.start, piece.end);
+  out.push_back(std::move(block));
+  walked_.drop_cuts_before(cut + 1);
+}
+
+void LoopRelease::release_linear(std::size_t transition, PathBlocks& out) {
+  // An arc is never rapid; lines are where the blocks on both sides are.
+  const bool rapid =
+      path_.setting_of(transition - 1).rapid && path_.setting_of(transition + 1).rapid;
+  const HeldPath::Lines lines = path_.lines_of(transition);
+  PathBlockPtr inserted = path_.restored(transition);
+  inserted->programmed.rapid = rapid;
+  for (const Line& line : lines.all()) {
+    auto block = std::make_unique<PathBlock>(*inserted);
+    block->tool_path = line;
+    out.push_back(std::move(block));
+  }
+}
+
+void LoopRelease::report_masked(const PathPlace& next, const Point& place) {
+  std::size_t first = next_;
+  std::size_t last = next.block - 1;
+  while (first <= last && !path_.is_contour(first)) ++first;
+  while (last > first && !path_.is_contour(last)) --last;
+  if (first > last) return;
+  LeftOut stretch = left_out(left_to_.block + 1 == next_ ? left_to_ : PathPlace{next_, 0}, next);
+  stretch.first = path_.source_of(number_of(first));
+  stretch.last = path_.source_of(number_of(last));
+  if (window_ > 0 && stretch.length > longest_left_out_.length) longest_left_out_ = stretch;
+  Diagnostic note = note_of(stretch);
+  const Position position = from_plane(path_.mode_of(first).plane, place, path_.height_of(first));
+  note.point = DiagnosticPoint{.x = position[0], .y = position[1], .z = position[2]};
+  diagnostics_.report(std::move(note));
+}
+
+LeftOut LoopRelease::left_out(const PathPlace& from, const PathPlace& to) const {
+  LeftOut stretch{.tool_radius =
+                      path_.mode_of(from.block).cutting_radius(path_.radius_of_tool(from.block))};
+  // The share of a wall that lies along the part of its path.
+  const auto add = [&](std::size_t block, double begin, double end) {
+    if (!path_.is_contour(block)) return;
+    const double length = length_of(path(block).path);
+    const double share = length > 0 ? (std::min(end, length) - begin) / length : 1;
+    stretch.length += std::max(share, 0.0) * obstacles_.wall_length(number_of(block));
+  };
+  for (std::size_t block = from.block; block < to.block; ++block)
+    add(block, block == from.block ? from.along : 0, std::numeric_limits<double>::infinity());
+  if (to.block < end_of_path() && to.along > 0)
+    add(to.block, to.block == from.block ? from.along : 0, to.along);
+  // Of an arc that is left in the middle, the block before it stays.
+  std::size_t first = from.block;
+  while (first + 1 < to.block && !path_.is_contour(first)) ++first;
+  stretch.first = path_.source_of(number_of(first));
+  stretch.last = path_.source_of(number_of(std::min(to.block, end_of_path() - 1)));
+  return stretch;
+}
+
+bool LoopRelease::check_left_out() {
+  if (largest_masked_share_ >= 1 || path_.empty()) return true;
+  LeftOut longest = longest_left_out_;
+  PathPlace reached{next_, 0};
+  const auto consider = [&](const PathPlace& next) {
+    if (next.block <= reached.block) return;
+    const LeftOut stretch = left_out(reached, next);
+    if (stretch.length > longest.length) longest = stretch;
+  };
+  for (std::size_t number = walked_.begin(); number < walked_.end(); ++number) {
+    const auto& [block, cut] = walked_.kept(number);
+    const bool whole = cut == WalkedPath::Kept::whole;
+    consider({block, whole ? 0 : walked_.cut(cut).from});
+    reached = whole ? PathPlace{block + std::size_t{1}, 0} : PathPlace{block, walked_.cut(cut).to};
+  }
+  consider({end_of_path(), 0});
+  if (longest.length == 0) return true;
+  longest.of_walls = path_.begin_of_contour() > 0 ? contour_length_ : 0;
+  if (path_.begin_of_contour() == 0)
+    for (std::size_t number = 0; number < path_.end_of_contour(); ++number)
+      longest.of_walls += obstacles_.wall_length(number);
+  if (!longest.is_more_than(largest_masked_share_)) return true;
+  return diagnostics_.report(refusal_of(longest, largest_masked_share_));
+}
+
+}  // namespace trc

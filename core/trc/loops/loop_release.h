@@ -1,0 +1,103 @@
+#pragma once
+
+#include <cstddef>
+
+#include "core/base/diagnostics.h"
+#include "core/trc/loops/held_path.h"
+#include "core/trc/loops/obstacles.h"
+#include "core/trc/loops/walked_path.h"
+#include "core/trc/path_block.h"
+#include "core/trc/walls/left_out.h"
+
+namespace trc {
+
+// Puts out what has been walked of a path, each block as it came or cut to what is travelled of it.
+// A contour block that is left out is masked: it is noted (900213), and its technology words, and
+// what it moves across the plane and in tracking axes, come out at the crossing.
+class LoopRelease {
+ public:
+  // Of path(): blocks one behind the other.
+  struct Row {
+    std::size_t first = 0;
+    std::size_t count = 0;
+  };
+
+  // `window` in contour blocks, 0: all of them; `largest_masked_share` as in CompensatorSetup.
+  LoopRelease(HeldPath& path, WalkedPath& walked, const Obstacles& obstacles, std::size_t window,
+              double largest_masked_share, Diagnostics& diagnostics)
+      : path_(path),
+        walked_(walked),
+        obstacles_(obstacles),
+        window_(window),
+        largest_masked_share_(largest_masked_share),
+        diagnostics_(diagnostics) {}
+
+  // A new selection begins.
+  void begin();
+  // For a window only: a contour block of that length, mm, has come.
+  void note_contour_block(double length) { contour_length_ += length; }
+  // Refuses a contour most of which goes in one loop, once it has been walked whole (D-39).
+  bool check_left_out();
+
+  // The first block that has neither left nor been left out.
+  [[nodiscard]] std::size_t next() const { return next_; }
+  // The pieces before `end`.
+  void release_to(std::size_t end, PathBlocks& out);
+  // A portion of them: up to what leaves as it came, where that is not next.
+  void release_portion(PathBlocks& out) { release_to(end_of_portion(), out); }
+  // What is left behind the last piece is left out at `place`, the end of the path.
+  void leave_out_rest(const Point& place, PathBlocks& out);
+
+  // The next blocks that leave as they came: with nothing before them, no riders, and up to `most`.
+  [[nodiscard]] Row next_as_they_came(std::size_t most) const;
+  void have_left(std::size_t count);
+  // What is travelled of the next block, where that is not all of it, and nothing comes out before
+  // it and rides on it; else null.
+  [[nodiscard]] const PathPiece* next_part() const;
+  void part_has_left();
+  // Passes by a loop that is left out next, if nothing comes out in its place.
+  void pass_by_without_trace();
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(next_, left_to_, longest_left_out_, contour_length_);
+  }
+
+ private:
+  [[nodiscard, gnu::always_inline]] HeldPath::Block path(std::size_t block) const {
+    return path_.block(block);
+  }
+  [[nodiscard]] std::size_t end_of_path() const { return path_.end(); }
+  [[nodiscard]] std::size_t number_of(std::size_t block) const { return path_.number_of(block); }
+
+  [[nodiscard]] bool next_stands_for_itself() const;
+  [[nodiscard]] std::size_t end_of_portion() const;
+  void release(std::size_t number, PathBlocks& out);
+  void release_linear(std::size_t transition, PathBlocks& out);
+  // The blocks before `next` that are not travelled: a loop, left out at `place`.
+  void pass_by(const PathPlace& next, const Point& place, PathBlocks& out);
+  // The last contour block of those, or else the first of them; there is at least one.
+  [[nodiscard]] std::size_t last_dropped_before(std::size_t end) const;
+  // Whether nothing comes out in their place.
+  [[nodiscard]] bool leave_no_trace(std::size_t end) const;
+  // What is left out before the next place, at the point.
+  void report_masked(const PathPlace& next, const Point& place);
+  // From one place of the path to another one, which are next to a loop (D-39).
+  [[nodiscard]] LeftOut left_out(const PathPlace& from, const PathPlace& to) const;
+
+  HeldPath& path_;
+  WalkedPath& walked_;
+  const Obstacles& obstacles_;
+  std::size_t window_;
+  double largest_masked_share_;
+  Diagnostics& diagnostics_;
+
+  std::size_t next_ = 0;
+  static constexpr PathPlace none_left{HeldPath::most_blocks, 0};
+  PathPlace left_to_ = none_left;  // up to here a part of a block has left
+  // For a window only: of what has left, and of all contour blocks, mm.
+  LeftOut longest_left_out_{};
+  double contour_length_ = 0;
+};
+
+}  // namespace trc

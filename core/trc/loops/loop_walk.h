@@ -1,0 +1,187 @@
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "core/base/checkpoint.h"
+#include "core/base/diagnostics.h"
+#include "core/base/tolerances.h"
+#include "core/geometry/box_tree.h"
+#include "core/trc/loops/held_path.h"
+#include "core/trc/loops/loop_exit.h"
+#include "core/trc/loops/obstacles.h"
+#include "core/trc/loops/walked_path.h"
+
+namespace trc {
+
+// Goes along the path of a selection from its first point and notes what of it is travelled (rule
+// 5.1). Where the path comes nearer than the tool radius to any contour block, the walk goes on
+// along the part of the path that crosses it there, x, and leaves out what lies between. A loop
+// that stays clear of the contour stays. Where there is no crossing to go on from, the contour
+// cannot be machined with this radius (90019, 90038).
+//
+//        raw            result
+//      |  _           |
+//    --x-' )        --x
+//      '--'
+//
+// With a window of N contour blocks each new one may be in the way of what has been walked without
+// it: from there the path is walked again.
+class LoopWalk {
+ public:
+  // `window` in contour blocks; 0: all of them.
+  LoopWalk(const HeldPath& path, Obstacles& obstacles, WalkedPath& walked, std::size_t window,
+           const Tolerances& tolerances, Diagnostics& diagnostics, Checkpoint& checkpoint)
+      : path_(path),
+        obstacles_(obstacles),
+        walked_(walked),
+        window_(window),
+        tolerances_(tolerances),
+        diagnostics_(diagnostics),
+        checkpoint_(checkpoint),
+        exits_(path_, walked_, obstacles_, tolerances_, checkpoint) {}
+
+  // A new selection begins.
+  void begin();
+  // For a window only: a contour block has come, in that box. Up to `farthest_reach`, mm, a block
+  // of the path may be away from its contour block.
+  void note_contour_block(const Box& area, double farthest_reach);
+  // The contour has come to its end.
+  void end_contour() { ended_ = true; }
+  // Other contour blocks are walls now: what has not left is walked again.
+  void start_over();
+
+  // As far as the contour is known well enough; all the way when it has ended. Returns false once
+  // the stream must stop.
+  bool go_on();
+  // Whether it cannot go on yet: the last contour block that is known is what it ran into.
+  [[nodiscard]] bool is_waiting() const;
+  // The piece that is being walked; behind the path where that has been walked whole.
+  [[nodiscard]] const PathPiece& at() const { return at_; }
+  // Whether the contour is known a whole window beyond the block.
+  [[nodiscard]] bool has_had_its_window(std::size_t block) const {
+    return number_of(block) + window_ < end_of_contour();
+  }
+  // Places on the block have moved.
+  void forget_passes_on(std::size_t block);
+
+  // Behind the path, the obstacles and what has been walked.
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(walking_, at_, tolerated_.from, tolerated_.until, tolerated_.nearness, passes_);
+    if constexpr (Archive::is_loading::value) exact_from_ = walked_.end();
+  }
+
+ private:
+  // Blocks of the path are counted from the begin of the selection, contour blocks too.
+  using Onset = Obstacles::Onset;
+  using Nearness = Obstacles::Nearness;
+  enum class Step { done, wait, stop };
+  // Up to where the path may come how near. What lies before `from` has been looked at.
+  struct Tolerated {
+    double from = 0;  // mm along the block of `until`
+    PathPlace until{};
+    Nearness nearness = Nearness::passable;
+  };
+  // Where the walk might have left the path for its continuation, and has not.
+  struct Pass {
+    std::size_t block = 0;
+    LoopExit exit{};
+
+    template <class Archive>
+    void serialize(Archive& archive) {
+      archive(block, exit.piece, exit.leaves, exit.continues, exit.point);
+    }
+  };
+
+  bool set_out();
+  void reconsider(std::size_t number, const Box& area, double farthest_reach);
+  void walk_again_from(std::size_t piece, const Onset& onset);
+  // The last contour block is new: whether the path runs into it before the onset waited with.
+  void keep_waiting();
+  void drop_pieces(std::size_t kept);
+
+  // What to do about an onset in the block being walked.
+  Step leave(const Onset& onset);
+  Step leave_at_once(const Onset& onset);
+  // The path has come into the tool's reach, but not so far that it violates yet.
+  void pass(const Onset& onset, const std::optional<LoopExit>& exit);
+  // For as long as the path stays within reach of the obstacle.
+  void tolerate(const Onset& onset, Nearness nearness);
+  // The block being walked is travelled backwards. Returns whether there is a way to leave it out.
+  bool leave_backwards();
+  // Where nothing leads on from a violation: the last pass whose loop holds it is none.
+  bool leave_for_last_pass();
+  // Whether it is so little that it counts as none.
+  [[nodiscard]] bool counts_as_none(const Onset& violation);
+  // Whether what leads from here to there is all of a closed contour: no loop.
+  [[nodiscard]] bool is_seam(const LoopExit& exit) const;
+  // Whether these contour blocks, and some more of one by that, mm, can have the tool between them:
+  // a room whose neck is at the seam.
+  [[nodiscard]] bool encloses_room(std::size_t first, std::size_t end, double rest) const;
+  [[nodiscard]] bool is_closed() const;
+  // How far from the first and the last point of the path that may be, mm and blocks.
+  [[nodiscard]] double near_seam() const { return 0.01 * std::max(path_.radius_of_tool(0), 0.1); }
+  static constexpr std::size_t most_blocks_of_seam = 64;
+  // Whether the place of the onset is as good as the first point of the path, or as the last one.
+  [[nodiscard]] bool is_at_begin(const Onset& onset) const;
+  [[nodiscard]] bool is_at_end(const Onset& onset) const;
+  void jump(const LoopExit& exit);
+  void advance();
+  // The same for all blocks before this one.
+  void advance_to(std::size_t block);
+  // Walked: a piece of the block that has been walked so far.
+  void keep_cut();
+  bool refuse(const Onset& onset);
+  // Whether some of the block being walked may come nearer than `Nearness::exact` allows.
+  [[nodiscard]] bool is_tolerated() const { return tolerated_.until.block >= at_.block; }
+
+  [[nodiscard, gnu::always_inline]] HeldPath::Block path(std::size_t block) const {
+    return path_.block(block);
+  }
+  [[nodiscard, gnu::always_inline]] HeldPath::ContourBlock contour(std::size_t number) const {
+    return path_.contour_block(number);
+  }
+  [[nodiscard]] std::size_t end_of_path() const { return path_.end(); }
+  [[nodiscard]] std::size_t end_of_contour() const { return path_.end_of_contour(); }
+  [[nodiscard]] std::size_t number_of(std::size_t block) const { return path_.number_of(block); }
+  // Whether the contour is known `lead` blocks beyond the path block, or has ended.
+  [[nodiscard]] bool is_known(std::size_t block, std::size_t lead) const {
+    return ended_ || number_of(block) + lead < end_of_contour();
+  }
+
+  // The onset that counts, with the loops that do not violate let pass.
+  [[nodiscard]] std::optional<Onset> next_onset() const;
+  // Nothing is left between the corners of the block: it is travelled backwards.
+  [[nodiscard]] bool runs_backwards(std::size_t block) const;
+  // Whether the loop between two places soon does; it begins where the path enters the obstacle.
+  [[nodiscard]] bool violates_soon(const PathPlace& from, const PathPlace& to,
+                                   std::size_t obstacle) const;
+
+  const HeldPath& path_;
+  Obstacles& obstacles_;
+  WalkedPath& walked_;
+  std::size_t window_;
+  Tolerances tolerances_;
+  Diagnostics& diagnostics_;
+  Checkpoint& checkpoint_;
+  LoopExits exits_;
+
+  bool walking_ = false;
+  bool ended_ = false;  // the contour has
+  PathPiece at_{};
+  Tolerated tolerated_{};
+  std::vector<Pass> passes_;  // the last ones, whose loops the walk may still be in
+  // For a window only: the first piece of, or behind, the chain that ends with the last contour
+  // block.
+  std::size_t first_of_chain_ = 0;
+  // Likewise: the pieces from this one on come no nearer than `Nearness::exact` allows.
+  std::size_t exact_from_ = 0;
+  // Likewise: where the block being walked runs into the last contour block, and into no other one
+  // before that. Nothing can be done about it before there are more.
+  std::optional<Onset> waiting_with_;
+};
+
+}  // namespace trc
