@@ -10,6 +10,7 @@
 #include "core/base/in_one_piece.h"
 #include "core/geometry/parallel.h"
 #include "core/trc/corner/tool_path.h"
+#include "core/trc/loops/held_path_reader.h"
 #include "core/trc/passes/contour_violations.h"
 #include "core/trc/passes/offset.h"
 

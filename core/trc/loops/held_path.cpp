@@ -5,6 +5,7 @@
 #include <utility>
 #include <variant>
 
+#include "core/trc/loops/held_path_append.h"
 #include "core/trc/passes/offset.h"
 
 namespace trc {

@@ -4,16 +4,14 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
 #include <limits>
-#include <memory>
 #include <numbers>
 #include <span>
-#include <type_traits>
 #include <vector>
 
 #include "core/base/numbered_queue.h"
 #include "core/geometry/box_tree.h"
+#include "core/trc/loops/held_records.h"
 #include "core/trc/path_block.h"
 
 namespace trc {
@@ -27,8 +25,9 @@ namespace trc {
 // programmed contour blocks.
 class HeldPath {
  public:
-  // There are many: numbers are as narrow as they can be.
-  using Number = std::uint32_t;
+  using Number = held::Number;
+  using Setting = held::Setting;
+  using Cuts = held::Cuts;
   static constexpr std::size_t most_blocks = std::numeric_limits<Number>::max();
 
   // A contour block or one inserted between two.
@@ -47,32 +46,6 @@ class HeldPath {
     Number block = 0;  // its path
     ContourRole role = ContourRole::unspecified;
   };
-  // What one block after the other has in common.
-  struct Setting {
-    std::shared_ptr<const TrcMode> mode{};
-    double feed = 0;
-    AxisTravel normal{};
-    TrackingTravel tracking{};
-    Compensation at_start{};
-    Compensation at_end{};
-    bool rapid = false;
-    bool perpendicular_entry = false;
-    bool perpendicular_exit = false;
-    double radius = 0;
-
-    template <class Archive>
-    void serialize(Archive& archive) {
-      archive(mode, feed, normal, tracking, at_start, at_end, rapid, perpendicular_entry,
-              perpendicular_exit, radius);
-    }
-  };
-  // What the corners cut from the equidistant of an arc, as in PathBlock. Nobody asks for those of
-  // lines.
-  struct Cuts {
-    double at_start = 0;
-    double at_end = 0;
-  };
-
   // Takes the riders out of the block.
   void append(PathBlock& block);
   // To be called before one or more of the following, the short way for blocks of the same mode and
@@ -105,7 +78,7 @@ class HeldPath {
   [[nodiscard]] Block block(std::size_t number) const;
   [[nodiscard]] ContourBlock contour_block(std::size_t number) const;
   [[nodiscard]] Source source_of(std::size_t contour_block) const {
-    return source_of(contour_[contour_block]);
+    return held::source_of(contour_[contour_block]);
   }
   // Calls visit with the programmed path of a contour block, a Line, or an Arc with its Cuts.
   template <class Visit>
@@ -186,8 +159,7 @@ class HeldPath {
   void lengthen_end(std::size_t block, const Point& place, double by);
   void lengthen_start(std::size_t block, const Point& place, double by);
 
-  // Reads blocks in a row that have one setting, and to none of which there is more than that, its
-  // path, its contour block and what else is here.
+  // In held_path_reader.h.
   class Reader;
   [[nodiscard]] Reader read_from(std::size_t block) const;
 
@@ -208,109 +180,17 @@ class HeldPath {
   }
 
  private:
-  // Most blocks are lines; what an arc has beyond that lies apart.
-  struct KeptBlock {
-    Point start = Point::Zero();
-    Point end = Point::Zero();
-    Number number = 0;
-    Number setting = 0;
-    Number arc = 0;  // its own, or the next one
-    Role role = Role::contour;
-    Origin origin = Origin::programmed;
-    bool is_arc : 1 = false;
-    bool unreachable : 1 = false;
-    bool apart : 1 = false;   // inserted, but not by the contour block before it: Apart
-    bool linear : 1 = false;  // an arc lines stand in place of: lines_of()
+  using KeptBlock = held::KeptBlock;
+  using KeptArc = held::KeptArc;
+  using KeptContour = held::KeptContour;
+  using KeptCircle = held::KeptCircle;
+  using Riders = held::Riders;
+  using Apart = held::Apart;
 
-    template <class Archive>
-    void serialize(Archive& archive) {
-      bool its_arc = is_arc;
-      bool its_unreachable = unreachable;
-      bool its_apart = apart;
-      bool its_linear = linear;
-      archive(start, end, number, setting, arc, role, origin, its_arc, its_unreachable, its_apart,
-              its_linear);
-      is_arc = its_arc;
-      unreachable = its_unreachable;
-      apart = its_apart;
-      linear = its_linear;
-    }
-  };
-  struct KeptArc {
-    Point center = Point::Zero();
-    double sweep = 0;
-
-    template <class Archive>
-    void serialize(Archive& archive) {
-      archive(center, sweep);
-    }
-  };
-  struct KeptContour {
-    Point start = Point::Zero();
-    Point end = Point::Zero();
-    std::uint64_t index = 0;  // index, n_word, line and part: its Source
-    std::int64_t n_word = 0;
-    std::uint32_t line = 0;
-    Number block = 0;
-    Number circle = 0;  // its own, or the next one
-    bool is_arc = false;
-    ContourRole role = ContourRole::unspecified;
-    std::uint8_t part = 0;
-
-    template <class Archive>
-    void serialize(Archive& archive) {
-      archive(start, end, index, n_word, line, block, circle, is_arc, role, part);
-    }
-  };
-  struct KeptCircle {
-    KeptArc arc{};
-    Cuts cuts{};
-
-    template <class Archive>
-    void serialize(Archive& archive) {
-      archive(arc, cuts.at_start, cuts.at_end);
-    }
-  };
-  struct Riders {
-    std::size_t block = 0;
-    std::vector<PassiveBlock> blocks{};
-
-    template <class Archive>
-    void serialize(Archive& archive) {
-      archive(block, blocks);
-    }
-  };
-
-  // What an inserted block does not have in common with the contour block before it: there is
-  // none, or it is another one that has inserted it.
-  struct Apart {
-    std::size_t block = 0;
-    Cuts cuts{};
-    Source source{};
-
-    template <class Archive>
-    void serialize(Archive& archive) {
-      archive(block, cuts.at_start, cuts.at_end, source);
-    }
-  };
-
-  static Source source_of(const KeptContour& kept) {
-    return {.index = kept.index, .number = kept.n_word, .line = kept.line, .part = kept.part};
-  }
   // Of the contour block of a block, or of one behind it.
   [[nodiscard]] std::size_t first_circle_of(std::size_t block) const {
     return contour_.empty() ? 0 : contour_[number_of(block)].circle;
   }
-  // Of either kind.
-  template <class Kept>
-  static Line line_of(const Kept& kept) {
-    return {.start = kept.start, .end = kept.end};
-  }
-  template <class Kept>
-  static Arc arc_of(const Kept& kept, const KeptArc& arc) {
-    return {.start = kept.start, .end = kept.end, .center = arc.center, .sweep = arc.sweep};
-  }
-
   // That of the last block, where it is the same.
   [[nodiscard]] Number note_setting(const PathBlock& block);
   [[nodiscard]] Number note_setting_like_last(const MotionBlock& motion);
@@ -337,76 +217,6 @@ class HeldPath {
   bool has_roles_ = false;
 };
 
-template <class Programmed, class Path>
-[[gnu::always_inline]] inline void HeldPath::append_contour(const MotionBlock& block,
-                                                            const Programmed& programmed,
-                                                            const Path& path, const Cuts& cuts,
-                                                            bool unreachable) {
-  keep_contour(block, programmed, cuts);
-  keep_path(path, note_setting_like_last(block), Role::contour, Origin::programmed, unreachable);
-}
-
-template <class Path>
-[[gnu::always_inline]] inline void HeldPath::append_transition(const Path& path, bool unreachable) {
-  keep_path(path, last_setting(), Role::inserted, Origin::transition, unreachable);
-}
-
-template <class Path>
-[[gnu::always_inline]] inline void HeldPath::append_transition(const MotionBlock& inserted,
-                                                               const Path& path, bool unreachable) {
-  keep_path(path, note_setting_like_last(inserted), Role::inserted, Origin::transition,
-            unreachable);
-}
-
-template <class Programmed>
-[[gnu::always_inline]] inline void HeldPath::keep_contour(const MotionBlock& block,
-                                                          const Programmed& programmed,
-                                                          const Cuts& cuts) {
-  has_roles_ = has_roles_ || block.role != ContourRole::unspecified;
-  contour_.push_made([&] {
-    return KeptContour{.start = programmed.start,
-                       .end = programmed.end,
-                       .index = block.source.index,
-                       .n_word = block.source.number,
-                       .line = block.source.line,
-                       .block = static_cast<Number>(blocks_.end()),
-                       .circle = static_cast<Number>(circles_.end()),
-                       .is_arc = std::is_same_v<Programmed, Arc>,
-                       .role = block.role,
-                       .part = block.source.part};
-  });
-  if constexpr (std::is_same_v<Programmed, Arc>)
-    circles_.push_back({.arc = {programmed.center, programmed.sweep}, .cuts = cuts});
-}
-
-template <class Path>
-[[gnu::always_inline]] inline HeldPath::KeptBlock& HeldPath::keep_path(const Path& path,
-                                                                       Number setting, Role role,
-                                                                       Origin origin,
-                                                                       bool unreachable) {
-  const auto arc = static_cast<Number>(arcs_.end());
-  if constexpr (std::is_same_v<Path, Arc>) arcs_.push_back({path.center, path.sweep});
-  return blocks_.push_made([&] {
-    return KeptBlock{.start = path.start,
-                     .end = path.end,
-                     .number = static_cast<Number>(contour_.end() > 0 ? contour_.end() - 1 : 0),
-                     .setting = setting,
-                     .arc = arc,
-                     .role = role,
-                     .origin = origin,
-                     .is_arc = std::is_same_v<Path, Arc>,
-                     .unreachable = unreachable};
-  });
-}
-
-[[gnu::always_inline]] inline HeldPath::Number HeldPath::note_setting_like_last(
-    const MotionBlock& motion) {
-  const Setting& last = settings_.back();
-  const bool same = last.feed == motion.feed && last.normal == motion.normal &&
-                    last.rapid == motion.rapid && last.tracking == motion.tracking;
-  return same ? last_setting() : note_changed_setting(motion);
-}
-
 inline HeldPath::Way HeldPath::way_along(std::size_t block, std::size_t most, Point place) const {
   auto blocks = blocks_.from(block);
   for (; block < most; ++block) {
@@ -415,71 +225,6 @@ inline HeldPath::Way HeldPath::way_along(std::size_t block, std::size_t most, Po
     place = kept.end;
   }
   return {block, place};
-}
-
-class HeldPath::Reader {
- public:
-  Reader(const HeldPath& path, std::size_t block);
-  // Goes on to the first block, or the next one. Returns false, and is of no use any more, where
-  // that has another setting or is one that stands apart.
-  [[nodiscard]] bool next();
-
-  [[nodiscard]] const Setting& setting() const { return setting_; }
-  // Of the block it is at.
-  [[nodiscard]] bool is_contour() const { return block_->role == Role::contour; }
-  // Then it has lines_of(), and no path.
-  [[nodiscard]] bool is_linear() const { return block_->linear; }
-  [[nodiscard]] Origin origin() const { return block_->origin; }
-  [[nodiscard]] Source source() const { return source_of(*contour_); }
-  // Calls visit with its path, a Line or an Arc; and as HeldPath does, where it is a contour block.
-  template <class Visit>
-  [[nodiscard]] auto visit_path(Visit visit) const {
-    return block_->is_arc ? visit(arc_of(*block_, *arc_)) : visit(line_of(*block_));
-  }
-  template <class Visit>
-  [[nodiscard]] auto visit_programmed(Visit visit) const {
-    if (!contour_->is_arc) return visit(line_of(*contour_));
-    return visit(arc_of(*contour_, circle_->arc), circle_->cuts);
-  }
-
- private:
-  void read_contour() {
-    contour_ = &contours_.next();
-    if (contour_->is_arc) circle_ = &circles_.next();
-  }
-
-  Number kept_setting_;
-  const Setting& setting_;
-  NumberedQueue<KeptBlock>::Reader blocks_;
-  NumberedQueue<KeptArc>::Reader arcs_;
-  NumberedQueue<KeptContour>::Reader contours_;
-  NumberedQueue<KeptCircle>::Reader circles_;
-  const KeptBlock* block_ = nullptr;
-  const KeptArc* arc_ = nullptr;
-  const KeptContour* contour_ = nullptr;
-  const KeptCircle* circle_ = nullptr;
-};
-
-[[gnu::always_inline]] inline HeldPath::Reader::Reader(const HeldPath& path, std::size_t block)
-    : kept_setting_(path.blocks_[block].setting),
-      setting_(path.settings_[kept_setting_]),
-      blocks_(path.blocks_.from(block)),
-      arcs_(path.arcs_.from(path.blocks_[block].arc)),
-      contours_(path.contour_.from(path.number_of(block))),
-      circles_(path.circles_.from(path.first_circle_of(block))) {
-  if (!path.contour_.empty() && !path.is_contour(block)) read_contour();
-}
-
-[[gnu::always_inline]] inline bool HeldPath::Reader::next() {
-  block_ = &blocks_.next();
-  if (block_->setting != kept_setting_ || block_->apart) return false;
-  if (is_contour()) read_contour();
-  if (block_->is_arc) arc_ = &arcs_.next();
-  return true;
-}
-
-inline HeldPath::Reader HeldPath::read_from(std::size_t block) const {
-  return Reader(*this, block);
 }
 
 [[gnu::always_inline]] inline HeldPath::Block HeldPath::block(std::size_t number) const {

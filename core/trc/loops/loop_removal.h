@@ -7,7 +7,7 @@
 #include "core/base/diagnostics.h"
 #include "core/base/tolerances.h"
 #include "core/trc/compensator.h"
-#include "core/trc/loops/held_path.h"
+#include "core/trc/loops/held_path_append.h"
 #include "core/trc/loops/linear_transitions.h"
 #include "core/trc/loops/loop_release.h"
 #include "core/trc/loops/loop_walk.h"
