@@ -16,6 +16,7 @@
 #include "core/trc/passes/reporting.h"
 #include "core/trc/passes/transitions.h"
 #include "core/trc/selection/inside_corner.h"
+#include "core/trc/selection/refused_way.h"
 #include "core/trc/selection/split.h"
 #include "tests/bench/part.h"
 #include "tests/bench/timed.h"
@@ -91,14 +92,15 @@ class Passes {
 
   Diagnostics diagnostics_;
   Checkpoint checkpoint_{{}};
+  selection::RefusedWay refused_way_{};
   RelevantBlocks relevant_blocks_{setup(), diagnostics_};
   ConvertCircles convert_circles_{setup().tolerances};
   KerfMasking kerf_masking_{true, setup().tolerances};
   Offset offset_{setup().tolerances, diagnostics_};
   selection::InsideCorner inside_corner_{setup().limits.selection_blocks, setup().tolerances,
-                                         diagnostics_, checkpoint_};
+                                         diagnostics_, checkpoint_, refused_way_};
   ContourMasking contour_masking_{setup(), diagnostics_, checkpoint_};
-  Transitions transitions_{setup().tolerances, diagnostics_};
+  Transitions transitions_{setup().tolerances, diagnostics_, refused_way_};
   LoopRemoval loop_removal_{setup(), diagnostics_, checkpoint_};
   ContourViolations contour_violations_{setup().tolerances, diagnostics_};
   Bottlenecks bottlenecks_{setup(), diagnostics_, checkpoint_};

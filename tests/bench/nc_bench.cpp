@@ -117,7 +117,7 @@ void writing(benchmark::State& state) {
       state, Part::blocks_per_lap,
       [&] {
         reading.lines.clear();
-        writer.let_go_lines([&](LinePointer line) { reading.lines.push_back(std::move(line)); });
+        writer.release_lines([&](LinePointer line) { reading.lines.push_back(std::move(line)); });
         reading.forget();
         reading.lap();
         prepare();
