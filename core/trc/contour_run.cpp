@@ -9,6 +9,7 @@
 
 #include "core/base/in_one_piece.h"
 #include "core/geometry/parallel.h"
+#include "core/trc/corner/bow_tie.h"
 #include "core/trc/corner/tool_path.h"
 #include "core/trc/loops/held_path_reader.h"
 #include "core/trc/passes/contour_violations.h"
@@ -49,7 +50,8 @@ bool is_plain(const PathBlock& block) {
   return block.role == Role::contour && block.origin == Origin::programmed &&
          block.at_start == block.at_end && !block.perpendicular_entry &&
          !block.perpendicular_exit && !block.path_given && !block.masked && !block.rejoin &&
-         !block.unreachable && block.riders.empty() && block.riders_after_exit.empty();
+         !block.unreachable && !block.behind_tip && block.riders.empty() &&
+         block.riders_after_exit.empty();
 }
 
 }  // namespace
@@ -165,6 +167,10 @@ TRC_IN_ONE_PIECE bool ContourRun::join(const Corner& corner, const Step& before,
     case CornerKind::inside:
       break;
   }
+  // What it is depends on the block behind.
+  if (removes_loops_ && after.length <= longest_in_bow_tie(largest_bow_tie(
+                                            tolerances_.input_resolution, std::abs(shift_))))
+    return false;
   return join_inside(corner, before, after, out);
 }
 

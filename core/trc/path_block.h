@@ -62,6 +62,7 @@ struct PathBlock {
   Segment tool_path{};
   Point tool_start = Point::Zero();
   bool path_given = false;  // a G05 arc: tool_path stands before the ends are known
+  bool behind_tip = false;  // the tool goes round the corner before it whatever its angle (D-44)
   double cut_at_start = 0;
   double cut_at_end = 0;
   bool splittable = false;  // an approach or retract line that SPLIT may divide

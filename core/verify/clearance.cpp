@@ -124,6 +124,7 @@ class Selection {
                      }};
     if (has_roles)
       view.role = [&](std::size_t number) { return held_.programmed()[places[number]].role; };
+    if (!places.empty()) view.shift = rule(places.front()).side == Side::left ? 1 : -1;
     return find_walls(view, changes, leads, radius);
   }
 

@@ -165,7 +165,8 @@ void read_limits(const v1::PathSetup& message, const FieldPath& path, Compensato
     compensator.smallest_feed_factor = message.min_feed_factor();
   if (message.has_input_resolution() && check_range(message.input_resolution(), 0, 0.1, "mm",
                                                     FieldPath(path, "input_resolution"), faults))
-    compensator.tolerances.input_resolution = message.input_resolution();
+    compensator.tolerances.input_resolution = compensator.leads.input_resolution =
+        message.input_resolution();
   compensator.implicit_contour_masking = message.implicit_contour_masking();
   compensator.circular_kerf_masking =
       kerf_methods.from_proto(message.kerf_method(), FieldPath(path, "kerf_method"), faults)

@@ -50,7 +50,7 @@ TEST(PathLengths, AreThoseOfTheWholePath) {
     EXPECT_NEAR(length_of_path(out), expected, part * expected);
     ++count;
   }
-  EXPECT_EQ(count, 7U);
+  EXPECT_EQ(count, 8U);
 }
 
 }  // namespace

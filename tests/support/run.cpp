@@ -136,7 +136,8 @@ std::string difference(std::vector<Plain> actual, std::vector<Plain> expected, d
 }  // namespace
 
 CompensatorSetup all_walls() {
-  return {.leads = {.find = LeadSettings::Find::none}, .largest_masked_share = 1};
+  return {.leads = {.find = LeadSettings::Find::none, .input_resolution = 0},
+          .largest_masked_share = 1};
 }
 
 const Diagnostic* Outcome::error() const {

@@ -25,7 +25,8 @@ struct Outcome {
   [[nodiscard]] const Diagnostic* error() const;
 };
 
-// No block is a lead, and any share may be masked: random contours run over themselves.
+// No block is a lead, any share may be masked, and of a bow tie all is a wall however small it is:
+// random contours run over themselves.
 [[nodiscard]] CompensatorSetup all_walls();
 
 // A PathSession fed with motions in the plane of its mode, from a start point.

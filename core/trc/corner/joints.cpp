@@ -163,7 +163,9 @@ Corner corner_between(const PathBlock& before, const PathBlock& after,
   corner.after = is_contour(after) ? offset_curve(after.programmed.path, after.tangent_at_start,
                                                   after.offset_start, corner.shift)
                                    : straight(after.offset_start, after.tangent_at_start);
-  corner.reversal = reversal_of(corner, before.programmed.path, after.programmed.path, tolerances);
+  corner.reversal = after.behind_tip ? Reversal::tip
+                                     : reversal_of(corner, before.programmed.path,
+                                                   after.programmed.path, tolerances);
   return corner;
 }
 

@@ -40,6 +40,8 @@ void LinearTransitions::replace(std::size_t piece) {
   if (!may_replace(piece) || !are_neighbours(piece)) return;
   const std::size_t block = walked_.kept(piece).block;
   const Corner corner = corner_behind(path_.number_of(block));
+  // The arc round a bow tie stays.
+  if (kind_of(corner, tolerances_) != CornerKind::outside) return;
   const Joint joint = transition_joint(corner, path_.mode_of(block + 1), tolerances_);
   const auto inserted = joint.inserted();
   const bool stays = inserted.size() == 1 && is_arc(*inserted.front());

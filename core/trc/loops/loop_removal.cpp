@@ -5,6 +5,7 @@
 #include <numbers>
 #include <utility>
 
+#include "core/trc/corner/bow_tie.h"
 #include "core/trc/selection/selection_limit.h"
 #include "core/trc/walls/closing.h"
 
@@ -101,6 +102,7 @@ void LoopRemoval::begin_selection() {
   farthest_reach_ = 0;
   apart_ = false;
   has_linear_ = false;
+  has_short_ = false;
   obstacles_.clear();
   obstacles_.set_walls({});
   walked_.clear();
@@ -114,6 +116,7 @@ void LoopRemoval::find_walls() {
   ContourView view{.count = end_of_contour(),
                    .segment = [this](std::size_t number) { return contour(number).programmed; }};
   if (path_.has_roles()) view.role = [this](std::size_t number) { return contour(number).role; };
+  if (has_short_) view.shift = path_.setting_of(end_of_path() - 1).at_end.shift;
   Walls walls = trc::find_walls(view, lead_settings_, largest_radius_);
   if (walls.are_plain()) return;
   obstacles_.set_walls(std::move(walls));
@@ -150,6 +153,8 @@ bool LoopRemoval::hold(PathBlock& block) {
 
 void LoopRemoval::note_contour_block(const Box& programmed, const Certificate::Block& course) {
   obstacles_.append(course, programmed, std::exchange(apart_, false));
+  has_short_ = has_short_ ||
+               programmed.sizes().maxCoeff() <= longest_in_bow_tie(tolerances_.input_resolution);
   if (window_ == 0) return;
   release_.note_contour_block(length_of(contour(end_of_contour() - 1).programmed));
   walk_.note_contour_block(programmed, farthest_reach_);

@@ -91,8 +91,8 @@ class LoopRemoval {
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(entering_, path_, largest_radius_, farthest_reach_, apart_, has_linear_, obstacles_,
-            walked_, walk_, linear_, release_);
+    archive(entering_, path_, largest_radius_, farthest_reach_, apart_, has_linear_, has_short_,
+            obstacles_, walked_, walk_, linear_, release_);
   }
 
  private:
@@ -135,6 +135,7 @@ class LoopRemoval {
   double farthest_reach_ = 0;  // how far from a block its path may lie, mm
   bool apart_ = false;         // the next contour block does not meet the last one
   bool has_linear_ = false;    // the selection asks for linear transitions
+  bool has_short_ = false;     // a contour block may be one of a bow tie
   Obstacles obstacles_;
   WalkedPath walked_;
   LoopWalk walk_;

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/geometry/parallel.h"
+#include "core/trc/corner/bow_tie.h"
 #include "core/trc/corner/joints.h"
 #include "core/trc/corner/tool_path.h"
 #include "core/trc/selection/on_path.h"
@@ -95,6 +96,38 @@ Origin origin_of_insertions(const PathBlock& before, const PathBlock& after) {
 }  // namespace
 
 bool Transitions::feed(PathBlockPtr&& block, PathBlocks& out) {
+  if (short_ && !take_short(block.get(), out)) return false;
+  if (may_be_tied(*block)) {
+    short_ = std::move(block);
+    return true;
+  }
+  return take(std::move(block), out);
+}
+
+bool Transitions::may_be_tied(const PathBlock& block) const {
+  if (!held_ || !is_contour(*held_) || !is_contour(block) || !block.removes_loops() ||
+      block.masked || block.rejoin || !continues(block) || !masked_.empty() ||
+      held_->at_end != block.at_start || block.at_start != block.at_end)
+    return false;
+  const double turn = cross(held_->tangent_at_end, block.tangent_at_start);
+  return turn * block.at_start.shift > 0 &&
+         length_of(block.programmed.path) <= longest_in_bow_tie(largest_bow_tie_for(block));
+}
+
+bool Transitions::take_short(PathBlock* after, PathBlocks& out) {
+  PathBlockPtr between = std::exchange(short_, nullptr);
+  const bool goes_on = after != nullptr && is_contour(*after) && !after->masked && !after->rejoin &&
+                       continues(*after) && after->at_start == between->at_end;
+  if (goes_on) {
+    const auto tie = bow_tie_of(held_->programmed.path, between->programmed.path,
+                                after->programmed.path, largest_bow_tie_for(*between));
+    if (tie && tie->turns_left == (between->at_start.shift > 0))
+      (tie->tip_at_end ? *after : *between).behind_tip = true;
+  }
+  return take(std::move(between), out);
+}
+
+bool Transitions::take(PathBlockPtr&& block, PathBlocks& out) {
   if (block->role == Role::passive) {
     out.push_back(std::move(block));
     return true;
@@ -103,8 +136,7 @@ bool Transitions::feed(PathBlockPtr&& block, PathBlocks& out) {
     masked_.push_back(std::move(block));
     return true;
   }
-  const bool continues = held_ && block->at_start.active && !block->perpendicular_entry;
-  if (continues) {
+  if (held_ && continues(*block)) {
     if (!join(*block, out)) return false;
   } else {
     if (held_) leave(&start_of(block->programmed.path), out);
@@ -119,6 +151,7 @@ bool Transitions::feed(PathBlockPtr&& block, PathBlocks& out) {
 }
 
 bool Transitions::drain(PathBlocks& out) {
+  if (short_ && !take_short(nullptr, out)) return false;
   if (held_) leave(nullptr, out);
   return true;
 }

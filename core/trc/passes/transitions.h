@@ -5,6 +5,7 @@
 
 #include "core/base/diagnostics.h"
 #include "core/base/tolerances.h"
+#include "core/trc/corner/bow_tie.h"
 #include "core/trc/corner/corner.h"
 #include "core/trc/corner/joints.h"
 #include "core/trc/path_block.h"
@@ -23,7 +24,8 @@ namespace trc {
 //
 // P is the programmed corner. What is inserted: table of rule 4.2, G25 and
 // G26; where the contour begins and ends: the rules of the selection modes in
-// selection/. Does not see further than the next relevant block.
+// selection/. Does not see further than the next relevant block, or where that may be the short one
+// of a bow tie, the one behind it.
 class Transitions {
  public:
   Transitions(const Tolerances& tolerances, Diagnostics& diagnostics,
@@ -32,16 +34,31 @@ class Transitions {
 
   bool feed(PathBlockPtr&& block, PathBlocks& out);
   bool drain(PathBlocks& out);
-  [[nodiscard]] std::size_t look_ahead() const { return 1; }
+  [[nodiscard]] std::size_t look_ahead() const { return 2; }
   // The block whose end is still open, if nothing waits behind it. ContourRun goes on from it.
-  [[nodiscard]] PathBlock* open_block() { return masked_.empty() ? held_.get() : nullptr; }
+  [[nodiscard]] PathBlock* open_block() {
+    return masked_.empty() && !short_ ? held_.get() : nullptr;
+  }
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(held_, masked_, deepest_told_);
+    archive(held_, short_, masked_, deepest_told_);
   }
 
  private:
+  // In order, once it is known what the corners about a short block are.
+  bool take(PathBlockPtr&& block, PathBlocks& out);
+  // Whether the block goes on from the held one by an inside corner and may be the short one of a
+  // bow tie.
+  [[nodiscard]] bool may_be_tied(const PathBlock& block) const;
+  [[nodiscard]] double largest_bow_tie_for(const PathBlock& block) const {
+    return largest_bow_tie(tolerances_.input_resolution, std::abs(block.at_start.shift));
+  }
+  // Takes the short block, and says where the tool goes round a tip with the one behind it.
+  bool take_short(PathBlock* after, PathBlocks& out);
+  [[nodiscard]] bool continues(const PathBlock& block) const {
+    return block.at_start.active && !block.perpendicular_entry;
+  }
   // A contour begins, or TRC is off: the block does not continue the held one.
   void enter(PathBlock& block, PathBlocks& out) const;
   // The contour ends with the held block. With G239 the next block starts in
@@ -62,7 +79,8 @@ class Transitions {
   Diagnostics& diagnostics_;
   selection::RefusedWay& refused_way_;
   PathBlockPtr held_;
-  PathBlocks masked_;        // behind the held block
+  PathBlockPtr short_;       // behind the held block, of a bow tie where the next one crosses that
+  PathBlocks masked_;        // likewise, masked
   double deepest_told_ = 0;  // mm, of corners that wear mode does not reach
 };
 

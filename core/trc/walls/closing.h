@@ -15,6 +15,9 @@ struct ContourView {
   std::size_t count = 0;
   std::function<Segment(std::size_t number)> segment{};
   std::function<ContourRole(std::size_t number)> role{};  // empty: no block is marked
+  // To which side of the contour its path is, left of it where positive; 0: bow ties are not
+  // looked for.
+  double shift = 0;
 };
 
 // A place on a contour block.

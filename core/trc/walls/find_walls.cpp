@@ -1,10 +1,12 @@
 #include <algorithm>
+#include <array>
 #include <memory_resource>
 #include <span>
 #include <utility>
 #include <vector>
 
 #include "core/base/tolerances.h"
+#include "core/trc/corner/bow_tie.h"
 #include "core/trc/walls/closing.h"
 #include "core/trc/walls/rings.h"
 #include "core/trc/walls/scratch.h"
@@ -141,6 +143,35 @@ Closing where_laps_meet(Closing closing) {
   return closing;
 }
 
+// Of a bow tie nothing is a wall but the tip the tool goes round: what is beyond the crossing goes.
+// Where both corners are outside, the path keeps clear of all of it.
+void untie(std::size_t number, double length, const BowTie& tie, Walls& walls) {
+  for (const std::size_t one : {number - 1, number, number + 1})
+    if (walls.is_lead(one) || walls.part_of(one)) return;
+  // Of the short block: as much as has a direction.
+  const double tip = std::min(1e-7, length);  // mm
+  std::array<Walls::Part, 2> parts{
+      {{.number = number - 1, .to = tie.along_before}, {.number = number, .from = length - tip}}};
+  if (!tie.tip_at_end)
+    parts = {{{.number = number, .to = tip}, {.number = number + 1, .from = tie.along_after}}};
+  const auto behind =
+      std::partition_point(walls.parts.begin(), walls.parts.end(),
+                           [&](const Walls::Part& part) { return part.number < number; });
+  walls.parts.insert(behind, parts.begin(), parts.end());
+}
+
+void untie(const ContourView& contour, double largest, Walls& walls) {
+  const double longest = longest_in_bow_tie(largest);
+  const bool is_left = contour.shift > 0;
+  for (std::size_t number = 1; number + 1 < contour.count; ++number) {
+    const Segment between = contour.segment(number);
+    if ((end_of(between) - start_of(between)).cwiseAbs().maxCoeff() > longest) continue;
+    const auto tie =
+        bow_tie_of(contour.segment(number - 1), between, contour.segment(number + 1), largest);
+    if (tie && tie->turns_left == is_left) untie(number, length_of(between), *tie, walls);
+  }
+}
+
 }  // namespace
 
 Walls find_walls(const ContourView& contour, const LeadSettings& settings, double tool_radius) {
@@ -166,6 +197,8 @@ Walls find_walls(const ContourView& contour, const LeadSettings& settings, doubl
     for (std::size_t number = 0; number < contour.count; ++number)
       leads.mark(number, contour.role(number));
   leads.give_to(walls);
+  if (contour.shift != 0)
+    untie(contour, largest_bow_tie(settings.input_resolution, tool_radius), walls);
   return walls;
 }
 

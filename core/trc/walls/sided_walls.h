@@ -29,7 +29,7 @@ struct SidedWalls {
   }
 };
 
-// `changes`: in order, none at the begin or the end of the contour.
+// `changes`: in order, none at the begin or the end of the contour; its shift is that of its begin.
 [[nodiscard]] SidedWalls find_walls(const ContourView& contour, std::vector<std::size_t> changes,
                                     const LeadSettings& settings, double tool_radius);
 

@@ -6,6 +6,8 @@
 #include <optional>
 #include <vector>
 
+#include "core/base/tolerances.h"
+
 namespace trc {
 
 // Which blocks of a contour are leads: no walls, as they bound no material (D-38).
@@ -19,6 +21,8 @@ struct LeadSettings {
   std::size_t blocks_in = 0;  // of `counted`
   std::size_t blocks_out = 0;
   double closing_tolerance = 0.01;  // mm
+  // What of a bow tie smaller than this is beyond the crossing is no wall, mm (D-44).
+  double input_resolution = Tolerances{}.input_resolution;
 };
 
 // What bounds material in the contour of one selection, and for whose path (D-38). Plain data:
