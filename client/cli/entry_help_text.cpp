@@ -93,6 +93,7 @@ std::string blocks(const std::string& which, std::uint32_t count) {
 }
 
 std::string words_of_leads(const EntryHelp& help) {
+  if (help.leaves) return "what leads off the contour has to be another one: replace the retract";
   std::string text = "what leads to the contour has to be another one: replace the approach";
   if (help.replaced > 0) text += " and " + blocks("the ", help.replaced) + " behind it, as leads";
   if (help.left_out > 0)
@@ -101,7 +102,7 @@ std::string words_of_leads(const EntryHelp& help) {
 }
 
 std::string first_line(const EntryHelp& help, const Words& words) {
-  if (!help.leaves && help.needed_length == 0 && !help.legal) return words_of_leads(help);
+  if (help.needed_length == 0 && !help.legal) return words_of_leads(help);
   std::string text = help.leaves ? "the retract is " : "the approach is ";
   text += millimetres(help.given_length) + " long";
   if (help.needed_length > 0) text += " and needs at least " + millimetres(help.needed_length);

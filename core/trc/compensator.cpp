@@ -37,7 +37,7 @@ struct Compensator::Passes {
         checkpoint(setup.interrupt),
         take_portion(setup.take_portion),
         engine(setup.engine),
-        relevant_blocks(setup, log),
+        relevant_blocks(setup, log, refused_way),
         convert_circles(setup.tolerances),
         kerf_masking(setup.circular_kerf_masking, setup.tolerances),
         offset(setup.tolerances, log),

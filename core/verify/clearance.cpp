@@ -22,8 +22,12 @@ constexpr double longest_probe = 2;  // rad
 // Pieces one behind the other are near to the same walls: those are looked for together.
 constexpr std::size_t group_size = 16;
 
+// What is told of the worst place, and what is looked for below the least margin that was seen, are
+// each exact to half of it.
+constexpr double half_resolution = margin_resolution / 2;  // mm
+
 // Where one piece of path was clear, those as near to it need not be searched again.
-constexpr double slack = margin_resolution / 2;  // mm
+constexpr double slack = half_resolution / 2;  // mm
 
 // Measures the path of one selection.
 class Selection {
@@ -174,9 +178,8 @@ class Selection {
 
   // A margin from here on changes nothing of the report.
   [[nodiscard]] double margin_of_interest() const {
-    const double worst = report_.worst ? report_.worst->margin() - margin_resolution
-                                       : std::numeric_limits<double>::infinity();
-    return gouges_ ? worst : std::max(worst, -allowed_);
+    const double lower = least_ - half_resolution;
+    return gouges_ ? lower : std::max(lower, -allowed_);
   }
 
   // Path that stands still, beside as many walls as a full circle has, or nearly so.
@@ -227,7 +230,7 @@ class Selection {
     }
     const Gap gap = gap_between(path.piece, wall);
     if (gap.distance < limit + slack) is_near_ = true;
-    if (gap.distance < limit) note(path, gap.distance, required, gap.on_a, block.source);
+    note(path, gap.distance, required, gap.on_a, block.source);
   }
 
   // One of them lies in the lap of the path itself: as far behind the begin of that.
@@ -259,7 +262,11 @@ class Selection {
             const Source& wall) {
     const double margin = distance - required;
     if (margin < -allowed_) gouges_ = true;
-    if (report_.worst && report_.worst->margin() <= margin) return;
+    if (margin >= least_) return;
+    // Whatever was compared counts, also what is not told: else walls that are a little less far
+    // than what is told, as around a tool that goes round in a hole, would be near for ever.
+    least_ = margin;
+    if (report_.worst && margin > report_.worst->margin() - half_resolution) return;
     const ProgrammedPiece& own = held_.programmed()[path.programmed];
     const Rule& rule = held_.rule_of(own);
     report_.worst = {.distance = distance,
@@ -289,6 +296,7 @@ class Selection {
   bool is_plain_ = false;  // all of the contour is a wall for all of the path
   WallTree tree_;
   ClearanceReport report_;
+  double least_ = std::numeric_limits<double>::infinity();  // margin that was seen, mm
   std::vector<std::vector<Stretch>> touched_;  // of each programmed piece, where that is asked for
   std::vector<WallTree::Stretch> near_;        // to the group of pieces that is being measured
   // A place of the path that is clear with `slack` to spare.

@@ -15,7 +15,7 @@
 namespace trc::server::http {
 namespace {
 
-constexpr std::array<Route, 18> table{{
+constexpr std::array<Route, 19> table{{
     {"POST", "/v1/programs:compensate", Body::program, true, "text/plain,application/x-ndjson",
      "Compensates an NC program: NC text in, NC text with TRC resolved out, or the path as JSON "
      "lines",
@@ -32,6 +32,9 @@ constexpr std::array<Route, 18> table{{
      compensate_path},
     {"POST", "/v1/paths:verify", Body::message, false, "application/json",
      "Compensates a path and measures it against the contour", verify_path},
+    {"POST", "/v1/paths:surveyRadii", Body::message, false, "application/json",
+     "Says what tools of many radii make of a path: a SurveyPathRequest in, a SurveyAnswer out",
+     survey_path},
     {"POST", "/v1/views", Body::program, true, "application/json",
      "Keeps a program and its path to be looked at: a View", make_view},
     {"GET", "/v1/views/{id}", Body::none, false, "application/json", "The View again", view_said},

@@ -219,8 +219,10 @@ void start(Api& api, const ExchangePointer& exchange, const MethodDescriptor& me
       if (!question.fault.empty())
         return format->refuse(exchange, {StatusCode::INVALID_ARGUMENT, question.fault});
       exchange->request().body = {};
-      Run::start(api, exchange, "/" + method.service()->full_name() + "/" + method.name(),
-                 std::make_unique<OneQuestion>(RpcCall::bytes_of(question.bytes)), format);
+      Run::start(
+          api, exchange, "/" + method.service()->full_name() + "/" + method.name(),
+          std::make_unique<PreparedQuestions>(std::vector{RpcCall::bytes_of(question.bytes)}),
+          format);
     });
   });
 }

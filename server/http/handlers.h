@@ -12,6 +12,7 @@ void verify_program(Api& api, const ExchangePointer& exchange);
 void survey_program(Api& api, const ExchangePointer& exchange);
 void compensate_path(Api& api, const ExchangePointer& exchange);
 void verify_path(Api& api, const ExchangePointer& exchange);
+void survey_path(Api& api, const ExchangePointer& exchange);
 void make_view(Api& api, const ExchangePointer& exchange);
 void view_said(Api& api, const ExchangePointer& exchange);
 void remove_view(Api& api, const ExchangePointer& exchange);

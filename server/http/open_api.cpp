@@ -131,14 +131,15 @@ void add_survey(Struct& operation) {
   add_parameter(operation, "largest", "query", "false: without the largest radius that fits");
 }
 
-void add_body(Body body, Struct& operation, Schemas& known) {
-  if (body == Body::none) return;
+void add_body(const Route& route, Struct& operation, Schemas& known) {
+  if (route.body == Body::none) return;
   Struct& content = object(object(operation, "requestBody"), "content");
-  if (body == Body::program)
-    text(object(object(content, "text/plain"), "schema"), "type", "string");
-  else
-    known.refer(*v1::PreviewPathRequest::descriptor(),
-                object(object(content, "application/json"), "schema"));
+  if (route.body == Body::program)
+    return text(object(object(content, "text/plain"), "schema"), "type", "string");
+  const bool is_survey = route.handle == survey_path;
+  known.refer(
+      is_survey ? *v1::SurveyPathRequest::descriptor() : *v1::PreviewPathRequest::descriptor(),
+      object(object(content, "application/json"), "schema"));
 }
 
 void add_answers(const Route& route, Struct& operation, Schemas& known) {
@@ -170,7 +171,7 @@ void add_routes(Struct& paths, Schemas& known) {
     add_parameters_in_path(route.path, operation);
     if (route.takes_settings) add_settings(operation);
     if (route.handle == survey_program) add_survey(operation);
-    add_body(route.body, operation, known);
+    add_body(route, operation, known);
     add_answers(route, operation, known);
   }
 }

@@ -1,5 +1,8 @@
+#include <cstddef>
 #include <memory>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "proto/wire/json.h"
 #include "server/http/api.h"
@@ -12,25 +15,55 @@ namespace trc::server::http {
 namespace {
 
 constexpr const char* preview_path_rpc = "/trc.v1.TrcService/PreviewPath";
+constexpr const char* survey_radii_rpc = "/trc.v1.TrcService/SurveyRadii";
+// What an answer may hold at most, in messages.
+constexpr std::size_t most_messages = 4;
 
-// Has the path read by a worker and compensated.
-void start(Api& api, const ExchangePointer& exchange, bool verify, std::shared_ptr<Format> format) {
+// Has the body read by a worker, who makes the messages of `ask` from it, and asks the RPC.
+template <class Message, class Ask>
+void start(Api& api, const ExchangePointer& exchange, const char* rpc, Ask ask,
+           std::shared_ptr<Format> format) {
+  const std::string name = Message::descriptor()->name();
   if (exchange->request().content_type() != "application/json")
     return answer_problem(*exchange, problem(415, "CONTENT_TYPE", "The body must be JSON",
-                                             "send a PreviewPathRequest as application/json"));
-  api.compute([&api, exchange, verify, format = std::move(format)] {
-    v1::PreviewPathRequest path;
-    const std::string fault = wire::Json().read(exchange->request().body, path);
-    path.mutable_setup()->set_response_layout(v1::RESPONSE_LAYOUT_BLOCKS);
-    if (verify) path.mutable_setup()->set_verify(v1::VERIFICATION_ENFORCE);
-    exchange->post([&api, exchange, fault, question = RpcCall::bytes_of(path), format] {
+                                             "send a " + name + " as application/json"));
+  api.compute([&api, exchange, rpc, name, ask, format = std::move(format)] {
+    Message message;
+    const std::string fault = wire::Json().read(exchange->request().body, message);
+    exchange->post([&api, exchange, rpc, name, fault, messages = ask(message), format] {
       exchange->request().body = {};
       if (!fault.empty())
-        return answer_problem(
-            *exchange, problem(400, "JSON_INVALID", "The body is no PreviewPathRequest", fault));
-      Run::start(api, exchange, preview_path_rpc, std::make_unique<OneQuestion>(question), format);
+        return answer_problem(*exchange,
+                              problem(400, "JSON_INVALID", "The body is no " + name, fault));
+      Run::start(api, exchange, rpc, std::make_unique<PreparedQuestions>(messages), format);
     });
   });
+}
+
+void compensate(Api& api, const ExchangePointer& exchange, bool verify,
+                std::shared_ptr<Format> format) {
+  const auto ask = [verify](v1::PreviewPathRequest& path) -> std::vector<grpc::ByteBuffer> {
+    path.mutable_setup()->set_response_layout(v1::RESPONSE_LAYOUT_BLOCKS);
+    if (verify) path.mutable_setup()->set_verify(v1::VERIFICATION_ENFORCE);
+    return {RpcCall::bytes_of(path)};
+  };
+  start<v1::PreviewPathRequest>(api, exchange, preview_path_rpc, ask, std::move(format));
+}
+
+// The setup, and the path as the last batch.
+std::vector<grpc::ByteBuffer> survey_messages(v1::SurveyPathRequest& path) {
+  v1::SurveyRadiiRequest setup;
+  setup.mutable_setup()->Swap(path.mutable_setup());
+  if (!setup.setup().has_program()) setup.mutable_setup()->mutable_path();
+  v1::SurveyRadiiRequest blocks;
+  if (path.has_columns()) {
+    blocks.mutable_columns()->Swap(path.mutable_columns());
+    blocks.mutable_columns()->set_final(true);
+  } else {
+    blocks.mutable_batch()->Swap(path.mutable_batch());
+    blocks.mutable_batch()->set_final(true);
+  }
+  return {RpcCall::bytes_of(setup), RpcCall::bytes_of(blocks)};
 }
 
 }  // namespace
@@ -39,17 +72,22 @@ using PathFormat = PathAnswerFormat<v1::PreviewPathResponse>;
 
 void compensate_path(Api& api, const ExchangePointer& exchange) {
   if (exchange->request().accepts("application/x-ndjson"))
-    return start(api, exchange, false,
-                 std::make_shared<JsonLinesFormat<v1::PreviewPathResponse>>());
-  constexpr std::size_t messages = 4;
-  start(
-      api, exchange, false,
-      std::make_shared<PathFormat>(PathFormat::Blocks::given, messages * api.most_message_bytes()));
+    return compensate(api, exchange, false,
+                      std::make_shared<JsonLinesFormat<v1::PreviewPathResponse>>());
+  compensate(api, exchange, false,
+             std::make_shared<PathFormat>(PathFormat::Blocks::given,
+                                          most_messages * api.most_message_bytes()));
 }
 
 void verify_path(Api& api, const ExchangePointer& exchange) {
-  start(api, exchange, true,
-        std::make_shared<PathFormat>(PathFormat::Blocks::left_out, api.most_message_bytes()));
+  compensate(api, exchange, true,
+             std::make_shared<PathFormat>(PathFormat::Blocks::left_out, api.most_message_bytes()));
+}
+
+void survey_path(Api& api, const ExchangePointer& exchange) {
+  start<v1::SurveyPathRequest>(
+      api, exchange, survey_radii_rpc, survey_messages,
+      std::make_shared<SurveyFormat>(most_messages * api.most_message_bytes()));
 }
 
 void server_info(Api& api, const ExchangePointer& exchange) {

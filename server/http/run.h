@@ -1,7 +1,10 @@
 #pragma once
 
+#include <cstddef>
 #include <memory>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "server/http/api.h"
 #include "server/http/exchange.h"
@@ -40,17 +43,19 @@ class Questions {
   [[nodiscard]] virtual grpc::ByteBuffer next(bool& last) = 0;
 };
 
-// A single one.
-class OneQuestion final : public Questions {
+// Messages that are made already, one or more.
+class PreparedQuestions final : public Questions {
  public:
-  explicit OneQuestion(grpc::ByteBuffer message) : message_(std::move(message)) {}
+  explicit PreparedQuestions(std::vector<grpc::ByteBuffer> messages)
+      : messages_(std::move(messages)) {}
   grpc::ByteBuffer next(bool& last) override {
-    last = true;
-    return message_;
+    last = next_ + 1 == messages_.size();
+    return std::move(messages_[next_++]);
   }
 
  private:
-  grpc::ByteBuffer message_;
+  std::vector<grpc::ByteBuffer> messages_;
+  std::size_t next_ = 0;
 };
 
 // Answers a request with what an RPC of this process says. What fits into the memory an answer may

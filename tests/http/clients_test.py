@@ -1,4 +1,5 @@
 """What HTTP answers is what gRPC answers, byte for byte; and what it refuses it says why."""
+import base64
 import json
 import struct
 import subprocess
@@ -8,6 +9,7 @@ import urllib.request
 from server import NOTCH, SQUARE, Server, trc
 
 TEXT = {"Content-Type": "text/plain; charset=utf-8"}
+JSON = {"Content-Type": "application/json"}
 
 
 def program_of(lines):
@@ -163,6 +165,60 @@ class Programs(unittest.TestCase):
                                                json_type)
         self.assertEqual((status, problem["reason"]), (400, "JSON_INVALID"))
 
+    def test_a_survey_of_a_path_is_that_of_its_program(self):
+        setup = {"radii": [2, 4, 21], "wantUncut": True,
+                 "path": {"selectionMode": "SELECTION_MODE_DIRECT"}}
+        lines = [(0, -20), (0, 40), (40, 40), (40, 0), (0, 0)]
+        kinds, present = bytes([5, 1, 1, 1, 1, 1, 5, 1]), bytes([0, 3, 3, 3, 3, 3, 0, 3])
+        ends = lines + [(-20, 0)]
+        sides = [{"side": "COMPENSATION_SIDE_LEFT"}, {"side": "COMPENSATION_SIDE_OFF"}]
+        blocks = ([{"command": sides[0]}] +
+                  [{"linear": {"end": {"x": x, "y": y}}} for x, y in lines] +
+                  [{"command": sides[1]}, {"linear": {"end": {"x": ends[-1][0],
+                                                              "y": ends[-1][1]}}}])
+        columns = {"kinds": base64.b64encode(kinds).decode(),
+                   "present": base64.b64encode(present).decode(),
+                   "x": [x for x, _ in ends], "y": [y for _, y in ends],
+                   "commands": [{"index": 0, "command": sides[0]},
+                                {"index": 6, "command": sides[1]}]}
+        at = "/v1/paths:surveyRadii"
+        answers = []
+        for path in ({"batch": {"blocks": blocks}}, {"columns": columns}):
+            status, answer = self.server.ask_json("POST", at, json.dumps({"setup": setup, **path}),
+                                                  JSON)
+            self.assertEqual(status, 200, answer)
+            del answer["summary"]["wallTimeSeconds"]
+            answers.append(answer)
+        self.assertEqual(answers[0], answers[1])
+        program = "G17 G90 G138 G41 G1 F500" + "".join(
+            f" X{x} Y{y}\n" for x, y in lines) + "G40 X-20 Y0\nM30\n"
+        status, same = self.server.ask_json(
+            "POST", "/v1/programs:surveyRadii?radii=2,4,21&uncut=true", program, TEXT)
+        self.assertEqual(status, 200)
+        self.assertEqual([found["radius"] for found in answers[0]["radii"]], [2, 4, 21])
+        for found, other in zip(answers[0]["radii"], same["radii"], strict=True):
+            for name in ("accepted", "reachesEveryWall", "compensatedLength", "programmedLength",
+                         "wallLength", "uncutLength"):
+                self.assertEqual(found.get(name), other.get(name), name)
+        self.assertEqual(answers[0]["summary"]["largest"]["radius"],
+                         same["summary"]["largest"]["radius"])
+
+        # All that is wrong has its place.
+        for body, reason, field in (
+                ('{"setop":{}}', "JSON_INVALID", None),
+                ('{"setup":{"radii":[-3]}}', "FIELD_INVALID", "setup.radii[0]"),
+                ('{"setup":{"radii":[3],"program":{}},"batch":{}}', "FIELD_INVALID", "batch"),
+                ('{"setup":{"radii":[3]},"batch":{"blocks":[{"linear":{"end":{"x":"NaN"}}}]}}',
+                 "FIELD_INVALID", "batch.blocks[0].linear.end.x")):
+            status, problem = self.server.ask_json("POST", at, body, JSON)
+            self.assertEqual((status, problem["reason"]), (400, reason), body)
+            if field:
+                self.assertEqual(problem["fields"][0]["field"], field)
+        self.assertEqual(self.server.ask("POST", at, "{}", TEXT)[0], 415)
+        # Without blocks and without a radius there is nothing that limits a tool.
+        status, answer = self.server.ask_json("POST", at, "{}", JSON)
+        self.assertEqual((status, answer["summary"]["largest"].get("limits", [])), (200, []))
+
     def test_connect_unary_in_both_codecs(self):
         rpc = "/trc.v1.TrcService/"
         status, info = self.server.ask_json("POST", rpc + "GetServerInfo", "{}",
@@ -239,6 +295,11 @@ class Programs(unittest.TestCase):
                 for value in node:
                     yield from references(value)
         self.assertLessEqual(set(references(document)), set(document["components"]["schemas"]))
+        for path, message in (("compensate", "PreviewPathRequest"),
+                              ("verify", "PreviewPathRequest"),
+                              ("surveyRadii", "SurveyPathRequest")):
+            content = document["paths"]["/v1/paths:" + path]["post"]["requestBody"]["content"]
+            self.assertEqual(list(references(content)), [message])
 
     def test_a_view_tells_what_the_command_line_tells(self):
         status, view = self.server.ask_json("POST", "/v1/views?tool_radius=5&name=s.nc", SQUARE,

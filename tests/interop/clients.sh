@@ -16,6 +16,8 @@ cleanup() {
 }
 trap cleanup EXIT
 
+# It is read before the server has begun it, perhaps.
+: >"$work/log"
 "$build/bin/trcd" --listen 127.0.0.1:0 >"$work/log" &
 server=$!
 for _ in $(seq 100); do

@@ -36,7 +36,9 @@ struct Program {
   std::vector<Segment> contour{};
   std::vector<Segment> way_out{};
   CompensatorSetup compensator = all_walls();
-  std::size_t leads_out = 0;  // at the end of the contour
+  std::size_t leads_out = 0;   // at the end of the contour
+  bool tangential_in = false;  // G05
+  bool tangential_out = false;
 };
 
 constexpr std::size_t first_of_way_out = 1000;
@@ -48,6 +50,7 @@ double height_at(std::size_t ordinal) { return 0.25 * static_cast<double>(ordina
 Outcome compensate(const Program& program) {
   Channel channel(program.mode, program.start, 1, program.compensator);
   std::size_t ordinal = 0;
+  if (program.tangential_in) channel.note(channel.program().set_tangential(channel.place(0)));
   channel.note(channel.program().select(program.mode.side, channel.place(0)));
   const auto give = [&](const Segment& block) {
     channel.move(block, ordinal, height_at(ordinal));
@@ -61,6 +64,8 @@ Outcome compensate(const Program& program) {
     if (k + 1 == program.way_out.size() && channel.running()) {
       if (program.mode.selection != Selection::inside_corner)
         channel.note(channel.program().set_selection(program.deselection, channel.place(ordinal)));
+      if (program.tangential_out)
+        channel.note(channel.program().set_tangential(channel.place(ordinal)));
       channel.note(channel.program().deselect(channel.place(ordinal)));
     }
     channel.move(program.way_out[k], ordinal, height_at(ordinal));
@@ -149,9 +154,10 @@ bool expect_useful(const Program& program, const Diagnostic& error) {
 
 std::string story_of(std::uint64_t seed, const Program& program) {
   std::ostringstream story;
+  const Segment& out = program.way_out.back();
   Contour contour{.approach = {.start = program.start, .end = point_at(program.way_in.back(), 1)},
                   .blocks = program.contour,
-                  .retract = std::get<Line>(program.way_out.back())};
+                  .retract = {.start = point_at(out, 0), .end = point_at(out, 1)}};
   story << "seed " << seed << ", " << text_of(program.mode) << '\n' << contour;
   return story.str();
 }
@@ -210,6 +216,116 @@ void expect_useful_on_path(bool leaves) {
 
 TEST(EveryProposedEntry, IsAcceptedAndClearUnderG236) { expect_useful_on_path(false); }
 TEST(EveryProposedExit, IsAcceptedAndClearUnderG236) { expect_useful_on_path(true); }
+
+// What is wrong with the way in or out of a contour that can be machined otherwise.
+enum class Fault { circular_approach, circular_retract, tangential_approach, tangential_retract };
+
+bool is_of_exit(Fault fault) {
+  return fault == Fault::circular_retract || fault == Fault::tangential_retract;
+}
+
+Arc half_circle(const Point& start, const Point& end, bool clockwise) {
+  return {.start = start, .end = end, .center = (start + end) / 2, .sweep = clockwise ? -pi : pi};
+}
+
+// A circle where only a line may be, or G05 from (to) a point on the tangent.
+Program with_fault(std::uint64_t seed, Fault fault) {
+  Random random(seed);
+  Program program;
+  program.mode = random_mode(random);
+  const Contour contour = random_clean_contour(random, flavors[random.below(4)], program.mode,
+                                               random.chance(0.7) ? 2 : 6);
+  program.mode.selection = random.chance(0.5) ? Selection::direct : Selection::indirect;
+  program.deselection = random.chance(0.5) ? Selection::direct : Selection::indirect;
+  program.contour = contour.blocks;
+  program.start = contour.approach.start;
+  program.way_in = {contour.approach};
+  program.way_out = {contour.retract};
+  const double length = program.mode.tool_radius * random.between(0.05, 6);
+  const double turn = random.between(-pi, pi);
+  const Vector aside = length * Vector(std::cos(turn), std::sin(turn));
+  const Point begin = contour.approach.end;
+  const Point end = contour.retract.start;
+  switch (fault) {
+    case Fault::circular_approach:
+      program.start = begin + aside;
+      program.way_in = {half_circle(program.start, begin, random.chance(0.5))};
+      break;
+    case Fault::circular_retract:
+      program.way_out = {half_circle(end, end + aside, random.chance(0.5))};
+      break;
+    case Fault::tangential_approach: {
+      const Vector along = start_tangent(contour.blocks.front());
+      const double side = program.mode.side == Side::left ? 1 : -1;
+      program.start =
+          begin + side * program.mode.tool_radius * Vector(-along.y(), along.x()) + length * along;
+      program.way_in = {Line{.start = program.start, .end = begin}};
+      program.tangential_in = true;
+      break;
+    }
+    case Fault::tangential_retract: {
+      const Vector along = end_tangent(contour.blocks.back());
+      const double side = program.mode.side == Side::left ? 1 : -1;
+      const Point target =
+          end + side * program.mode.tool_radius * Vector(-along.y(), along.x()) - length * along;
+      program.way_out = {Line{.start = end, .end = target}};
+      program.tangential_out = true;
+      break;
+    }
+  }
+  return program;
+}
+
+// The same with ways that nothing is wrong with, and that reach no farther than to the contour, as
+// a transition of G139 might.
+Program without_fault(const Program& program, const Contour& contour) {
+  Program sound = program;
+  sound.start = contour.approach.start;
+  sound.way_in = {contour.approach};
+  sound.way_out = {contour.retract};
+  sound.tangential_in = sound.tangential_out = false;
+  sound.mode.selection = sound.deselection = Selection::direct;
+  return sound;
+}
+
+void expect_useful_with(Fault fault, Code code) {
+  std::uint64_t refused = 0;
+  std::uint64_t helped = 0;
+  for (std::uint64_t seed = 1; seed <= samples() && !::testing::Test::HasFailure(); ++seed) {
+    const Program program = with_fault(seed, fault);
+    SCOPED_TRACE(story_of(seed, program));
+    const Outcome outcome = compensate(program);
+    if (!outcome.stopped || outcome.error()->code != code) continue;
+    // What else is wrong with the contour is not a matter of its ways.
+    const Point begin = start_of(program.contour.front());
+    const Point end = end_of(program.contour.back());
+    const Contour straight{.approach = {.start = begin + Vector(-1, 3), .end = begin},
+                           .retract = {.start = end, .end = end + Vector(3, -1)}};
+    if (compensate(without_fault(program, straight)).stopped) continue;
+    ++refused;
+    ASSERT_TRUE(outcome.error()->entry_help);
+    EXPECT_EQ(outcome.error()->entry_help->leaves, is_of_exit(fault));
+    EXPECT_EQ(outcome.error()->entry_help->needed_length, 0);
+    if (expect_useful(program, *outcome.error())) ++helped;
+  }
+  ::testing::Test::RecordProperty("refused", std::to_string(refused));
+  ::testing::Test::RecordProperty("helped", std::to_string(helped));
+  EXPECT_GT(refused, samples() / 5);
+  EXPECT_GT(helped, refused * 9 / 10) << helped << " of " << refused;
+}
+
+TEST(EveryProposedEntry, IsAcceptedAndClearInPlaceOfACircle) {
+  expect_useful_with(Fault::circular_approach, Code::circular_selection_block);
+}
+TEST(EveryProposedExit, IsAcceptedAndClearInPlaceOfACircle) {
+  expect_useful_with(Fault::circular_retract, Code::circular_deselection_block);
+}
+TEST(EveryProposedEntry, IsAcceptedAndClearUnderG05) {
+  expect_useful_with(Fault::tangential_approach, Code::tangential_start_on_tangent);
+}
+TEST(EveryProposedExit, IsAcceptedAndClearUnderG05) {
+  expect_useful_with(Fault::tangential_retract, Code::tangential_start_on_tangent);
+}
 
 // A star of lines about the origin, selected from anywhere near.
 Program closed(std::uint64_t seed) {

@@ -157,6 +157,68 @@ TEST(EntryHelp, FindsAStartOnTheToolSideForG238) {
   EXPECT_LT(help.legal->y, -10 - 1e-3);
 }
 
+// Over the tool side, where G138 wants a line.
+TEST(EntryHelp, ProposesALineInPlaceOfACircularApproach) {
+  const auto [code, help] =
+      refused("G0 X0 Y4 F1000\nV.G.WZ_AKT.R=3\nG41 G2 X20 Y0 I10 J-2\nM8\nG1 X40\nG40 X60\nM30\n");
+  EXPECT_EQ(code, 90008);
+  EXPECT_FALSE(help.leaves);
+  EXPECT_EQ(help.needed_length, 0);
+  EXPECT_FALSE(help.legal);
+  ASSERT_EQ(help.proposals.size(), 2U);
+  EXPECT_EQ(text_of(help.proposals[0]), "from 0.000 4.000: to 20.000 0.000;");
+  EXPECT_EQ(text_of(help.proposals[1]),
+            "from 20.000 6.000: to 14.000 6.000; ccw to 20.000 0.000 about 20.000 6.000;");
+}
+
+// From below the line would lead through the wall: two radii off it, one before its begin.
+TEST(EntryHelp, ProposesALineFromTheToolSide) {
+  const auto [code, help] =
+      refused("G0 X24 Y-2 F1000\nV.G.WZ_AKT.R=3\nG41 G2 X20 Y0 I-2 J1\nG1 X40\nG40 X60\nM30\n");
+  EXPECT_EQ(code, 90008);
+  ASSERT_EQ(help.proposals.size(), 2U);
+  EXPECT_EQ(text_of(help.proposals[0]), "from 17.000 6.000: to 20.000 0.000;");
+}
+
+TEST(EntryHelp, ProposesALineInPlaceOfACircularRetract) {
+  const auto [code, help] = refused(
+      "G0 X0 Y0 F1000\nV.G.WZ_AKT.R=3\nG41 G1 X20\nX40\nG40 G2 X60 Y4 I10 J2\nG1 X80\nM30\n");
+  EXPECT_EQ(code, 900203);
+  EXPECT_TRUE(help.leaves);
+  ASSERT_EQ(help.proposals.size(), 2U);
+  EXPECT_EQ(text_of(help.proposals[0]), "from 40.000 0.000: to 60.000 4.000;");
+  EXPECT_EQ(text_of(help.proposals[1]),
+            "from 40.000 0.000: ccw to 46.000 6.000 about 40.000 6.000; to 40.000 6.000;");
+}
+
+// Under G238 with the whole contour, from the programmed point, which is free.
+TEST(EntryHelp, ProposesALineInPlaceOfACircleUnderG238) {
+  const auto [code, help] = refused(
+      "G0 X0 Y0 F1000\nV.G.WZ_AKT.R=6\nG238\nG41 G2 X-10 Y-10 I-5 J-5\nG1 X10\nY10\nX-10\nY-10\n"
+      "G40 X0 Y0\nM30\n");
+  EXPECT_EQ(code, 90008);
+  EXPECT_EQ(help.tried_on, 4U);
+  ASSERT_EQ(help.proposals.size(), 1U);
+  EXPECT_EQ(text_of(help.proposals[0]), "from 0.000 0.000: to -10.000 -10.000;");
+}
+
+// From a point on the tangent no arc of G05 comes.
+TEST(EntryHelp, ProposesAStartThatG05CanComeFrom) {
+  const auto in =
+      refused("G0 X40 Y25 F1000\nV.G.WZ_AKT.R=5\nG41 G05 G1 X20 Y20\nX60\nG40 X80 Y25\nM30\n");
+  EXPECT_EQ(in.code, 900202);
+  ASSERT_TRUE(in.help.legal);
+  EXPECT_EQ(text_of(*in.help.legal), "15.000 30.000");
+  ASSERT_EQ(in.help.proposals.size(), 2U);
+  EXPECT_EQ(text_of(in.help.proposals[0]), "from 15.000 30.000: to 20.000 20.000;");
+  const auto out =
+      refused("G0 X0 Y25 F1000\nV.G.WZ_AKT.R=5\nG41 G1 X20 Y20\nX60\nG40 G05 X30 Y25\nM30\n");
+  EXPECT_EQ(out.code, 900202);
+  EXPECT_TRUE(out.help.leaves);
+  ASSERT_FALSE(out.help.proposals.empty());
+  EXPECT_EQ(text_of(out.help.proposals[0]), "from 60.000 20.000: to 65.000 30.000;");
+}
+
 TEST(EntryHelp, IsTheSameHoweverTheTextIsCut) {
   const std::string program =
       "G0 X0 Y0 F1000\nV.G.WZ_AKT.R=10\nG236\nG41 G1 X5\nX60 Y10\nX70 Y40\nX20 Y60\nG40\nX120 "

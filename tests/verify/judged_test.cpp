@@ -202,6 +202,13 @@ Pairs fitting(std::size_t blocks, double room) {
   return pairs;
 }
 
+// The same beside a wall far away: the middle of all of them is not that of the hole.
+Pairs fitting_beside(std::size_t blocks, double room) {
+  Pairs pairs = fitting(blocks, room);
+  pairs.add(Line{{900, 30}, {900, 31}}, Line{{905 + room, 30}, {905 + room, 31}});
+  return pairs;
+}
+
 // Blocks far shorter than the tool, on a circle.
 Pairs fine(std::size_t blocks) { return fitting(blocks, 45); }
 
@@ -209,7 +216,10 @@ TEST(Judged, EqualDistances) {
   expect_as_judged(rings(300).given(), "rings");
   expect_as_judged(hatch(300).given(), "hatch");
   expect_as_judged(fitting(300, 0).given(), "fitting");
-  expect_as_judged(fitting(300, 1e-3).given(), "fitting with room");
+  for (const double room : {1e-6, 1e-5, 1e-4, 1e-3, 1e-2, 0.1}) {
+    expect_as_judged(fitting(300, room).given(), "fitting with room " + std::to_string(room));
+    expect_as_judged(fitting_beside(300, room).given(), "beside, room " + std::to_string(room));
+  }
   expect_as_judged(fine(300).given(), "fine");
 }
 
@@ -225,6 +235,36 @@ TEST(Judged, EqualDistancesCostLittle) {
   expect_cheap(hatch, "hatch");
   expect_cheap([](std::size_t blocks) { return fitting(blocks, 0); }, "fitting");
   expect_cheap(fine, "fine");
+}
+
+// Nor where a tool goes round with a little room: all walls are nearly as far as the nearest one.
+TEST(Judged, RoomToSpareCostsLittle) {
+  for (const double room : {1e-6, 1e-5, 1e-4, 1e-3, 1e-2, 0.1})
+    for (const std::size_t blocks : {2'000U, 8'000U, 20'000U}) {
+      EXPECT_LT(fitting(blocks, room).cost(), 250) << blocks << ", room " << room;
+      EXPECT_LT(fitting_beside(blocks, room).cost(), 250) << blocks << ", room " << room;
+    }
+}
+
+// Contours the tool fits into anywhere.
+TEST(Judged, ShapesWithRoomCostTheSameABlock) {
+  for (const BigShape shape : {BigShape::comb, BigShape::gear, BigShape::spiral})
+    for (const std::size_t count : {1'000U, 10'000U, 100'000U}) {
+      const std::vector<Segment> blocks = big_contour(shape, count);
+      TrcMode mode;
+      mode.side = Side::right;
+      mode.tool_radius = 0.3;
+      mode.transition = Transition::circular;
+      const Point start = start_of(blocks.front());
+      const Point outside = start + start.normalized();
+      const Contour contour{
+          .approach = Line{outside, start}, .blocks = blocks, .retract = Line{start, outside}};
+      const Measured given = measured(contour, mode, compensate(contour, mode).blocks);
+      const ClearanceReport found = measure_clearance(given.programmed, given.path, allowed);
+      EXPECT_GE(found.checked, count);
+      EXPECT_EQ(found.gouging, 0U);
+      EXPECT_LT(found.steps, 30 * found.checked) << name_of(shape) << ", " << count;
+    }
 }
 
 }  // namespace

@@ -6,6 +6,26 @@
 const textBytes = 64 * 1024;
 const batchBlocks = 1024;
 
+/** All text from a byte on, in messages. */
+function* textRequests(text, position) {
+  for (let first = position; ; first += textBytes) {
+    const piece = text.subarray(first, first + textBytes);
+    const final = first + piece.length === text.length;
+    yield { text: { firstByte: first, text: piece, final } };
+    if (final) return;
+  }
+}
+
+/** All blocks from one on, in messages. */
+function* pathRequests(blocks, position) {
+  for (let first = position; ; first += batchBlocks) {
+    const batch = blocks.slice(first, first + batchBlocks);
+    const final = first + batch.length === blocks.length;
+    yield { batch: { firstBlock: first, blocks: batch, final } };
+    if (final) return;
+  }
+}
+
 class Exchange {
   #token = Buffer.alloc(0);
   #certain = { parts: 0, diagnostics: 0 };
@@ -51,12 +71,7 @@ export class ProgramExchange extends Exchange {
 
   *requests() {
     yield { setup: this.setup };
-    for (let first = this.position; ; first += textBytes) {
-      const piece = this.text.subarray(first, first + textBytes);
-      const final = first + piece.length === this.text.length;
-      yield { text: { firstByte: first, text: piece, final } };
-      if (final) return;
-    }
+    yield* textRequests(this.text, this.position);
   }
 
   absorb(response) {
@@ -81,12 +96,7 @@ export class PathExchange extends Exchange {
 
   *requests() {
     yield { setup: this.pathSetup };
-    for (let first = this.position; ; first += batchBlocks) {
-      const blocks = this.blocks.slice(first, first + batchBlocks);
-      const final = first + blocks.length === this.blocks.length;
-      yield { batch: { firstBlock: first, blocks, final } };
-      if (final) return;
-    }
+    yield* pathRequests(this.blocks, this.position);
   }
 
   absorb(response) {
@@ -99,6 +109,76 @@ export class PathExchange extends Exchange {
     const { diagnostics, summary } = this;
     return { blocks: this.parts.flat(), diagnostics, summary };
   }
+}
+
+/** One program or path and many radii. One that is lost begins anew. */
+export class SurveyExchange {
+  static method = "surveyRadii";
+  #radii = [];
+  #summary = undefined;
+  diagnostics = [];
+
+  /** `source`: text as bytes, or blocks. */
+  constructor(source, setup) {
+    this.source = source;
+    this.setup = setup;
+  }
+
+  *requests() {
+    yield { setup: this.setup };
+    if (Array.isArray(this.source)) yield* pathRequests(this.source, 0);
+    else yield* textRequests(this.source, 0);
+  }
+
+  absorb(response) {
+    for (const raised of response.diagnostics ?? []) this.diagnostics.push(plain(raised));
+    if (response.radius) this.#radii.push(surveyed(response.radius));
+    if (response.summary) this.#summary = response.summary;
+  }
+
+  goOn() {
+    this.#radii = [];
+    this.diagnostics = [];
+  }
+
+  result() {
+    const { largest, ...summary } = this.#summary;
+    return {
+      radii: this.#radii,
+      largest: largest ? limited(largest) : undefined,
+      diagnostics: this.diagnostics,
+      summary,
+    };
+  }
+}
+
+/** A SurveyedRadius whose members are there also where they are 0, false or empty. */
+function surveyed(found) {
+  return {
+    ...limited(found),
+    accepted: found.accepted ?? false,
+    reachesEveryWall: found.reachesEveryWall ?? false,
+    maskedShare: found.maskedShare ?? 0,
+    warnings: found.warnings ?? 0,
+    uncutByRemoval: found.uncutByRemoval ?? false,
+    uncut: (found.uncut ?? []).map((wall) => ({ ...wall, place: placeOf(wall.place) })),
+    uncutLeftOut: found.uncutLeftOut ?? 0,
+  };
+}
+
+/** What surveyed radii and the largest one have in common. */
+function limited(found) {
+  return {
+    ...found,
+    radius: found.radius ?? 0,
+    refusal: found.refusal ? plain(found.refusal) : undefined,
+    limits: (found.limits ?? []).map(placeOf),
+  };
+}
+
+/** A line of 0 stands for none. */
+function placeOf(place) {
+  return { ...place, sourceIndex: place.sourceIndex ?? 0, line: place.line || undefined };
 }
 
 function plain(raised) {

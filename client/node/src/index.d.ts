@@ -69,6 +69,98 @@ export interface PathResult {
   summary: object;
 }
 
+/** What is asked of a survey, besides the settings of the program or the path. */
+export interface SurveyQuestions extends ProgramSettings {
+  /** mm, 0.0001 to 107374, each at most once, 64 at most; each takes the place of every radius that
+   * settings and program give. */
+  radii?: number[];
+  /** Names the stretches of wall that each radius leaves uncut. None: false. */
+  uncut?: boolean;
+  /** Looks for the largest radius that reaches every wall. None: true. */
+  largest?: boolean;
+}
+
+/** A block of the program. */
+export interface SurveyPlace {
+  /** 0-based position of the input block. */
+  sourceIndex: number;
+  /** 1-based line of the NC text; none: a path. */
+  line?: number;
+  /** N number of the block. */
+  sourceNumber?: number;
+}
+
+export interface Point { x?: number; y?: number; z?: number }
+
+/** A stretch of a wall that the path does not touch; points in the plane, mm. A coordinate that is
+ * absent is 0. */
+export interface UncutWall {
+  place: SurveyPlace;
+  start: Point;
+  end: Point;
+  /** Of an arc. */
+  center?: Point;
+  /** Of an arc: rad, positive: counter-clockwise. */
+  sweep?: number;
+}
+
+/** What becomes of the program with one radius. */
+export interface SurveyedRadius {
+  /** Of the tool, mm. */
+  radius: number;
+  /** It is compensated, and the path is nowhere nearer than the tool radius. */
+  accepted: boolean;
+  /** Why it is not accepted. */
+  refusal?: Diagnostic;
+  /** It is accepted, nothing is left out, and it comes nowhere too near. */
+  reachesEveryWall: boolean;
+  /** Share of the wall length in masked blocks and removed loops, 0 to 1. */
+  maskedShare: number;
+  /** The Certificate of the protocol; none: it was refused, or nothing is compensated. */
+  certificate?: { clearance?: number; toolRadius: number; point: Point; [field: string]: unknown };
+  /** mm, in the plane; none: it was refused. */
+  compensatedLength?: number;
+  /** mm, in the plane; none: it was refused. */
+  programmedLength?: number;
+  /** How many diagnostics are warnings. */
+  warnings: number;
+  /** Length of all walls, mm; none: not known. */
+  wallLength?: number;
+  /** Length of the walls that the path does not touch, mm, inside corners too; none: not known. */
+  uncutLength?: number;
+  /** The radius is refused: both lengths are those of the path that leaves the loops out. */
+  uncutByRemoval: boolean;
+  /** With `uncut`: the stretches, in the order of the program, 2000 at most. */
+  uncut: UncutWall[];
+  /** How many more stretches there were. */
+  uncutLeftOut: number;
+  /** What is in the way where it does not reach every wall: two blocks, or one. */
+  limits: SurveyPlace[];
+}
+
+/** The largest radius that reaches every wall. */
+export interface LargestRadius {
+  /** mm, in whole micrometres; 0: there is none. */
+  radius: number;
+  /** A tool larger by a micrometre does not. Else the search ended, much above the part's size. */
+  isLimited?: boolean;
+  /** The blocks that limit it: two, or one that is too small by itself. */
+  limits: SurveyPlace[];
+  /** What a larger tool is refused with; none: it leaves something out. */
+  refusal?: Diagnostic;
+}
+
+export interface SurveyResult {
+  /** In the order asked. */
+  radii: SurveyedRadius[];
+  /** None: it was not asked for. */
+  largest?: LargestRadius;
+  /** Notes and warnings of reading, which hold for every radius. */
+  diagnostics: Diagnostic[];
+  /** The SurveySummary of the protocol, without `largest`. */
+  summary: object;
+}
+
 /** The program, the path or the setup was refused. Nothing of it may be machined. */
 export class TrcError extends Error {
   diagnostics: Diagnostic[];
@@ -88,6 +180,10 @@ export class Client {
   compensate(text: string | Uint8Array, settings?: ProgramSettings): Promise<ProgramResult>;
   /** `blocks`: Block messages of the protocol, as { linear: { end: { x: 10 } } }. */
   compensatePath(blocks: object[], settings?: PathSettings): Promise<PathResult>;
+  /** What tools of many radii make of an NC program, or of Block messages. A radius that does not
+   * fit is told; TrcError says that the program is wrong with every radius. */
+  surveyRadii(program: string | Uint8Array | object[],
+    questions?: SurveyQuestions): Promise<SurveyResult>;
   /** GetServerInfoResponse: version, limits, options, functions and diagnostics. */
   info(): Promise<object>;
   /** Ends the connection. */
@@ -101,3 +197,7 @@ export function compensate(text: string | Uint8Array,
 /** Client.compensatePath() over a connection of its own. */
 export function compensatePath(blocks: object[],
   options?: Connection & PathSettings): Promise<PathResult>;
+
+/** Client.surveyRadii() over a connection of its own. */
+export function surveyRadii(program: string | Uint8Array | object[],
+  options?: Connection & SurveyQuestions): Promise<SurveyResult>;

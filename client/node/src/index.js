@@ -5,7 +5,7 @@ import grpc from "@grpc/grpc-js";
 import loader from "@grpc/proto-loader";
 
 import { raisedBy, ServerError, TrcError } from "./errors.js";
-import { PathExchange, ProgramExchange } from "./exchange.js";
+import { PathExchange, ProgramExchange, SurveyExchange } from "./exchange.js";
 import { localAddress } from "./local.js";
 import { Settings } from "./settings.js";
 
@@ -45,12 +45,17 @@ export class Client {
   }
 
   async compensate(text, setup = {}) {
-    const bytes = typeof text === "string" ? Buffer.from(text) : text;
-    return this.#run(new ProgramExchange(bytes, settings.programSetup(setup)));
+    return this.#run(new ProgramExchange(bytesOf(text), settings.programSetup(setup)));
   }
 
   async compensatePath(blocks, setup = {}) {
     return this.#run(new PathExchange(blocks, settings.pathSetup(setup)));
+  }
+
+  async surveyRadii(program, questions = {}) {
+    const isPath = Array.isArray(program);
+    return this.#run(new SurveyExchange(isPath ? program : bytesOf(program),
+      settings.surveySetup(questions, isPath)));
   }
 
   async info() {
@@ -110,6 +115,10 @@ function converse(stub, exchange, deadline, hasAnswered) {
   });
 }
 
+function bytesOf(text) {
+  return typeof text === "string" ? Buffer.from(text) : text;
+}
+
 function credentialsOf({ ca, certificate, key }) {
   const content = (file) => (file === undefined ? null : readFileSync(file));
   return grpc.credentials.createSsl(content(ca), content(key), content(certificate));
@@ -134,4 +143,8 @@ export function compensate(text, options = {}) {
 
 export function compensatePath(blocks, options = {}) {
   return withClient(options, (client, setup) => client.compensatePath(blocks, setup));
+}
+
+export function surveyRadii(program, options = {}) {
+  return withClient(options, (client, questions) => client.surveyRadii(program, questions));
 }

@@ -60,6 +60,13 @@ export class Settings {
         { number: Number(number), radius }));
     return { ...setup, path: this.pathSetup(path) };
   }
+
+  surveySetup(given, isPath) {
+    const { radii = [], uncut = false, largest = true, ...settings } = given;
+    const input = isPath ? { path: this.pathSetup(settings) }
+      : { program: this.programSetup(settings) };
+    return { ...input, radii, wantUncut: uncut, withoutLargest: !largest };
+  }
 }
 
 function enumValue(field, names, value) {

@@ -7,7 +7,9 @@ import { tmpdir } from "node:os";
 import { join } from "node:path";
 import test from "node:test";
 
-import { Client, compensate, compensatePath, ServerError, TrcError, version } from "trc-client";
+import {
+  Client, compensate, compensatePath, ServerError, surveyRadii, TrcError, version,
+} from "trc-client";
 
 const pocket = `%POCKET
 N10 G17 G90 G0 X0 Y0
@@ -68,6 +70,70 @@ test("a path of blocks", async () => {
   const result = await compensatePath(blocks, { radius: 5, transition: "G26" });
   assert.deepEqual(result.blocks.map(({ line }) => [line.end.x, line.end.y]),
     [[10, 5], [45, 5], [45, 40], [0, 60]]);
+});
+
+// Two walls, 8 mm apart.
+const slot = `N10 G17 G90 G0 X-20 Y4
+N20 G138 G41 G1 X-10 Y0 F500
+N30 X30
+N40 Y8
+N50 X-10
+N60 G40 X-20 Y4
+M30
+`;
+
+test("a survey tells of radii that fit and of one that does not", async () => {
+  const { radii: [large, small] } = await surveyRadii(slot, { radii: [5, 3], uncut: true });
+  assert.deepEqual([large.radius, large.accepted, large.certificate], [5, false, undefined]);
+  assert.equal(large.refusal.severity, "ERROR");
+  assert.ok(large.refusal.point);
+  assert.equal(large.compensatedLength, undefined);
+  assert.ok(small.accepted && small.reachesEveryWall);
+  assert.equal(small.refusal, undefined);
+  assert.ok(Math.abs(small.certificate.clearance - 3) < 1e-4);
+  assert.ok(Math.abs(small.uncutLength - 12) < 1e-6);
+  assert.ok(Math.abs(small.wallLength - 88) < 1e-6);
+  // The corners at X30, from which the tool stays away by its radius.
+  assert.deepEqual(small.uncut.map(({ place }) => place.line), [3, 4, 4, 5]);
+  assert.ok(Math.abs(small.uncut[0].start.x - 27) < 1e-6);
+});
+
+test("the largest radius is that of the command line", async () => {
+  const part = join(mkdtempSync(join(tmpdir(), "trc-test-")), "part.nc");
+  writeFileSync(part, slot);
+  const told = JSON.parse(execFileSync(process.env.TRC_CLI,
+    ["radii", part, "--radii", "3", "--json"], { encoding: "utf8" }));
+  const { radii, largest } = await surveyRadii(slot, { radii: [3] });
+  assert.equal(largest.radius, told.summary.largest.radius);
+  assert.ok(largest.isLimited);
+  assert.deepEqual(largest.limits.map(({ line }) => line), [3, 5]);
+  assert.equal(largest.limits[1].sourceNumber, 50);
+  const single = await compensate(slot, { radius: 3 });
+  assert.equal(radii[0].compensatedLength, single.summary.path.compensatedLength);
+  assert.equal((await surveyRadii(slot, { radii: [3], largest: false })).largest, undefined);
+});
+
+test("a survey of a path is that of its program", async () => {
+  const to = (x, y) => ({ linear: { end: { x, y } } });
+  const blocks = [
+    { linear: { end: { x: -20, y: 4 }, rapid: true } },
+    { command: { side: "COMPENSATION_SIDE_LEFT" } },
+    to(-10, 0), to(30, 0), to(30, 8), to(-10, 8),
+    { command: { side: "COMPENSATION_SIDE_OFF" } }, to(-20, 4),
+  ];
+  const ofPath = await surveyRadii(blocks, { radii: [3], selectionMode: "G138" });
+  const ofText = await surveyRadii(slot, { radii: [3] });
+  assert.equal(ofPath.largest.radius, ofText.largest.radius);
+  assert.equal(ofPath.radii[0].compensatedLength, ofText.radii[0].compensatedLength);
+  assert.equal(ofPath.largest.limits[0].line, undefined);
+});
+
+test("what is wrong with every radius is thrown", async () => {
+  await assert.rejects(surveyRadii("N10 G1 X10 F100\nN20 G999\n", { radii: [3] }), (error) => {
+    assert.ok(error instanceof TrcError);
+    return error.cause.code === 900002 && error.cause.line === 2;
+  });
+  await assert.rejects(surveyRadii(slot, { radii: [3, 3] }), /radii/);
 });
 
 test("a stream that is lost goes on", async () => {

@@ -1,6 +1,7 @@
 """The installed package against a trcd: TRC_TRCD names the program."""
 
 import asyncio
+import json
 import os
 import socket
 import subprocess
@@ -192,6 +193,91 @@ class Paths(unittest.TestCase):
     def test_columns_of_different_length_are_named(self):
         with self.assertRaisesRegex(ValueError, "column y"):
             trc.Path.of_columns([1, 1], x=[1, 2], y=[1])
+
+
+SLOT = """N10 G17 G90 G0 X-20 Y4
+N20 G138 G41 G1 X-10 Y0 F500
+N30 X30
+N40 Y8
+N50 X-10
+N60 G40 X-20 Y4
+M30
+"""
+
+
+class Surveys(unittest.TestCase):
+    def test_radii_that_fit_and_one_that_does_not(self):
+        survey = trc.survey_radii(SLOT, [5, 3], uncut=True)
+        large, small = survey.radii
+        self.assertEqual((large.radius, large.accepted, large.clearance), (5, False, None))
+        self.assertEqual(large.refusal.severity, trc.Severity.ERROR)
+        self.assertIsNotNone(large.refusal.point)
+        self.assertIsNone(large.compensated_length)
+        self.assertTrue(small.accepted and small.reaches_every_wall)
+        self.assertEqual(small.refusal, None)
+        self.assertAlmostEqual(small.clearance.distance, 3, places=4)
+        self.assertAlmostEqual(small.uncut_length, 12)
+        self.assertAlmostEqual(small.wall_length, 88)
+        # The corners at X30, from which the tool stays away by its radius.
+        self.assertEqual([wall.place.line for wall in small.uncut], [3, 4, 4, 5])
+        self.assertAlmostEqual(small.uncut[0].start[0], 27)
+        self.assertEqual(small.uncut[0].end, (30, 0, 0))
+
+    def test_largest_radius_is_that_of_the_command_line(self):
+        with tempfile.NamedTemporaryFile("w", suffix=".nc") as part:
+            part.write(SLOT)
+            part.flush()
+            told = json.loads(subprocess.run(
+                [os.environ["TRC_CLI"], "radii", part.name, "--radii", "3", "--json"],
+                check=True, capture_output=True, text=True).stdout)
+        survey = trc.survey_radii(SLOT, [3])
+        self.assertEqual(survey.largest.radius, told["summary"]["largest"]["radius"])
+        self.assertTrue(survey.largest.is_limited)
+        self.assertEqual([place.line for place in survey.largest.limits], [3, 5])
+        self.assertEqual(survey.largest.limits[1].source_number, 50)
+        with trc.Client() as client:
+            single = client.compensate(SLOT, radius=survey.radii[0].radius)
+        self.assertEqual(survey.radii[0].compensated_length, single.summary.path.compensated_length)
+
+    def test_path_stands_for_its_program(self):
+        path = (trc.Path().rapid(-20, 4).left().line(-10, 0).line(30).line(y=8).line(-10).off()
+                .line(-20, 4))
+        survey = trc.survey_radii(path, [3], selection_mode="G138")
+        of_text = trc.survey_radii(SLOT, [3])
+        self.assertEqual(survey.largest.radius, of_text.largest.radius)
+        self.assertEqual(survey.radii[0].clearance, of_text.radii[0].clearance)
+        self.assertIsNone(survey.largest.limits[0].line)
+
+    def test_asyncio_twin_gives_the_same(self):
+        async def survey():
+            async with trc.aio.Client() as client:
+                return await client.survey_radii(SLOT, [5, 3], uncut=True)
+
+        one, other = asyncio.run(survey()), trc.survey_radii(SLOT, [5, 3], uncut=True)
+        self.assertEqual((one.radii, one.largest), (other.radii, other.largest))
+
+    def test_what_is_wrong_with_every_radius_is_raised(self):
+        with self.assertRaises(trc.TrcError) as caught:
+            trc.survey_radii("N10 G1 X10 F100\nN20 G999\n", [3])
+        self.assertEqual((caught.exception.cause.code, caught.exception.cause.line), (900002, 2))
+        with self.assertRaisesRegex(trc.TrcError, "radii"):
+            trc.survey_radii(SLOT, [3, 3])
+
+    def test_largest_is_left_out_where_it_is_not_asked_for(self):
+        self.assertIsNone(trc.survey_radii(SLOT, [3], largest=False).largest)
+
+    def test_survey_that_is_lost_begins_anew(self):
+        text = long_program(20_000)
+        with trc.Client() as client:
+            whole = client.survey_radii(text, [0.1, 0.2], uncut=True, largest=False)
+        proxy = CuttingProxy(local.address().removeprefix("unix:"), cut_after=30_000)
+        try:
+            with trc.Client(proxy.address) as client:
+                again = client.survey_radii(text, [0.1, 0.2], uncut=True, largest=False)
+        finally:
+            proxy.close()
+        self.assertEqual(proxy.cuts, 1)
+        self.assertEqual(again.radii, whole.radii)
 
 
 class Package(unittest.TestCase):

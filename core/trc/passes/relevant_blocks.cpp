@@ -30,6 +30,12 @@ bool changes_radius_in_a_long_arc(const PathBlock& block) {
          !block.mode().options.perpendicular_radius_change;
 }
 
+// Rule 3.0: only under G236 may the approach be an arc.
+bool is_circle_for_line(const PathBlock& block) {
+  if (block.role != Role::approach || !is_arc(block.programmed.path)) return false;
+  return block.mode().selection != Selection::on_path || block.mode().tangential;
+}
+
 AxisTravel cut(AxisTravel& travel, double share) {
   const double middle = travel.from + share * (travel.to - travel.from);
   return {.from = std::exchange(travel.from, middle), .to = middle};
@@ -96,6 +102,7 @@ bool RelevantBlocks::seat(PassiveBlock&& block, PathBlocks& out) {
 }
 
 bool RelevantBlocks::follow(MotionBlock&& motion, PathBlocks& out) {
+  if (held_ && is_circle_for_line(*held_)) keep_refused_approach(motion);
   if (!release(motion.mode.get(), out)) return false;
   auto block = std::make_unique_for_overwrite<PathBlock>();
   block->programmed = std::move(motion);
@@ -118,6 +125,9 @@ bool RelevantBlocks::release(const TrcMode* next, PathBlocks& out) {
   PathBlock& block = *released;
   const TrcMode& mode = block.mode();
   const bool contour_follows = continues(mode, next) && next->side == mode.side;
+  // Under G238 it is refused where the whole contour is known.
+  if (is_circle_for_line(block) && !(mode.selection == Selection::inside_corner && contour_follows))
+    return refuse(Code::circular_selection_block, block);
   if (block.role == Role::side_change && !contour_follows)
     return refuse(Code::side_change_without_contour, block);
   if (block.role == Role::approach && !contour_follows) {
@@ -165,9 +175,6 @@ bool RelevantBlocks::begin_selection(PathBlock& block) {
   }
   block.role = Role::approach;
   block.origin = Origin::approach;
-  const bool may_be_circular = mode.selection == Selection::on_path && !mode.tangential;
-  if (is_arc(block.programmed.path) && !may_be_circular)
-    return refuse(Code::circular_selection_block, block);
   return true;
 }
 
@@ -210,9 +217,29 @@ bool RelevantBlocks::end_selection(PathBlock& block) {
   block.origin = Origin::retract;
   block.at_start = last_;
   const bool may_be_circular = mode.deselection == Selection::on_path && !mode.tangential;
-  if (is_arc(block.programmed.path) && !may_be_circular)
-    return refuse(Code::circular_deselection_block, block);
-  return true;
+  if (!is_arc(block.programmed.path) || may_be_circular) return true;
+  keep_refused_retract(block);
+  return refuse(Code::circular_deselection_block, block);
+}
+
+void RelevantBlocks::keep_refused_approach(const MotionBlock& next) {
+  const MotionBlock& approach = held_->programmed;
+  if (!continues(*approach.mode, next.mode.get()) || end_of(approach.path) != start_of(next.path))
+    return;
+  refused_way_ = {.blocks = {approach, next}, .shift = held_->at_end.shift};
+}
+
+// Under G238 the tool is not at the end of the last block: where it leaves is for the whole
+// contour to say.
+void RelevantBlocks::keep_refused_retract(const PathBlock& retract) {
+  if (last_mode_->selection == Selection::inside_corner ||
+      end_of(last_path_) != start_of(retract.programmed.path))
+    return;
+  MotionBlock last = retract.programmed;
+  last.mode = last_mode_;
+  last.path = last_path_;
+  refused_way_ = {
+      .leaves = true, .blocks = {last, retract.programmed}, .shift = retract.at_start.shift};
 }
 
 // Whether the motion goes straight back there, so that both equidistants end in one point.

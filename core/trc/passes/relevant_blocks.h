@@ -9,6 +9,7 @@
 #include "core/nc/state/block.h"
 #include "core/trc/compensator.h"
 #include "core/trc/path_block.h"
+#include "core/trc/selection/refused_way.h"
 
 namespace trc {
 
@@ -18,11 +19,13 @@ namespace trc {
 // only. While TRC is off passive blocks go through at once.
 //
 // Holds one block while TRC is active: whether a selection has a contour at all
-// shows with the block after its approach (D-28).
+// shows with the block after its approach (D-28), and what would do in place of a circular approach
+// with it too.
 class RelevantBlocks {
  public:
-  RelevantBlocks(const CompensatorSetup& setup, Diagnostics& diagnostics)
-      : setup_(setup), diagnostics_(diagnostics) {}
+  RelevantBlocks(const CompensatorSetup& setup, Diagnostics& diagnostics,
+                 selection::RefusedWay& refused_way)
+      : setup_(setup), diagnostics_(diagnostics), refused_way_(refused_way) {}
 
   bool feed(Block&& block, PathBlocks& out);
   bool drain(PathBlocks& out);
@@ -63,12 +66,16 @@ class RelevantBlocks {
   bool warn_of_corner(const PathBlock& block);
   void count_for_window(const PathBlock& block);
   bool refuse(Code code, const PathBlock& block, std::string detail = {});
+  // Of circles where only lines may be: what is known of the contour beside them.
+  void keep_refused_approach(const MotionBlock& next);
+  void keep_refused_retract(const PathBlock& retract);
 
   // The first function of the mode this build does not have, or nothing.
   [[nodiscard]] const char* unavailable(const TrcMode& mode) const;
 
   CompensatorSetup setup_;
   Diagnostics& diagnostics_;
+  selection::RefusedWay& refused_way_;
   PathBlockPtr held_;
   // What the motion block before left behind.
   Compensation last_{};

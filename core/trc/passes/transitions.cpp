@@ -304,23 +304,27 @@ void Transitions::keep_refused_way(const Corner& corner, const PathBlock& after)
   // A change of side has a contour at both ends.
   if (!leaves && before.role != Role::approach) return;
   const PathBlock& block = leaves ? after : before;
+  refused_way_ = {.leaves = leaves,
+                  .blocks = {before.programmed, after.programmed},
+                  .shift = corner.shift,
+                  .cut_at_start = leaves ? before.cut_at_start : 0};
+  // The arc of G05 asks for another direction, not for a length.
+  if (block.mode().tangential) return;
   const bool linear = block.mode().options.g236_lin;
   const auto needed = [&](const Segment& path, const Vector& tangent) {
     return leaves ? selection::needed_off_path(corner, path, tangent, linear, tolerances_)
                   : selection::needed_on_path(corner, path, tangent, linear, tolerances_);
   };
   const Vector& tangent = leaves ? after.tangent_at_start : before.tangent_at_end;
-  refused_way_ = {.leaves = leaves,
-                  .blocks = {before.programmed, after.programmed},
-                  .shift = corner.shift,
-                  .needed_length = needed(block.programmed.path, tangent),
-                  .needed_straight = needed(Line{}, tangent),
-                  .cut_at_start = leaves ? before.cut_at_start : 0};
+  refused_way_.needed_length = needed(block.programmed.path, tangent);
+  refused_way_.needed_straight = needed(Line{}, tangent);
 }
 
 bool Transitions::refuse(const JointRefusal& refusal, const Corner& corner,
                          const PathBlock& after) {
-  if (refusal.code == Code::selection_block_too_short) keep_refused_way(corner, after);
+  const bool is_of_way = refusal.code == Code::selection_block_too_short ||
+                         refusal.code == Code::tangential_start_on_tangent;
+  if (is_of_way) keep_refused_way(corner, after);
   const PathBlock& block = refusal.of_after ? after : *held_;
   Diagnostic problem = diagnostic(refusal.code, block.programmed.source);
   const Position position =

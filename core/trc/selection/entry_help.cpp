@@ -84,6 +84,7 @@ class EntrySearch {
 
  private:
   [[nodiscard]] std::optional<Way> longer_line() const;
+  [[nodiscard]] std::optional<Way> line_from_tool_side() const;
   [[nodiscard]] std::optional<Way> quarter_circle() const;
   [[nodiscard]] std::optional<Way> line_from_free_start() const;
   [[nodiscard]] std::optional<Way> longer_arc() const;
@@ -149,8 +150,28 @@ EntryHelp EntrySearch::find_past_leads() {
   return help;
 }
 
+// Where no length of the programmed direction would do: from the programmed point, or from the
+// tool side, across the contour and a little behind its begin.
+std::optional<Way> EntrySearch::line_from_tool_side() const {
+  const Segment& contour = nearest_contour_block_.path;
+  const Vector along = refused_.leaves ? tangent_at_end(contour) : tangent_at_start(contour);
+  const Point& corner = refused_.leaves ? end_of(contour) : start_of(contour);
+  const Point& given =
+      refused_.leaves ? end_of(refused_block_.path) : start_of(refused_block_.path);
+  const double radius = tool_radius();
+  const Vector across = 2 * std::copysign(radius, refused_.shift) * left_of(along);
+  const Vector behind = (refused_.leaves ? radius : -radius) * along;
+  for (const Point& free : {given, rounded(corner + across + behind), rounded(corner + across)}) {
+    if ((free - corner).norm() <= radius) continue;
+    Way way{.motions = {refused_.leaves ? Line{.start = corner, .end = free}
+                                        : Line{.start = free, .end = corner}}};
+    if (does(way)) return way;
+  }
+  return std::nullopt;
+}
+
 std::optional<Way> EntrySearch::longer_line() const {
-  if (!refused_.needed_straight) return std::nullopt;
+  if (!refused_.needed_straight) return line_from_tool_side();
   const Segment& given = refused_block_.path;
   for (const double spare : spares) {
     const double length = *refused_.needed_straight + spare;

@@ -74,6 +74,7 @@ bool InsideCorner::close(PathBlock* retract, PathBlocks& out) {
   if (held_.size() == 1) return refuse(Code::contour_not_closed, approach);
   PathBlock& first = *held_[1];
   PathBlock& last = *held_.back();
+  if (is_arc(approach.programmed.path)) return refuse(Code::circular_selection_block, approach);
   if (!check_contour(approach, first, last) || !check_start(approach) ||
       !give_points(approach, first, last, retract))
     return false;
@@ -138,6 +139,10 @@ bool InsideCorner::give_points(PathBlock& approach, const PathBlock& first, Path
 void InsideCorner::keep_refused_way() {
   const PathBlock& first = *held_[1];
   const PathBlock& last = *held_.back();
+  // A circular approach is refused whatever the contour is.
+  const double gap = (end_of(last.programmed.path) - start_of(first.programmed.path)).norm();
+  if (gap > tolerances_.same_point || is_full_circle(last.programmed.path, tolerances_.same_point))
+    return;
   const auto joint = closing_joint(last, first, tolerances_);
   if (!joint) return;
   const CornerKind kind = kind_of(closing_corner(last, first, tolerances_), tolerances_);
@@ -151,9 +156,9 @@ void InsideCorner::keep_refused_way() {
 bool InsideCorner::refuse(Code code, const PathBlock& block, std::vector<DiagnosticValue> values) {
   Diagnostic problem = diagnostic(code, block.programmed.source);
   problem.values = std::move(values);
-  const bool is_of_start = code == Code::selection_point_too_near ||
-                           code == Code::approach_crosses_contour ||
-                           code == Code::inside_corner_angle_too_large;
+  const bool is_of_start =
+      code == Code::selection_point_too_near || code == Code::approach_crosses_contour ||
+      code == Code::circular_selection_block || code == Code::inside_corner_angle_too_large;
   if (is_of_start) keep_refused_way();
   if (code == Code::selection_point_too_near) {
     const MotionBlock& approach = held_.front()->programmed;

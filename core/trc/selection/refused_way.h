@@ -18,7 +18,7 @@ struct RefusedWay {
   std::vector<MotionBlock> blocks{};
   double shift = 0;  // mm to the left of the contour; negative: right
   // What the block needs under G236, mm along itself, and what a line in its last (first) direction
-  // would need; none: there is no such length.
+  // would need; none: there is no such length, or it is not its length that is at fault.
   std::optional<double> needed_length{};
   std::optional<double> needed_straight{};
   // What the corner before it takes off the last contour block, as in PathBlock.

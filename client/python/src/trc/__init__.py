@@ -8,25 +8,33 @@ cannot be compensated raises TrcError: its diagnostics name line, cause and reme
 result that was not returned may be machined.
 """
 
-from .client import Client, compensate, compensate_path
+from .client import Client, compensate, compensate_path, survey_radii
 from .errors import ServerError, TrcError
 from .path import CompensatedPath, Path
 from .result import Diagnostic, PathResult, Result, Severity
+from .survey import Clearance, LargestRadius, Place, Survey, SurveyedRadius, UncutWall
 from .tls import Tls
 from .version import __version__
 
 __all__ = [
+    "Clearance",
     "Client",
     "CompensatedPath",
     "Diagnostic",
+    "LargestRadius",
     "Path",
     "PathResult",
+    "Place",
     "Result",
     "ServerError",
     "Severity",
+    "Survey",
+    "SurveyedRadius",
     "Tls",
     "TrcError",
+    "UncutWall",
     "__version__",
     "compensate",
     "compensate_path",
+    "survey_radii",
 ]

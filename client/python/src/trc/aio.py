@@ -3,17 +3,18 @@
 from __future__ import annotations
 
 import asyncio
-from typing import Any, Optional, Union
+from typing import Any, Iterable, Optional, Union
 
 import grpc
 import grpc.aio
 
 from . import local, settings
-from .client import identity, target_of
+from .client import bytes_of, identity, survey_of, target_of
 from .errors import raised_by
-from .exchange import PathExchange, ProgramExchange
+from .exchange import Exchange, PathExchange, ProgramExchange
 from .path import Path
 from .result import PathResult, Result
+from .survey import Survey
 from .tls import Tls
 from .waiting import Waiting
 
@@ -41,8 +42,7 @@ class Client:
     async def compensate(self, text: Union[str, bytes], *, tools: settings.Tools = (),
                          **setup: Any) -> Result:
         """As trc.Client.compensate()."""
-        program = text.encode("utf-8", "surrogateescape") if isinstance(text, str) else text
-        exchange = ProgramExchange(program, settings.program_setup(setup, tools))
+        exchange = ProgramExchange(bytes_of(text), settings.program_setup(setup, tools))
         await self._run(exchange)
         return exchange.result()
 
@@ -52,7 +52,14 @@ class Client:
         await self._run(exchange)
         return exchange.result()
 
-    async def _run(self, exchange: Union[ProgramExchange, PathExchange]) -> None:
+    async def survey_radii(self, program: Union[str, bytes, Path], radii: Iterable[float] = (), *,
+                           uncut: bool = False, largest: bool = True, **setup: Any) -> Survey:
+        """As trc.Client.survey_radii()."""
+        exchange = survey_of(program, radii, uncut, largest, setup)
+        await self._run(exchange)
+        return exchange.result()
+
+    async def _run(self, exchange: Exchange) -> None:
         open_stream = self._channel.stream_stream(exchange.METHOD, identity, identity)
         waiting = Waiting(self._timeout)
         while True:

@@ -7,15 +7,37 @@ the token comes again and is dropped here, so that the joined answer is that of 
 
 from __future__ import annotations
 
-from typing import Any, Iterator, Optional
+from typing import Any, Iterator, Optional, Type, Union
 
 from . import wire
 from .path import CompensatedPath, Path
 from .result import Diagnostic, PathResult, Result
-from .v1 import setup_pb2, trc_service_pb2
+from .survey import LargestRadius, Survey, SurveyedRadius
+from .v1 import setup_pb2, survey_pb2, trc_service_pb2
 
 TEXT_BYTES = 64 * 1024
 BATCH_BLOCKS = 1024
+
+
+def text_requests(request: Type[Any], text: bytes, first: int) -> Iterator[bytes]:
+    """All text from a byte on, as messages of a type that has `text`."""
+    while True:
+        piece = text[first:first + TEXT_BYTES]
+        is_last = first + len(piece) == len(text)
+        yield request(text=trc_service_pb2.ProgramText(
+            first_byte=first, text=piece, final=is_last)).SerializeToString()
+        if is_last:
+            return
+        first += len(piece)
+
+
+def path_requests(field: int, path: Path, first: int) -> Iterator[bytes]:
+    """All blocks from one on, as messages whose columns are this field."""
+    while True:
+        yield wire.field(field, path.request(first, BATCH_BLOCKS))
+        first += BATCH_BLOCKS
+        if first >= len(path):
+            return
 
 
 class _Exchange:
@@ -63,15 +85,7 @@ class ProgramExchange(_Exchange):
         """The setup and all text, without waiting for an answer between."""
         request = trc_service_pb2.CompensateProgramRequest
         yield request(setup=self._setup).SerializeToString()
-        first = self._position
-        while True:
-            piece = self._text[first:first + TEXT_BYTES]
-            is_last = first + len(piece) == len(self._text)
-            yield request(text=trc_service_pb2.ProgramText(
-                first_byte=first, text=piece, final=is_last)).SerializeToString()
-            if is_last:
-                return
-            first += len(piece)
+        yield from text_requests(request, self._text, self._position)
 
     def absorb(self, message: bytes) -> None:
         """The next response."""
@@ -99,12 +113,7 @@ class PathExchange(_Exchange):
     def requests(self) -> Iterator[bytes]:
         """The setup and all blocks, without waiting for an answer between."""
         yield trc_service_pb2.CompensatePathRequest(setup=self._path_setup).SerializeToString()
-        first = self._position
-        while True:
-            yield wire.field(self._COLUMNS_OUT, self._path.request(first, BATCH_BLOCKS))
-            first += BATCH_BLOCKS
-            if first >= len(self._path):
-                return
+        yield from path_requests(self._COLUMNS_OUT, self._path, self._position)
 
     def absorb(self, message: bytes) -> None:
         """The next response."""
@@ -120,3 +129,50 @@ class PathExchange(_Exchange):
         """All of it; the stream has ended with OK."""
         return PathResult(path=CompensatedPath(self._parts), diagnostics=self.diagnostics,
                           summary=self.summary)
+
+
+class SurveyExchange:
+    """One program or path and many radii. One that is lost begins anew."""
+
+    METHOD = "/trc.v1.TrcService/SurveyRadii"
+    _COLUMNS_OUT = trc_service_pb2.SurveyRadiiRequest.DESCRIPTOR.fields_by_name["columns"].number
+
+    def __init__(self, source: Union[bytes, Path], setup: survey_pb2.SurveySetup) -> None:
+        self._source = source
+        self._setup = setup
+        self._radii: list[SurveyedRadius] = []
+        self._summary: Any = None
+        self.diagnostics: list[Diagnostic] = []
+
+    def requests(self) -> Iterator[bytes]:
+        """The setup and the whole input, without waiting for an answer between."""
+        request = trc_service_pb2.SurveyRadiiRequest
+        yield request(setup=self._setup).SerializeToString()
+        if isinstance(self._source, Path):
+            yield from path_requests(self._COLUMNS_OUT, self._source, 0)
+        else:
+            yield from text_requests(request, self._source, 0)
+
+    def absorb(self, message: bytes) -> None:
+        """The next response."""
+        response = trc_service_pb2.SurveyRadiiResponse.FromString(message)
+        self.diagnostics.extend(map(Diagnostic.of, response.diagnostics))
+        if response.HasField("radius"):
+            self._radii.append(SurveyedRadius.of(response.radius))
+        if response.HasField("summary"):
+            self._summary = response.summary
+
+    def go_on(self) -> None:
+        """The stream was lost: from the begin."""
+        self._radii.clear()
+        self.diagnostics.clear()
+
+    def result(self) -> Survey:
+        """All of it; the stream has ended with OK."""
+        summary = self._summary
+        largest = LargestRadius.of(summary.largest) if summary.HasField("largest") else None
+        return Survey(radii=self._radii, largest=largest, diagnostics=self.diagnostics,
+                      summary=summary)
+
+
+Exchange = Union[ProgramExchange, PathExchange, SurveyExchange]

@@ -11,7 +11,7 @@ from typing import Any, Iterable, Mapping, Union
 from google.protobuf import json_format
 
 from .errors import TrcError
-from .v1 import options_pb2, setup_pb2
+from .v1 import options_pb2, setup_pb2, survey_pb2
 
 WORDS = {
     "selection_mode": {
@@ -65,6 +65,17 @@ def program_setup(settings: Mapping[str, Any], tools: Tools = ()) -> setup_pb2.P
              if isinstance(tools, Mapping) else list(tools))
     setup = _parsed({**mine, "tools": table}, setup_pb2.ProgramSetup())
     setup.path.CopyFrom(path_setup(path))
+    return setup
+
+
+def survey_setup(radii: Iterable[float], is_path: bool, uncut: bool, largest: bool,
+                 settings: Mapping[str, Any]) -> survey_pb2.SurveySetup:
+    """A SurveySetup: what is asked, and keywords as of a program or a path."""
+    setup = survey_pb2.SurveySetup(radii=radii, want_uncut=uncut, without_largest=not largest)
+    if is_path:
+        setup.path.CopyFrom(path_setup(settings))
+    else:
+        setup.program.CopyFrom(program_setup(settings))
     return setup
 
 
