@@ -429,6 +429,35 @@ TEST(TheGuard, LeavesProgramsOfIsgAlone) {
     EXPECT_FALSE(run(text, {}, true).stopped) << text;
 }
 
+// SINUMERIK ONE, programming manual 2.10.4: as the tool came up to DISCL= over the contour, with
+// FAD= from there down under G341, or along the lead under G340; back with the feed of the contour,
+// and from the clearance on as the block says.
+TEST(SoftLeads, TravelAcrossThePlaneInTheirStepsAndFeeds) {
+  const auto text_of_program = [](const std::string& steps) {
+    ProgramSessionSetup setup;
+    ProgramSetup& program = setup.session.program;
+    program.dialect = DialectName::sinumerik;
+    program.mode.selection = Selection::direct;
+    program.mode.transition = Transition::circular;
+    program.mode.tool_radius = 5;
+    const Written written =
+        run("G17 G71 G90 G94\nG0 X-20 Y-20 Z20\nG41 " + steps +
+                " G247 DISR=10 DISCL=2 FAD=100 X0 Y30 Z-5 F300\nG1 Y60\nX80\nG0 G40 G248 DISR=10 "
+                "DISCL=AC(3) X120 Y100 Z50\nM30\n",
+            setup, true);
+    EXPECT_FALSE(written.stopped) << written.report();
+    return written.text;
+  };
+  const std::string in_front = "G17 G71 G90 G94\nG0 X-20 Y-20 Z20\nG00 X-15 Y20 ";
+  const std::string contour = "G02 X0 Y65 I5 J0\nG01 X80 Y65\n";
+  EXPECT_EQ(text_of_program("G341"),
+            in_front + "G341 F300\nG00 Z-3\nG01 Z-5 F100\nG03 X-5 Y30 I0 J10 F300\nG01 X-5 Y60\n" +
+                contour + "G03 X90 Y75 I0 J10\nG01 Z3\nG00 Z50\nG00 X120 Y100\nM30\n");
+  EXPECT_EQ(text_of_program("G340"),
+            in_front + "G340 F300\nG00 Z-3\nG03 X-5 Y30 Z-5 I0 J10 F100\nG01 X-5 Y60 F300\n" +
+                contour + "G03 X90 Y75 Z3 I0 J10\nG00 Z50\nG00 X120 Y100\nM30\n");
+}
+
 // The most dangerous word there is: inches read as millimetres.
 TEST(Inches, CountAsInchesInEveryDialect) {
   for (const DialectName name : {DialectName::fanuc, DialectName::linuxcnc}) {

@@ -312,7 +312,7 @@ bool Interpreter::complete_code_block(ProgramLine& line, BlockWords& block) {
   if (block.has(unfollowed_end)) code_.unfollowed = -1;
   if (dialect_.name == DialectName::sinumerik) {
     take_pole(block);
-    if (!resolve_polar_words(line, block)) return false;
+    if (!resolve_polar_words(line, block) || !take_soft_lead(line, block)) return false;
   }
   if (!take_fagor_words(line, block) || !take_modal_rounding(line, block)) return false;
   if (!check_code_selection(line, block) || !take_corner(line, block)) return false;
@@ -320,7 +320,7 @@ bool Interpreter::complete_code_block(ProgramLine& line, BlockWords& block) {
   if (block.has(cycle)) code_.cycle = true;
   reads_plain_lines_ = !code_.cycle && code_.unfollowed < 0 && !code_.tangent_arcs &&
                        !code_.dimension_uncertain && code_.y_seen && faults_.empty() &&
-                       code_.modal_rounding == 0;
+                       code_.modal_rounding == 0 && !code_.soft_approach;
   return goes_on && take_tool_data(line, block);
 }
 

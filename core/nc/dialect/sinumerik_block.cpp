@@ -254,6 +254,8 @@ bool Interpreter::read_assignment(const NamedWord& word, ProgramLine& line, Bloc
   }
   if (is("DISC") && word.value != 0)
     return refused(Code::nc_unsupported, "corners that reach out: DISC=0");
+  if (is("DISR") || is("DISCL") || is("DISRP") || is("FAD"))
+    return read_soft_word(word, line, block);
   if (is("AP") || is("RP")) return read_polar_word(word, line, block);
   if (is("ANG") && trc_active()) return refused(Code::nc_unsupported, "the angle of a motion");
   if (is("TURN") || is("ANG")) {

@@ -74,7 +74,7 @@ bool NamedWordReader::read_plain_number(NamedWord& word) {
   return false;
 }
 
-// Behind `=`: a number, a text, AC(…), IC(…). Else `fault_` says what it is.
+// Behind `=`: a number, a text, AC(…), IC(…), PM(…) of a feed. Else `fault_` says what it is.
 bool NamedWordReader::read_value(NamedWord& word) {
   skip_blanks();
   if (begins_number(peek())) return read_plain_number(word);
@@ -92,11 +92,13 @@ bool NamedWordReader::read_value(NamedWord& word) {
   skip_blanks();
   const bool reference = function == "AC" || function == "IC" || function == "DC" ||
                          function == "ACP" || function == "ACN";
-  if (reference && peek() == '(') {
+  const bool feed = function == "PM";
+  if ((reference || feed) && peek() == '(') {
     ++at_;
     skip_blanks();
-    word.reference =
-        function == "IC" ? NamedWord::Reference::incremental : NamedWord::Reference::absolute;
+    word.reference = function == "IC" ? NamedWord::Reference::incremental
+                     : feed           ? NamedWord::Reference::modal
+                                      : NamedWord::Reference::absolute;
     if (begins_number(peek())) {
       if (!read_plain_number(word)) return false;
       skip_blanks();
