@@ -72,8 +72,8 @@ constexpr auto names = std::to_array<Name>({
     {"SUPA", Meaning::single_move},      {"TRAFOOF", Meaning::unfollowed_end},
     {"TRANS", Meaning::frame},           {"TRAORI", Meaning::unfollowed},
     {"UNTIL", Meaning::statement},       {"UPATH", Meaning::technology},
-    {"WALIMOF", Meaning::technology},    {"WALIMON", Meaning::technology},
-    {"WHILE", Meaning::statement},
+    {"WAITS", Meaning::technology},      {"WALIMOF", Meaning::technology},
+    {"WALIMON", Meaning::technology},    {"WHILE", Meaning::statement},
 });
 static_assert(std::ranges::is_sorted(names, {}, &Name::name));
 

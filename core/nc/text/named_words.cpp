@@ -158,6 +158,14 @@ NamedWord NamedWordReader::name() {
   while (is_letter(peek()) || is_digit(peek()) || peek() == '_') spelled += upper(line_[at_++]);
   word.end = static_cast<std::uint32_t>(at_);
   skip_blanks();
+  // ACC[X]=80: of an axis or a place.
+  const std::size_t index_end = peek() == '[' ? line_.find(']', at_) : std::string_view::npos;
+  if (index_end != std::string_view::npos) {
+    at_ = index_end + 1;
+    word.end = static_cast<std::uint32_t>(at_);
+    skip_blanks();
+    if (peek() != '=') return fail(Code::nc_unsupported, word.begin, spelled + "[, a variable");
+  }
   if (peek() == '(') {
     const std::size_t close = end_of_call(at_);
     if (close == std::string_view::npos) return fail(Code::nc_unclosed, word.begin, spelled + "(");
