@@ -347,8 +347,12 @@ void Interpreter::forget_what_ends_nothing(BlockWords& block) {
   if (block.has(unfollowed_end) && code_.unfollowed < 0)
     block.functions[static_cast<std::size_t>(unfollowed_end)] = {};
   if (ends(frame, {501, 690, 1000})) {
-    if (!code_.turned && code_.unfollowed != 682)
+    if (!code_.turned && code_.unfollowed != 682) {
+      // The axes of G50.1 and G100 are those that are mirrored no longer; with T beside it G100 is
+      // a tool change that goes there.
+      block.copied |= block.axis && !block.tool_number && !block.of(frame).is(69);
       block.functions[static_cast<std::size_t>(frame)] = {};
+    }
     if (code_.unfollowed == 682) code_.unfollowed = -1;
     code_.turned = false;
   }
