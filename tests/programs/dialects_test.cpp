@@ -280,7 +280,9 @@ TEST_P(OfADialect, ComesOutAsItIsWithoutSelections) {
   if (program.text.find("APPR") != std::string::npos) return;  // is one without a side, too
   const std::string plain = std::regex_replace(
       program.text,
-      std::regex("G ?4[12](\\.1)?( D ?[0-9.]+)? ?| R[LR]| M109| M110| M111| M120 LA20"), "");
+      std::regex("G ?4[12](\\.1)?( D ?[0-9.]+)? ?| R[LR]| M109| M110| M111| M120 LA20",
+                 std::regex::ECMAScript | std::regex::icase),
+      "");
   const Written written = run(plain, program.setup, true);
   ASSERT_FALSE(written.stopped) << written.report() << plain;
   EXPECT_EQ(written.text, plain);
