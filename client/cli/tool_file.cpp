@@ -7,6 +7,7 @@
 #include <fstream>
 #include <map>
 #include <optional>
+#include <set>
 #include <sstream>
 #include <utility>
 #include <vector>
@@ -82,6 +83,8 @@ struct Sizes {
   double radius = 0;
   double wear = 0;
   bool has_radius = true;
+
+  bool operator==(const Sizes&) const = default;
 };
 
 class Table {
@@ -101,6 +104,7 @@ class Table {
       if (const std::string fault = read_line(line, as_written); !fault.empty())
         return "line " + std::to_string(line_number) + ": " + fault;
     }
+    take_edges();
     if (tools_.empty()) return "it names no tool with a radius";
     unit_unsaid_ =
         !columns_.empty() && !table_unit_ && std::ranges::find(columns_, "UNIT") == columns_.end();
@@ -141,6 +145,12 @@ class Table {
     }
     if (columns_.empty() && upper(line).find("NUMBER") != std::string::npos) return header(line);
     if (!columns_.empty()) return row(line);
+    if (upper(line).starts_with("%_N_")) {
+      sinumerik_ = true;
+      return {};
+    }
+    if (upper(line).find("$TC_") < line.find_first_of(";=")) return data_of_edge(line);
+    if (sinumerik_) return {};
     const std::map<char, double> words = words_of(line);
     const auto has = [&](char letter) { return words.contains(letter); };
     if (has('G') && words.at('G') == 10) {
@@ -165,6 +175,52 @@ class Table {
                : "\"" + std::string(line) +
                      "\" is no row of a table of tools; a CSV begins with a "
                      "header such as number,radius";
+  }
+
+  // $TC_DP6[1,1]=5 of Sinumerik.
+  std::string data_of_edge(std::string_view line) {
+    sinumerik_ = true;
+    line = trimmed(line.substr(line.find('$'), line.find(';', line.find('=')) - line.find('$')));
+    const std::size_t open = std::min(line.find('['), line.size());
+    const std::string name = upper(trimmed(line.substr(0, open)));
+    const bool radius = name == "$TC_DP6";
+    const bool wear = name == "$TC_DP15";
+    if (!radius && !wear && name != "$TC_DP1") return {};
+    const std::size_t close = std::min(line.find(']', open), line.size());
+    const auto places =
+        split(open < close ? line.substr(open + 1, close - open - 1) : std::string_view(), ',');
+    const std::size_t equals = std::min(line.find('=', close), line.size());
+    const auto tool = tool_number(number_from(places[0]));
+    const auto edge = places.size() == 2 ? tool_number(number_from(places[1])) : std::nullopt;
+    if (!tool || !edge || equals == line.size())
+      return "\"" + std::string(line) + "\" names no tool and edge, as in " + name + "[1,1]";
+    const std::string_view given = trimmed(line.substr(equals + 1));
+    const auto value = number_from(given);
+    if (!value)
+      return std::string(trimmed(line.substr(0, equals))) + " is \"" + std::string(given) +
+             "\", which is no number";
+    constexpr double first_turning_type = 500;
+    constexpr double last_turning_type = 599;
+    if (name == "$TC_DP1") {
+      if (*value >= first_turning_type && *value <= last_turning_type) turning_.insert(*tool);
+      return {};
+    }
+    Sizes& sizes = edges_[*tool].try_emplace(*edge, Sizes{.has_radius = false}).first->second;
+    (wear ? sizes.wear : sizes.radius) = *value * unit_;
+    sizes.has_radius |= radius;
+    return {};
+  }
+
+  // Of the tools of Sinumerik, those that have one radius.
+  void take_edges() {
+    for (const auto& [tool, edges] : edges_) {
+      const Sizes& first = edges.begin()->second;
+      const bool alike =
+          std::ranges::all_of(edges, [&](const auto& edge) { return edge.second == first; });
+      // What stands nowhere is 0 there.
+      const bool empty = !first.has_radius && first.wear == 0;
+      if (alike && !empty && !turning_.contains(tool)) tools_[tool] = first;
+    }
   }
 
   // TOOL.T of Heidenhain: the first line names the columns, each cell begins below its name.
@@ -273,6 +329,9 @@ class Table {
   std::vector<std::string> columns_{};
   bool heidenhain_ = false;
   std::vector<std::pair<std::string, std::size_t>> places_{};  // of its columns: name and begin
+  bool sinumerik_ = false;
+  std::map<std::uint32_t, std::map<std::uint32_t, Sizes>> edges_{};  // of each tool, by number
+  std::set<std::uint32_t> turning_{};
   std::map<std::uint32_t, Sizes> tools_{};
 };
 

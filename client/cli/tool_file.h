@@ -17,6 +17,11 @@ namespace trc::cli {
 //     comment.
 //   - Fanuc: lines `G10 L12 P2 R5.` (radius) and `G10 L13 P2 R-0.02` (wear), in the
 //     unit of the setup; other lines are passed over.
+//   - Sinumerik: lines `$TC_DP6[t,d]=5` (radius) and `$TC_DP15[t,d]=-0.02` (wear) in the unit of
+//   the
+//     setup, t the tool and d its edge, as a TOA file has them; other lines are passed over. Tools
+//     of turning (`$TC_DP1` 500 to 599) are left out, and so are those whose edges differ: a
+//     program chooses among them with D, which has no place in the setup.
 //   - Heidenhain: TOOL.T with its columns T, R and DR, the wear.
 //
 // Returns what is wrong, as a sentence; empty when all is read.

@@ -197,6 +197,11 @@ bool Conversion::read_technology(const ProgramLine& line, std::string_view given
     words.tool = tool;
     return true;
   }
+  // The radius of D has been compensated. An edge of Sinumerik has a length of its own, and without
+  // a tool there is none.
+  if (const std::int64_t edge = whole_behind(word, 'D');
+      edge == 1 || (edge > 1 && from_.name != DialectName::sinumerik))
+    return true;
   const std::int64_t m = whole_behind(word, 'M');
   if (m == 6) {
     words.loads_tool = true;

@@ -50,6 +50,39 @@ TEST(ToolFile, IsATableOfLinuxcnc) {
   EXPECT_DOUBLE_EQ(radii.at(12), 3.175);
 }
 
+// $TC_DP6 is the radius of an edge, $TC_DP15 its wear, $TC_DP1 from 500 to 599 a turning tool,
+// whose $TC_DP6 is that of its nose.
+TEST(ToolFile, IsTheToolDataOfSinumerik) {
+  constexpr const char* table =
+      "%_N_TO_TOA\r\n;$PATH=/_N_TOA1_DIR\r\nCHANDATA(1)\r\n$TC_TP1[1]=1\r\n"
+      "$TC_TP2[1]=\"MILL[2]=12; "
+      "D10\"\r\n$TC_TP3[1]=9999\r\n$TC_DP1[1,1]=120\r\n$TC_DP3[1,1]=110.25\r\n"
+      "$TC_DP6[1,1]=5\r\n$TC_DP15[1,1]=-0.02\r\nN40 $tc_dp6[ 12 , 1 ] = +3.5 ;finisher\r\n"
+      "$TC_DP1[7,1]=500\r\n$TC_DP6[7,1]=0.8\r\n$TC_DP6[9,1]=0\r\n$TC_DP15[9,1]=0\r\n"
+      "$TC_DP15[8,1]=0\r\n$TC_MPP1[1,1]=2\r\n$TC_DPC1[1,1]=4\r\nM17\r\n";
+  EXPECT_EQ(radii_in(table), (std::map<std::uint32_t, double>{{1, 5}, {9, 0}, {12, 3.5}}));
+  EXPECT_EQ(wear_in(table), (std::map<std::uint32_t, double>{{1, -0.02}, {9, 0}, {12, 0}}));
+  EXPECT_DOUBLE_EQ(radii_in("%_N_TOOLS_INI\n$TC_DP6[2,1]=0.25\nM30\n", true).at(2), 6.35);
+}
+
+// A program chooses an edge with D, and a tool of the setup has one radius: of edges that differ
+// none is taken, so that G41 with that tool is refused.
+TEST(ToolFile, LeavesOutToolsOfSinumerikWhoseEdgesDiffer) {
+  EXPECT_EQ(radii_in("$TC_DP6[1,1]=5\n$TC_DP6[1,2]=4\n$TC_DP6[2,1]=3\n$TC_DP6[2,2]=3\n"),
+            (std::map<std::uint32_t, double>{{2, 3}}));
+  EXPECT_EQ(radii_in("$TC_DP6[1,1]=5\n$TC_DP6[1,2]=5\n$TC_DP15[1,2]=0.1\n$TC_DP6[3,2]=2\n"),
+            (std::map<std::uint32_t, double>{{3, 2}}));
+}
+
+TEST(ToolFile, SaysWhatIsWrongInToolDataOfSinumerik) {
+  EXPECT_EQ(fault_in("%_N_TO_TOA\n$TC_DP6[1,1]=R5\n"),
+            "line 2: $TC_DP6[1,1] is \"R5\", which is no number");
+  EXPECT_EQ(fault_in("$TC_DP6[1]=5\n"),
+            "line 1: \"$TC_DP6[1]=5\" names no tool and edge, as in $TC_DP6[1,1]");
+  EXPECT_EQ(fault_in("%_N_TO_TOA\n$TC_TP2[1]=\"A\"\nM17\n"), "it names no tool with a radius");
+  EXPECT_EQ(fault_in("$TC_DP15[4,1]=0.1\n$TC_DP6[5,1]=1\n"), "tool 4 has wear, but no radius");
+}
+
 TEST(ToolFile, HoldsTheOffsetsOfFanuc) {
   constexpr const char* table =
       "%\nO9001\nG10 L10 P1 R120.5\nG10 L12 P1 R5.\nG10 L13 P1 R-0.02\nM30\n%\n";

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <iomanip>
 #include <limits>
+#include <random>
 #include <regex>
 #include <set>
 #include <sstream>
@@ -278,7 +280,9 @@ TEST_P(OfADialect, ComesOutAsItIsWithoutSelections) {
   if (program.text.find("APPR") != std::string::npos) return;  // is one without a side, too
   const std::string plain = std::regex_replace(
       program.text,
-      std::regex("G ?4[12](\\.1)?( D ?[0-9.]+)? ?| R[LR]| M109| M110| M111| M120 LA20"), "");
+      std::regex("G ?4[12](\\.1)?( D ?[0-9.]+)? ?| R[LR]| M109| M110| M111| M120 LA20",
+                 std::regex::ECMAScript | std::regex::icase),
+      "");
   const Written written = run(plain, program.setup, true);
   ASSERT_FALSE(written.stopped) << written.report() << plain;
   EXPECT_EQ(written.text, plain);
@@ -349,6 +353,124 @@ TEST(Conversion, SaysMotionsFeedsAndToolsInTheWordsOfTheOther) {
             "G03 X16 Y5 I10 J0\nG01 Z2 M30\n");
 }
 
+// A plate milled outside with one tool and a round corner with another, spelled in a dialect.
+class PlateProgram {
+ public:
+  PlateProgram(DialectName name, double width, double height, double corner)
+      : klartext_(name == DialectName::heidenhain), fanuc_(name == DialectName::fanuc) {
+    const bool twenty = fanuc_ || name == DialectName::linuxcnc;
+    text_ = klartext_ ? "BEGIN PGM PLATE MM\n"
+                      : std::string("G17 G90 G94 G40 ") + (twenty ? "G21\n" : "G71\n");
+    for (const int tool : {1, 2}) {
+      const std::string number = std::to_string(tool);
+      text_ +=
+          klartext_ ? "TOOL CALL " + number + " Z S3000\nL M3\n" : "T" + number + " M6\nS3000 M3\n";
+      rapid("X", -30, " Y", -25);
+      rapid("Z", 5);
+      text_ += klartext_ ? "L Z-3 F200\n" : "G1 Z-3. F200\n";
+      const std::string edge = name == DialectName::sinumerik ? "1" : number;
+      feed(klartext_ ? "" : "G41 D" + edge + " ", 0, 0, klartext_ ? " RL F400" : " F400");
+      feed("", 0, height - corner);
+      arc(corner, height - corner, 0, height - corner, corner, height, true);
+      feed("", width, height);
+      feed("", width, 0);
+      feed("", 0, 0);
+      feed(klartext_ ? "" : "G40 ", -30, -25, klartext_ ? " R0" : "");
+      rapid("Z", 50);
+    }
+    text_ += klartext_ ? "M30\nEND PGM PLATE MM\n" : "M30\n";
+  }
+  [[nodiscard]] const std::string& text() const { return text_; }
+
+ private:
+  [[nodiscard]] static std::string number(double value) {
+    std::ostringstream out;
+    out << std::fixed << std::setprecision(3) << value;
+    return out.str();
+  }
+  void rapid(const std::string& axis, double a, const std::string& second = {}, double b = 0) {
+    text_ += (klartext_ ? "L " : "G0 ") + axis + number(a);
+    if (!second.empty()) text_ += second + number(b);
+    text_ += klartext_ ? " FMAX\n" : "\n";
+  }
+  void feed(const std::string& words, double x, double y, const std::string& behind = {}) {
+    text_ +=
+        (klartext_ ? "L " : words + "G1 ") + "X" + number(x) + " Y" + number(y) + behind + "\n";
+  }
+  void arc(double center_x, double center_y, double from_x, double from_y, double x, double y,
+           bool clockwise) {
+    const std::string end = "X" + number(x) + " Y" + number(y);
+    if (klartext_)
+      text_ += "CC X" + number(center_x) + " Y" + number(center_y) + "\nC " + end +
+               (clockwise ? " DR-\n" : " DR+\n");
+    else
+      text_ += (clockwise ? "G2 " : "G3 ") + end + " I" + number(center_x - from_x) + " J" +
+               number(center_y - from_y) + "\n";
+  }
+
+  bool klartext_;
+  bool fanuc_;
+  std::string text_{};
+};
+
+// Compensated and converted, a program is the same path in each dialect: written with 7 decimals,
+// to 1e-6 mm, whichever dialect it has been written in.
+TEST(Conversion, OfEveryPairOfDialectsIsTheSamePathTo1e6) {
+  std::minstd_rand random(4711);  // NOLINT(cert-msc32-c,cert-msc51-cpp): the same in each run
+  const auto between = [&](double low, double high) {
+    const double share = static_cast<double>(random() - std::minstd_rand::min()) /
+                         static_cast<double>(std::minstd_rand::max());
+    return std::round((low + share * (high - low)) * 1000) / 1000;
+  };
+  constexpr double same = 1e-6;
+  const auto expect_same = [&](const std::vector<CompensatedBlock>& path,
+                               const std::vector<CompensatedBlock>& wanted,
+                               const std::string& text) {
+    ASSERT_EQ(path.size(), wanted.size()) << text;
+    for (std::size_t k = 0; k < path.size(); ++k) {
+      EXPECT_EQ(path[k].rapid, wanted[k].rapid) << text;
+      EXPECT_NEAR(path[k].rapid ? 0 : path[k].feed - wanted[k].feed, 0, 1e-3) << text;
+      for (const double t : {0.5, 1.0})
+        EXPECT_LT((point_at(path[k].path, t) - point_at(wanted[k].path, t)).norm(), same)
+            << k << '\n'
+            << text;
+      EXPECT_NEAR(path[k].normal.to, wanted[k].normal.to, same) << k << '\n' << text;
+    }
+  };
+  for (int round = 0; round < 20; ++round) {
+    const double width = between(40, 400);
+    const double height = between(40, 400);
+    const double corner = between(1, 20);
+    std::vector<CompensatedBlock> first;
+    for (const Dialect& from : all_dialects()) {
+      const std::string text = PlateProgram(from.name, width, height, corner).text();
+      ProgramSessionSetup setup;
+      setup.decimals = 7;
+      ProgramSetup& program = setup.session.program;
+      program.dialect = from.name;
+      program.mode.selection = Selection::direct;
+      program.mode.transition = Transition::circular;
+      program.tools = {{1, 6.0}, {2, 4.125}};
+      const Written written = run(text, setup, true);
+      ASSERT_FALSE(written.stopped) << written.report() << text;
+      const auto path = moving(run(text, setup, false).blocks, 1e-6);
+      if (first.empty()) first = path;
+      expect_same(path, first, text);
+      for (const Dialect& to : all_dialects()) {
+        if (to.name == from.name) continue;
+        const ConvertedProgram converted = convert_program(written.text, program, to.name, 7);
+        ASSERT_EQ(converted.fault, "") << from.spelling << " to " << to.spelling << '\n'
+                                       << written.text;
+        ProgramSessionSetup read;
+        read.session.program.dialect = to.name;
+        const Written again = run(converted.text, read, false);
+        ASSERT_FALSE(again.stopped) << again.report() << converted.text;
+        expect_same(moving(again.blocks, 1e-6), path, converted.text);
+      }
+    }
+  }
+}
+
 // What is a comment stays one: behind its bracket there would be words.
 TEST(Conversion, LeavesNoBracketInACommentInBrackets) {
   const std::string text = "N1 G0 X1 Y2 ; rapid) Z-100 (here\nN2 G1 X5 F100\nN3 M30\n";
@@ -377,6 +499,26 @@ TEST(Conversion, RefusesByNameWhatMeansSomethingElseThere) {
   }
 }
 
+// D0 ends what D has begun, and another edge of Sinumerik has another length.
+TEST(Conversion, LeavesOutTheRegisterOfTheRadiusAlone) {
+  for (const auto& [from, word, goes_on] : std::vector<std::tuple<DialectName, std::string, bool>>{
+           {DialectName::isg, "D3", true},
+           {DialectName::isg, "D0", false},
+           {DialectName::fanuc, "D21", true},
+           {DialectName::fanuc, "D0", false},
+           {DialectName::sinumerik, "D1", true},
+           {DialectName::sinumerik, "D2", false},
+           {DialectName::sinumerik, "D0", false}}) {
+    ProgramSetup setup;
+    setup.dialect = from;
+    setup.tools = {{1, 1.0}, {3, 1.0}, {21, 1.0}};
+    const ConvertedProgram written =
+        convert_program("T1 M6\nG0 X1 " + word + "\nM30\n", setup, DialectName::linuxcnc, 3);
+    EXPECT_EQ(written.text.find('D'), std::string::npos) << written.text;
+    EXPECT_EQ(written.fault, goes_on ? "" : word);
+  }
+}
+
 TEST(FaultsOfReading, AreAllToldInOneRunWithTheNumberOfTheirLines) {
   ProgramSessionSetup setup;
   setup.session.program.dialect = DialectName::fanuc;
@@ -390,6 +532,16 @@ TEST(FaultsOfReading, AreAllToldInOneRunWithTheNumberOfTheirLines) {
   EXPECT_EQ(written.diagnostics[2].source.line, 4u);
   EXPECT_EQ(written.diagnostics[3].source.line, 7u);
   EXPECT_EQ(written.text.find("G0"), std::string::npos) << written.text;
+}
+
+// DEF and EXTCALL are one obstacle each, whatever stands behind them.
+TEST(FaultsOfReading, NameAStatementOfSinumerikOnce) {
+  ProgramSessionSetup setup;
+  setup.session.program.dialect = DialectName::sinumerik;
+  const Written written = run("DEF REAL DEPTH\nEXTCALL \"SUB\"\nG0 X0\nM30\n", setup, true);
+  ASSERT_EQ(written.diagnostics.size(), 2u) << written.report();
+  EXPECT_EQ(written.diagnostics[0].detail, "DEF, a statement");
+  EXPECT_EQ(written.diagnostics[1].detail, "EXTCALL, a statement");
 }
 
 TEST(FaultsOfReading, AreNoMoreThanTheLimit) {
@@ -427,6 +579,35 @@ TEST(TheGuard, NamesTheDialectAProgramLooksLike) {
 TEST(TheGuard, LeavesProgramsOfIsgAlone) {
   for (const char* text : {"#TRC [REVERSE=1]\nG20\nG0 X1\n", "G138\nG26 X1 Y1\n", "G25\nG1 X1\n"})
     EXPECT_FALSE(run(text, {}, true).stopped) << text;
+}
+
+// SINUMERIK ONE, programming manual 2.10.4: as the tool came up to DISCL= over the contour, with
+// FAD= from there down under G341, or along the lead under G340; back with the feed of the contour,
+// and from the clearance on as the block says.
+TEST(SoftLeads, TravelAcrossThePlaneInTheirStepsAndFeeds) {
+  const auto text_of_program = [](const std::string& steps) {
+    ProgramSessionSetup setup;
+    ProgramSetup& program = setup.session.program;
+    program.dialect = DialectName::sinumerik;
+    program.mode.selection = Selection::direct;
+    program.mode.transition = Transition::circular;
+    program.mode.tool_radius = 5;
+    const Written written =
+        run("G17 G71 G90 G94\nG0 X-20 Y-20 Z20\nG41 " + steps +
+                " G247 DISR=10 DISCL=2 FAD=100 X0 Y30 Z-5 F300\nG1 Y60\nX80\nG0 G40 G248 DISR=10 "
+                "DISCL=AC(3) X120 Y100 Z50\nM30\n",
+            setup, true);
+    EXPECT_FALSE(written.stopped) << written.report();
+    return written.text;
+  };
+  const std::string in_front = "G17 G71 G90 G94\nG0 X-20 Y-20 Z20\nG00 X-15 Y20 ";
+  const std::string contour = "G02 X0 Y65 I5 J0\nG01 X80 Y65\n";
+  EXPECT_EQ(text_of_program("G341"),
+            in_front + "G341 F300\nG00 Z-3\nG01 Z-5 F100\nG03 X-5 Y30 I0 J10 F300\nG01 X-5 Y60\n" +
+                contour + "G03 X90 Y75 I0 J10\nG01 Z3\nG00 Z50\nG00 X120 Y100\nM30\n");
+  EXPECT_EQ(text_of_program("G340"),
+            in_front + "G340 F300\nG00 Z-3\nG03 X-5 Y30 Z-5 I0 J10 F100\nG01 X-5 Y60 F300\n" +
+                contour + "G03 X90 Y75 Z3 I0 J10\nG00 Z50\nG00 X120 Y100\nM30\n");
 }
 
 // The most dangerous word there is: inches read as millimetres.

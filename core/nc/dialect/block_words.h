@@ -68,13 +68,22 @@ struct Interpreter::BlockWords {
   // Of Sinumerik. References: 1 for AC(), -1 for IC(), 0 as G90 and G91 say.
   std::array<std::int8_t, 3> end_reference{};
   std::array<std::int8_t, 3> center_reference{};
-  std::optional<double> sweep{};                   // AR=, degrees
-  std::array<std::optional<Value>, 3> through{};   // I1= J1= K1=
-  std::optional<Value> polar_angle{};              // AP=, degrees
-  std::optional<Value> polar_radius{};             // RP=
-  bool polar_increment = false;                    // one of them is IC()
-  bool is_through = false;                         // CIP
-  bool begins_tangent_arcs = false;                // CT
+  std::optional<double> sweep{};                  // AR=, degrees
+  std::array<std::optional<Value>, 3> through{};  // I1= J1= K1=
+  std::optional<Value> polar_angle{};             // AP=, degrees
+  std::optional<Value> polar_radius{};            // RP=
+  bool polar_increment = false;                   // one of them is IC()
+  bool is_through = false;                        // CIP
+  bool begins_tangent_arcs = false;               // CT
+  // Beside G147 … G348.
+  std::optional<Value> soft_length{};     // DISR=, the radius of an arc
+  std::optional<Value> soft_clearance{};  // DISCL=
+  bool clearance_is_absolute = false;
+  std::optional<Value> soft_feed{};              // FAD=
+  std::optional<std::uint32_t> soft_return{};    // DISRP=
+  bool leads_softly = false;                     // G147 … G348 are followed
+  MotionKind motion_before = MotionKind::rapid;  // of such a block
+  double feed_before = 0;
   std::optional<std::uint32_t> unfollowed_word{};  // CT, TURN=, AP=, RP=, ,A
 };
 

@@ -312,7 +312,7 @@ bool Interpreter::complete_code_block(ProgramLine& line, BlockWords& block) {
   if (block.has(unfollowed_end)) code_.unfollowed = -1;
   if (dialect_.name == DialectName::sinumerik) {
     take_pole(block);
-    if (!resolve_polar_words(line, block)) return false;
+    if (!resolve_polar_words(line, block) || !take_soft_lead(line, block)) return false;
   }
   if (!take_fagor_words(line, block) || !take_modal_rounding(line, block)) return false;
   if (!check_code_selection(line, block) || !take_corner(line, block)) return false;
@@ -320,7 +320,7 @@ bool Interpreter::complete_code_block(ProgramLine& line, BlockWords& block) {
   if (block.has(cycle)) code_.cycle = true;
   reads_plain_lines_ = !code_.cycle && code_.unfollowed < 0 && !code_.tangent_arcs &&
                        !code_.dimension_uncertain && code_.y_seen && faults_.empty() &&
-                       code_.modal_rounding == 0;
+                       code_.modal_rounding == 0 && !code_.soft_approach;
   return goes_on && take_tool_data(line, block);
 }
 
@@ -347,8 +347,12 @@ void Interpreter::forget_what_ends_nothing(BlockWords& block) {
   if (block.has(unfollowed_end) && code_.unfollowed < 0)
     block.functions[static_cast<std::size_t>(unfollowed_end)] = {};
   if (ends(frame, {501, 690, 1000})) {
-    if (!code_.turned && code_.unfollowed != 682)
+    if (!code_.turned && code_.unfollowed != 682) {
+      // The axes of G50.1 and G100 are those that are mirrored no longer; with T beside it G100 is
+      // a tool change that goes there.
+      block.copied |= block.axis && !block.tool_number && !block.of(frame).is(69);
       block.functions[static_cast<std::size_t>(frame)] = {};
+    }
     if (code_.unfollowed == 682) code_.unfollowed = -1;
     code_.turned = false;
   }

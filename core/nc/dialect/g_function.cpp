@@ -170,6 +170,11 @@ std::string_view name_of(GGroup group) {
       return "circle centre";
     case circle_check:
       return "centre correction";
+    case soft_lead:
+      return "smooth approach or retraction";
+    case soft_direction:
+    case soft_steps:
+      return "way of smooth approach and retraction";
     case zero_shift:
       return "zero shift";
     case feed_mode:

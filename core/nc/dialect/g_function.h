@@ -29,12 +29,15 @@ enum class GGroup : std::uint8_t {
   spatial_circle,   // G303
   // Of other dialects than ISG, where a line may be copied while TRC is off although it is not
   // followed:
-  cycle,        // modal: until `cycle_end` or a motion function each position is one of a cycle
-  cycle_end,    // G80
-  single_move,  // the axes of this line go where only the control knows: G28, G53, a cycle once
-  frame,        // what coordinates mean changes; axis letters beside it are no positions
-  tool_data,    // G10 of Fanuc: zero points or tool data, as its L says
-  unfollowed,   // until `unfollowed_end` coordinates mean something else: polar, scaling
+  cycle,           // modal: until `cycle_end` or a motion function each position is one of a cycle
+  cycle_end,       // G80
+  single_move,     // the axes of this line go where only the control knows: G28, G53, a cycle once
+  frame,           // what coordinates mean changes; axis letters beside it are no positions
+  soft_lead,       // G147 … G348 of Sinumerik: smooth approach and retraction, for its block
+  soft_direction,  // G140 … G143: from which side
+  soft_steps,      // G340, G341: how the third axis comes down
+  tool_data,       // G10 of Fanuc: zero points or tool data, as its L says
+  unfollowed,      // until `unfollowed_end` coordinates mean something else: polar, scaling
   unfollowed_end,
   turning,  // of lathes only
   call,     // subprograms and macros

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -102,6 +103,68 @@ bool assigns(std::string_view statement) {
          begins_with_word(statement, "QS") || begins_with_word(statement, "DECLARE");
 }
 
+// Behind `/` and the number of the block, which become words of the line; nothing where no more
+// stands in it than a number.
+std::optional<std::size_t> begin_of_statement(ProgramLine& line, bool& to_skip) {
+  const std::string_view text = line.text;
+  std::size_t at = 0;
+  const auto skip_blanks = [&] {
+    at = std::min(text.find_first_not_of(" \t", at), text.size());
+    return at < text.size();
+  };
+  const auto add_word = [&](std::size_t end, WordRole role) {
+    line.words.push_back({.begin = static_cast<std::uint32_t>(at),
+                          .end = static_cast<std::uint32_t>(end),
+                          .role = role});
+    at = end;
+  };
+  if (!skip_blanks()) return {};
+  to_skip = text[at] == '/';
+  if (to_skip) {
+    add_word(at + 1, WordRole::technology);
+    if (!skip_blanks()) return {};
+  }
+  const bool has_letter = upper(text[at]) == 'N' && at + 1 < text.size() && is_digit(text[at + 1]);
+  if (!is_digit(text[at]) && !has_letter) return at;
+  const std::size_t digits = at + (has_letter ? 1 : 0);
+  const std::size_t end = std::min(text.find_first_not_of("0123456789", digits), text.size());
+  if (end - digits < 16) line.source.number = std::stoll(std::string(text, digits, end - digits));
+  add_word(end, WordRole::number);
+  if (skip_blanks()) return at;
+  line.words.clear();
+  return {};
+}
+
+// Why a block with this M function is not followed; empty: it is. `active`: while TRC is.
+std::string_view why_unfollowed(int m, bool active) {
+  switch (m) {
+    case 91:
+    case 92:
+      return ", machine coordinates";
+    case 140:
+      return ", a retract along the tool";
+    default:
+      break;
+  }
+  if (!active) return {};
+  switch (m) {
+    case 89:
+    case 99:
+      return ", a cycle call";
+    case 97:
+      return ", corners of small steps";
+    case 98:
+      return ", open corners";
+    case 128:
+    case 144:
+      return ", the tool tip is led";
+    case 136:
+      return ", feed per turn";
+    default:
+      return {};
+  }
+}
+
 }  // namespace
 
 // RL, RR, and R+ R- beside a single axis: not RLENGTH, nor the radius R+30 of CR.
@@ -128,36 +191,11 @@ bool Interpreter::refuse_klartext(const ProgramLine& line, std::size_t begin, st
 }
 
 bool Interpreter::read_klartext(ProgramLine& line) {
-  std::string_view rest = line.text;
-  std::size_t at = 0;
-  const auto skip_blanks = [&] {
-    at = std::min(rest.find_first_not_of(" \t", at), rest.size());
-    return at < rest.size();
-  };
   KlartextBlock block;
-  if (!skip_blanks()) return true;
-  if (rest[at] == '/') {
-    block.to_skip = true;
-    line.words.push_back({.begin = static_cast<std::uint32_t>(at),
-                          .end = static_cast<std::uint32_t>(at + 1),
-                          .role = WordRole::technology});
-    ++at;
-    if (!skip_blanks()) return true;
-  }
-  const bool has_letter = upper(rest[at]) == 'N' && at + 1 < rest.size() && is_digit(rest[at + 1]);
-  if (is_digit(rest[at]) || has_letter) {
-    const std::size_t digits = at + (has_letter ? 1 : 0);
-    const std::size_t end = std::min(rest.find_first_not_of("0123456789", digits), rest.size());
-    if (end - digits < 16) line.source.number = std::stoll(std::string(rest, digits, end - digits));
-    line.words.push_back({.begin = static_cast<std::uint32_t>(at),
-                          .end = static_cast<std::uint32_t>(end),
-                          .role = WordRole::number});
-    at = end;
-    if (!skip_blanks()) {
-      line.words.clear();
-      return true;
-    }
-  }
+  const std::optional<std::size_t> found = begin_of_statement(line, block.to_skip);
+  if (!found) return true;
+  const std::size_t at = *found;
+  const std::string_view rest = line.text;
   if (rest[at] == ';' || rest[at] == '*') {
     line.words.push_back({.begin = static_cast<std::uint32_t>(at),
                           .end = static_cast<std::uint32_t>(rest.size()),
@@ -401,11 +439,12 @@ bool Interpreter::read_klartext_feed(const KlartextWord& word, ProgramLine& line
 bool Interpreter::read_klartext_function(const KlartextWord& word, ProgramLine& line,
                                          KlartextBlock& block) {
   const auto m = static_cast<int>(word.value);
-  const std::string text(line.word({.begin = word.begin, .end = word.end}));
-  const auto unfollowed = [&](const char* why) {
-    if (!block.unfollowed) block.unfollowed_why = text + why;
-    if (!block.unfollowed) block.unfollowed = word.begin;
-  };
+  const std::string_view why = why_unfollowed(m, trc_active());
+  if (!why.empty() && !block.unfollowed) {
+    block.unfollowed_why = line.word({.begin = word.begin, .end = word.end});
+    block.unfollowed_why += why;
+    block.unfollowed = word.begin;
+  }
   WordRole role = WordRole::technology;
   switch (m) {
     case 0:
@@ -420,16 +459,10 @@ bool Interpreter::read_klartext_function(const KlartextWord& word, ProgramLine& 
       block.calls_cycle = true;
       if (m == 89) klartext_.modal_cycle = true;
       if (m == 99) klartext_.modal_cycle = false;
-      if (trc_active()) unfollowed(", a cycle call");
       break;
     case 91:
     case 92:
       block.machine_place = true;
-      unfollowed(", machine coordinates");
-      break;
-    case 97:
-    case 98:
-      if (trc_active()) unfollowed(m == 97 ? ", corners of small steps" : ", open corners");
       break;
     case 109:
     case 110:
@@ -446,7 +479,6 @@ bool Interpreter::read_klartext_function(const KlartextWord& word, ProgramLine& 
     case 136:
       block.feed_per_turn = true;
       klartext_.feed_per_turn = true;
-      if (trc_active()) unfollowed(", feed per turn");
       break;
     case 137:
       klartext_.feed_per_turn = false;
@@ -455,7 +487,6 @@ bool Interpreter::read_klartext_function(const KlartextWord& word, ProgramLine& 
     case 144:
       klartext_.unfollowed = true;
       block.ignores_words = true;
-      if (trc_active()) unfollowed(", the tool tip is led");
       break;
     case 129:
     case 145:
@@ -464,11 +495,8 @@ bool Interpreter::read_klartext_function(const KlartextWord& word, ProgramLine& 
     case 103:
     case 118:
     case 138:
-      block.ignores_words = true;
-      break;
     case 140:
       block.ignores_words = true;
-      unfollowed(", a retract along the tool");
       break;
     default:
       break;

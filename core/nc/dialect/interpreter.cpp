@@ -436,6 +436,8 @@ bool Interpreter::apply(ProgramLine& line, const PlainMotion& plain) {
 bool Interpreter::apply(ProgramLine& line, BlockWords& block) {
   line.has_trc_words = line.has(WordRole::trc);
   const auto pass = [&](WordRole role) { return !line.has(role) || pass_words(line, role); };
+  block.motion_before = motion_;
+  block.feed_before = feed_;
   const bool goes_on = apply_modes(line, block) && apply_trc(line, block) &&
                        pass(WordRole::technology) && apply_motion(line, block) &&
                        pass(WordRole::stop);
@@ -544,7 +546,8 @@ bool Interpreter::apply_trc(const ProgramLine& line, const BlockWords& block) {
       !state_.set_tool(static_cast<std::int64_t>(block.tool->value), source))
     return false;
   if (has(tangential) && !state_.set_tangential(source)) return false;
-  if (!has(side)) return true;
+  // A smooth retraction runs along the contour before it ends TRC.
+  if (!has(side) || (block.leads_softly && block.of(side).is(40))) return true;
   return state_.select(side_of(block.of(side).function->number), source);
 }
 
@@ -553,6 +556,9 @@ bool Interpreter::apply_motion(ProgramLine& line, BlockWords& block) {
   if (dialect_.name == DialectName::sinumerik && (block.axis || block.center) &&
       !resolve_references(line, block))
     return false;
+  if (block.leads_softly)
+    return block.of(GGroup::soft_lead).function->number % 10 == 7 ? approach_softly(line, block)
+                                                                  : depart_softly(line, block);
   const bool axis_is_position = !block.has(GGroup::dwell) && !block.of(GGroup::zero_shift).is(92);
   if ((!block.axis || !axis_is_position) && !block.center) return true;
   const std::uint32_t begin = std::min(block.axis.value_or(~0U), block.center.value_or(~0U));
@@ -566,7 +572,7 @@ bool Interpreter::apply_motion(ProgramLine& line, BlockWords& block) {
                             .detail = std::string("G")
                                           .append(std::to_string(feed_mode_))
                                           .append(adapted ? " with G11" : " while TRC is active")});
-  return move(line, block.move);
+  return code_.soft_approach ? begin_contour_of_approach(line, block) : move(line, block.move);
 }
 
 // The words of `request` are those of the line; the rest is in force.

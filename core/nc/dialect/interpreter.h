@@ -183,6 +183,21 @@ class Interpreter {
   bool take_sweep(ProgramLine& line, BlockWords& block);
   bool take_point_between(ProgramLine& line, BlockWords& block);
   bool choose_tool_of_edge(ProgramLine& line, BlockWords& block);
+  // G147 … G348: sinumerik_leads.cpp.
+  bool read_soft_word(const NamedWord& word, ProgramLine& line, BlockWords& block);
+  bool take_soft_lead(ProgramLine& line, BlockWords& block);
+  bool check_soft_lead(ProgramLine& line, const BlockWords& block);
+  bool approach_softly(ProgramLine& line, BlockWords& block);
+  bool begin_contour_of_approach(ProgramLine& line, BlockWords& block);
+  bool depart_softly(ProgramLine& line, BlockWords& block);
+  [[nodiscard]] Lead soft_lead_of(const BlockWords& block) const;
+  bool find_soft_end(const ProgramLine& line, const BlockWords& block,
+                     std::array<std::optional<double>, 3>& end);
+  bool refuse_clearance(const ProgramLine& line, std::uint32_t begin);
+  struct SoftClearance;
+  [[nodiscard]] std::optional<SoftClearance> clearance_of(const BlockWords& block) const;
+  [[nodiscard]] static std::optional<double> height_of(
+      const std::optional<SoftClearance>& clearance, double plane, double away);
 
   bool check_block(ProgramLine& line, const BlockWords& block);
 
@@ -218,6 +233,31 @@ class Interpreter {
     return function.number == dialect_.inch_function || function.number == 700;
   }
 
+  // DISCL=, mm.
+  struct SoftClearance {
+    double distance = 0;
+    bool absolute = false;  // a coordinate of the third axis
+
+    template <class Archive>
+    void serialize(Archive& archive) {
+      archive(distance, absolute);
+    }
+  };
+  // G147 and the like, until the block that ends where the contour begins.
+  struct SoftApproach {
+    Lead lead{};
+    std::optional<double> height{};  // of the contour, mm: the third axis
+    std::optional<SoftClearance> clearance{};
+    bool along_the_lead = true;  // G340
+    double feed = 0;             // FAD, mm/min; 0: none
+    bool rapid = false;          // how the tool came before
+    double feed_before = 0;
+
+    template <class Archive>
+    void serialize(Archive& archive) {
+      archive(lead, height, clearance, along_the_lead, feed, rapid, feed_before);
+    }
+  };
   // What a program of a dialect of plain letters and numbers has in force besides.
   struct CodeModes {
     bool cycle = false;                // each position is one of a drilling cycle
@@ -245,13 +285,16 @@ class Interpreter {
     std::optional<double> polar_angle{};  // degrees
     std::optional<double> polar_radius{};
     bool polar_rewritten = false;  // one of them stands in a line that is written anew
+    int soft_direction = 140;
+    bool soft_in_space = true;                    // G340
+    std::optional<SoftApproach> soft_approach{};  // its contour begins with the next motion
 
     template <class Archive>
     void serialize(Archive& archive) {
       archive(cycle, unfollowed, turning, y_seen, dimension_uncertain, turned, next_tool,
               spindle_tool, tool_name, edge_off, changes_by_m6, only_register, pole, polar_angle,
               polar_radius, polar_rewritten, missing_tool, only_tool_name, tangent_arcs, tool_named,
-              spindle_empty, modal_rounding);
+              spindle_empty, modal_rounding, soft_direction, soft_in_space, soft_approach);
     }
   };
   // What a program in Klartext has in force besides.

@@ -1,4 +1,5 @@
 #include <cmath>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -35,6 +36,39 @@ bool is_corner_radius(std::string_view word) {
   return word.starts_with("DR2") && (word.size() == 3 || word.find_first_of("+-:") == 3);
 }
 
+struct CalledTool {
+  bool named = false;
+  std::int64_t number = 0;  // -1: the tool has a name
+  std::string name{};       // in quotes, or a parameter
+};
+
+// The tool of TOOL CALL, which begins at `begin` of the line; `word` is its first word and becomes
+// the one behind the tool. Nothing where quotes are not closed.
+std::optional<CalledTool> read_called_tool(const std::string& line, std::size_t begin,
+                                           std::string_view& word, Words& words) {
+  CalledTool called;
+  double value = 0;
+  if (is_number(word, value)) {
+    called.named = true;
+    called.number = std::isfinite(value) ? static_cast<std::int64_t>(value) : -1;
+    word = words.next();
+    return called;
+  }
+  const bool quoted = word.starts_with('"');
+  if (!quoted && !word.starts_with('Q')) return called;
+  const std::size_t open = line.find(word[0], begin + 9);
+  const std::size_t close =
+      quoted && open != std::string::npos ? line.find('"', open + 1) : open + word.size();
+  if (open == std::string::npos || close == std::string::npos) return {};
+  called = {.named = true, .number = -1, .name = line.substr(open, close - open)};
+  while (word.find('"', 1) == std::string_view::npos && word.starts_with('"')) {
+    const std::string_view more = words.next();
+    if (more.empty() || more.ends_with('"')) break;
+  }
+  word = words.next();
+  return called;
+}
+
 }  // namespace
 
 bool Interpreter::read_tool_call(ProgramLine& line, std::size_t begin, std::string_view statement) {
@@ -47,30 +81,13 @@ bool Interpreter::read_tool_call(ProgramLine& line, std::size_t begin, std::stri
                            Code::nc_number);
   };
   KlartextModes& modes = klartext_;
-  double value = 0;
-  bool names_tool = is_number(word, value);
-  std::string tool_name;
-  if (word.starts_with('"') || word.starts_with('Q')) {
-    const std::size_t open = line.text.find(word[0] == '"' ? '"' : word[0], begin + 9);
-    const std::size_t close = word[0] == '"' && open != std::string::npos
-                                  ? line.text.find('"', open + 1)
-                                  : open + word.size();
-    if (open == std::string::npos || close == std::string::npos) return wrong(word);
-    tool_name = line.text.substr(open, close - open);
-    while (word.find('"', 1) == std::string_view::npos && word.starts_with('"')) {
-      const std::string_view more = words.next();
-      if (more.empty() || more.ends_with('"')) break;
-    }
-    names_tool = true;
-    word = words.next();
-  } else if (names_tool) {
-    word = words.next();
-  }
+  const std::optional<CalledTool> called = read_called_tool(line.text, begin, word, words);
+  if (!called) return wrong(word);
   Plane plane = state_.mode().plane;
   double delta = 0;
   std::optional<double> feed;
   bool changes_delta = false;
-  const std::int64_t tool = std::isfinite(value) ? static_cast<std::int64_t>(value) : -1;
+  double value = 0;
   for (; !word.empty(); word = words.next()) {
     if (word == "Z") plane = Plane::xy;
     if (word == "Y") plane = Plane::zx;
@@ -82,13 +99,13 @@ bool Interpreter::read_tool_call(ProgramLine& line, std::size_t begin, std::stri
       feed = value;
     }
   }
-  if (trc_active() && (names_tool || changes_delta))
+  if (trc_active() && (called->named || changes_delta))
     return refuse_klartext(line, begin, "TOOL CALL while TRC is active");
   if (!faults_.empty()) return false;
   if (feed) modes.called_feed = *feed * (inch_ ? mm_per_inch / 10 : 1);
-  if (names_tool) {
-    modes.tool = tool_name.empty() ? tool : -1;
-    modes.tool_name = tool_name;
+  if (called->named) {
+    modes.tool = called->number;
+    modes.tool_name = called->name;
     modes.modal_cycle = false;
     modes.radius_delta = 0;
     std::array<bool, 3> third{};

@@ -35,44 +35,84 @@ struct Name {
 };
 
 constexpr auto names = std::to_array<Name>({
-    {"AMIRROR", Meaning::frame},         {"AROT", Meaning::frame},
-    {"AROTS", Meaning::unfollowed},      {"ASCALE", Meaning::unfollowed},
-    {"ATRANS", Meaning::frame},          {"BRISK", Meaning::technology},
-    {"CASE", Meaning::statement},        {"CDOF", Meaning::technology},
-    {"CDOF2", Meaning::technology},      {"CFTCP", Meaning::technology},
-    {"COMPCAD", Meaning::technology},    {"COMPCURV", Meaning::technology},
-    {"COMPOF", Meaning::technology},     {"COMPON", Meaning::technology},
-    {"COMPSURF", Meaning::technology},   {"CPRECOF", Meaning::technology},
-    {"CPRECON", Meaning::technology},    {"CUT2D", Meaning::technology},
-    {"DEF", Meaning::statement},         {"DIAM90", Meaning::turning},
-    {"DIAMOF", Meaning::technology},     {"DIAMON", Meaning::turning},
-    {"DRIVE", Meaning::technology},      {"DYNFINISH", Meaning::technology},
-    {"DYNNORM", Meaning::technology},    {"DYNPOS", Meaning::technology},
-    {"DYNPREC", Meaning::technology},    {"DYNROUGH", Meaning::technology},
-    {"DYNSEMIFIN", Meaning::technology}, {"ELSE", Meaning::statement},
-    {"ENDFOR", Meaning::statement},      {"ENDIF", Meaning::statement},
-    {"ENDLOOP", Meaning::statement},     {"ENDWHILE", Meaning::statement},
-    {"EXTERN", Meaning::statement},      {"FFWOF", Meaning::technology},
-    {"FFWON", Meaning::technology},      {"FIFOCTRL", Meaning::technology},
-    {"FNORM", Meaning::technology},      {"FOR", Meaning::statement},
-    {"GOTO", Meaning::statement},        {"GOTOB", Meaning::statement},
-    {"GOTOC", Meaning::statement},       {"GOTOF", Meaning::statement},
-    {"GOTOS", Meaning::statement},       {"GROUP_END", Meaning::technology},
-    {"IF", Meaning::statement},          {"LOOP", Meaning::statement},
-    {"MCALL", Meaning::modal_cycle},     {"MIRROR", Meaning::frame},
-    {"NORM", Meaning::technology},       {"ORIMKS", Meaning::technology},
-    {"ORIWKS", Meaning::technology},     {"PROC", Meaning::statement},
-    {"REPEAT", Meaning::statement},      {"REPEATB", Meaning::statement},
-    {"RET", Meaning::statement},         {"ROT", Meaning::frame},
-    {"ROTS", Meaning::unfollowed},       {"RTLIOF", Meaning::technology},
-    {"RTLION", Meaning::technology},     {"SCALE", Meaning::unfollowed},
-    {"SOFT", Meaning::technology},       {"SPCOF", Meaning::technology},
-    {"SPCON", Meaning::technology},      {"STARTFIFO", Meaning::technology},
-    {"STOPFIFO", Meaning::technology},   {"STOPRE", Meaning::technology},
-    {"SUPA", Meaning::single_move},      {"TRAFOOF", Meaning::unfollowed_end},
-    {"TRANS", Meaning::frame},           {"TRAORI", Meaning::unfollowed},
-    {"UNTIL", Meaning::statement},       {"UPATH", Meaning::technology},
-    {"WALIMOF", Meaning::technology},    {"WALIMON", Meaning::technology},
+    {"AMIRROR", Meaning::frame},
+    {"AROT", Meaning::frame},
+    {"AROTS", Meaning::unfollowed},
+    {"ASCALE", Meaning::unfollowed},
+    {"ATRANS", Meaning::frame},
+    {"BRISK", Meaning::technology},
+    {"CASE", Meaning::statement},
+    {"CDOF", Meaning::technology},
+    {"CDOF2", Meaning::technology},
+    {"CFTCP", Meaning::technology},
+    {"COMPCAD", Meaning::technology},
+    {"COMPCURV", Meaning::technology},
+    {"COMPOF", Meaning::technology},
+    {"COMPON", Meaning::technology},
+    {"COMPSURF", Meaning::technology},
+    {"CPRECOF", Meaning::technology},
+    {"CPRECON", Meaning::technology},
+    {"CUT2D", Meaning::technology},
+    {"DEF", Meaning::statement},
+    {"DIAM90", Meaning::turning},
+    {"DIAMOF", Meaning::technology},
+    {"DIAMON", Meaning::turning},
+    {"DRIVE", Meaning::technology},
+    {"DYNFINISH", Meaning::technology},
+    {"DYNNORM", Meaning::technology},
+    {"DYNPOS", Meaning::technology},
+    {"DYNPREC", Meaning::technology},
+    {"DYNROUGH", Meaning::technology},
+    {"DYNSEMIFIN", Meaning::technology},
+    {"ELSE", Meaning::statement},
+    {"ENDFOR", Meaning::statement},
+    {"ENDIF", Meaning::statement},
+    {"ENDLOOP", Meaning::statement},
+    {"ENDWHILE", Meaning::statement},
+    {"EXTCALL", Meaning::statement},
+    {"EXTERN", Meaning::statement},
+    {"FFWOF", Meaning::technology},
+    {"FFWON", Meaning::technology},
+    {"FIFOCTRL", Meaning::technology},
+    {"FNORM", Meaning::technology},
+    {"FOR", Meaning::statement},
+    {"GOTO", Meaning::statement},
+    {"GOTOB", Meaning::statement},
+    {"GOTOC", Meaning::statement},
+    {"GOTOF", Meaning::statement},
+    {"GOTOS", Meaning::statement},
+    {"GROUP_END", Meaning::technology},
+    {"IF", Meaning::statement},
+    {"LOOP", Meaning::statement},
+    {"MCALL", Meaning::modal_cycle},
+    {"MIRROR", Meaning::frame},
+    {"NORM", Meaning::technology},
+    {"ORIMKS", Meaning::technology},
+    {"ORIWKS", Meaning::technology},
+    {"PROC", Meaning::statement},
+    {"REPEAT", Meaning::statement},
+    {"REPEATB", Meaning::statement},
+    {"RET", Meaning::statement},
+    {"ROT", Meaning::frame},
+    {"ROTS", Meaning::unfollowed},
+    {"RTLIOF", Meaning::technology},
+    {"RTLION", Meaning::technology},
+    {"SCALE", Meaning::unfollowed},
+    {"SOFT", Meaning::technology},
+    {"SPCOF", Meaning::technology},
+    {"SPCON", Meaning::technology},
+    {"STARTFIFO", Meaning::technology},
+    {"STOPFIFO", Meaning::technology},
+    {"STOPRE", Meaning::technology},
+    {"SUPA", Meaning::single_move},
+    {"TRAFOOF", Meaning::unfollowed_end},
+    {"TRANS", Meaning::frame},
+    {"TRAORI", Meaning::unfollowed},
+    {"UNTIL", Meaning::statement},
+    {"UPATH", Meaning::technology},
+    {"WAITS", Meaning::technology},
+    {"WALIMOF", Meaning::technology},
+    {"WALIMON", Meaning::technology},
     {"WHILE", Meaning::statement},
 });
 static_assert(std::ranges::is_sorted(names, {}, &Name::name));
@@ -120,6 +160,12 @@ CodeWord as_code(const NamedWord& word) {
           .end = word.end};
 }
 
+bool is_statement(const NamedWord& word) {
+  const auto found = std::ranges::lower_bound(names, word.name, {}, &Name::name);
+  return word.kind == NamedWord::Kind::name && found != names.end() && found->name == word.name &&
+         found->meaning == Meaning::statement;
+}
+
 void add(ProgramLine& line, const NamedWord& word, WordRole role) {
   line.words.push_back({.begin = word.begin, .end = word.end, .role = role});
 }
@@ -154,6 +200,8 @@ bool Interpreter::read_named_words(ProgramLine& line, BlockWords& block) {
       case NamedWord::Kind::name:
       case NamedWord::Kind::call:
         readable = read_name(word, line, block) && readable;
+        // What follows is part of the statement.
+        if (is_statement(word)) return false;
         break;
     }
     if (diagnostics_.stopped()) return false;
@@ -254,6 +302,8 @@ bool Interpreter::read_assignment(const NamedWord& word, ProgramLine& line, Bloc
   }
   if (is("DISC") && word.value != 0)
     return refused(Code::nc_unsupported, "corners that reach out: DISC=0");
+  if (is("DISR") || is("DISCL") || is("DISRP") || is("FAD"))
+    return read_soft_word(word, line, block);
   if (is("AP") || is("RP")) return read_polar_word(word, line, block);
   if (is("ANG") && trc_active()) return refused(Code::nc_unsupported, "the angle of a motion");
   if (is("TURN") || is("ANG")) {

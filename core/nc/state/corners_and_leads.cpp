@@ -14,8 +14,8 @@ constexpr const char* corner_without_contour =
     "a rounding or a chamfer that is not between two motions of one contour, at feed and in the "
     "plane";
 constexpr const char* lead_without_room =
-    "an approach or a departure that has no room: LCT from within its circle, CT with an arc that "
-    "is smaller than the tool";
+    "an approach or a departure that has no room: LCT from within its circle, CT, G247 and G347 "
+    "with an arc that is smaller than the tool, G147 with DISR= that leaves no line";
 
 }  // namespace
 
@@ -31,7 +31,8 @@ bool ProgramState::refuse_corner(const Source& source) {
 }
 
 bool ProgramState::refuse_open_lead() {
-  return report(lead_->request.source, Code::nc_unsupported, "APPR without a contour behind it");
+  return report(lead_->request.source, Code::nc_unsupported,
+                "APPR or G147, G247, G347 without a contour behind it");
 }
 
 // Only between motions of the contour itself, along which nothing else moves.
@@ -128,15 +129,17 @@ TrackingTravel ProgramState::standing_tracking() const {
   return standing;
 }
 
-bool ProgramState::approach_by(const Lead& lead, const MoveRequest& request,
-                               const MoveRequest& way) {
+bool ProgramState::approach_by(const Lead& lead, const MoveRequest& request, const MoveRequest& way,
+                               const std::optional<Infeed>& infeed) {
   Position end;
   if (!find_end(request, end)) return refuse(request.source, end_out_of_range(request));
   if (auto refusal = unknown_start(request)) return refuse(request.source, std::move(*refusal));
   if (lead_ || in_plane_blocks_ > 0 || !mode_.active())
-    return report(request.source, Code::nc_unsupported, "APPR within a contour");
+    return report(request.source, Code::nc_unsupported,
+                  "APPR or G147, G247, G347 within a contour");
   if (!check_radius(request.source)) return false;
-  lead_ = PendingLead{.lead = lead, .request = request, .way = way, .from = position_};
+  lead_ = PendingLead{
+      .lead = lead, .request = request, .way = way, .from = position_, .infeed = infeed};
   enter_target(request, end);
   position_ = end;
   return true;
@@ -151,6 +154,20 @@ void ProgramState::travel_across(const MoveRequest& request) {
   append_passive(request, end, standing_tracking(), false);
 }
 
+// To the height from which the lead goes down, or to its plane.
+void ProgramState::come_down(const PendingLead& pending) {
+  const std::size_t third = axes_of(mode_.plane).third;
+  MoveRequest down = pending.way;
+  down.end = {};
+  down.end[third] = pending.infeed->height;
+  travel_across(down);
+  if (pending.infeed->along_the_lead) return;
+  down.kind = MotionKind::linear;
+  down.feed = pending.infeed->feed;
+  down.end[third] = pending.request.end[third];
+  travel_across(down);
+}
+
 // What leads to the contour comes out before what has been held since.
 bool ProgramState::approach_contour(const Segment& contour) {
   const PendingLead pending = *std::exchange(lead_, std::nullopt);
@@ -162,15 +179,19 @@ bool ProgramState::approach_contour(const Segment& contour) {
   if (!path) return report(pending.request.source, Code::nc_unsupported, lead_without_room);
   position_ = pending.from;
   const std::size_t third = axes_of(mode_.plane).third;
-  const auto go = [&](const MoveRequest& request, const auto& shape) {
+  const auto go = [&](const MoveRequest& request, const auto& shape, bool climbs = false) {
     if (length_of(shape) <= tolerances_.same_point) return;
-    append_motion(request, shape, position_, standing_tracking());
+    Position end = position_;
+    if (climbs) end[third] = request.end[third].value_or(end[third]);
+    append_motion(request, shape, end, standing_tracking());
     std::get<MotionBlock>(blocks_.back()).role = ContourRole::lead;
   };
   if (path->contour) {
+    const bool climbs = pending.infeed && pending.infeed->along_the_lead;
     go(pending.way, Line{.start = from, .end = start_of(*path->contour)});
-    travel_across(pending.request);
-    std::visit([&](const auto& shape) { go(pending.request, shape); }, *path->contour);
+    if (pending.infeed) come_down(pending);
+    if (!climbs) travel_across(pending.request);
+    std::visit([&](const auto& shape) { go(pending.request, shape, climbs); }, *path->contour);
   } else {
     // Up to the path of the tool without compensation, whatever the line leads across.
     const TrcMode mode = mode_;
@@ -188,18 +209,23 @@ bool ProgramState::approach_contour(const Segment& contour) {
   return true;
 }
 
-bool ProgramState::depart_by(const Lead& lead, const MoveRequest& request) {
+bool ProgramState::depart_by(const Lead& lead, const MoveRequest& request, bool climbs) {
   if (corner_ && corner_->form != CornerCut::Form::open) return refuse_corner(request.source);
   release_held();
   if (!mode_.active() || in_plane_blocks_ <= (has_approach_ ? 1U : 0U))
-    return report(request.source, Code::nc_unsupported, "DEP without a contour before it");
+    return report(request.source, Code::nc_unsupported,
+                  "DEP or G148, G248, G348 without a contour before it");
   Position end;
   if (!find_end(request, end)) return refuse(request.source, end_out_of_range(request));
   const ContourEnd last = contour_end(trc::end_of(last_path_), tangent_at_end(last_path_));
   const auto path = path_from(last, lead, to_plane(mode_.plane, end), tolerances_.same_point);
   if (!path) return report(request.source, Code::nc_unsupported, lead_without_room);
-  if (const Arc* arc = path->contour ? std::get_if<Arc>(&*path->contour) : nullptr) {
-    append_motion(request, *arc, position_, standing_tracking());
+  const std::size_t third = axes_of(mode_.plane).third;
+  const Arc* arc = path->contour ? std::get_if<Arc>(&*path->contour) : nullptr;
+  if (arc != nullptr) {
+    Position height = position_;
+    if (climbs) height[third] = end[third];
+    append_motion(request, *arc, height, standing_tracking());
     std::get<MotionBlock>(blocks_.back()).role = ContourRole::lead;
   }
   if (!deselect(request.source)) return false;
@@ -209,11 +235,11 @@ bool ProgramState::depart_by(const Lead& lead, const MoveRequest& request) {
     away.end[axes.first] = path->away.x();
     away.end[axes.second] = path->away.y();
   }
-  away.end[axes.third].reset();
+  if (arc != nullptr || !climbs) away.end[third].reset();
   target_ = position_;
   if (!move(away)) return false;
   travel_across(request);
-  target_[axes.third] = position_[axes.third];
+  target_[third] = position_[third];
   return true;
 }
 

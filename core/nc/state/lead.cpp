@@ -50,13 +50,17 @@ std::optional<LeadPath> path_from(const ContourEnd& end, const Lead& lead, const
                                   double same_point) {
   const Point tool = parallel_point(end.point, end.tangent, end.shift());
   if (lead.form == Lead::Form::tangent) {
-    const Vector way = lead.length * end.tangent;
+    const double length = lead.length + (lead.from_edge ? end.reach : 0);
+    if (!(length > same_point)) return {};
+    const Vector way = length * end.tangent;
     return LeadPath{.contour = Line{.start = end.point, .end = end.point + way},
                     .away = tool + way};
   }
   if (lead.form == Lead::Form::normal)
     return LeadPath{.away = tool + end.side * lead.length * left_of(end.tangent)};
-  const double turn = lead.radius < 0 ? -end.side : end.side;
+  double turn = lead.radius < 0 ? -end.side : end.side;
+  const double beside = cross(end.tangent, to - end.point);
+  if (lead.bends_to_tool && beside != 0) turn = beside > 0 ? 1 : -1;
   const double radius = std::abs(lead.radius) + turn * end.shift();
   const Point center = end.point + turn * radius * left_of(end.tangent);
   double sweep = lead.angle;

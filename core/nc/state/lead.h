@@ -7,8 +7,8 @@
 
 namespace trc {
 
-// How a program comes to its contour or leaves it by a word of its own: APPR and DEP of Klartext.
-// Lengths and radii are those of the path of the tool centre.
+// How a program comes to its contour or leaves it by a word of its own: APPR and DEP of Klartext,
+// G147 … G348 of Sinumerik. Lengths and radii are those of the path of the tool centre.
 struct Lead {
   enum class Form : std::uint8_t {
     tangent,       // LT: along the line on which the contour begins or ends
@@ -17,13 +17,27 @@ struct Lead {
     arc_and_line,  // LCT: on such an arc and the line that touches it
   };
   Form form = Form::tangent;
-  double length = 0;  // mm: LT, LN
-  double radius = 0;  // mm: CT, LCT; negative, of CT: on the other side than the tool
-  double angle = 0;   // rad: CT
+  double length = 0;           // mm: LT, LN
+  double radius = 0;           // mm: CT, LCT; negative, of CT: on the other side than the tool
+  double angle = 0;            // rad: CT
+  bool from_edge = false;      // of LT: the length counts from the edge of the tool
+  bool bends_to_tool = false;  // of CT: to the side where the tool comes from or goes to (G143)
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(form, length, radius, angle);
+    archive(form, length, radius, angle, from_edge, bends_to_tool);
+  }
+};
+
+// How the third axis comes to the plane of the contour with a smooth approach of Sinumerik.
+struct Infeed {
+  double height = 0;            // mm: coordinate up to which the tool comes as it came there
+  bool along_the_lead = false;  // from there on with the lead (G340), else in front of it (G341)
+  double feed = 0;              // mm/min, of the way in front of the lead
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(height, along_the_lead, feed);
   }
 };
 
@@ -45,8 +59,9 @@ struct LeadPath {
   Point away = Point::Zero();
 };
 
-// `from`, `to`: where the tool stands before and behind the lead, for LCT alone. Nothing where the
-// lead has no room: LCT from within its circle, CT whose arc is smaller than the tool.
+// `from`, `to`: where the tool stands before and behind the lead, for LCT and where the arc bends
+// to it. Nothing where the lead has no room: LCT from within its circle, CT whose arc is smaller
+// than the tool, a line from the edge of the tool that would be none.
 [[nodiscard]] std::optional<LeadPath> path_to(const ContourEnd& begin, const Lead& lead,
                                               const Point& from, double same_point);
 [[nodiscard]] std::optional<LeadPath> path_from(const ContourEnd& end, const Lead& lead,

@@ -58,10 +58,11 @@ struct PendingLead {
   MoveRequest request{};
   MoveRequest way{};
   Position from{};
+  std::optional<Infeed> infeed{};
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(lead, request, way, from);
+    archive(lead, request, way, from, infeed);
   }
 };
 
@@ -145,12 +146,16 @@ class ProgramState {
   // RND and CHF of Klartext, lines of their own behind a motion of a contour. `feed`: of the cut,
   // mm/min; 0: that of the motion. 900003 where the motion has no corner to be cut.
   bool cut_corner_behind(const CornerCut& cut, double feed, const Source& source);
-  // APPR of Klartext, behind select(): the contour begins at `end` of the request, whose feed is
-  // that of the lead. `way`: how the tool goes there from where it stands. Comes out with the first
-  // motion of the contour, which says where the contour leads. 900003 where there is no room.
-  bool approach_by(const Lead& lead, const MoveRequest& request, const MoveRequest& way);
-  // DEP: leaves the contour and deselects; of LCT `end` of the request is where to.
-  bool depart_by(const Lead& lead, const MoveRequest& request);
+  // APPR of Klartext and G147 of Sinumerik, behind select(): the contour begins at `end` of the
+  // request, whose feed is that of the lead. `way`: how the tool goes there from where it stands.
+  // Comes out with the first motion of the contour, which says where the contour leads. Without
+  // `infeed` the third axis travels with the feed of the lead, in front of it. 900003 where there
+  // is no room.
+  bool approach_by(const Lead& lead, const MoveRequest& request, const MoveRequest& way,
+                   const std::optional<Infeed>& infeed = {});
+  // DEP, G148: leaves the contour and deselects; of LCT `end` of the request is where to. `climbs`:
+  // the third axis travels along the lead, not behind it.
+  bool depart_by(const Lead& lead, const MoveRequest& request, bool climbs = false);
   // Technology text, dwell …: comes out in its place, never interpreted.
   bool pass(const Source& source, std::string text);
   // Program end (M30, M02, end of text or of the stream): D-27. Only the first
@@ -240,6 +245,7 @@ class ProgramState {
   [[nodiscard]] ContourEnd contour_end(const Point& point, const Vector& tangent) const;
   [[nodiscard]] TrackingTravel standing_tracking() const;
   void travel_across(const MoveRequest& request);
+  void come_down(const PendingLead& pending);
   [[nodiscard]] bool leads_back(const MoveRequest& request) const;
   [[nodiscard]] bool find_end(const MoveRequest& request, Position& end) const;
   [[nodiscard]] Refusal end_out_of_range(const MoveRequest& request) const;

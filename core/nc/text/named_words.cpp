@@ -74,7 +74,7 @@ bool NamedWordReader::read_plain_number(NamedWord& word) {
   return false;
 }
 
-// Behind `=`: a number, a text, AC(…), IC(…). Else `fault_` says what it is.
+// Behind `=`: a number, a text, AC(…), IC(…), PM(…) of a feed. Else `fault_` says what it is.
 bool NamedWordReader::read_value(NamedWord& word) {
   skip_blanks();
   if (begins_number(peek())) return read_plain_number(word);
@@ -92,11 +92,13 @@ bool NamedWordReader::read_value(NamedWord& word) {
   skip_blanks();
   const bool reference = function == "AC" || function == "IC" || function == "DC" ||
                          function == "ACP" || function == "ACN";
-  if (reference && peek() == '(') {
+  const bool feed = function == "PM";
+  if ((reference || feed) && peek() == '(') {
     ++at_;
     skip_blanks();
-    word.reference =
-        function == "IC" ? NamedWord::Reference::incremental : NamedWord::Reference::absolute;
+    word.reference = function == "IC" ? NamedWord::Reference::incremental
+                     : feed           ? NamedWord::Reference::modal
+                                      : NamedWord::Reference::absolute;
     if (begins_number(peek())) {
       if (!read_plain_number(word)) return false;
       skip_blanks();
@@ -156,6 +158,14 @@ NamedWord NamedWordReader::name() {
   while (is_letter(peek()) || is_digit(peek()) || peek() == '_') spelled += upper(line_[at_++]);
   word.end = static_cast<std::uint32_t>(at_);
   skip_blanks();
+  // ACC[X]=80: of an axis or a place.
+  const std::size_t index_end = peek() == '[' ? line_.find(']', at_) : std::string_view::npos;
+  if (index_end != std::string_view::npos) {
+    at_ = index_end + 1;
+    word.end = static_cast<std::uint32_t>(at_);
+    skip_blanks();
+    if (peek() != '=') return fail(Code::nc_unsupported, word.begin, spelled + "[, a variable");
+  }
   if (peek() == '(') {
     const std::size_t close = end_of_call(at_);
     if (close == std::string_view::npos) return fail(Code::nc_unclosed, word.begin, spelled + "(");

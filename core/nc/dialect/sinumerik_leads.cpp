@@ -1,0 +1,282 @@
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <string>
+
+#include "core/nc/dialect/block_words.h"
+
+// Smooth approach and retraction of Sinumerik: G147 … G348 with DISR=, DISCL= and FAD=. Programming
+// manual of SINUMERIK ONE, 2.10.4: P0 is where the tool comes from or goes to, P4 where the contour
+// begins or ends, and the lead itself lies between P3 and P4.
+
+namespace trc {
+namespace {
+
+using enum GGroup;
+
+constexpr const char* words_alone = "beside none of G147, G148, G247, G248, G347, G348";
+
+bool is_approach(int number) { return number % 10 == 7; }
+
+}  // namespace
+
+bool Interpreter::read_soft_word(const NamedWord& word, ProgramLine& line, BlockWords& block) {
+  const auto refused = [&](Code code, std::string_view why) {
+    return refuse(line,
+                  TextFault{.code = code,
+                            .begin = word.begin,
+                            .detail = std::string(line.word({.begin = word.begin, .end = word.end}))
+                                          .append(", ")
+                                          .append(why)});
+  };
+  const bool clearance = word.name == "DISCL";
+  if (word.reference != NamedWord::Reference::modal && word.name != "DISRP" &&
+      !(clearance && word.reference == NamedWord::Reference::absolute))
+    return refused(Code::nc_unsupported, "a reference that it cannot have");
+  if (word.name == "DISRP") {
+    block.soft_return = word.begin;
+  } else {
+    auto& target = clearance             ? block.soft_clearance
+                   : word.name == "DISR" ? block.soft_length
+                                         : block.soft_feed;
+    if (target) return refused(Code::nc_word_twice, "a second time");
+    target = {.value = word.value, .begin = word.begin};
+    if (clearance) block.clearance_is_absolute = word.reference == NamedWord::Reference::absolute;
+  }
+  line.words.push_back({.begin = word.begin, .end = word.end, .role = WordRole::technology});
+  return true;
+}
+
+// Whether the block leads to a contour or from it, or is copied as what it is without TRC.
+bool Interpreter::take_soft_lead(ProgramLine& line, BlockWords& block) {
+  if (block.has(soft_direction)) code_.soft_direction = block.of(soft_direction).function->number;
+  if (block.has(soft_steps)) code_.soft_in_space = block.of(soft_steps).is(340);
+  const BlockWords::Function& lead = block.of(soft_lead);
+  const bool selects = block.has(side) && !block.of(side).is(40);
+  if (!block.has(soft_lead)) {
+    for (const auto& word : {block.soft_length, block.soft_clearance, block.soft_feed})
+      if (word && (selects || contour_open()))
+        return refuse(
+            line, TextFault{.code = Code::nc_unsupported,
+                            .begin = word->begin,
+                            .detail = std::string("DISR=, DISCL= or FAD= ").append(words_alone)});
+    if (code_.soft_approach && faults_.empty() && block.has(side))
+      return refuse(line,
+                    TextFault{.code = Code::nc_unsupported,
+                              .begin = block.of(side).begin,
+                              .detail = "G40 … G42 between a smooth approach and its contour"});
+    return true;
+  }
+  const bool approaches = is_approach(lead.function->number);
+  block.leads_softly = approaches ? selects || trc_active() : trc_active();
+  if (!block.leads_softly && !contour_open()) {
+    // Only the control knows where it ends: its contour is not compensated here.
+    block.functions[static_cast<std::size_t>(single_move)] = lead;
+    return true;
+  }
+  if (!check_soft_lead(line, block)) return false;
+  for (WordRange& word : line.words)
+    for (const auto& mine : {std::optional(BlockWords::Value{.begin = lead.begin}),
+                             block.soft_length, block.soft_clearance, block.soft_feed})
+      if (mine && word.begin == mine->begin) word.role = WordRole::trc;
+  return true;
+}
+
+bool Interpreter::check_soft_lead(ProgramLine& line, const BlockWords& block) {
+  const BlockWords::Function& lead = block.of(soft_lead);
+  const std::string name = "G" + std::to_string(lead.function->number);
+  const auto wrong = [&](std::uint32_t begin, const std::string& why) {
+    return refuse(line,
+                  TextFault{.code = Code::nc_unsupported, .begin = begin, .detail = name + why});
+  };
+  const bool approaches = is_approach(lead.function->number);
+  if (!approaches && !trc_active())
+    return wrong(lead.begin, " behind G40: write both into one block");
+  if (!approaches && !block.of(side).is(40))
+    return wrong(lead.begin, " without G40: write G40 beside it");
+  if (approaches && block.of(side).is(40)) return wrong(lead.begin, " beside G40");
+  if (block.to_skip) return wrong(lead.begin, " in a block that may be skipped");
+  if (block.center || block.corner)
+    return wrong(lead.begin, " beside words of an arc, a rounding or a chamfer");
+  if (feed_mode_ != 94 || block.has(feed_mode))
+    return wrong(lead.begin, " beside or behind G93, G95: only feeds per minute are followed");
+  if (block.soft_return)
+    return wrong(*block.soft_return,
+                 " with DISRP=, the plane it returns to: program that height "
+                 "in blocks of its own");
+  const bool straight = lead.function->number < 200;
+  if (!block.soft_length || (!straight && !(block.soft_length->value > 0)))
+    return wrong(block.soft_length ? block.soft_length->begin : lead.begin,
+                 straight ? " without DISR=, its length" : " without DISR=, its radius, above 0");
+  if (block.soft_feed && !state_.is_feed(block.soft_feed->value))
+    return wrong(block.soft_feed->begin, " with FAD= that is no feed");
+  if (block.soft_clearance && !block.clearance_is_absolute && block.soft_clearance->value < 0)
+    return wrong(block.soft_clearance->begin, " with DISCL= below 0");
+  return true;
+}
+
+Lead Interpreter::soft_lead_of(const BlockWords& block) const {
+  const int number = block.of(soft_lead).function->number;
+  const double length = block.soft_length->value * length_unit();
+  if (number < 200) return {.form = Lead::Form::tangent, .length = length, .from_edge = true};
+  const bool left = state_.mode().side == Side::left;
+  const bool other_side =
+      (code_.soft_direction == 141 && !left) || (code_.soft_direction == 142 && left);
+  return {.form = Lead::Form::arc,
+          .radius = other_side ? -length : length,
+          .angle = number > 300 ? std::numbers::pi : std::numbers::pi / 2,
+          .bends_to_tool = code_.soft_direction == 143};
+}
+
+// The part of DISCL= in a block that leads to or from a contour.
+std::optional<Interpreter::SoftClearance> Interpreter::clearance_of(const BlockWords& block) const {
+  if (!block.soft_clearance) return {};
+  return SoftClearance{.distance = block.soft_clearance->value * length_unit(),
+                       .absolute = block.clearance_is_absolute};
+}
+
+// Where the third axis is by DISCL=: between `plane`, that of the contour, and `away`, from where
+// it comes or to where it goes. Nothing where it is not between them, which controls refuse too.
+std::optional<double> Interpreter::height_of(const std::optional<SoftClearance>& clearance,
+                                             double plane, double away) {
+  if (!clearance) return plane;
+  const double height = clearance->absolute ? clearance->distance
+                        : away < plane      ? plane - clearance->distance
+                                            : plane + clearance->distance;
+  const bool between = (height - plane) * (away - height) >= -1e-9;
+  return between ? std::optional(height) : std::nullopt;
+}
+
+bool Interpreter::refuse_clearance(const ProgramLine& line, std::uint32_t begin) {
+  return refuse(line, TextFault{.code = Code::nc_unsupported,
+                                .begin = begin,
+                                .detail = "DISCL= that is not between the plane of the contour and "
+                                          "where the tool comes from or goes to"});
+}
+
+// Absolute and in mm: where the axes named end.
+bool Interpreter::find_soft_end(const ProgramLine& line, const BlockWords& block,
+                                std::array<std::optional<double>, 3>& end) {
+  for (std::size_t axis = 0; axis < end.size(); ++axis) {
+    if (!block.move.end[axis]) continue;
+    if (incremental_ && !state_.is_known(axis))
+      return refuse(line, TextFault{.code = Code::position_unknown,
+                                    .begin = *block.axis,
+                                    .detail = std::string(1, static_cast<char>('X' + axis))});
+    end[axis] =
+        *block.move.end[axis] * length_unit() + (incremental_ ? state_.position()[axis] : 0);
+  }
+  return true;
+}
+
+bool Interpreter::approach_softly(ProgramLine& line, BlockWords& block) {
+  if (!state_.awaits_approach() || code_.soft_approach)
+    return refuse(line,
+                  TextFault{.code = Code::nc_unsupported,
+                            .begin = block.of(soft_lead).begin,
+                            .detail = "a smooth approach within a contour or behind another"});
+  SoftApproach approach{.lead = soft_lead_of(block),
+                        .clearance = clearance_of(block),
+                        .along_the_lead = code_.soft_in_space,
+                        .rapid = block.motion_before == MotionKind::rapid,
+                        .feed_before = block.feed_before};
+  if (block.soft_feed) approach.feed = block.soft_feed->value * feed_unit(inch_);
+  std::array<std::optional<double>, 3> end{};
+  if (!find_soft_end(line, block, end)) return false;
+  const PlaneAxes axes = axes_of(state_.mode().plane);
+  approach.height = end[axes.third];
+  code_.soft_approach = approach;
+  if (end[axes.first] || end[axes.second]) return begin_contour_of_approach(line, block);
+  reads_plain_lines_ = false;
+  return true;
+}
+
+// The contour begins where this block ends: that of the approach itself, or the next motion.
+bool Interpreter::begin_contour_of_approach(ProgramLine& line, BlockWords& block) {
+  const PlaneAxes axes = axes_of(state_.mode().plane);
+  const auto wrong = [&](const char* why, Code code = Code::nc_unsupported) {
+    return refuse(line,
+                  TextFault{.code = code,
+                            .begin = std::min(block.axis.value_or(~0U), block.center.value_or(~0U)),
+                            .detail = std::string("the end of a smooth approach ") + why});
+  };
+  if (!block.move.end[axes.first] && !block.move.end[axes.second])
+    return wrong("in a block without an axis of the plane");
+  const bool circle = motion_ == MotionKind::clockwise || motion_ == MotionKind::counter_clockwise;
+  const bool corner = block.move.corner && !block.move.corner->modal;
+  if ((circle && !block.leads_softly) || block.center || corner || !block.move.tracking.empty())
+    return wrong("in an arc, beside a corner or a further axis");
+  MoveRequest request{.source = line.source, .kind = MotionKind::linear, .feed = feed_};
+  if (!find_soft_end(line, block, request.end)) return false;
+  const SoftApproach approach = *code_.soft_approach;
+  auto& height = request.end[axes.third];
+  if (!height) height = approach.height;
+  const bool moves_across = height || approach.clearance;
+  if (moves_across && !state_.is_known(axes.third))
+    return wrong("from a height that is not known", Code::position_unknown);
+  const double from = state_.position()[axes.third];
+  const auto quick = height_of(approach.clearance, height.value_or(from), from);
+  if (!quick) return refuse_clearance(line, line.words.front().begin);
+  MoveRequest way = request;
+  way.kind = approach.rapid ? MotionKind::rapid : MotionKind::linear;
+  way.feed = approach.feed_before;
+  Infeed infeed{.height = *quick, .along_the_lead = approach.along_the_lead, .feed = feed_};
+  if (approach.feed != 0) (infeed.along_the_lead ? request.feed : infeed.feed) = approach.feed;
+  code_.soft_approach.reset();
+  line.is_motion = true;
+  return state_.approach_by(approach.lead, request, way, infeed);
+}
+
+bool Interpreter::depart_softly(ProgramLine& line, BlockWords& block) {
+  const PlaneAxes axes = axes_of(state_.mode().plane);
+  std::array<std::optional<double>, 3> end{};
+  if (!find_soft_end(line, block, end)) return false;
+  const Lead lead = soft_lead_of(block);
+  const bool in_plane = end[axes.first] || end[axes.second];
+  const auto wrong = [&](std::uint32_t begin, const char* why) {
+    return refuse(
+        line, TextFault{.code = Code::nc_unsupported, .begin = begin, .detail = std::string(why)});
+  };
+  if (lead.bends_to_tool && !in_plane)
+    return wrong(block.of(soft_lead).begin, "G143 without an end in the plane: G140, G141 or G142");
+  const auto clearance = clearance_of(block);
+  if (clearance && in_plane && !end[axes.third])
+    return wrong(block.soft_clearance->begin, "DISCL= without the height it retracts to");
+  const double plane = state_.position()[axes.third];
+  // Without a height of its own the retraction ends where DISCL= says.
+  const auto quick = height_of(clearance, plane, end[axes.third].value_or(HUGE_VAL));
+  if (!quick) return refuse_clearance(line, block.soft_clearance->begin);
+  const double slow = block.feed_before;
+  const double infeed =
+      block.soft_feed ? block.soft_feed->value * feed_unit(inch_) : block.feed_before;
+  MoveRequest step{.source = line.source, .kind = MotionKind::linear, .feed = slow};
+  if (code_.soft_in_space && block.soft_feed) step.feed = infeed;
+  // Which way the arc bends may depend on where the tool goes.
+  step.end[axes.first] = end[axes.first];
+  step.end[axes.second] = end[axes.second];
+  if (code_.soft_in_space) step.end[axes.third] = *quick;
+  line.is_motion = true;
+  if (!state_.depart_by(lead, step, code_.soft_in_space)) return false;
+  const auto travel = [&](const std::array<std::optional<double>, 3>& to) {
+    const Position& here = state_.position();
+    bool moves = false;
+    for (std::size_t axis = 0; axis < to.size(); ++axis)
+      moves |= to[axis] && *to[axis] != here[axis];
+    step.end = to;
+    return !moves || state_.move(step);
+  };
+  const auto across = [&](const std::optional<double>& height) {
+    std::array<std::optional<double>, 3> to{};
+    to[axes.third] = height;
+    return to;
+  };
+  step.feed = infeed;
+  if (!travel(across(*quick))) return false;
+  step.kind = motion_ == MotionKind::rapid ? MotionKind::rapid : MotionKind::linear;
+  step.feed = feed_;
+  if (!travel(across(end[axes.third]))) return false;
+  end[axes.third].reset();
+  return travel(end);
+}
+
+}  // namespace trc

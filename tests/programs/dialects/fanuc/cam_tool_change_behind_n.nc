@@ -1,0 +1,37 @@
+; radius 5
+%
+O1000 (PART.TAP)
+( MCV-OP ) (23-NOV-2026)
+(SUBROUTINES: O2 .. O0)
+G90 G17
+G80 G49 G40
+G54
+G91 G28 Z0
+G90
+M01
+N1 M6 T1
+(TOOL -1- MILL DIA 10.0 R0. MM )
+G90 G00 G40 G54
+G43 H1 D1 G0 X-20. Y-20. Z50. S3000 M3
+M8
+(---------------------------)
+(F-CONTOUR - PROFILE)
+(---------------------------)
+X-20. Y-20. Z10.
+Z2.
+G1 Z-5. F100
+G41 X0 Y0 F300 D1
+G1 Y40. 
+X60.
+Y0
+X0
+G40 X-20. Y-20.
+G0 Z10.
+G0 Z50.
+M9
+M5
+G91 G28 Z0
+G28 Y0
+G90
+M30
+%

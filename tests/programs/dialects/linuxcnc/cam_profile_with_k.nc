@@ -1,0 +1,32 @@
+; radius 5
+(exported)
+(Post Processor: linuxcnc_post)
+(Output Time:2026-11-23 10:00:00)
+(begin preamble)
+G17 G54 G40 G49 G80 G90
+G21
+(begin operation: T1: 10mm)
+M5
+M6 T1
+G43 H1
+M3 S3000
+(finish operation: T1)
+(begin operation: Profile)
+G0 Z15.000
+G0 X-20.000 Y-20.000
+G0 Z5.000
+G1 X-20.000 Y-20.000 Z-3.000 F120.000
+G41 D1
+G1 X0.000 Y0.000 Z-3.000 F300.000
+G1 X0.000 Y40.000 Z-3.000
+G2 X10.000 Y50.000 I10.000 J0.000 K0.000
+G1 X60.000 Y50.000 Z-3.000
+G1 X60.000 Y0.000 Z-3.000
+G1 X0.000 Y0.000 Z-3.000
+G40
+G1 X-20.000 Y-20.000
+G0 Z15.000
+(begin postamble)
+M5
+G17 G54 G90 G80 G40
+M2

@@ -1,0 +1,9 @@
+; radius 4
+; refused 900003 line 6
+G17 G90 G71 G94
+G0 X-30 Y-20 Z5
+G41 D1 G247 DISR=5
+G2 X10 Y0 CR=30
+X50
+G40 X60
+M30

@@ -1,0 +1,8 @@
+; radius 4
+; refused 900003 line 5
+G17 G90 G71 G94
+G0 X-30 Y-20 Z5
+G41 D1 G247 X0 Y0 Z-3 F300
+X50
+G40 X60
+M30
