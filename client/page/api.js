@@ -21,6 +21,7 @@ export const info = () => json('v1/info');
 export const openApi = () => json('v1/openapi.json');
 export const makeView = (program, settings) =>
   json(`v1/views?${query({...settings, name: program.name})}`, {method: 'POST', headers: text, body: program.text});
+export const view = id => json(`v1/views/${id}`);
 export const dropView = id => ask(`v1/views/${id}`, {method: 'DELETE'}).catch(() => {});
 export const tile = async (id, level, x, y, signal) =>
   (await ask(`v1/views/${id}/tiles/${level}/${x}/${y}`, {signal})).arrayBuffer();

@@ -52,6 +52,7 @@ function draw() {
     renderer.draw(tiles, {layers, line});
     document.body.dataset.segments = tiles.reduce((sum, tile) => sum + tile.count, 0);
     document.body.dataset.complete = current.tiles.complete;
+    if (current.tiles.complete) document.body.dataset.pictureMs ??= (performance.now() - current.began).toFixed(1);
   }
   overlay.draw(camera, ratio, {view: current?.view, place, measured, marks: also.marks});
   document.body.dataset.drawMs = (performance.now() - start).toFixed(1);
@@ -99,12 +100,26 @@ async function compute(fit) {
     forget(program);
     program.view = view;
     program.tiles = tilesOf(view);
+    program.began = began;
+    delete document.body.dataset.pictureMs;
     document.body.dataset.viewMs = (performance.now() - began).toFixed(1);
   } catch (error) {
     return fail(error);
   }
   if (current !== program) return;
-  await show(program, fit);
+  await Promise.all([show(program, fit), learn(program, program.view)]);
+}
+
+// What is measured behind the first picture.
+async function learn(program, view) {
+  while (view.measuring && program.view === view) {
+    await new Promise(resolve => setTimeout(resolve, 250));
+    const now = await api.view(view.id).catch(() => null);
+    if (!now || program.view !== view) return;
+    if (now.measuring) continue;
+    Object.assign(view, now, {measuring: false});
+    if (current === program) { showSaid(view); redraw(); }
+  }
 }
 
 function tilesOf(view) {
@@ -202,7 +217,7 @@ function showCertificate(view) {
     add(t('checked'), `${c.blocksChecked ?? 0}`);
     if (c.blocksGouging) add(t('tooNear'), `${c.blocksGouging}`);
   } else {
-    add(t('certificate'), t(view.toolRadius && !view.refused ? 'notMeasured' : 'none'));
+    add(t('certificate'), t(view.measuring ? 'measuring' : view.toolRadius && !view.refused ? 'notMeasured' : 'none'));
   }
   add(t('tool'), `${mm(view.toolRadius)} mm`);
   add(t('plane'), axesOf(view).slice(0, 2).join('').toUpperCase());

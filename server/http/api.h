@@ -56,6 +56,7 @@ class Api final : public Service {
 
   // As of Service.
   Admission admit(const Request& head) override;
+  bool make_room() override { return views_.give_up_one(); }
   void handle(const ExchangePointer& exchange) override;
   void decorate(const Request& request, Head& head) override;
   void log(const Request& request, unsigned status, std::uint64_t bytes, double ms) override;

@@ -204,6 +204,15 @@ class Attacks(unittest.TestCase):
         for _, view in views:
             self.server.ask("DELETE", "/v1/views/" + view["id"])
 
+    def test_views_nobody_asks_for_leave_room_for_bodies(self):
+        lines = "\n".join(f"G01 X{i % 90} Y{i % 70}" for i in range(20000))
+        views = [self.server.ask_json("POST", "/v1/views", lines, TEXT)[1] for _ in range(4)]
+        status, _, _ = self.server.ask("POST", "/v1/programs:compensate?tool_radius=5",
+                                       SQUARE + "\n" * (3 << 20), TEXT)
+        self.assertEqual(status, 200)
+        for view in views:
+            self.server.ask("DELETE", "/v1/views/" + view["id"])
+
     def test_memory_stays(self):
         self.assertLess(self.server.resident_mib(), 400)
 

@@ -2,6 +2,7 @@
 import json
 import struct
 import subprocess
+import time
 import unittest
 import urllib.request
 
@@ -239,6 +240,28 @@ class Programs(unittest.TestCase):
                 for value in node:
                     yield from references(value)
         self.assertLessEqual(set(references(document)), set(document["components"]["schemas"]))
+
+    def test_a_large_program_is_measured_behind_its_first_picture(self):
+        text = program_of(100_000)
+        self.assertGreater(len(text), 1 << 20)
+        status, view = self.server.ask_json("POST", "/v1/views?tool_radius=0.5", text, TEXT)
+        self.assertEqual((status, view["measuring"]), (201, True))
+        self.assertNotIn("minClearance", view["summary"]["path"])
+        at = "/v1/views/" + view["id"]
+        for _ in range(200):
+            view = self.server.ask_json("GET", at)[1]
+            if not view.get("measuring"):
+                break
+            time.sleep(0.1)
+        self.assertNotIn("measuring", view)
+        self.assertAlmostEqual(view["summary"]["path"]["minClearance"]["distance"], 0.5, places=4)
+        self.server.ask("DELETE", at)
+        # Where it is asked for, the first answer says it.
+        _, view = self.server.ask_json("POST", "/v1/views?tool_radius=0.5&verify=report", text,
+                                       TEXT)
+        self.assertNotIn("measuring", view)
+        self.assertAlmostEqual(view["summary"]["path"]["minClearance"]["distance"], 0.5, places=4)
+        self.server.ask("DELETE", "/v1/views/" + view["id"])
 
     def test_a_view_tells_what_the_command_line_tells(self):
         status, view = self.server.ask_json("POST", "/v1/views?tool_radius=5&name=s.nc", SQUARE,

@@ -54,11 +54,14 @@ void ViewStore::remove(const std::string& id) {
 }
 
 bool ViewStore::give_up_one() {
+  // Freeing a large one takes its time: not under the lock.
+  std::shared_ptr<View> given_up;
   const std::lock_guard lock(mutex_);
   const auto oldest = std::min_element(
       kept_.begin(), kept_.end(),
       [](const auto& a, const auto& b) { return a.second.asked < b.second.asked; });
   if (oldest == kept_.end()) return false;
+  given_up = std::move(oldest->second.view);
   kept_.erase(oldest);
   return true;
 }
