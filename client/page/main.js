@@ -1,4 +1,4 @@
-import * as api from './api.js';
+import {api, inside} from './api.js';
 import {Canvas2d} from './canvas2d.js';
 import {Listing} from './listing.js';
 import {Options} from './options.js';
@@ -78,7 +78,7 @@ function listPrograms() {
 async function choose(program) {
   current = program;
   $('programs').value = programs.indexOf(program);
-  if (program.settings) options.values = program.settings;
+  if (program.settings && options) options.values = program.settings;
   await compute(true);
 }
 
@@ -92,8 +92,8 @@ async function compute(fit) {
   if (!program) return;
   $('hint').hidden = true;
   say(t('working'));
-  program.settings = options.values;
-  options.refuse([]);
+  program.settings = options?.values ?? {};
+  options?.refuse([]);
   try {
     const began = performance.now();
     const view = await api.makeView(program, program.settings);
@@ -371,6 +371,7 @@ addEventListener('dragover', event => { event.preventDefault(); $('stage').class
 addEventListener('dragleave', () => $('stage').classList.remove('dropping'));
 addEventListener('drop', event => {
   event.preventDefault();
+  if (inside) return;
   $('stage').classList.remove('dropping');
   add([...event.dataTransfer.files]);
 });
@@ -452,6 +453,14 @@ async function begin() {
   makeLayers();
   matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => { makeLayers(); redraw(); });
   new ResizeObserver(redraw).observe($('stage'));
+  document.body.dataset.inside = inside !== null;
+  if (inside) {
+    programs.push({name: inside.name, settings: null});
+    listPrograms();
+    document.title = inside.name;
+    document.body.dataset.ready = 'true';
+    return choose(programs[0]);
+  }
   options = new Options($('form'), await api.openApi(), await api.info());
   document.body.dataset.ready = 'true';
   const token = new URLSearchParams(location.search).get('offer');

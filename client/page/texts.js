@@ -17,6 +17,7 @@ const words = {
     layerContour: 'contour', layerMasked: 'not travelled', layerPath: 'path', layerTransition: 'inserted',
     layerLead: 'approach, retract', layerPlain: 'without compensation', layerRapid: 'rapid',
     layerBand: 'swept by the tool', layerCompare: 'compared path', layerMarks: 'findings',
+    insideNote: 'This file holds one program as it was compensated. trc view computes it anew, with other settings too.',
     all: 'as the program', offline: 'the server cannot be reached',
   },
   de: {
@@ -36,6 +37,7 @@ const words = {
     layerContour: 'Kontur', layerMasked: 'nicht befahren', layerPath: 'Bahn', layerTransition: 'eingefügt',
     layerLead: 'An- und Abfahren', layerPlain: 'ohne Korrektur', layerRapid: 'Eilgang',
     layerBand: 'vom Werkzeug überstrichen', layerCompare: 'verglichene Bahn', layerMarks: 'Befunde',
+    insideNote: 'Diese Datei enthält ein Programm, wie es korrigiert wurde. trc view rechnet es neu, auch mit anderen Einstellungen.',
     all: 'wie im Programm', offline: 'der Server ist nicht erreichbar',
   },
 };

@@ -156,9 +156,8 @@ void make_view(Api& api, const ExchangePointer& exchange) {
     return answer_problem(*exchange, problem_of(refused->status));
   const std::string text = std::move(exchange->request().body);
   // Older views give way to a new one.
-  auto builder =
-      std::make_unique<ViewBuilder>(text, setup, std::move(settings), api.memory(),
-                                    [&api] { return api.views().give_up_one(); });
+  auto builder = std::make_unique<ViewBuilder>(text, setup, std::move(settings), api.memory(),
+                                               [&api] { return api.views().give_up_one(); });
   if (measured_later) builder->measure_later();
   Run::start(api, exchange, compensate_program_rpc,
              std::make_unique<ProgramQuestions>(setup, text, api.most_message_bytes()),

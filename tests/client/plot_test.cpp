@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "client/plot/frame.h"
-#include "client/plot/html.h"
 #include "client/plot/picture.h"
 #include "client/plot/svg.h"
 #include "core/base/entry_help.h"
@@ -481,19 +480,6 @@ TEST(Ticks, StandAtRoundNumbers) {
   EXPECT_EQ(decimal(ticks.at[5], ticks.decimals), "0.4");
   EXPECT_EQ(ticks_between(0, 1000, 130).step, 200);
   EXPECT_EQ(decimal(-0.0001, 2), "0");
-}
-
-TEST(Html, CarriesThePictureAndASwitchForNumbers) {
-  const Picture picture =
-      compose({.title = "a<b.nc", .programmed = corner_contour, .path = corner_path});
-  const std::string off = to_html(picture, false);
-  EXPECT_EQ(off.rfind("<!DOCTYPE html>", 0), 0u);
-  EXPECT_NE(off.find("<title>a&lt;b.nc</title>"), std::string::npos);
-  EXPECT_NE(off.find("data-numbers=\"off\""), std::string::npos);
-  EXPECT_NE(to_html(picture, true).find("data-numbers=\"on\""), std::string::npos);
-  EXPECT_EQ(off.find("<?xml"), std::string::npos);
-  EXPECT_NE(off.find("class=\"transition\""), std::string::npos);
-  EXPECT_EQ(off.find("http", off.find("http://www.w3.org/2000/svg") + 10), std::string::npos);
 }
 
 }  // namespace

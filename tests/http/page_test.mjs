@@ -154,6 +154,46 @@ const tests = {
     assert.ok(await page.evaluate(() => !document.querySelector('[name=tool_radius]').validity.valid));
   },
 
+  async 'a page with its program inside needs no server'(page) {
+    for (const [name, text] of [['notch.nc', notch], ['bracket.nc', readFileSync(join(top, 'client/samples/bracket.nc'), 'utf8')]]) {
+      const path = file(name, text), written = join(folder, `${name}.html`);
+      const said = trc('plot', path, '-o', written, ...(name === 'notch.nc' ? ['--radius', '5'] : [])).stderr;
+      const asked = [];
+      page.on('request', request => asked.push(request.url()));
+      await page.goto(`file://${written}`);
+      await page.waitForSelector('body[data-complete=true]');
+      assert.deepEqual(asked.filter(url => !/^(file|data|blob):/.test(url)), []);
+      assert.equal(await page.title(), name);
+      assert.ok(Number(await page.evaluate(() => document.body.dataset.segments)) > 10);
+      assert.ok(!await page.locator('#form').isVisible(), 'nothing can be computed here');
+      if (name === 'notch.nc') {
+        const [, line, code] = /notch\.nc:(\d+):.* error (\d+)/.exec(said);
+        const button = page.locator('#diagnostics button.error').first();
+        assert.equal(await button.getAttribute('data-code'), code);
+        await button.click();
+        assert.equal(await page.locator('#input [aria-selected=true] .number').textContent(), line);
+        continue;
+      }
+      // The same as on the page of a server: text, clearance, the way of the tool, both listings.
+      const [download] = await Promise.all([page.waitForEvent('download'), page.click('#save-nc')]);
+      assert.equal(readFileSync(await download.path(), 'utf8'), trc('compensate', path).stdout);
+      assert.match(await page.textContent('#certificate'), /smallest6 of 6 mm/);
+      await page.locator('#output [role=option]').filter({hasText: 'N70'}).click();
+      assert.match(await page.locator('#input [aria-selected=true]').textContent(), /N70/);
+      await page.locator('#way').focus();
+      await page.keyboard.press('End');
+      await page.waitForFunction(() => document.getElementById('place').textContent.startsWith('X-25 Y-10'));
+      // What it may do is what its policy says: no script of somebody else's runs in it.
+      await page.evaluate(() => {
+        const script = document.createElement('script');
+        script.textContent = 'document.body.dataset.foreign = 1';
+        document.body.append(script);
+      });
+      assert.equal(await page.evaluate(() => document.body.dataset.foreign), undefined);
+      page.problems = page.problems.filter(problem => !/Content Security Policy/.test(problem));
+    }
+  },
+
   async 'everybody can use it'(page) {
     await show(page, file('notch.nc', notch));
     for (const scheme of ['light', 'dark']) {

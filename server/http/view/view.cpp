@@ -281,7 +281,8 @@ bool ViewBuilder::add(const std::vector<CompensatedBlock>& blocks) {
   // A line may give its block only when the next ones have been read.
   constexpr std::uint64_t ahead = 100;
   std::uint64_t line = 0;
-  for (const CompensatedBlock& block : blocks) line = std::max<std::uint64_t>(line, block.source.line);
+  for (const CompensatedBlock& block : blocks)
+    line = std::max<std::uint64_t>(line, block.source.line);
   while (!plane_ || read_lines_ < line + ahead)
     if (!read_contour()) break;
   if (!plane_) plane_ = first_plane(waiting_);
