@@ -241,6 +241,15 @@ class Programs(unittest.TestCase):
                     yield from references(value)
         self.assertLessEqual(set(references(document)), set(document["components"]["schemas"]))
 
+    def test_the_tool_on_its_way_is_that_of_the_block(self):
+        _, view = self.server.ask_json("POST", "/v1/views?tool_radius=5", SQUARE, TEXT)
+        at = f"/v1/views/{view['id']}/place?share="
+        place = self.server.ask_json("GET", at + "0.5")[1]
+        self.assertEqual((place["block"]["toolRadius"], place["position"]["y"]), (5, 55))
+        # Before G41 there is none.
+        self.assertNotIn("toolRadius", self.server.ask_json("GET", at + "0")[1]["block"])
+        self.server.ask("DELETE", "/v1/views/" + view["id"])
+
     def test_a_large_program_is_measured_behind_its_first_picture(self):
         text = program_of(100_000)
         self.assertGreater(len(text), 1 << 20)

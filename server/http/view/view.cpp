@@ -285,7 +285,7 @@ bool ViewBuilder::add(const std::vector<CompensatedBlock>& blocks) {
     line = std::max<std::uint64_t>(line, block.source.line);
   while (!plane_ || read_lines_ < line + ahead)
     if (!read_contour()) break;
-  if (!plane_) plane_ = first_plane(waiting_);
+  settle_plane();
   for (const CompensatedBlock& block : blocks) {
     if (block.origin == Origin::passthrough) continue;
     const bool has_tool =
@@ -317,8 +317,7 @@ void ViewBuilder::add(const v1::Diagnostic& diagnostic) {
 std::shared_ptr<View> ViewBuilder::finish(std::string id) {
   while (read_contour()) {
   }
-  if (!plane_) plane_ = first_plane(waiting_);
-  add_contour(std::vector<Block>());
+  settle_plane();
   mark_masked();
   contour_blocks_ = {};
   radius_of_line_ = {};
@@ -335,14 +334,20 @@ std::shared_ptr<View> ViewBuilder::finish(std::string id) {
 }
 
 void ViewBuilder::add_contour(const std::vector<Block>& blocks) {
+  if (!plane_) plane_ = compensated_plane(blocks);
   if (!plane_) {
     waiting_.insert(waiting_.end(), blocks.begin(), blocks.end());
-    plane_ = compensated_plane(blocks);
     return;
   }
   for (const Block& block : waiting_) add_contour(block);
   waiting_ = {};
   for (const Block& block : blocks) add_contour(block);
+}
+
+void ViewBuilder::settle_plane() {
+  if (plane_) return;
+  plane_ = first_plane(waiting_);
+  add_contour(std::vector<Block>());
 }
 
 void ViewBuilder::add_contour(const Block& block) {

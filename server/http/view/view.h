@@ -96,6 +96,8 @@ class ViewBuilder {
   bool read_contour();
   void add_contour(const std::vector<Block>& blocks);
   void add_contour(const Block& block);
+  // Where nothing is compensated the first motion says which plane is shown.
+  void settle_plane();
   void mark_masked();
   void describe(const Lines& program);
   // Takes the memory for what there is by now.
