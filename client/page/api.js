@@ -32,6 +32,9 @@ const server = {
   place: (id, share, signal) => json(`v1/views/${id}/place?share=${share}`, {signal}),
   compensated: async (program, settings) =>
     (await ask(`v1/programs:compensate?${query(settings)}`, {method: 'POST', headers: text, body: program.text})).blob(),
+  survey: (program, settings, radius) =>
+    json(`v1/programs:surveyRadii?${query({...settings, ...(radius > 0 && {radii: radius, uncut: true})})}`,
+      {method: 'POST', headers: text, body: program.text}),
 
   // The program `trc view` offers, with its settings.
   offer: async token => {
