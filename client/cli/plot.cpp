@@ -24,6 +24,7 @@ struct Call {
   std::string output;
   std::string format;  // empty: by the ending of `output`
   bool numbers = false;
+  bool points = false;
 };
 
 // The page that shows this program. None, and standard error says why, where it is too large.
@@ -89,12 +90,12 @@ Exit run(const Call& call) {
   if (as_page)
     drawing = page_of(std::move(text), setup, title, paths);
   else
-    drawing = plot::to_svg(plot::compose({.title = title,
-                                          .programmed = paths.programmed,
-                                          .path = paths.compensated,
-                                          .diagnostics = paths.diagnostics,
-                                          .leads = paths.leads}),
-                           {.numbers = call.numbers});
+    drawing = plot::to_svg(plot::compose_views({.title = title,
+                                                .programmed = paths.programmed,
+                                                .path = paths.compensated,
+                                                .diagnostics = paths.diagnostics,
+                                                .leads = paths.leads}),
+                           {.numbers = call.numbers, .points = call.points});
   if (!drawing || !output.write(*drawing) || !output.commit()) return Exit::wrong_call;
   return paths.exit;
 }
@@ -117,10 +118,15 @@ void add_plot(CLI::App& app, Action& action) {
       ->type_name("svg|html")
       ->check(CLI::IsMember({"svg", "html"}));
   command->add_flag("--numbers", call->numbers, "Write block numbers beside the contour (svg)");
+  command->add_flag("--points", call->points, "Mark where the blocks end (svg)");
   command->footer(
-      "Leads are thin, rapid moves dashed, masked or removed blocks red, transition blocks light "
+      "Leads, approach and retract are thin, rapid moves dashed, masked or removed blocks red, "
+      "transition blocks light "
       "blue; red\nand dashed is what was programmed where another contour is compensated "
-      "(CONV_CIR_TO_LIN,\nKERF_MASKING). Warnings are yellow at their place.\n"
+      "(CONV_CIR_TO_LIN,\nKERF_MASKING). Warnings are yellow at their place. Where the radius "
+      "changes "
+      "both tools are drawn.\nOther planes that are compensated have views of their own; where the "
+      "third axis moves there is one from the side.\n"
       "Where the measured path comes nearer to the contour than the tool radius, warning 900216 "
       "says\n"
       "where. A refused program gives the picture of what was certain, with the place marked, and "
