@@ -381,7 +381,10 @@ stage.addEventListener('pointerdown', event => {
 stage.addEventListener('pointermove', event => {
   const at = camera.toPlane(event.offsetX, event.offsetY);
   const names = axesOf(current?.view);
-  $('cursor').textContent = current ? `${names[0].toUpperCase()} ${at.x.toFixed(3)}  ${names[1].toUpperCase()} ${at.y.toFixed(3)}` : '';
+  // In the unit the program was said to have.
+  const [unit, size, digits] = current?.settings?.unit === 'inch' ? ['inch', 25.4, 4] : ['mm', 1, 3];
+  $('cursor').textContent = !current ? ''
+    : `${names[0].toUpperCase()} ${(at.x / size).toFixed(digits)}  ${names[1].toUpperCase()} ${(at.y / size).toFixed(digits)} ${unit}`;
   if (!drag || !fingers.has(event.pointerId)) return;
   const before = fingers.get(event.pointerId);
   const dx = event.offsetX - before.offsetX, dy = event.offsetY - before.offsetY;

@@ -18,7 +18,7 @@ enum class Style : std::uint8_t {
   path = 2,
   transition = 3,  // inserted on the path
   lead = 4,        // approach and retract
-  plain = 5,       // motion without compensation
+  plain = 5,       // motion without compensation, and programmed beside a contour
 };
 inline constexpr std::uint32_t rapid_flag = 1U << 8U;
 inline constexpr std::uint32_t path_flag = 1U << 9U;

@@ -354,12 +354,16 @@ void ViewBuilder::add_contour(const Block& block) {
   if (!std::holds_alternative<MotionBlock>(block)) return;
   const MotionBlock& motion = std::get<MotionBlock>(block);
   if (motion.mode == nullptr) return;
-  const Element element{
-      .feed = motion.rapid ? 0 : static_cast<float>(motion.feed),
-      .line = motion.source.line,
-      .tool_radius = motion.mode->active() ? static_cast<float>(motion.mode->tool_radius) : 0,
-      .style = Style::contour,
-      .rapid = motion.rapid};
+  // What leads to a contour, or from one side of it to the other, is not part of it.
+  const bool active = motion.mode->active();
+  const Side side = active ? motion.mode->side : Side::off;
+  const bool is_contour = active && std::exchange(side_, side) == side;
+  if (!active) side_ = Side::off;
+  const Element element{.feed = motion.rapid ? 0 : static_cast<float>(motion.feed),
+                        .line = motion.source.line,
+                        .tool_radius = active ? static_cast<float>(motion.mode->tool_radius) : 0,
+                        .style = is_contour ? Style::contour : Style::plain,
+                        .rapid = motion.rapid};
   add_seen(contour_, element, motion.mode->plane, motion.path, motion.normal, *plane_);
   contour_blocks_.resize(contour_.size(), static_cast<std::uint32_t>(motion.source.index));
   if (element.line >= radius_of_line_.size()) radius_of_line_.resize(element.line + 1);

@@ -117,6 +117,8 @@ class ViewBuilder {
   // Read before it was known which plane is shown.
   std::vector<Block> waiting_;
   std::optional<Plane> plane_;
+  // Of the motion before.
+  Side side_ = Side::off;
   Elements contour_;
   // Of each element of the contour: Source::index of its block.
   std::vector<std::uint32_t> contour_blocks_;
