@@ -70,6 +70,8 @@ class Api final : public Service {
   // Starts an RPC of this process for a request. `done` as of RpcCall.
   [[nodiscard]] std::shared_ptr<RpcCall> call(std::string method, const Request& request,
                                               RpcCall::Done done);
+  // Long work ends when it is.
+  [[nodiscard]] bool stopping();
   // Has something computed by a worker.
   void compute(std::function<void()> work);
 
@@ -95,7 +97,6 @@ class Api final : public Service {
   [[nodiscard]] bool is_own_origin(const Request& request, std::string_view origin) const;
   void begin();
   void end();
-  [[nodiscard]] bool stopping();
 
   Backend& backend_;
   std::shared_ptr<grpc::Channel> channel_;

@@ -128,11 +128,19 @@ void answer_of_view(Api& api, const ExchangePointer& exchange, const Make& make)
   });
 }
 
-// Once.
+// Once, and no longer than somebody may ask for it.
 void make_output_of(Api& api, const std::shared_ptr<View>& view) {
   if (view->said().refused() || !view->begin_output()) return;
-  api.compute(
-      [&api, view] { view->make_output([&pool = api.backend().pool] { pool.give_way(); }); });
+  struct Abandoned {};
+  api.compute([&api, view] {
+    try {
+      view->make_output([&] {
+        if (view->is_given_up() || api.stopping()) throw Abandoned{};
+        api.backend().pool.give_way();
+      });
+    } catch (const Abandoned&) {
+    }
+  });
 }
 
 }  // namespace

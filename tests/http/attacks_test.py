@@ -1,5 +1,6 @@
 """Who means harm over HTTP is bounded, and gRPC does not notice."""
 import json
+import math
 import os
 import socket
 import ssl
@@ -215,6 +216,33 @@ class Attacks(unittest.TestCase):
 
     def test_memory_stays(self):
         self.assertLess(self.server.resident_mib(), 400)
+
+
+class Views(unittest.TestCase):
+    def test_what_nobody_looks_at_any_more_is_not_measured(self):
+        # A hole hardly larger than the tool: measuring costs the square of its blocks.
+        count = 60_000
+        wall = [f"G01 X{5.5 * math.cos(2 * math.pi * i / count):.10f} "
+                f"Y{5.5 * math.sin(2 * math.pi * i / count):.10f}" for i in range(count + 1)]
+        text = "\n".join(["G00 X0 Y0", "G41 G01 X5.5 Y0 F500", *wall, "G40 G01 X0 Y0", "M30", ""])
+
+        def cpu_seconds(server):
+            with open(f"/proc/{server.process.pid}/stat", encoding="ascii") as stat:
+                fields = stat.read().rsplit(")", 1)[1].split()
+            return (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")
+
+        with Server() as server:
+            status, view = server.ask_json("POST", "/v1/views?tool_radius=5", text, TEXT)
+            self.assertEqual((status, view.get("measuring")), (201, True), view)
+            at = "/v1/views/" + view["id"]
+            self.assertTrue(server.ask_json("GET", at)[1]["measuring"])
+            time.sleep(1)
+            self.assertTrue(server.ask_json("GET", at)[1]["measuring"])
+            self.assertEqual(server.ask("DELETE", at)[0], 204)
+            time.sleep(1)
+            before = cpu_seconds(server)
+            time.sleep(2)
+            self.assertLess(cpu_seconds(server) - before, 0.5)
 
 
 class Tls(unittest.TestCase):

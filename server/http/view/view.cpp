@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <cmath>
 #include <functional>
 #include <span>
@@ -207,10 +208,10 @@ std::shared_ptr<const Lines> View::output() const {
   return output_;
 }
 
-void View::make_output(const std::function<void()>& interrupt) {
+std::string View::compensated_text(Verify verify, const std::function<void()>& interrupt) {
   SessionSetup session_setup = settings_.path.session;
   session_setup.compensator.interrupt = interrupt;
-  session_setup.verify = said_.measuring() ? Verify::report : Verify::off;
+  session_setup.verify = verify;
   ProgramSession session(
       {.session = session_setup, .nc_text = true, .decimals = settings_.decimals});
   ProgramOutput out;
@@ -222,14 +223,39 @@ void View::make_output(const std::function<void()>& interrupt) {
     interrupt();
   }
   if (goes_on) session.finish(out);
-  if (said_.measuring()) measure(session, session.diagnostics().pending());
+  if (verify != Verify::off) measure(session, session.diagnostics().pending());
+  return std::move(out.text);
+}
+
+void View::make_output(const std::function<void()>& interrupt) {
+  struct TooLong {};
+  // Some contours cost the square of their blocks.
+  constexpr std::chrono::seconds most_measuring{60};
+  const auto began = std::chrono::steady_clock::now();
+  std::string text;
+  try {
+    text = compensated_text(said_.measuring() ? Verify::report : Verify::off, [&] {
+      interrupt();
+      if (said_.measuring() && std::chrono::steady_clock::now() - began > most_measuring)
+        throw TooLong{};
+    });
+  } catch (const TooLong&) {
+    text = compensated_text(Verify::off, interrupt);
+  }
 
   // Both make the same motions; the text as it is read says where its lines end.
   ContourReader reader(settings_.path.session);
-  for (std::size_t at = 0; at < out.text.size(); at += text_piece) {
-    reader.feed(std::string_view(out.text).substr(at, text_piece));
+  std::vector<LineEnd> reached;
+  const auto reach = [&](const std::vector<Block>& blocks) {
+    const std::vector<LineEnd> more = ends_of(blocks);
+    reached.insert(reached.end(), more.begin(), more.end());
+  };
+  for (std::size_t at = 0; at < text.size(); at += text_piece) {
+    reader.feed(std::string_view(text).substr(at, text_piece));
+    reach(reader.take());
     interrupt();
   }
+  reach(reader.finish());
   std::vector<LineEnd> ends;
   ends.reserve(path_.size());
   const Plane plane = plane_of(said_.plane());
@@ -238,8 +264,8 @@ void View::make_output(const std::function<void()>& interrupt) {
     const Position end = from_plane(plane, element.end, double{element.third_to});
     ends.push_back({.x = end[0], .y = end[1], .z = end[2], .line = element.line});
   }
-  auto lines = std::make_shared<Lines>(std::move(out.text));
-  lines->set_sources(sources_of(lines->count(), ends_of(reader.finish()), ends));
+  auto lines = std::make_shared<Lines>(std::move(text));
+  lines->set_sources(sources_of(lines->count(), reached, ends));
   const std::lock_guard lock(mutex_);
   output_ = std::move(lines);
 }

@@ -52,10 +52,15 @@ class View {
   [[nodiscard]] std::shared_ptr<const Lines> output() const;
   // True for the one who is to make it.
   [[nodiscard]] bool begin_output() { return !output_begun_.exchange(true); }
-  // `interrupt` is called now and then.
+  // `interrupt` is called now and then, and may throw. What takes too long to measure is left
+  // unmeasured.
   void make_output(const std::function<void()>& interrupt);
+  // Nobody will ask for it any more.
+  void give_up() { given_up_ = true; }
+  [[nodiscard]] bool is_given_up() const { return given_up_; }
 
  private:
+  [[nodiscard]] std::string compensated_text(Verify verify, const std::function<void()>& interrupt);
   void measure(const ProgramSession& session, const std::vector<Diagnostic>& found);
   [[nodiscard]] v1::ViewBlock described(const Elements& elements, std::size_t index,
                                         bool on_path) const;
@@ -67,6 +72,7 @@ class View {
   const Lines program_;
   const wire::ProgramSettings settings_;
   std::atomic<bool> output_begun_{false};
+  std::atomic<bool> given_up_{false};
   mutable std::mutex mutex_;
   std::shared_ptr<const Lines> output_;
   v1::View measured_;  // what said_ lacks
