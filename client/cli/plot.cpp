@@ -1,14 +1,20 @@
 #include <filesystem>
 #include <iostream>
+#include <limits>
 #include <memory>
+#include <optional>
+#include <utility>
 
 #include "client/cli/command.h"
 #include "client/cli/files.h"
 #include "client/cli/program_options.h"
 #include "client/cli/program_paths.h"
-#include "client/plot/html.h"
+#include "client/cli/standalone_page.h"
 #include "client/plot/picture.h"
 #include "client/plot/svg.h"
+#include "proto/wire/diagnostic.h"
+#include "proto/wire/path_item.h"
+#include "proto/wire/setup.h"
 
 namespace trc::cli {
 namespace {
@@ -16,17 +22,55 @@ namespace {
 struct Call {
   ProgramOptions program;
   std::string output;
+  std::string format;  // empty: by the ending of `output`
   bool numbers = false;
+  bool points = false;
 };
+
+// The page that shows this program. None, and standard error says why, where it is too large.
+std::optional<std::string> page_of(std::string text, v1::ProgramSetup setup,
+                                   const std::string& name, const ProgramPaths& paths) {
+  const std::size_t blocks = paths.programmed.size() + paths.compensated.size();
+  if (blocks > most_page_blocks) {
+    std::cerr << "trc: " << name << " has " << blocks
+              << " blocks of contour and path, a page holds " << most_page_blocks
+              << "; use trc view, or write .svg\n";
+    return std::nullopt;
+  }
+  setup.set_file_name(name);
+  wire::FieldFaults faults;
+  wire::ProgramSettings settings = wire::from_proto(setup, wire::FieldPath("setup"), faults);
+  server::http::Memory memory(std::numeric_limits<std::size_t>::max() / 2);
+  server::http::ViewBuilder builder(std::move(text), setup, std::move(settings), memory,
+                                    [] { return false; });
+  if (paths.exit == Exit::refused) builder.set_refused();
+  for (const wire::ReceivedDiagnostic& diagnostic : paths.received) {
+    v1::Diagnostic message;
+    wire::to_proto(diagnostic, message);
+    builder.add(message);
+  }
+  if (paths.summary) {
+    v1::ProgramSummary summary;
+    wire::to_proto(*paths.summary, summary);
+    builder.set_summary(summary);
+  }
+  if (!builder.add(paths.compensated)) return std::nullopt;
+  const auto view = builder.finish("inside");
+  if (view == nullptr) return std::nullopt;
+  if (paths.exit == Exit::done) view->make_output([] {});
+  return standalone_page(*view);
+}
 
 Exit run(const Call& call) {
   v1::ProgramSetup setup;
   if (!setup_of(call.program, setup)) return Exit::wrong_call;
   report_clearance(setup);
   const std::string ending = std::filesystem::path(call.output).extension().string();
-  const bool as_page = ending == ".html" || ending == ".htm";
-  if (!as_page && ending != ".svg" && call.output != "-") {
-    std::cerr << "trc: -o " << call.output << ": the name must end in .svg or .html\n";
+  const bool as_page =
+      call.format.empty() ? ending == ".html" || ending == ".htm" : call.format == "html";
+  if (call.format.empty() && !as_page && ending != ".svg" && call.output != "-") {
+    std::cerr << "trc: -o " << call.output
+              << ": the name must end in .svg or .html, or --format must say which it is\n";
     return Exit::wrong_call;
   }
   if (is_same_file(call.program.file, call.output)) {
@@ -37,17 +81,22 @@ Exit run(const Call& call) {
   Output output(call.output);
   if (!input.open() || !output.open()) return Exit::wrong_call;
 
+  std::string text;
+  if (as_page) input.watch([&](std::string_view piece) { text += piece; });
   const ProgramPaths paths = read_paths(call.program.service, setup, input);
   if (paths.exit != Exit::done && paths.exit != Exit::refused) return paths.exit;
-  const plot::Picture picture =
-      plot::compose({.title = std::filesystem::path(input.name()).filename().string(),
-                     .programmed = paths.programmed,
-                     .path = paths.compensated,
-                     .diagnostics = paths.diagnostics,
-                     .leads = paths.leads});
-  const std::string drawing = as_page ? plot::to_html(picture, call.numbers)
-                                      : plot::to_svg(picture, {.numbers = call.numbers});
-  if (!output.write(drawing) || !output.commit()) return Exit::wrong_call;
+  const std::string title = std::filesystem::path(input.name()).filename().string();
+  std::optional<std::string> drawing;
+  if (as_page)
+    drawing = page_of(std::move(text), setup, title, paths);
+  else
+    drawing = plot::to_svg(plot::compose_views({.title = title,
+                                                .programmed = paths.programmed,
+                                                .path = paths.compensated,
+                                                .diagnostics = paths.diagnostics,
+                                                .leads = paths.leads}),
+                           {.numbers = call.numbers, .points = call.points});
+  if (!drawing || !output.write(*drawing) || !output.commit()) return Exit::wrong_call;
   return paths.exit;
 }
 
@@ -61,16 +110,31 @@ void add_plot(CLI::App& app, Action& action) {
   command->add_option("-o,--output", call->output, "Picture to write, .svg or .html; - is SVG")
       ->type_name("OUT.svg|OUT.html")
       ->required();
-  command->add_flag("--numbers", call->numbers, "Write block numbers beside the contour");
+  command
+      ->add_option(
+          "--format", call->format,
+          "svg, a picture, or html, a page that needs no server, of at most 250000 blocks; "
+          "by default the ending of the name says it")
+      ->type_name("svg|html")
+      ->check(CLI::IsMember({"svg", "html"}));
+  command->add_flag("--numbers", call->numbers, "Write block numbers beside the contour (svg)");
+  command->add_flag("--points", call->points, "Mark where the blocks end (svg)");
   command->footer(
-      "Leads are thin, rapid moves dashed, masked or removed blocks red, transition blocks light "
+      "Leads, approach and retract are thin, rapid moves dashed, masked or removed blocks red, "
+      "transition blocks light "
       "blue; red\nand dashed is what was programmed where another contour is compensated "
-      "(CONV_CIR_TO_LIN,\nKERF_MASKING). Warnings are yellow at their place.\n"
+      "(CONV_CIR_TO_LIN,\nKERF_MASKING). Warnings are yellow at their place. Where the radius "
+      "changes "
+      "both tools are drawn.\nOther planes that are compensated have views of their own; where the "
+      "third axis moves there is one from the side.\n"
       "Where the measured path comes nearer to the contour than the tool radius, warning 900216 "
       "says\n"
       "where. A refused program gives the picture of what was certain, with the place marked, and "
       "exit "
-      "code 1;\nwhat is proposed in place of an approach or a retract is green and dashed.\n\n" +
+      "code 1;\nwhat is proposed in place of an approach or a retract is green and dashed.\n"
+      "An .html file is the page of trc view with the program inside: contour, path, listings and "
+      "what\nwas found. It opens from the disk, loads nothing and holds at most 250000 blocks of "
+      "contour and path.\n\n" +
       settings_help());
   command->callback([call, &action] { action = [call] { return run(*call); }; });
 }

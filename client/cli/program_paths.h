@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "client/cli/command.h"
@@ -9,6 +10,8 @@
 #include "core/nc/state/block.h"
 #include "core/trc/result/compensated_block.h"
 #include "core/trc/walls/walls.h"
+#include "proto/wire/diagnostic.h"
+#include "proto/wire/path_item.h"
 
 namespace trc::cli {
 
@@ -18,9 +21,11 @@ struct ProgramPaths {
   // As read here, without the service. Where the text has an error they end
   // there; the error is among `diagnostics`, from the service.
   std::vector<Block> programmed{};
-  std::vector<CompensatedBlock> compensated{};  // what was certain, if refused
-  std::vector<Diagnostic> diagnostics{};        // also told on standard error
-  LeadSettings leads{};                         // of the setup
+  std::vector<CompensatedBlock> compensated{};       // what was certain, if refused
+  std::vector<Diagnostic> diagnostics{};             // also told on standard error
+  std::vector<wire::ReceivedDiagnostic> received{};  // the same with the texts they came with
+  LeadSettings leads{};                              // of the setup
+  std::optional<wire::ProgramSummary> summary{};     // complete runs only
 };
 
 [[nodiscard]] ProgramPaths read_paths(const ServiceOptions& options, v1::ProgramSetup setup,

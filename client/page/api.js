@@ -1,3 +1,5 @@
+import {programInside} from './inside.js';
+
 // What the page asks the server. A refusal is thrown as its problem (RFC 9457).
 export class Refused extends Error {
   constructor(problem) {
@@ -17,23 +19,31 @@ const json = async (path, options) => (await ask(path, options)).json();
 const text = {'Content-Type': 'text/plain; charset=utf-8'};
 const query = settings => new URLSearchParams(settings).toString();
 
-export const info = () => json('v1/info');
-export const openApi = () => json('v1/openapi.json');
-export const makeView = (program, settings) =>
-  json(`v1/views?${query({...settings, name: program.name})}`, {method: 'POST', headers: text, body: program.text});
-export const dropView = id => ask(`v1/views/${id}`, {method: 'DELETE'}).catch(() => {});
-export const tile = async (id, level, x, y, signal) =>
-  (await ask(`v1/views/${id}/tiles/${level}/${x}/${y}`, {signal})).arrayBuffer();
-export const lines = (id, what, from, count) => json(`v1/views/${id}/${what}?from=${from}&count=${count}`);
-export const blocks = (id, line) => json(`v1/views/${id}/blocks?line=${line}`);
-export const place = (id, share, signal) => json(`v1/views/${id}/place?share=${share}`, {signal});
-export const compensated = async (program, settings) =>
-  (await ask(`v1/programs:compensate?${query(settings)}`, {method: 'POST', headers: text, body: program.text})).blob();
+const server = {
+  info: () => json('v1/info'),
+  openApi: () => json('v1/openapi.json'),
+  makeView: (program, settings) =>
+    json(`v1/views?${query({...settings, name: program.name})}`, {method: 'POST', headers: text, body: program.text}),
+  view: id => json(`v1/views/${id}`),
+  dropView: id => ask(`v1/views/${id}`, {method: 'DELETE'}).catch(() => {}),
+  tile: async (id, level, x, y, signal) => (await ask(`v1/views/${id}/tiles/${level}/${x}/${y}`, {signal})).arrayBuffer(),
+  lines: (id, what, from, count) => json(`v1/views/${id}/${what}?from=${from}&count=${count}`),
+  blocks: (id, line) => json(`v1/views/${id}/blocks?line=${line}`),
+  place: (id, share, signal) => json(`v1/views/${id}/place?share=${share}`, {signal}),
+  compensated: async (program, settings) =>
+    (await ask(`v1/programs:compensate?${query(settings)}`, {method: 'POST', headers: text, body: program.text})).blob(),
+  survey: (program, settings, radius) =>
+    json(`v1/programs:surveyRadii?${query({...settings, ...(radius > 0 && {radii: radius, uncut: true})})}`,
+      {method: 'POST', headers: text, body: program.text}),
 
-// The program `trc view` offers, with its settings.
-export async function offer(token) {
-  const answer = await ask(`v1/offers/${token}`);
-  const settings = Object.fromEntries(new URLSearchParams(answer.headers.get('trc-settings') ?? ''));
-  const name = decodeURIComponent(answer.headers.get('trc-name') ?? 'program.nc');
-  return {program: {name, text: await answer.blob()}, settings};
-}
+  // The program `trc view` offers, with its settings.
+  offer: async token => {
+    const answer = await ask(`v1/offers/${token}`);
+    const settings = Object.fromEntries(new URLSearchParams(answer.headers.get('trc-settings') ?? ''));
+    const name = decodeURIComponent(answer.headers.get('trc-name') ?? 'program.nc');
+    return {program: {name, text: await answer.blob()}, settings};
+  },
+};
+
+export const inside = programInside();
+export const api = inside ?? server;

@@ -1,4 +1,4 @@
-import * as api from './api.js';
+import {api} from './api.js';
 import {t} from './texts.js';
 
 const rowHeight = 18;

@@ -1,6 +1,7 @@
-import * as api from './api.js';
+import {api, inside} from './api.js';
 import {Canvas2d} from './canvas2d.js';
 import {Listing} from './listing.js';
+import {motionsOf, textOf} from './motions.js';
 import {Options} from './options.js';
 import {Overlay} from './overlay.js';
 import {Camera, Tiles} from './scene.js';
@@ -19,7 +20,7 @@ let place = null;        // of the tool
 let measured = [];
 let isMeasuring = false;
 let layers = 0x7f;       // as bits: styles, then rapid
-const also = {band: false, compare: true, marks: true};
+const also = {band: false, compare: true, marks: true, proposals: true, uncut: true};
 
 const renderer = WebGl.make($('lines')) ?? new Canvas2d($('lines'));
 const overlay = new Overlay($('over'));
@@ -52,8 +53,10 @@ function draw() {
     renderer.draw(tiles, {layers, line});
     document.body.dataset.segments = tiles.reduce((sum, tile) => sum + tile.count, 0);
     document.body.dataset.complete = current.tiles.complete;
+    if (current.tiles.complete) document.body.dataset.pictureMs ??= (performance.now() - current.began).toFixed(1);
   }
-  overlay.draw(camera, ratio, {view: current?.view, place, measured, marks: also.marks});
+  overlay.draw(camera, ratio, {view: current?.view, place, measured, marks: also.marks,
+    proposals: also.proposals ? current?.proposals : [], uncut: also.uncut ? current?.uncut : []});
   document.body.dataset.drawMs = (performance.now() - start).toFixed(1);
 }
 
@@ -77,7 +80,7 @@ function listPrograms() {
 async function choose(program) {
   current = program;
   $('programs').value = programs.indexOf(program);
-  if (program.settings) options.values = program.settings;
+  if (program.settings && options) options.values = program.settings;
   await compute(true);
 }
 
@@ -91,20 +94,34 @@ async function compute(fit) {
   if (!program) return;
   $('hint').hidden = true;
   say(t('working'));
-  program.settings = options.values;
-  options.refuse([]);
+  program.settings = options?.values ?? {};
+  options?.refuse([]);
   try {
     const began = performance.now();
     const view = await api.makeView(program, program.settings);
     forget(program);
     program.view = view;
     program.tiles = tilesOf(view);
+    program.began = began;
+    delete document.body.dataset.pictureMs;
     document.body.dataset.viewMs = (performance.now() - began).toFixed(1);
   } catch (error) {
     return fail(error);
   }
   if (current !== program) return;
-  await show(program, fit);
+  await Promise.all([show(program, fit), learn(program, program.view)]);
+}
+
+// What is measured behind the first picture.
+async function learn(program, view) {
+  while (view.measuring && program.view === view) {
+    await new Promise(resolve => setTimeout(resolve, 250));
+    const now = await api.view(view.id).catch(() => null);
+    if (!now || program.view !== view) return;
+    if (now.measuring) continue;
+    Object.assign(view, now, {measuring: false});
+    if (current === program) { showSaid(view); redraw(); }
+  }
 }
 
 function tilesOf(view) {
@@ -137,6 +154,9 @@ async function show(program, fit) {
   $('way').value = 0;
   $('save-nc').disabled = view.refused === true;
   $('save-svg').disabled = false;
+  program.uncut = [];
+  $('survey').disabled = inside !== null;
+  $('largest').replaceChildren();
   if (fit) showAll();
   showSaid(view);
   redraw();
@@ -161,6 +181,7 @@ function showSaid(view) {
   say(t(view.refused ? 'refused' : found.length ? 'notes' : 'done'), view.refused ? 'error' : '');
   const order = {ERROR: 0, WARNING: 1, NOTE: 2};
   const items = [...found].sort((a, b) => order[a.severity] - order[b.severity]).map(item);
+  current.proposals = found.flatMap(d => (d.entryHelp?.proposals ?? []).map(p => motionsOf(p, at => inPlane(view, at))));
   if (view.diagnosticsLeftOut) {
     const rest = document.createElement('li');
     rest.textContent = `${view.diagnosticsLeftOut} ${t('leftOut')}`;
@@ -179,12 +200,52 @@ function item(diagnostic) {
   const remedy = document.createElement('span');
   remedy.className = 'remedy';
   remedy.textContent = diagnostic.remedy ?? '';
-  button.append(head, ` ${diagnostic.message ?? ''}`, remedy);
+  // The server speaks English.
+  const message = document.createElement('span');
+  message.textContent = ` ${diagnostic.message ?? ''}`;
+  message.lang = remedy.lang = 'en';
+  button.append(head, message, remedy);
   button.dataset.code = diagnostic.code;
   button.addEventListener('click', () => goTo(diagnostic));
   const entry = document.createElement('li');
   entry.append(button);
+  if (diagnostic.entryHelp) entry.append(...helpWithEntry(diagnostic.entryHelp));
   return entry;
+}
+
+// What would do in place of the approach or the retract that was refused.
+function helpWithEntry(help) {
+  const {view} = current;
+  const names = axesOf(view).slice(0, 2);
+  const at = point => names.map(name => `${name.toUpperCase()}${mm(point[name])}`).join(' ');
+  const list = document.createElement('ul');
+  list.className = 'proposals';
+  const facts = [
+    help.neededLength && t('tooShort', {given: mm(help.givenLength), needed: mm(help.neededLength)}),
+    help.legalPoint && t(help.leaves ? 'mayEnd' : 'mayStart', {at: at(help.legalPoint)}),
+  ].filter(Boolean);
+  if (facts.length) {
+    const entry = document.createElement('li'), text = document.createElement('p');
+    text.textContent = facts.join('; ');
+    entry.append(text);
+    list.append(entry);
+  }
+  for (const proposal of help.proposals ?? []) {
+    const entry = document.createElement('li'), button = document.createElement('button');
+    const shape = proposal.shape === 'SHAPE_LINE' ? t('asLine') : t('asQuarter');
+    const head = document.createElement('strong');
+    head.textContent = `${t(help.leaves ? 'proposedExit' : 'proposedEntry')}, ${shape}`;
+    const motions = motionsOf(proposal, point => inPlane(view, point));
+    button.append(head, ` ${textOf(proposal, motions, at, radius => `${t('arc')} R${mm(radius)}`)}`);
+    button.addEventListener('click', () => {
+      const points = motions.flatMap(({from, to}) => [from, to]);
+      zoomTo(view, ...cornersOf(points));
+      redraw();
+    });
+    entry.append(button);
+    list.append(entry);
+  }
+  return [list];
 }
 
 function showCertificate(view) {
@@ -202,7 +263,7 @@ function showCertificate(view) {
     add(t('checked'), `${c.blocksChecked ?? 0}`);
     if (c.blocksGouging) add(t('tooNear'), `${c.blocksGouging}`);
   } else {
-    add(t('certificate'), t(view.toolRadius && !view.refused ? 'notMeasured' : 'none'));
+    add(t('certificate'), t(view.measuring ? 'measuring' : view.toolRadius && !view.refused ? 'notMeasured' : 'none'));
   }
   add(t('tool'), `${mm(view.toolRadius)} mm`);
   add(t('plane'), axesOf(view).slice(0, 2).join('').toUpperCase());
@@ -213,11 +274,8 @@ function showCertificate(view) {
 
 // ---- going to a line
 
-function boundsOf(view, blocks) {
-  const points = blocks.flatMap(b => [inPlane(view, b.start ?? {}), inPlane(view, b.end ?? {})]);
-  return {low: {x: Math.min(...points.map(p => p.x)), y: Math.min(...points.map(p => p.y))},
-          high: {x: Math.max(...points.map(p => p.x)), y: Math.max(...points.map(p => p.y))}};
-}
+const cornersOf = points => [Math.min, Math.max].map(end => ({x: end(...points.map(p => p.x)), y: end(...points.map(p => p.y))}));
+const boundsOf = (view, blocks) => cornersOf(blocks.flatMap(b => [inPlane(view, b.start ?? {}), inPlane(view, b.end ?? {})]));
 
 function zoomTo(view, low, high) {
   const least = Math.max(4 * (view.toolRadius ?? 0), 1);
@@ -244,14 +302,53 @@ async function mark(to, zoom) {
   const {view} = current;
   const {blocks = []} = await api.blocks(view.id, to);
   if (blocks.length && current?.view === view) {
-    const {low, high} = boundsOf(view, blocks);
-    zoomTo(view, low, high);
+    zoomTo(view, ...boundsOf(view, blocks));
     redraw();
   }
 }
 
 const input = new Listing($('input'), 'lines', to => mark(to, true));
 const output = new Listing($('output'), 'output', to => mark(to, true));
+
+// ---- which tool fits
+
+async function survey() {
+  const program = current, {view} = program;
+  $('survey').disabled = true;
+  $('largest').textContent = t('working');
+  let answer = null;
+  try {
+    answer = await api.survey(program, program.settings, view.toolRadius ?? 0);
+  } catch (error) { fail(error); }
+  if (current !== program || program.view !== view) return;
+  $('survey').disabled = false;
+  $('largest').replaceChildren(...(answer ? surveyed(answer, view) : []));
+  program.uncut = (answer?.radii?.[0]?.uncut ?? []).map(({start, end, center, sweep}) => (
+    {from: inPlane(view, start ?? {}), to: inPlane(view, end ?? {}), ...(center && sweep && {center: inPlane(view, center), sweep})}));
+  redraw();
+}
+
+function surveyed({radii = [], summary}, view) {
+  const largest = summary?.largest ?? {};
+  const head = document.createElement('strong');
+  head.textContent = !largest.radius ? t('largestNone')
+    : `${t('largestIs')} ${largest.isLimited ? '' : `${t('atLeast')} `}${mm(largest.radius)} mm`;
+  const parts = [head];
+  (largest.limits ?? []).filter(place => place.line).forEach((place, i) => {
+    const button = document.createElement('button');
+    button.textContent = `${t('line')} ${place.line}`;
+    button.addEventListener('click', () => mark(place.line, true));
+    parts.push(i === 0 ? `, ${t('limitedBy')} ` : ' ', button);
+  });
+  const [own] = radii;
+  if (own?.wallLength) {
+    const uncut = document.createElement('p');
+    uncut.textContent = `${mm(own.uncutLength)} mm ${t('of')} ${mm(own.wallLength)} mm ${t('uncut', {radius: mm(view.toolRadius)})}`;
+    parts.push(uncut);
+  }
+  return parts;
+}
+$('survey').addEventListener('click', survey);
 
 // ---- the tool on its way
 
@@ -267,6 +364,7 @@ async function move() {
   $('place').textContent = `X${mm(p.x)} Y${mm(p.y)} Z${mm(p.z)}` + (place.block?.line ? `, ${t('line')} ${place.block.line}` : '');
   line = place.block?.line ?? 0;
   input.select(line);
+  output.select(line);
   redraw();
 }
 
@@ -283,7 +381,10 @@ stage.addEventListener('pointerdown', event => {
 stage.addEventListener('pointermove', event => {
   const at = camera.toPlane(event.offsetX, event.offsetY);
   const names = axesOf(current?.view);
-  $('cursor').textContent = current ? `${names[0].toUpperCase()} ${at.x.toFixed(3)}  ${names[1].toUpperCase()} ${at.y.toFixed(3)}` : '';
+  // In the unit the program was said to have.
+  const [unit, size, digits] = current?.settings?.unit === 'inch' ? ['inch', 25.4, 4] : ['mm', 1, 3];
+  $('cursor').textContent = !current ? ''
+    : `${names[0].toUpperCase()} ${(at.x / size).toFixed(digits)}  ${names[1].toUpperCase()} ${(at.y / size).toFixed(digits)} ${unit}`;
   if (!drag || !fingers.has(event.pointerId)) return;
   const before = fingers.get(event.pointerId);
   const dx = event.offsetX - before.offsetX, dy = event.offsetY - before.offsetY;
@@ -356,6 +457,7 @@ addEventListener('dragover', event => { event.preventDefault(); $('stage').class
 addEventListener('dragleave', () => $('stage').classList.remove('dropping'));
 addEventListener('drop', event => {
   event.preventDefault();
+  if (inside) return;
   $('stage').classList.remove('dropping');
   add([...event.dataTransfer.files]);
 });
@@ -419,8 +521,8 @@ function makeLayers() {
     on => { layers = on ? layers | 1 << i : layers & ~(1 << i); });
   $('layers').replaceChildren(
     ...styleNames.map((name, i) => bit(name, palette()[i], i)), bit('layerRapid', special().text, 6),
-    ...[['layerBand', 'band'], ['layerCompare', 'compare'], ['layerMarks', 'finding']].map(([name, color]) => {
-      const key = {layerBand: 'band', layerCompare: 'compare', layerMarks: 'marks'}[name];
+    ...[['layerBand', 'band', 'band'], ['layerCompare', 'compare', 'compare'], ['layerMarks', 'finding', 'marks'],
+      ['layerProposal', 'proposal', 'proposals'], ['layerUncut', 'uncut', 'uncut']].map(([name, color, key]) => {
       return box(name, special()[color], () => also[key], on => { also[key] = on; });
     }));
 }
@@ -437,6 +539,14 @@ async function begin() {
   makeLayers();
   matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => { makeLayers(); redraw(); });
   new ResizeObserver(redraw).observe($('stage'));
+  document.body.dataset.inside = inside !== null;
+  if (inside) {
+    programs.push({name: inside.name, settings: null});
+    listPrograms();
+    document.title = inside.name;
+    document.body.dataset.ready = 'true';
+    return choose(programs[0]);
+  }
   options = new Options($('form'), await api.openApi(), await api.info());
   document.body.dataset.ready = 'true';
   const token = new URLSearchParams(location.search).get('offer');

@@ -1,9 +1,10 @@
-import {t} from './texts.js';
+import {settingMeaning, settingName, settingWord} from './settings_texts.js';
+import {currentLanguage, t} from './texts.js';
 
 // The settings of the server as a form: what there is comes from its OpenAPI document, what #TRC
 // options mean from its info.
 const mainSettings = ['tool_radius', 'dialect', 'unit', 'wear', 'tools', 'selection_mode', 'transition', 'contour_masking'];
-const notForPeople = ['response_layout', 'client_tag', 'want_resume_tokens', 'name', 'decimals'];
+export const notForPeople = ['response_layout', 'client_tag', 'want_resume_tokens', 'name', 'decimals'];
 
 export class Options {
   constructor(form, openApi, info) {
@@ -11,25 +12,32 @@ export class Options {
       .filter(p => p.in === 'query' && !notForPeople.includes(p.name));
     const meanings = new Map((info.trcKeywords ?? []).map(k => [k.name.toLowerCase(), k.meaning]));
     this.inputs = new Map();
-    for (const parameter of parameters) {
+    this.translations = [];
+    const orderOf = ({name}) => (mainSettings.indexOf(name) + 1) || mainSettings.length + 1;
+    for (const parameter of [...parameters].sort((a, b) => orderOf(a) - orderOf(b))) {
       const place = form.querySelector(mainSettings.includes(parameter.name) ? '#main-settings' : '#more-settings');
       place.append(this.label(parameter, meanings.get(parameter.name.replace('options.', ''))));
     }
+    this.translate();
   }
 
   label({name, description}, meaning) {
     const label = document.createElement('label');
     const title = document.createElement('span');
-    title.textContent = name.replaceAll('_', ' ').replace('options.', '#TRC ');
     const input = this.input(description);
     input.name = name;
     input.autocomplete = 'off';
     this.inputs.set(name, input);
     label.append(title, input);
-    if (meaning || input.tagName === 'INPUT') {
+    this.translations.push(language => { title.textContent = settingName(name, language); });
+    const kind = input.tagName === 'INPUT' && description !== 'a number' ? description : '';
+    if (description.includes('number')) input.inputMode = 'decimal';
+    if (meaning || kind) {
       const small = document.createElement('small');
-      small.textContent = [meaning, input.tagName === 'INPUT' ? description : ''].filter(Boolean).join('; ');
       label.append(small);
+      this.translations.push(language => {
+        small.textContent = [settingMeaning(name, meaning, language), kind && settingWord(kind, language)].filter(Boolean).join('; ');
+      });
     }
     return label;
   }
@@ -39,8 +47,14 @@ export class Options {
       : /^[a-z_0-9]+( \([^)]*\))?(, [a-z_0-9]+( \([^)]*\))?)+$/.test(description) ? description.split(', ') : null;
     if (!words) return document.createElement('input');
     const select = document.createElement('select');
-    select.append(new Option(t('all'), ''));
-    for (const word of words) select.append(new Option(word, word.replace(/ \(.*/, '')));
+    const all = new Option('', '');
+    select.append(all);
+    this.translations.push(() => { all.text = t('all'); });
+    for (const word of words) {
+      const option = new Option(word, word.replace(/ \(.*/, ''));
+      select.append(option);
+      this.translations.push(language => { option.text = settingWord(word, language); });
+    }
     return select;
   }
 
@@ -56,8 +70,7 @@ export class Options {
   }
 
   translate() {
-    for (const input of this.inputs.values())
-      if (input.tagName === 'SELECT') input.options[0].text = t('all');
+    for (const say of this.translations) say(currentLanguage());
   }
 
   // Marks what the server does not take.

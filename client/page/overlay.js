@@ -7,7 +7,7 @@ export class Overlay {
     this.context = canvas.getContext('2d');
   }
 
-  draw(camera, ratio, {view, place, measured, marks}) {
+  draw(camera, ratio, {view, place, measured, marks, proposals, uncut}) {
     const c = this.context;
     c.setTransform(ratio, 0, 0, ratio, 0, 0);
     c.clearRect(0, 0, camera.width, camera.height);
@@ -15,6 +15,8 @@ export class Overlay {
     this.colors = special();
     c.font = '12px system-ui, sans-serif';
     this.axes(camera);
+    for (const stretch of uncut ?? []) this.way(camera, [stretch], {color: this.colors.uncut, width: 5, dash: [2, 4]});
+    for (const proposal of proposals ?? []) this.proposal(camera, proposal);
     if (marks) for (const finding of view.diagnostics ?? []) this.finding(camera, view, finding);
     if (place?.point) this.tool(camera, place);
     this.measure(camera, measured);
@@ -41,6 +43,33 @@ export class Overlay {
       c.fillText(y.toFixed(digits), 8, sy);
     }
     c.globalAlpha = 1;
+  }
+
+  // Motions after each other, each {from, to, center, sweep} in the plane.
+  way(camera, motions, {color, width, dash}) {
+    const c = this.context;
+    c.strokeStyle = color;
+    c.lineWidth = width;
+    c.setLineDash(dash);
+    c.beginPath();
+    for (const {from, to, center, sweep} of motions) {
+      c.moveTo(...camera.toScreen(from));
+      if (!center) { c.lineTo(...camera.toScreen(to)); continue; }
+      // The screen counts angles the other way round.
+      const begin = Math.atan2(from.y - center.y, from.x - center.x);
+      c.arc(...camera.toScreen(center), Math.hypot(from.x - center.x, from.y - center.y) * camera.scale, -begin, -begin - sweep, sweep > 0);
+    }
+    c.stroke();
+    c.setLineDash([]);
+  }
+
+  // What may be put in place of an approach or a retract, with a ring where it begins.
+  proposal(camera, motions) {
+    const c = this.context;
+    this.way(camera, motions, {color: this.colors.proposal, width: 2.5, dash: [9, 5]});
+    c.beginPath();
+    c.arc(...camera.toScreen(motions[0].from), 4, 0, 2 * Math.PI);
+    c.stroke();
   }
 
   // A circle with a cross: a shape, not a colour alone.

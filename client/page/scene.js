@@ -1,4 +1,4 @@
-import * as api from './api.js';
+import {api} from './api.js';
 
 // The part of the plane that is seen, and the tiles of a view that cover it.
 export class Camera {

@@ -7,8 +7,8 @@ const dark = ['#f0f2f4', '#ff8a3c', '#4db5f0', '#9bdcff', '#3fd0a4', '#9a9a9a'];
 export const isDark = () => matchMedia('(prefers-color-scheme: dark)').matches;
 export const palette = () => (isDark() ? dark : light);
 export const special = () => isDark()
-  ? {compare: '#e6a4cb', band: '#24384a', marked: '#ffd166', back: '#14171a', text: '#e8eaed', finding: '#ff8a3c'}
-  : {compare: '#b0457f', band: '#dcecf7', marked: '#e69f00', back: '#ffffff', text: '#1a1d21', finding: '#a33b00'};
+  ? {compare: '#e6a4cb', band: '#24384a', marked: '#ffd166', back: '#14171a', text: '#e8eaed', finding: '#ff8a3c', proposal: '#5ee08a', uncut: '#ff6f91'}
+  : {compare: '#b0457f', band: '#dcecf7', marked: '#e69f00', back: '#ffffff', text: '#1a1d21', finding: '#a33b00', proposal: '#138a36', uncut: '#c2185b'};
 
 export const rgb = hex => [1, 3, 5].map(i => parseInt(hex.slice(i, i + 2), 16) / 255);
 // Pixels: what matters is wider.

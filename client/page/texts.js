@@ -1,5 +1,5 @@
 // Every word of the page, in each language. Diagnostics come from the server as they are.
-const words = {
+export const words = {
   en: {
     open: 'Open …', program: 'Program', saveNc: 'Save NC', saveSvg: 'Save SVG', language: 'Language',
     settings: 'Settings', more: 'All settings', compute: 'Compensate', compare: 'Compare',
@@ -12,11 +12,29 @@ const words = {
     working: 'At work …', failed: 'The server says: ', unknown: 'unset', line: 'line',
     error: 'Error', warning: 'Warning', note: 'Note', leftOut: 'more are not shown',
     smallest: 'smallest', required: 'of', at: 'at', checked: 'blocks measured', tooNear: 'too near',
-    none: 'nothing to measure', notMeasured: 'not measured: a large program, set verify to true', length: 'way', blocks: 'blocks', tool: 'tool radius', plane: 'plane',
+    none: 'nothing to measure', measuring: 'being measured …', notMeasured: 'not measured: a large program, set verify to true', length: 'way', blocks: 'blocks', tool: 'tool radius', plane: 'plane',
     height: 'height', pending: 'being written …', noOutput: 'refused: there is no compensated program',
     layerContour: 'contour', layerMasked: 'not travelled', layerPath: 'path', layerTransition: 'inserted',
-    layerLead: 'approach, retract', layerPlain: 'without compensation', layerRapid: 'rapid',
+    layerLead: 'approach, retract', layerPlain: 'beside the contour', layerRapid: 'rapid',
     layerBand: 'swept by the tool', layerCompare: 'compared path', layerMarks: 'findings',
+    proposedEntry: 'Proposed entry',
+    proposedExit: 'Proposed exit',
+    asLine: 'line',
+    asQuarter: 'quarter circle',
+    arc: 'arc',
+    tooShort: '{given} mm long, needs at least {needed} mm',
+    mayStart: 'may start at {at}',
+    mayEnd: 'may end at {at}',
+    layerProposal: 'proposals',
+    layerUncut: 'stays uncut',
+    largest: 'Largest radius',
+    largestIs: 'Largest radius that reaches every wall:',
+    largestNone: 'No radius reaches every wall.',
+    atLeast: 'at least',
+    limitedBy: 'limited by',
+    uncut: 'stay uncut with {radius} mm',
+    of: 'of',
+    insideNote: 'This file holds one program as it was compensated. trc view computes it anew, with other settings too.',
     all: 'as the program', offline: 'the server cannot be reached',
   },
   de: {
@@ -31,17 +49,37 @@ const words = {
     working: 'Rechnet …', failed: 'Der Server meldet: ', unknown: 'nicht gesetzt', line: 'Zeile',
     error: 'Fehler', warning: 'Warnung', note: 'Hinweis', leftOut: 'weitere werden nicht gezeigt',
     smallest: 'kleinster', required: 'von', at: 'bei', checked: 'Sätze gemessen', tooNear: 'zu nah',
-    none: 'nichts zu messen', notMeasured: 'nicht gemessen: großes Programm, verify auf true setzen', length: 'Weg', blocks: 'Sätze', tool: 'Werkzeugradius', plane: 'Ebene',
+    none: 'nichts zu messen', measuring: 'wird gemessen …', notMeasured: 'nicht gemessen: großes Programm, verify auf true setzen', length: 'Weg', blocks: 'Sätze', tool: 'Werkzeugradius', plane: 'Ebene',
     height: 'Höhe', pending: 'wird geschrieben …', noOutput: 'abgelehnt: es gibt kein korrigiertes Programm',
     layerContour: 'Kontur', layerMasked: 'nicht befahren', layerPath: 'Bahn', layerTransition: 'eingefügt',
-    layerLead: 'An- und Abfahren', layerPlain: 'ohne Korrektur', layerRapid: 'Eilgang',
+    layerLead: 'An- und Abfahren', layerPlain: 'neben der Kontur', layerRapid: 'Eilgang',
     layerBand: 'vom Werkzeug überstrichen', layerCompare: 'verglichene Bahn', layerMarks: 'Befunde',
+    proposedEntry: 'Vorschlag zum Anfahren',
+    proposedExit: 'Vorschlag zum Abfahren',
+    asLine: 'Strecke',
+    asQuarter: 'Viertelkreis',
+    arc: 'Bogen',
+    tooShort: '{given} mm lang, braucht mindestens {needed} mm',
+    mayStart: 'darf bei {at} beginnen',
+    mayEnd: 'darf bei {at} enden',
+    layerProposal: 'Vorschläge',
+    layerUncut: 'bleibt stehen',
+    largest: 'Größter Radius',
+    largestIs: 'Größter Radius, der jede Wand erreicht:',
+    largestNone: 'Kein Radius erreicht jede Wand.',
+    atLeast: 'mindestens',
+    limitedBy: 'begrenzt durch',
+    uncut: 'bleiben mit {radius} mm stehen',
+    of: 'von',
+    insideNote: 'Diese Datei enthält ein Programm, wie es korrigiert wurde. trc view rechnet es neu, auch mit anderen Einstellungen.',
     all: 'wie im Programm', offline: 'der Server ist nicht erreichbar',
   },
 };
 
 let language = navigator.language.startsWith('de') ? 'de' : 'en';
-export const t = key => words[language][key] ?? key;
+// `values` stand where the text has their name in braces.
+export const t = (key, values = {}) =>
+  (words[language][key] ?? key).replace(/{(\w+)}/g, (all, name) => values[name] ?? all);
 export const currentLanguage = () => language;
 
 // Puts the words into the page: data-text is the content, data-label the accessible name.

@@ -6,12 +6,14 @@
 #include <iterator>
 #include <map>
 #include <optional>
+#include <set>
 #include <string_view>
 #include <utility>
 #include <vector>
 
 #include "client/plot/changed_contour.h"
 #include "core/base/entry_help.h"
+#include "core/base/explanation.h"
 #include "core/geometry/along.h"
 #include "core/trc/result/listing.h"
 #include "core/trc/walls/selection_contours.h"
@@ -32,12 +34,17 @@ Layer layer_of(Origin origin) {
       return Layer::transition;
     case Origin::masked:
       return Layer::masked;
+    case Origin::approach:
+    case Origin::retract:
+    case Origin::uncompensated:
+      return Layer::approach;
     default:
       return Layer::path;
   }
 }
 
 Plane plane_to_show(const Contents& contents) {
+  if (contents.plane) return *contents.plane;
   const MotionBlock* first = nullptr;
   for (const Block& block : contents.programmed) {
     const auto* motion = std::get_if<MotionBlock>(&block);
@@ -63,6 +70,7 @@ class LeadBlocks {
       const SidedWalls walls = find_walls(contour, contents.leads);
       for (std::size_t number = 0; number < contour.blocks.size(); ++number) {
         const MotionBlock& block = *contour.blocks[number];
+        contour_.insert(contour_.end(), block.source.index);
         if (walls.is_lead(number))
           walls_.insert_or_assign(block.source.index, Wall{});
         else if (const auto part = walls.part_of(number))
@@ -71,6 +79,10 @@ class LeadBlocks {
       }
     }
   }
+  // Not what leads to a contour, from it, or by without compensation.
+  [[nodiscard]] bool is_in_contour(std::uint64_t index) const {
+    return contour_.find(index) != contour_.end();
+  }
   // Nothing: all of the block is a wall.
   [[nodiscard]] std::optional<Wall> wall_of(std::uint64_t index) const {
     const auto found = walls_.find(index);
@@ -78,6 +90,7 @@ class LeadBlocks {
   }
 
  private:
+  std::set<std::uint64_t> contour_{};
   std::map<std::uint64_t, Wall> walls_{};
 };
 
@@ -93,6 +106,7 @@ class Composer {
     add_programmed();
     add_path();
     add_tools();
+    add_radius_changes();
     add_warnings();
     add_fault();
     add_proposals();
@@ -139,7 +153,7 @@ class Composer {
       std::visit(overloaded{[&](const MotionBlock& motion) {
                               if (!motion.mode) return;
                               const bool lost = masked.contains(motion.source.index);
-                              show(motion, lost, leads.wall_of(motion.source.index));
+                              show(motion, lost, leads);
                               const PlaneAxes axes = axes_of(motion.mode->plane);
                               const Place end = place_at(motion.path, 1);
                               position[axes.first] = end.point.x();
@@ -155,7 +169,8 @@ class Composer {
     flush_joined();
   }
 
-  void show(const MotionBlock& motion, bool lost, const std::optional<LeadBlocks::Wall>& wall) {
+  void show(const MotionBlock& motion, bool lost, const LeadBlocks& blocks) {
+    const std::optional<LeadBlocks::Wall> wall = blocks.wall_of(motion.source.index);
     const Plane plane = motion.mode->plane;
     const auto changed = changed_.find(motion.source.index);
     if (changed != changed_.end()) {
@@ -176,7 +191,12 @@ class Composer {
       show_part(motion, wall->to, length, true);
     } else {
       const bool leads = wall && !(wall->to > wall->from);
-      show(motion, motion.path, lost ? Layer::masked : leads ? Layer::lead : Layer::programmed);
+      const bool inside = blocks.is_in_contour(motion.source.index);
+      show(motion, motion.path,
+           lost      ? Layer::masked
+           : !inside ? Layer::beside
+           : leads   ? Layer::lead
+                     : Layer::programmed);
     }
     if (plane != picture_.plane || !single_ || !is_finite(motion.path)) return;
     const Place middle = place_at(motion.path, 0.5);
@@ -206,7 +226,7 @@ class Composer {
   void show(const PassiveBlock& passive, const Position& position) {
     const Plane plane = passive.mode->plane;
     const Point here = to_plane(plane, position);
-    add({.layer = Layer::programmed,
+    add({.layer = Layer::beside,
          .rapid = passive.rapid,
          .segments =
              project(plane, Line{.start = here, .end = here}, passive.normal, picture_.plane),
@@ -246,8 +266,9 @@ class Composer {
     for (const Diagnostic& diagnostic : contents_.diagnostics) {
       if (diagnostic.severity != Severity::warning) continue;
       if (picture_.warnings.size() == most_warnings) return;
-      picture_.warnings.push_back(
-          {.place = place_of(diagnostic), .text = text_of("warning ", diagnostic)});
+      picture_.warnings.push_back({.place = place_of(diagnostic),
+                                   .text = text_of("warning ", diagnostic),
+                                   .remedy = remedy_of(diagnostic)});
     }
   }
 
@@ -283,12 +304,52 @@ class Composer {
       picture_.tools.push_back({.center = place_at(last->path, 1).point, .radius = radius});
   }
 
+  // Where another radius takes over: the tool before and the tool behind.
+  void add_radius_changes() {
+    const MotionBlock* before = nullptr;
+    std::size_t changes = 0;
+    for (const Block& block : contents_.programmed) {
+      const auto* motion = std::get_if<MotionBlock>(&block);
+      if (!motion || !motion->mode) continue;
+      const bool compensates = motion->mode->active() && motion->mode->plane == picture_.plane;
+      if (before && compensates &&
+          before->mode->cutting_radius() != motion->mode->cutting_radius()) {
+        if (++changes > most_radius_changes) return;
+        add_tools_of_change(*before, *motion);
+      }
+      before = compensates ? motion : nullptr;
+    }
+  }
+
+  // On a block that was inserted for it, or else on the first block with the new radius.
+  void add_tools_of_change(const MotionBlock& before, const MotionBlock& behind) {
+    const CompensatedBlock* first = nullptr;
+    const CompensatedBlock* last = nullptr;
+    for (const CompensatedBlock& block : contents_.path) {
+      if (block.source.index < before.source.index || block.origin == Origin::passthrough) continue;
+      if (block.source.index > behind.source.index) break;
+      if (block.origin == Origin::radius_change) {
+        first = last = &block;
+        break;
+      }
+      if (block.source.index != behind.source.index) continue;
+      if (!first) first = &block;
+      last = &block;
+    }
+    if (!first) return;
+    picture_.tools.push_back(
+        {.center = place_at(first->path, 0).point, .radius = before.mode->cutting_radius()});
+    picture_.tools.push_back(
+        {.center = place_at(last->path, 1).point, .radius = behind.mode->cutting_radius()});
+  }
+
   void add_fault() {
     for (const Diagnostic& diagnostic : contents_.diagnostics) {
       if (diagnostic.severity != Severity::error) continue;
       picture_.fault =
           Fault{.place = place_of(diagnostic),
                 .text = text_of("error ", diagnostic),
+                .remedy = remedy_of(diagnostic),
                 .tool_radius = diagnostic.point ? tool_radius_at(diagnostic.source.index) : 0};
       return;
     }
@@ -361,15 +422,53 @@ class Composer {
     return text + ": " + message_of(diagnostic);
   }
 
+  static std::string remedy_of(const Diagnostic& diagnostic) {
+    const Explanation* explanation = explanation_of(diagnostic.code);
+    return std::string(explanation && !explanation->on_command_line.empty()
+                           ? explanation->on_command_line
+                           : row_of(diagnostic.code).remedy);
+  }
+
   const Contents& contents_;
   Picture picture_;
   bool single_ = true;
   std::map<std::uint64_t, Segment> changed_{};
-  std::array<Stroke, 7> joined_{};
+  std::array<Stroke, layer_count> joined_{};
 };
 
 }  // namespace
 
 Picture compose(const Contents& contents) { return Composer(contents).compose(); }
+
+std::vector<Picture> compose_views(const Contents& contents) {
+  std::vector<Picture> views{compose(contents)};
+  const Plane shown = views.front().plane;
+  std::set<Plane> others;
+  bool goes_across = false;
+  for (const Block& block : contents.programmed)
+    std::visit(overloaded{[&](const MotionBlock& motion) {
+                            if (!motion.mode) return;
+                            if (motion.mode->plane == shown)
+                              goes_across = goes_across || motion.normal.moves();
+                            else if (motion.mode->active())
+                              others.insert(motion.mode->plane);
+                          },
+                          [&](const PassiveBlock& passive) {
+                            if (passive.mode && passive.mode->plane == shown)
+                              goes_across = goes_across || passive.normal.moves();
+                          }},
+               block);
+  // There the third axis points up.
+  if (others.empty() && goes_across)
+    others.insert(shown == Plane::xy ? Plane::yz : shown == Plane::zx ? Plane::xy : Plane::zx);
+  for (const Plane plane : others) {
+    Contents seen = contents;
+    seen.plane = plane;
+    // What was found is told once.
+    seen.diagnostics = {};
+    views.push_back(compose(seen));
+  }
+  return views;
+}
 
 }  // namespace trc::plot

@@ -16,11 +16,13 @@ namespace trc::plot {
 
 // What a stroke stands for; each has its colour, later ones lie on top.
 enum class Layer : std::uint8_t {
+  beside,      // programmed, but part of no contour: approach, retract, without compensation
   lead,        // the contour as written: lead-in and lead-out, no wall
-  programmed,  // the contour as written, or what was put in its place
+  programmed,  // the walls as written, or what was put in their place
   replaced,    // programmed, but another contour was compensated in its place
   masked,      // programmed, but masked or removed: the tool does not get there
-  path,        // the way of the tool centre
+  approach,    // the way of the tool centre to a contour, from it, and without compensation
+  path,        // the way of the tool centre along a contour
   transition,  // inserted on that way
   proposal,    // what is proposed in place of an approach or a retract
 };
@@ -31,6 +33,8 @@ struct Stroke {
   std::vector<Segment> segments{};
   std::string title{};  // which block this is; empty when several are joined
 };
+
+inline constexpr std::size_t layer_count = 9;
 
 struct ToolCircle {
   Point center = Point::Zero();
@@ -47,12 +51,14 @@ struct Label {
 struct Fault {
   std::optional<Point> place{};
   std::string text{};
+  std::string remedy{};
   double tool_radius = 0;  // mm, where the tool stands there; else 0
 };
 
 struct Warning {
   std::optional<Point> place{};
   std::string text{};
+  std::string remedy{};
 };
 
 // Everything that is drawn, in mm in the plane, before any scale.
@@ -60,7 +66,8 @@ struct Picture {
   Plane plane = Plane::xy;
   std::string title{};
   std::vector<Stroke> strokes{};
-  std::vector<ToolCircle> tools{};  // where the first selection begins and where it touches
+  // Where the first selection begins, where it touches, and both tools where the radius changes.
+  std::vector<ToolCircle> tools{};
   std::vector<Label> numbers{};     // N words, or lines where there is none
   std::vector<Warning> warnings{};  // the first `most_warnings`
   std::optional<Fault> fault{};
@@ -72,6 +79,8 @@ struct Contents {
   std::span<const CompensatedBlock> path{};
   std::span<const Diagnostic> diagnostics{};
   LeadSettings leads{};  // which blocks are drawn thinner
+  // The plane that is shown; none: that of the first compensated contour block.
+  std::optional<Plane> plane{};
 };
 
 // Beyond this many blocks neighbours are joined to one stroke, so that a browser
@@ -79,9 +88,14 @@ struct Contents {
 inline constexpr std::size_t most_single_strokes = 20'000;
 // A picture with more marks than this shows nothing else.
 inline constexpr std::size_t most_warnings = 100;
+// The same of places where the radius changes.
+inline constexpr std::size_t most_radius_changes = 50;
 
-// The plane shown is that of the first compensated contour block; movements in
-// other planes are seen from there.
+// Movements in other planes than the one that is shown are seen from there.
 [[nodiscard]] Picture compose(const Contents& contents);
+
+// That, and behind it a view of each other plane in which something is compensated. Where there is
+// none, but the third axis moves: a view from the side, along the first axis.
+[[nodiscard]] std::vector<Picture> compose_views(const Contents& contents);
 
 }  // namespace trc::plot

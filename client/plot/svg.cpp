@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <deque>
 #include <numbers>
+#include <optional>
 #include <set>
 #include <utility>
 
@@ -14,7 +16,8 @@ namespace {
 
 constexpr double widest = 880;
 constexpr double tallest = 620;
-constexpr double text_width = 6.7;  // of a letter at 12 pixels, on the safe side
+constexpr double tallest_beside = 260;  // of a further view
+constexpr double text_width = 6.7;      // of a letter at 12 pixels, on the safe side
 constexpr double line_height = 17;
 constexpr double edge = 14;
 
@@ -27,12 +30,14 @@ struct Style {
   bool dashed = false;  // also where it is no rapid motion
 };
 
-constexpr std::array<Style, 7> styles{{
+constexpr std::array<Style, layer_count> styles{{
+    {Layer::beside, "beside", "#555", "0.9", "programmed beside contours"},
     {Layer::lead, "lead", "black", "0.9", "lead-in, lead-out"},
     {Layer::programmed, "programmed", "black", "2.4", "programmed contour"},
     {Layer::replaced, "replaced", "red", "1.6", "as programmed, replaced", true},
     {Layer::masked, "masked", "red", "2.4", "masked or removed"},
-    {Layer::path, "path", "blue", "1.5", "compensated path"},
+    {Layer::approach, "approach", "blue", "0.8", "path beside contours"},
+    {Layer::path, "path", "blue", "1.7", "compensated path"},
     {Layer::transition, "transition", "deepskyblue", "2.4", "transition block"},
     {Layer::proposal, "proposal", "green", "2", "proposed instead", true},
 }};
@@ -85,49 +90,93 @@ std::vector<std::string> wrapped(const std::string& text, std::size_t most) {
   return lines;
 }
 
+// The last pixels of a path in short pieces.
+class ShortPieces {
+ public:
+  void clear() { points_.clear(); }
+  void add(const Point& from, const Point& to) {
+    if (points_.empty() || (points_.back() - from).norm() > 1e-6) points_ = {from};
+    points_.push_back(to);
+    while (points_.size() > 2 && (points_.back() - points_[1]).norm() > reach) points_.pop_front();
+  }
+  // Where to, if it went straight on for long enough to carry an arrow.
+  [[nodiscard]] std::optional<Vector> direction() const {
+    if (points_.size() < 2) return std::nullopt;
+    const Vector way = points_.back() - points_.front();
+    double length = 0;
+    for (std::size_t i = 1; i < points_.size(); ++i) length += (points_[i] - points_[i - 1]).norm();
+    constexpr double straight = 0.97;
+    if (way.norm() < reach || way.norm() < straight * length) return std::nullopt;
+    return way.normalized();
+  }
+
+ private:
+  static constexpr double reach = 12;  // pixels
+  std::deque<Point> points_;
+};
+
+std::string opening(const std::string& title, double width, double height) {
+  const std::string w = px(std::ceil(width));
+  const std::string h = px(std::ceil(height));
+  std::string text = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n";
+  text += "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" + w + "\" height=\"" + h +
+          "\" viewBox=\"0 0 " + w + " " + h +
+          "\" font-family=\"Helvetica, Arial, sans-serif\" font-size=\"12\">\n";
+  if (!title.empty()) text += "<title>" + escaped(title) + "</title>\n";
+  return text + "<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n";
+}
+
 class Sheet {
  public:
-  Sheet(const Picture& picture, const SvgOptions& options)
-      : picture_(picture), options_(options), frame_(fit(bounds_of(picture), widest, tallest)) {
+  // `above`: pixels of the sheet that are taken by other views.
+  Sheet(const Picture& picture, const SvgOptions& options, double above)
+      : picture_(picture),
+        options_(options),
+        above_(above),
+        frame_(fit(bounds_of(picture), widest, above > 0 ? tallest_beside : tallest)) {
     // One step for both axes, so that the grid shows squares.
-    const double step = 62 / frame_.scale;
+    const double step = (above > 0 ? 40 : 62) / frame_.scale;
     across_ = ticks_between(frame_.world.low.x(), frame_.world.high.x(), step);
     up_ = ticks_between(frame_.world.low.y(), frame_.world.high.y(), step);
     std::size_t longest = 4;
     for (const double mm : up_.at) longest = std::max(longest, decimal(mm, up_.decimals).size());
     frame_.left = edge + 8 + text_width * static_cast<double>(longest);
-    frame_.top = edge + (picture.title.empty() ? 0 : 24);
+    frame_.top = above + edge + (caption().empty() ? 0 : 24);
     width_ = std::max(frame_.left + frame_.width + edge, 360.0);
   }
 
+  // The elements of this view.
   std::string draw() {
+    draw_caption();
     draw_grid();
     for (const Style& style : styles) draw_layer(style);
     draw_arrows();
     draw_tools();
+    if (options_.points) draw_points();
     if (options_.numbers) draw_numbers();
     draw_warnings();
     draw_fault();
-    double below = frame_.top + frame_.height + 42;
-    below = draw_legend(below);
-    below = draw_texts(below);
-    return opening(below) + body_ + "</svg>\n";
+    bottom_ = frame_.top + frame_.height + 42;
+    if (above_ > 0) return std::move(body_);
+    bottom_ = draw_legend(bottom_);
+    bottom_ = draw_texts(bottom_);
+    return std::move(body_);
   }
+  [[nodiscard]] double width() const { return width_; }
+  // Pixels of the sheet down to the end of what was drawn.
+  [[nodiscard]] double bottom() const { return bottom_; }
 
  private:
-  [[nodiscard]] std::string opening(double height) const {
-    const std::string w = px(std::ceil(width_));
-    const std::string h = px(std::ceil(height));
-    std::string text = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n";
-    text += "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" + w + "\" height=\"" + h +
-            "\" viewBox=\"0 0 " + w + " " + h +
-            "\" font-family=\"Helvetica, Arial, sans-serif\" font-size=\"12\">\n";
-    if (!picture_.title.empty()) text += "<title>" + escaped(picture_.title) + "</title>\n";
-    text += "<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n";
-    if (!picture_.title.empty())
-      text += "<text x=\"" + px(frame_.left) + "\" y=\"" + px(edge + 12) +
-              "\" font-size=\"14\" font-weight=\"bold\">" + escaped(picture_.title) + "</text>\n";
-    return text;
+  [[nodiscard]] std::string caption() const {
+    if (above_ == 0) return picture_.title;
+    const auto [first, second] = axis_names(picture_.plane);
+    return std::string("plane ") + first + second;
+  }
+
+  void draw_caption() {
+    if (!caption().empty())
+      draw_text({frame_.left, above_ + edge + 12}, caption(),
+                " font-size=\"14\" font-weight=\"bold\"");
   }
 
   void draw_line(const Point& from, const Point& to) {
@@ -222,35 +271,74 @@ class Sheet {
     shown_.push_back({&style, rapid});
   }
 
-  // At most eighty arrows, at least a hundred pixels of path apart, each in the
-  // middle of a piece that is long enough to carry it.
+  // At most eighty arrows, at least a hundred pixels of path apart: each in the middle of a piece
+  // that is long enough to carry it, or where short pieces have gone straight on for as long.
   void draw_arrows() {
     double whole = 0;
     for (const Stroke& stroke : picture_.strokes)
-      if (stroke.layer == Layer::path)
+      if (is_path(stroke))
         for (const Segment& segment : stroke.segments) whole += extent_of(segment) * frame_.scale;
     const double apart = std::max(100.0, whole / 80);
     body_ += "<g class=\"arrows\" fill=\"blue\">\n";
     double since = apart;
+    ShortPieces pieces;
     for (const Stroke& stroke : picture_.strokes) {
-      if (stroke.layer != Layer::path) continue;
+      if (!is_path(stroke)) continue;
       for (const Segment& segment : stroke.segments) {
         const double length = extent_of(segment) * frame_.scale;
         since += length;
-        if (length < 36 || since < apart) continue;
+        const bool carries = length >= 36;
+        if (carries)
+          pieces.clear();
+        else
+          pieces.add(frame_.on_sheet(place_at(segment, 0).point),
+                     frame_.on_sheet(place_at(segment, 1).point));
+        if (since < apart) continue;
+        if (carries) {
+          const Place middle = place_at(segment, 0.5);
+          draw_arrow(frame_.on_sheet(middle.point),
+                     Vector(middle.direction.x(), -middle.direction.y()));
+        } else if (const auto ahead = pieces.direction()) {
+          draw_arrow(frame_.on_sheet(place_at(segment, 1).point), *ahead);
+        } else {
+          continue;
+        }
         since = 0;
-        draw_arrow(place_at(segment, 0.5));
       }
     }
     body_ += "</g>\n";
   }
 
-  void draw_arrow(const Place& place) {
-    const Point tip = frame_.on_sheet(place.point);
-    const Vector ahead(place.direction.x(), -place.direction.y());
+  static bool is_path(const Stroke& stroke) {
+    return stroke.layer == Layer::path || stroke.layer == Layer::approach;
+  }
+
+  void draw_arrow(const Point& tip, const Vector& ahead) {
     const Vector aside = left_of(ahead);
     body_ += "<path d=\"M" + pair(tip + 6 * ahead) + "L" + pair(tip - 5 * ahead + 4 * aside) + "L" +
              pair(tip - 5 * ahead - 4 * aside) + "Z\"/>\n";
+  }
+
+  // Where blocks end; those that would lie on each other once.
+  void draw_points() {
+    constexpr double cell = 3;  // pixels
+    std::set<std::pair<int, int>> taken;
+    body_ += "<g class=\"points\" fill=\"white\" stroke-width=\"1\">\n";
+    for (const Stroke& stroke : picture_.strokes) {
+      if (stroke.layer == Layer::proposal) continue;
+      const bool path = is_path(stroke) || stroke.layer == Layer::transition;
+      for (const Segment& segment : stroke.segments) {
+        const Point at = frame_.on_sheet(place_at(segment, 1).point);
+        if (!taken
+                 .insert({static_cast<int>(std::floor(at.x() / cell)),
+                          static_cast<int>(std::floor(at.y() / cell))})
+                 .second)
+          continue;
+        body_ += "<circle cx=\"" + px(at.x()) + "\" cy=\"" + px(at.y()) + "\" r=\"2.2\" stroke=\"" +
+                 (path ? "blue" : "black") + "\"/>\n";
+      }
+    }
+    body_ += "</g>\n";
   }
 
   void draw_tools() {
@@ -292,8 +380,8 @@ class Sheet {
         body_ += "<g class=\"warning\" stroke=\"#8a6d00\" stroke-width=\"1.2\" fill=\"gold\">\n";
       const Point at = frame_.on_sheet(*warning.place);
       body_ += "<path d=\"M" + pair(at - Vector(0, 9)) + "L" + pair(at + Vector(8, 6)) + "L" +
-               pair(at + Vector(-8, 6)) + "Z\"><title>" + escaped(warning.text) +
-               "</title></path>\n";
+               pair(at + Vector(-8, 6)) + "Z\"><title>" +
+               escaped(warning.text + ". " + warning.remedy) + "</title></path>\n";
     }
     if (open) body_ += "</g>\n";
   }
@@ -307,7 +395,8 @@ class Sheet {
                "\" fill=\"red\" fill-opacity=\"0.08\" stroke=\"red\"/>\n";
     body_ +=
         "<g class=\"fault\" stroke=\"red\" stroke-width=\"2.5\" fill=\"none\">\n<circle cx=\"" +
-        px(at.x()) + "\" cy=\"" + px(at.y()) + "\" r=\"11\"/>\n";
+        px(at.x()) + "\" cy=\"" + px(at.y()) + "\" r=\"11\"><title>" +
+        escaped(picture_.fault->text + ". " + picture_.fault->remedy) + "</title></circle>\n";
     draw_line(at - Vector(6, 6), at + Vector(6, 6));
     draw_line(at - Vector(6, -6), at + Vector(6, -6));
     body_ += "</g>\n";
@@ -339,24 +428,47 @@ class Sheet {
     if (!picture_.tools.empty())
       entry(
           "<circle cx=\"7\" cy=\"0\" r=\"7\" fill=\"#888\" fill-opacity=\"0.12\" stroke=\"#666\"/>",
-          14, "tool, R " + decimal(picture_.tools.front().radius, 4) + " mm");
+          14, "tool, R " + radii() + " mm");
     body_ += "</g>\n";
     return y + line_height;
   }
 
-  // The first warnings and the error, in words.
+  // "10, 20": each once, in the order they come into force.
+  [[nodiscard]] std::string radii() const {
+    constexpr std::size_t most_told = 6;
+    std::vector<std::string> told;
+    for (const ToolCircle& tool : picture_.tools) {
+      std::string radius = decimal(tool.radius, 4);
+      if (std::find(told.begin(), told.end(), radius) == told.end())
+        told.push_back(std::move(radius));
+    }
+    std::string text;
+    for (std::size_t i = 0; i < std::min(told.size(), most_told); ++i)
+      text += (i == 0 ? "" : ", ") + told[i];
+    return told.size() > most_told ? text + " …" : text;
+  }
+
+  // The first warnings and the error, in words, each with what helps.
   double draw_texts(double y) {
     constexpr std::size_t most_told = 4;
     const std::size_t told = std::min(picture_.warnings.size(), most_told);
-    for (std::size_t i = 0; i < told; ++i)
-      y = draw_wrapped(picture_.warnings[i].text, "#8a6d00", y + (i == 0 ? 6 : 0));
+    for (std::size_t i = 0; i < told; ++i) {
+      const Warning& warning = picture_.warnings[i];
+      y = draw_wrapped(warning.text, "#8a6d00", y + (i == 0 ? 6 : 0));
+      // Warnings of a kind are followed by what helps once.
+      if (i + 1 == told || picture_.warnings[i + 1].remedy != warning.remedy)
+        y = draw_wrapped(warning.remedy, "#555", y);
+    }
     if (picture_.warnings.size() > told)
       y = draw_wrapped(std::to_string(picture_.warnings.size() - told) + " more warnings",
                        "#8a6d00", y);
-    return picture_.fault ? draw_wrapped(picture_.fault->text, "red", y + 6) : y;
+    if (!picture_.fault) return y;
+    y = draw_wrapped(picture_.fault->text, "red", y + 6);
+    return draw_wrapped(picture_.fault->remedy, "#555", y);
   }
 
   double draw_wrapped(const std::string& text, const std::string& color, double y) {
+    if (text.empty()) return y;
     const auto letters = static_cast<std::size_t>((width_ - 2 * edge) / text_width);
     for (const std::string& line : wrapped(text, letters)) {
       draw_text({edge, y}, line, " fill=\"" + color + "\"");
@@ -367,10 +479,12 @@ class Sheet {
 
   const Picture& picture_;
   const SvgOptions& options_;
+  const double above_;
   Frame frame_;
   Ticks across_;
   Ticks up_;
   double width_ = 0;
+  double bottom_ = 0;
   std::vector<std::pair<const Style*, bool>> shown_;
   std::string body_;
 };
@@ -378,7 +492,21 @@ class Sheet {
 }  // namespace
 
 std::string to_svg(const Picture& picture, const SvgOptions& options) {
-  return Sheet(picture, options).draw();
+  return to_svg(std::span(&picture, 1), options);
+}
+
+std::string to_svg(std::span<const Picture> views, const SvgOptions& options) {
+  std::string body;
+  double width = 0;
+  double height = 0;
+  for (const Picture& picture : views) {
+    Sheet sheet(picture, options, height);
+    body += sheet.draw();
+    width = std::max(width, sheet.width());
+    height = sheet.bottom();
+  }
+  return opening(views.empty() ? std::string() : views.front().title, width, height) + body +
+         "</svg>\n";
 }
 
 }  // namespace trc::plot

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "core/nc/dialect/interpreter.h"
@@ -17,7 +18,9 @@ class ContourReader {
 
   // Text cut anywhere.
   void feed(std::string_view text);
-  // End of the text. The blocks in their order; nothing may be fed behind it.
+  // The blocks read so far, in their order, but for those taken before.
+  [[nodiscard]] std::vector<Block> take() { return std::exchange(blocks_, {}); }
+  // End of the text: the blocks that have not been taken; nothing may be fed behind it.
   [[nodiscard]] std::vector<Block> finish();
 
  private:

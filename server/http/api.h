@@ -56,6 +56,7 @@ class Api final : public Service {
 
   // As of Service.
   Admission admit(const Request& head) override;
+  bool make_room() override { return views_.give_up_one(); }
   void handle(const ExchangePointer& exchange) override;
   void decorate(const Request& request, Head& head) override;
   void log(const Request& request, unsigned status, std::uint64_t bytes, double ms) override;
@@ -69,6 +70,8 @@ class Api final : public Service {
   // Starts an RPC of this process for a request. `done` as of RpcCall.
   [[nodiscard]] std::shared_ptr<RpcCall> call(std::string method, const Request& request,
                                               RpcCall::Done done);
+  // Long work ends when it is.
+  [[nodiscard]] bool stopping();
   // Has something computed by a worker.
   void compute(std::function<void()> work);
 
@@ -94,7 +97,6 @@ class Api final : public Service {
   [[nodiscard]] bool is_own_origin(const Request& request, std::string_view origin) const;
   void begin();
   void end();
-  [[nodiscard]] bool stopping();
 
   Backend& backend_;
   std::shared_ptr<grpc::Channel> channel_;

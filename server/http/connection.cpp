@@ -209,7 +209,7 @@ class Connection final : public Exchange,
     most_body_bytes_ = admission.most_body_bytes;
     const auto length = parser_->content_length();
     if (length && *length > most_body_bytes_) return refuse_size();
-    if (length && !share_.take(static_cast<std::size_t>(*length))) return refuse_memory();
+    if (length && !take_memory(static_cast<std::size_t>(*length))) return refuse_memory();
     held_body_ = length ? static_cast<std::size_t>(*length) : 0;
     if (lower(parser_->get()[bhttp::field::expect]) == "100-continue" && !parser_->is_done())
       return send("HTTP/1.1 100 Continue\r\n\r\n", [self = this->shared_from_this()](bool taken) {
@@ -238,11 +238,18 @@ class Connection final : public Exchange,
     if (size > most_body_bytes_) return refuse_size();
     if (size > held_body_) {
       const std::size_t more = std::max(size - held_body_, piece_bytes);
-      if (!share_.take(more)) return refuse_memory();
+      if (!take_memory(more)) return refuse_memory();
       held_body_ += more;
     }
     // Only what has come far enough gets more time: a byte now and then does not.
     read_body(way >= piece_bytes ? 0 : std::max<std::size_t>(way, 1));
+  }
+
+  // What somebody sends now matters more than views that somebody has looked at.
+  bool take_memory(std::size_t bytes) {
+    while (!share_.take(bytes))
+      if (!service_.make_room()) return false;
+    return true;
   }
 
   void refuse_size() {

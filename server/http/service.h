@@ -24,6 +24,8 @@ class Service {
   virtual ~Service() = default;
   // By the head of a request, before its body is read.
   [[nodiscard]] virtual Admission admit(const Request& head) = 0;
+  // Gives up something that is only kept; false: there is nothing of the kind.
+  virtual bool make_room() = 0;
   virtual void handle(const ExchangePointer& exchange) = 0;
   // Headers every answer has.
   virtual void decorate(const Request& request, Head& head) = 0;

@@ -54,7 +54,7 @@ class ViewFormat final : public Format, public std::enable_shared_from_this<View
     if (answer_.response_case() != Answer::kColumns) return true;
     std::vector<CompensatedBlock> blocks;
     wire::FieldFaults faults;
-    return reader_.read(answer_.columns(), blocks, faults) && add(std::move(blocks));
+    return reader_.read(answer_.columns(), blocks, faults) && builder_->add(blocks);
   }
 
   void close(std::string& out) override {
@@ -81,14 +81,6 @@ class ViewFormat final : public Format, public std::enable_shared_from_this<View
   [[nodiscard]] bool streams() const override { return false; }
 
  private:
-  // Older views give way to a new one.
-  bool add(std::vector<CompensatedBlock> blocks) {
-    while (!builder_->has_room_for(blocks.size()))
-      if (!api_.views().give_up_one()) return false;
-    builder_->add(std::move(blocks));
-    return true;
-  }
-
   void make() {
     const auto view = builder_->finish(ViewStore::new_id());
     if (view == nullptr) return;
@@ -136,6 +128,21 @@ void answer_of_view(Api& api, const ExchangePointer& exchange, const Make& make)
   });
 }
 
+// Once, and no longer than somebody may ask for it.
+void make_output_of(Api& api, const std::shared_ptr<View>& view) {
+  if (view->said().refused() || !view->begin_output()) return;
+  struct Abandoned {};
+  api.compute([&api, view] {
+    try {
+      view->make_output([&] {
+        if (view->is_given_up() || api.stopping()) throw Abandoned{};
+        api.backend().pool.give_way();
+      });
+    } catch (const Abandoned&) {
+    }
+  });
+}
+
 }  // namespace
 
 void make_view(Api& api, const ExchangePointer& exchange) {
@@ -143,21 +150,33 @@ void make_view(Api& api, const ExchangePointer& exchange) {
   setup.mutable_path()->set_verify(v1::VERIFICATION_REPORT);
   if (const auto refused = read_settings(exchange->request().query, setup))
     return answer_problem(*exchange, *refused);
+  // Measuring takes longer than all else.
+  constexpr std::size_t large_bytes = 1U << 20U;
+  const Pairs& query = exchange->request().query;
+  const bool measured_later =
+      exchange->request().body.size() > large_bytes &&
+      std::none_of(query.begin(), query.end(), [](const auto& p) { return p.first == "verify"; });
+  if (measured_later) setup.mutable_path()->set_verify(v1::VERIFICATION_OFF);
   setup.set_output(v1::PROGRAM_OUTPUT_BLOCKS);
   setup.mutable_path()->set_response_layout(v1::RESPONSE_LAYOUT_COLUMNS);
   wire::ProgramSettings settings;
   if (const auto refused = read_setup(setup, api.backend().config, settings))
     return answer_problem(*exchange, problem_of(refused->status));
   const std::string text = std::move(exchange->request().body);
-  auto builder = std::make_unique<ViewBuilder>(text, setup, std::move(settings), api.memory());
+  // Older views give way to a new one.
+  auto builder = std::make_unique<ViewBuilder>(text, setup, std::move(settings), api.memory(),
+                                               [&api] { return api.views().give_up_one(); });
+  if (measured_later) builder->measure_later();
   Run::start(api, exchange, compensate_program_rpc,
              std::make_unique<ProgramQuestions>(setup, text, api.most_message_bytes()),
              std::make_shared<ViewFormat>(api, std::move(builder)));
 }
 
 void view_said(Api& api, const ExchangePointer& exchange) {
+  if (const auto view = view_of(api, exchange->request()); view != nullptr)
+    make_output_of(api, view);
   answer_of_view(api, exchange,
-                 [](const View& view, const Request& /*request*/) { return view.said(); });
+                 [](const View& view, const Request& /*request*/) { return view.said_by_now(); });
 }
 
 void remove_view(Api& api, const ExchangePointer& exchange) {
@@ -200,9 +219,7 @@ void view_lines(Api& api, const ExchangePointer& exchange) {
 
 void view_output(Api& api, const ExchangePointer& exchange) {
   const auto view = view_of(api, exchange->request());
-  if (view != nullptr && !view->said().refused() && view->begin_output())
-    api.compute(
-        [&api, view] { view->make_output([&pool = api.backend().pool] { pool.give_way(); }); });
+  if (view != nullptr) make_output_of(api, view);
   answer_of_view(api, exchange, [](const View& of, const Request& request) {
     v1::ViewLines lines;
     const auto output = of.output();

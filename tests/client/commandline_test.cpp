@@ -576,8 +576,30 @@ TEST(Plot, DrawsContourAndPath) {
   EXPECT_NE(svg.find("<title>N40 approach</title>"), std::string::npos);
   EXPECT_NE(svg.find(">N50<"), std::string::npos);
   EXPECT_NE(svg.find("R 10 mm"), std::string::npos);
-  EXPECT_EQ(trc({"plot", folder.path("part.nc"), "-o", folder.path("part.html")}).code, 0);
-  EXPECT_EQ(content_of(folder.path("part.html")).rfind("<!DOCTYPE html>", 0), 0u);
+}
+
+TEST(Plot, WritesAPageThatLoadsNothing) {
+  const Folder folder;
+  folder.write("a<b.nc", demo);
+  const Ended ended = trc({"plot", folder.path("a<b.nc"), "-o", folder.path("part.html")});
+  EXPECT_EQ(ended.code, 0) << ended.err;
+  const std::string page = content_of(folder.path("part.html"));
+  EXPECT_EQ(page.rfind("<!DOCTYPE html>", 0), 0u);
+  EXPECT_NE(
+      page.find("Content-Security-Policy\" content=\"default-src 'none'; script-src 'sha256-"),
+      std::string::npos);
+  EXPECT_NE(page.find("a\\u003cb.nc"), std::string::npos);
+  EXPECT_EQ(page.find("src="), std::string::npos);
+  EXPECT_EQ(trc({"plot", "-", "--format", "html", "-o", "-"}, demo).out.rfind("<!DOCTYPE", 0), 0u);
+}
+
+TEST(Plot, SaysWhereAPageWouldBeTooLarge) {
+  std::string text = "G41 G01 X0 Y0 F500\n";
+  for (int i = 1; i <= 130'000; ++i) text += "X" + std::to_string(i) + "\n";
+  const Ended ended = trc({"plot", "-", "--format", "html", "-o", "-", "--radius", "5"},
+                          "G00 X-20 Y-20\n" + text + "G40 X130020 Y20\nM30\n");
+  EXPECT_EQ(ended.code, 2);
+  EXPECT_NE(ended.err.find("a page holds 250000; use trc view"), std::string::npos) << ended.err;
 }
 
 TEST(Plot, DrawsTheSameThroughAServer) {

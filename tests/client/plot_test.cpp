@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "client/plot/frame.h"
-#include "client/plot/html.h"
 #include "client/plot/picture.h"
 #include "client/plot/svg.h"
 #include "core/base/entry_help.h"
@@ -90,9 +89,9 @@ const std::vector<CompensatedBlock> corner_path{
 
 TEST(Svg, HasOneScaleForBothAxes) {
   const auto paths = paths_in(group(svg_of(corner_contour, corner_path), "programmed"));
-  ASSERT_EQ(paths.size(), 3u);
-  const auto across = numbers_in(paths[1]);  // 100 mm along X
-  const auto down = numbers_in(paths[2]);    // 50 mm against Y
+  ASSERT_EQ(paths.size(), 2u);
+  const auto across = numbers_in(paths[0]);  // 100 mm along X
+  const auto down = numbers_in(paths[1]);    // 50 mm against Y
   ASSERT_EQ(across.size(), 4u);
   ASSERT_EQ(down.size(), 4u);
   const double scale = (across[2] - across[0]) / 100;
@@ -111,7 +110,8 @@ TEST(Svg, DrawsLeadsThinner) {
                                    motion(60, Line{{0, 0}, {-10, 10}}, mode(Side::left))};
   const std::string svg = svg_of(contour, {});
   EXPECT_EQ(paths_in(group(svg, "lead")).size(), 2u);
-  EXPECT_EQ(paths_in(group(svg, "programmed")).size(), 4u);
+  EXPECT_EQ(paths_in(group(svg, "programmed")).size(), 3u);
+  EXPECT_EQ(paths_in(group(svg, "beside")).size(), 1u);
 }
 
 // The closing point lies in the first wall: an overrun of the last one ends at it.
@@ -121,7 +121,7 @@ TEST(Svg, DrawsOneBlockThinAndThickWhereTheClosingPartsIt) {
                                    motion(30, Line{{50, 0}, {0, -50}}, mode(Side::left)),
                                    motion(40, Line{{0, -50}, {0, 20}}, mode(Side::left))};
   const std::string svg = svg_of(contour, {});
-  EXPECT_EQ(paths_in(group(svg, "programmed")).size(), 4u);
+  EXPECT_EQ(paths_in(group(svg, "programmed")).size(), 3u);
   const auto leads = paths_in(group(svg, "lead"));
   ASSERT_EQ(leads.size(), 2u);
   const auto in = numbers_in(leads[0]);   // 10 mm along X
@@ -138,14 +138,32 @@ TEST(Svg, DrawsContourBlackPathBlueAndTransitionLighter) {
   EXPECT_NE(group(svg, "programmed").find("stroke=\"black\""), std::string::npos);
   EXPECT_NE(group(svg, "path").find("stroke=\"blue\""), std::string::npos);
   EXPECT_NE(group(svg, "transition").find("stroke=\"deepskyblue\""), std::string::npos);
-  EXPECT_EQ(paths_in(group(svg, "path")).size(), 3u);
+  EXPECT_EQ(paths_in(group(svg, "path")).size(), 2u);
   EXPECT_EQ(paths_in(group(svg, "transition")).size(), 1u);
+}
+
+// The contour is what is cut: what leads to it and away, and rapid moves, are no walls.
+TEST(Svg, DrawsApproachRetractAndRapidMovesThinnerThanTheWalls) {
+  const std::string svg = svg_of(corner_contour, corner_path);
+  const auto width_of = [&](const std::string& name) {
+    const std::regex width("stroke-width=\"([^\"]*)\"");
+    const std::string drawn = group(svg, name);
+    std::smatch found;
+    return std::regex_search(drawn, found, width) ? std::stod(found[1]) : 0;
+  };
+  EXPECT_GT(width_of("beside"), 0);
+  EXPECT_LT(width_of("beside"), width_of("programmed") / 2);
+  EXPECT_LT(width_of("approach"), width_of("path"));
+  EXPECT_NE(group(svg, "beside").find("N10 contour"), std::string::npos);
+  EXPECT_NE(group(svg, "beside rapid").find("N40 contour"), std::string::npos);
+  EXPECT_EQ(paths_in(group(svg, "approach")).size(), 1u);
+  EXPECT_EQ(paths_in(group(svg, "approach rapid")).size(), 1u);
 }
 
 TEST(Svg, DashesRapidMovesOnly) {
   const std::string svg = svg_of(corner_contour, corner_path);
-  EXPECT_NE(group(svg, "programmed rapid").find("stroke-dasharray"), std::string::npos);
-  EXPECT_NE(group(svg, "path rapid").find("stroke-dasharray"), std::string::npos);
+  EXPECT_NE(group(svg, "beside rapid").find("stroke-dasharray"), std::string::npos);
+  EXPECT_NE(group(svg, "approach rapid").find("stroke-dasharray"), std::string::npos);
   EXPECT_EQ(group(svg, "programmed").find("stroke-dasharray"), std::string::npos);
   EXPECT_EQ(group(svg, "path").find("stroke-dasharray"), std::string::npos);
 }
@@ -154,7 +172,7 @@ TEST(Svg, TurnsArcsTheRightWayRound) {
   const auto arc_of = [](double sweep) {
     const Point end(10 * std::cos(sweep), 10 * std::sin(sweep));
     const auto svg = svg_of({motion(10, Arc{{10, 0}, end, {0, 0}, sweep}, mode(Side::off))}, {});
-    return paths_in(group(svg, "programmed")).at(0);
+    return paths_in(group(svg, "beside")).at(0);
   };
   const std::regex counter_clockwise(R"(M[\d. ]+A([\d.]+) \1 0 0 0 [\d. ]+)");
   const std::regex clockwise(R"(M[\d. ]+A([\d.]+) \1 0 0 1 [\d. ]+)");
@@ -171,7 +189,7 @@ TEST(Svg, TurnsArcsTheRightWayRound) {
 TEST(Svg, DrawsFullCirclesWhole) {
   const std::string svg =
       svg_of({motion(10, Arc{{0, 0}, {0, 0}, {30, 0}, -2 * pi}, mode(Side::off))}, {});
-  const auto numbers = numbers_in(paths_in(group(svg, "programmed")).at(0));
+  const auto numbers = numbers_in(paths_in(group(svg, "beside")).at(0));
   ASSERT_EQ(numbers.size(), 16u);  // M x y, twice A rx ry 0 0 1 x y
   EXPECT_EQ(numbers[0], numbers[14]);
   EXPECT_EQ(numbers[1], numbers[15]);
@@ -189,8 +207,8 @@ TEST(Svg, ShowsTheToolWhereTheSelectionBeginsAndWhereItEnds) {
   const std::regex circle("cx=\"([^\"]*)\" cy=\"([^\"]*)\" r=\"([^\"]*)\"");
   std::vector<std::smatch> circles(std::sregex_iterator(tool.begin(), tool.end(), circle), {});
   ASSERT_EQ(circles.size(), 2u);
-  const auto approach = numbers_in(paths_in(group(svg, "path")).at(0));
-  const auto contour = numbers_in(paths_in(group(svg, "programmed")).at(1));
+  const auto approach = numbers_in(paths_in(group(svg, "approach")).at(0));
+  const auto contour = numbers_in(paths_in(group(svg, "programmed")).at(0));
   EXPECT_EQ(std::stod(circles[0][1]), approach[0]);
   EXPECT_EQ(std::stod(circles[0][2]), approach[1]);
   EXPECT_EQ(std::stod(circles[1][1]), approach[2]);
@@ -228,7 +246,7 @@ TEST(Svg, MarksMaskedBlocksRed) {
   EXPECT_NE(masked.find("stroke=\"red\""), std::string::npos);
   ASSERT_EQ(paths_in(masked).size(), 1u);
   EXPECT_NE(masked.find("N20 contour, not travelled"), std::string::npos);
-  EXPECT_EQ(paths_in(group(svg, "programmed")).size(), 2u);
+  EXPECT_EQ(paths_in(group(svg, "programmed")).size(), 1u);
 }
 
 // As the notes name them: the last block of a loop is left by the transition behind it, and a block
@@ -255,7 +273,7 @@ TEST(Svg, KeepsHugeCoordinatesOnTheSheet) {
       svg_of({motion(10, Line{{999990, -1e6}, {1e6, -999990}}, mode(Side::off)),
               motion(20, Line{{1e6, -999990}, {1e6, -999995}}, mode(Side::off))},
              {});
-  for (const std::string& path : paths_in(group(svg, "programmed")))
+  for (const std::string& path : paths_in(group(svg, "beside")))
     for (const double number : numbers_in(path)) {
       EXPECT_GT(number, 0);
       EXPECT_LT(number, 1000);
@@ -265,7 +283,7 @@ TEST(Svg, KeepsHugeCoordinatesOnTheSheet) {
 
 TEST(Svg, EnlargesTinyContours) {
   const std::string svg = svg_of({motion(10, Line{{0, 0}, {0.001, 0.0005}}, mode(Side::off))}, {});
-  const auto numbers = numbers_in(paths_in(group(svg, "programmed")).at(0));
+  const auto numbers = numbers_in(paths_in(group(svg, "beside")).at(0));
   EXPECT_GT(numbers[2] - numbers[0], 300);
   EXPECT_NE(svg.find(">0.0002<"), std::string::npos);
 }
@@ -286,7 +304,9 @@ TEST(Svg, ShowsWhyAndWhereAProgramWasRefused) {
   const std::string fault = group(svg, "fault");
   std::smatch place;
   ASSERT_TRUE(std::regex_search(fault, place, circle));
-  const auto at_fault = numbers_in(paths_in(group(svg, "programmed")).at(2));
+  EXPECT_NE(fault.find("<title>error 90019"), std::string::npos);
+  EXPECT_NE(svg.find(">Use a smaller tool: trc radii says which one fits."), std::string::npos);
+  const auto at_fault = numbers_in(paths_in(group(svg, "programmed")).at(1));
   EXPECT_NEAR(std::stod(place[1]), at_fault[0], 2e-3);
   EXPECT_NEAR(std::stod(place[2]), (at_fault[1] + at_fault[3]) / 2, 2e-3);
 }
@@ -379,6 +399,8 @@ TEST(Svg, MarksWarningsAtTheirPlace) {
   EXPECT_EQ(paths_in(group(svg, "warning")).size(), 1U);
   EXPECT_NE(group(svg, "warning").find("gold"), std::string::npos);
   EXPECT_NE(svg.find("warning 900217 in line 3 (N20)"), std::string::npos);
+  const std::string remedy(row_of(Code::side_changed_at_corner).remedy);
+  EXPECT_NE(svg.find(escaped(remedy.substr(0, remedy.find(' ', 20)))), std::string::npos);
 }
 
 TEST(Picture, DrawsTheToolAtTheFault) {
@@ -417,6 +439,71 @@ TEST(Svg, WritesBlockNumbersOnDemandOnly) {
       group(svg_of(corner_contour, corner_path, {.numbers = true}), "numbers");
   EXPECT_NE(numbers.find(">N20<"), std::string::npos);
   EXPECT_NE(numbers.find(">N30<"), std::string::npos);
+}
+
+TEST(Svg, PutsArrowsOnPathsOfShortPieces) {
+  std::vector<CompensatedBlock> path;
+  for (int i = 0; i < 1000; ++i)
+    path.push_back(compensated(10 * i, Origin::programmed, Line{{0.1 * i, 0}, {0.1 * (i + 1), 0}}));
+  const auto arrows = paths_in(group(svg_of({}, path), "arrows"));
+  ASSERT_GE(arrows.size(), 5u);
+  // To the right: the tip is ahead of both other corners.
+  const auto corners = numbers_in(arrows.front());
+  EXPECT_GT(corners[0], corners[2] + 5);
+  EXPECT_NEAR(corners[0] - corners[2], corners[0] - corners[4], 1e-3);
+  // Where the way turns back and forth there is no direction to show.
+  const auto zigzag = [](int i) { return Point(i % 2 == 0 ? 0.0 : 0.1, 0.01 * i); };
+  for (int i = 0; i < 1000; ++i)
+    path[static_cast<std::size_t>(i)].path = Line{zigzag(i), zigzag(i + 1)};
+  EXPECT_EQ(paths_in(group(svg_of({}, path), "arrows")).size(), 0u);
+}
+
+TEST(Svg, DrawsBothToolsWhereTheRadiusChanges) {
+  TrcMode larger = *mode(Side::left);
+  larger.tool_radius = 20;
+  std::vector<Block> contour = corner_contour;
+  contour[2] = motion(30, Line{{100, 0}, {100, -50}}, std::make_shared<const TrcMode>(larger));
+  std::vector<CompensatedBlock> path = corner_path;
+  path[3].path = Line{{110, 0}, {120, -50}};
+  const Picture picture = compose({.programmed = contour, .path = path});
+  ASSERT_EQ(picture.tools.size(), 4u);  // at the begin of the approach, at its end, and both here
+  EXPECT_EQ(picture.tools[2].center, Point(110, 0));
+  EXPECT_EQ(picture.tools[2].radius, 10);
+  EXPECT_EQ(picture.tools[3].center, Point(120, -50));
+  EXPECT_EQ(picture.tools[3].radius, 20);
+  EXPECT_NE(to_svg(picture, {}).find(">tool, R 10, 20 mm<"), std::string::npos);
+}
+
+TEST(Svg, MarksWhereBlocksEndOnDemandOnly) {
+  EXPECT_EQ(group(svg_of(corner_contour, corner_path), "points"), "");
+  const std::string points = group(svg_of(corner_contour, corner_path, {.points = true}), "points");
+  const std::regex circle("<circle [^>]*stroke=\"blue\"");
+  // Of the five blocks of the path the last one ends where the contour does.
+  EXPECT_EQ(std::distance(std::sregex_iterator(points.begin(), points.end(), circle), {}), 4);
+}
+
+TEST(Svg, ShowsDepthsAndOtherPlanesInViewsOfTheirOwn) {
+  const auto seen = [](const std::vector<Block>& contour) {
+    const auto views = compose_views({.title = "part.nc", .programmed = contour});
+    std::vector<Plane> planes;
+    for (const Picture& view : views) planes.push_back(view.plane);
+    return planes;
+  };
+  EXPECT_EQ(seen(corner_contour), std::vector{Plane::xy});
+  // A plunge is seen from the side: along X, with Z upwards.
+  std::vector<Block> deep = corner_contour;
+  deep.insert(deep.begin() + 1, PassiveBlock{.source = source(15),
+                                             .normal = {.from = 0, .to = -4},
+                                             .moves = true,
+                                             .mode = mode(Side::left)});
+  EXPECT_EQ(seen(deep), (std::vector{Plane::xy, Plane::yz}));
+  std::vector<Block> two = corner_contour;
+  two[3] = motion(40, Line{{0, 0}, {10, 0}}, mode(Side::left, Plane::zx));
+  EXPECT_EQ(seen(two), (std::vector{Plane::xy, Plane::zx}));
+  // What is said stands below the first view, and once.
+  const std::string svg = to_svg(compose_views({.title = "part.nc", .programmed = deep}), {});
+  EXPECT_LT(svg.find("class=\"legend\""), svg.find(">plane YZ<"));
+  EXPECT_EQ(svg.find("class=\"legend\""), svg.rfind("class=\"legend\""));
 }
 
 TEST(Svg, EscapesMarkupAndWhatIsNoText) {
@@ -481,19 +568,6 @@ TEST(Ticks, StandAtRoundNumbers) {
   EXPECT_EQ(decimal(ticks.at[5], ticks.decimals), "0.4");
   EXPECT_EQ(ticks_between(0, 1000, 130).step, 200);
   EXPECT_EQ(decimal(-0.0001, 2), "0");
-}
-
-TEST(Html, CarriesThePictureAndASwitchForNumbers) {
-  const Picture picture =
-      compose({.title = "a<b.nc", .programmed = corner_contour, .path = corner_path});
-  const std::string off = to_html(picture, false);
-  EXPECT_EQ(off.rfind("<!DOCTYPE html>", 0), 0u);
-  EXPECT_NE(off.find("<title>a&lt;b.nc</title>"), std::string::npos);
-  EXPECT_NE(off.find("data-numbers=\"off\""), std::string::npos);
-  EXPECT_NE(to_html(picture, true).find("data-numbers=\"on\""), std::string::npos);
-  EXPECT_EQ(off.find("<?xml"), std::string::npos);
-  EXPECT_NE(off.find("class=\"transition\""), std::string::npos);
-  EXPECT_EQ(off.find("http", off.find("http://www.w3.org/2000/svg") + 10), std::string::npos);
 }
 
 }  // namespace

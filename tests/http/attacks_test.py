@@ -1,5 +1,6 @@
 """Who means harm over HTTP is bounded, and gRPC does not notice."""
 import json
+import math
 import os
 import socket
 import ssl
@@ -204,8 +205,44 @@ class Attacks(unittest.TestCase):
         for _, view in views:
             self.server.ask("DELETE", "/v1/views/" + view["id"])
 
+    def test_views_nobody_asks_for_leave_room_for_bodies(self):
+        lines = "\n".join(f"G01 X{i % 90} Y{i % 70}" for i in range(20000))
+        views = [self.server.ask_json("POST", "/v1/views", lines, TEXT)[1] for _ in range(4)]
+        status, _, _ = self.server.ask("POST", "/v1/programs:compensate?tool_radius=5",
+                                       SQUARE + "\n" * (3 << 20), TEXT)
+        self.assertEqual(status, 200)
+        for view in views:
+            self.server.ask("DELETE", "/v1/views/" + view["id"])
+
     def test_memory_stays(self):
         self.assertLess(self.server.resident_mib(), 400)
+
+
+class Views(unittest.TestCase):
+    def test_what_nobody_looks_at_any_more_is_not_measured(self):
+        # A hole hardly larger than the tool: measuring costs the square of its blocks.
+        count = 60_000
+        wall = [f"G01 X{5.5 * math.cos(2 * math.pi * i / count):.10f} "
+                f"Y{5.5 * math.sin(2 * math.pi * i / count):.10f}" for i in range(count + 1)]
+        text = "\n".join(["G00 X0 Y0", "G41 G01 X5.5 Y0 F500", *wall, "G40 G01 X0 Y0", "M30", ""])
+
+        def cpu_seconds(server):
+            with open(f"/proc/{server.process.pid}/stat", encoding="ascii") as stat:
+                fields = stat.read().rsplit(")", 1)[1].split()
+            return (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")
+
+        with Server() as server:
+            status, view = server.ask_json("POST", "/v1/views?tool_radius=5", text, TEXT)
+            self.assertEqual((status, view.get("measuring")), (201, True), view)
+            at = "/v1/views/" + view["id"]
+            self.assertTrue(server.ask_json("GET", at)[1]["measuring"])
+            time.sleep(1)
+            self.assertTrue(server.ask_json("GET", at)[1]["measuring"])
+            self.assertEqual(server.ask("DELETE", at)[0], 204)
+            time.sleep(1)
+            before = cpu_seconds(server)
+            time.sleep(2)
+            self.assertLess(cpu_seconds(server) - before, 0.5)
 
 
 class Tls(unittest.TestCase):

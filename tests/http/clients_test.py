@@ -3,6 +3,7 @@ import base64
 import json
 import struct
 import subprocess
+import time
 import unittest
 import urllib.request
 
@@ -300,6 +301,76 @@ class Programs(unittest.TestCase):
                               ("surveyRadii", "SurveyPathRequest")):
             content = document["paths"]["/v1/paths:" + path]["post"]["requestBody"]["content"]
             self.assertEqual(list(references(content)), [message])
+
+    def styles_in(self, view, level, point):
+        """How many segments of each style the tile around a point has."""
+        side = view["tileSize"] / 2 ** level
+        low = view["tileLow"]
+        x, y = (int((point[i] - low.get("xy"[i], 0)) / side) for i in (0, 1))
+        status, _, tile = self.server.ask("GET", f"/v1/views/{view['id']}/tiles/{level}/{x}/{y}")
+        self.assertEqual((status, tile[:4]), (200, b"TRCT"))
+        styles = {}
+        for at in range(16, len(tile), 28):
+            style = struct.unpack_from("<I", tile, at + 24)[0] & 0xff
+            styles[style] = styles.get(style, 0) + 1
+        self.assertLessEqual(sum(styles.values()), 2048)
+        return styles
+
+    def test_what_matters_is_seen_at_every_zoom(self):
+        # A wall of 50 m in 100,000 pieces, and a notch of 0.02 mm that the tool leaves out.
+        wall = [f"G01 X{i / 2:.1f} Y{i % 2 * 0.01:.2f}" for i in range(1, 100_001)]
+        wall.insert(60_000, "G01 X30000.1 Y0\nG01 Y-0.02\nG01 X30000.12\nG01 Y0")
+        text = "\n".join(["G141 G26", "G00 X-20 Y-20", "G41 G01 X0 Y0 F500", *wall,
+                          "G40 G01 X50020 Y20", "M30", ""])
+        _, view = self.server.ask_json("POST", "/v1/views?tool_radius=0.05", text, TEXT)
+        self.assertNotIn("refused", view, view.get("diagnostics"))
+        masked, inserted = 1, 3
+        for level in range(0, 22, 3):
+            styles = self.styles_in(view, level, (30000.11, -0.01))
+            self.assertGreater(styles.get(masked, 0), 0, level)
+        for level in range(0, 16, 3):
+            styles = self.styles_in(view, level, (30000.11, 0.05))
+            self.assertGreater(styles.get(inserted, 0), 0, level)
+        self.server.ask("DELETE", "/v1/views/" + view["id"])
+
+    def test_walls_are_apart_from_what_leads_to_them(self):
+        _, view = self.server.ask_json("POST", "/v1/views?tool_radius=5", SQUARE, TEXT)
+        contour, beside = 0, 5
+        styles = self.styles_in(view, 0, (25, 25))
+        # Four sides; the rapid move to the start, the approach and the retract.
+        self.assertEqual((styles[contour], styles[beside]), (4, 3 + 1))
+        self.server.ask("DELETE", "/v1/views/" + view["id"])
+
+    def test_the_tool_on_its_way_is_that_of_the_block(self):
+        _, view = self.server.ask_json("POST", "/v1/views?tool_radius=5", SQUARE, TEXT)
+        at = f"/v1/views/{view['id']}/place?share="
+        place = self.server.ask_json("GET", at + "0.5")[1]
+        self.assertEqual((place["block"]["toolRadius"], place["position"]["y"]), (5, 55))
+        # Before G41 there is none.
+        self.assertNotIn("toolRadius", self.server.ask_json("GET", at + "0")[1]["block"])
+        self.server.ask("DELETE", "/v1/views/" + view["id"])
+
+    def test_a_large_program_is_measured_behind_its_first_picture(self):
+        text = program_of(100_000)
+        self.assertGreater(len(text), 1 << 20)
+        status, view = self.server.ask_json("POST", "/v1/views?tool_radius=0.5", text, TEXT)
+        self.assertEqual((status, view["measuring"]), (201, True))
+        self.assertNotIn("minClearance", view["summary"]["path"])
+        at = "/v1/views/" + view["id"]
+        for _ in range(200):
+            view = self.server.ask_json("GET", at)[1]
+            if not view.get("measuring"):
+                break
+            time.sleep(0.1)
+        self.assertNotIn("measuring", view)
+        self.assertAlmostEqual(view["summary"]["path"]["minClearance"]["distance"], 0.5, places=4)
+        self.server.ask("DELETE", at)
+        # Where it is asked for, the first answer says it.
+        _, view = self.server.ask_json("POST", "/v1/views?tool_radius=0.5&verify=report", text,
+                                       TEXT)
+        self.assertNotIn("measuring", view)
+        self.assertAlmostEqual(view["summary"]["path"]["minClearance"]["distance"], 0.5, places=4)
+        self.server.ask("DELETE", "/v1/views/" + view["id"])
 
     def test_a_view_tells_what_the_command_line_tells(self):
         status, view = self.server.ask_json("POST", "/v1/views?tool_radius=5&name=s.nc", SQUARE,

@@ -154,9 +154,179 @@ const tests = {
     assert.ok(await page.evaluate(() => !document.querySelector('[name=tool_radius]').validity.valid));
   },
 
-  async 'everybody can use it'(page) {
+  async 'a refused approach comes with what would do'(page) {
+    const path = join(top, 'tests/programs/bad/d03_selection_block_too_short.nc');
+    await show(page, path, {tool_radius: ''});
+    const said = trc('plot', path, '-o', join(folder, 'd03.svg')).stderr;
+    const list = page.locator('#diagnostics .proposals');
+    assert.match(await list.textContent(), /5 mm long, needs at least 10 mm; may start at X-5 Y0/);
+    assert.match(said, /5\.000 mm long and needs at least 10\.000 mm; it may start at X-5 Y0/);
+    assert.match(await list.locator('button').first().textContent(), /Proposed entry, line X-5 Y0 → X5 Y0/);
+    const arc = await list.locator('button').nth(1).textContent();
+    assert.match(arc, /quarter circle .* → arc R20 X5 Y0/);
+    // Green, and dashed: some of what lies along the line is drawn.
+    await list.locator('button').first().click();
+    await page.waitForTimeout(100);
+    const green = () => page.evaluate(() => {
+      const canvas = document.getElementById('over'), pixels = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height).data;
+      let count = 0;
+      for (let i = 0; i < pixels.length; i += 4)
+        if (pixels[i] === 0x13 && pixels[i + 1] === 0x8a && pixels[i + 2] === 0x36) ++count;
+      return count;
+    });
+    assert.ok(await green() > 100, 'proposals are drawn');
+    await page.uncheck('#layers label:has([data-text=layerProposal]) input');
+    await page.waitForTimeout(100);
+    assert.equal(await green(), 0);
+  },
+
+  async 'it says which tool fits'(page) {
+    const path = join(top, 'client/samples/bracket.nc');
+    await show(page, path, {tool_radius: ''});
+    await page.click('#survey');
+    await page.waitForSelector('#largest button');
+    const told = JSON.parse(trc('radii', path, '--radii', '6', '--json').stdout);
+    assert.match(await page.textContent('#largest'), new RegExp(`every wall: ${told.summary.largest.radius} mm`));
+    const lines = told.summary.largest.limits.map(limit => `line ${limit.line}`);
+    assert.deepEqual(await page.locator('#largest button').allTextContents(), lines);
+    const uncut = Number(/([\d.]+) mm of [\d.]+ mm stay uncut with 6 mm/.exec(await page.textContent('#largest p'))[1]);
+    assert.ok(Math.abs(uncut - (told.radii[0].uncutLength ?? 0)) < 1e-3);
+    await page.locator('#largest button').first().click();
+    assert.equal(`line ${await page.locator('#input [aria-selected=true] .number').textContent()}`, lines[0]);
+  },
+
+  async 'every word is there in German too'(page) {
+    const found = await page.evaluate(async () => {
+      const {words} = await import('/page/texts.js');
+      const {hasName, settingMeaning, settingWord} = await import('/page/settings_texts.js');
+      const {notForPeople} = await import('/page/options.js');
+      const get = async path => (await fetch(path)).json();
+      const parameters = (await get('v1/openapi.json')).paths['/v1/views'].post.parameters
+        .filter(p => p.in === 'query' && !notForPeople.includes(p.name));
+      const keywords = (await get('v1/info')).trcKeywords.map(k => [`options.${k.name.toLowerCase()}`, k.meaning])
+        .filter(([name]) => parameters.some(p => p.name === name));
+      return {
+        missing: Object.keys(words.en).filter(key => !(key in words.de)).concat(Object.keys(words.de).filter(key => !(key in words.en))),
+        unnamed: parameters.map(p => p.name).filter(name => !hasName(name)),
+        unmeant: keywords.filter(([name, meaning]) => settingMeaning(name, meaning, 'de') === meaning).map(([name]) => name),
+        unsaid: parameters.map(p => p.description).filter(text => / /.test(text) && !/, |in mm/.test(text) && text !== 'true or false' && settingWord(text, 'de') === text),
+        unused: Object.keys(words.en).filter(key => words.en[key] === ''),
+      };
+    });
+    assert.deepEqual(found, {missing: [], unnamed: [], unmeant: [], unsaid: [], unused: []});
+    await page.selectOption('#language', 'de');
+    assert.match(await page.textContent('#main-settings'), /Werkzeugradius, mm.*Dialekt.*wie im Programm/s);
+    assert.match(await page.textContent('#more-settings'), /Konturschleifen werden entfernt/);
+    const left = await page.evaluate(() => [...document.querySelectorAll('[data-text], [data-label]')]
+      .filter(e => (e.dataset.text && e.textContent === e.dataset.text) || (e.dataset.label && e.getAttribute('aria-label') === e.dataset.label))
+      .map(e => e.outerHTML));
+    assert.deepEqual(left, []);
+  },
+
+  async 'a page with its program inside needs no server'(page) {
+    for (const [name, text] of [['notch.nc', notch], ['bracket.nc', readFileSync(join(top, 'client/samples/bracket.nc'), 'utf8')]]) {
+      const path = file(name, text), written = join(folder, `${name}.html`);
+      const said = trc('plot', path, '-o', written, ...(name === 'notch.nc' ? ['--radius', '5'] : [])).stderr;
+      const asked = [];
+      page.on('request', request => asked.push(request.url()));
+      await page.goto(`file://${written}`);
+      await page.waitForSelector('body[data-complete=true]');
+      assert.deepEqual(asked.filter(url => !/^(file|data|blob):/.test(url)), []);
+      assert.equal(await page.title(), name);
+      assert.ok(Number(await page.evaluate(() => document.body.dataset.segments)) > 10);
+      assert.ok(!await page.locator('#form').isVisible(), 'nothing can be computed here');
+      if (name === 'notch.nc') {
+        const [, line, code] = /notch\.nc:(\d+):.* error (\d+)/.exec(said);
+        const button = page.locator('#diagnostics button.error').first();
+        assert.equal(await button.getAttribute('data-code'), code);
+        await button.click();
+        assert.equal(await page.locator('#input [aria-selected=true] .number').textContent(), line);
+        continue;
+      }
+      // The same as on the page of a server: text, clearance, the way of the tool, both listings.
+      const [download] = await Promise.all([page.waitForEvent('download'), page.click('#save-nc')]);
+      assert.equal(readFileSync(await download.path(), 'utf8'), trc('compensate', path).stdout);
+      assert.match(await page.textContent('#certificate'), /smallest6 of 6 mm/);
+      await page.locator('#output [role=option]').filter({hasText: 'N70'}).click();
+      assert.match(await page.locator('#input [aria-selected=true]').textContent(), /N70/);
+      await page.locator('#way').focus();
+      await page.keyboard.press('End');
+      await page.waitForFunction(() => document.getElementById('place').textContent.startsWith('X-25 Y-10'));
+      // What it may do is what its policy says: no script of somebody else's runs in it.
+      await page.evaluate(() => {
+        const script = document.createElement('script');
+        script.textContent = 'document.body.dataset.foreign = 1';
+        document.body.append(script);
+      });
+      assert.equal(await page.evaluate(() => document.body.dataset.foreign), undefined);
+      page.problems = page.problems.filter(problem => !/Content Security Policy/.test(problem));
+    }
+  },
+
+  async 'fingers and keys do what the mouse does'(page) {
     await show(page, file('notch.nc', notch));
-    for (const scheme of ['light', 'dark']) {
+    const shown = () => page.evaluate(() => document.getElementById('cursor').textContent);
+    const box = await page.locator('#over').boundingBox();
+    const at = [box.x + box.width / 2, box.y + box.height / 2];
+    const where = async () => {
+      await page.mouse.move(at[0], at[1]);
+      await page.mouse.move(at[0] + 100, at[1]);
+      return shown();
+    };
+    const before = await where();
+    await page.locator('#over').focus();
+    await page.keyboard.press('+');
+    const closer = await where();
+    assert.notEqual(closer, before);
+    await page.keyboard.press('ArrowRight');
+    assert.notEqual(await where(), closer);
+    await page.keyboard.press('0');
+    assert.equal(await where(), before);
+    // Two fingers apart: twice as near, about the one that stays.
+    await page.evaluate(() => {
+      const stage = document.getElementById('over');
+      stage.setPointerCapture = () => {};
+      const {left, top, width, height} = stage.getBoundingClientRect();
+      const x = left + width / 2, y = top + height / 2;
+      const send = (type, id, dx) => stage.dispatchEvent(new PointerEvent(type, {pointerId: id, pointerType: 'touch', clientX: x + dx, clientY: y, bubbles: true}));
+      send('pointerdown', 1, 0);
+      send('pointerdown', 2, 100);
+      send('pointermove', 2, 200);
+      send('pointerup', 2, 200);
+      send('pointerup', 1, 0);
+    });
+    const xOf = text => Number(/X (-?[\d.]+)/.exec(text)[1]);
+    const near = await where();
+    await page.keyboard.press('0');
+    await page.mouse.move(at[0], at[1]);
+    const middle = xOf(await shown());
+    assert.ok(Math.abs((xOf(near) - middle) - (xOf(before) - middle) / 2) < 0.01, `${near} ${before}`);
+    // Through the findings and the lines without a mouse.
+    await page.locator('#diagnostics button').first().focus();
+    await page.keyboard.press('Enter');
+    await page.locator('#input [aria-selected=true]').waitFor();
+    const number = () => page.locator('#input [aria-selected=true] .number').textContent();
+    const first = Number(await number());
+    await page.locator('#input').focus();
+    await page.keyboard.press('ArrowDown');
+    await page.waitForFunction(n => document.querySelector('#input [aria-selected=true] .number')?.textContent === String(n), first + 1);
+  },
+
+  async 'on a small screen all of it is there'(page) {
+    await page.setViewportSize({width: 412, height: 900});
+    await show(page, file('notch.nc', notch));
+    for (const part of ['#picture', '#said', '#settings', '#listings']) {
+      const {width, height} = await page.locator(part).boundingBox();
+      assert.ok(width > 380 && height > 150, `${part} is ${width} by ${height}`);
+    }
+    assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth), 'nothing sticks out');
+  },
+
+  async 'everybody can use it'(page) {
+    await show(page, join(top, 'tests/programs/bad/d03_selection_block_too_short.nc'), {tool_radius: ''});
+    for (const scheme of ['light', 'dark', 'light']) {
+      if (scheme === 'light') await page.selectOption('#language', 'de');
+      await page.evaluate(() => document.querySelector('details').setAttribute('open', ''));
       await page.emulateMedia({colorScheme: scheme});
       await page.waitForTimeout(100);
       await page.evaluate(source => new Function(source)(), axe).catch(() => page.addScriptTag({content: axe}));
@@ -168,7 +338,7 @@ const tests = {
   async 'a million blocks stay fluid'(page) {
     const blocks = process.env.TRC_TEST_LONG ? 1_000_000 : 50_000;
     await show(page, file('waves.nc', waves(blocks)), {tool_radius: '0.05'});
-    const took = Number(await page.evaluate(() => document.body.dataset.viewMs));
+    const took = Number(await page.evaluate(() => document.body.dataset.pictureMs));
     assert.ok(Number(await page.evaluate(() => document.body.dataset.segments)) <= 50_000);
     const steps = [];
     const box = await page.locator('#over').boundingBox();
@@ -184,7 +354,9 @@ const tests = {
     steps.sort((a, b) => a - b);
     const heap = await page.evaluate(() => performance.memory.usedJSHeapSize / 2 ** 20);
     assert.ok(heap < 200, `${heap} MiB in the page`);
-    console.log(`  ${blocks} blocks: view ${took} ms, a zoom step ${steps[6]} ms (median), page ${heap.toFixed(0)} MiB`);
+    console.log(`  ${blocks} blocks: first picture ${took} ms, a zoom step ${steps[6]} ms (median), page ${heap.toFixed(0)} MiB`);
+    // What is found behind the first picture follows.
+    await page.waitForFunction(() => /blocks measured\d{5}/.test(document.getElementById('certificate').textContent));
     // The last line of the listing is reached.
     await page.evaluate(() => { const box = document.getElementById('input'); box.scrollTop = box.scrollHeight; });
     await page.waitForFunction(() => /M30/.test(document.getElementById('input').textContent));

@@ -13,26 +13,26 @@ void Elements::add(Element element, const Segment& shape) {
     element.arc = static_cast<std::int32_t>(arcs_.size());
     arcs_.push_back({.center = arc->center, .sweep = arc->sweep});
   }
-  elements_.push_back(element);
+  if (size_ % piece_size == 0) pieces_.emplace_back().reserve(piece_size);
+  if (size_ % group_size == 0) groups_.push_back({.length = length_});
+  Group& group = groups_.back();
+  verify::Bounds box;
+  box.add(shape);
+  for (const Point& corner : {box.low, box.high}) {
+    group.box.add(corner);
+    bounds_.add(corner);
+  }
+  group.has_special = group.has_special || element.is_special();
+  length_ += length_of(element);
+  pieces_.back().push_back(element);
+  ++size_;
 }
 
-void Elements::index() {
-  elements_.shrink_to_fit();
-  arcs_.shrink_to_fit();
-  groups_.clear();
-  bounds_ = {};
-  length_ = 0;
-  for (std::size_t i = 0; i < elements_.size(); ++i) {
-    if (i % group_size == 0) groups_.push_back({.length = length_});
-    const Segment shape = shape_of(elements_[i]);
-    groups_.back().box.add(shape);
-    groups_.back().has_special = groups_.back().has_special || elements_[i].is_special();
-    length_ += length_of(elements_[i]);
-  }
-  for (const Group& group : groups_) {
-    bounds_.add(group.box.low);
-    bounds_.add(group.box.high);
-  }
+void Elements::restyle(std::size_t index, Style style) {
+  Element& element = pieces_[index / piece_size][index % piece_size];
+  element.style = style;
+  Group& group = groups_[index / group_size];
+  group.has_special = group.has_special || element.is_special();
 }
 
 Segment Elements::shape_of(const Element& element) const {
@@ -42,7 +42,7 @@ Segment Elements::shape_of(const Element& element) const {
 }
 
 std::size_t Elements::bytes() const {
-  return elements_.capacity() * sizeof(Element) + arcs_.capacity() * sizeof(ElementArc) +
+  return pieces_.size() * piece_size * sizeof(Element) + arcs_.capacity() * sizeof(ElementArc) +
          groups_.capacity() * sizeof(Group);
 }
 
@@ -52,7 +52,7 @@ double Elements::length_of(const Element& element) const {
 }
 
 std::optional<Elements::Place> Elements::place_after(double length) const {
-  if (elements_.empty()) return std::nullopt;
+  if (empty()) return std::nullopt;
   const auto behind =
       std::upper_bound(groups_.begin(), groups_.end(), length,
                        [](double at, const Group& group) { return at < group.length; });
@@ -60,8 +60,8 @@ std::optional<Elements::Place> Elements::place_after(double length) const {
   double left = length - group->length;
   auto at = static_cast<std::size_t>(group - groups_.begin()) * group_size;
   for (;; ++at) {
-    const double own = length_of(elements_[at]);
-    if (left <= own || at + 1 == elements_.size())
+    const double own = length_of((*this)[at]);
+    if (left <= own || at + 1 == size_)
       return Place{.element = at, .share = own > 0 ? std::clamp(left / own, 0.0, 1.0) : 1};
     left -= own;
   }

@@ -18,7 +18,7 @@ enum class Style : std::uint8_t {
   path = 2,
   transition = 3,  // inserted on the path
   lead = 4,        // approach and retract
-  plain = 5,       // motion without compensation
+  plain = 5,       // motion without compensation, and programmed beside a contour
 };
 inline constexpr std::uint32_t rapid_flag = 1U << 8U;
 inline constexpr std::uint32_t path_flag = 1U << 9U;
@@ -54,10 +54,14 @@ class Elements {
   static constexpr std::size_t group_size = 64;
 
   void add(Element element, const Segment& shape);
-  // To be called when all are there.
-  void index();
+  // Of one that is there.
+  void restyle(std::size_t index, Style style);
 
-  [[nodiscard]] std::span<const Element> all() const { return elements_; }
+  [[nodiscard]] std::size_t size() const { return size_; }
+  [[nodiscard]] bool empty() const { return size_ == 0; }
+  [[nodiscard]] const Element& operator[](std::size_t index) const {
+    return pieces_[index / piece_size][index % piece_size];
+  }
   [[nodiscard]] Segment shape_of(const Element& element) const;
   [[nodiscard]] const verify::Bounds& bounds() const { return bounds_; }
   // Bytes held.
@@ -82,7 +86,11 @@ class Elements {
  private:
   [[nodiscard]] double length_of(const Element& element) const;
 
-  std::vector<Element> elements_;
+  static constexpr std::size_t piece_size = 64 * group_size;
+
+  // In pieces: what grows to millions is never copied.
+  std::vector<std::vector<Element>> pieces_;
+  std::size_t size_ = 0;
   std::vector<ElementArc> arcs_;
   std::vector<Group> groups_;
   verify::Bounds bounds_;

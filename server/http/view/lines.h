@@ -23,6 +23,7 @@ class Lines {
 
   // Of compensated text: the line of the program each one comes from, 0: unknown.
   void set_sources(std::vector<std::uint32_t> sources) { sources_ = std::move(sources); }
+  [[nodiscard]] const std::vector<std::uint32_t>& sources() const { return sources_; }
 
   // From a 1-based line on, at most 1000, long ones cut.
   [[nodiscard]] v1::ViewLines some(std::uint64_t first, std::uint64_t count) const;

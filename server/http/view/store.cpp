@@ -50,21 +50,32 @@ std::shared_ptr<View> ViewStore::find(const std::string& id) {
 
 void ViewStore::remove(const std::string& id) {
   const std::lock_guard lock(mutex_);
-  kept_.erase(id);
+  const auto found = kept_.find(id);
+  if (found == kept_.end()) return;
+  found->second.view->give_up();
+  kept_.erase(found);
 }
 
 bool ViewStore::give_up_one() {
+  // Freeing a large one takes its time: not under the lock.
+  std::shared_ptr<View> given_up;
   const std::lock_guard lock(mutex_);
   const auto oldest = std::min_element(
       kept_.begin(), kept_.end(),
       [](const auto& a, const auto& b) { return a.second.asked < b.second.asked; });
   if (oldest == kept_.end()) return false;
+  given_up = std::move(oldest->second.view);
+  given_up->give_up();
   kept_.erase(oldest);
   return true;
 }
 
 void ViewStore::forget_old(Clock::time_point now) {
-  std::erase_if(kept_, [&](const auto& entry) { return now - entry.second.asked > lifetime_; });
+  std::erase_if(kept_, [&](const auto& entry) {
+    const bool is_old = now - entry.second.asked > lifetime_;
+    if (is_old) entry.second.view->give_up();
+    return is_old;
+  });
 }
 
 }  // namespace trc::server::http

@@ -134,15 +134,15 @@ bool Drawing::draw(const Elements& elements, std::uint32_t flags) {
 void Drawing::draw_group(const Elements& elements, std::size_t group, std::uint32_t flags) {
   const Elements::Group& of = elements.groups()[group];
   const std::size_t first = group * Elements::group_size;
-  const std::size_t end = std::min(first + Elements::group_size, elements.all().size());
+  const std::size_t end = std::min(first + Elements::group_size, elements.size());
   // A group within a dot is its last point.
   if (down_ && !of.has_special && of.box.size().maxCoeff() <= tolerance_ / 2)
-    return go_to(elements.all()[end - 1].end);
+    return go_to(elements[end - 1].end);
   for (std::size_t i = first; i < end; ++i) draw_element(elements, i, flags);
 }
 
 void Drawing::draw_element(const Elements& elements, std::size_t index, std::uint32_t flags) {
-  const Element& element = elements.all()[index];
+  const Element& element = elements[index];
   const Segment shape = elements.shape_of(element);
   verify::Bounds box;
   box.add(shape);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <cmath>
 #include <functional>
 #include <span>
@@ -12,7 +13,9 @@
 #include "core/session/program_session.h"
 #include "core/trc/result/compensated_block.h"
 #include "proto/wire/compensated_block.h"
+#include "proto/wire/diagnostic.h"
 #include "proto/wire/geometry.h"
+#include "proto/wire/path_item.h"
 #include "server/http/view/tile.h"
 
 namespace trc::server::http {
@@ -42,15 +45,22 @@ Style style_of(Origin origin) {
   }
 }
 
-Plane plane_to_show(const std::vector<Block>& blocks) {
-  const MotionBlock* first = nullptr;
+// The plane of the first compensated motion among these; none: nothing of them is compensated.
+std::optional<Plane> compensated_plane(const std::vector<Block>& blocks) {
   for (const Block& block : blocks) {
     const auto* motion = std::get_if<MotionBlock>(&block);
-    if (motion == nullptr || motion->mode == nullptr) continue;
-    if (motion->mode->active()) return motion->mode->plane;
-    if (first == nullptr) first = motion;
+    if (motion != nullptr && motion->mode != nullptr && motion->mode->active())
+      return motion->mode->plane;
   }
-  return first == nullptr ? Plane::xy : first->mode->plane;
+  return std::nullopt;
+}
+
+Plane first_plane(const std::vector<Block>& blocks) {
+  for (const Block& block : blocks) {
+    const auto* motion = std::get_if<MotionBlock>(&block);
+    if (motion != nullptr && motion->mode != nullptr) return motion->mode->plane;
+  }
+  return Plane::xy;
 }
 
 // A movement as the plane that is shown sees it, one element for each piece.
@@ -124,8 +134,29 @@ std::string View::tile(std::uint32_t level, std::uint32_t x, std::uint32_t y) co
                  {.tolerance = side / (2 * tile_pixels), .most_segments = most_segments});
 }
 
+v1::View View::said_by_now() const {
+  v1::View said = said_;
+  const std::lock_guard lock(mutex_);
+  if (output_ == nullptr) return said;
+  said.clear_measuring();
+  said.MergeFrom(measured_);
+  return said;
+}
+
+// What the answers lacked because the path was not measured for them.
+void View::measure(const ProgramSession& session, const std::vector<Diagnostic>& found) {
+  const std::lock_guard lock(mutex_);
+  if (const auto* clearance = session.clearance())
+    wire::to_proto(wire::PathSummary{.clearance = *clearance},
+                   *measured_.mutable_summary()->mutable_path());
+  for (const Diagnostic& diagnostic : found)
+    if (diagnostic.code == Code::clearance_violated &&
+        said_.diagnostics_size() + measured_.diagnostics_size() < most_diagnostics)
+      wire::to_proto(diagnostic, *measured_.add_diagnostics());
+}
+
 v1::ViewBlock View::described(const Elements& elements, std::size_t index, bool on_path) const {
-  const Element& element = elements.all()[index];
+  const Element& element = elements[index];
   const Plane plane = plane_of(said_.plane());
   v1::ViewBlock block;
   block.set_on_path(on_path);
@@ -148,8 +179,8 @@ v1::ViewBlocks View::blocks_of_line(std::uint32_t line) const {
   constexpr int most_blocks = 1000;
   v1::ViewBlocks found;
   const auto look = [&](const Elements& elements, bool on_path) {
-    for (std::size_t i = 0; i < elements.all().size() && found.blocks_size() < most_blocks; ++i)
-      if (elements.all()[i].line == line) *found.add_blocks() = described(elements, i, on_path);
+    for (std::size_t i = 0; i < elements.size() && found.blocks_size() < most_blocks; ++i)
+      if (elements[i].line == line) *found.add_blocks() = described(elements, i, on_path);
   };
   look(contour_, false);
   look(path_, true);
@@ -160,7 +191,7 @@ v1::ViewPlace View::place_at(double share) const {
   v1::ViewPlace place;
   const auto found = path_.place_after(share * path_.length());
   if (!found) return place;
-  const Element& element = path_.all()[found->element];
+  const Element& element = path_[found->element];
   const Segment shape = path_.shape_of(element);
   const Point point =
       verify::extent_of(shape) > 0 ? verify::place_at(shape, found->share).point : element.end;
@@ -177,10 +208,10 @@ std::shared_ptr<const Lines> View::output() const {
   return output_;
 }
 
-void View::make_output(const std::function<void()>& interrupt) {
+std::string View::compensated_text(Verify verify, const std::function<void()>& interrupt) {
   SessionSetup session_setup = settings_.path.session;
   session_setup.compensator.interrupt = interrupt;
-  session_setup.verify = Verify::off;
+  session_setup.verify = verify;
   ProgramSession session(
       {.session = session_setup, .nc_text = true, .decimals = settings_.decimals});
   ProgramOutput out;
@@ -192,44 +223,108 @@ void View::make_output(const std::function<void()>& interrupt) {
     interrupt();
   }
   if (goes_on) session.finish(out);
+  if (verify != Verify::off) measure(session, session.diagnostics().pending());
+  return std::move(out.text);
+}
+
+void View::make_output(const std::function<void()>& interrupt) {
+  struct TooLong {};
+  // Some contours cost the square of their blocks.
+  constexpr std::chrono::seconds most_measuring{60};
+  const auto began = std::chrono::steady_clock::now();
+  std::string text;
+  try {
+    text = compensated_text(said_.measuring() ? Verify::report : Verify::off, [&] {
+      interrupt();
+      if (said_.measuring() && std::chrono::steady_clock::now() - began > most_measuring)
+        throw TooLong{};
+    });
+  } catch (const TooLong&) {
+    text = compensated_text(Verify::off, interrupt);
+  }
 
   // Both make the same motions; the text as it is read says where its lines end.
   ContourReader reader(settings_.path.session);
-  for (std::size_t at = 0; at < out.text.size(); at += text_piece) {
-    reader.feed(std::string_view(out.text).substr(at, text_piece));
+  std::vector<LineEnd> reached;
+  const auto reach = [&](const std::vector<Block>& blocks) {
+    const std::vector<LineEnd> more = ends_of(blocks);
+    reached.insert(reached.end(), more.begin(), more.end());
+  };
+  for (std::size_t at = 0; at < text.size(); at += text_piece) {
+    reader.feed(std::string_view(text).substr(at, text_piece));
+    reach(reader.take());
     interrupt();
   }
+  reach(reader.finish());
   std::vector<LineEnd> ends;
-  ends.reserve(path_.all().size());
+  ends.reserve(path_.size());
   const Plane plane = plane_of(said_.plane());
-  for (const Element& element : path_.all()) {
+  for (std::size_t i = 0; i < path_.size(); ++i) {
+    const Element& element = path_[i];
     const Position end = from_plane(plane, element.end, double{element.third_to});
     ends.push_back({.x = end[0], .y = end[1], .z = end[2], .line = element.line});
   }
-  auto lines = std::make_shared<Lines>(std::move(out.text));
-  lines->set_sources(sources_of(lines->count(), ends_of(reader.finish()), ends));
+  auto lines = std::make_shared<Lines>(std::move(text));
+  lines->set_sources(sources_of(lines->count(), reached, ends));
   const std::lock_guard lock(mutex_);
   output_ = std::move(lines);
 }
 
 ViewBuilder::ViewBuilder(std::string text, const v1::ProgramSetup& setup,
-                         wire::ProgramSettings settings, Memory& memory)
-    : text_(std::move(text)), settings_(std::move(settings)), share_(memory) {
+                         wire::ProgramSettings settings, Memory& memory,
+                         std::function<bool()> make_room)
+    : text_(std::move(text)),
+      settings_(std::move(settings)),
+      share_(memory),
+      make_room_(std::move(make_room)),
+      reader_(settings_.path.session) {
   said_.set_name(setup.file_name());
 }
 
-bool ViewBuilder::has_room_for(std::size_t blocks) {
-  // What a block becomes, and what its line in the compensated text will take.
-  constexpr std::size_t bytes_per_block = sizeof(Element) + 64;
-  return share_.take(blocks * bytes_per_block);
+bool ViewBuilder::account() {
+  // What a line in the compensated text will take.
+  constexpr std::size_t output_bytes = 64;
+  const std::size_t bytes = contour_.bytes() + path_.bytes() + output_bytes * path_.size() +
+                            waiting_.size() * sizeof(Block) +
+                            contour_blocks_.capacity() * sizeof(std::uint32_t) +
+                            radius_of_line_.capacity() * sizeof(float);
+  while (has_memory_ && bytes > share_.bytes())
+    if (!share_.take(bytes - share_.bytes())) has_memory_ = make_room_();
+  return has_memory_;
 }
 
-void ViewBuilder::add(std::vector<CompensatedBlock> blocks) {
-  for (CompensatedBlock& block : blocks) {
+bool ViewBuilder::read_contour() {
+  if (read_bytes_ == text_.size() || !has_memory_) return false;
+  const std::string_view piece = std::string_view(text_).substr(read_bytes_, text_piece);
+  read_bytes_ += piece.size();
+  read_lines_ += static_cast<std::uint64_t>(std::count(piece.begin(), piece.end(), '\n'));
+  reader_.feed(piece);
+  add_contour(read_bytes_ == text_.size() ? reader_.finish() : reader_.take());
+  return account();
+}
+
+bool ViewBuilder::add(const std::vector<CompensatedBlock>& blocks) {
+  // A line may give its block only when the next ones have been read.
+  constexpr std::uint64_t ahead = 100;
+  std::uint64_t line = 0;
+  for (const CompensatedBlock& block : blocks)
+    line = std::max<std::uint64_t>(line, block.source.line);
+  while (!plane_ || read_lines_ < line + ahead)
+    if (!read_contour()) break;
+  settle_plane();
+  for (const CompensatedBlock& block : blocks) {
     if (block.origin == Origin::passthrough) continue;
-    block.text = {};
-    blocks_.push_back(std::move(block));
+    const bool has_tool =
+        block.origin != Origin::uncompensated && block.source.line < radius_of_line_.size();
+    const Element element{.feed = block.rapid ? 0 : static_cast<float>(block.feed),
+                          .line = block.source.line,
+                          .tool_radius = has_tool ? radius_of_line_[block.source.line] : 0,
+                          .style = style_of(block.origin),
+                          .origin = static_cast<std::uint8_t>(wire::to_proto(block.origin)),
+                          .rapid = block.rapid};
+    add_seen(path_, element, block.plane, block.path, block.normal, *plane_);
   }
+  return account();
 }
 
 void ViewBuilder::add(const v1::Diagnostic& diagnostic) {
@@ -246,64 +341,68 @@ void ViewBuilder::add(const v1::Diagnostic& diagnostic) {
 }
 
 std::shared_ptr<View> ViewBuilder::finish(std::string id) {
-  ContourReader reader(settings_.path.session);
-  for (std::size_t at = 0; at < text_.size(); at += text_piece)
-    reader.feed(std::string_view(text_).substr(at, text_piece));
-  const std::vector<Block> contour = reader.finish();
-  plane_ = plane_to_show(contour);
-  if (!share_.take(contour.size() * sizeof(Element))) return nullptr;
-  add_contour(contour);
-  add_path();
-  contour_.index();
-  path_.index();
+  while (read_contour()) {
+  }
+  settle_plane();
+  mark_masked();
+  contour_blocks_ = {};
+  radius_of_line_ = {};
+  if (!account()) return nullptr;
   Lines program(std::move(text_));
-  if (!share_.take(2 * program.bytes())) return nullptr;
+  const std::size_t bytes = 2 * program.bytes();
+  while (!share_.take(bytes))
+    if (!make_room_()) return nullptr;
   said_.set_id(std::move(id));
+  if (said_.refused()) said_.clear_measuring();
   describe(program);
   return std::make_shared<View>(std::move(share_), std::move(said_), std::move(contour_),
                                 std::move(path_), std::move(program), settings_);
 }
 
 void ViewBuilder::add_contour(const std::vector<Block>& blocks) {
-  const NotTravelled masked(masked_);
-  for (const Block& block : blocks) {
-    const auto* motion = std::get_if<MotionBlock>(&block);
-    if (motion == nullptr || motion->mode == nullptr) continue;
-    const bool lost = masked.contains(motion->source.index);
-    const Element element{
-        .feed = motion->rapid ? 0 : static_cast<float>(motion->feed),
-        .line = motion->source.line,
-        .tool_radius = motion->mode->active() ? static_cast<float>(motion->mode->tool_radius) : 0,
-        .style = lost ? Style::contour_masked : Style::contour,
-        .rapid = motion->rapid};
-    add_seen(contour_, element, motion->mode->plane, motion->path, motion->normal, plane_);
-    if (said_.tool_radius() == 0 && element.tool_radius > 0)
-      said_.set_tool_radius(motion->mode->tool_radius);
+  if (!plane_) plane_ = compensated_plane(blocks);
+  if (!plane_) {
+    waiting_.insert(waiting_.end(), blocks.begin(), blocks.end());
+    return;
   }
+  for (const Block& block : waiting_) add_contour(block);
+  waiting_ = {};
+  for (const Block& block : blocks) add_contour(block);
 }
 
-void ViewBuilder::add_path() {
-  // The tool of a block is that of the contour block it stems from; lines come in order but for
-  // subprograms, where the last one seen will do.
-  std::vector<float> radius_of_line;
-  for (const Element& element : contour_.all()) {
-    if (element.line >= radius_of_line.size()) radius_of_line.resize(element.line + 1);
-    radius_of_line[element.line] = element.tool_radius;
-  }
-  for (const CompensatedBlock& block : blocks_) {
-    const std::uint32_t line = block.source.line;
-    const Element element{
-        .feed = block.rapid ? 0 : static_cast<float>(block.feed),
-        .line = line,
-        .tool_radius = block.origin != Origin::uncompensated && line < radius_of_line.size()
-                           ? radius_of_line[line]
-                           : 0,
-        .style = style_of(block.origin),
-        .origin = static_cast<std::uint8_t>(wire::to_proto(block.origin)),
-        .rapid = block.rapid};
-    add_seen(path_, element, block.plane, block.path, block.normal, plane_);
-  }
-  blocks_ = {};
+void ViewBuilder::settle_plane() {
+  if (plane_) return;
+  plane_ = first_plane(waiting_);
+  add_contour(std::vector<Block>());
+}
+
+void ViewBuilder::add_contour(const Block& block) {
+  if (!std::holds_alternative<MotionBlock>(block)) return;
+  const MotionBlock& motion = std::get<MotionBlock>(block);
+  if (motion.mode == nullptr) return;
+  // What leads to a contour, or from one side of it to the other, is not part of it.
+  const bool active = motion.mode->active();
+  const Side side = active ? motion.mode->side : Side::off;
+  const bool is_contour = active && std::exchange(side_, side) == side;
+  if (!active) side_ = Side::off;
+  const Element element{.feed = motion.rapid ? 0 : static_cast<float>(motion.feed),
+                        .line = motion.source.line,
+                        .tool_radius = active ? static_cast<float>(motion.mode->tool_radius) : 0,
+                        .style = is_contour ? Style::contour : Style::plain,
+                        .rapid = motion.rapid};
+  add_seen(contour_, element, motion.mode->plane, motion.path, motion.normal, *plane_);
+  contour_blocks_.resize(contour_.size(), static_cast<std::uint32_t>(motion.source.index));
+  if (element.line >= radius_of_line_.size()) radius_of_line_.resize(element.line + 1);
+  radius_of_line_[element.line] = element.tool_radius;
+  if (said_.tool_radius() == 0 && element.tool_radius > 0)
+    said_.set_tool_radius(motion.mode->tool_radius);
+}
+
+void ViewBuilder::mark_masked() {
+  if (masked_.empty()) return;
+  const NotTravelled masked(masked_);
+  for (std::size_t i = 0; i < contour_.size(); ++i)
+    if (masked.contains(contour_blocks_[i])) contour_.restyle(i, Style::contour_masked);
 }
 
 void ViewBuilder::describe(const Lines& program) {
@@ -321,17 +420,17 @@ void ViewBuilder::describe(const Lines& program) {
   set(*said_.mutable_tile_low(), middle - Vector(side, side) / 2);
   said_.set_tile_size(side);
   said_.set_most_level(most_level);
-  said_.set_plane(message_of(plane_));
-  said_.set_contour_blocks(contour_.all().size());
-  said_.set_path_blocks(path_.all().size());
+  said_.set_plane(message_of(*plane_));
+  said_.set_contour_blocks(contour_.size());
+  said_.set_path_blocks(path_.size());
   said_.set_lines(program.count());
   said_.set_path_length(path_.length());
-  if (path_.all().empty()) return;
-  double lowest = double{path_.all().front().third_from};
+  if (path_.empty()) return;
+  double lowest = double{path_[0].third_from};
   double highest = lowest;
-  for (const Element& element : path_.all()) {
-    lowest = std::min(lowest, double{element.third_to});
-    highest = std::max(highest, double{element.third_to});
+  for (std::size_t i = 0; i < path_.size(); ++i) {
+    lowest = std::min(lowest, double{path_[i].third_to});
+    highest = std::max(highest, double{path_[i].third_to});
   }
   said_.set_lowest(lowest);
   said_.set_highest(highest);

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+
+#include "server/http/view/view.h"
+
+namespace trc::cli {
+
+// A page larger than that is slow to open: so many blocks of contour and path together.
+inline constexpr std::size_t most_page_blocks = 250'000;
+
+// The page that `trc view` serves as one file with its program inside: nothing else is loaded, and
+// nothing but its own script is run. `view` holds at most `most_page_blocks`, and its compensated
+// text where it is not refused.
+[[nodiscard]] std::string standalone_page(const server::http::View& view);
+
+}  // namespace trc::cli

@@ -1,0 +1,250 @@
+// A program that lies in this file itself, as `trc plot -o part.html` writes it: it is asked as the
+// server is.
+const bytesOf = text => Uint8Array.from(atob(text), c => c.charCodeAt(0));
+const linesOf = bytes => {
+  const lines = new TextDecoder().decode(bytes).split(/\r?\n/);
+  if (lines.at(-1) === '') lines.pop();
+  return lines;
+};
+
+const groupSize = 64;
+const styleBits = 0xff, rapidFlag = 0x100, pathFlag = 0x200;
+const contourMasked = 1, transition = 3;
+
+// The elements of the contour, or of the path, in columns.
+class Elements {
+  constructor({ends, values, words, arcs}) {
+    this.ends = new Float64Array(bytesOf(ends).buffer);
+    this.values = new Float32Array(bytesOf(values).buffer);
+    this.words = new Uint32Array(bytesOf(words).buffer);
+    this.arcs = new Float64Array(bytesOf(arcs).buffer);
+    this.count = this.ends.length / 4;
+    this.boxes = new Float64Array(4 * Math.ceil(this.count / groupSize)).fill(NaN);
+    this.lengths = new Float64Array(this.count + 1);
+    const box = [0, 0, 0, 0];
+    for (let i = 0; i < this.count; ++i) {
+      this.boxOf(i, box);
+      const k = 4 * Math.floor(i / groupSize), isNew = i % groupSize === 0;
+      for (const at of [0, 1]) this.boxes[k + at] = isNew ? box[at] : Math.min(this.boxes[k + at], box[at]);
+      for (const at of [2, 3]) this.boxes[k + at] = isNew ? box[at] : Math.max(this.boxes[k + at], box[at]);
+      this.lengths[i + 1] = this.lengths[i] + this.lengthOf(i);
+    }
+  }
+
+  line(i) { return this.words[3 * i]; }
+  style(i) { return this.words[3 * i + 1] & styleBits; }
+  isRapid(i) { return (this.words[3 * i + 1] & rapidFlag) !== 0; }
+  isSpecial(i) { return this.style(i) === contourMasked || this.style(i) === transition; }
+  arc(i) {
+    const k = 3 * (this.words[3 * i + 2] - 1);
+    return k < 0 ? null : {x: this.arcs[k], y: this.arcs[k + 1], sweep: this.arcs[k + 2]};
+  }
+
+  // The point after a share of an element.
+  at(i, share) {
+    const [ax, ay, bx, by] = this.ends.subarray(4 * i, 4 * i + 4);
+    const arc = this.arc(i);
+    if (share >= 1) return {x: bx, y: by};
+    if (!arc) return {x: ax + share * (bx - ax), y: ay + share * (by - ay)};
+    const c = Math.cos(arc.sweep * share), s = Math.sin(arc.sweep * share);
+    const dx = ax - arc.x, dy = ay - arc.y;
+    return {x: arc.x + c * dx - s * dy, y: arc.y + s * dx + c * dy};
+  }
+
+  lengthOf(i) {
+    const [ax, ay, bx, by] = this.ends.subarray(4 * i, 4 * i + 4);
+    const arc = this.arc(i);
+    const flat = arc ? Math.abs(arc.sweep) * Math.hypot(ax - arc.x, ay - arc.y) : Math.hypot(bx - ax, by - ay);
+    return Math.hypot(flat, this.values[4 * i + 1] - this.values[4 * i]);
+  }
+
+  // An arc lies within its whole circle.
+  boxOf(i, box) {
+    const [ax, ay, bx, by] = this.ends.subarray(4 * i, 4 * i + 4);
+    const arc = this.arc(i);
+    const r = arc ? Math.hypot(ax - arc.x, ay - arc.y) : 0;
+    box[0] = arc ? arc.x - r : Math.min(ax, bx);
+    box[1] = arc ? arc.y - r : Math.min(ay, by);
+    box[2] = arc ? arc.x + r : Math.max(ax, bx);
+    box[3] = arc ? arc.y + r : Math.max(ay, by);
+  }
+
+  described(i, view, onPath) {
+    const [ax, ay, bx, by] = this.ends.subarray(4 * i, 4 * i + 4);
+    const arc = this.arc(i);
+    return {onPath, index: i, line: this.line(i), start: position(view, ax, ay, this.values[4 * i]),
+      end: position(view, bx, by, this.values[4 * i + 1]), feed: this.values[4 * i + 2], toolRadius: this.values[4 * i + 3],
+      ...(arc && {center: {x: arc.x, y: arc.y}, sweep: arc.sweep})};
+  }
+}
+
+const position = (view, first, second, third) =>
+  view.plane === 'PLANE_ZX' ? {z: first, x: second, y: third}
+    : view.plane === 'PLANE_YZ' ? {y: first, z: second, x: third} : {x: first, y: second, z: third};
+
+// The segments of a square, of which none is shorter than the tolerance but those that must be seen.
+class Drawing {
+  constructor(low, side, tolerance) {
+    this.low = low;
+    this.side = side;
+    this.tolerance = tolerance;
+    this.margin = side / 512;
+    this.segments = [];
+    this.dots = new Set();
+  }
+
+  sees(box, k) {
+    const {low, side, margin} = this;
+    return box[k] <= low.x + side + margin && box[k + 2] >= low.x - margin && box[k + 1] <= low.y + side + margin && box[k + 3] >= low.y - margin;
+  }
+
+  draw(elements, flags) {
+    const box = [0, 0, 0, 0];
+    let pen = null;
+    const lift = () => {
+      if (pen && (pen.x !== pen.atX || pen.y !== pen.atY)) this.add(pen.x, pen.y, pen.atX, pen.atY, pen);
+      pen = null;
+    };
+    const goTo = (x, y) => {
+      pen.atX = x;
+      pen.atY = y;
+      if (Math.hypot(x - pen.x, y - pen.y) < this.tolerance) return;
+      this.add(pen.x, pen.y, x, y, pen);
+      pen.x = x;
+      pen.y = y;
+    };
+    for (let i = 0; i < elements.count; ++i) {
+      if (i % groupSize === 0 && !this.sees(elements.boxes, 4 * i / groupSize)) {
+        lift();
+        i += groupSize - 1;
+        continue;
+      }
+      elements.boxOf(i, box);
+      if (!this.sees(box, 0)) { lift(); continue; }
+      const [ax, ay, bx, by] = elements.ends.subarray(4 * i, 4 * i + 4);
+      const word = elements.style(i) | flags | (elements.isRapid(i) ? rapidFlag : 0);
+      const small = Math.max(box[2] - box[0], box[3] - box[1]) <= 2 * this.tolerance;
+      const about = {element: i, line: elements.line(i), word};
+      if (elements.isSpecial(i) && small) this.dot(ax, ay, about);
+      if (!small || !pen || pen.atX !== ax || pen.atY !== ay) {
+        lift();
+        pen = {x: ax, y: ay, atX: ax, atY: ay, ...about};
+      }
+      const arc = elements.arc(i);
+      if (arc && !small) {
+        const radius = Math.hypot(ax - arc.x, ay - arc.y);
+        const step = 2 * Math.acos(Math.max(-1, 1 - Math.min(this.tolerance / 2, radius) / radius));
+        const chords = Math.min(20_000, Math.max(2, Math.ceil(Math.abs(arc.sweep) / Math.max(step, 1e-9))));
+        for (let n = 1; n < chords; ++n) {
+          const p = elements.at(i, n / chords);
+          goTo(p.x, p.y);
+        }
+      }
+      goTo(bx, by);
+    }
+    lift();
+  }
+
+  dot(x, y, about) {
+    const cells = Math.min(256, Math.max(8, this.side / (4 * this.tolerance)));
+    const key = `${Math.floor((x - this.low.x) / this.side * cells)}/${Math.floor((y - this.low.y) / this.side * cells)}`;
+    if (this.dots.has(key)) return;
+    this.dots.add(key);
+    this.add(x, y, x, y, about);
+  }
+
+  // The part within the square.
+  add(ax, ay, bx, by, about) {
+    const {low, side, margin} = this;
+    let first = 0, last = 1;
+    for (const [from, way, least] of [[ax, bx - ax, low.x], [ay, by - ay, low.y]]) {
+      if (way === 0) {
+        if (from < least - margin || from > least + side + margin) return;
+        continue;
+      }
+      const a = (least - margin - from) / way, b = (least + side + margin - from) / way;
+      first = Math.max(first, Math.min(a, b));
+      last = Math.min(last, Math.max(a, b));
+    }
+    if (first > last) return;
+    this.segments.push(ax + first * (bx - ax) - low.x, ay + first * (by - ay) - low.y,
+      ax + last * (bx - ax) - low.x, ay + last * (by - ay) - low.y, about.element, about.line, about.word);
+  }
+}
+
+const tilePixels = 512;
+const mostSegments = 8000;
+
+class Inside {
+  constructor(json) {
+    const {version, view, text, output, sources, contour, path} = JSON.parse(json);
+    this.version = version;
+    this.said = view;
+    this.name = view.name;
+    this.outputBytes = output === undefined ? null : bytesOf(output);
+    this.texts = {lines: linesOf(bytesOf(text)), output: this.outputBytes && linesOf(this.outputBytes)};
+    this.sources = sources ?? [];
+    this.contour = new Elements(contour);
+    this.path = new Elements(path);
+  }
+
+  async makeView() { return this.said; }
+  async view() { return this.said; }
+  async dropView() {}
+
+  async tile(id, level, x, y) {
+    const side = this.said.tileSize / 2 ** level;
+    const low = {x: (this.said.tileLow?.x ?? 0) + x * side, y: (this.said.tileLow?.y ?? 0) + y * side};
+    for (let tolerance = side / (2 * tilePixels); ; tolerance *= 2) {
+      const drawing = new Drawing(low, side, tolerance);
+      drawing.draw(this.contour, 0);
+      drawing.draw(this.path, pathFlag);
+      const count = drawing.segments.length / 7;
+      if (count > mostSegments && tolerance < side) continue;
+      const bytes = new ArrayBuffer(16 + 28 * count);
+      new DataView(bytes).setUint32(4, count, true);
+      const numbers = new Float32Array(bytes, 16), words = new Uint32Array(bytes, 16);
+      for (let i = 0; i < 7 * count; ++i) (i % 7 < 4 ? numbers : words)[i] = drawing.segments[i];
+      return bytes;
+    }
+  }
+
+  async lines(id, what, from, count) {
+    const all = this.texts[what];
+    if (!all) return {refused: true};
+    return {firstLine: from, count: all.length, lines: all.slice(from - 1, from - 1 + count),
+      ...(what === 'output' && {sourceLines: this.sources.slice(from - 1, from - 1 + count)})};
+  }
+
+  async blocks(id, line) {
+    const blocks = [];
+    for (const [elements, onPath] of [[this.contour, false], [this.path, true]])
+      for (let i = 0; i < elements.count && blocks.length < 1000; ++i)
+        if (elements.line(i) === line) blocks.push(elements.described(i, this.said, onPath));
+    return {blocks};
+  }
+
+  async place(id, share) {
+    const {path} = this;
+    if (path.count === 0) return {};
+    const length = share * path.lengths[path.count];
+    let low = 0, high = path.count - 1;
+    while (low < high) {
+      const middle = (low + high) >> 1;
+      if (path.lengths[middle + 1] < length) low = middle + 1; else high = middle;
+    }
+    const own = path.lengths[low + 1] - path.lengths[low];
+    const part = own > 0 ? Math.min(1, (length - path.lengths[low]) / own) : 1;
+    const point = path.at(low, part);
+    const [from, to] = path.values.subarray(4 * low, 4 * low + 2);
+    return {point, position: position(this.said, point.x, point.y, from + part * (to - from)), block: path.described(low, this.said, true)};
+  }
+
+  async compensated() { return new Blob([this.outputBytes], {type: 'text/plain'}); }
+}
+
+// Null on the page that a server gives.
+export function programInside() {
+  const data = document.getElementById('inside');
+  return data ? new Inside(data.textContent) : null;
+}

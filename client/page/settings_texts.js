@@ -1,0 +1,108 @@
+// What the settings are called. Their meaning comes from the server in English; other languages say
+// it here.
+const names = {
+  plane: ['Plane', 'Ebene'],
+  start_position: ['Start position', 'Startposition'],
+  'start_position.x': ['Start position X, mm', 'Startposition X, mm'],
+  'start_position.y': ['Start position Y, mm', 'Startposition Y, mm'],
+  'start_position.z': ['Start position Z, mm', 'Startposition Z, mm'],
+  tool_radius: ['Tool radius, mm', 'Werkzeugradius, mm'],
+  wear: ['Wear, mm', 'Verschleiß, mm'],
+  tools: ['Tool table', 'Werkzeugtabelle'],
+  dialect: ['Dialect', 'Dialekt'],
+  unit: ['Unit', 'Maßeinheit'],
+  selection_mode: ['Selection and deselection', 'An- und Abwahl'],
+  transition: ['Outside corners', 'Außenecken'],
+  contour_masking: ['Contour masking', 'Konturausblendung'],
+  feed_adaptation: ['Feed adaptation', 'Vorschubanpassung'],
+  tangfeed_min_radius: ['Smallest radius of the feed adaptation, mm', 'Kleinster Radius der Vorschubanpassung, mm'],
+  min_feed_factor: ['Smallest feed factor', 'Kleinster Vorschubfaktor'],
+  'circle_center_mode.reference': ['Circle centre counts from', 'Kreismittelpunkt zählt ab'],
+  'circle_center_mode.correction': ['Correction of the circle centre', 'Korrektur des Kreismittelpunkts'],
+  'circle_center_mode.max_shift': ['Largest shift of the centre, mm', 'Größte Verschiebung des Mittelpunkts, mm'],
+  'circle_center_mode.max_shift_factor': ['Largest shift of the centre, share of the radius', 'Größte Verschiebung des Mittelpunkts, Anteil des Radius'],
+  'circle_center_mode.max_radius_difference': ['Largest difference of the radii, mm', 'Größter Unterschied der Radien, mm'],
+  'circle_center_mode.max_radius_difference_factor': ['Largest difference of the radii, share', 'Größter Unterschied der Radien, Anteil'],
+  'circle_center_mode.warn_shift': ['Warn from this shift of the centre, mm', 'Warnen ab dieser Verschiebung, mm'],
+  'options.conv_cir_to_lin': ['#TRC CONV_CIR_TO_LIN', '#TRC CONV_CIR_TO_LIN'],
+  'options.kerf_masking': ['#TRC KERF_MASKING', '#TRC KERF_MASKING'],
+  'options.reverse': ['#TRC REVERSE', '#TRC REVERSE'],
+  'options.ignore_cont_damage': ['#TRC IGNORE_CONT_DAMAGE', '#TRC IGNORE_CONT_DAMAGE'],
+  'options.remove_masked_blocks': ['#TRC REMOVE_MASKED_BLOCKS', '#TRC REMOVE_MASKED_BLOCKS'],
+  'options.ext_angle_block_intersection': ['#TRC EXT_ANGLE_BLOCK_INTERSECTION', '#TRC EXT_ANGLE_BLOCK_INTERSECTION'],
+  'options.g236_lin': ['#TRC G236_LIN', '#TRC G236_LIN'],
+  'options.stretch_factor': ['#TRC STRETCH_FACTOR', '#TRC STRETCH_FACTOR'],
+  'options.tangential_limit': ['#TRC TANGENTIAL_LIMIT, degrees', '#TRC TANGENTIAL_LIMIT, Grad'],
+  'options.perpendicular_radius_change': ['#TRC PERPENDICULAR_RADIUS_CHANGE', '#TRC PERPENDICULAR_RADIUS_CHANGE'],
+  'options.gen_cir_block_in_corner': ['#TRC GEN_CIR_BLOCK_IN_CORNER', '#TRC GEN_CIR_BLOCK_IN_CORNER'],
+  'options.suppress_trc': ['#TRC SUPPRESS_TRC', '#TRC SUPPRESS_TRC'],
+  'options.split.measure': ['#TRC SPLIT: by', '#TRC SPLIT: nach'],
+  'options.split.place': ['#TRC SPLIT: where', '#TRC SPLIT: wo'],
+  'options.split.axis': ['#TRC SPLIT: axis, 1 to 3', '#TRC SPLIT: Achse, 1 bis 3'],
+  'options.split.dist_seg1': ['#TRC SPLIT: first length, mm', '#TRC SPLIT: erste Länge, mm'],
+  'options.split.feed_seg1': ['#TRC SPLIT: first feed, mm/min', '#TRC SPLIT: erster Vorschub, mm/min'],
+  'options.split.dist_seg2': ['#TRC SPLIT: second length, mm', '#TRC SPLIT: zweite Länge, mm'],
+  'options.split.feed_seg2': ['#TRC SPLIT: second feed, mm/min', '#TRC SPLIT: zweiter Vorschub, mm/min'],
+  'options.inverse': ['#TRC INVERSE', '#TRC INVERSE'],
+  'options.online': ['#TRC ONLINE', '#TRC ONLINE'],
+  'options.online_by_vector': ['#TRC ONLINE_BY_VECTOR', '#TRC ONLINE_BY_VECTOR'],
+  look_ahead_blocks: ['Look-ahead, blocks', 'Vorausschau, Sätze'],
+  implicit_contour_masking: ['Implicit contour masking', 'Implizite Konturausblendung'],
+  kerf_method: ['Method of KERF_MASKING', 'Verfahren von KERF_MASKING'],
+  axis_names: ['Names of tracking axes', 'Namen der Mitschleppachsen'],
+  max_passive_blocks: ['Most blocks without motion in a row', 'Höchstens so viele Sätze ohne Bewegung'],
+  include_inverse_path: ['Recovered contour in the path', 'Rückgerechnete Kontur in der Bahn'],
+  verify: ['Measure the path', 'Bahn nachmessen'],
+  leads: ['Approach and retract blocks', 'An- und Abfahrsätze'],
+  'leads.find': ['Approach and retract blocks: find', 'An- und Abfahrsätze: suchen'],
+  'leads.blocks_in': ['Approach blocks', 'Anfahrsätze'],
+  'leads.blocks_out': ['Retract blocks', 'Abfahrsätze'],
+  closing_tolerance: ['Gap that still closes a contour, mm', 'Lücke, die eine Kontur noch schließt, mm'],
+  max_masked_share: ['Largest share left out', 'Größter ausgelassener Anteil'],
+  input_resolution: ['Resolution of the program, mm', 'Auflösung des Programms, mm'],
+  allowance: ['Allowance, mm', 'Aufmaß, mm'],
+  nominal_radius: ['Radius of the centre path, mm', 'Radius der Mittelpunktsbahn, mm'],
+  max_wear: ['Largest wear, mm', 'Größter Verschleiß, mm'],
+  unknown_words: ['Unknown words', 'Unbekannte Wörter'],
+};
+
+const german = {
+  'a number': 'eine Zahl', 'a whole number': 'eine ganze Zahl', text: 'Text', 'x,y,z in mm': 'x,y,z in mm',
+  'names with commas between': 'Namen, mit Kommas dazwischen',
+  'auto, none or blocks:IN,OUT': 'auto, none oder blocks:EIN,AUS',
+  'the tool table, number of the D or T word:radius in mm, as in 1:5,2:3.5, or with the wear too, as in 1:5:-0.02':
+    'Nummer des D- oder T-Worts:Radius in mm, wie 1:5,2:3.5, oder mit Verschleiß, wie 1:5:-0.02',
+  true: 'ja', false: 'nein', off: 'aus', on: 'ein', none: 'keine', auto: 'selbst finden', blocks: 'gezählt',
+  direct: 'direkt', indirect: 'indirekt', on_path: 'auf der Bahn', perpendicular: 'senkrecht',
+  inside_corner: 'in der Innenecke', without_block: 'ohne Satz', linear: 'linear', circular: 'zirkular',
+  absolute: 'absolut', start: 'Startpunkt', axis: 'Achse', path: 'Bahn', pre: 'Anwahl', post: 'Abwahl',
+  combined: 'beide', enforce: 'und ablehnen, was zu nah kommt', report: 'und melden', refuse: 'ablehnen', copy: 'übernehmen',
+  inch: 'Zoll',
+  conv_cir_to_lin: 'Bögen, für die das Werkzeug zu groß ist, werden Strecken (mit G141)',
+  kerf_masking: 'Punkte in Kerben, in die das Werkzeug nicht kommt, werden verschoben',
+  reverse: 'die Seite wechselt an Umkehrpunkten ohne Zwischensatz',
+  ignore_cont_damage: 'Konturverletzungen halten nicht an',
+  remove_masked_blocks: 'Konturschleifen werden entfernt (mit G141)',
+  ext_angle_block_intersection: 'bis 181 Grad wird nichts eingefügt',
+  g236_lin: 'G236 fügt zwischen 90 und 180 Grad eine Strecke statt eines Bogens ein',
+  stretch_factor: 'größte Verlängerung eines Satzes, in Werkzeugradien',
+  tangential_limit: 'Knicke bis dahin gelten als tangential',
+  perpendicular_radius_change: 'ein neuer Radius wirkt sofort, quer zur Kontur',
+  gen_cir_block_in_corner: 'Innenecken erhalten einen Kreis mit Radius 0',
+  suppress_trc: 'nur KERF_MASKING wirkt, nichts wird versetzt',
+  inverse: 'verlangt ONLINE, ohne es 22125',
+  online: 'Korrektur eines Radius, der sich beim Bearbeiten ändert',
+  online_by_vector: 'ONLINE für einen geneigten Draht',
+};
+
+export const settingName = (name, language) => names[name]?.[language === 'de' ? 1 : 0] ?? name;
+// A description, or a word of a choice, as the server gives it: "direct (G138)".
+export function settingWord(word, language) {
+  if (language !== 'de') return {true: 'yes', false: 'no'}[word] ?? word;
+  const [, name, rest] = /^([a-z_0-9]+)( \(.*\))?$/.exec(word) ?? [null, word, ''];
+  return (german[name] ?? name) + (rest ?? '');
+}
+// Of an option, whose English meaning the server gives.
+export const settingMeaning = (name, meaning, language) =>
+  meaning && language === 'de' ? german[name.replace('options.', '')] ?? meaning : meaning;
+export const hasName = name => name in names;
