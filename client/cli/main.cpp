@@ -1,6 +1,7 @@
 #include <CLI/CLI.hpp>
 #include <exception>
 #include <iostream>
+#include <new>
 #include <string>
 
 #include "client/cli/command.h"
@@ -16,7 +17,7 @@ int run(int argc, char** argv) {
   app.require_subcommand(1);
   app.footer(
       "Exit codes: 0 done, 1 the program was refused or gouges, 2 wrong call, "
-      "3 server not reachable.");
+      "3 server not reachable, 4 a limit was met, 5 internal fault.");
 
   trc::cli::Action action;
   trc::cli::add_compensate(app, action);
@@ -42,8 +43,11 @@ int run(int argc, char** argv) {
 int main(int argc, char** argv) {
   try {
     return run(argc, argv);
+  } catch (const std::bad_alloc&) {
+    std::cerr << "trc: there is not enough memory for this program\n";
+    return static_cast<int>(trc::cli::Exit::limit);
   } catch (const std::exception& error) {
     std::cerr << "trc: internal error: " << error.what() << '\n';
-    return static_cast<int>(trc::cli::Exit::unreachable);
+    return static_cast<int>(trc::cli::Exit::internal);
   }
 }

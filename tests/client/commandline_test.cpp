@@ -432,6 +432,25 @@ TEST(Server, IsNamedWhenItCannotBeReached) {
   EXPECT_EQ(trc({"info", "--server", "127.0.0.1:1"}).code, 3);
 }
 
+TEST(ExitCode, SaysThatALimitWasMet) {
+  const ServerProcess server({"--max-blocks-per-selection", "3"});
+  ASSERT_NE(server.address(), "");
+  // Loops are removed from the whole, so that the server holds all of it.
+  std::string masking = demo;
+  masking.insert(masking.find("N40"), "N35 G141\n");
+  const Ended ended = trc({"compensate", "-", "--server", server.address()}, masking);
+  EXPECT_EQ(ended.code, 4) << ended.err;
+  EXPECT_NE(ended.err.find("error"), std::string::npos) << ended.err;
+  EXPECT_EQ(ended.out, "");
+}
+
+TEST(ExitCode, IsToldByTheHelp) {
+  const std::string help = trc({"--help"}).out;
+  for (const char* word :
+       {"0 done", "1 the program", "2 wrong", "3 server", "4 a limit", "5 internal"})
+    EXPECT_NE(help.find(word), std::string::npos) << word;
+}
+
 TEST(Server, IsAskedForHealthAndInfo) {
   const ServerProcess server;
   ASSERT_NE(server.address(), "");
