@@ -5,6 +5,7 @@
 #include <string>
 
 #include "client/cli/command.h"
+#include "client/cli/wrong_call.h"
 #include "core/base/version.h"
 
 namespace {
@@ -33,7 +34,9 @@ int run(int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : static_cast<int>(trc::cli::Exit::wrong_call);
+    if (error.get_exit_code() == 0) return app.exit(error);
+    std::cerr << trc::cli::text_of_wrong_call(app, error);
+    return static_cast<int>(trc::cli::Exit::wrong_call);
   }
   return static_cast<int>(action());
 }

@@ -390,6 +390,29 @@ TEST(Compensate, SaysWhatIsWrongWithTheCall) {
   EXPECT_NE(output.err.find("cannot write /nowhere/out.nc"), std::string::npos);
 }
 
+TEST(WrongCall, SaysWhatWasLikelyMeant) {
+  const auto told = [](const std::vector<std::string>& call) {
+    const Ended ended = trc(call);
+    EXPECT_EQ(ended.code, 2);
+    EXPECT_EQ(ended.out, "");
+    return ended.err;
+  };
+  EXPECT_EQ(told({"compensat", "part.nc"}),
+            "trc: there is no command compensat; did you mean compensate?\n");
+  EXPECT_EQ(told({"compensate", "part.nc", "--raduis", "5"}),
+            "trc compensate: there is no option --raduis; did you mean --radius?\n");
+  EXPECT_EQ(told({"compensate", "part.nc", "--raduis=5"}),
+            "trc compensate: there is no option --raduis; did you mean --radius?\n");
+  EXPECT_EQ(told({"verify", "part.nc", "--tool-radius", "5"}),
+            "trc verify: there is no option --tool-radius; did you mean --set tool_radius=…?\n");
+  EXPECT_NE(told({"compensate", "part.nc", "--set", "tool_raduis=5"}).find("tool_radius"),
+            std::string::npos);
+  // What is near nothing is no slip of the pen.
+  EXPECT_EQ(told({"mill"}).find("did you mean"), std::string::npos);
+  EXPECT_NE(told({"mill"}).find("compensate, plot"), std::string::npos);
+  EXPECT_EQ(told({"plot", "part.nc", "--no-such-thing"}).find("did you mean"), std::string::npos);
+}
+
 TEST(Server, GivesTheSameBytesAsTheOwnProcess) {
   const ServerProcess server;
   ASSERT_NE(server.address(), "");
