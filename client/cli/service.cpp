@@ -99,7 +99,7 @@ void add_service_options(CLI::App& command, ServiceOptions& options) {
       command.add_option("--server", options.server,
                          "Server to ask, or several with commas between; without it the work is "
                          "done in this process");
-  server->type_name("HOST:PORT");
+  server->type_name("HOST:PORT")->envname("TRC_SERVER");
   const auto add_file = [&](const char* name, std::string& path, const char* meaning) {
     command.add_option(name, path, meaning)
         ->type_name("PEM")

@@ -467,6 +467,27 @@ TEST(ExitCode, SaysThatALimitWasMet) {
   EXPECT_EQ(ended.out, "");
 }
 
+TEST(Server, IsThatOfTheEnvironmentUnlessAnotherIsNamed) {
+  const Folder folder;
+  const std::string program = folder.write("part.nc", demo);
+  const auto with_variable = [&](const std::string& value, std::vector<std::string> call) {
+    call.insert(call.begin(), TRC_PROGRAM);
+    Process process(call, 0, {"TRC_SERVER=" + value});
+    const int code = process.wait();
+    return std::pair(code, process.err());
+  };
+  const auto [nobody, told] = with_variable("127.0.0.1:1", {"compensate", program});
+  EXPECT_EQ(nobody, 3);
+  EXPECT_NE(told.find("127.0.0.1:1"), std::string::npos) << told;
+  EXPECT_EQ(with_variable("127.0.0.1:1", {"compensate", program, "--server", ""}).first, 0);
+  EXPECT_EQ(with_variable("", {"compensate", program}).first, 0);
+  const ServerProcess server;
+  ASSERT_NE(server.address(), "");
+  EXPECT_EQ(with_variable(server.address(), {"health"}).first, 0);
+  EXPECT_EQ(with_variable("127.0.0.1:1", {"health", "--server", server.address()}).first, 0);
+  EXPECT_NE(trc({"compensate", "--help"}).out.find("TRC_SERVER"), std::string::npos);
+}
+
 TEST(ExitCode, IsToldByTheHelp) {
   const std::string help = trc({"--help"}).out;
   for (const char* word :
