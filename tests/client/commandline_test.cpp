@@ -749,6 +749,25 @@ TEST(Record, HoldsWhereTheSameComesOutAgain) {
   }
 }
 
+// As files come from controls and old Windows machines: Latin-1, "Flügel.nc".
+TEST(Record, TakesANameThatIsNoUtf8) {
+  const Folder folder;
+  const std::string program = folder.write("Fl\xFCgel.nc", demo);
+  const std::string record = folder.path("out.json");
+  const Ended made = trc({"compensate", program, "-o", folder.path("\xFC.nc"), "--record", record});
+  EXPECT_EQ(made.code, 0) << made.err;
+  EXPECT_NE(content_of(record).find(R"(Fl\\xFCgel.nc")"), std::string::npos) << content_of(record);
+  EXPECT_EQ(trc({"verify", "--record", record}).code, 0);
+  EXPECT_EQ(trc({"verify", program}).code, 0);
+  const Ended refused = trc({"compensate", folder.write("\xE4.nc", violating)});
+  EXPECT_EQ(refused.code, 1);
+  EXPECT_NE(refused.err.find("\\xE4.nc:"), std::string::npos) << refused.err;
+  // The end of a long name is cut off at a character.
+  std::string umlauts;
+  for (int i = 0; i < 120; ++i) umlauts += "\u00E4";
+  EXPECT_EQ(trc({"compensate", folder.write(umlauts + ".nc", demo)}).code, 0);
+}
+
 TEST(Record, ShowsWhatWasTamperedWith) {
   const Folder folder;
   const std::string part = folder.path("part.nc");
