@@ -5,6 +5,7 @@
 #include <string>
 
 #include "client/cli/command.h"
+#include "client/cli/completion.h"
 #include "client/cli/wrong_call.h"
 #include "core/base/version.h"
 
@@ -31,6 +32,7 @@ int run(int argc, char** argv) {
   trc::cli::add_info(app, action);
   trc::cli::add_explain(app, action);
   trc::cli::add_health(app, action);
+  trc::cli::add_completion(app, action);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

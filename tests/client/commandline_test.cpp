@@ -948,6 +948,56 @@ TEST(Generate, WritesTheSameTextAgain) {
   EXPECT_EQ(trc({"generate", "--blocks", "0"}).code, 2);
 }
 
+// Names of the lines between "title:" and an empty line, as the help lists them.
+std::vector<std::string> listed(const std::string& help, const std::string& title,
+                                const std::regex& name) {
+  const std::size_t begin = help.find(title + ":\n");
+  if (begin == std::string::npos) return {};
+  const std::string part = help.substr(begin, help.find("\n\n", begin) - begin);
+  std::vector<std::string> names;
+  for (std::sregex_iterator it(part.begin(), part.end(), name), end; it != end; ++it)
+    names.push_back((*it)[1]);
+  return names;
+}
+
+TEST(Completion, HasEveryCommandAndOption) {
+  const std::regex command_name("\n  ([a-z]+) ");
+  const std::regex option_name("\n  (?:-[a-zA-Z],)?(--[a-z-]+)");
+  const auto commands = listed(trc({"--help"}).out, "Subcommands", command_name);
+  ASSERT_GE(commands.size(), 11u);
+  for (const std::string shell : {"bash", "zsh", "fish"}) {
+    const Ended ended = trc({"completion", shell});
+    EXPECT_EQ(ended.code, 0) << ended.err;
+    for (const std::string& command : commands) {
+      EXPECT_NE(ended.out.find(command), std::string::npos) << shell << ' ' << command;
+      const auto options = listed(trc({command, "--help"}).out, "Options", option_name);
+      EXPECT_FALSE(options.empty()) << command;
+      for (const std::string& option : options) {
+        const std::string word = shell == "fish" ? " -l " + option.substr(2) : option;
+        EXPECT_NE(ended.out.find(word), std::string::npos)
+            << shell << ' ' << command << ' ' << option;
+      }
+    }
+  }
+  EXPECT_EQ(trc({"completion", "csh"}).code, 2);
+}
+
+TEST(Completion, CompletesInBash) {
+  const Folder folder;
+  const std::string script = folder.write("trc.bash", trc({"completion", "bash"}).out);
+  const auto completed = [&](const std::string& words, int at) {
+    return run({"/bin/bash", "-c",
+                "compopt() { :; }; . " + script + "; COMP_WORDS=(" + words +
+                    "); COMP_CWORD=" + std::to_string(at) + "; _trc; echo \"${COMPREPLY[*]}\""})
+        .out;
+  };
+  EXPECT_EQ(completed("trc comp", 1), "compensate completion\n");
+  EXPECT_EQ(completed("trc verify --ra", 2), "--radius\n");
+  EXPECT_EQ(completed("trc compensate --unit ''", 3), "mm inch\n");
+  EXPECT_EQ(completed("trc compensate --dialect fa", 3), "fanuc\n");
+  EXPECT_EQ(completed("trc completion fi", 2), "fish\n");
+}
+
 TEST(Help, NamesEverySubcommand) {
   const Ended help = trc({"--help"});
   EXPECT_EQ(help.code, 0);
