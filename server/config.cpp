@@ -1,6 +1,7 @@
 #include "server/config.h"
 
 #include <toml++/toml.h>
+#include <unistd.h>
 #include <yaml-cpp/yaml.h>
 
 #include <CLI/CLI.hpp>
@@ -9,11 +10,14 @@
 #include <cctype>
 #include <cstdlib>
 #include <fstream>
+#include <functional>
 #include <istream>
 #include <memory>
 #include <sstream>
 #include <string_view>
+#include <type_traits>
 
+#include "core/base/likely_meant.h"
 #include "core/base/version.h"
 #include "server/address.h"
 
@@ -28,91 +32,97 @@ std::string environment_name(std::string_view setting) {
   return name;
 }
 
-std::string toml_scalar(const toml::node& node, const std::string& key) {
-  if (const auto text = node.value_exact<std::string>()) return *text;
-  if (const auto number = node.value_exact<std::int64_t>()) return std::to_string(*number);
-  if (const auto flag = node.value_exact<bool>()) return *flag ? "true" : "false";
-  throw CLI::ConfigError("'" + key + "' must be a string, an integer, true, false or a list");
-}
+// A setting as a file has it.
+struct FileEntry {
+  std::string name{};
+  std::vector<std::string> values{};  // of a list, else one
+  int line = 0;
+};
 
-[[noreturn]] void refuse_file(int line, std::string_view what) {
+[[noreturn]] void refuse_file(const std::string& file, int line, std::string_view what) {
   std::ostringstream text;
-  text << "configuration file, line " << line << ": " << what;
+  text << "configuration file " << file << ", line " << line << ": " << what;
   throw CLI::ConfigError(text.str());
 }
 
-std::vector<CLI::ConfigItem> toml_settings(std::istream& input) {
-  std::vector<CLI::ConfigItem> settings;
+int line_of(const toml::node& node) { return static_cast<int>(node.source().begin.line); }
+
+std::string toml_scalar(const std::string& file, const toml::node& node, const std::string& key) {
+  if (const auto text = node.value_exact<std::string>()) return *text;
+  if (const auto number = node.value_exact<std::int64_t>()) return std::to_string(*number);
+  if (const auto flag = node.value_exact<bool>()) return *flag ? "true" : "false";
+  refuse_file(file, line_of(node),
+              "'" + key + "' must be a string, an integer, true, false or a list");
+}
+
+std::vector<FileEntry> toml_entries(const std::string& file, std::istream& input) {
+  std::vector<FileEntry> entries;
   try {
     for (const auto& [key_node, value] : toml::parse(input)) {
-      CLI::ConfigItem item;
-      item.name = key_node.str();
+      FileEntry entry{.name = std::string(key_node.str()), .line = line_of(value)};
       if (const toml::array* list = value.as_array()) {
-        for (const toml::node& entry : *list) item.inputs.push_back(toml_scalar(entry, item.name));
+        for (const toml::node& one : *list)
+          entry.values.push_back(toml_scalar(file, one, entry.name));
       } else {
-        item.inputs.push_back(toml_scalar(value, item.name));
+        entry.values.push_back(toml_scalar(file, value, entry.name));
       }
-      settings.push_back(std::move(item));
+      entries.push_back(std::move(entry));
     }
   } catch (const toml::parse_error& fault) {
-    refuse_file(static_cast<int>(fault.source().begin.line), fault.description());
+    refuse_file(file, static_cast<int>(fault.source().begin.line), fault.description());
   }
-  return settings;
+  return entries;
 }
 
-std::vector<CLI::ConfigItem> yaml_settings(std::istream& input) {
-  std::vector<CLI::ConfigItem> settings;
+std::vector<FileEntry> yaml_entries(const std::string& file, std::istream& input) {
+  std::vector<FileEntry> entries;
   try {
-    const YAML::Node file = YAML::Load(input);
-    if (!file.IsMap() && !file.IsNull()) refuse_file(1, "must hold settings, `name: value`");
-    for (const auto& entry : file) {
-      CLI::ConfigItem item;
-      item.name = entry.first.as<std::string>();
-      const YAML::Node& value = entry.second;
+    const YAML::Node whole = YAML::Load(input);
+    if (!whole.IsMap() && !whole.IsNull())
+      refuse_file(file, 1, "must hold settings, `name: value`");
+    for (const auto& named : whole) {
+      FileEntry entry{.name = named.first.as<std::string>(), .line = named.first.Mark().line + 1};
+      const YAML::Node& value = named.second;
       if (value.IsSequence()) {
-        for (const YAML::Node& one : value) item.inputs.push_back(one.as<std::string>());
+        for (const YAML::Node& one : value) entry.values.push_back(one.as<std::string>());
       } else {
-        item.inputs.push_back(value.as<std::string>());
+        entry.values.push_back(value.as<std::string>());
       }
-      settings.push_back(std::move(item));
+      entries.push_back(std::move(entry));
     }
   } catch (const YAML::Exception& fault) {
-    refuse_file(fault.mark.line + 1, fault.msg);
+    refuse_file(file, fault.mark.line + 1, fault.msg);
   }
-  return settings;
+  return entries;
 }
 
-// Lets a TOML or a YAML library read the file, as its name says, and drops what the environment
-// overrides.
-class ConfigFile : public CLI::ConfigTOML {
- public:
-  explicit ConfigFile(const CLI::App& app) : app_(app) {}
+// Each setting as TOML, with the value that it has at the time of the call.
+using Printed = std::vector<std::function<std::string()>>;
 
-  [[nodiscard]] std::vector<CLI::ConfigItem> from_config(std::istream& input) const override {
-    const auto name = app_.get_config_ptr()->as<std::string>();
-    const bool yaml = name.ends_with(".yaml") || name.ends_with(".yml");
-    std::vector<CLI::ConfigItem> settings = yaml ? yaml_settings(input) : toml_settings(input);
-    for (const CLI::ConfigItem& item : settings)
-      if (app_.get_option_no_throw("--" + item.name) == nullptr)
-        throw CLI::ConfigError("configuration file: there is no setting '" + item.name + "'");
-    std::erase_if(settings, [](const CLI::ConfigItem& item) {
-      return std::getenv(environment_name(item.name).c_str()) != nullptr;
-    });
-    return settings;
+template <class Value>
+std::string toml_of(const Value& value) {
+  std::ostringstream text;
+  if constexpr (std::is_same_v<Value, std::vector<std::string>>) {
+    toml::array list;
+    for (const std::string& one : value) list.push_back(one);
+    text << list;
+  } else if constexpr (std::is_same_v<Value, std::string> || std::is_same_v<Value, bool>) {
+    text << toml::value<Value>(value);
+  } else {
+    text << value;
   }
-
- private:
-  const CLI::App& app_;
-};
+  return text.str();
+}
 
 class Settings {
  public:
-  explicit Settings(CLI::App& app) : app_(app) {}
+  Settings(CLI::App& app, Printed& printed) : app_(app), printed_(printed) {}
 
   template <class Value>
   CLI::Option* add(const std::string& name, Value& value, const std::string& description) {
     CLI::Option* option = app_.add_option("--" + name, value, description);
     option->envname(environment_name(name))->capture_default_str();
+    print(name, value);
     return option;
   }
 
@@ -126,14 +136,21 @@ class Settings {
     app_.add_flag("--" + name, value, description)
         ->envname(environment_name(name))
         ->default_str(value ? "true" : "false");
+    print(name, value);
   }
 
  private:
+  template <class Value>
+  void print(const std::string& name, const Value& value) {
+    printed_.emplace_back([name, &value] { return name + '=' + toml_of(value) + '\n'; });
+  }
+
   CLI::App& app_;
+  Printed& printed_;
 };
 
-void declare(CLI::App& app, Config& config) {
-  Settings settings(app);
+void declare(CLI::App& app, Config& config, Printed& printed) {
+  Settings settings(app, printed);
   settings.add("listen", config.listen, "addresses to serve: HOST:PORT, [IPV6]:PORT or unix:/path")
       ->delimiter(',')
       ->expected(1, 16)
@@ -248,6 +265,128 @@ void declare(CLI::App& app, Config& config) {
       ->check(CLI::IsMember({"debug", "info", "warning", "error", "off"}));
 }
 
+// What a value alone breaks, on a command line that has nothing else.
+class ValueCheck {
+ public:
+  ValueCheck() : app_("", "trcd") {
+    declare(app_, config_, printed_);
+    for (CLI::Option* option : app_.get_options()) option->envname("");
+  }
+
+  [[nodiscard]] std::optional<std::string> fault_of(const std::string& name,
+                                                    const std::string& value) {
+    try {
+      const std::string option = "--" + name;
+      // From the last to the first, as CLI11 takes them.
+      app_.parse(value.empty() ? std::vector<std::string>{"", option}
+                               : std::vector<std::string>{option + "=" + value});
+    } catch (const CLI::Error& fault) {
+      return fault.what();
+    }
+    return std::nullopt;
+  }
+
+ private:
+  Config config_;
+  Printed printed_;
+  CLI::App app_;
+};
+
+std::vector<std::string> setting_names(const CLI::App& app) {
+  std::vector<std::string> names;
+  for (const CLI::Option* option : app.get_options())
+    if (!option->get_envname().empty()) names.push_back(option->get_lnames().front());
+  return names;
+}
+
+std::string did_you_mean(const std::string& word, const std::vector<std::string>& candidates) {
+  const auto meant = likely_meant(word, candidates);
+  return meant ? "; did you mean " + *meant + "?" : std::string();
+}
+
+// Lets a TOML or a YAML library read the file, as its name says, and drops what the environment
+// overrides.
+class ConfigFile : public CLI::ConfigTOML {
+ public:
+  explicit ConfigFile(const CLI::App& app) : app_(app) {}
+
+  [[nodiscard]] std::vector<CLI::ConfigItem> from_config(std::istream& input) const override {
+    const auto file = app_.get_config_ptr()->as<std::string>();
+    const bool yaml = file.ends_with(".yaml") || file.ends_with(".yml");
+    std::vector<CLI::ConfigItem> settings;
+    ValueCheck check;
+    for (const FileEntry& entry : yaml ? yaml_entries(file, input) : toml_entries(file, input)) {
+      const std::string value = value_of(file, entry);
+      if (std::getenv(environment_name(entry.name).c_str()) != nullptr) continue;
+      // An empty list is that of the defaults, where it may be empty.
+      if (is_list(entry.name) && value.empty() && !needs_entry(entry.name)) continue;
+      if (const auto fault = check.fault_of(entry.name, value))
+        refuse_file(file, entry.line, *fault);
+      CLI::ConfigItem item;
+      item.name = entry.name;
+      item.inputs = {value};
+      settings.push_back(std::move(item));
+    }
+    return settings;
+  }
+
+ private:
+  [[nodiscard]] bool is_list(const std::string& name) const {
+    return app_.get_option("--" + name)->get_delimiter() != '\0';
+  }
+  [[nodiscard]] bool needs_entry(const std::string& name) const {
+    return app_.get_option("--" + name)->get_expected_min() > 0;
+  }
+
+  // A list in the form that flags and the environment have it.
+  [[nodiscard]] std::string value_of(const std::string& file, const FileEntry& entry) const {
+    const CLI::Option* option = app_.get_option_no_throw("--" + entry.name);
+    if (option == nullptr || !option->get_configurable())
+      refuse_file(file, entry.line,
+                  "there is no setting '" + entry.name + "'" +
+                      did_you_mean(entry.name, setting_names(app_)));
+    if (!is_list(entry.name)) {
+      if (entry.values.size() == 1) return entry.values.front();
+      refuse_file(file, entry.line, "'" + entry.name + "' is one value, not a list");
+    }
+    if (entry.values.empty() && needs_entry(entry.name))
+      refuse_file(file, entry.line, "'" + entry.name + "' needs at least one entry");
+    std::string joined;
+    for (std::size_t i = 0; i < entry.values.size(); ++i) {
+      if (entry.values.size() > 1 && entry.values[i].find(',') != std::string::npos)
+        refuse_file(file, entry.line, "'" + entry.values[i] + "' holds a comma");
+      joined += (i > 0 ? "," : "") + entry.values[i];
+    }
+    return joined;
+  }
+
+  const CLI::App& app_;
+};
+
+// Kubernetes and linked containers tell each other where a service named trcd is.
+bool is_service_link(std::string_view variable) {
+  const std::size_t port = variable.find("_PORT_");
+  return variable.ends_with("_SERVICE_HOST") ||
+         variable.find("_SERVICE_PORT") != std::string_view::npos || variable.ends_with("_PORT") ||
+         (port != std::string_view::npos && port + 6 < variable.size() &&
+          std::isdigit(static_cast<unsigned char>(variable[port + 6])) != 0);
+}
+
+// A misspelt variable is a setting that somebody believes to be in force.
+std::optional<std::string> fault_of_environment(const CLI::App& app) {
+  std::vector<std::string> known{"TRCD_CONFIG"};
+  for (const std::string& name : setting_names(app)) known.push_back(environment_name(name));
+  for (char** entry = environ; *entry != nullptr; ++entry) {
+    const std::string_view whole = *entry;
+    const std::string variable(whole.substr(0, whole.find('=')));
+    if (!variable.starts_with("TRCD_") || is_service_link(variable)) continue;
+    if (std::find(known.begin(), known.end(), variable) == known.end())
+      return "there is no setting for the environment variable " + variable +
+             did_you_mean(variable, known);
+  }
+  return std::nullopt;
+}
+
 std::optional<std::string> fault_of_address(const std::string& address) {
   if (address.starts_with(unix_prefix)) {
     const std::size_t length = address.size() - unix_prefix.size();
@@ -354,7 +493,8 @@ std::optional<std::string> first_fault(const Config& config) {
 CommandLine read_command_line(int argc, const char* const* argv) {
   CommandLine result;
   CLI::App app("trcd: computes CNC tool radius compensation as a gRPC service", "trcd");
-  declare(app, result.config);
+  Printed printed;
+  declare(app, result.config, printed);
   app.set_version_flag("--version", "trcd " + std::string(version()));
   // The file is read before CLI11 looks at the environment, so its name is looked up here.
   const char* file = std::getenv("TRCD_CONFIG");
@@ -381,18 +521,21 @@ CommandLine read_command_line(int argc, const char* const* argv) {
     result.exit = CommandLine::Exit{.code = 2, .text = guard.value_or(one_line(fault.what()))};
     return result;
   }
-  CLI::Option& reflection = *app.get_option("--reflection");
-  if (reflection.count() == 0) {
+  if (const auto fault = fault_of_environment(app)) {
+    result.exit = CommandLine::Exit{.code = 2, .text = one_line(*fault)};
+    return result;
+  }
+  if (app.get_option("--reflection")->count() == 0) {
     const auto& listen = result.config.listen;
     result.config.reflection = std::all_of(listen.begin(), listen.end(), is_local_address);
-    reflection.default_str(result.config.reflection ? "true" : "false");
   }
   if (auto fault = fault_of_empty_guard(argc, argv)) {
     result.exit = CommandLine::Exit{.code = 2, .text = *fault};
   } else if ((fault = first_fault(result.config))) {
     result.exit = CommandLine::Exit{.code = 2, .text = *fault};
   } else if (print) {
-    result.exit = CommandLine::Exit{.code = 0, .text = app.config_to_str(true, false)};
+    result.exit = CommandLine::Exit{.code = 0, .text = {}};
+    for (const auto& setting : printed) result.exit->text += setting();
   }
   return result;
 }

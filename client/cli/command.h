@@ -10,7 +10,9 @@ enum class Exit : int {
   done = 0,
   refused = 1,      // the program cannot be compensated as it is, or its path gouges
   wrong_call = 2,   // a flag, a file or a setting
-  unreachable = 3,  // the server cannot be reached, or failed
+  unreachable = 3,  // the server cannot be reached, or was lost
+  limit = 4,        // a limit of the server or of this machine was met; the program may be good
+  internal = 5,     // the service or this program has a fault
 };
 
 // What the command line asked for; set by the subcommand that was named.

@@ -12,6 +12,8 @@
 #include <iostream>
 #include <utility>
 
+#include "client/cli/file_name.h"
+
 namespace trc::cli {
 namespace {
 
@@ -53,7 +55,9 @@ mode_t mode_of_new_files() {
 }  // namespace
 
 Input::Input(std::string path)
-    : path_(std::move(path)), name_(path_ == "-" ? "<stdin>" : path_), buffer_(piece, '\0') {}
+    : path_(std::move(path)),
+      name_(path_ == "-" ? "<stdin>" : text_of_name(path_)),
+      buffer_(piece, '\0') {}
 
 Input::~Input() {
   if (descriptor_ > STDIN_FILENO) ::close(descriptor_);

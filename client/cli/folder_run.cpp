@@ -101,8 +101,7 @@ pid_t start(const FolderRun& run, Item& item) {
 }
 
 void end(Item& item, int status) {
-  constexpr int fault = 3;
-  item.code = WIFEXITED(status) ? WEXITSTATUS(status) : fault;
+  item.code = WIFEXITED(status) ? WEXITSTATUS(status) : static_cast<int>(Exit::internal);
   std::rewind(item.told.get());
   std::array<char, 4096> piece{};
   while (const std::size_t size = std::fread(piece.data(), 1, piece.size(), item.told.get()))
@@ -134,7 +133,7 @@ void work_through(const FolderRun& run, std::vector<Item>& items) {
       running.emplace(process, &item);
     } else {
       std::cerr << "trc: " << item.file << ": no process can be started for it\n";
-      item.code = static_cast<int>(Exit::unreachable);
+      item.code = static_cast<int>(Exit::limit);
     }
   }
   while (!running.empty()) wait_for_one();

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <ctime>
 
+#include "client/cli/file_name.h"
 #include "client/cli/job_record.h"
 #include "client/cli/result_text.h"
 #include "client/cli/sha256.h"
@@ -24,7 +25,7 @@ std::string utc_now() {
 
 v1::JobFile file_of(const std::string& name, Sha256& content) {
   v1::JobFile file;
-  file.set_name(name);
+  file.set_name(text_of_name(name));
   file.set_bytes(content.bytes());
   file.set_sha256(content.digits());
   return file;

@@ -1,9 +1,12 @@
 #include <CLI/CLI.hpp>
 #include <exception>
 #include <iostream>
+#include <new>
 #include <string>
 
 #include "client/cli/command.h"
+#include "client/cli/completion.h"
+#include "client/cli/wrong_call.h"
 #include "core/base/version.h"
 
 namespace {
@@ -16,7 +19,7 @@ int run(int argc, char** argv) {
   app.require_subcommand(1);
   app.footer(
       "Exit codes: 0 done, 1 the program was refused or gouges, 2 wrong call, "
-      "3 server not reachable.");
+      "3 server not reachable, 4 a limit was met, 5 internal fault.");
 
   trc::cli::Action action;
   trc::cli::add_compensate(app, action);
@@ -29,10 +32,13 @@ int run(int argc, char** argv) {
   trc::cli::add_info(app, action);
   trc::cli::add_explain(app, action);
   trc::cli::add_health(app, action);
+  trc::cli::add_completion(app, action);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : static_cast<int>(trc::cli::Exit::wrong_call);
+    if (error.get_exit_code() == 0) return app.exit(error);
+    std::cerr << trc::cli::text_of_wrong_call(app, error);
+    return static_cast<int>(trc::cli::Exit::wrong_call);
   }
   return static_cast<int>(action());
 }
@@ -42,8 +48,11 @@ int run(int argc, char** argv) {
 int main(int argc, char** argv) {
   try {
     return run(argc, argv);
+  } catch (const std::bad_alloc&) {
+    std::cerr << "trc: there is not enough memory for this program\n";
+    return static_cast<int>(trc::cli::Exit::limit);
   } catch (const std::exception& error) {
     std::cerr << "trc: internal error: " << error.what() << '\n';
-    return static_cast<int>(trc::cli::Exit::unreachable);
+    return static_cast<int>(trc::cli::Exit::internal);
   }
 }

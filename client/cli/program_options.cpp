@@ -4,8 +4,10 @@
 #include <fstream>
 #include <iostream>
 
+#include "client/cli/file_name.h"
 #include "client/cli/tool_file.h"
 #include "core/nc/dialect/dialect.h"
+#include "core/nc/text/characters.h"
 #include "proto/wire/settings.h"
 #include "proto/wire/setup.h"
 
@@ -101,8 +103,11 @@ bool setup_of(const ProgramOptions& options, v1::ProgramSetup& setup) {
   }
   // The server shows the name in its log; the end says more than the directory.
   constexpr std::size_t longest_name = 255;
-  const std::string& name = options.file;
-  setup.set_file_name(name.size() > longest_name ? name.substr(name.size() - longest_name) : name);
+  std::string name = text_of_name(options.file);
+  if (name.size() > longest_name) name.erase(0, name.size() - longest_name);
+  // Not from within a character.
+  while (!name.empty() && utf8_character(name) == 0) name.erase(0, 1);
+  setup.set_file_name(name);
   return true;
 }
 

@@ -151,10 +151,10 @@ std::string lines_of_help(const std::string& help, const Shown& shown) {
   return painted("help:", green, shown) + ' ' + printable(help) + '\n';
 }
 
-std::string severity_and_code(const Diagnostic& diagnostic, const Shown& shown) {
-  return painted(std::string(word_for(diagnostic.severity)) + ' ' +
-                     std::to_string(static_cast<int>(diagnostic.code)) + ':',
-                 colour_of(diagnostic.severity), shown);
+std::string severity_and_code(Severity severity, Code code, const Shown& shown) {
+  return painted(
+      std::string(word_for(severity)) + ' ' + std::to_string(static_cast<int>(code)) + ':',
+      colour_of(severity), shown);
 }
 
 // "8 (N80)"
@@ -162,6 +162,18 @@ std::string name_of(const Source& source) {
   std::string name = std::to_string(source.line);
   if (source.number != Source::no_number) name += " (N" + std::to_string(source.number) + ")";
   return name;
+}
+
+std::string more(const Counted& counted, std::string_view of_what, const Shown& shown) {
+  const std::vector<Source>& places = counted.first_places;
+  std::string text = painted(printable(shown.file) + ':', bold, shown) + ' ' +
+                     severity_and_code(counted.severity, counted.code, shown) + ' ' +
+                     std::to_string(counted.count) + std::string(of_what);
+  for (std::size_t i = 0; i < places.size(); ++i)
+    text += (i > 0 ? ", " : places.size() == 1 ? ", in line " : ", in lines ") + name_of(places[i]);
+  if (!places.empty() && counted.count > places.size())
+    text += " and " + std::to_string(counted.count - places.size()) + " others";
+  return text + '\n';
 }
 
 }  // namespace
@@ -176,8 +188,9 @@ std::string text_of(const wire::ReceivedDiagnostic& received, const Shown& shown
   if (diagnostic.source.number != Source::no_number)
     place += " N" + std::to_string(diagnostic.source.number) + ':';
 
-  std::string text = painted(place, bold, shown) + ' ' + severity_and_code(diagnostic, shown) +
-                     ' ' + painted(printable(received.message), bold, shown) + '\n';
+  std::string text = painted(place, bold, shown) + ' ' +
+                     severity_and_code(diagnostic.severity, diagnostic.code, shown) + ' ' +
+                     painted(printable(received.message), bold, shown) + '\n';
   if (diagnostic.source.line > 0 && shown.source_line && !shown.source_line->empty())
     text += excerpt_of(diagnostic, column, shown);
   if (!received.remedy.empty()) text += lines_of_help(received.remedy, shown);
@@ -187,19 +200,20 @@ std::string text_of(const wire::ReceivedDiagnostic& received, const Shown& shown
   return text;
 }
 
-std::string more_like(const std::vector<Diagnostic>& like, const Shown& shown) {
-  constexpr std::size_t most_named = 8;
-  std::vector<std::string> places;
-  for (const Diagnostic& one : like)
-    if (one.source.line > 0) places.push_back(name_of(one.source));
-  std::string text = painted(printable(shown.file) + ':', bold, shown) + ' ' +
-                     severity_and_code(like.front(), shown) + ' ' + std::to_string(like.size()) +
-                     " more like it";
-  for (std::size_t i = 0; i < std::min(most_named, places.size()); ++i)
-    text += (i > 0 ? ", " : places.size() == 1 ? ", in line " : ", in lines ") + places[i];
-  if (places.size() > most_named)
-    text += " and " + std::to_string(places.size() - most_named) + " others";
-  return text + '\n';
+void Counted::add(const Diagnostic& found) {
+  severity = found.severity;
+  code = found.code;
+  ++count;
+  if (found.source.line > 0 && first_places.size() < most_places)
+    first_places.push_back(found.source);
+}
+
+std::string more_like(const Counted& counted, const Shown& shown) {
+  return more(counted, " more like it", shown);
+}
+
+std::string more_of_code(const Counted& counted, const Shown& shown) {
+  return more(counted, " more with this code, each in other words", shown);
 }
 
 bool colours_wanted() {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -30,9 +32,24 @@ struct Shown {
 // Control characters, and what is no UTF-8, are shown as '?'. Each line ends with a line feed.
 [[nodiscard]] std::string text_of(const wire::ReceivedDiagnostic& received, const Shown& shown);
 
-// "part.nc: warning 22007: 12 more like it, in lines 8 (N80), 9 …". `like`: those that have not
-// been shown, at least one; they have one code and severity.
-[[nodiscard]] std::string more_like(const std::vector<Diagnostic>& like, const Shown& shown);
+// Messages of one code and severity that are counted, not shown.
+struct Counted {
+  // How many places are named.
+  static constexpr std::size_t most_places = 8;
+
+  Severity severity = Severity::error;
+  Code code{};
+  std::uint64_t count = 0;
+  std::vector<Source> first_places{};  // at most `most_places`, those with a line
+
+  // One more, of the same code and severity.
+  void add(const Diagnostic& found);
+};
+
+// "part.nc: warning 22007: 12 more like it, in lines 8 (N80), 9 …". At least one was counted.
+[[nodiscard]] std::string more_like(const Counted& counted, const Shown& shown);
+// The same of messages that have one code, but not one text.
+[[nodiscard]] std::string more_of_code(const Counted& counted, const Shown& shown);
 
 // Whether what is written to standard error may be in colour: on a terminal that is not TERM=dumb,
 // unless NO_COLOR is set and not empty.

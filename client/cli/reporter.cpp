@@ -2,7 +2,6 @@
 
 #include <iostream>
 
-#include "client/cli/report.h"
 #include "core/base/explanation.h"
 #include "proto/wire/setup.h"
 
@@ -38,29 +37,38 @@ void Reporter::report(const std::vector<wire::ReceivedDiagnostic>& diagnostics) 
     const Diagnostic& found = received.diagnostic;
     refused_ = refused_ || found.severity == Severity::error;
     const Text text(found.severity, found.code, received.message);
-    const auto [like, is_new] = not_shown_.try_emplace(text);
-    if (!is_new) {
-      like->second.push_back(found);
-      continue;
+    if (const auto like = like_shown_.find(text); like != like_shown_.end()) {
+      like->second.add(found);
+    } else if (order_.size() < most_texts) {
+      like_shown_.emplace(text, Counted{});
+      order_.push_back(text);
+      show(received);
+    } else {
+      of_other_texts_[Kind(found.severity, found.code)].add(found);
     }
-    order_.push_back(text);
-    progress_.clear();
-    std::cerr << text_of(for_command_line(received), {.file = input_.name(),
-                                                      .source_line = lines_.line(found.source.line),
-                                                      .writing = writing_,
-                                                      .in_colour = in_colour_});
   }
+}
+
+void Reporter::show(const wire::ReceivedDiagnostic& received) {
+  progress_.clear();
+  std::cerr << text_of(for_command_line(received),
+                       {.file = input_.name(),
+                        .source_line = lines_.line(received.diagnostic.source.line),
+                        .writing = writing_,
+                        .in_colour = in_colour_});
 }
 
 void Reporter::finish() {
   progress_.clear();
+  const Shown shown{.file = input_.name(), .in_colour = in_colour_};
   for (const Text& text : order_) {
-    const std::vector<Diagnostic>& like = not_shown_.at(text);
-    if (!like.empty())
-      std::cerr << more_like(like, {.file = input_.name(), .in_colour = in_colour_});
+    const Counted& like = like_shown_.at(text);
+    if (like.count > 0) std::cerr << more_like(like, shown);
   }
+  for (const auto& [kind, counted] : of_other_texts_) std::cerr << more_of_code(counted, shown);
   order_.clear();
-  not_shown_.clear();
+  like_shown_.clear();
+  of_other_texts_.clear();
 }
 
 }  // namespace trc::cli

@@ -1,14 +1,17 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <map>
 #include <string>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 #include "client/cli/entry_help_text.h"
 #include "client/cli/files.h"
 #include "client/cli/progress.h"
+#include "client/cli/report.h"
 #include "client/cli/source_lines.h"
 #include "core/base/diagnostic.h"
 #include "proto/wire/diagnostic.h"
@@ -17,9 +20,13 @@
 namespace trc::cli {
 
 // Tells on standard error what was found in one program. What equals something that was told,
-// place apart, is counted and told of at the end.
+// place apart, is counted and told of at the end; of what is left when there are very many
+// different texts, a path with a million warnings, say, the codes are counted.
 class Reporter {
  public:
+  // Different texts that are shown.
+  static constexpr std::size_t most_texts = 1000;
+
   // Before anything of the program is read. All three outlive it.
   Reporter(Input& input, const v1::ProgramSetup& setup, Progress& progress);
   Reporter(const Reporter&) = delete;
@@ -34,7 +41,10 @@ class Reporter {
   [[nodiscard]] Progress& progress() { return progress_; }
 
  private:
+  using Kind = std::pair<Severity, Code>;
   using Text = std::tuple<Severity, Code, std::string>;  // of a message, without its place
+
+  void show(const wire::ReceivedDiagnostic& received);
 
   const Input& input_;
   SourceLines lines_;
@@ -42,8 +52,10 @@ class Reporter {
   bool in_colour_;
   Progress& progress_;
   bool refused_ = false;
-  std::map<Text, std::vector<Diagnostic>> not_shown_{};
+  std::map<Text, Counted> like_shown_{};
   std::vector<Text> order_{};  // as they were found first
+  // What came when there were too many texts.
+  std::map<Kind, Counted> of_other_texts_{};
 };
 
 }  // namespace trc::cli

@@ -47,20 +47,20 @@ class Service {
     if (failure.reason == "CALLER_STOPPED") return Exit::wrong_call;
     for (const wire::FieldFault& field : failure.fields)
       std::cerr << "trc: " << as_setting(field.field) << ": " << field.description << '\n';
-    if (failure.unreachable()) {
+    if (failure.unreachable())
       explain_unreachable(failure, answered);
-      return Exit::unreachable;
-    }
-    if (failure.fields.empty()) std::cerr << "trc: " << failure.message << '\n';
-    // What the server says of the call. Where waiting helps, it is busy.
-    if (failure.retry_after_seconds) return Exit::unreachable;
-    return failure.status == "RESOURCE_EXHAUSTED" ? Exit::refused : Exit::wrong_call;
+    else if (failure.fields.empty())
+      std::cerr << "trc: " << failure.message << '\n';
+    return exit_of(failure, name_.empty());
   }
 
  private:
   void explain_unreachable(const client::Failure& failure, bool answered) const {
     // A server that gives a reason speaks for itself; the transport does not.
-    if (!failure.reason.empty()) {
+    if (failure.reason == "SERVER_DRAINING" && !name_.empty()) {
+      std::cerr << "trc: the server at " << name_
+                << " is there, but shuts down and takes no new programs\n";
+    } else if (!failure.reason.empty()) {
       std::cerr << "trc: " << failure.message << '\n';
     } else if (failure.status == "UNAUTHENTICATED" || failure.status == "PERMISSION_DENIED") {
       std::cerr << "trc: the server at " << name_ << " does not let this client in\n";
@@ -79,14 +79,27 @@ class Service {
   std::optional<client::Failure> failure_;
 };
 
+// A program with an error of its own.
+Exit exit_of_refused(const client::Failure& failure) {
+  return exit_of(failure, false) == Exit::limit ? Exit::limit : Exit::refused;
+}
+
 }  // namespace
+
+Exit exit_of(const client::Failure& failure, bool in_this_process) {
+  // Balancers say INTERNAL, too, of a server that died, but without a reason.
+  if (failure.status == "INTERNAL" && (in_this_process || !failure.reason.empty()))
+    return Exit::internal;
+  if (failure.unreachable()) return Exit::unreachable;
+  return failure.status == "RESOURCE_EXHAUSTED" ? Exit::limit : Exit::wrong_call;
+}
 
 void add_service_options(CLI::App& command, ServiceOptions& options) {
   auto* server =
       command.add_option("--server", options.server,
                          "Server to ask, or several with commas between; without it the work is "
                          "done in this process");
-  server->type_name("HOST:PORT");
+  server->type_name("HOST:PORT")->envname("TRC_SERVER");
   const auto add_file = [&](const char* name, std::string& path, const char* meaning) {
     command.add_option(name, path, meaning)
         ->type_name("PEM")
@@ -126,8 +139,10 @@ Outcome compensate_program(const ServiceOptions& options, const v1::ProgramSetup
   const bool done = open && session.finish(take);
   reporter.finish();
   if (done) return {.exit = Exit::done, .summary = session.summary()};
-  if (reporter.refused()) return {.exit = Exit::refused};
-  if (!session.failure()) return {.exit = Exit::unreachable};
+  // What the server has no room for is told as a diagnostic, too; the program has no fault.
+  if (reporter.refused())
+    return {.exit = session.failure() ? exit_of_refused(*session.failure()) : Exit::refused};
+  if (!session.failure()) return {.exit = Exit::internal};
   return {.exit = service.explain(*session.failure(), answered)};
 }
 
@@ -149,7 +164,8 @@ Exit survey_program(const ServiceOptions& options, const v1::SurveySetup& setup,
       });
   reporter.finish();
   if (!failure) return Exit::done;
-  return reporter.refused() ? Exit::refused : service.explain(*failure, answered);
+  if (!reporter.refused()) return service.explain(*failure, answered);
+  return exit_of_refused(*failure);
 }
 
 Exit connect(const ServiceOptions& options, std::size_t count, ServiceConnections& connections,

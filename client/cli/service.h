@@ -13,6 +13,7 @@
 #include "client/cli/files.h"
 #include "client/cli/reporter.h"
 #include "client/trc/answer.h"
+#include "client/trc/failure.h"
 #include "proto/wire/path_item.h"
 #include "trc/v1/http.pb.h"
 #include "trc/v1/setup.pb.h"
@@ -51,6 +52,10 @@ struct Outcome {
 [[nodiscard]] Exit survey_program(const ServiceOptions& options, const v1::SurveySetup& setup,
                                   std::string_view text, Reporter& reporter,
                                   v1::SurveyAnswer& answer);
+
+// How the program ends after a call that failed for another reason than the program it carried.
+// `in_this_process`: the service had no way to be lost on.
+[[nodiscard]] Exit exit_of(const client::Failure& failure, bool in_this_process);
 
 // Connections for streams of the caller's own.
 struct ServiceConnections {

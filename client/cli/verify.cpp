@@ -2,6 +2,7 @@
 #include <memory>
 
 #include "client/cli/command.h"
+#include "client/cli/file_name.h"
 #include "client/cli/files.h"
 #include "client/cli/job.h"
 #include "client/cli/job_record.h"
@@ -57,7 +58,8 @@ Exit check_record(const Call& call) {
     if (!fault.empty()) std::cerr << "trc: " << call.record << ": " << fault << '\n';
     return Exit::wrong_call;
   }
-  const std::string& name = call.program.file.empty() ? filed.input().name() : call.program.file;
+  const std::string name =
+      call.program.file.empty() ? name_of_text(filed.input().name()) : call.program.file;
   Input input(name);
   if (!input.open()) return Exit::wrong_call;
   Job job{.service = call.program.service,

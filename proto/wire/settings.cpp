@@ -11,6 +11,8 @@
 #include <optional>
 #include <utility>
 
+#include "core/base/likely_meant.h"
+
 namespace trc::wire {
 namespace {
 
@@ -278,19 +280,6 @@ std::string set_tools(std::string_view text, v1::ProgramSetup& setup) {
     tool.set_wear(*wear);
   }
   return {};
-}
-
-std::size_t edit_distance(std::string_view a, std::string_view b) {
-  std::vector<std::size_t> row(b.size() + 1);
-  for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
-  for (std::size_t i = 1; i <= a.size(); ++i) {
-    std::size_t diagonal = std::exchange(row[0], i);
-    for (std::size_t j = 1; j <= b.size(); ++j) {
-      const std::size_t changed = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
-      diagonal = std::exchange(row[j], std::min({row[j] + 1, row[j - 1] + 1, changed}));
-    }
-  }
-  return row.back();
 }
 
 std::string unknown_key(const std::string& key) {

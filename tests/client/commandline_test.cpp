@@ -390,6 +390,29 @@ TEST(Compensate, SaysWhatIsWrongWithTheCall) {
   EXPECT_NE(output.err.find("cannot write /nowhere/out.nc"), std::string::npos);
 }
 
+TEST(WrongCall, SaysWhatWasLikelyMeant) {
+  const auto told = [](const std::vector<std::string>& call) {
+    const Ended ended = trc(call);
+    EXPECT_EQ(ended.code, 2);
+    EXPECT_EQ(ended.out, "");
+    return ended.err;
+  };
+  EXPECT_EQ(told({"compensat", "part.nc"}),
+            "trc: there is no command compensat; did you mean compensate?\n");
+  EXPECT_EQ(told({"compensate", "part.nc", "--raduis", "5"}),
+            "trc compensate: there is no option --raduis; did you mean --radius?\n");
+  EXPECT_EQ(told({"compensate", "part.nc", "--raduis=5"}),
+            "trc compensate: there is no option --raduis; did you mean --radius?\n");
+  EXPECT_EQ(told({"verify", "part.nc", "--tool-radius", "5"}),
+            "trc verify: there is no option --tool-radius; did you mean --set tool_radius=…?\n");
+  EXPECT_NE(told({"compensate", "part.nc", "--set", "tool_raduis=5"}).find("tool_radius"),
+            std::string::npos);
+  // What is near nothing is no slip of the pen.
+  EXPECT_EQ(told({"mill"}).find("did you mean"), std::string::npos);
+  EXPECT_NE(told({"mill"}).find("compensate, plot"), std::string::npos);
+  EXPECT_EQ(told({"plot", "part.nc", "--no-such-thing"}).find("did you mean"), std::string::npos);
+}
+
 TEST(Server, GivesTheSameBytesAsTheOwnProcess) {
   const ServerProcess server;
   ASSERT_NE(server.address(), "");
@@ -430,6 +453,46 @@ TEST(Server, IsNamedWhenItCannotBeReached) {
   }
   EXPECT_EQ(trc({"health", "--server", "127.0.0.1:1"}).code, 3);
   EXPECT_EQ(trc({"info", "--server", "127.0.0.1:1"}).code, 3);
+}
+
+TEST(ExitCode, SaysThatALimitWasMet) {
+  const ServerProcess server({"--max-blocks-per-selection", "3"});
+  ASSERT_NE(server.address(), "");
+  // Loops are removed from the whole, so that the server holds all of it.
+  std::string masking = demo;
+  masking.insert(masking.find("N40"), "N35 G141\n");
+  const Ended ended = trc({"compensate", "-", "--server", server.address()}, masking);
+  EXPECT_EQ(ended.code, 4) << ended.err;
+  EXPECT_NE(ended.err.find("error"), std::string::npos) << ended.err;
+  EXPECT_EQ(ended.out, "");
+}
+
+TEST(Server, IsThatOfTheEnvironmentUnlessAnotherIsNamed) {
+  const Folder folder;
+  const std::string program = folder.write("part.nc", demo);
+  const auto with_variable = [&](const std::string& value, std::vector<std::string> call) {
+    call.insert(call.begin(), TRC_PROGRAM);
+    Process process(call, 0, {"TRC_SERVER=" + value});
+    const int code = process.wait();
+    return std::pair(code, process.err());
+  };
+  const auto [nobody, told] = with_variable("127.0.0.1:1", {"compensate", program});
+  EXPECT_EQ(nobody, 3);
+  EXPECT_NE(told.find("127.0.0.1:1"), std::string::npos) << told;
+  EXPECT_EQ(with_variable("127.0.0.1:1", {"compensate", program, "--server", ""}).first, 0);
+  EXPECT_EQ(with_variable("", {"compensate", program}).first, 0);
+  const ServerProcess server;
+  ASSERT_NE(server.address(), "");
+  EXPECT_EQ(with_variable(server.address(), {"health"}).first, 0);
+  EXPECT_EQ(with_variable("127.0.0.1:1", {"health", "--server", server.address()}).first, 0);
+  EXPECT_NE(trc({"compensate", "--help"}).out.find("TRC_SERVER"), std::string::npos);
+}
+
+TEST(ExitCode, IsToldByTheHelp) {
+  const std::string help = trc({"--help"}).out;
+  for (const char* word :
+       {"0 done", "1 the program", "2 wrong", "3 server", "4 a limit", "5 internal"})
+    EXPECT_NE(help.find(word), std::string::npos) << word;
 }
 
 TEST(Server, IsAskedForHealthAndInfo) {
@@ -708,6 +771,25 @@ TEST(Record, HoldsWhereTheSameComesOutAgain) {
   }
 }
 
+// As files come from controls and old Windows machines: Latin-1, "Flügel.nc".
+TEST(Record, TakesANameThatIsNoUtf8) {
+  const Folder folder;
+  const std::string program = folder.write("Fl\xFCgel.nc", demo);
+  const std::string record = folder.path("out.json");
+  const Ended made = trc({"compensate", program, "-o", folder.path("\xFC.nc"), "--record", record});
+  EXPECT_EQ(made.code, 0) << made.err;
+  EXPECT_NE(content_of(record).find(R"(Fl\\xFCgel.nc")"), std::string::npos) << content_of(record);
+  EXPECT_EQ(trc({"verify", "--record", record}).code, 0);
+  EXPECT_EQ(trc({"verify", program}).code, 0);
+  const Ended refused = trc({"compensate", folder.write("\xE4.nc", violating)});
+  EXPECT_EQ(refused.code, 1);
+  EXPECT_NE(refused.err.find("\\xE4.nc:"), std::string::npos) << refused.err;
+  // The end of a long name is cut off at a character.
+  std::string umlauts;
+  for (int i = 0; i < 120; ++i) umlauts += "\u00E4";
+  EXPECT_EQ(trc({"compensate", folder.write(umlauts + ".nc", demo)}).code, 0);
+}
+
 TEST(Record, ShowsWhatWasTamperedWith) {
   const Folder folder;
   const std::string part = folder.path("part.nc");
@@ -886,6 +968,56 @@ TEST(Generate, WritesTheSameTextAgain) {
   EXPECT_EQ(trc(call).out, trc(call).out);
   EXPECT_EQ(trc({"generate", "--shape", "cube"}).code, 2);
   EXPECT_EQ(trc({"generate", "--blocks", "0"}).code, 2);
+}
+
+// Names of the lines between "title:" and an empty line, as the help lists them.
+std::vector<std::string> listed(const std::string& help, const std::string& title,
+                                const std::regex& name) {
+  const std::size_t begin = help.find(title + ":\n");
+  if (begin == std::string::npos) return {};
+  const std::string part = help.substr(begin, help.find("\n\n", begin) - begin);
+  std::vector<std::string> names;
+  for (std::sregex_iterator it(part.begin(), part.end(), name), end; it != end; ++it)
+    names.push_back((*it)[1]);
+  return names;
+}
+
+TEST(Completion, HasEveryCommandAndOption) {
+  const std::regex command_name("\n  ([a-z]+) ");
+  const std::regex option_name("\n  (?:-[a-zA-Z],)?(--[a-z-]+)");
+  const auto commands = listed(trc({"--help"}).out, "Subcommands", command_name);
+  ASSERT_GE(commands.size(), 11u);
+  for (const std::string shell : {"bash", "zsh", "fish"}) {
+    const Ended ended = trc({"completion", shell});
+    EXPECT_EQ(ended.code, 0) << ended.err;
+    for (const std::string& command : commands) {
+      EXPECT_NE(ended.out.find(command), std::string::npos) << shell << ' ' << command;
+      const auto options = listed(trc({command, "--help"}).out, "Options", option_name);
+      EXPECT_FALSE(options.empty()) << command;
+      for (const std::string& option : options) {
+        const std::string word = shell == "fish" ? " -l " + option.substr(2) : option;
+        EXPECT_NE(ended.out.find(word), std::string::npos)
+            << shell << ' ' << command << ' ' << option;
+      }
+    }
+  }
+  EXPECT_EQ(trc({"completion", "csh"}).code, 2);
+}
+
+TEST(Completion, CompletesInBash) {
+  const Folder folder;
+  const std::string script = folder.write("trc.bash", trc({"completion", "bash"}).out);
+  const auto completed = [&](const std::string& words, int at) {
+    return run({"/bin/bash", "-c",
+                "compopt() { :; }; . " + script + "; COMP_WORDS=(" + words +
+                    "); COMP_CWORD=" + std::to_string(at) + "; _trc; echo \"${COMPREPLY[*]}\""})
+        .out;
+  };
+  EXPECT_EQ(completed("trc comp", 1), "compensate completion\n");
+  EXPECT_EQ(completed("trc verify --ra", 2), "--radius\n");
+  EXPECT_EQ(completed("trc compensate --unit ''", 3), "mm inch\n");
+  EXPECT_EQ(completed("trc compensate --dialect fa", 3), "fanuc\n");
+  EXPECT_EQ(completed("trc completion fi", 2), "fish\n");
 }
 
 TEST(Help, NamesEverySubcommand) {

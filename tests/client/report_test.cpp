@@ -118,17 +118,19 @@ TEST(Report, PaintsOnlyWhenAsked) {
 }
 
 TEST(Report, CountsWhatWasToldBefore) {
-  std::vector<Diagnostic> like;
+  Counted counted;
   for (std::uint32_t line = 8; line < 20; ++line)
-    like.push_back({.code = Code::stretch_factor_out_of_range,
-                    .severity = Severity::warning,
-                    .source = {.number = line * 10, .line = line}});
-  EXPECT_EQ(more_like(like, {.file = "p"}),
+    counted.add({.code = Code::stretch_factor_out_of_range,
+                 .severity = Severity::warning,
+                 .source = {.number = line * 10, .line = line}});
+  EXPECT_EQ(more_like(counted, {.file = "p"}),
             "p: warning 22007: 12 more like it, in lines 8 (N80), 9 (N90), 10 (N100), 11 (N110), "
             "12 (N120), 13 (N130), 14 (N140), 15 (N150) and 4 others\n");
-  like.resize(1);
-  like[0].source.number = Source::no_number;
-  EXPECT_EQ(more_like(like, {.file = "p"}), "p: warning 22007: 1 more like it, in line 8\n");
+  Counted one;
+  one.add({.code = Code::stretch_factor_out_of_range,
+           .severity = Severity::warning,
+           .source = {.line = 8}});
+  EXPECT_EQ(more_like(one, {.file = "p"}), "p: warning 22007: 1 more like it, in line 8\n");
 }
 
 EntryHelp quarter_circle_help() {

@@ -19,11 +19,14 @@ cat >"$work/expected" <<'LIST'
 -rwxr-xr-x root/root ./usr/bin/trc
 -rwxr-xr-x root/root ./usr/bin/trcd
 -rw-r--r-- root/root ./usr/lib/sysusers.d/trcd.conf
+-rw-r--r-- root/root ./usr/share/bash-completion/completions/trc
 -rw-r--r-- root/root ./usr/share/doc/trcd/changelog.Debian.gz
 -rw-r--r-- root/root ./usr/share/doc/trcd/copyright
+-rw-r--r-- root/root ./usr/share/fish/vendor_completions.d/trc.fish
 -rw-r--r-- root/root ./usr/share/lintian/overrides/trcd
 -rw-r--r-- root/root ./usr/share/man/man1/trc.1.gz
 -rw-r--r-- root/root ./usr/share/man/man8/trcd.8.gz
+-rw-r--r-- root/root ./usr/share/zsh/vendor-completions/_trc
 LIST
 diff "$work/expected" "$work/contents" || fail "the package holds other files"
 say "built: $(du -k "$package" | cut -f 1) kB, lintian is content"

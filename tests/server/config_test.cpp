@@ -3,9 +3,12 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <cstddef>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -130,7 +133,7 @@ TEST(ServerConfig, RefusesAFileThatIsNoYaml) {
   for (const char* text : {"max-streams: 3\n- 4\n", "max-streams: 3\nidle: [\n", "just text\n",
                            "max-streams: {a: 1}\n"})
     expect_fault(read({"--config", TextFile(text, ".yml").path().c_str()}),
-                 {"configuration file, line"});
+                 {"configuration file /", ".yml, line "});
   expect_fault(read({"--config", TextFile("no-such-setting: 3\n", ".yml").path().c_str()}),
                {"there is no setting 'no-such-setting'"});
 }
@@ -212,6 +215,111 @@ TEST(ServerConfig, PrintedConfigurationReadsBackAsTheSame) {
   const CommandLine again = read({"--config", file.path().c_str()});
   ASSERT_FALSE(again.exit.has_value()) << again.exit->text << "\n" << printed.exit->text;
   EXPECT_EQ(again.config, printed.config) << printed.exit->text;
+}
+
+// One that is not the default, for each setting. Files are those of the test.
+std::vector<std::string> other_values(const std::string& file) {
+  std::vector<std::string> flags{"--listen=127.0.0.1:0,unix:/tmp/x.sock",
+                                 "--tls-allowed-clients=mill,lathe",
+                                 "--http-cors-origins=https://a.example,https://b.example",
+                                 "--tls-cert-file=" + file,
+                                 "--tls-key-file=" + file,
+                                 "--tls-client-ca-file=" + file,
+                                 "--admin-listen=127.0.0.1:1",
+                                 "--health-listen=127.0.0.1:2",
+                                 "--http-listen=127.0.0.1:3",
+                                 "--resume-key-file=/run/a \"quoted\" \\ key",
+                                 "--reflection=false",
+                                 "--log-level=debug"};
+  const std::string printed = read({"--print-config"}).exit->text;
+  std::istringstream lines(printed);
+  for (std::string line; std::getline(lines, line);) {
+    const std::string name = line.substr(0, line.find('='));
+    const std::string value = line.substr(line.find('=') + 1);
+    const bool given = std::any_of(flags.begin(), flags.end(), [&](const std::string& flag) {
+      return flag.starts_with("--" + name + "=");
+    });
+    if (given) continue;
+    if (value == "false") flags.push_back("--" + name + "=true");
+    if (value.find_first_not_of("0123456789") == std::string::npos)
+      flags.push_back("--" + name + "=" + std::to_string(std::stoull(value) + 1));
+  }
+  return flags;
+}
+
+TEST(ServerConfig, EverySettingReadsBackAsItWasPrinted) {
+  const TextFile pem("PEM", ".pem");
+  const std::string printed_plain = read({"--print-config"}).exit->text;
+  const auto lines = std::count(printed_plain.begin(), printed_plain.end(), '\n');
+  const std::vector<std::string> flags = other_values(pem.path());
+  ASSERT_EQ(static_cast<std::ptrdiff_t>(flags.size()), lines) << printed_plain;
+  std::vector<const char*> call{"--print-config"};
+  for (const std::string& flag : flags) call.push_back(flag.c_str());
+  const CommandLine printed = read(call);
+  ASSERT_EQ(printed.exit->code, 0) << printed.exit->text;
+  const TextFile file(printed.exit->text);
+  const CommandLine again = read({"--config", file.path().c_str()});
+  ASSERT_FALSE(again.exit.has_value()) << again.exit->text << "\n" << printed.exit->text;
+  EXPECT_EQ(again.config, printed.config) << printed.exit->text;
+  EXPECT_EQ(again.config.tls_allowed_clients, (std::vector<std::string>{"mill", "lathe"}));
+  EXPECT_EQ(again.config.resume_key_file, "/run/a \"quoted\" \\ key");
+  // And what is printed of the defaults.
+  const TextFile plain(printed_plain);
+  const CommandLine defaults = read({"--config", plain.path().c_str()});
+  ASSERT_FALSE(defaults.exit.has_value()) << defaults.exit->text << "\n" << printed_plain;
+  EXPECT_EQ(defaults.config, Config{});
+}
+
+TEST(ServerConfig, ListsAreListsInBothKindsOfFile) {
+  const TextFile pem("PEM", ".pem");
+  const std::string tls = pem.path();
+  for (const bool yaml : {false, true}) {
+    const std::string is = yaml ? ": " : " = ";
+    std::string text;
+    for (const char* name : {"tls-cert-file", "tls-key-file", "tls-client-ca-file"})
+      text += name + is + '"' + tls + "\"\n";
+    text += "tls-allowed-clients" + is + "[\"a\", \"b\"]\nhttp-cors-origins" + is + "[]\n";
+    const TextFile file(text, yaml ? ".yaml" : ".toml");
+    const CommandLine result = read({"--config", file.path().c_str()});
+    ASSERT_FALSE(result.exit.has_value()) << result.exit->text;
+    EXPECT_EQ(result.config.tls_allowed_clients, (std::vector<std::string>{"a", "b"}));
+    EXPECT_TRUE(result.config.http_cors_origins.empty());
+  }
+  for (const char* text : {"listen = []\n", "\nmax-streams = [1, 2]\n"})
+    expect_fault(read({"--config", TextFile(text).path().c_str()}), {".toml, line "});
+}
+
+TEST(ServerConfig, FaultsOfAFileNameItAndTheLine) {
+  const auto told = [](const std::string& text, const std::string& ending,
+                       const std::vector<std::string>& words) {
+    const TextFile file(text, ending);
+    std::vector<std::string> all = words;
+    all.push_back(file.path());
+    expect_fault(read({"--config", file.path().c_str()}), all);
+  };
+  told("\nmax-streams = 1000001\n", ".toml", {"line 2", "max-streams"});
+  told("\n\nlog-level: loud\n", ".yaml", {"line 3", "log-level"});
+  told("# settings\nmax-streem = 3\n", ".toml", {"line 2", "did you mean max-streams?"});
+  told("\nmax-streams = 1.5\n", ".toml", {"line 2", "max-streams"});
+  told("\nlisten = [\n\"127.0.0.1:0\",\n1.5]\n", ".toml", {"line 4", "listen"});
+  told("config = \"other.toml\"\n", ".toml", {"line 1", "there is no setting 'config'"});
+}
+
+TEST(ServerConfig, UnknownVariableOfTheEnvironmentIsAFault) {
+  {
+    const Environment misspelt("TRCD_MAX_STREEMS", "3");
+    expect_fault(read({}), {"TRCD_MAX_STREEMS", "did you mean TRCD_MAX_STREAMS?"});
+  }
+  {
+    const Environment far("TRCD_COLOUR", "red");
+    expect_fault(read({}), {"TRCD_COLOUR"});
+  }
+  // What Kubernetes and linked containers set beside a service named trcd.
+  const Environment host("TRCD_SERVICE_HOST", "10.0.0.1");
+  const Environment port("TRCD_PORT", "tcp://10.0.0.1:50051");
+  const Environment named("TRCD_SERVICE_PORT_GRPC", "50051");
+  const Environment address("TRCD_PORT_50051_TCP_ADDR", "10.0.0.1");
+  EXPECT_FALSE(read({}).exit.has_value());
 }
 
 TEST(ServerConfig, HelpNamesEverySettingAndItsVariable) {

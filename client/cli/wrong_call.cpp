@@ -1,0 +1,64 @@
+#include "client/cli/wrong_call.h"
+
+#include <algorithm>
+#include <vector>
+
+#include "core/base/likely_meant.h"
+#include "proto/wire/settings.h"
+
+namespace trc::cli {
+namespace {
+
+// "--tool-radius" of the setting path.tool_radius.
+std::string as_option(const std::string& setting) {
+  std::string name = setting.substr(setting.rfind('.') + 1);
+  std::replace(name.begin(), name.end(), '_', '-');
+  return "--" + name;
+}
+
+std::string meant_command(const CLI::App& app, const std::string& word) {
+  std::vector<std::string> names;
+  for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; }))
+    names.push_back(command->get_name());
+  std::string text = "trc: there is no command " + word;
+  if (const auto meant = likely_meant(word, names))
+    return text + "; did you mean " + *meant + "?\n";
+  text += "; commands are";
+  for (std::size_t i = 0; i < names.size(); ++i) text += (i > 0 ? ", " : " ") + names[i];
+  return text + "\n";
+}
+
+std::string meant_option(const CLI::App& command, const std::string& word) {
+  const std::string name = word.substr(0, word.find('='));
+  std::vector<std::string> names;
+  for (const CLI::Option* option : command.get_options())
+    for (const std::string& one : option->get_lnames()) names.push_back("--" + one);
+  std::string text = "trc " + command.get_name() + ": there is no option " + name;
+  if (const auto meant = likely_meant(name, names))
+    return text + "; did you mean " + *meant + "?\n";
+  if (command.get_option_no_throw("--set") != nullptr) {
+    for (const wire::SettingRow& row : wire::settings()) {
+      if (!likely_meant(name, {as_option(row.key)})) continue;
+      const std::string setting = row.key.substr(row.key.rfind('.') + 1);
+      return text + "; did you mean --set " + setting + "=…?\n";
+    }
+  }
+  return text + "; trc " + command.get_name() + " --help lists all\n";
+}
+
+}  // namespace
+
+std::string text_of_wrong_call(const CLI::App& app, const CLI::ParseError& fault) {
+  const std::vector<std::string> unknown = app.remaining(true);
+  const auto commands = app.get_subcommands();
+  if (!unknown.empty()) {
+    const std::string& word = unknown.front();
+    if (commands.empty() && !word.starts_with('-')) return meant_command(app, word);
+    if (word.starts_with("--") && word != "--")
+      return meant_option(commands.empty() ? app : *commands.front(), word);
+  }
+  const std::string name = commands.empty() ? "trc" : "trc " + commands.front()->get_name();
+  return name + ": " + fault.what() + "\nRun " + name + " --help for more information.\n";
+}
+
+}  // namespace trc::cli

@@ -1,0 +1,66 @@
+#include "client/cli/reporter.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+
+namespace trc::cli {
+namespace {
+
+wire::ReceivedDiagnostic warning(std::uint32_t line, const std::string& message) {
+  return {.diagnostic = {.code = Code::stretch_factor_out_of_range,
+                         .severity = Severity::warning,
+                         .source = {.line = line}},
+          .message = message};
+}
+
+struct Told {
+  std::string text;
+  std::ptrdiff_t lines = 0;
+};
+
+template <class Tell>
+Told told_by(const Tell& tell) {
+  Input input("/nowhere/part.nc");
+  Progress progress(false);
+  ::testing::internal::CaptureStderr();
+  {
+    Reporter reporter(input, {}, progress);
+    tell(reporter);
+    reporter.finish();
+  }
+  Told told{.text = ::testing::internal::GetCapturedStderr()};
+  told.lines = std::count(told.text.begin(), told.text.end(), '\n');
+  return told;
+}
+
+TEST(Reporter, CountsAMillionEqualMessages) {
+  const Told told = told_by([](Reporter& reporter) {
+    for (std::uint32_t line = 1; line <= 1'000'000; ++line) reporter.report({warning(line, "it")});
+  });
+  EXPECT_EQ(told.lines, 2) << told.text;
+  EXPECT_NE(
+      told.text.find("999999 more like it, in lines 2, 3, 4, 5, 6, 7, 8, 9 and 999991 others"),
+      std::string::npos)
+      << told.text;
+}
+
+TEST(Reporter, CountsCodesWhereTooManyTextsDiffer) {
+  const Told told = told_by([](Reporter& reporter) {
+    for (std::uint32_t line = 1; line <= 100'000; ++line)
+      reporter.report({warning(line, "value " + std::to_string(line))});
+    // One that was shown is counted with it.
+    reporter.report({warning(100'001, "value 7")});
+  });
+  EXPECT_EQ(told.lines, static_cast<std::ptrdiff_t>(Reporter::most_texts) + 2);
+  EXPECT_EQ(told.text.find("value 1001\n"), std::string::npos);
+  EXPECT_NE(told.text.find("1 more like it, in line 100001\n"), std::string::npos);
+  EXPECT_NE(
+      told.text.find("warning 22007: 99000 more with this code, each in other words, in lines "
+                     "1001, 1002, 1003, 1004, 1005, 1006, 1007, 1008 and 98992 others\n"),
+      std::string::npos);
+}
+
+}  // namespace
+}  // namespace trc::cli
