@@ -178,8 +178,8 @@ function item(diagnostic) {
   head.textContent = `${t(kind)} ${diagnostic.code}` + (diagnostic.line ? `, ${t('line')} ${diagnostic.line}` : '');
   const remedy = document.createElement('span');
   remedy.className = 'remedy';
-  remedy.textContent = diagnostic.remedy ?? '';
-  button.append(head, ` ${diagnostic.message ?? ''}`, remedy);
+  remedy.textContent = diagnostic.help ?? diagnostic.remedy ?? '';
+  button.append(head, ` ${diagnostic.text ?? diagnostic.message ?? ''}`, remedy);
   button.dataset.code = diagnostic.code;
   button.addEventListener('click', () => goTo(diagnostic));
   const entry = document.createElement('li');

@@ -141,7 +141,8 @@ void answer_of_view(Api& api, const ExchangePointer& exchange, const Make& make)
 void make_view(Api& api, const ExchangePointer& exchange) {
   v1::ProgramSetup setup;
   setup.mutable_path()->set_verify(v1::VERIFICATION_REPORT);
-  if (const auto refused = read_settings(exchange->request().query, setup))
+  if (const auto refused = read_settings(exchange->request().query,
+                                         exchange->request().header("accept-language"), setup))
     return answer_problem(*exchange, *refused);
   setup.set_output(v1::PROGRAM_OUTPUT_BLOCKS);
   setup.mutable_path()->set_response_layout(v1::RESPONSE_LAYOUT_COLUMNS);

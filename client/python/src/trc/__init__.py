@@ -11,7 +11,7 @@ result that was not returned may be machined.
 from .client import Client, compensate, compensate_path
 from .errors import ServerError, TrcError
 from .path import CompensatedPath, Path
-from .result import Diagnostic, PathResult, Result, Severity
+from .result import Diagnostic, PathResult, Place, RelatedPlace, Result, Severity
 from .tls import Tls
 from .version import __version__
 
@@ -21,6 +21,8 @@ __all__ = [
     "Diagnostic",
     "Path",
     "PathResult",
+    "Place",
+    "RelatedPlace",
     "Result",
     "ServerError",
     "Severity",
