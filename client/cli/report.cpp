@@ -20,16 +20,17 @@ constexpr std::string_view green = "1;32";
 constexpr std::string_view magenta = "1;35";
 constexpr std::string_view cyan = "1;36";
 
-std::string_view word_for(Severity severity) {
+std::string_view word_for(Severity severity, Language language) {
+  const bool german = language == Language::german;
   switch (severity) {
     case Severity::note:
-      return "note";
+      return german ? "Hinweis" : "note";
     case Severity::warning:
-      return "warning";
+      return german ? "Warnung" : "warning";
     case Severity::error:
       break;
   }
-  return "error";
+  return german ? "Fehler" : "error";
 }
 
 std::string_view colour_of(Severity severity) {
@@ -110,9 +111,10 @@ std::size_t column_of(const Diagnostic& diagnostic, const std::optional<std::str
   return once ? at + 1 : 0;
 }
 
-// The bytes of the word at the column: the detail, where it stands there, else a letter and its
-// number.
+// The bytes of the word at the column: the detail, or what it says something of, where it stands
+// there, else a letter and its number.
 std::size_t word_length(std::string_view line, std::size_t begin, std::string_view detail) {
+  if (!line.substr(begin).starts_with(detail)) detail = detail.substr(0, detail.find(", "));
   if (!detail.empty() && line.substr(begin).starts_with(detail)) return detail.size();
   const std::size_t end = line.find_first_not_of("0123456789.+-", begin + 1);
   return std::min(end, line.size()) - begin;
@@ -147,12 +149,13 @@ std::string excerpt_of(const Diagnostic& diagnostic, std::size_t column, const S
   return text + painted("^" + std::string(mark_end > mark ? tildes : 0, '~'), green, shown) + '\n';
 }
 
-std::string lines_of_help(const std::string& help, const Shown& shown) {
-  return painted("help:", green, shown) + ' ' + printable(help) + '\n';
+std::string lines_of_help(const std::string& help, Language language, const Shown& shown) {
+  return painted(language == Language::german ? "Hilfe:" : "help:", green, shown) + ' ' +
+         printable(help) + '\n';
 }
 
 std::string severity_and_code(const Diagnostic& diagnostic, const Shown& shown) {
-  return painted(std::string(word_for(diagnostic.severity)) + ' ' +
+  return painted(std::string(word_for(diagnostic.severity, diagnostic.language)) + ' ' +
                      std::to_string(static_cast<int>(diagnostic.code)) + ':',
                  colour_of(diagnostic.severity), shown);
 }
@@ -176,29 +179,39 @@ std::string text_of(const wire::ReceivedDiagnostic& received, const Shown& shown
   if (diagnostic.source.number != Source::no_number)
     place += " N" + std::to_string(diagnostic.source.number) + ':';
 
+  // A sender that has no texts for people yet is shown with its message.
+  const std::string& message = received.text.empty() ? received.message : received.text;
   std::string text = painted(place, bold, shown) + ' ' + severity_and_code(diagnostic, shown) +
-                     ' ' + painted(printable(received.message), bold, shown) + '\n';
+                     ' ' + painted(printable(message), bold, shown) + '\n';
   if (diagnostic.source.line > 0 && shown.source_line && !shown.source_line->empty())
     text += excerpt_of(diagnostic, column, shown);
-  if (!received.remedy.empty()) text += lines_of_help(received.remedy, shown);
-  if (diagnostic.entry_help)
-    for (const std::string& line : lines_of(*diagnostic.entry_help, shown.writing))
-      text += lines_of_help(line, shown);
+  const std::string& help = received.help.empty() ? received.remedy : received.help;
+  if (!help.empty()) text += lines_of_help(help, diagnostic.language, shown);
+  if (!diagnostic.entry_help) return text;
+  Writing writing = shown.writing;
+  writing.inch = diagnostic.inch;
+  writing.language = diagnostic.language;
+  for (const std::string& line : lines_of(*diagnostic.entry_help, writing))
+    text += lines_of_help(line, diagnostic.language, shown);
   return text;
 }
 
 std::string more_like(const std::vector<Diagnostic>& like, const Shown& shown) {
   constexpr std::size_t most_named = 8;
+  const bool german = like.front().language == Language::german;
   std::vector<std::string> places;
   for (const Diagnostic& one : like)
     if (one.source.line > 0) places.push_back(name_of(one.source));
   std::string text = painted(printable(shown.file) + ':', bold, shown) + ' ' +
                      severity_and_code(like.front(), shown) + ' ' + std::to_string(like.size()) +
-                     " more like it";
+                     (german ? " weitere gleiche" : " more like it");
+  const std::string_view in_lines = german ? (places.size() == 1 ? ", in Zeile " : ", in Zeilen ")
+                                           : (places.size() == 1 ? ", in line " : ", in lines ");
   for (std::size_t i = 0; i < std::min(most_named, places.size()); ++i)
-    text += (i > 0 ? ", " : places.size() == 1 ? ", in line " : ", in lines ") + places[i];
+    text.append(i > 0 ? ", " : in_lines).append(places[i]);
   if (places.size() > most_named)
-    text += " and " + std::to_string(places.size() - most_named) + " others";
+    text += (german ? " und " : " and ") + std::to_string(places.size() - most_named) +
+            (german ? " weiteren" : " others");
   return text + '\n';
 }
 

@@ -517,6 +517,10 @@ constexpr auto phrases = std::to_array<Phrase>({
 constexpr std::string_view while_active = " while TRC is active";
 constexpr std::string_view while_active_german = " bei aktiver Werkzeugradiuskorrektur";
 
+// "TRANS, …, as in sinumerik": a word of another dialect.
+constexpr std::string_view as_in = ", as in ";
+constexpr std::string_view as_in_german = ", wie bei ";
+
 const Phrase* phrase_of(std::string_view english) {
   const auto* const found = std::ranges::find(phrases, english, &Phrase::english);
   return found == phrases.end() ? nullptr : found;
@@ -543,6 +547,10 @@ std::string german_detail(std::string_view detail) {
     return german_detail(detail).append(while_active_german);
   }
   if (const Phrase* whole = phrase_of(detail)) return std::string(whole->german);
+  if (const std::size_t at = detail.rfind(as_in); at != std::string_view::npos)
+    return german_detail(detail.substr(0, at))
+        .append(as_in_german)
+        .append(detail.substr(at + as_in.size()));
   // "G68, rotation": the word, and what it means; words of the program may have commas as well.
   for (std::size_t at = detail.find(", "); at != std::string_view::npos;
        at = detail.find(", ", at + 2))

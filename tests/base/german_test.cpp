@@ -70,6 +70,7 @@ TEST(German, SaysWhatIsSaidOfAWord) {
   EXPECT_EQ(german_detail("G68, rotation"), "G68, Drehung");
   EXPECT_EQ(german_detail("G54 while TRC is active"), "G54 bei aktiver Werkzeugradiuskorrektur");
   EXPECT_EQ(german_detail("L, a subprogram call"), "L, ein Unterprogrammaufruf");
+  EXPECT_EQ(german_detail("G21, mirroring, as in fanuc"), "G21, Spiegeln, wie bei fanuc");
   EXPECT_EQ(german_detail("X10, of mine"), "X10, of mine");
 }
 
