@@ -47,18 +47,16 @@ Sign sign_of(std::string_view text) {
 
 // X−10, Ｘ１０, T=„MILL“
 std::optional<FoundSlip> other_signs(std::string_view line, std::size_t at) {
+  const auto is_blank = [](char sign) { return sign == ' ' || sign == '\t' || is_line_end(sign); };
   std::size_t begin = at;
-  while (begin > 0 &&
+  while (begin > 0 && !is_blank(line[begin - 1]) &&
          (belongs_to_number(line[begin]) || is_high(line[begin]) || line[begin] == '='))
-    if (line[begin - 1] == ' ' || line[begin - 1] == '\t' || is_line_end(line[begin - 1]))
-      break;
-    else
-      --begin;
+    --begin;
   FoundSlip found{.slip = {.kind = SlipKind::other_keyboard}, .begin = begin};
   bool seen = false;
   bool digits = false;
   std::size_t end = begin;
-  while (end < line.size() && line[end] != ' ' && line[end] != '\t' && !is_line_end(line[end])) {
+  while (end < line.size() && !is_blank(line[end])) {
     const Sign sign = sign_of(line.substr(end));
     const bool next_word = digits && is_letter(line[end]);
     if (next_word || line[end] == '(' || line[end] == ';') break;
