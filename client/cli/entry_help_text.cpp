@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "core/nc/dialect/dialect.h"
 #include "core/nc/text/number_format.h"
@@ -15,10 +16,10 @@ using Axes = std::array<double, 3>;
 
 Axes axes_of(const DiagnosticPoint& point) { return {point.x, point.y, point.z}; }
 
-std::string millimetres(double length) {
+std::string length_text(double length, const Writing& writing) {
   std::string text;
-  append_fixed(text, length, 3);
-  return text + " mm";
+  append_fixed(text, writing.inch ? length / mm_per_inch : length, writing.inch ? 4 : 3);
+  return text + (writing.inch ? " in" : " mm");
 }
 
 // Writes the words of one help.
@@ -28,6 +29,7 @@ class Words {
       : third_(help.third_axis),
         dialect_(writing.dialect),
         inch_(writing.inch),
+        german_(writing.language == Language::german),
         points_(dialect_of(writing.dialect).writes_points) {}
 
   // The axes of the plane, and the third one where it changes.
@@ -54,6 +56,9 @@ class Words {
   }
 
   [[nodiscard]] double height(const Axes& point) const { return point[third_]; }
+  [[nodiscard]] std::string in(std::string english, std::string german) const {
+    return german_ ? std::move(german) : std::move(english);
+  }
 
  private:
   // In the unit of the program, without zeros at its end.
@@ -68,6 +73,7 @@ class Words {
   std::size_t third_;
   DialectName dialect_;
   bool inch_;
+  bool german_;
   bool points_;
 };
 
@@ -78,8 +84,9 @@ std::string line_of(const EntryProposal& proposal, bool leaves, const Words& wor
   for (std::size_t i = 0; i < proposal.blocks.size(); ++i) {
     const ProposedBlock& block = proposal.blocks[i];
     text += (text.empty() ? "" : ", ") + words.line_of(block, from);
-    if (!leaves && i == 0) text += " with G41 or G42 as before";
-    if (leaves && i + 1 == proposal.blocks.size()) text += " with G40";
+    if (!leaves && i == 0)
+      text += words.in(" with G41 or G42 as before", " mit G41 oder G42 wie bisher");
+    if (leaves && i + 1 == proposal.blocks.size()) text += words.in(" with G40", " mit G40");
     from = axes_of(block.end);
   }
   // The contour may go on without a G word of its own.
@@ -92,23 +99,39 @@ std::string blocks(const std::string& which, std::uint32_t count) {
   return count == 1 ? which + "block" : which + std::to_string(count) + " blocks";
 }
 
-std::string words_of_leads(const EntryHelp& help) {
-  if (help.leaves) return "what leads off the contour has to be another one: replace the retract";
-  std::string text = "what leads to the contour has to be another one: replace the approach";
-  if (help.replaced > 0) text += " and " + blocks("the ", help.replaced) + " behind it, as leads";
+std::string words_of_leads(const EntryHelp& help, const Words& words) {
+  if (help.leaves)
+    return words.in("what leads off the contour has to be another one: replace the retract",
+                    "von der Kontur muss ein anderer Weg führen: den Abfahrsatz ersetzen");
+  std::string text =
+      words.in("what leads to the contour has to be another one: replace the approach",
+               "zur Kontur muss ein anderer Weg führen: den Anfahrsatz ersetzen");
+  if (help.replaced > 0)
+    text += words.in(" and " + blocks("the ", help.replaced) + " behind it, as leads",
+                     help.replaced == 1 ? ", dazu den Satz dahinter, der anfährt"
+                                        : ", dazu die " + std::to_string(help.replaced) +
+                                              " Sätze dahinter, die anfahren");
   if (help.left_out > 0)
-    text += ", and leave out " + blocks("the last ", help.left_out) + " before G40";
+    text += words.in(", and leave out " + blocks("the last ", help.left_out) + " before G40",
+                     help.left_out == 1 ? ", und den letzten Satz vor G40 weglassen"
+                                        : ", und die letzten " + std::to_string(help.left_out) +
+                                              " Sätze vor G40 weglassen");
   return text;
 }
 
-std::string first_line(const EntryHelp& help, const Words& words) {
-  if (help.needed_length == 0 && !help.legal) return words_of_leads(help);
-  std::string text = help.leaves ? "the retract is " : "the approach is ";
-  text += millimetres(help.given_length) + " long";
-  if (help.needed_length > 0) text += " and needs at least " + millimetres(help.needed_length);
+std::string first_line(const EntryHelp& help, const Words& words, const Writing& writing) {
+  if (help.needed_length == 0 && !help.legal) return words_of_leads(help, words);
+  std::string text = help.leaves ? words.in("the retract is ", "der Abfahrsatz ist ")
+                                 : words.in("the approach is ", "der Anfahrsatz ist ");
+  text += length_text(help.given_length, writing) + words.in(" long", " lang");
+  if (help.needed_length > 0)
+    text += words.in(" and needs at least ", " und braucht mindestens ") +
+            length_text(help.needed_length, writing);
   if (!help.legal) return text;
   const Axes place = axes_of(*help.legal);
-  return text + "; it may " + (help.leaves ? "end" : "start") + " at " +
+  return text +
+         (help.leaves ? words.in("; it may end at ", "; er darf enden bei ")
+                      : words.in("; it may start at ", "; er darf beginnen bei ")) +
          words.place(place, words.height(place));
 }
 
@@ -117,13 +140,16 @@ std::string first_line(const EntryHelp& help, const Words& words) {
 std::vector<std::string> lines_of(const EntryHelp& help, const Writing& writing) {
   const Words words(help, writing);
   if (help.needed_length == 0 && !help.legal && help.proposals.empty()) return {};
-  std::vector<std::string> lines{first_line(help, words)};
+  std::vector<std::string> lines{first_line(help, words, writing)};
   if (writing.dialect == DialectName::heidenhain) return lines;
   for (const EntryProposal& proposal : help.proposals) {
     const bool is_line = proposal.shape == EntryProposal::Shape::line;
-    lines.push_back(std::string(help.leaves ? "proposed exit, " : "proposed entry, ") +
-                    (is_line ? "line, in " : "quarter circle, in ") +
-                    (writing.inch ? "inch: " : "mm: ") + line_of(proposal, help.leaves, words));
+    lines.push_back((help.leaves ? words.in("proposed exit, ", "Vorschlag zum Abfahren, ")
+                                 : words.in("proposed entry, ", "Vorschlag zum Anfahren, ")) +
+                    (is_line ? words.in("line, in ", "Gerade, in ")
+                             : words.in("quarter circle, in ", "Viertelkreis, in ")) +
+                    (writing.inch ? words.in("inch: ", "Zoll: ") : "mm: ") +
+                    line_of(proposal, help.leaves, words));
   }
   return lines;
 }

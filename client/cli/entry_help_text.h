@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/base/entry_help.h"
+#include "core/base/language.h"
 #include "core/nc/state/dialect_name.h"
 
 namespace trc::cli {
@@ -12,6 +13,7 @@ namespace trc::cli {
 struct Writing {
   DialectName dialect = DialectName::isg;
   bool inch = false;
+  Language language = Language::english;
 };
 
 // What would do in place of a refused approach or retract, in words and as lines of the program:

@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "client/cli/command.h"
+#include "client/cli/program_options.h"
 #include "core/base/diagnostic.h"
 #include "core/base/explanation.h"
 
@@ -17,11 +18,13 @@ namespace {
 struct Call {
   std::string code;
   bool example = false;
+  std::string language;
 };
 
-std::string_view word_for(Severity severity) {
+std::string_view word_for(Severity severity, Language language) {
   constexpr std::array<std::string_view, 3> words{"note", "warning", "error"};
-  return words.at(static_cast<std::size_t>(severity));
+  constexpr std::array<std::string_view, 3> german{"Hinweis", "Warnung", "Fehler"};
+  return (language == Language::german ? german : words).at(static_cast<std::size_t>(severity));
 }
 
 // A number, or the reason of a row in letters of either case; null: there is no such code.
@@ -59,23 +62,30 @@ std::string folded(std::string_view text, std::size_t indent) {
   return lines;
 }
 
-void print_list() {
+void print_list(Language language) {
   for (const CodeRow& row : code_table()) {
     const std::string code = std::to_string(static_cast<int>(row.code));
-    const std::string severity(word_for(row.severity));
+    const std::string severity(word_for(row.severity, language));
     std::cout << code << std::string(8 - code.size(), ' ') << severity
-              << std::string(9 - severity.size(), ' ') << folded(row.cause, 17) << '\n';
+              << std::string(9 - severity.size(), ' ') << folded(title_of(row.code, language), 17)
+              << '\n';
   }
-  std::cout << "trc explain CODE says more: causes, what helps, and a program that raises it.\n";
+  std::cout << (language == Language::german
+                    ? "trc explain CODE sagt mehr: was hilft, und ein Programm, das es auslöst.\n"
+                    : "trc explain CODE says more: causes, what helps, and a program that raises "
+                      "it.\n");
 }
 
-void print_example(std::string_view code, const Explanation& explanation) {
+void print_example(std::string_view code, const Explanation& explanation, Language language) {
+  const bool german = language == Language::german;
   if (explanation.example.empty()) {
-    std::cout << "\nThere is no example. " << folded(explanation.no_example, 0) << '\n';
+    std::cout << (german ? "\nKein Beispiel. " : "\nThere is no example. ")
+              << folded(explanation.no_example, 0) << '\n';
     return;
   }
-  std::cout << "\nExample: trc explain " << code << " --example | trc compensate -"
-            << (explanation.options.empty() ? "" : " ") << explanation.options << "\n";
+  std::cout << (german ? "\nBeispiel" : "\nExample") << ": trc explain " << code
+            << " --example | trc compensate -" << (explanation.options.empty() ? "" : " ")
+            << explanation.options << "\n";
   for (std::string_view text = explanation.example; !text.empty();) {
     const std::size_t end = text.find('\n');
     std::string line(text.substr(0, end));
@@ -86,22 +96,26 @@ void print_example(std::string_view code, const Explanation& explanation) {
   }
 }
 
-void print(const CodeRow& row, const Explanation& explanation) {
+// Meaning and causes are in English alone.
+void print(const CodeRow& row, const Explanation& explanation, Language language) {
+  const bool german = language == Language::german;
   const std::string code = std::to_string(static_cast<int>(row.code));
-  std::cout << word_for(row.severity) << ' ' << code << ' ' << row.reason << '\n'
-            << folded(row.cause, 0) << "\n\n"
-            << folded(explanation.meaning, 0) << "\n\nCauses:\n";
+  const std::string_view own = help_on_command_line(row.code, language);
+  const std::string help = own.empty() ? help_of({.code = row.code}, language) : std::string(own);
+  std::cout << word_for(row.severity, language) << ' ' << code << ' ' << row.reason << '\n'
+            << folded(title_of(row.code, language), 0) << "\n\n";
+  if (german) std::cout << "Was hilft:\n  - " << folded(help, 4) << "\n\nAuf Englisch:\n";
+  std::cout << folded(explanation.meaning, 0) << "\n\nCauses:\n";
   for (const std::string_view cause : explanation.causes)
     if (!cause.empty()) std::cout << "  - " << folded(cause, 4) << '\n';
-  const bool own = !explanation.on_command_line.empty();
-  std::cout << "\nWhat helps:\n  - " << folded(own ? explanation.on_command_line : row.remedy, 4)
-            << '\n';
-  print_example(code, explanation);
+  if (!german) std::cout << "\nWhat helps:\n  - " << folded(help, 4) << '\n';
+  print_example(code, explanation, language);
 }
 
 Exit run(const Call& call) {
+  const Language language = language_for(call.language);
   if (call.code.empty()) {
-    print_list();
+    print_list(language);
     return Exit::done;
   }
   const CodeRow* row = row_named(call.code);
@@ -111,7 +125,7 @@ Exit run(const Call& call) {
     return Exit::wrong_call;
   }
   if (!call.example) {
-    print(*row, *explanation);
+    print(*row, *explanation, language);
     return Exit::done;
   }
   if (explanation->example.empty()) {
@@ -136,6 +150,7 @@ void add_explain(CLI::App& app, Action& action) {
                                    "LINE_REVERSED; without it all are listed");
   code->type_name("CODE");
   command->add_flag("--example", call->example, "Print the program alone")->needs(code);
+  add_language_option(*command, call->language);
   command->callback([call, &action] { action = [call] { return run(*call); }; });
 }
 

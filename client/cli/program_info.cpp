@@ -82,7 +82,8 @@ ProgramInfo describe_program(const std::string& program, ProgramSessionSetup set
   text << (info.refused ? "refused:\n" : found.empty() ? "nothing to refuse\n" : "to look at:\n");
   for (const Diagnostic& diagnostic : found)
     text << "  line " << diagnostic.source.line << ": " << static_cast<int>(diagnostic.code) << ' '
-         << message_of(diagnostic) << " (" << row_of(diagnostic.code).remedy << ")\n";
+         << message_of(diagnostic, diagnostic.language) << " ("
+         << help_of(diagnostic, diagnostic.language) << ")\n";
   info.text = text.str();
   return info;
 }

@@ -1,5 +1,6 @@
 #include "client/cli/program_options.h"
 
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
@@ -72,7 +73,28 @@ void add_setup_options(CLI::App& command, ProgramOptions& options) {
       .add_option("--wear", options.wear,
                   "What that tool is larger by, mm; negative: worn off: --set wear")
       ->type_name("MM");
+  add_language_option(command, options.language);
   add_service_options(command, options.service);
+}
+
+Language language_for(const std::string& option) {
+  if (!option.empty()) return language_of_tag(option).value_or(Language::english);
+  for (const char* name : {"LC_ALL", "LC_MESSAGES", "LANG"}) {
+    const char* value = std::getenv(name);
+    if (value != nullptr && *value != '\0')
+      return language_of_tag(value).value_or(Language::english);
+  }
+  return Language::english;
+}
+
+void add_language_option(CLI::App& command, std::string& language) {
+  command
+      .add_option("--lang", language,
+                  "Language of messages: en or de; without it that of LC_ALL, LC_MESSAGES or LANG")
+      ->type_name("TAG")
+      ->check([](const std::string& tag) {
+        return language_of_tag(tag) ? std::string() : "it takes en, de";
+      });
 }
 
 bool setup_of(const ProgramOptions& options, v1::ProgramSetup& setup) {
@@ -86,6 +108,8 @@ bool setup_of(const ProgramOptions& options, v1::ProgramSetup& setup) {
     setup.set_dialect(wire::to_proto(*dialect));
   if (options.unknown_words == "copy") setup.set_unknown_words(v1::UNKNOWN_WORDS_COPY);
   if (options.unit == "inch") setup.set_unit(v1::LENGTH_UNIT_INCH);
+  if (setup.path().language().empty() && language_for(options.language) == Language::german)
+    setup.mutable_path()->set_language("de");
   if (options.radius) setup.mutable_path()->set_tool_radius(*options.radius);
   if (options.wear) setup.mutable_path()->set_wear(*options.wear);
   if (!options.tools.empty()) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "client/cli/service.h"
+#include "core/base/language.h"
 #include "trc/v1/setup.pb.h"
 
 namespace trc::cli {
@@ -20,6 +21,7 @@ struct ProgramOptions {
   std::optional<double> radius{};          // mm
   std::optional<double> wear{};            // mm
   std::string unknown_words{};             // empty: refuse
+  std::string language{};                  // empty: that of the environment
   ServiceOptions service{};
 };
 void add_program_options(CLI::App& command, ProgramOptions& options);
@@ -29,6 +31,12 @@ void add_setup_options(CLI::App& command, ProgramOptions& options);
 // The setup the options describe. Says on standard error what is wrong with them
 // and returns false then.
 bool setup_of(const ProgramOptions& options, v1::ProgramSetup& setup);
+
+// What --lang names, else what the environment does (LC_ALL, LC_MESSAGES, LANG, the first that is
+// set); English where neither is a language of ours.
+[[nodiscard]] Language language_for(const std::string& option);
+// Adds --lang.
+void add_language_option(CLI::App& command, std::string& language);
 
 // Measures the path, unless the setup says whether to: somebody looks at what is told.
 void report_clearance(v1::ProgramSetup& setup);

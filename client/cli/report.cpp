@@ -20,16 +20,17 @@ constexpr std::string_view green = "1;32";
 constexpr std::string_view magenta = "1;35";
 constexpr std::string_view cyan = "1;36";
 
-std::string_view word_for(Severity severity) {
+std::string_view word_for(Severity severity, Language language) {
+  const bool german = language == Language::german;
   switch (severity) {
     case Severity::note:
-      return "note";
+      return german ? "Hinweis" : "note";
     case Severity::warning:
-      return "warning";
+      return german ? "Warnung" : "warning";
     case Severity::error:
       break;
   }
-  return "error";
+  return german ? "Fehler" : "error";
 }
 
 std::string_view colour_of(Severity severity) {
@@ -110,9 +111,10 @@ std::size_t column_of(const Diagnostic& diagnostic, const std::optional<std::str
   return once ? at + 1 : 0;
 }
 
-// The bytes of the word at the column: the detail, where it stands there, else a letter and its
-// number.
+// The bytes of the word at the column: the detail, or what it says something of, where it stands
+// there, else a letter and its number.
 std::size_t word_length(std::string_view line, std::size_t begin, std::string_view detail) {
+  if (!line.substr(begin).starts_with(detail)) detail = detail.substr(0, detail.find(", "));
   if (!detail.empty() && line.substr(begin).starts_with(detail)) return detail.size();
   const std::size_t end = line.find_first_not_of("0123456789.+-", begin + 1);
   return std::min(end, line.size()) - begin;
@@ -147,14 +149,15 @@ std::string excerpt_of(const Diagnostic& diagnostic, std::size_t column, const S
   return text + painted("^" + std::string(mark_end > mark ? tildes : 0, '~'), green, shown) + '\n';
 }
 
-std::string lines_of_help(const std::string& help, const Shown& shown) {
-  return painted("help:", green, shown) + ' ' + printable(help) + '\n';
+std::string lines_of_help(const std::string& help, Language language, const Shown& shown) {
+  return painted(language == Language::german ? "Hilfe:" : "help:", green, shown) + ' ' +
+         printable(help) + '\n';
 }
 
-std::string severity_and_code(Severity severity, Code code, const Shown& shown) {
-  return painted(
-      std::string(word_for(severity)) + ' ' + std::to_string(static_cast<int>(code)) + ':',
-      colour_of(severity), shown);
+std::string severity_and_code(Severity severity, Code code, Language language, const Shown& shown) {
+  return painted(std::string(word_for(severity, language)) + ' ' +
+                     std::to_string(static_cast<int>(code)) + ':',
+                 colour_of(severity), shown);
 }
 
 // "8 (N80)"
@@ -166,13 +169,17 @@ std::string name_of(const Source& source) {
 
 std::string more(const Counted& counted, std::string_view of_what, const Shown& shown) {
   const std::vector<Source>& places = counted.first_places;
+  const bool german = counted.language == Language::german;
+  const std::string_view in_lines = german ? (places.size() == 1 ? ", in Zeile " : ", in Zeilen ")
+                                           : (places.size() == 1 ? ", in line " : ", in lines ");
   std::string text = painted(printable(shown.file) + ':', bold, shown) + ' ' +
-                     severity_and_code(counted.severity, counted.code, shown) + ' ' +
-                     std::to_string(counted.count) + std::string(of_what);
+                     severity_and_code(counted.severity, counted.code, counted.language, shown) +
+                     ' ' + std::to_string(counted.count) + std::string(of_what);
   for (std::size_t i = 0; i < places.size(); ++i)
-    text += (i > 0 ? ", " : places.size() == 1 ? ", in line " : ", in lines ") + name_of(places[i]);
+    text.append(i > 0 ? ", " : in_lines).append(name_of(places[i]));
   if (!places.empty() && counted.count > places.size())
-    text += " and " + std::to_string(counted.count - places.size()) + " others";
+    text += (german ? " und " : " and ") + std::to_string(counted.count - places.size()) +
+            (german ? " weiteren" : " others");
   return text + '\n';
 }
 
@@ -188,32 +195,45 @@ std::string text_of(const wire::ReceivedDiagnostic& received, const Shown& shown
   if (diagnostic.source.number != Source::no_number)
     place += " N" + std::to_string(diagnostic.source.number) + ':';
 
-  std::string text = painted(place, bold, shown) + ' ' +
-                     severity_and_code(diagnostic.severity, diagnostic.code, shown) + ' ' +
-                     painted(printable(received.message), bold, shown) + '\n';
+  // A sender that has no texts for people yet is shown with its message.
+  const std::string& message = received.text.empty() ? received.message : received.text;
+  std::string text =
+      painted(place, bold, shown) + ' ' +
+      severity_and_code(diagnostic.severity, diagnostic.code, diagnostic.language, shown) + ' ' +
+      painted(printable(message), bold, shown) + '\n';
   if (diagnostic.source.line > 0 && shown.source_line && !shown.source_line->empty())
     text += excerpt_of(diagnostic, column, shown);
-  if (!received.remedy.empty()) text += lines_of_help(received.remedy, shown);
-  if (diagnostic.entry_help)
-    for (const std::string& line : lines_of(*diagnostic.entry_help, shown.writing))
-      text += lines_of_help(line, shown);
+  const std::string& help = received.help.empty() ? received.remedy : received.help;
+  if (!help.empty()) text += lines_of_help(help, diagnostic.language, shown);
+  if (!diagnostic.entry_help) return text;
+  Writing writing = shown.writing;
+  writing.inch = diagnostic.inch;
+  writing.language = diagnostic.language;
+  for (const std::string& line : lines_of(*diagnostic.entry_help, writing))
+    text += lines_of_help(line, diagnostic.language, shown);
   return text;
 }
 
 void Counted::add(const Diagnostic& found) {
   severity = found.severity;
   code = found.code;
+  language = found.language;
   ++count;
   if (found.source.line > 0 && first_places.size() < most_places)
     first_places.push_back(found.source);
 }
 
 std::string more_like(const Counted& counted, const Shown& shown) {
-  return more(counted, " more like it", shown);
+  return more(counted, counted.language == Language::german ? " weitere gleiche" : " more like it",
+              shown);
 }
 
 std::string more_of_code(const Counted& counted, const Shown& shown) {
-  return more(counted, " more with this code, each in other words", shown);
+  return more(counted,
+              counted.language == Language::german
+                  ? " weitere mit diesem Code, jede mit anderem Text"
+                  : " more with this code, each in other words",
+              shown);
 }
 
 bool colours_wanted() {

@@ -39,6 +39,7 @@ struct Counted {
 
   Severity severity = Severity::error;
   Code code{};
+  Language language = Language::english;
   std::uint64_t count = 0;
   std::vector<Source> first_places{};  // at most `most_places`, those with a line
 

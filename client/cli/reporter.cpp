@@ -11,15 +11,17 @@ namespace {
 Writing writing_of(const v1::ProgramSetup& setup) {
   wire::FieldFaults faults;
   const wire::ProgramSettings settings = wire::from_proto(setup, wire::FieldPath("setup"), faults);
-  const ProgramSetup& program = settings.path.session.program;
-  return {.dialect = program.dialect, .inch = program.inch};
+  return {.dialect = settings.path.session.program.dialect};
 }
 
-// Its remedy in words of the command line: the sender names fields of the setup.
+// Its help in words of the command line, where it is the one of its code: the sender names fields
+// of the setup.
 wire::ReceivedDiagnostic for_command_line(wire::ReceivedDiagnostic received) {
-  const Explanation* explanation = explanation_of(received.diagnostic.code);
-  if (explanation != nullptr && !explanation->on_command_line.empty())
-    received.remedy = explanation->on_command_line;
+  const Language language = received.diagnostic.language;
+  const std::string& sent = received.help.empty() ? received.remedy : received.help;
+  const std::string_view own = help_on_command_line(received.diagnostic.code, language);
+  if (!own.empty() && sent == help_of({.code = received.diagnostic.code}, language))
+    received.help = own;
   return received;
 }
 

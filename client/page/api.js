@@ -1,4 +1,5 @@
 import {programInside} from './inside.js';
+import {currentLanguage} from './texts.js';
 
 // What the page asks the server. A refusal is thrown as its problem (RFC 9457).
 export class Refused extends Error {
@@ -17,7 +18,8 @@ async function ask(path, options = {}) {
 
 const json = async (path, options) => (await ask(path, options)).json();
 const text = {'Content-Type': 'text/plain; charset=utf-8'};
-const query = settings => new URLSearchParams(settings).toString();
+// Messages come in the language of the page.
+const query = settings => new URLSearchParams({language: currentLanguage(), ...settings}).toString();
 
 const server = {
   info: () => json('v1/info'),

@@ -199,11 +199,10 @@ function item(diagnostic) {
   head.textContent = `${t(kind)} ${diagnostic.code}` + (diagnostic.line ? `, ${t('line')} ${diagnostic.line}` : '');
   const remedy = document.createElement('span');
   remedy.className = 'remedy';
-  remedy.textContent = diagnostic.remedy ?? '';
-  // The server speaks English.
+  remedy.textContent = diagnostic.help ?? diagnostic.remedy ?? '';
   const message = document.createElement('span');
-  message.textContent = ` ${diagnostic.message ?? ''}`;
-  message.lang = remedy.lang = 'en';
+  message.textContent = ` ${diagnostic.text ?? diagnostic.message ?? ''}`;
+  message.lang = remedy.lang = diagnostic.language || 'en';
   button.append(head, message, remedy);
   button.dataset.code = diagnostic.code;
   button.addEventListener('click', () => goTo(diagnostic));

@@ -4,7 +4,7 @@ import {currentLanguage, t} from './texts.js';
 // The settings of the server as a form: what there is comes from its OpenAPI document, what #TRC
 // options mean from its info.
 const mainSettings = ['tool_radius', 'dialect', 'unit', 'wear', 'tools', 'selection_mode', 'transition', 'contour_masking'];
-export const notForPeople = ['response_layout', 'client_tag', 'want_resume_tokens', 'name', 'decimals'];
+export const notForPeople = ['language', 'response_layout', 'client_tag', 'want_resume_tokens', 'name', 'decimals'];
 
 export class Options {
   constructor(form, openApi, info) {

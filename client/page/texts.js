@@ -1,4 +1,4 @@
-// Every word of the page, in each language. Diagnostics come from the server as they are.
+// Every word of the page, in each language. Messages come from the server in it.
 export const words = {
   en: {
     open: 'Open …', program: 'Program', saveNc: 'Save NC', saveSvg: 'Save SVG', language: 'Language',
@@ -12,7 +12,7 @@ export const words = {
     working: 'At work …', failed: 'The server says: ', unknown: 'unset', line: 'line',
     error: 'Error', warning: 'Warning', note: 'Note', leftOut: 'more are not shown',
     smallest: 'smallest', required: 'of', at: 'at', checked: 'blocks measured', tooNear: 'too near',
-    none: 'nothing to measure', measuring: 'being measured …', notMeasured: 'not measured: a large program, set verify to true', length: 'way', blocks: 'blocks', tool: 'tool radius', plane: 'plane',
+    none: 'nothing to measure', measuring: 'being measured …', notMeasured: 'not measured: a large program, set verify to report', length: 'way', blocks: 'blocks', tool: 'tool radius', plane: 'plane',
     height: 'height', pending: 'being written …', noOutput: 'refused: there is no compensated program',
     layerContour: 'contour', layerMasked: 'not travelled', layerPath: 'path', layerTransition: 'inserted',
     layerLead: 'approach, retract', layerPlain: 'beside the contour', layerRapid: 'rapid',
@@ -49,7 +49,7 @@ export const words = {
     working: 'Rechnet …', failed: 'Der Server meldet: ', unknown: 'nicht gesetzt', line: 'Zeile',
     error: 'Fehler', warning: 'Warnung', note: 'Hinweis', leftOut: 'weitere werden nicht gezeigt',
     smallest: 'kleinster', required: 'von', at: 'bei', checked: 'Sätze gemessen', tooNear: 'zu nah',
-    none: 'nichts zu messen', measuring: 'wird gemessen …', notMeasured: 'nicht gemessen: großes Programm, verify auf true setzen', length: 'Weg', blocks: 'Sätze', tool: 'Werkzeugradius', plane: 'Ebene',
+    none: 'nichts zu messen', measuring: 'wird gemessen …', notMeasured: 'nicht gemessen: großes Programm, verify auf report setzen', length: 'Weg', blocks: 'Sätze', tool: 'Werkzeugradius', plane: 'Ebene',
     height: 'Höhe', pending: 'wird geschrieben …', noOutput: 'abgelehnt: es gibt kein korrigiertes Programm',
     layerContour: 'Kontur', layerMasked: 'nicht befahren', layerPath: 'Bahn', layerTransition: 'eingefügt',
     layerLead: 'An- und Abfahren', layerPlain: 'neben der Kontur', layerRapid: 'Eilgang',

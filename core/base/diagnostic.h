@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/base/language.h"
 #include "core/base/source.h"
 
 namespace trc {
@@ -122,6 +123,22 @@ struct DiagnosticPoint {
 
 struct EntryHelp;  // core/base/entry_help.h
 
+// What was typed where something else was meant: it has a remedy of its own, which names that.
+enum class SlipKind : std::uint8_t {
+  none,
+  decimal_comma,    // X10,5
+  letter_o,         // YO, GO1
+  letter_l,         // G0l
+  other_keyboard,   // a minus sign, a dash or full-width characters of a word processor
+  quotes,           // typographic ones
+  unit_of_another,  // G20, G21, which are units elsewhere
+};
+
+struct Slip {
+  SlipKind kind = SlipKind::none;
+  std::string instead{};  // what was probably meant, as it is to be written
+};
+
 struct Diagnostic {
   Code code{};
   Severity severity = Severity::error;
@@ -134,6 +151,10 @@ struct Diagnostic {
   // What would do instead, where a selection or deselection block was refused; never used by
   // itself.
   std::shared_ptr<const EntryHelp> entry_help{};
+  Slip slip{};
+  // What holds where it was found; lengths are in mm whatever it says, texts say them in it.
+  bool inch = false;
+  Language language = Language::english;  // that its receiver has asked for
 };
 
 // One row of the public table: everything that is known about a code before it
@@ -158,12 +179,30 @@ struct CodeRow {
 void append_place(std::vector<DiagnosticValue>& values, const std::string& name,
                   const Source& source);
 
-// "in line 7 (N70)", "in block 6" where there is no line.
-[[nodiscard]] std::string place_of(const Source& source);
+// Another block that a diagnostic speaks of.
+struct RelatedPlace {
+  std::string name{};  // of its values, as in "other"
+  Source source{};
+};
+[[nodiscard]] std::vector<RelatedPlace> related_places(const Diagnostic& diagnostic);
+// "other block", "anderer Satz".
+[[nodiscard]] std::string text_of(const RelatedPlace& related, Language language);
 
-// "tool radius 10 is not smaller than …: R 10, contour_radius 6": cause, detail
-// and values in one sentence, without place and code. Another block is named by line and N number:
+// "in line 7 (N70)", "in block 6" where there is no line.
+[[nodiscard]] std::string place_of(const Source& source, Language language = Language::english);
+
+// What kind of thing it is: the cause of its row, in the language.
+[[nodiscard]] std::string_view title_of(Code code, Language language = Language::english);
+
+// "tool radius 10.000 mm is not smaller than …: R 10 (radius of the contour 6.000 mm)": cause,
+// detail and values in one sentence, without place and code. Lengths are in the unit of the
+// program, mm with three decimals or in with four. Another block is named by line and N number:
 // "other block in line 7 (N70)".
-[[nodiscard]] std::string message_of(const Diagnostic& diagnostic);
+[[nodiscard]] std::string message_of(const Diagnostic& diagnostic,
+                                     Language language = Language::english);
+
+// What the operator or programmer can do: of its slip, where it is one, else of its row.
+[[nodiscard]] std::string help_of(const Diagnostic& diagnostic,
+                                  Language language = Language::english);
 
 }  // namespace trc

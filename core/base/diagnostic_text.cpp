@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "core/base/diagnostic.h"
+#include "core/base/german.h"
 
 namespace trc {
 namespace {
@@ -16,48 +17,95 @@ enum class Measure { length, angle, share, feed, count };
 
 struct ValueWords {
   std::string_view name;
-  std::string_view words;
+  std::string_view english;
+  std::string_view german;
   Measure measure = Measure::length;
 };
 
-// Names that are no words as they stand, or no lengths. All others are lengths by their names.
+// A name that is not here is a length in its own words.
 constexpr auto words_of_values = std::to_array<ValueWords>({
-    {"angle", "angle", Measure::angle},
-    {"blocks", "blocks", Measure::count},
-    {"bytes", "bytes", Measure::count},
-    {"compensated_length", "compensated length"},
-    {"contour_radius", "radius of the contour"},
-    {"corrected_sweep", "sweep of its path", Measure::angle},
-    {"decimals", "decimals", Measure::count},
-    {"feed", "feed", Measure::feed},
-    {"largest_sweep", "largest sweep", Measure::angle},
-    {"left_out_length", "length left out"},
-    {"limit", "limit", Measure::count},
-    {"lines", "lines", Measure::count},
-    {"longest_line", "longest line in characters", Measure::count},
-    {"look_ahead_blocks", "blocks of the window", Measure::count},
-    {"max_masked_share", "largest share", Measure::share},
-    {"path_radius", "radius of the path"},
-    {"selection_block", "selection block N", Measure::count},
-    {"turn", "turn", Measure::angle},
-    {"value", "value", Measure::count},
-    {"wall_length", "length of all walls"},
+    {"angle", "angle", "Winkel", Measure::angle},
+    {"blocks", "blocks", "Sätze", Measure::count},
+    {"bytes", "bytes", "Bytes", Measure::count},
+    {"center_shift", "center shift", "Verschiebung des Mittelpunkts", Measure::length},
+    {"clearance", "clearance", "Abstand", Measure::length},
+    {"compensated_length", "compensated length", "korrigierte Länge", Measure::length},
+    {"contour_radius", "radius of the contour", "Radius der Kontur", Measure::length},
+    {"coordinate", "coordinate", "Koordinate", Measure::length},
+    {"corrected_radius", "corrected radius", "korrigierter Radius", Measure::length},
+    {"corrected_sweep", "sweep of its path", "Bogenwinkel seiner Bahn", Measure::angle},
+    {"decimals", "decimals", "Nachkommastellen", Measure::count},
+    {"deeper", "deeper", "tiefer", Measure::length},
+    {"difference", "difference", "Unterschied", Measure::length},
+    {"end_radius", "end radius", "Endradius", Measure::length},
+    {"feed", "feed", "Vorschub", Measure::feed},
+    {"gap", "gap", "Lücke", Measure::length},
+    {"largest", "largest", "höchstens", Measure::length},
+    {"largest_coordinate", "largest coordinate", "größte Koordinate", Measure::length},
+    {"largest_difference", "largest difference", "größter Unterschied", Measure::length},
+    {"largest_radius", "largest radius", "größter Radius", Measure::length},
+    {"largest_shift", "largest shift", "größte Verschiebung", Measure::length},
+    {"largest_sweep", "largest sweep", "größter Bogenwinkel", Measure::angle},
+    {"left_out_length", "length left out", "ausgelassene Länge", Measure::length},
+    {"limit", "limit", "Grenze", Measure::count},
+    {"lines", "lines", "Zeilen", Measure::count},
+    {"longest_line", "longest line in characters", "längste Zeile in Zeichen", Measure::count},
+    {"look_ahead_blocks", "blocks of the window", "Sätze des Fensters", Measure::count},
+    {"max_masked_share", "largest share", "größter Anteil", Measure::share},
+    {"max_wear", "max wear", "größter Verschleiß", Measure::length},
+    {"needed_length", "needed length", "nötige Länge", Measure::length},
+    {"nominal_radius", "nominal radius", "Nennradius", Measure::length},
+    {"path_radius", "radius of the path", "Radius der Bahn", Measure::length},
+    {"programmed_length", "programmed length", "programmierte Länge", Measure::length},
+    {"radius", "radius", "Radius", Measure::length},
+    {"selection_block", "selection block N", "Anwahlsatz N", Measure::count},
+    {"smallest_difference", "smallest difference", "kleinster Unterschied", Measure::length},
+    {"smallest_radius", "smallest radius", "kleinster Radius", Measure::length},
+    {"start_radius", "start radius", "Anfangsradius", Measure::length},
+    {"tool_radius", "tool radius", "Werkzeugradius", Measure::length},
+    {"turn", "turn", "Drehung", Measure::angle},
+    {"value", "value", "Wert", Measure::count},
+    {"wall_length", "length of all walls", "Länge aller Wände", Measure::length},
+    {"wear", "wear", "Verschleiß", Measure::length},
 });
 
 static_assert(std::ranges::is_sorted(words_of_values, {}, &ValueWords::name));
+
+struct PlaceWords {
+  std::string_view name;
+  std::string_view english;
+  std::string_view german;
+};
+
+constexpr auto words_of_places = std::to_array<PlaceWords>({
+    {"first", "first block", "erster Satz"},
+    {"last", "last block", "letzter Satz"},
+    {"other", "other block", "anderer Satz"},
+});
 
 Measure measure_of(std::string_view name) {
   const auto row = std::ranges::lower_bound(words_of_values, name, {}, &ValueWords::name);
   return row != words_of_values.end() && row->name == name ? row->measure : Measure::length;
 }
 
-std::string words_of(std::string_view name) {
+std::string words_of(std::string_view name, Language language) {
   const auto row = std::ranges::lower_bound(words_of_values, name, {}, &ValueWords::name);
-  if (row != words_of_values.end() && row->name == name) return std::string(row->words);
+  if (row != words_of_values.end() && row->name == name)
+    return std::string(language == Language::german ? row->german : row->english);
   std::string words(name);
   std::ranges::replace(words, '_', ' ');
   return words;
 }
+
+constexpr double mm_per_inch = 25.4;
+
+// How lengths are written.
+struct Lengths {
+  bool inch = false;
+  int decimals = 3;  // at least
+
+  [[nodiscard]] double in_unit(double length) const { return inch ? length / mm_per_inch : length; }
+};
 
 std::string written(double value, std::chars_format format, int precision) {
   std::array<char, 400> digits{};
@@ -66,75 +114,107 @@ std::string written(double value, std::chars_format format, int precision) {
   return {digits.data(), end.ptr};
 }
 
-// Three decimals, or the digits of one that would be 0 by them.
-std::string length_text(double value, int decimals) {
-  if (value != 0 && std::abs(value) < 0.0005) return written(value, std::chars_format::general, 3);
+// With the decimals of its unit, or the digits of one that would be 0 by them.
+std::string length_text(double length, const Lengths& lengths) {
+  const double value = lengths.in_unit(length);
+  if (value != 0 && std::abs(value) < (lengths.inch ? 0.00005 : 0.0005))
+    return written(value, std::chars_format::general, 3);
   if (std::abs(value) >= 1e9) return written(value, std::chars_format::general, 9);
-  return written(value, std::chars_format::fixed, decimals);
+  return written(value, std::chars_format::fixed, lengths.decimals);
 }
 
-// How many decimals of a length tell all of these from each other.
-int decimals_for(std::span<const DiagnosticValue> values) {
-  constexpr int least = 3;
+// With so many decimals that all of these can be told from each other.
+Lengths lengths_for(std::span<const DiagnosticValue> values, bool inch) {
   constexpr int most = 9;
-  const auto look_the_same = [&](int decimals) {
+  Lengths lengths{.inch = inch, .decimals = inch ? 4 : 3};
+  const auto look_the_same = [&] {
     for (std::size_t i = 0; i < values.size(); ++i)
       for (std::size_t k = i + 1; k < values.size(); ++k)
         if (values[i].value != values[k].value && measure_of(values[i].name) == Measure::length &&
             measure_of(values[k].name) == Measure::length &&
-            length_text(values[i].value, decimals) == length_text(values[k].value, decimals))
+            length_text(values[i].value, lengths) == length_text(values[k].value, lengths))
           return true;
     return false;
   };
-  int decimals = least;
-  while (decimals < most && look_the_same(decimals)) ++decimals;
-  return decimals;
+  while (lengths.decimals < most && look_the_same()) ++lengths.decimals;
+  return lengths;
 }
 
-void append_value(std::string& text, const DiagnosticValue& value, int decimals) {
-  text += words_of(value.name) + " ";
+std::string value_text(const DiagnosticValue& value, const Lengths& lengths, Language language) {
+  const std::string words = words_of(value.name, language) + " ";
   switch (measure_of(value.name)) {
     case Measure::length:
-      text += length_text(value.value, decimals) + " mm";
-      break;
+      return words + length_text(value.value, lengths) + (lengths.inch ? " in" : " mm");
     case Measure::angle:
-      text += written(value.value, std::chars_format::fixed, 3) + " degrees";
-      break;
+      return words + written(value.value, std::chars_format::fixed, 3) +
+             (language == Language::german ? " Grad" : " degrees");
     case Measure::share:
-      text += written(100 * value.value, std::chars_format::general, 9) + " %";
-      break;
+      return words + written(100 * value.value, std::chars_format::general, 9) + " %";
     case Measure::feed:
-      text += written(value.value, std::chars_format::general, 9) + " mm/min";
-      break;
+      return words +
+             written(lengths.in_unit(value.value), std::chars_format::general,
+                     lengths.inch ? 6 : 9) +
+             (lengths.inch ? " in/min" : " mm/min");
     case Measure::count:
-      text += written(value.value, std::chars_format::general, 9);
       break;
   }
+  return words + written(value.value, std::chars_format::general, 9);
 }
 
 // Takes the values of one append_place() from the front.
-void append_named_block(std::string& text, std::span<const DiagnosticValue>& values) {
+RelatedPlace take_place(std::span<const DiagnosticValue>& values) {
   const std::string_view index = values.front().name;
   const std::string name(index.substr(0, index.rfind('_')));
-  Source source{.index = static_cast<std::uint64_t>(values.front().value)};
+  RelatedPlace place{.name = name,
+                     .source = {.index = static_cast<std::uint64_t>(values.front().value)}};
   values = values.subspan(1);
   if (!values.empty() && values.front().name == name + "_line") {
-    source.line = static_cast<std::uint32_t>(values.front().value);
+    place.source.line = static_cast<std::uint32_t>(values.front().value);
     values = values.subspan(1);
   }
   if (!values.empty() && values.front().name == name + "_number") {
-    source.number = static_cast<std::int64_t>(values.front().value);
+    place.source.number = static_cast<std::int64_t>(values.front().value);
     values = values.subspan(1);
   }
-  text.append(name).append(" block ").append(
-      std::string_view(place_of(source)).substr(std::string_view("in ").size()));
+  return place;
 }
+
+// What helps against a slip; {instead} is what was meant.
+struct SlipHelp {
+  SlipKind kind = SlipKind::none;
+  std::string_view english;
+  std::string_view german;
+};
+
+constexpr auto slip_helps = std::to_array<SlipHelp>({
+    {SlipKind::decimal_comma, "Write a decimal point: {instead}.",
+     "Dezimalpunkt statt Komma schreiben: {instead}."},
+    {SlipKind::letter_o, "The letter O stands where a 0 belongs: did you mean {instead}?",
+     "Der Buchstabe O steht, wo eine 0 hingehört: ist {instead} gemeint?"},
+    {SlipKind::letter_l, "The letter l stands where a 1 belongs: did you mean {instead}?",
+     "Der Buchstabe l steht, wo eine 1 hingehört: ist {instead} gemeint?"},
+    {SlipKind::other_keyboard,
+     "These look like signs of an NC program, but are not: type {instead} on the keyboard.",
+     "Diese Zeichen sehen nur so aus wie die eines NC-Programms: {instead} mit der Tastatur "
+     "eingeben."},
+    {SlipKind::quotes, "Typographic quotes come from a word processor: write {instead}.",
+     "Typografische Anführungszeichen stammen aus einer Textverarbeitung: {instead} schreiben."},
+    {SlipKind::unit_of_another,
+     "Under ISG G20 and G21 are about mirroring: write {instead} for the unit (G70 inch, G71 mm). "
+     "If this is a program for Fanuc, Haas or the like, declare it: --dialect fanuc, `dialect` in "
+     "the setup.",
+     "Bei ISG gehören G20 und G21 zum Spiegeln: {instead} für die Maßeinheit schreiben (G70 Zoll, "
+     "G71 mm). Ist das Programm für Fanuc, Haas oder dergleichen, dann dies angeben: --dialect "
+     "fanuc, `dialect` im Setup."},
+});
 
 }  // namespace
 
-std::string place_of(const Source& source) {
-  std::string place = source.line > 0 ? "in line " + std::to_string(source.line)
-                                      : "in block " + std::to_string(source.index);
+std::string place_of(const Source& source, Language language) {
+  const bool german = language == Language::german;
+  std::string place = source.line > 0
+                          ? (german ? "in Zeile " : "in line ") + std::to_string(source.line)
+                          : (german ? "in Satz " : "in block ") + std::to_string(source.index);
   if (source.number != Source::no_number) place += " (N" + std::to_string(source.number) + ")";
   return place;
 }
@@ -147,24 +227,62 @@ void append_place(std::vector<DiagnosticValue>& values, const std::string& name,
     values.push_back({name + "_number", static_cast<double>(source.number)});
 }
 
-std::string message_of(const Diagnostic& diagnostic) {
-  std::string text(row_of(diagnostic.code).cause);
-  if (!diagnostic.detail.empty()) text.append(": ").append(diagnostic.detail);
+std::vector<RelatedPlace> related_places(const Diagnostic& diagnostic) {
+  std::vector<RelatedPlace> places;
+  std::span<const DiagnosticValue> values(diagnostic.values);
+  while (!values.empty()) {
+    if (values.front().name.ends_with("_index"))
+      places.push_back(take_place(values));
+    else
+      values = values.subspan(1);
+  }
+  return places;
+}
+
+std::string text_of(const RelatedPlace& related, Language language) {
+  const auto* const row = std::ranges::find(words_of_places, related.name, &PlaceWords::name);
+  if (row == words_of_places.end()) return related.name + " block";
+  return std::string(language == Language::german ? row->german : row->english);
+}
+
+std::string_view title_of(Code code, Language language) {
+  return language == Language::german ? german_row_of(code).title : row_of(code).cause;
+}
+
+std::string message_of(const Diagnostic& diagnostic, Language language) {
+  const bool german = language == Language::german;
+  std::string text(title_of(diagnostic.code, language));
+  if (!diagnostic.detail.empty())
+    text.append(": ").append(german ? german_detail(diagnostic.detail) : diagnostic.detail);
   const char* separator = " (";
   std::span<const DiagnosticValue> values(diagnostic.values);
-  const int decimals = decimals_for(values);
+  const Lengths lengths = lengths_for(values, diagnostic.inch);
   while (!values.empty()) {
     text.append(separator);
     if (values.front().name.ends_with("_index")) {
-      append_named_block(text, values);
+      const RelatedPlace place = take_place(values);
+      text.append(text_of(place, language))
+          .append(" ")
+          .append(place_of(place.source, language).substr(std::string_view("in ").size()));
     } else {
-      append_value(text, values.front(), decimals);
+      text.append(value_text(values.front(), lengths, language));
       values = values.subspan(1);
     }
     separator = ", ";
   }
   if (!diagnostic.values.empty()) text.append(")");
   return text;
+}
+
+std::string help_of(const Diagnostic& diagnostic, Language language) {
+  const bool german = language == Language::german;
+  const auto* const slip = std::ranges::find(slip_helps, diagnostic.slip.kind, &SlipHelp::kind);
+  if (slip == slip_helps.end())
+    return std::string(german ? german_row_of(diagnostic.code).help
+                              : row_of(diagnostic.code).remedy);
+  std::string text(german ? slip->german : slip->english);
+  constexpr std::string_view hole = "{instead}";
+  return text.replace(text.find(hole), hole.size(), diagnostic.slip.instead);
 }
 
 }  // namespace trc

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/base/diagnostic.h"
+#include "core/base/program_units.h"
 
 namespace trc {
 
@@ -20,6 +21,8 @@ class Diagnostics {
     const bool belongs_to_the_error = stopped_ && diagnostic.found_together && !pending_.empty() &&
                                       pending_.back().found_together;
     if (stopped_ && !belongs_to_the_error) return false;
+    diagnostic.inch = (units_ == nullptr ? own_units_ : *units_).is_inch(diagnostic.source.index);
+    diagnostic.language = language_;
     ++counts_[static_cast<std::size_t>(diagnostic.severity)];
     stopped_ |= diagnostic.severity == Severity::error;
     pending_.push_back(std::move(diagnostic));
@@ -53,12 +56,23 @@ class Diagnostics {
     return counts_[static_cast<std::size_t>(severity)];
   }
 
+  // Of the texts of what is reported from here on.
+  void speak(Language language) { language_ = language; }
+
+  // Of the program, which what reads it fills in.
+  [[nodiscard]] ProgramUnits& units() { return own_units_; }
+  // Those of another log of the same program, which outlives this one.
+  void count_as(const ProgramUnits& units) { units_ = &units; }
+
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(counts_, stopped_);
+    archive(counts_, stopped_, own_units_);
   }
 
  private:
+  ProgramUnits own_units_;
+  const ProgramUnits* units_ = nullptr;  // none: its own
+  Language language_ = Language::english;
   std::vector<Diagnostic> pending_;
   std::array<std::uint64_t, 3> counts_{};
   bool stopped_ = false;

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/base/german.h"
+
 namespace trc {
 namespace {
 
@@ -887,6 +889,13 @@ std::span<const Explanation> explanations() { return rows; }
 const Explanation* explanation_of(Code code) {
   const auto found = std::ranges::lower_bound(rows, code, {}, &Explanation::code);
   return found != rows.end() && found->code == code ? &*found : nullptr;
+}
+
+std::string_view help_on_command_line(Code code, Language language) {
+  const Explanation* explanation = explanation_of(code);
+  if (explanation == nullptr) return {};
+  return language == Language::german ? german_row_of(code).on_command_line
+                                      : explanation->on_command_line;
 }
 
 }  // namespace trc

@@ -25,4 +25,7 @@ struct Explanation {
 // Null for a code that is not in the table.
 [[nodiscard]] const Explanation* explanation_of(Code code);
 
+// How to help oneself on the command line. Empty: as help_of() says.
+[[nodiscard]] std::string_view help_on_command_line(Code code, Language language);
+
 }  // namespace trc

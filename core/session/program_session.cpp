@@ -76,6 +76,8 @@ struct ProgramSession::Parts {
         compensator(compensator_setup(), setup.session.verify, diagnostics),
         writer(writer_setup(setup)),
         meaning{.end = setup.session.program.start} {
+    diagnostics.speak(setup.session.language);
+    diagnostics.count_as(read_diagnostics.units());
     if (const Dialect& dialect = dialect_of(setup.session.program.dialect); !dialect.available)
       diagnostics.report(diagnostic(Code::not_available, {},
                                     std::string("the dialect ").append(dialect.spelling)));

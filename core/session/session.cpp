@@ -26,7 +26,9 @@ ProgramSetup program_setup(const SessionSetup& setup) {
 
 PathSession::PathSession(const SessionSetup& setup)
     : program_(program_setup(setup), setup.compensator.tolerances, read_diagnostics_, blocks_),
-      compensator_(compensator_setup(setup), setup.verify, diagnostics_) {}
+      compensator_(compensator_setup(setup), setup.verify, diagnostics_) {
+  diagnostics_.speak(setup.language);
+}
 
 bool PathSession::advance(ProgramOutput& out) {
   placed_ = diagnostics_.pending().size();

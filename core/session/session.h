@@ -18,7 +18,8 @@ namespace trc {
 struct SessionSetup {
   ProgramSetup program{};
   CompensatorSetup compensator{};
-  Verify verify = Verify::off;  // measure the path against the walls as it comes out
+  Verify verify = Verify::off;            // measure the path against the walls as it comes out
+  Language language = Language::english;  // of the texts of diagnostics
 };
 
 // The program as the setup of the compensation has it: with P-CHAN-00284 = 0 masking switches

@@ -39,6 +39,7 @@ Reading read_with(double radius, const SessionSetup& session, const Reader& read
   ProgramSetup setup = program_setup(session);
   setup.every_radius = radius;
   Diagnostics log;
+  log.speak(session.language);
   ProgramState state(setup, session.compensator.tolerances, log, reading.blocks);
   reader(state, log);
   reading.uses = state.radius_uses();
@@ -47,6 +48,7 @@ Reading read_with(double radius, const SessionSetup& session, const Reader& read
   reading.moves_by_radius = state.moves_by_radius();
   reading.refused = log.stopped();
   reading.diagnostics = log.take();
+  reading.units = log.units();
   return reading;
 }
 

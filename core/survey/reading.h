@@ -31,6 +31,7 @@ struct Reading {
   RadiusUse use_at_end{};
   bool moves_by_radius = false;  // with another radius blocks begin elsewhere
   std::vector<Diagnostic> diagnostics{};
+  ProgramUnits units{};
   bool refused = false;
 };
 [[nodiscard]] Reading read_with(double radius, const SessionSetup& session, const Reader& reader);

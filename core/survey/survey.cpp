@@ -110,6 +110,8 @@ void Survey::compensate(const Reading& reading, bool removes_loops, Surveyed& fo
     uncut = [&found](const verify::UncutWall& wall) { found.uncut.push_back(wall); };
   ChangedModes modes(reading, {.radius = term_of(found.radius), .removes_loops = removes_loops});
   Diagnostics log;
+  log.speak(setup_.session.language);
+  log.count_as(reading.units);
   VerifiedCompensator session(compensator, setup_.session.verify, log, std::move(uncut));
   std::vector<Block> blocks;
   std::vector<CompensatedBlock> out;

@@ -23,6 +23,15 @@ DiagnosticPoint point_of(const v1::Position& message) {
   return {.x = message.x(), .y = message.y(), .z = message.z()};
 }
 
+void write(const Source& source, std::uint32_t column, v1::ProgramPlace& message) {
+  if (source.line != 0) message.set_line(source.line);
+  if (column != 0) message.set_column(column);
+  if (source.number != Source::no_number)
+    message.set_source_number(static_cast<std::uint64_t>(source.number));
+  if (source.index <= std::numeric_limits<std::uint32_t>::max())
+    message.set_source_index(static_cast<std::uint32_t>(source.index));
+}
+
 void write(const EntryProposal& proposal, v1::EntryProposal& message) {
   message.set_shape(proposal.shape == EntryProposal::Shape::line
                         ? v1::EntryProposal::SHAPE_LINE
@@ -112,11 +121,24 @@ void to_proto(const Diagnostic& diagnostic, v1::Diagnostic& message) {
   message.set_message(message_of(diagnostic));
   for (const DiagnosticValue& value : diagnostic.values)
     (*message.mutable_values())[value.name] = value.value;
-  message.set_remedy(std::string(row.remedy));
+  message.set_remedy(help_of(diagnostic));
   if (diagnostic.point) write(*diagnostic.point, *message.mutable_point());
   if (diagnostic.entry_help) write(*diagnostic.entry_help, *message.mutable_entry_help());
   message.set_reason(std::string(row.reason));
   message.set_detail(diagnostic.detail);
+  const Language language = diagnostic.language;
+  message.set_title(std::string(title_of(diagnostic.code, language)));
+  message.set_text(message_of(diagnostic, language));
+  message.set_help(help_of(diagnostic, language));
+  write(source, diagnostic.column, *message.mutable_place());
+  for (const RelatedPlace& related : related_places(diagnostic)) {
+    v1::RelatedPlace& place = *message.add_related_places();
+    place.set_name(related.name);
+    place.set_text(text_of(related, language));
+    write(related.source, 0, *place.mutable_place());
+  }
+  message.set_language(language == Language::german ? "de" : "en");
+  message.set_inch(diagnostic.inch);
 }
 
 void to_proto(const ReceivedDiagnostic& received, v1::Diagnostic& message) {
@@ -124,11 +146,18 @@ void to_proto(const ReceivedDiagnostic& received, v1::Diagnostic& message) {
   message.set_message(received.message);
   message.set_remedy(received.remedy);
   message.set_reason(received.reason);
+  message.set_title(received.title);
+  message.set_text(received.text);
+  message.set_help(received.help);
 }
 
 ReceivedDiagnostic from_proto(const v1::Diagnostic& message) {
-  ReceivedDiagnostic received{
-      .message = message.message(), .remedy = message.remedy(), .reason = message.reason()};
+  ReceivedDiagnostic received{.message = message.message(),
+                              .remedy = message.remedy(),
+                              .reason = message.reason(),
+                              .title = message.title(),
+                              .text = message.text(),
+                              .help = message.help()};
   Diagnostic& diagnostic = received.diagnostic;
   diagnostic.code = static_cast<Code>(message.code());
   // A severity this reader does not know is taken for the gravest.
@@ -146,6 +175,8 @@ ReceivedDiagnostic from_proto(const v1::Diagnostic& message) {
     diagnostic.values.push_back({.name = name, .value = value});
   std::sort(diagnostic.values.begin(), diagnostic.values.end(),
             [](const DiagnosticValue& a, const DiagnosticValue& b) { return a.name < b.name; });
+  diagnostic.inch = message.inch();
+  diagnostic.language = language_of_tag(message.language()).value_or(Language::english);
   if (message.has_point()) diagnostic.point = point_of(message.point());
   if (message.has_entry_help())
     diagnostic.entry_help = std::make_shared<const EntryHelp>(help_of(message.entry_help()));

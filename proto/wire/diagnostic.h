@@ -14,6 +14,10 @@ struct ReceivedDiagnostic {
   std::string message{};
   std::string remedy{};
   std::string reason{};  // UPPER_SNAKE
+  // In the language that was asked for; empty of a sender that has none yet.
+  std::string title{};
+  std::string text{};
+  std::string help{};
 };
 
 [[nodiscard]] v1::Diagnostic::Severity to_proto(Severity severity);

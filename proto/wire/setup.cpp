@@ -288,6 +288,11 @@ PathSettings from_proto(const v1::PathSetup& message, const FieldPath& path, Fie
   settings.client_tag = message.client_tag();
   if (settings.client_tag.size() > 64 || !is_printable(settings.client_tag))
     add_fault(FieldPath(path, "client_tag"), "is not at most 64 bytes of printable ASCII", faults);
+  if (!message.language().empty()) {
+    const auto language = language_of_tag(message.language());
+    if (!language) add_fault(FieldPath(path, "language"), "is neither en nor de", faults);
+    settings.session.language = language.value_or(Language::english);
+  }
   return settings;
 }
 
@@ -366,6 +371,7 @@ void to_proto(const PathSettings& settings, v1::PathSetup& message) {
   if (settings.session.verify != Verify::off)
     message.set_verify(verifications.to_proto(settings.session.verify));
   message.set_client_tag(settings.client_tag);
+  if (settings.session.language == Language::german) message.set_language("de");
   message.set_want_resume_tokens(settings.want_resume_tokens);
   message.set_resume_token(settings.resume_token);
 }

@@ -28,7 +28,7 @@ bool read_setup(Exchange& exchange, const Pairs& query, v1::ProgramSetup& setup)
                                      "send it as text/plain; charset=utf-8"));
     return false;
   }
-  const auto refused = read_settings(query, setup);
+  const auto refused = read_settings(query, exchange.request().header("accept-language"), setup);
   if (refused) answer_problem(exchange, *refused);
   return !refused;
 }

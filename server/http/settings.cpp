@@ -2,6 +2,7 @@
 
 #include <charconv>
 
+#include "core/base/language.h"
 #include "core/nc/dialect/dialect.h"
 #include "proto/wire/settings.h"
 #include "proto/wire/setup.h"
@@ -55,7 +56,8 @@ std::string dialects() {
   return words;
 }
 
-std::optional<v1::Problem> read_settings(const Pairs& query, v1::ProgramSetup& setup) {
+std::optional<v1::Problem> read_settings(const Pairs& query, std::string_view accept_language,
+                                         v1::ProgramSetup& setup) {
   v1::Problem refused =
       problem(400, "SETTING_INVALID", "A query parameter is no setting that can be taken", {});
   for (const auto& [name, value] : query) {
@@ -65,7 +67,11 @@ std::optional<v1::Problem> read_settings(const Pairs& query, v1::ProgramSetup& s
     field.set_field(presentable(name));
     field.set_description(presentable(fault));
   }
-  if (refused.fields().empty()) return std::nullopt;
+  if (refused.fields().empty()) {
+    if (setup.path().language().empty() && accepted_language(accept_language) == Language::german)
+      setup.mutable_path()->set_language("de");
+    return std::nullopt;
+  }
   refused.set_detail(refused.fields(0).description());
   return refused;
 }

@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "server/http/exchange.h"
 #include "trc/v1/http.pb.h"
@@ -14,7 +15,10 @@ namespace trc::server::http {
 
 // The setup the query parameters describe: those of `--set`, `dialect`, `unit`,
 // `unknown_words`, `decimals` and `name`. The problem
-// when one cannot be taken.
-[[nodiscard]] std::optional<v1::Problem> read_settings(const Pairs& query, v1::ProgramSetup& setup);
+// when one cannot be taken. Where they name no language, it is the one that the header
+// Accept-Language prefers.
+[[nodiscard]] std::optional<v1::Problem> read_settings(const Pairs& query,
+                                                       std::string_view accept_language,
+                                                       v1::ProgramSetup& setup);
 
 }  // namespace trc::server::http

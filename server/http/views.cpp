@@ -148,7 +148,8 @@ void make_output_of(Api& api, const std::shared_ptr<View>& view) {
 void make_view(Api& api, const ExchangePointer& exchange) {
   v1::ProgramSetup setup;
   setup.mutable_path()->set_verify(v1::VERIFICATION_REPORT);
-  if (const auto refused = read_settings(exchange->request().query, setup))
+  if (const auto refused = read_settings(exchange->request().query,
+                                         exchange->request().header("accept-language"), setup))
     return answer_problem(*exchange, *refused);
   // Measuring takes longer than all else.
   constexpr std::size_t large_bytes = 1U << 20U;

@@ -10,11 +10,12 @@
 namespace trc::server {
 namespace {
 
-// What a diagnostic may take in a message: its sentence and remedy are written out.
+// What a diagnostic may take in a message: its sentences are written out, in English and in the
+// language that was asked for.
 std::size_t message_bytes(const Diagnostic& diagnostic) {
-  constexpr std::size_t sentences = 400;
-  constexpr std::size_t per_value = 40;
-  return sentences + diagnostic.detail.size() + per_value * diagnostic.values.size();
+  constexpr std::size_t sentences = 1200;
+  constexpr std::size_t per_value = 120;
+  return sentences + 3 * diagnostic.detail.size() + per_value * diagnostic.values.size();
 }
 
 // Memory that is worth giving back once it is empty: a client that does not read holds it.

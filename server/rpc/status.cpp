@@ -177,7 +177,7 @@ Ending refuse(const Diagnostic& diagnostic) {
   if (!diagnostic.detail.empty()) set_value(info, "detail", presentable(diagnostic.detail));
   for (const DiagnosticValue& value : diagnostic.values)
     set_value(info, value.name, number_text(value.value));
-  set_value(info, "remedy", std::string(row.remedy));
+  set_value(info, "remedy", help_of(diagnostic));
 
   std::string message;
   if (source.line > 0) message = "line " + std::to_string(source.line) + ": ";

@@ -79,6 +79,20 @@ TEST(Message, SaysWhatAValueCounts) {
   EXPECT_EQ(values_in({{"feed", -1}}), "(feed -1 mm/min)");
 }
 
+TEST(Message, SaysLengthsInTheUnitOfTheProgram) {
+  Diagnostic found = diagnostic(Code::bottleneck, {});
+  found.values = {{"clearance", 2.54}, {"tool_radius", 6.35}, {"turn", 90}, {"feed", 254}};
+  found.inch = true;
+  EXPECT_EQ(
+      message_of(found),
+      std::string(row_of(Code::bottleneck).cause) +
+          " (clearance 0.1000 in, tool radius 0.2500 in, turn 90.000 degrees, feed 10 in/min)");
+  found.values = {{"start_radius", 25.4}, {"end_radius", 25.4001}, {"gap", 0.00002}};
+  EXPECT_EQ(message_of(found), std::string(row_of(Code::bottleneck).cause) +
+                                   " (start radius 1.000000 in, end radius 1.000004 in, gap "
+                                   "7.87e-07 in)");
+}
+
 TEST(Message, NamesAnotherBlockByItsLine) {
   std::vector<DiagnosticValue> values;
   append_place(values, "first", {.index = 5, .number = 70, .line = 7});

@@ -5,6 +5,7 @@
 
 #include <chrono>
 #include <csignal>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <functional>
@@ -45,6 +46,9 @@ const std::string violating =
     "N60 Y50\n"
     "N70 G40 X0 Y60\n"
     "N80 M30\n";
+
+// Messages are expected in English, whatever the machine speaks.
+const int in_english = setenv("LC_ALL", "C", 1);
 
 Ended trc(std::vector<std::string> arguments, const std::string& input = "") {
   arguments.insert(arguments.begin(), TRC_PROGRAM);
@@ -160,6 +164,43 @@ TEST(Compensate, MarksTheWordUnderTheLine) {
     EXPECT_EQ(lines[2], "      |         ^~~");
     EXPECT_EQ(lines[3].rfind("help: ", 0), 0u);
   }
+}
+
+TEST(Language, IsThatOfTheOptionElseOfTheEnvironment) {
+  const std::string program = "N10 G1 X10,5\nM30\n";
+  const std::string german = "Hilfe: Dezimalpunkt statt Komma schreiben: X10.5.\n";
+  const std::string english = "help: Write a decimal point: X10.5.\n";
+  const auto told = [&](const std::string& environment, std::vector<std::string> arguments) {
+    setenv("LC_ALL", environment.c_str(), 1);
+    arguments.insert(arguments.begin(), {"compensate", "-"});
+    const Ended ended = trc(arguments, program);
+    setenv("LC_ALL", "C", 1);
+    EXPECT_EQ(ended.code, 1);
+    return ended.err;
+  };
+  EXPECT_NE(told("C", {"--lang", "de"}).find(german), std::string::npos);
+  EXPECT_NE(told("de_DE.UTF-8", {}).find(german), std::string::npos);
+  EXPECT_NE(told("de_DE.UTF-8", {"--lang", "en"}).find(english), std::string::npos);
+  EXPECT_NE(told("fr_FR.UTF-8", {}).find(english), std::string::npos);
+  EXPECT_NE(told("C", {"--lang", "de"}).find(": Fehler 900008: eine Zahl fehlt"),
+            std::string::npos);
+  EXPECT_EQ(trc({"compensate", "-", "--lang", "fr"}, program).code, 2);
+  const Ended explained = trc({"explain", "90019", "--lang", "de"});
+  EXPECT_NE(explained.out.find("Was hilft:\n  - Einen kleineren"), std::string::npos)
+      << explained.out;
+}
+
+TEST(Compensate, SaysLengthsInTheUnitOfTheProgram) {
+  const Ended ended = trc({"compensate", "-", "--format", "jsonl"},
+                          "N10 G70 G01 X0 Y1 F20\nN20 G02 X2 Y1 I1.2 J0\nM30\n");
+  EXPECT_EQ(ended.code, 1);
+  EXPECT_NE(ended.err.find("start radius 1.2000 in"), std::string::npos) << ended.err;
+  const auto last = object_of(lines_of(ended.out).back());
+  const auto& diagnostic = last.fields().at("diagnostic").struct_value().fields();
+  EXPECT_TRUE(diagnostic.at("inch").bool_value());
+  EXPECT_NEAR(diagnostic.at("values").struct_value().fields().at("start_radius").number_value(),
+              30.48, 1e-4);
+  EXPECT_EQ(diagnostic.at("place").struct_value().fields().at("line").number_value(), 2);
 }
 
 TEST(Compensate, CountsMessagesThatAreEqual) {

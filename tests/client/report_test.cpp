@@ -30,6 +30,20 @@ TEST(Report, NamesFileLineNumberCodeMessageAndRemedy) {
             "help: use a smaller tool\n");
 }
 
+TEST(Report, SpeaksTheLanguageOfTheMessage) {
+  wire::ReceivedDiagnostic received = reversed_line();
+  received.diagnostic.language = Language::german;
+  received.text = "das Werkzeug passt nicht";
+  received.help = "Einen kleineren Fräser nehmen.";
+  EXPECT_EQ(alone("part.nc", received),
+            "part.nc:7: N60: Fehler 90019: das Werkzeug passt nicht\n"
+            "Hilfe: Einen kleineren Fräser nehmen.\n");
+  Counted like;
+  for (int k = 0; k < 2; ++k) like.add(received.diagnostic);
+  EXPECT_EQ(more_like(like, {.file = "part.nc"}),
+            "part.nc: Fehler 90019: 2 weitere gleiche, in Zeilen 7 (N60), 7 (N60)\n");
+}
+
 TEST(Report, TellsWarningsAndNotesFromErrors) {
   wire::ReceivedDiagnostic received = reversed_line();
   received.diagnostic.severity = Severity::warning;
@@ -67,6 +81,14 @@ TEST(Report, FindsTheWordAtFaultWhereTheLineHasItOnce) {
       std::string::npos);
   received.diagnostic.detail = "X1";
   EXPECT_NE(text_of(received, {.file = "p", .source_line = "X1 X1"}).find("p:7: N60: error"),
+            std::string::npos);
+}
+
+TEST(Report, MarksTheWordThatTheDetailSaysSomethingOf) {
+  wire::ReceivedDiagnostic received = reversed_line();
+  received.diagnostic.column = 5;
+  received.diagnostic.detail = "TRANS, an expression or a name";
+  EXPECT_NE(text_of(received, {.file = "p", .source_line = "N60 TRANS X1"}).find("|     ^~~~~\n"),
             std::string::npos);
 }
 
@@ -172,6 +194,30 @@ TEST(EntryHelpText, WritesAsTheProgramIsWritten) {
   help.proposals.clear();
   EXPECT_EQ(lines_of(help, {}),
             std::vector<std::string>{"the retract is 3.000 mm long; it may end at X1 Z0"});
+}
+
+TEST(EntryHelpText, SaysLengthsInTheUnitOfTheProgram) {
+  EXPECT_EQ(lines_of(quarter_circle_help(), {.inch = true})[0],
+            "the approach is 0.1181 in long and needs at least 0.1969 in; it may start at "
+            "X-0.19685 Y0.5");
+}
+
+TEST(EntryHelpText, IsThereInGerman) {
+  EntryHelp help = quarter_circle_help();
+  const Writing german{.language = Language::german};
+  EXPECT_EQ(lines_of(help, german)[0],
+            "der Anfahrsatz ist 3.000 mm lang und braucht mindestens 5.000 mm; er darf beginnen "
+            "bei X-5 Y12.7");
+  EXPECT_TRUE(
+      lines_of(help, german)[1].starts_with("Vorschlag zum Anfahren, Viertelkreis, in mm: "
+                                            "G0 X5"));
+  help.needed_length = 0;
+  help.legal.reset();
+  help.replaced = 1;
+  help.left_out = 3;
+  EXPECT_EQ(lines_of(help, german)[0],
+            "zur Kontur muss ein anderer Weg führen: den Anfahrsatz ersetzen, dazu den Satz "
+            "dahinter, der anfährt, und die letzten 3 Sätze vor G40 weglassen");
 }
 
 TEST(EntryHelpText, NamesTheLeadsThatHaveToGo) {

@@ -88,6 +88,21 @@ class Programs(unittest.TestCase):
         self.assertEqual(error["severity"], "ERROR")
         self.assertGreater(error["line"], 0)
         self.assertTrue(error["remedy"])
+        self.assertEqual(error["place"]["line"], error["line"])
+        self.assertTrue(error["text"].startswith(error["title"]))
+
+    def test_texts_are_in_the_language_that_is_preferred(self):
+        def error(query, headers):
+            _, _, body = self.server.ask("POST", "/v1/programs:compensate" + query,
+                                         b"N10 G1 X10,5\n", {**TEXT, **headers})
+            return json.loads(body)["diagnostics"][-1]
+
+        german = error("", {"Accept-Language": "de-DE,de;q=0.9,en;q=0.8"})
+        self.assertEqual(german["language"], "de")
+        self.assertEqual(german["help"], "Dezimalpunkt statt Komma schreiben: X10.5.")
+        self.assertEqual(german["remedy"], "Write a decimal point: X10.5.")
+        self.assertEqual(error("", {})["help"], "Write a decimal point: X10.5.")
+        self.assertEqual(error("?language=en", {"Accept-Language": "de"})["language"], "en")
 
     def test_a_program_stopped_late_never_looks_whole(self):
         # More than an answer is held back, then an error.

@@ -37,6 +37,47 @@ TEST(DiagnosticMessage, ReadsBackEveryField) {
   EXPECT_EQ(read.reason, row_of(sent.code).reason);
 }
 
+TEST(DiagnosticMessage, CarriesTextsAndPlacesForPeople) {
+  Diagnostic sent = diagnostic(Code::bottleneck, {.index = 4, .number = 60, .line = 7});
+  sent.column = 3;
+  sent.values = {{"clearance", 2.54}};
+  append_place(sent.values, "other", {.index = 8, .number = 90, .line = 10});
+  sent.inch = true;
+  sent.language = Language::german;
+  v1::Diagnostic message;
+  to_proto(sent, message);
+  EXPECT_EQ(message.title(), title_of(Code::bottleneck, Language::german));
+  EXPECT_EQ(message.text(), message_of(sent, Language::german));
+  EXPECT_NE(message.text().find("0.1000 in"), std::string::npos) << message.text();
+  EXPECT_EQ(message.help(), help_of(sent, Language::german));
+  EXPECT_EQ(message.message(), message_of(sent));
+  EXPECT_EQ(message.remedy(), row_of(Code::bottleneck).remedy);
+  EXPECT_EQ(message.language(), "de");
+  EXPECT_EQ(message.place().line(), 7U);
+  EXPECT_EQ(message.place().column(), 3U);
+  EXPECT_EQ(message.place().source_number(), 60U);
+  EXPECT_EQ(message.place().source_index(), 4U);
+  ASSERT_EQ(message.related_places_size(), 1);
+  EXPECT_EQ(message.related_places(0).name(), "other");
+  EXPECT_EQ(message.related_places(0).text(), "anderer Satz");
+  EXPECT_EQ(message.related_places(0).place().line(), 10U);
+  EXPECT_EQ(message.related_places(0).place().source_number(), 90U);
+  EXPECT_FALSE(message.related_places(0).place().has_column());
+
+  // What a client writes down again is what it got.
+  v1::Diagnostic again;
+  to_proto(from_proto(message), again);
+  EXPECT_EQ(again.title(), message.title());
+  EXPECT_EQ(again.text(), message.text());
+  EXPECT_EQ(again.help(), message.help());
+  EXPECT_EQ(again.language(), message.language());
+  EXPECT_TRUE(again.inch());
+  EXPECT_EQ(again.place().SerializeAsString(), message.place().SerializeAsString());
+  ASSERT_EQ(again.related_places_size(), 1);
+  EXPECT_EQ(again.related_places(0).SerializeAsString(),
+            message.related_places(0).SerializeAsString());
+}
+
 TEST(DiagnosticMessage, ReadsBackAbsence) {
   v1::Diagnostic message;
   to_proto({.code = Code::line_reversed}, message);

@@ -185,5 +185,7 @@ function plain(raised) {
   return {
     ...raised,
     sourceNumber: raised.sourceNumber === undefined ? undefined : Number(raised.sourceNumber),
+    place: raised.place ?? {},
+    relatedPlaces: raised.relatedPlaces ?? [],
   };
 }

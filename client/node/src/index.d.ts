@@ -21,6 +21,8 @@ export interface PathSettings {
   feedAdaptation?: "G10" | "G11" | string;
   plane?: "G17" | "G18" | "G19" | string;
   removeMaskedBlocks?: boolean;
+  /** Of the texts of diagnostics: "en", "de". */
+  language?: string;
   [field: string]: unknown;
 }
 
@@ -28,6 +30,27 @@ export interface PathSettings {
 export interface ProgramSettings extends PathSettings {
   /** D number → radius in mm, or Tool messages. */
   tools?: Record<number, number> | object[];
+}
+
+/** A place in a program. */
+export interface ProgramPlace {
+  /** 1-based line of the NC text. */
+  line?: number;
+  /** 1-based byte of that line. */
+  column?: number;
+  /** N number of the block. */
+  sourceNumber?: number;
+  /** 0-based position of the input block. */
+  sourceIndex?: number;
+}
+
+/** Another block that a diagnostic speaks of. */
+export interface RelatedPlace {
+  /** Which one it is: "first", "last", "other". */
+  name: string;
+  /** The same in words, in the language of the diagnostic. */
+  text: string;
+  place: ProgramPlace;
 }
 
 export interface Diagnostic {
@@ -48,8 +71,22 @@ export interface Diagnostic {
   sourceIndex?: number;
   /** Where it happens, mm. */
   point?: { x: number; y: number; z: number };
-  /** The numbers behind the message. */
+  /** The numbers behind the message; lengths in mm. */
   values: Record<string, number>;
+  /** What kind of thing it is, in the language that the setup asks for. */
+  title: string;
+  /** The title with the word at fault and the values, in the unit of the program. */
+  text: string;
+  /** What the operator or programmer can do, in that language. */
+  help: string;
+  /** Where it was found. */
+  place: ProgramPlace;
+  /** Other blocks it speaks of, in the order of the text. */
+  relatedPlaces: RelatedPlace[];
+  /** Of `title`, `text` and `help`: "en" or "de". */
+  language: string;
+  /** The program counts in inches there. */
+  inch: boolean;
 }
 
 export interface ProgramResult {

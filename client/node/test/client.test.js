@@ -43,7 +43,16 @@ test("a refused program throws its diagnostics", async () => {
     assert.equal(error.cause.code, 900008);
     assert.equal(error.cause.line, 3);
     assert.equal(error.cause.sourceNumber, 30);
+    assert.equal(error.cause.place.line, 3);
+    assert.match(error.cause.text, /number is missing/);
     return error.cause.remedy.length > 0;
+  });
+});
+
+test("diagnostics are in the language that is asked for", async () => {
+  await assert.rejects(compensate("N10 G1 X10,5\n", { language: "de" }), (error) => {
+    assert.equal(error.cause.language, "de");
+    return error.cause.help === "Dezimalpunkt statt Komma schreiben: X10.5.";
   });
 });
 

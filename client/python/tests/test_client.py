@@ -102,6 +102,16 @@ class Compensate(unittest.TestCase):
         cause = caught.exception.cause
         self.assertEqual((cause.code, cause.line, cause.severity), (900008, 3, trc.Severity.ERROR))
         self.assertTrue(cause.remedy)
+        self.assertEqual((cause.place.line, cause.place.column), (cause.line, cause.column))
+        self.assertTrue(cause.text.startswith(cause.title))
+
+    def test_diagnostics_are_in_the_language_that_is_asked_for(self):
+        with self.assertRaises(trc.TrcError) as caught:
+            trc.compensate("N10 G1 X10,5\n", language="de")
+        cause = caught.exception.cause
+        self.assertEqual(cause.help, "Dezimalpunkt statt Komma schreiben: X10.5.")
+        self.assertEqual(cause.remedy, "Write a decimal point: X10.5.")
+        self.assertEqual(cause.language, "de")
 
     def test_tool_table_serves_d_words(self):
         result = trc.compensate(POCKET.replace("F800", "F800 D7"), tools={7: 5.0})

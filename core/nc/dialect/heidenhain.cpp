@@ -538,7 +538,7 @@ bool Interpreter::read_klartext_statement(ProgramLine& line, std::size_t begin) 
     return refuse_klartext(line, begin, std::string(what).append(" while TRC is active"));
   };
   if (begins_with_word(statement, "BEGIN")) {
-    if (faults_.empty()) inch_ = statement.ends_with(" INCH");
+    if (faults_.empty()) count_in(line, statement.ends_with(" INCH"));
     return copy_klartext(line, begin, WordRole::mode);
   }
   if (begins_with_word(statement, "END")) {

@@ -6,6 +6,7 @@
 #include "core/nc/dialect/block_words.h"
 #include "core/nc/dialect/klartext_block.h"
 #include "core/nc/text/characters.h"
+#include "core/nc/text/slip.h"
 
 namespace trc {
 namespace {
@@ -99,6 +100,7 @@ Interpreter::Interpreter(const ReaderLimits& limits, ProgramState& state, Diagno
       inch_(state.setup().inch),
       absolute_center_(state.setup().absolute_center),
       reads_plain_lines_(state.setup().dialect == DialectName::isg) {
+  diagnostics_.units().count_in(inch_, 0);
   if (dialect_.name == DialectName::heidenhain) {
     absolute_center_ = true;
     state_.set_absolute_center(true);
@@ -263,8 +265,29 @@ bool Interpreter::refuse_open_line() {
                                         dialect_.name == DialectName::heidenhain ? "~" : "\\"));
 }
 
+void Interpreter::count_in(const ProgramLine& line, bool inch) {
+  inch_ = inch;
+  diagnostics_.units().count_in(inch, line.source.index);
+}
+
+// What was mistyped is named as a whole, with what was meant.
+TextFault Interpreter::with_slip(const ProgramLine& line, TextFault fault) {
+  constexpr std::array codes{Code::nc_syntax,   Code::nc_unknown_function, Code::nc_unsupported,
+                             Code::nc_not_text, Code::nc_number,           Code::nc_axis_unknown};
+  if (fault.slip.kind != SlipKind::none || std::ranges::find(codes, fault.code) == codes.end())
+    return fault;
+  auto found = slip_at(line.text, fault.begin);
+  if (!found) return fault;
+  fault.code = found->slip.kind == SlipKind::quotes ? Code::nc_syntax : Code::nc_number;
+  fault.begin = static_cast<std::uint32_t>(found->begin);
+  fault.detail = std::move(found->word);
+  fault.slip = std::move(found->slip);
+  return fault;
+}
+
 // The place of a fault is its physical line, also within a continued block.
-bool Interpreter::refuse(const ProgramLine& line, const TextFault& fault) {
+bool Interpreter::refuse(const ProgramLine& line, const TextFault& given) {
+  const TextFault fault = with_slip(line, given);
   Source source = line.source;
   std::size_t line_begin = 0;
   for (std::size_t at = 0; at < fault.begin && at < line.text.size(); ++at) {
@@ -276,6 +299,7 @@ bool Interpreter::refuse(const ProgramLine& line, const TextFault& fault) {
   }
   Diagnostic refused = diagnostic(fault.code, source, fault.detail);
   refused.column = static_cast<std::uint32_t>(fault.begin - line_begin + 1);
+  refused.slip = fault.slip;
   guard_against_other_dialects(line, refused);
   return collect(std::move(refused));
 }
@@ -284,7 +308,9 @@ bool Interpreter::refuse(const ProgramLine& line, const TextFault& fault) {
 void Interpreter::guard_against_other_dialects(const ProgramLine& line, Diagnostic& fault) const {
   constexpr std::array codes{Code::nc_syntax, Code::nc_unknown_function, Code::nc_unsupported,
                              Code::nc_number, Code::nc_axis_unknown,     Code::nc_word_twice};
-  if (dialect_.name != DialectName::isg || isg_word_seen_ ||
+  const bool mistyped =
+      fault.slip.kind != SlipKind::none && fault.slip.kind != SlipKind::unit_of_another;
+  if (dialect_.name != DialectName::isg || isg_word_seen_ || mistyped ||
       std::ranges::find(codes, fault.code) == codes.end())
     return;
   const auto other = looks_like(line.text);
@@ -310,6 +336,7 @@ bool Interpreter::collect(Diagnostic fault) {
                      .source = fault.source,
                      .column = fault.column,
                      .detail = std::move(fault.detail),
+                     .slip = std::move(fault.slip),
                      .last_line = fault.source.line});
   return faults_.size() >= limits_.most_faults && report_faults();
 }
@@ -319,6 +346,7 @@ bool Interpreter::report_faults() {
   for (const Fault& fault : faults_) {
     Diagnostic found = diagnostic(fault.code, fault.source, fault.detail);
     found.column = fault.column;
+    found.slip = fault.slip;
     if (fault.lines > 1) found.values = {{"lines", static_cast<double>(fault.lines)}};
     all.push_back(std::move(found));
   }
@@ -454,7 +482,7 @@ bool Interpreter::apply_modes(const ProgramLine& line, const BlockWords& block) 
   if (block.has(motion))
     motion_ = motions[static_cast<std::size_t>(block.of(motion).function->number)];
   if (block.has(unit)) {
-    inch_ = counts_in_inch(*block.of(unit).function);
+    count_in(line, counts_in_inch(*block.of(unit).function));
     feed_in_mm_ = dialect_.name == DialectName::sinumerik && block.of(unit).function->number < 100;
   }
   if (block.has(dimension)) incremental_ = block.of(dimension).is(91);

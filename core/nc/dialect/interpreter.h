@@ -211,9 +211,12 @@ class Interpreter {
   void scale(MoveRequest& request) const;
   bool pass_words(const ProgramLine& line, WordRole role);
 
-  bool refuse(const ProgramLine& line, const TextFault& fault);
+  bool refuse(const ProgramLine& line, const TextFault& given);
+  [[nodiscard]] static TextFault with_slip(const ProgramLine& line, TextFault fault);
   bool refuse(const ProgramLine& line, const Word& word, Code code, std::string detail = {});
   void guard_against_other_dialects(const ProgramLine& line, Diagnostic& fault) const;
+  // From this line on.
+  void count_in(const ProgramLine& line, bool inch);
   bool collect(Diagnostic fault);
   bool report_faults();
   // TRC is active, or its retract motion is still to come, as far as the text has been read.
@@ -333,12 +336,13 @@ class Interpreter {
     Source source{};
     std::uint32_t column = 0;
     std::string detail{};
+    Slip slip{};
     std::uint64_t lines = 1;
     std::uint32_t last_line = 0;
 
     template <class Archive>
     void serialize(Archive& archive) {
-      archive(code, source, column, detail, lines, last_line);
+      archive(code, source, column, detail, slip.kind, slip.instead, lines, last_line);
     }
   };
 

@@ -171,7 +171,10 @@ bool Interpreter::read_g_function(const Word& word, ProgramLine& line, BlockWord
   isg_word_seen_ |= is_of_isg_alone(group);
   // No mirroring, which is initial here, is inch elsewhere: millimetres for inches.
   if (function->number == 20 && !isg_word_seen_)
-    return refuse(line, word, Code::other_dialect, "G20, inch in fanuc and linuxcnc");
+    return refuse(line, TextFault{.code = Code::other_dialect,
+                                  .begin = word.begin,
+                                  .detail = "G20, inch in fanuc and linuxcnc",
+                                  .slip = {.kind = SlipKind::unit_of_another, .instead = "G70"}});
   const auto named = [&](std::string_view why) {
     return std::string("G").append(std::to_string(function->number)).append(why);
   };
@@ -181,7 +184,10 @@ bool Interpreter::read_g_function(const Word& word, ProgramLine& line, BlockWord
       code = Code::spatial_circle_while_active;
     else if (group == GGroup::spatial_circle && state_.just_deselected())
       code = Code::spatial_circle_after_deselection;
-    return refuse(line, word, code, named(", ").append(function->meaning));
+    TextFault fault{
+        .code = code, .begin = word.begin, .detail = named(", ").append(function->meaning)};
+    if (function->number == 21) fault.slip = {.kind = SlipKind::unit_of_another, .instead = "G71"};
+    return refuse(line, fault);
   }
   if (group == GGroup::zero_shift && contour_open())
     return refuse(line, word, Code::nc_unsupported, named(" while TRC is active"));

@@ -40,16 +40,6 @@ constexpr auto deceptive_characters = std::to_array<NamedCharacter>({
     {0xfeff, "a byte order mark, which cannot be seen"},
 });
 
-// Of one character that is UTF-8.
-std::uint32_t code_point(std::string_view character) {
-  const auto lead = static_cast<unsigned char>(character.front());
-  if (character.size() == 1) return lead;
-  std::uint32_t point = lead & (0x7fU >> character.size());
-  for (const char byte : character.substr(1))
-    point = point << 6U | (static_cast<unsigned char>(byte) & 0x3fU);
-  return point;
-}
-
 std::string hexadecimal(std::uint32_t value) {
   std::array<char, 8> digits{};
   const auto written =
@@ -81,6 +71,15 @@ std::size_t utf8_character(std::string_view text) {
     return follows(1) && follows(2) && follows(3) && !overlong && !too_large ? 4 : 0;
   }
   return 0;
+}
+
+std::uint32_t code_point(std::string_view character) {
+  const auto lead = static_cast<unsigned char>(character.front());
+  if (character.size() == 1) return lead;
+  std::uint32_t point = lead & (0x7fU >> character.size());
+  for (const char byte : character.substr(1))
+    point = point << 6U | (static_cast<unsigned char>(byte) & 0x3fU);
+  return point;
 }
 
 std::string_view without_blanks_in_front(std::string_view text) {

@@ -19,6 +19,8 @@ namespace trc {
 
 // Bytes of the UTF-8 character at the start of `text`; 0: it is none.
 [[nodiscard]] std::size_t utf8_character(std::string_view text);
+// Of one character that is UTF-8.
+[[nodiscard]] std::uint32_t code_point(std::string_view character);
 
 // Bytes of the blank at the start of `text`: space, tab or no-break space. 0: none.
 [[nodiscard]] inline std::size_t blank_at_start(std::string_view text) {

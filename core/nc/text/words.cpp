@@ -271,9 +271,13 @@ Word WordReader::no_number(const Word& word) {
   const char sign = upper(peek());
   const bool name = at_ == begin + 1 && class_of(sign) == Class::letter;
   const bool variable = sign == 'V' && at_ + 1 != end_ && at_[1] == '.';
-  if (sign == '[' || sign == 'P' || variable || name)
+  if (sign == '[' || sign == 'P' || variable || name) {
+    // A word of another language is named whole: TRANS, not TR.
+    const char* end = at_ + 1;
+    while (name && end != end_ && (class_of(*end) == Class::letter || *end == '_')) ++end;
     return fail(Code::nc_unsupported, begin,
-                std::string(begin, at_ + 1).append(", an expression or a name"));
+                std::string(begin, end).append(", an expression or a name"));
+  }
   std::string detail(1, word.letter);
   if (class_of(sign) == Class::high)
     detail.append(" before ")

@@ -36,6 +36,7 @@ struct TextFault {
   Code code = Code::nc_syntax;
   std::uint32_t begin = 0;  // byte of the line
   std::string detail{};
+  Slip slip{};
 };
 
 // Cuts one block of NC text into words, one after the other, in one pass over

@@ -11,8 +11,8 @@ result that was not returned may be machined.
 from .client import Client, compensate, compensate_path, survey_radii
 from .errors import ServerError, TrcError
 from .path import CompensatedPath, Path
-from .result import Diagnostic, PathResult, Result, Severity
-from .survey import Clearance, LargestRadius, Place, Survey, SurveyedRadius, UncutWall
+from .result import Diagnostic, PathResult, Place, RelatedPlace, Result, Severity
+from .survey import Clearance, LargestRadius, Survey, SurveyedRadius, SurveyPlace, UncutWall
 from .tls import Tls
 from .version import __version__
 
@@ -25,10 +25,12 @@ __all__ = [
     "Path",
     "PathResult",
     "Place",
+    "RelatedPlace",
     "Result",
     "ServerError",
     "Severity",
     "Survey",
+    "SurveyPlace",
     "SurveyedRadius",
     "Tls",
     "TrcError",

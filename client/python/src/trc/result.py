@@ -19,6 +19,42 @@ class Severity(enum.IntEnum):
 
 
 @dataclass(frozen=True)
+class Place:
+    """A place in a program."""
+
+    line: Optional[int] = None
+    """1-based line of the NC text."""
+    column: Optional[int] = None
+    """1-based byte of that line."""
+    source_number: Optional[int] = None
+    """N number of the block."""
+    source_index: Optional[int] = None
+    """0-based position of the input block."""
+
+    @staticmethod
+    def of(message: Any) -> "Place":
+        """From the message of the protocol."""
+
+        def given(name: str) -> Any:
+            return getattr(message, name) if message.HasField(name) else None
+
+        return Place(
+            given("line"), given("column"), given("source_number"), given("source_index")
+        )
+
+
+@dataclass(frozen=True)
+class RelatedPlace:
+    """Another block that a diagnostic speaks of."""
+
+    name: str
+    """Which one it is: "first", "last", "other"."""
+    text: str
+    """The same in words, in the language of the diagnostic."""
+    place: Place
+
+
+@dataclass(frozen=True)
 class Diagnostic:
     """Something the caller should know about the program."""
 
@@ -41,6 +77,20 @@ class Diagnostic:
     """Where it happens, mm."""
     values: Mapping[str, float] = field(default_factory=dict)
     """The numbers behind the message; mm, degrees or a count, as the name says."""
+    title: str = ""
+    """What kind of thing it is, in the language that the setup asks for."""
+    text: str = ""
+    """The title with the word at fault and the values, in the unit and that language."""
+    help: str = ""
+    """What the operator or programmer can do, in that language."""
+    place: Place = Place()
+    """Where it was found."""
+    related_places: tuple[RelatedPlace, ...] = ()
+    """Other blocks it speaks of, in the order of the text."""
+    language: str = "en"
+    """Of `title`, `text` and `help`: "en" or "de"."""
+    inch: bool = False
+    """The program counts in inches there; values are in mm all the same."""
 
     def __str__(self) -> str:
         place = f"line {self.line}: " if self.line is not None else ""
@@ -65,6 +115,16 @@ class Diagnostic:
             source_index=given("source_index"),
             point=None if point is None else (point.x, point.y, point.z),
             values=dict(message.values),
+            title=message.title,
+            text=message.text,
+            help=message.help,
+            place=Place.of(message.place),
+            related_places=tuple(
+                RelatedPlace(related.name, related.text, Place.of(related.place))
+                for related in message.related_places
+            ),
+            language=message.language or "en",
+            inch=message.inch,
         )
 
 

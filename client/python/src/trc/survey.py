@@ -9,7 +9,7 @@ from .result import Diagnostic
 
 
 @dataclass(frozen=True)
-class Place:
+class SurveyPlace:
     """A block of the program."""
 
     source_index: int
@@ -20,9 +20,9 @@ class Place:
     """N number of the block."""
 
     @staticmethod
-    def of(message: Any) -> "Place":
+    def of(message: Any) -> "SurveyPlace":
         """From the message of the protocol."""
-        return Place(
+        return SurveyPlace(
             source_index=message.source_index,
             line=message.line or None,
             source_number=message.source_number if message.HasField("source_number") else None)
@@ -32,7 +32,7 @@ class Place:
 class UncutWall:
     """A stretch of a wall that the path does not touch; points in the plane, mm."""
 
-    place: Place
+    place: SurveyPlace
     """The block of the wall."""
     start: tuple[float, float, float]
     end: tuple[float, float, float]
@@ -49,7 +49,7 @@ class UncutWall:
             return (position.x, position.y, position.z)
 
         return UncutWall(
-            place=Place.of(message.place), start=point(message.start), end=point(message.end),
+            place=SurveyPlace.of(message.place), start=point(message.start), end=point(message.end),
             center=point(message.center) if message.HasField("center") else None,
             sweep=message.sweep)
 
@@ -96,7 +96,7 @@ class SurveyedRadius:
     """With `uncut=True`: the stretches, in the order of the program, 2000 at most."""
     uncut_left_out: int
     """How many more stretches there were."""
-    limits: list[Place]
+    limits: list[SurveyPlace]
     """What is in the way where it does not reach every wall: two blocks, or one."""
 
     @staticmethod
@@ -124,7 +124,7 @@ class SurveyedRadius:
             uncut_by_removal=message.uncut_by_removal,
             uncut=list(map(UncutWall.of, message.uncut)),
             uncut_left_out=message.uncut_left_out,
-            limits=list(map(Place.of, message.limits)))
+            limits=list(map(SurveyPlace.of, message.limits)))
 
 
 @dataclass(frozen=True)
@@ -135,7 +135,7 @@ class LargestRadius:
     """mm, in whole micrometres; 0: there is none."""
     is_limited: bool
     """A tool larger by a micrometre does not. Else the search ended, much above the part's size."""
-    limits: list[Place]
+    limits: list[SurveyPlace]
     """The blocks that limit it: two, or one that is too small by itself."""
     refusal: Optional[Diagnostic]
     """What a larger tool is refused with; none: it leaves something out."""
@@ -145,7 +145,7 @@ class LargestRadius:
         """From the message of the protocol."""
         return LargestRadius(
             radius=message.radius, is_limited=message.is_limited,
-            limits=list(map(Place.of, message.limits)),
+            limits=list(map(SurveyPlace.of, message.limits)),
             refusal=Diagnostic.of(message.refusal) if message.HasField("refusal") else None)
 
 

@@ -1,0 +1,566 @@
+#include "core/base/german.h"
+
+#include <algorithm>
+#include <array>
+
+namespace trc {
+namespace {
+
+constexpr auto rows = std::to_array<GermanRow>({
+    {.code = Code::full_circle_with_radius_word,
+     .title = "ein Vollkreis lässt sich nicht allein mit dem Radius angeben",
+     .help = "Den Mittelpunkt mit I, J, K statt R programmieren."},
+    {.code = Code::circle_center_misfit,
+     .title = "der Kreismittelpunkt passt nicht zu Anfangs- und Endpunkt des Kreisbogens",
+     .help = "I, J, K oder den Endpunkt berichtigen. Nach G40 unter G239 steht das Werkzeug auf "
+             "dem korrigierten Punkt, nicht dort, wo der Bogen laut Programm anfängt: zuerst eine "
+             "Gerade fahren."},
+    {.code = Code::circle_radius_zero,
+     .title = "der Kreisradius ist null",
+     .help = "Einen Mittelpunkt (I, J, K) abseits des Anfangspunkts oder einen Radius ungleich 0 "
+             "programmieren."},
+    {.code = Code::radius_and_tool_word_together,
+     .title = "ein D-Wort und ein Wert für den Werkzeugradius stehen in einem Satz",
+     .help = "Den Werkzeugradius in einen eigenen Satz hinter das D-Wort schreiben."},
+    {.code = Code::transition_type_twice,
+     .title = "in einem Satz steht mehr als eine Übergangsart (G25, G26)",
+     .help = "Nur eine davon stehen lassen."},
+    {.code = Code::compensation_side_twice,
+     .title = "in einem Satz steht mehr als eines von G40, G41, G42",
+     .help = "Nur eines davon stehen lassen."},
+    {.code = Code::selection_mode_twice,
+     .title = "in einem Satz steht mehr als eine Anwahlart (G138, G139, G236 bis G239)",
+     .help = "Nur eine davon stehen lassen. Allein G05 darf neben einer anderen stehen."},
+    {.code = Code::plane_change_while_active,
+     .title = "die Ebene wechselt bei aktiver Werkzeugradiuskorrektur",
+     .help = "Die Werkzeugradiuskorrektur vor G17, G18 oder G19 mit G40 abwählen."},
+    {.code = Code::axis_link_while_active,
+     .title = "eine Achskopplung ändert sich bei aktiver Werkzeugradiuskorrektur",
+     .help = "Die Werkzeugradiuskorrektur vor dem Befehl mit G40 abwählen."},
+    {.code = Code::preset_while_active,
+     .title = "#PSET oder #PRESET steht bei aktiver Werkzeugradiuskorrektur",
+     .help = "Die Werkzeugradiuskorrektur vor dem Befehl mit G40 abwählen."},
+    {.code = Code::coordinate_system_while_active,
+     .title = "das Koordinatensystem wechselt bei aktiver Werkzeugradiuskorrektur",
+     .help = "Die Werkzeugradiuskorrektur vor dem Befehl mit G40 abwählen."},
+    {.code = Code::negative_tangfeed_minimum,
+     .title = "der kleinste Konturradius von #TANGFEED ist negativ",
+     .help = "RMIN mit 0 oder positiv programmieren."},
+    {.code = Code::center_and_radius_together,
+     .title = "ein Satz gibt für einen Kreis Mittelpunkt und Radius zugleich an",
+     .help = "Entweder I, J, K oder R stehen lassen."},
+    {.code = Code::tangential_ignored_with_inside_corner,
+     .title = "G05 wirkt unter G238 nicht und wird übergangen",
+     .help = "G05 streichen oder eine andere Anwahlart nehmen."},
+    {.code = Code::inside_corner_selected_while_active,
+     .title =
+         "G238 steht, während die Werkzeugradiuskorrektur in einer anderen Anwahlart aktiv ist",
+     .help = "Die Werkzeugradiuskorrektur vor G238 mit G40 abwählen."},
+    {.code = Code::mode_change_under_inside_corner,
+     .title = "die Anwahlart wechselt, obwohl mit G238 angewählt wurde",
+     .help = "Die Werkzeugradiuskorrektur vor dem Wechsel mit G40 abwählen."},
+    {.code = Code::point_to_point_while_active,
+     .title = "#PTP steht bei aktiver Werkzeugradiuskorrektur",
+     .help = "Die Werkzeugradiuskorrektur vor dem Befehl mit G40 abwählen."},
+    {.code = Code::circle_radii_differ,
+     .title = "Anfang und Ende des Kreisbogens sind vom Mittelpunkt nicht gleich weit weg (G164)",
+     .help = "I, J, K oder den Endpunkt berichtigen, oder den Mittelpunkt mit G165 korrigieren "
+             "lassen."},
+    {.code = Code::stretch_factor_out_of_range,
+     .title = "STRETCH_FACTOR liegt nicht zwischen 1 und 9 und wird auf 1 gesetzt",
+     .help = "Einen Wert von 1 bis 9 programmieren."},
+    {.code = Code::spatial_circle_while_active,
+     .title = "G303 steht bei aktiver Werkzeugradiuskorrektur",
+     .help = "Vor G303 die Werkzeugradiuskorrektur mit G40 und einer Geraden in der Ebene "
+             "abwählen."},
+    {.code = Code::inverse_without_online,
+     .title = "INVERSE ist ohne ONLINE gesetzt",
+     .help = "INVERSE streichen; die Rückrechnung der Bahn im Setup verlangen."},
+    {.code = Code::real_time_loop_while_active,
+     .title = "#RT WHILE steht bei aktiver Werkzeugradiuskorrektur",
+     .help = "Die Werkzeugradiuskorrektur vor dem Befehl mit G40 abwählen."},
+    {.code = Code::circular_selection_block,
+     .title = "die Werkzeugradiuskorrektur wird in einem Kreissatz angewählt",
+     .help = "Die erste Bewegung nach G41 oder G42 als Gerade programmieren, oder mit G236 oder "
+             "G237 anwählen."},
+    {.code = Code::too_many_passive_blocks,
+     .title =
+         "bei aktiver Werkzeugradiuskorrektur folgen zu viele Sätze ohne Bewegung in der Ebene "
+         "aufeinander",
+     .help = "Sie vor G41 oder hinter G40 setzen, oder die Grenze anheben.",
+     .on_command_line = "Sie vor G41 oder hinter G40 setzen, oder die Grenze anheben: --set "
+                        "max_passive_blocks=200."},
+    {.code = Code::tool_not_smaller_than_arc,
+     .title = "das Werkzeug passt nicht in den Kreisbogen: sein Radius ist nicht kleiner als der "
+              "des Bogens",
+     .help = "Einen kleineren Fräser oder einen größeren Bogen nehmen, oder G141 mit #TRC "
+             "[CONV_CIR_TO_LIN=1].",
+     .on_command_line = "Einen kleineren Fräser nehmen (trc radii sagt, welcher passt) oder einen "
+                        "größeren Bogen, oder G141 mit #TRC [CONV_CIR_TO_LIN=1]."},
+    {.code = Code::arc_radii_differ,
+     .title = "Anfangs- und Endradius des Kreisbogens sind verschieden, er hat also keine "
+              "Äquidistante (G164)",
+     .help = "I, J, K oder den Endpunkt berichtigen, oder den Mittelpunkt mit G165 korrigieren "
+             "lassen."},
+    {.code = Code::line_reversed,
+     .title = "das Werkzeug passt nicht: neben dieser Geraden liefe seine Bahn rückwärts und "
+              "würde die Kontur verletzen",
+     .help = "Einen kleineren Fräser nehmen: SurveyRadii (trc radii) sagt, welcher passt. Wo das "
+             "abgeschaltet ist, blendet G141 solche Sätze aus, und mit #TRC "
+             "[REMOVE_MASKED_BLOCKS=1] fallen ganze Schleifen weg.",
+     .on_command_line = "Einen kleineren Fräser nehmen: trc radii sagt, welcher passt. Wo das "
+                        "abgeschaltet ist, blendet G141 solche Sätze aus, und mit #TRC "
+                        "[REMOVE_MASKED_BLOCKS=1] fallen ganze Schleifen weg."},
+    {.code = Code::arc_wrapped,
+     .title = "das Werkzeug passt nicht: neben diesem Bogen liefe seine Bahn falsch herum und "
+              "würde die Kontur verletzen",
+     .help = "Einen kleineren Fräser nehmen: SurveyRadii (trc radii) sagt, welcher passt. Wo das "
+             "abgeschaltet ist, blendet G141 solche Sätze aus, und mit #TRC "
+             "[REMOVE_MASKED_BLOCKS=1] fallen ganze Schleifen weg.",
+     .on_command_line = "Einen kleineren Fräser nehmen: trc radii sagt, welcher passt. Wo das "
+                        "abgeschaltet ist, blendet G141 solche Sätze aus, und mit #TRC "
+                        "[REMOVE_MASKED_BLOCKS=1] fallen ganze Schleifen weg."},
+    {.code = Code::no_feed_adaptation_in_tangential_block,
+     .title = "der Vorschub des G05-Satzes lässt sich nicht anpassen (G11): der Werkzeugradius ist "
+              "zu groß",
+     .help = "Einen kleineren Fräser, ein weiteres Anfahren oder G10 nehmen."},
+    {.code = Code::selection_point_too_near,
+     .title = "der Anfangspunkt der Anwahl mit G238 liegt näher an der Kontur als der "
+              "Werkzeugradius",
+     .help = "Weiter weg von der Kontur beginnen."},
+    {.code = Code::radius_change_under_inside_corner,
+     .title = "der Werkzeugradius ändert sich, obwohl mit G238 angewählt wurde",
+     .help = "Die Werkzeugradiuskorrektur vor der Änderung mit G40 abwählen."},
+    {.code = Code::inside_corner_angle_too_large,
+     .title = "der Winkel zwischen dem Anfahrsatz von G238 und dem ersten Kontursatz ist zu groß",
+     .help = "Auf der anderen Seite beginnen, oder mit G138 oder G139 anwählen."},
+    {.code = Code::center_out_of_range,
+     .title = "der Mittelpunkt eines Kreises liegt außerhalb des Koordinatenbereichs",
+     .help = "Nach einer falschen Maßeinheit oder einem fehlenden Dezimalpunkt suchen."},
+    {.code = Code::end_point_out_of_range,
+     .title = "ein Endpunkt liegt außerhalb des Koordinatenbereichs",
+     .help = "Nach einer falschen Maßeinheit, einem fehlenden Dezimalpunkt oder zwei Geraden mit "
+             "sehr spitzem Winkel suchen."},
+    {.code = Code::spatial_circle_after_deselection,
+     .title = "G303 folgt auf G40 ohne eine Bewegung in der Ebene",
+     .help = "Zwischen G40 und G303 eine Gerade in der Ebene programmieren."},
+
+    {.code = Code::nc_syntax,
+     .title = "der Text ist kein NC-Wort",
+     .help = "Das Wort an der angegebenen Stelle berichtigen."},
+    {.code = Code::nc_unknown_function,
+     .title = "die G-Funktion ist nicht bekannt",
+     .help = "Sie streichen; GetServerInfo nennt die bekannten.",
+     .on_command_line = "Sie streichen; trc info nennt die bekannten. Wo sie den Weg nicht ändert: "
+                        "--unknown-words copy."},
+    {.code = Code::nc_unsupported,
+     .title = "das Wort ändert den Weg so, dass er hier nicht verfolgt wird",
+     .help = "Vor der Korrektur auflösen: Variablen, Schleifen, Unterprogramme und "
+             "Koordinatenwechsel in einfache Bewegungssätze umsetzen."},
+    {.code = Code::trc_option_unknown,
+     .title = "das Schlüsselwort von #TRC ist nicht bekannt",
+     .help = "Die Schreibweise berichtigen; GetServerInfo nennt alle Schlüsselwörter.",
+     .on_command_line = "Die Schreibweise berichtigen; trc info nennt alle Schlüsselwörter."},
+    {.code = Code::trc_option_out_of_range,
+     .title = "der Wert eines Schlüsselworts von #TRC fehlt oder liegt außerhalb seines Bereichs",
+     .help = "Einen Wert aus dem Bereich programmieren; GetServerInfo nennt alle Bereiche.",
+     .on_command_line = "Einen Wert aus dem Bereich programmieren; trc info nennt alle Bereiche."},
+    {.code = Code::nc_line_too_long,
+     .title = "eine Zeile ist länger als die Grenze",
+     .help = "Prüfen, ob das ein NC-Programm mit Zeilenenden ist, oder die Grenze anheben."},
+    {.code = Code::nc_not_text,
+     .title = "ein Byte ist kein Text: ein Steuerzeichen oder kein UTF-8",
+     .help = "Das Programm als reinen Text in UTF-8 speichern; auch ASCII ist UTF-8."},
+    {.code = Code::nc_number,
+     .title = "eine Zahl fehlt, ist falsch geschrieben oder außerhalb des Bereichs",
+     .help = "Hinter den Adressbuchstaben eine Dezimalzahl schreiben."},
+    {.code = Code::nc_unclosed,
+     .title = "etwas ist geöffnet, aber nicht geschlossen",
+     .help = "Die Klammer oder den Kommentar schließen, oder die fortgesetzte Zeile ergänzen."},
+    {.code = Code::nc_word_twice,
+     .title = "eine Adresse steht zweimal in einem Satz",
+     .help = "Nur eines der beiden Wörter stehen lassen."},
+    {.code = Code::nc_axis_unknown,
+     .title = "die Achse ist nicht unter denen des Setups",
+     .help = "Den Namen berichtigen, oder die Achse zu den mitgeführten Achsen des Setups nehmen.",
+     .on_command_line = "Den Namen berichtigen, oder die mitgeführten Achsen nennen: --set "
+                        "axis_names=A,B,Q."},
+    {.code = Code::nc_group_twice,
+     .title = "in einem Satz stehen zwei Funktionen, die einander ausschließen",
+     .help = "Nur eine davon stehen lassen."},
+    {.code = Code::tool_unknown,
+     .title = "die Werkzeugtabelle des Setups hat dieses Werkzeug nicht",
+     .help = "Das Werkzeug mit seinem Radius ins Setup aufnehmen, oder V.G.WZ_AKT.R statt des "
+             "D-Worts schreiben.",
+     .on_command_line = "Die Tabelle angeben: --tools tools.csv, oder das Werkzeug allein: --set "
+                        "tools=77:5. Oder V.G.WZ_AKT.R statt des D-Worts schreiben."},
+    {.code = Code::program_empty,
+     .title = "das Programm hat keinen Satz",
+     .help = "Prüfen, ob es die gemeinte Datei ist und ob sie vollständig ist."},
+    {.code = Code::side_behind_end,
+     .title = "G41 oder G42 steht hinter dem Programmende (M02, M30)",
+     .help = "Streichen, was hinter dem Ende steht, oder es als eigenes Programm korrigieren."},
+    {.code = Code::other_dialect,
+     .title = "das Wort bedeutet etwas anderes in dem Dialekt, nach dem das Programm aussieht",
+     .help = "Den Dialekt des Programms angeben (--dialect, `dialect` im Setup). Ist es ISG, das "
+             "Wort streichen.",
+     .on_command_line = "Den Dialekt des Programms angeben: --dialect fanuc, linuxcnc, sinumerik "
+                        "oder heidenhain. Ist es ISG, das Wort streichen."},
+    {.code = Code::turning,
+     .title = "das ist ein Drehprogramm: Drehen wird hier nicht korrigiert",
+     .help = "Die Schneidenradiuskorrektur der Drehmaschine überlassen."},
+
+    {.code = Code::circle_incomplete,
+     .title = "ein Kreissatz hat weder Mittelpunkt noch Radius",
+     .help =
+         "I, J, K oder R im Satz selbst programmieren, oder G01, wenn eine Gerade gemeint ist."},
+    {.code = Code::not_available,
+     .title = "die Funktion gibt es hier nicht",
+     .help = "Sie streichen oder eine andere nehmen.",
+     .on_command_line = "Sie streichen; trc info sagt, welche Optionen es gibt."},
+    {.code = Code::deselection_without_motion,
+     .title = "G41 oder G42 folgt auf G40, obwohl keine Bewegung in der Ebene von der Kontur "
+              "weggeführt hat",
+     .help = "Hinter G40 die Abfahrbewegung programmieren, oder G237 oder G239 nehmen."},
+    {.code = Code::tool_radius_out_of_range,
+     .title = "der Werkzeugradius liegt außerhalb des Bereichs",
+     .help = "Die Maßeinheit prüfen: der Radius zählt in mm, unter G70 in Zoll."},
+    {.code = Code::field_invalid,
+     .title = "ein Wert ist keine Zahl oder außerhalb des Bereichs",
+     .help = "Das genannte Feld berichtigen."},
+    {.code = Code::position_unknown,
+     .title = "die Bewegung beginnt an einer Stelle, die seit dem Koordinatenwechsel nicht bekannt "
+              "ist",
+     .help = "Hinter dem Wechsel zuerst alle Achsen der Ebene absolut programmieren (G90, G00 oder "
+             "G01), vor G91, Kreisen oder G41."},
+
+    {.code = Code::selection_block_too_short,
+     .title = "der Anfahrsatz oder Abfahrsatz ist kürzer, als seine Anwahlart braucht",
+     .help = "Den Satz verlängern oder einen kleineren Fräser nehmen."},
+    {.code = Code::tangential_start_on_tangent,
+     .title = "vom Anfangspunkt führt kein Kreis tangential an die Kontur (G05)",
+     .help = "Abseits der Tangente des ersten Kontursatzes beginnen."},
+    {.code = Code::circular_deselection_block,
+     .title = "die Werkzeugradiuskorrektur wird in einem Kreissatz abgewählt",
+     .help = "Die erste Bewegung nach G40 als Gerade programmieren, oder G236, G237 oder G239 "
+             "nehmen."},
+    {.code = Code::selection_without_contour,
+     .title = "die Werkzeugradiuskorrektur wird an- und abgewählt, ohne dass eine Kontur "
+              "dazwischen liegt; korrigiert wird nichts",
+     .help = "Die Anwahl streichen, oder die Kontur vor G40 programmieren."},
+    {.code = Code::ended_while_active,
+     .title = "das Programm endet, bevor das Werkzeug von der Kontur weggefahren ist; die Bahn "
+              "endet am letzten korrigierten Punkt",
+     .help = "Vor dem Ende G40 und eine Bewegung in der Ebene programmieren."},
+    {.code = Code::circular_side_change_block,
+     .title = "die Seite der Werkzeugradiuskorrektur wechselt in einem Kreissatz",
+     .help = "Den Satz, der zwischen G41 und G42 wechselt, als Gerade programmieren."},
+    {.code = Code::side_change_without_contour,
+     .title = "die Seite der Werkzeugradiuskorrektur wechselt, wo auf einer der beiden Seiten kein "
+              "Kontursatz liegt",
+     .help = "Zwischen G41, G42 und G40 mindestens einen Kontursatz programmieren."},
+    {.code = Code::contour_not_closed,
+     .title = "eine mit G238 angewählte Kontur endet nicht dort, wo sie begonnen hat",
+     .help = "Die Kontur schließen, oder mit G138 oder G139 anwählen."},
+    {.code = Code::last_block_full_circle,
+     .title = "der letzte Satz einer mit G238 angewählten Kontur ist ein Vollkreis",
+     .help = "Den Kreis teilen, oder mit einer anderen Anwahlart anwählen."},
+    {.code = Code::approach_crosses_contour,
+     .title = "der Anfahrsatz von G238 kreuzt einen Kontursatz",
+     .help = "Auf der Seite der Kontur beginnen, auf der das Werkzeug läuft."},
+    {.code = Code::side_change_under_inside_corner,
+     .title = "die Seite der Werkzeugradiuskorrektur wechselt innerhalb einer mit G238 angewählten "
+              "Kontur",
+     .help = "Mit G40 abwählen, bevor die andere Seite angewählt wird."},
+    {.code = Code::selection_too_long,
+     .title = "eine Anwahl umfasst mehr Sätze, als zurückgehalten werden dürfen",
+     .help = "Die Kontur teilen, oder die Grenze der Sätze je Anwahl anheben."},
+    {.code = Code::blocks_masked,
+     .title = "Kontursätze, an die das Werkzeug nicht herankommt, sind ausgeblendet",
+     .help = "Für sie einen kleineren Fräser nehmen.",
+     .on_command_line = "Für sie einen kleineren Fräser nehmen: trc radii sagt, welcher an jede "
+                        "Wand kommt."},
+    {.code = Code::bottleneck,
+     .title = "Engstelle: das Werkzeug kommt einem anderen Satz der Kontur näher als sein Radius",
+     .help = "Einen kleineren Fräser nehmen oder die Kontur berichtigen.",
+     .on_command_line = "Einen kleineren Fräser nehmen (trc radii sagt, welcher passt) oder die "
+                        "Kontur berichtigen."},
+    {.code = Code::beyond_window,
+     .title = "die Kontur ist länger als das Fenster der Konturausblendung, die keine längere "
+              "Schleife als dieses sieht",
+     .help = "look_ahead_blocks anheben, oder auf 0 setzen für die ganze Kontur.",
+     .on_command_line = "Die ganze Kontur ansehen: --set look_ahead_blocks=0."},
+    {.code = Code::clearance_violated,
+     .title = "nachgemessen kommt die korrigierte Bahn der Kontur näher als der Werkzeugradius",
+     .help = "Nicht fertigen. Einen kleineren Fräser nehmen oder die Kontur berichtigen, oder die "
+             "Schleifen durch G141 mit REMOVE_MASKED_BLOCKS herausnehmen lassen.",
+     .on_command_line = "Nicht fertigen. Einen kleineren Fräser nehmen (trc radii sagt, welcher "
+                        "passt) oder die Kontur berichtigen, oder die Schleifen durch G141 mit "
+                        "REMOVE_MASKED_BLOCKS herausnehmen lassen."},
+    {.code = Code::side_changed_at_corner,
+     .title = "die Seite wechselt, wo die Bewegung nicht umkehrt (REVERSE): das Werkzeug kreuzt "
+              "die Ecke näher als sein Radius",
+     .help = "Die Bewegung genau dort umkehren lassen, oder vor der anderen Seite mit G40 "
+             "abwählen."},
+    {.code = Code::most_left_out,
+     .title = "von der Kontur bliebe an einem Stück mehr stehen als erlaubt",
+     .help = "Einen kleineren Fräser nehmen: SurveyRadii (trc radii) sagt, welcher passt. Ist ein "
+             "Satz im Weg, der keinen Werkstoff begrenzt, ihn als Anfahr- oder Abfahrsatz "
+             "kennzeichnen, oder An- und Abfahrwege größer machen als das Werkzeug. Wo das Stück "
+             "wegbleiben darf, max_masked_share anheben.",
+     .on_command_line = "Einen kleineren Fräser nehmen: trc radii sagt, welcher passt. Ist ein "
+                        "Satz im Weg, der keinen Werkstoff begrenzt, An- und Abfahrwege größer "
+                        "machen als das Werkzeug, oder sagen, wie viele Sätze an- und abfahren: "
+                        "--set leads=blocks:1,1. Wo das Stück wegbleiben darf: --set "
+                        "max_masked_share=1."},
+    {.code = Code::no_tool_radius,
+     .title = "die Werkzeugradiuskorrektur wird angewählt, obwohl kein Werkzeugradius angegeben "
+              "ist",
+     .help = "Ein D-Wort oder T-Wort programmieren, dessen Radius die Werkzeugtabelle des Setups "
+             "hat, oder V.G.WZ_AKT.R; oder tool_radius im Setup angeben.",
+     .on_command_line = "Den Radius angeben: --radius 5, oder die Werkzeuge: --tools tools.csv, "
+                        "--set tools=1:5. Oder V.G.WZ_AKT.R=5 ins Programm schreiben."},
+    {.code = Code::tool_radius_zero,
+     .title = "der Werkzeugradius ist mit 0 angegeben: korrigiert wird nichts",
+     .help = "Prüfen, ob der Radius 0 sein soll."},
+    {.code = Code::center_corrected,
+     .title = "der Kreismittelpunkt passt nicht zu Anfangs- und Endpunkt und wird verschoben "
+              "(G165)",
+     .help = "I, J, K oder den Endpunkt berichtigen; der Bogen läuft um den verschobenen "
+             "Mittelpunkt."},
+    {.code = Code::wear_too_large,
+     .title = "der Verschleiß des Werkzeugs ist größer als max_wear; mit nominal_radius ist das "
+              "Programm eine Mittelpunktsbahn, und der Werkzeugradius ist nur, was das Werkzeug "
+              "davon abweicht",
+     .help = "Ist das der ganze Radius? Den Unterschied zum Nennradius angeben, oder max_wear "
+             "anheben.",
+     .on_command_line = "Ist das der ganze Radius? Den Unterschied zum Nennradius angeben, oder "
+                        "mehr zulassen: --set max_wear=2."},
+    {.code = Code::wear_not_deeper,
+     .title = "das Werkzeug ist kleiner als das Nennwerkzeug, aber die verschobene "
+              "Mittelpunktsbahn führt es nicht tiefer in diese Innenecke",
+     .help = "Wo die Ecke schärfer werden soll, die Kontur selbst mit dem ganzen Radius "
+             "korrigieren."},
+});
+
+static_assert(std::ranges::is_sorted(rows, {}, &GermanRow::code));
+
+struct Phrase {
+  std::string_view english;
+  std::string_view german;
+};
+
+// What details say of a word: the meanings of functions, and what readers say of their own.
+constexpr auto phrases = std::to_array<Phrase>({
+    {"F, more than 0 and at most 1000000000 mm/min",
+     "F, mehr als 0 und höchstens 1000000000 mm/min"},
+    {"G20, inch in fanuc and linuxcnc", "G20, Zoll bei fanuc und linuxcnc"},
+    {"L, a subprogram call", "L, ein Unterprogrammaufruf"},
+    {"P, a parameter", "P, ein Parameter"},
+    {"a control statement", "eine Steueranweisung"},
+    {"a block to skip on demand", "ein ausblendbarer Satz"},
+    {"a comment without )", "ein Kommentar ohne )"},
+    {"a comparison", "ein Vergleich"},
+    {"a control character", "ein Steuerzeichen"},
+    {"a decimal comma: write a point", "ein Dezimalkomma: Punkt schreiben"},
+    {"a decimal comma: write a decimal point", "ein Dezimalkomma: Dezimalpunkt schreiben"},
+    {"a division by zero", "eine Division durch null"},
+    {"a jump", "ein Sprung"},
+    {"a main program call", "ein Programmaufruf"},
+    {"a motion behind G90 or G91 that may be skipped",
+     "eine Bewegung hinter G90 oder G91, die ausgeblendet sein kann"},
+    {"a number without letter", "eine Zahl ohne Adressbuchstaben"},
+    {"a power without value", "eine Potenz ohne Wert"},
+    {"a rounding or a chamfer", "eine Rundung oder Fase"},
+    {"a second program", "ein zweites Programm"},
+    {"a second program in one text", "ein zweites Programm in einem Text"},
+    {"a statement", "eine Anweisung"},
+    {"a statement in parentheses", "eine Anweisung in Klammern"},
+    {"a subprogram", "ein Unterprogramm"},
+    {"a subprogram call", "ein Unterprogrammaufruf"},
+    {"a subprogram or a loop", "ein Unterprogramm oder eine Schleife"},
+    {"a system variable", "eine Systemvariable"},
+    {"a text", "ein Text"},
+    {"a text without its end", "ein Text ohne Ende"},
+    {"a unit or a plane that may be skipped",
+     "eine Maßeinheit oder Ebene, die ausgeblendet sein kann"},
+    {"a variable", "eine Variable"},
+    {"a variable or an expression", "eine Variable oder ein Ausdruck"},
+    {"an expression", "ein Ausdruck"},
+    {"an expression or a name", "ein Ausdruck oder ein Name"},
+    {"an unknown function", "eine unbekannte Funktion"},
+    {"back boring", "Rückwärtsbohren"},
+    {"behind other words", "hinter anderen Wörtern"},
+    {"boring", "Ausdrehen"},
+    {"boring with dwell", "Ausdrehen mit Verweilzeit"},
+    {"brackets too deep", "zu tief geklammert"},
+    {"chamfer", "Fase"},
+    {"circle in space", "Kreis im Raum"},
+    {"circular pocket, clockwise", "Kreistasche im Uhrzeigersinn"},
+    {"circular pocket, counter-clockwise", "Kreistasche gegen den Uhrzeigersinn"},
+    {"collision check of approach and retract", "Kollisionsprüfung beim An- und Abfahren"},
+    {"compensation of the tool length in five axes", "Werkzeuglängenkorrektur in fünf Achsen"},
+    {"compensation of the tool radius in space", "Werkzeugradiuskorrektur im Raum"},
+    {"contour rotation", "Drehung der Kontur"},
+    {"corner angle setting", "Einstellung des Eckenwinkels"},
+    {"cylindrical interpolation", "Mantelflächenbearbeitung"},
+    {"cylindrical mapping", "Mantelflächenbearbeitung"},
+    {"data setting", "Daten setzen"},
+    {"deep hole drilling", "Tieflochbohren"},
+    {"deep hole drilling with chip breaking", "Tieflochbohren mit Spanbrechen"},
+    {"diameter programming", "Durchmesserprogrammierung"},
+    {"diameter words", "Durchmesserangaben"},
+    {"drilling", "Bohren"},
+    {"drilling with chip breaking", "Bohren mit Spanbrechen"},
+    {"drilling with dwell", "Bohren mit Verweilzeit"},
+    {"dynamic work offset", "dynamische Nullpunktverschiebung"},
+    {"engraving", "Gravieren"},
+    {"feature coordinate system", "Koordinatensystem der schrägen Fläche"},
+    {"fine boring", "Feinbohren"},
+    {"finishing of a turned profile", "Schlichten eines Drehprofils"},
+    {"from the reference point", "vom Referenzpunkt"},
+    {"further tool length offset", "weitere Werkzeuglängenkorrektur"},
+    {"holes on a circle", "Lochkreis"},
+    {"holes on a line", "Lochreihe"},
+    {"holes on an arc", "Löcher auf einem Bogen"},
+    {"homing", "Referenzpunktfahrt"},
+    {"implicit subprogram call", "impliziter Unterprogrammaufruf"},
+    {"in a text that is only passed on", "in einem Text, der nur weitergereicht wird"},
+    {"inch", "Zoll"},
+    {"keeping of the compensation vector; with R a tangential exit",
+     "Halten des Korrekturvektors; mit R tangentiales Abfahren"},
+    {"left-hand tapping", "Linksgewindebohren"},
+    {"left-hand tapping in space", "Linksgewindebohren im Raum"},
+    {"local coordinate system", "lokales Koordinatensystem"},
+    {"macro call", "Makroaufruf"},
+    {"manual mode", "Handbetrieb"},
+    {"measuring", "Messen"},
+    {"measuring of a tool diameter", "Messen des Werkzeugdurchmessers"},
+    {"measuring of a tool length; with R a tangential entry",
+     "Messen der Werkzeuglänge; mit R tangentiales Anfahren"},
+    {"measuring of a zero point", "Messen des Nullpunkts"},
+    {"measuring of a zero point; with R a rounding", "Messen des Nullpunkts; mit R eine Rundung"},
+    {"measuring shift off", "Messversatz aus"},
+    {"measuring shift on", "Messversatz ein"},
+    {"mirroring", "Spiegeln"},
+    {"modal macro call", "modaler Makroaufruf"},
+    {"motion in machine coordinates", "Bewegung in Maschinenkoordinaten"},
+    {"motion in step with the spindle", "Bewegung synchron zur Spindel"},
+    {"motion until a signal", "Bewegung bis zu einem Signal"},
+    {"no UTF-8", "kein UTF-8"},
+    {"outside a comment", "außerhalb eines Kommentars"},
+    {"plane U V", "Ebene U V"},
+    {"plane V W", "Ebene V W"},
+    {"plane W U", "Ebene W U"},
+    {"pocket milling of a contour in a subprogram", "Taschenfräsen einer Kontur im Unterprogramm"},
+    {"polar coordinate interpolation", "Polarkoordinaten-Interpolation"},
+    {"polar coordinates", "Polarkoordinaten"},
+    {"positioning from one side", "Positionieren von einer Seite"},
+    {"probing", "Antasten"},
+    {"radius programming", "Radiusprogrammierung"},
+    {"retract from tapping", "Rückzug aus dem Gewinde"},
+    {"rigid left-hand tapping", "Linksgewindebohren ohne Ausgleichsfutter"},
+    {"rigid tapping", "Gewindebohren ohne Ausgleichsfutter"},
+    {"rotation", "Drehung"},
+    {"roughing of a turned profile", "Schruppen eines Drehprofils"},
+    {"rounding", "Rundung"},
+    {"scaling", "Skalieren"},
+    {"shift of the coordinates", "Verschiebung der Koordinaten"},
+    {"smooth approach along a quarter circle: use a straight G41 block",
+     "weiches Anfahren im Viertelkreis: einen geraden G41-Satz nehmen"},
+    {"smooth approach along a semicircle: use a straight G41 block",
+     "weiches Anfahren im Halbkreis: einen geraden G41-Satz nehmen"},
+    {"smooth approach along a straight line: use a straight G41 block",
+     "weiches Anfahren auf einer Geraden: einen geraden G41-Satz nehmen"},
+    {"smooth retract along a quarter circle: use a straight G40 block",
+     "weiches Abfahren im Viertelkreis: einen geraden G40-Satz nehmen"},
+    {"smooth retract along a semicircle: use a straight G40 block",
+     "weiches Abfahren im Halbkreis: einen geraden G40-Satz nehmen"},
+    {"smooth retract along a straight line: use a straight G40 block",
+     "weiches Abfahren auf einer Geraden: einen geraden G40-Satz nehmen"},
+    {"smooth approach in space", "weiches Anfahren im Raum"},
+    {"smooth approach in the plane", "weiches Anfahren in der Ebene"},
+    {"software limit", "Software-Endschalter"},
+    {"spline", "Spline"},
+    {"storing of a position", "Speichern einer Position"},
+    {"tapping", "Gewindebohren"},
+    {"tapping in space", "Gewindebohren im Raum"},
+    {"tapping with compensating chuck", "Gewindebohren mit Ausgleichsfutter"},
+    {"the dialect heidenhain", "der Dialekt heidenhain"},
+    {"the end of a subprogram", "das Ende eines Unterprogramms"},
+    {"thread cutting", "Gewindeschneiden"},
+    {"thread turning", "Gewindedrehen"},
+    {"tilted working plane", "geschwenkte Bearbeitungsebene"},
+    {"to a fixed point", "auf einen Festpunkt"},
+    {"to a further reference point", "auf einen weiteren Referenzpunkt"},
+    {"to a stored position", "auf eine gespeicherte Position"},
+    {"to the reference point", "auf den Referenzpunkt"},
+    {"tool axis orientation", "Orientierung der Werkzeugachse"},
+    {"tool centre point control", "Führung der Werkzeugspitze"},
+    {"tool data and zero points", "Werkzeugdaten und Nullpunkte"},
+    {"tool length along the tool axis", "Werkzeuglänge in der Werkzeugachse"},
+    {"tool offset decrease", "Werkzeugkorrektur verkleinern"},
+    {"tool offset given by axis words", "Werkzeugkorrektur durch Achswörter"},
+    {"tool offset increase", "Werkzeugkorrektur vergrößern"},
+    {"tool offset, twice", "Werkzeugkorrektur, doppelt"},
+    {"too large", "zu groß"},
+    {"under the thread", "im Gewinde"},
+    {"which LinuxCNC does not have", "gibt es bei LinuxCNC nicht"},
+    {"with a motion", "mit einer Bewegung"},
+    {"with an expression", "mit einem Ausdruck"},
+    {"with axis words", "mit Achswörtern"},
+    {"without a time", "ohne Zeit"},
+    {"a word behind a # command", "ein Wort hinter einem #-Befehl"},
+    {"work coordinate system", "Werkstück-Koordinatensystem"},
+});
+
+constexpr std::string_view while_active = " while TRC is active";
+constexpr std::string_view while_active_german = " bei aktiver Werkzeugradiuskorrektur";
+
+// "TRANS, …, as in sinumerik": a word of another dialect.
+constexpr std::string_view as_in = ", as in ";
+constexpr std::string_view as_in_german = ", wie bei ";
+
+const Phrase* phrase_of(std::string_view english) {
+  const auto* const found = std::ranges::find(phrases, english, &Phrase::english);
+  return found == phrases.end() ? nullptr : found;
+}
+
+}  // namespace
+
+std::span<const GermanRow> german_rows() { return rows; }
+
+const GermanRow& german_row_of(Code code) {
+  const auto* const found = std::ranges::lower_bound(rows, code, {}, &GermanRow::code);
+  if (found != rows.end() && found->code == code) return *found;
+  // As row_of() does.
+  static constexpr GermanRow unknown{
+      .code = Code{},
+      .title = "ein Fehler, dessen Nummer nicht in der Tabelle steht",
+      .help = "Dieses Programm aktualisieren."};
+  return unknown;
+}
+
+std::string german_detail(std::string_view detail) {
+  if (detail.ends_with(while_active)) {
+    detail.remove_suffix(while_active.size());
+    return german_detail(detail).append(while_active_german);
+  }
+  if (const Phrase* whole = phrase_of(detail)) return std::string(whole->german);
+  if (const std::size_t at = detail.rfind(as_in); at != std::string_view::npos)
+    return german_detail(detail.substr(0, at))
+        .append(as_in_german)
+        .append(detail.substr(at + as_in.size()));
+  // "G68, rotation": the word, and what it means; words of the program may have commas as well.
+  for (std::size_t at = detail.find(", "); at != std::string_view::npos;
+       at = detail.find(", ", at + 2))
+    if (const Phrase* meaning = phrase_of(detail.substr(at + 2)))
+      return std::string(detail.substr(0, at + 2)).append(meaning->german);
+  for (std::size_t at = detail.find(' '); at != std::string_view::npos;
+       at = detail.find(' ', at + 1))
+    if (const Phrase* state = phrase_of(detail.substr(at + 1)))
+      return std::string(detail.substr(0, at + 1)).append(state->german);
+  return std::string(detail);
+}
+
+}  // namespace trc

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "core/base/diagnostic.h"
+
+namespace trc {
+
+// The German words for a code, as a machinist would say them. Words of programs, settings and
+// options stay as they are, and so do numbers: with a decimal point.
+struct GermanRow {
+  Code code{};
+  std::string_view title;              // for CodeRow::cause
+  std::string_view help;               // for CodeRow::remedy
+  std::string_view on_command_line{};  // for Explanation::on_command_line; empty as that is
+};
+
+// One of each row of the table of codes, in its order.
+[[nodiscard]] std::span<const GermanRow> german_rows();
+[[nodiscard]] const GermanRow& german_row_of(Code code);
+
+// The detail of a diagnostic, where what it says about a word is known in German: "G68, rotation".
+[[nodiscard]] std::string german_detail(std::string_view detail);
+
+}  // namespace trc

@@ -1,0 +1,55 @@
+#include "core/base/language.h"
+
+#include <algorithm>
+#include <cctype>
+#include <charconv>
+#include <string>
+
+namespace trc {
+namespace {
+
+std::string_view trimmed(std::string_view text) {
+  while (!text.empty() && (text.front() == ' ' || text.front() == '\t')) text.remove_prefix(1);
+  while (!text.empty() && (text.back() == ' ' || text.back() == '\t')) text.remove_suffix(1);
+  return text;
+}
+
+// 1 where there is none; 0 where it is no number, so that it is never chosen.
+double weight_of(std::string_view parameters) {
+  const std::size_t at = parameters.find("q=");
+  if (at == std::string_view::npos) return 1;
+  const std::string_view digits = trimmed(parameters.substr(at + 2));
+  double weight = 0;
+  const auto [end, fault] = std::from_chars(digits.data(), digits.data() + digits.size(), weight);
+  return fault == std::errc{} && weight >= 0 && weight <= 1 ? weight : 0;
+}
+
+}  // namespace
+
+std::optional<Language> language_of_tag(std::string_view tag) {
+  std::string first(tag.substr(0, tag.find_first_of("-_.@")));
+  std::transform(first.begin(), first.end(), first.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  if (first == "de") return Language::german;
+  if (first == "en" || first == "c" || first == "posix") return Language::english;
+  return std::nullopt;
+}
+
+Language accepted_language(std::string_view header) {
+  Language best = Language::english;
+  double best_weight = 0;
+  while (!header.empty()) {
+    const std::size_t end = std::min(header.find(','), header.size());
+    const std::string_view one = header.substr(0, end);
+    header.remove_prefix(std::min(end + 1, header.size()));
+    const std::size_t tag_end = std::min(one.find(';'), one.size());
+    const auto language = language_of_tag(trimmed(one.substr(0, tag_end)));
+    const double weight = weight_of(one.substr(tag_end));
+    if (!language || weight <= best_weight) continue;
+    best = *language;
+    best_weight = weight;
+  }
+  return best;
+}
+
+}  // namespace trc

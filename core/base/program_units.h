@@ -1,0 +1,45 @@
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <iterator>
+#include <vector>
+
+namespace trc {
+
+// Which unit the lengths of a program count in, block by block, as far as it has been read. mm
+// before anything is said.
+class ProgramUnits {
+ public:
+  // From this block (Source::index) on; blocks rise.
+  void count_in(bool inch, std::uint64_t from_block) {
+    if (is_inch(from_block) != inch) changes_.push_back({.from_block = from_block, .inch = inch});
+  }
+
+  [[nodiscard]] bool is_inch(std::uint64_t block) const {
+    const auto behind = std::upper_bound(
+        changes_.begin(), changes_.end(), block,
+        [](std::uint64_t place, const Change& change) { return place < change.from_block; });
+    return behind != changes_.begin() && std::prev(behind)->inch;
+  }
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(changes_);
+  }
+
+ private:
+  struct Change {
+    std::uint64_t from_block = 0;
+    bool inch = false;
+
+    template <class Archive>
+    void serialize(Archive& archive) {
+      archive(from_block, inch);
+    }
+  };
+
+  std::vector<Change> changes_;
+};
+
+}  // namespace trc

@@ -1,0 +1,124 @@
+#include "core/base/german.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <regex>
+#include <set>
+#include <string>
+
+#include "core/base/explanation.h"
+#include "core/nc/dialect/dialect.h"
+
+namespace trc {
+namespace {
+
+// What is the same in every language: words of programs, settings, options and numbers.
+std::multiset<std::string> words_of_machine(std::string_view text) {
+  static const std::regex word(
+      R"(\{\w+\}|#[A-Z]+|--[a-z-]+|[A-Z]+_[A-Z_]+(=[0-9])?|\b[a-z]+(_[a-z]+)+(=\S+[0-9])?|\bG[0-9]+|\bM[0-9]+|\btrc [a-z]+|V\.G\.\S+R\b|\b(REVERSE|INVERSE|ONLINE|RMIN|I, J, K)\b)");
+  const std::string whole(text);
+  std::multiset<std::string> found;
+  for (std::sregex_iterator at(whole.begin(), whole.end(), word), end; at != end; ++at)
+    found.insert(at->str());
+  return found;
+}
+
+std::set<std::string> once(const std::multiset<std::string>& words) {
+  return {words.begin(), words.end()};
+}
+
+TEST(German, IsThereForEveryCode) {
+  const auto rows = code_table();
+  ASSERT_EQ(german_rows().size(), rows.size());
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    SCOPED_TRACE(static_cast<int>(rows[i].code));
+    const GermanRow& german = german_rows()[i];
+    EXPECT_EQ(german.code, rows[i].code);
+    EXPECT_FALSE(german.title.empty());
+    EXPECT_FALSE(german.title.ends_with('.'));
+    EXPECT_TRUE(german.help.ends_with('.'));
+    EXPECT_NE(german.title, rows[i].cause);
+    EXPECT_EQ(german.on_command_line.empty(),
+              explanation_of(rows[i].code)->on_command_line.empty());
+  }
+}
+
+TEST(German, SaysTheSameWordsOfProgramsAndSettings) {
+  for (const CodeRow& row : code_table()) {
+    SCOPED_TRACE(static_cast<int>(row.code));
+    const GermanRow& german = german_row_of(row.code);
+    EXPECT_EQ(once(words_of_machine(german.title)), once(words_of_machine(row.cause)));
+    EXPECT_EQ(once(words_of_machine(german.help)), once(words_of_machine(row.remedy)));
+    EXPECT_EQ(once(words_of_machine(german.on_command_line)),
+              once(words_of_machine(explanation_of(row.code)->on_command_line)));
+  }
+}
+
+TEST(German, NamesEveryFunctionThatIsRefused) {
+  for (const Dialect& dialect : all_dialects())
+    for (const GFunction& function : dialect.functions) {
+      const bool is_told = function.group == GGroup::refused || function.group == GGroup::call ||
+                           function.group == GGroup::turning;
+      if (!is_told) continue;
+      const std::string detail = std::string("G1, ").append(function.meaning);
+      EXPECT_NE(german_detail(detail), detail) << dialect.spelling;
+    }
+}
+
+TEST(German, SaysWhatIsSaidOfAWord) {
+  EXPECT_EQ(german_detail("G68, rotation"), "G68, Drehung");
+  EXPECT_EQ(german_detail("G54 while TRC is active"), "G54 bei aktiver Werkzeugradiuskorrektur");
+  EXPECT_EQ(german_detail("L, a subprogram call"), "L, ein Unterprogrammaufruf");
+  EXPECT_EQ(german_detail("G21, mirroring, as in fanuc"), "G21, Spiegeln, wie bei fanuc");
+  EXPECT_EQ(german_detail("X10, of mine"), "X10, of mine");
+}
+
+TEST(German, OfMessageAndHelp) {
+  Diagnostic found = diagnostic(Code::bottleneck, {.index = 3});
+  found.values = {{"clearance", 2}, {"tool_radius", 5}};
+  append_place(found.values, "other", {.index = 8, .number = 70, .line = 7});
+  EXPECT_EQ(message_of(found, Language::german),
+            "Engstelle: das Werkzeug kommt einem anderen Satz der Kontur näher als sein Radius "
+            "(Abstand 2.000 mm, Werkzeugradius 5.000 mm, anderer Satz Zeile 7 (N70))");
+  EXPECT_EQ(help_of(found, Language::german),
+            "Einen kleineren Fräser nehmen oder die Kontur berichtigen.");
+}
+
+TEST(German, OfEverySlipNamesWhatWasMeant) {
+  for (const SlipKind kind :
+       {SlipKind::decimal_comma, SlipKind::letter_o, SlipKind::letter_l, SlipKind::other_keyboard,
+        SlipKind::quotes, SlipKind::unit_of_another}) {
+    Diagnostic found = diagnostic(Code::nc_number, {});
+    found.slip = {.kind = kind, .instead = "X10.5"};
+    EXPECT_NE(help_of(found).find("X10.5"), std::string::npos);
+    EXPECT_NE(help_of(found, Language::german).find("X10.5"), std::string::npos);
+    EXPECT_NE(help_of(found), help_of(found, Language::german));
+    EXPECT_EQ(help_of(found).find('{'), std::string::npos);
+  }
+}
+
+TEST(Language, IsReadFromATag) {
+  EXPECT_EQ(language_of_tag("de"), Language::german);
+  EXPECT_EQ(language_of_tag("de_DE.UTF-8"), Language::german);
+  EXPECT_EQ(language_of_tag("DE-at"), Language::german);
+  EXPECT_EQ(language_of_tag("en-GB"), Language::english);
+  EXPECT_EQ(language_of_tag("C.UTF-8"), Language::english);
+  EXPECT_EQ(language_of_tag("fr"), std::nullopt);
+  EXPECT_EQ(language_of_tag("den"), std::nullopt);
+  EXPECT_EQ(language_of_tag(""), std::nullopt);
+}
+
+TEST(Language, IsWhatAcceptLanguagePrefers) {
+  EXPECT_EQ(accepted_language("de-DE,de;q=0.9,en;q=0.8"), Language::german);
+  EXPECT_EQ(accepted_language("en-US,en;q=0.9,de;q=0.8"), Language::english);
+  EXPECT_EQ(accepted_language("fr, de;q=0.5"), Language::german);
+  EXPECT_EQ(accepted_language("en;q=0.2, de;q=0.9"), Language::german);
+  EXPECT_EQ(accepted_language("de;q=0"), Language::english);
+  EXPECT_EQ(accepted_language("de;q=x"), Language::english);
+  EXPECT_EQ(accepted_language(""), Language::english);
+  EXPECT_EQ(accepted_language("*"), Language::english);
+}
+
+}  // namespace
+}  // namespace trc

@@ -1,0 +1,80 @@
+#include <gtest/gtest.h>
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/session/program_session.h"
+
+namespace trc {
+namespace {
+
+std::vector<Diagnostic> diagnostics_of(std::string_view program,
+                                       const ProgramSessionSetup& setup = {},
+                                       std::size_t cut = 1000) {
+  ProgramSession session(setup);
+  ProgramOutput out;
+  for (std::size_t at = 0; at < program.size(); at += cut)
+    if (!session.feed(program.substr(at, cut), out)) break;
+  session.finish(out);
+  return session.diagnostics().take();
+}
+
+// A slot 8 mm, then one 0.3 inch wide, both too narrow; the path is known blocks later.
+constexpr std::string_view two_units =
+    "N10 G71 G141 V.G.WZ_AKT.R=5\n"
+    "N20 G01 X0 Y-20 F1000\n"
+    "N30 G41 X0 Y0\n"
+    "N40 X50\nN50 Y-30\nN60 X58\nN70 Y0\nN80 X120\nN90 G40 Y-20\n"
+    "N100 G70 X0 Y-1\n"
+    "N110 G41 X0 Y0\n"
+    "N120 X2\nN130 Y-1\nN140 X2.3\nN150 Y0\nN160 X5\nN170 G40 Y-1\n"
+    "N180 G71\nN190 M30\n";
+
+TEST(DiagnosticUnit, IsThatOfItsLineAlsoWhereTheProgramHasGoneOn) {
+  for (const std::size_t cut : {std::size_t{1}, std::size_t{30}, two_units.size()}) {
+    const std::vector<Diagnostic> found = diagnostics_of(two_units, {}, cut);
+    ASSERT_FALSE(found.empty());
+    bool mm = false;
+    bool inch = false;
+    for (const Diagnostic& one : found) {
+      EXPECT_EQ(one.inch, one.source.number >= 100 && one.source.number < 180)
+          << one.source.number << ": " << message_of(one);
+      mm = mm || !one.inch;
+      inch = inch || one.inch;
+    }
+    EXPECT_TRUE(mm);
+    EXPECT_TRUE(inch);
+  }
+}
+
+TEST(DiagnosticUnit, IsThatOfTheSetupBeforeTheProgramSays) {
+  ProgramSessionSetup setup;
+  setup.session.program.inch = true;
+  const auto found = diagnostics_of("N10 G02 X1 Y0 I0.2 J2 F10\nN20 M30\n", setup);
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_EQ(found[0].code, Code::circle_center_misfit);
+  EXPECT_NE(message_of(found[0]).find("start radius 2.0100 in"), std::string::npos)
+      << message_of(found[0]);
+}
+
+TEST(DiagnosticUnit, IsInchUnderG20OfFanucFromItsLineOn) {
+  ProgramSessionSetup setup;
+  setup.session.program.dialect = DialectName::fanuc;
+  const auto found =
+      diagnostics_of("N10 G0 X0 Y0\nN20 G20\nN30 G02 X1 Y0 I0.2 J2 F10\nN40 M30\n", setup);
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_NE(message_of(found[0]).find("2.0100 in"), std::string::npos) << message_of(found[0]);
+}
+
+TEST(DiagnosticLanguage, IsThatOfTheSetup) {
+  ProgramSessionSetup setup;
+  setup.session.language = Language::german;
+  const auto found = diagnostics_of("N10 G1 X10,5\n", setup);
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_EQ(found[0].language, Language::german);
+  EXPECT_EQ(help_of(found[0], found[0].language), "Dezimalpunkt statt Komma schreiben: X10.5.");
+}
+
+}  // namespace
+}  // namespace trc
