@@ -598,18 +598,24 @@ bool Interpreter::check_code_selection(ProgramLine& line, BlockWords& block) {
 
 // Sinumerik: T is the tool, D its edge; D0 is none.
 bool Interpreter::choose_tool_of_edge(ProgramLine& line, BlockWords& block) {
-  if (block.tool) code_.edge_off = block.tool->value == 0;
-  if (block.tool_number) code_.edge_off = block.tool && block.tool->value == 0;
+  // A tool change chooses the first one.
+  if (block.tool || block.tool_number) code_.edge = block.tool ? block.tool->value : 1;
   block.tool.reset();
   const bool selects = block.has(side) && !block.of(side).is(40);
   if (!selects) return true;
   const std::uint32_t begin = block.of(side).begin;
-  if (code_.edge_off) {
+  if (code_.edge == 0) {
     block.tool = {.value = 0, .begin = begin};
     return true;
   }
   const std::int64_t number = code_.changes_by_m6 ? code_.spindle_tool : code_.next_tool;
   const bool table = !state_.setup().tools.empty();
+  if (table && code_.edge != 1)
+    return refuse(line,
+                  TextFault{.code = Code::tool_unknown,
+                            .begin = begin,
+                            .detail = "an edge other than D1: tables of tools have its radius "
+                                      "alone"});
   const bool another =
       number < 0 && !code_.only_tool_name.empty() && code_.only_tool_name != code_.tool_name;
   if (number < 0 && code_.only_tool_name.empty()) code_.only_tool_name = code_.tool_name;

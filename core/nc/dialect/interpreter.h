@@ -279,7 +279,7 @@ class Interpreter {
     std::string only_tool_name{};
     bool tangent_arcs = false;   // CT
     double modal_rounding = 0;   // RNDM=, mm
-    bool edge_off = false;       // D0
+    double edge = 1;             // of the tool, Sinumerik: D; 0: none
     bool changes_by_m6 = false;  // T only prepares a tool
     // The one register that stands for the radius of the setup, where it has no tools.
     std::optional<std::int64_t> only_register{};
@@ -295,7 +295,7 @@ class Interpreter {
     template <class Archive>
     void serialize(Archive& archive) {
       archive(cycle, unfollowed, turning, y_seen, dimension_uncertain, turned, next_tool,
-              spindle_tool, tool_name, edge_off, changes_by_m6, only_register, pole, polar_angle,
+              spindle_tool, tool_name, edge, changes_by_m6, only_register, pole, polar_angle,
               polar_radius, polar_rewritten, missing_tool, only_tool_name, tangent_arcs, tool_named,
               spindle_empty, modal_rounding, soft_direction, soft_in_space, soft_approach);
     }
