@@ -87,12 +87,10 @@ std::optional<FoundSlip> decimal_comma(std::string_view line, std::size_t at) {
   if (!is_comma || !is_letter(line[begin])) return std::nullopt;
   std::size_t end = comma + 1;
   while (end < line.size() && is_digit(line[end])) ++end;
-  FoundSlip found{.slip = {.kind = SlipKind::decimal_comma},
-                  .begin = begin,
-                  .word = std::string(line.substr(begin, end - begin))};
-  found.slip.instead = found.word;
-  found.slip.instead[comma - begin] = '.';
-  return found;
+  const std::string word(line.substr(begin, end - begin));
+  Slip slipped{.kind = SlipKind::decimal_comma, .instead = word};
+  slipped.instead[comma - begin] = '.';
+  return FoundSlip{.slip = slipped, .begin = begin, .word = word};
 }
 
 // YO, GO1, G0l: at the letter or at its word.
@@ -112,11 +110,10 @@ std::optional<FoundSlip> letter_for_digit(std::string_view line, std::size_t at)
   if (sign(slip) == 'l' && slip > first && is_digit(sign(slip + 1))) return std::nullopt;
   std::size_t end = begin + 1;
   bool digits = false;
-  FoundSlip found{.begin = begin};
   for (; end < line.size() && (is_letter_for_digit(line[end]) || belongs_to_number(line[end]));
        ++end)
     digits = digits || is_digit(line[end]);
-  found.word = line.substr(begin, end - begin);
+  const std::string word(line.substr(begin, end - begin));
   // GOTO, RO[1]: a name, unless a word with its number follows.
   const bool name_follows =
       (is_letter(sign(end)) && !is_digit(sign(end + 1)) && sign(end + 1) != '-' &&
@@ -125,18 +122,18 @@ std::optional<FoundSlip> letter_for_digit(std::string_view line, std::size_t at)
       sign(end) == '[' || sign(end) == '=' || sign(end) == ':';
   const char letter = upper(line[begin]);
   const bool statement = is_o(sign(begin + 1)) && (letter == 'D' || letter == 'T');  // DO1, TO
-  if (name_follows || statement || (!digits && found.word.size() != 2)) return std::nullopt;
-  found.slip.instead = found.word;
-  for (std::size_t i = 1; i < found.slip.instead.size(); ++i) {
-    char& one = found.slip.instead[i];
+  if (name_follows || statement || (!digits && word.size() != 2)) return std::nullopt;
+  Slip slipped{.instead = word};
+  for (std::size_t i = 1; i < slipped.instead.size(); ++i) {
+    char& one = slipped.instead[i];
     if (!is_letter_for_digit(one)) continue;
-    if (found.slip.kind == SlipKind::none)
-      found.slip.kind = is_o(one) ? SlipKind::letter_o : SlipKind::letter_l;
+    if (slipped.kind == SlipKind::none)
+      slipped.kind = is_o(one) ? SlipKind::letter_o : SlipKind::letter_l;
     one = is_o(one) ? '0' : '1';
   }
   // G10l2: no function has so many digits.
-  if (letter == 'G' && std::ranges::count_if(found.slip.instead, is_digit) > 3) return std::nullopt;
-  return found;
+  if (letter == 'G' && std::ranges::count_if(slipped.instead, is_digit) > 3) return std::nullopt;
+  return FoundSlip{.slip = slipped, .begin = begin, .word = word};
 }
 
 }  // namespace

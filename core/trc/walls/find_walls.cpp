@@ -149,7 +149,7 @@ void untie(std::size_t number, double length, const BowTie& tie, Walls& walls) {
   for (const std::size_t one : {number - 1, number, number + 1})
     if (walls.is_lead(one) || walls.part_of(one)) return;
   // Of the short block: as much as has a direction.
-  const double tip = std::min(1e-7, length);  // mm
+  const double tip = std::min(same_place, length);
   std::array<Walls::Part, 2> parts{
       {{.number = number - 1, .to = tie.along_before}, {.number = number, .from = length - tip}}};
   if (!tie.tip_at_end)
