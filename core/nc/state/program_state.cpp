@@ -433,14 +433,8 @@ bool ProgramState::move_on_circle(const MoveRequest& request, const Position& en
   if (mode_.active() && in_plane_blocks_ == 0 && !check_radius(request.source)) return false;
   TrackingTravel tracking;
   if (!move_tracking(request, tracking)) return false;
-  const bool alone = moves_in_plane_alone(request, end, tracking);
-  Segment path = programmed.arc;
-  if (!check_corner(request, alone) || !cut_corner_before(request, path, alone)) return false;
-  if (lead_ && !approach_contour(path)) return false;
   enter_target(request, end);
-  append_motion(request, std::get<Arc>(path), end, std::move(tracking));
-  hold_for_corner(request);
-  return true;
+  return append_between_corners(request, programmed.arc, end, std::move(tracking));
 }
 
 bool ProgramState::move_straight(const MoveRequest& request, const Position& end) {
@@ -450,20 +444,33 @@ bool ProgramState::move_straight(const MoveRequest& request, const Position& end
   if (!move_tracking(request, tracking)) return false;
   enter_target(request, end);
   Line line{.start = to_plane(mode_.plane, position_), .end = to_plane(mode_.plane, end)};
-  if (leads_back(request)) line.start = last_equidistant_point();
+  if (retract_pending_ && leads_back(request)) line.start = last_equidistant_point();
   if ((line.end - line.start).norm() > tolerances_.same_point) {
     if (mode_.active() && in_plane_blocks_ == 0 && !check_radius(request.source)) return false;
     displaced_ = false;
-    const bool alone = moves_in_plane_alone(request, end, tracking);
-    Segment path = line;
-    if (!check_corner(request, alone) || !cut_corner_before(request, path, alone)) return false;
-    if (lead_ && !approach_contour(path)) return false;
-    append_motion(request, std::get<Line>(path), end, std::move(tracking));
-    hold_for_corner(request);
-  } else {
-    const bool tracking_moves = std::ranges::any_of(tracking, &AxisTravel::moves);
-    append_passive(request, end, std::move(tracking), tracking_moves);
+    return append_between_corners(request, line, end, std::move(tracking));
   }
+  const bool tracking_moves = std::ranges::any_of(tracking, &AxisTravel::moves);
+  append_passive(request, end, std::move(tracking), tracking_moves);
+  return true;
+}
+
+// Nearly all motions have no word for a corner, before or behind them.
+template <class Shape>
+bool ProgramState::append_between_corners(const MoveRequest& request, const Shape& shape,
+                                          const Position& end, TrackingTravel&& tracking) {
+  const bool is_plain =
+      !request.corner && !corner_ && !lead_ && setup_.dialect != DialectName::heidenhain;
+  if (is_plain) {
+    append_motion(request, shape, end, std::move(tracking));
+    return true;
+  }
+  const bool alone = moves_in_plane_alone(request, end, tracking);
+  Segment path = shape;
+  if (!check_corner(request, alone) || !cut_corner_before(request, path, alone)) return false;
+  if (lead_ && !approach_contour(path)) return false;
+  append_motion(request, std::get<Shape>(path), end, std::move(tracking));
+  hold_for_corner(request);
   return true;
 }
 
@@ -471,9 +478,8 @@ bool ProgramState::move_straight(const MoveRequest& request, const Position& end
 // program moves it all the same: programs go back there and begin the next pass.
 bool ProgramState::leads_back(const MoveRequest& request) const {
   const PlaneAxes axes = axes_of(mode_.plane);
-  return setup_.dialect != DialectName::isg && retract_pending_ &&
-         mode_.deselection == Selection::direct && last_mode_ != nullptr &&
-         last_mode_->plane == mode_.plane &&
+  return setup_.dialect != DialectName::isg && mode_.deselection == Selection::direct &&
+         last_mode_ != nullptr && last_mode_->plane == mode_.plane &&
          (request.end[axes.first] || request.end[axes.second]) &&
          (to_plane(mode_.plane, target_) - trc::end_of(last_path_)).norm() <=
              tolerances_.same_point;

@@ -272,6 +272,9 @@ class ProgramState {
     return last_part_;
   }
   template <class Shape>
+  bool append_between_corners(const MoveRequest& request, const Shape& shape, const Position& end,
+                              TrackingTravel&& tracking);
+  template <class Shape>
   void append_motion(const MoveRequest& request, const Shape& path, const Position& end,
                      TrackingTravel&& tracking);
   void append_passive(const MoveRequest& request, const Position& end, TrackingTravel tracking,
