@@ -135,7 +135,7 @@ TEST(ArcForm, WhatIsAnArcIsReadAsTheSameArc) {
     ++arcs;
     const Point start(state.position[0], state.position[1]);
     TextBuffer words;
-    writer.append_arc(words, arc, numbers, Plane::xy, {arc.end.x(), arc.end.y(), 0}, {}, 0, state);
+    writer.append_arc(words, {arc, numbers}, {Position{arc.end.x(), arc.end.y(), 0}, {}}, state);
     const std::string text(words.view());
     const Point end(state.position[0], state.position[1]);
     Point center(std::stod(text.substr(text.find('I') + 1)),
@@ -177,8 +177,8 @@ TEST(MotionWords, RotaryAxesHaveNoInch) {
   const MotionWriter writer(4, "AU");
   WrittenState state{.inch = true, .tracking = {0, 0}};
   TextBuffer text;
-  writer.append_line(text, MotionKind::linear, {25.4, 0, 0},
-                     {{.from = 0, .to = 30}, {.from = 0, .to = 50.8}}, 0, state);
+  const TrackingTravel tracking{{.from = 0, .to = 30}, {.from = 0, .to = 50.8}};
+  writer.append_line(text, MotionKind::linear, {Position{25.4, 0, 0}, tracking}, state);
   EXPECT_EQ(text.view(), " G01 X1 A30 U2");
   EXPECT_EQ(state.position[0], 25.4);
   EXPECT_EQ(state.tracking[0], 30);

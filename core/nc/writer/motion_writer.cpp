@@ -210,46 +210,43 @@ bool MotionWriter::moves(const Position& end, const TrackingTravel& tracking,
   return false;
 }
 
-char* MotionWriter::write_axes(char* at, AxisSet always, AxisSet never, const Position& end,
-                               const TrackingTravel& tracking, const KnownNumbers& known,
+char* MotionWriter::write_axes(char* at, const Axes& axes, const KnownNumbers& known,
                                WrittenState& state) const {
   const auto write_axis = [&](char letter, AxisSet bit, double target, bool inch,
                               const Written* number, double& position) {
-    if ((never & bit) != 0) return;
-    if ((always & bit) == 0 && reaches(target, position, inch)) return;
+    if ((axes.never & bit) != 0) return;
+    if ((axes.always & bit) == 0 && reaches(target, position, inch)) return;
     const Written axis =
         number != nullptr ? *number : written_end(target, position, inch, state.incremental);
     at = write_word(at, letter, axis.units, decimals_of(inch));
     position = axis.read;
   };
-  for (std::size_t axis = 0; axis < end.size(); ++axis)
-    write_axis(main_axis_letters[axis], axis_bit(axis), end[axis], state.inch, known[axis],
+  for (std::size_t axis = 0; axis < axes.end.size(); ++axis)
+    write_axis(main_axis_letters[axis], axis_bit(axis), axes.end[axis], state.inch, known[axis],
                state.position[axis]);
-  for (std::size_t axis = 0; axis < tracking.size(); ++axis) {
+  for (std::size_t axis = 0; axis < axes.tracking.size(); ++axis) {
     const char letter = tracking_letters_[axis];
-    write_axis(letter, axis_bit(end.size() + axis), tracking[axis].to,
+    write_axis(letter, axis_bit(axes.end.size() + axis), axes.tracking[axis].to,
                state.inch && is_linear(letter), nullptr, state.tracking[axis]);
   }
   return at;
 }
 
-void MotionWriter::append_line(TextBuffer& out, MotionKind kind, const Position& end,
-                               const TrackingTravel& tracking, AxisSet always,
+void MotionWriter::append_line(TextBuffer& out, MotionKind kind, const Axes& axes,
                                WrittenState& state) const {
-  char* at = room_of_motion(out, tracking);
+  char* at = room_of_motion(out, axes.tracking);
   at = spelling_.klartext ? write_name(at, " L")
                           : write_function(at, kind == MotionKind::rapid ? '0' : '1');
-  at = write_axes(at, always, 0, end, tracking, {}, state);
+  at = write_axes(at, axes, {}, state);
   if (spelling_.klartext && kind == MotionKind::rapid) at = write_name(at, " FMAX");
   out.end_at(at);
   state.motion = kind;
 }
 
-void MotionWriter::append_arc(TextBuffer& out, const Arc& arc, const ArcNumbers& numbers,
-                              Plane plane, const Position& end, const TrackingTravel& tracking,
-                              AxisSet always, WrittenState& state) const {
-  if (spelling_.klartext)
-    return append_klartext_arc(out, arc, numbers, plane, end, tracking, always, state);
+void MotionWriter::append_arc(TextBuffer& out, const NumberedArc& numbered, const Axes& given,
+                              WrittenState& state) const {
+  if (spelling_.klartext) return append_klartext_arc(out, numbered, given, state);
+  const auto& [arc, numbers, plane] = numbered;
   const bool clockwise = arc.sweep < 0;
   const PlaneAxes axes = axes_of(plane);
   const AxisSet plane_axes = axis_bit(axes.first) | axis_bit(axes.second);
@@ -260,10 +257,12 @@ void MotionWriter::append_arc(TextBuffer& out, const Arc& arc, const ArcNumbers&
   KnownNumbers known{};
   known[axes.first] = &numbers.end[0];
   known[axes.second] = &numbers.end[1];
-  char* at = room_of_motion(out, tracking);
+  char* at = room_of_motion(out, given.tracking);
   at = write_function(at, clockwise ? '2' : '3');
-  at = write_axes(at, always | plane_axes, only_center ? plane_axes : 0, end, tracking, known,
-                  state);
+  Axes named = given;
+  named.always |= plane_axes;
+  if (only_center) named.never = plane_axes;
+  at = write_axes(at, named, known, state);
   const auto write_center = [&](std::size_t axis, std::size_t number) {
     at =
         write_word(at, center_letters[axis], numbers.center[number].units, decimals_of(state.inch));
@@ -296,24 +295,25 @@ void MotionWriter::append_pole(TextBuffer& out, const Point& pole, Plane plane,
 }
 
 // Behind its CC. A helix has the angle that it turns by, as C has no third axis.
-void MotionWriter::append_klartext_arc(TextBuffer& out, const Arc& arc, const ArcNumbers& numbers,
-                                       Plane plane, const Position& end,
-                                       const TrackingTravel& tracking, AxisSet always,
-                                       WrittenState& state) const {
+void MotionWriter::append_klartext_arc(TextBuffer& out, const NumberedArc& numbered,
+                                       const Axes& given, WrittenState& state) const {
+  const auto& [arc, numbers, plane] = numbered;
   const bool clockwise = arc.sweep < 0;
   const PlaneAxes axes = axes_of(plane);
   const AxisSet in_plane = axis_bit(axes.first) | axis_bit(axes.second);
   const AxisSet third = axis_bit(axes.third);
-  const bool helix =
-      (always & third) != 0 || !reaches(end[axes.third], state.position[axes.third], state.inch);
-  char* at = room_of_motion(out, tracking);
+  const bool helix = (given.always & third) != 0 ||
+                     !reaches(given.end[axes.third], state.position[axes.third], state.inch);
+  Axes named = given;
+  char* at = room_of_motion(out, given.tracking);
   if (helix) {
     constexpr int angle_decimals = 6;
     const std::int64_t angle = to_units(arc.sweep * 180 / std::numbers::pi, angle_decimals);
     at = write_name(at, " CP IPA");
     if (angle >= 0) *at++ = '+';
     at = write_units(at, angle, angle_decimals);
-    at = write_axes(at, always, in_plane, end, tracking, {}, state);
+    named.never = in_plane;
+    at = write_axes(at, named, {}, state);
     const Vector arm = to_plane(plane, state.position) - state.pole;
     const double turn = from_units(angle, angle_decimals) * std::numbers::pi / 180;
     const Point read = state.pole + std::cos(turn) * arm + std::sin(turn) * left_of(arm);
@@ -324,7 +324,8 @@ void MotionWriter::append_klartext_arc(TextBuffer& out, const Arc& arc, const Ar
     known[axes.first] = &numbers.end[0];
     known[axes.second] = &numbers.end[1];
     at = write_name(at, " C");
-    at = write_axes(at, always | in_plane, 0, end, tracking, known, state);
+    named.always |= in_plane;
+    at = write_axes(at, named, known, state);
   }
   at = write_name(at, clockwise ? " DR-" : " DR+");
   out.end_at(at);

@@ -84,6 +84,20 @@ class MotionWriter {
   [[nodiscard]] ArcForm form_of(const Arc& arc, const ArcNumbers& numbers, Plane plane,
                                 const WrittenState& state) const;
 
+  // An arc with its numbers: of this arc, from the state it is written in.
+  struct NumberedArc {
+    const Arc& arc;
+    const ArcNumbers& numbers;
+    Plane plane = Plane::xy;
+  };
+  // Where the axes of a motion go, and which of them are named.
+  struct Axes {
+    const Position& end;
+    const TrackingTravel& tracking;
+    AxisSet always = 0;  // beside those that move
+    AxisSet never = 0;   // although they move
+  };
+
   // Whether a reader would move if it were told to go there.
   [[nodiscard]] bool moves(const Position& end, const TrackingTravel& tracking,
                            const WrittenState& state) const;
@@ -94,13 +108,10 @@ class MotionWriter {
   [[nodiscard]] bool reaches_tracking(std::size_t axis, double target, double position,
                                       bool inch) const;
 
-  // Append the motion function, the axes that move or are in `always` and, for
-  // an arc, both plane axes and the centre. Each word has a blank before it.
-  void append_line(TextBuffer& out, MotionKind kind, const Position& end,
-                   const TrackingTravel& tracking, AxisSet always, WrittenState& state) const;
-  // `numbers`: of this arc, from this state.
-  void append_arc(TextBuffer& out, const Arc& arc, const ArcNumbers& numbers, Plane plane,
-                  const Position& end, const TrackingTravel& tracking, AxisSet always,
+  // Append the motion function, the axes and, for an arc, both plane axes and the centre. Each word
+  // has a blank before it.
+  void append_line(TextBuffer& out, MotionKind kind, const Axes& axes, WrittenState& state) const;
+  void append_arc(TextBuffer& out, const NumberedArc& arc, const Axes& axes,
                   WrittenState& state) const;
 
   // In Klartext the centre is a block of its own, in front of the arc: CC.
@@ -138,14 +149,12 @@ class MotionWriter {
   [[nodiscard]] double feed_unit(bool inch) const {
     return inch ? mm_per_inch / (spelling_.klartext ? 10 : 1) : 1;
   }
-  void append_klartext_arc(TextBuffer& out, const Arc& arc, const ArcNumbers& numbers, Plane plane,
-                           const Position& end, const TrackingTravel& tracking, AxisSet always,
+  void append_klartext_arc(TextBuffer& out, const NumberedArc& arc, const Axes& axes,
                            WrittenState& state) const;
 
   // `known`: the numbers of main axes that have been asked for already.
   using KnownNumbers = std::array<const Written*, 3>;
-  [[nodiscard]] char* write_axes(char* at, AxisSet always, AxisSet never, const Position& end,
-                                 const TrackingTravel& tracking, const KnownNumbers& known,
+  [[nodiscard]] char* write_axes(char* at, const Axes& axes, const KnownNumbers& known,
                                  WrittenState& state) const;
 
   int decimals_;

@@ -301,11 +301,12 @@ void NcWriter::write_piece(const CompensatedBlock& block, const Segment& piece,
         append(*own_->line, word);
   }
   const MotionKind kind = kind_of(block);
+  const MotionWriter::Axes axes{.end = end, .tracking = tracking, .always = always};
   if (arc != nullptr) {
-    motions_.append_arc(words_, *arc, *numbers, block.plane, end, tracking, always, state_);
+    motions_.append_arc(words_, {*arc, *numbers, block.plane}, axes, state_);
   } else {
-    motions_.append_line(words_, kind == MotionKind::rapid ? kind : MotionKind::linear, end,
-                         tracking, always, state_);
+    motions_.append_line(words_, kind == MotionKind::rapid ? kind : MotionKind::linear, axes,
+                         state_);
   }
   append_feed_and_rest(block);
   write_words(own_ != nullptr ? own_->line->line_end : line_end_, out);
