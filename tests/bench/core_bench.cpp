@@ -33,9 +33,11 @@ void require(bool going, Diagnostics& diagnostics) {
   if (!going) throw std::runtime_error(message_of(diagnostics.take().back()));
 }
 
-void pipeline(benchmark::State& state) {
+void pipeline(benchmark::State& state, Engine engine) {
   Diagnostics diagnostics;
-  Compensator compensator(setup(), diagnostics);
+  CompensatorSetup given = setup();
+  given.engine = engine;
+  Compensator compensator(given, diagnostics);
   std::vector<CompensatedBlock> out;
   std::vector<Block> batch = part().approach;
   require(compensator.feed(batch, out), diagnostics);
@@ -93,7 +95,7 @@ class Passes {
   Diagnostics diagnostics_;
   Checkpoint checkpoint_{{}};
   selection::RefusedWay refused_way_{};
-  RelevantBlocks relevant_blocks_{setup(), diagnostics_};
+  RelevantBlocks relevant_blocks_{setup(), diagnostics_, refused_way_};
   ConvertCircles convert_circles_{setup().tolerances};
   KerfMasking kerf_masking_{true, setup().tolerances};
   Offset offset_{setup().tolerances, diagnostics_};
@@ -125,7 +127,10 @@ void pass(benchmark::State& state, std::size_t number) {
 }
 
 const bool registered = [] {
-  add("core: blocks to blocks", pipeline);
+  add("core: blocks to blocks",
+      [](benchmark::State& state) { pipeline(state, Engine::automatic); });
+  add("core: blocks through all passes",
+      [](benchmark::State& state) { pipeline(state, Engine::passes); });
   for (std::size_t number = 0; number < Passes::names.size(); ++number)
     add(("pass: " + std::string(Passes::names[number])).c_str(),
         [number](benchmark::State& state) { pass(state, number); });

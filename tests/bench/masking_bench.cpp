@@ -22,32 +22,38 @@ namespace {
 
 enum class Way { plain, whole, window, measured };
 
-std::vector<Block> program(const Workload& workload, std::size_t blocks, Way way) {
+using Contours = std::vector<std::vector<Segment>>;
+
+// Each contour is a selection of its own.
+std::vector<Block> program(const Contours& contours, double tool_radius, Way way) {
   TrcMode off;
   off.transition = Transition::circular;
   off.selection = Selection::direct;
-  off.tool_radius = workload.tool_radius;
+  off.tool_radius = tool_radius;
   if (way != Way::plain) {
     off.masking = Masking::on;
     off.options.remove_masked_blocks = true;
   }
   TrcMode on = off;
   on.side = Side::right;
-  on.selection_number = 1;
-  const auto selected = std::make_shared<const TrcMode>(on);
   const auto deselected = std::make_shared<const TrcMode>(off);
-
-  const std::vector<Segment> contour = workload.contour(blocks);
-  const Point start = start_of(contour.front());
-  const Point outside = start + 3 * workload.tool_radius * start.normalized();
   std::vector<Block> program;
   const auto add = [&](const Segment& path, const std::shared_ptr<const TrcMode>& mode) {
     program.emplace_back(
         MotionBlock{.source = {.index = program.size()}, .path = path, .feed = 1000, .mode = mode});
   };
-  add(Line{.start = outside, .end = start}, selected);
-  for (const Segment& segment : contour) add(segment, selected);
-  add(Line{.start = start, .end = outside}, deselected);
+  for (const std::vector<Segment>& contour : contours) {
+    ++on.selection_number;
+    const auto selected = std::make_shared<const TrcMode>(on);
+    const Point start = start_of(contour.front());
+    const Point outside = start + 3 * tool_radius * start.normalized();
+    if (!program.empty())
+      add(Line{.start = end_of(std::get<MotionBlock>(program.back()).path), .end = outside},
+          deselected);
+    add(Line{.start = outside, .end = start}, selected);
+    for (const Segment& segment : contour) add(segment, selected);
+    add(Line{.start = start, .end = outside}, deselected);
+  }
   return program;
 }
 
@@ -56,9 +62,7 @@ std::size_t bytes_in_use() {
   return heap.uordblks + heap.hblkhd + PagePiece::count() * PagePiece::bytes;
 }
 
-void compensate(benchmark::State& state, const Workload& workload, Way way) {
-  const auto blocks = static_cast<std::size_t>(state.range(0));
-  const std::vector<Block> given = program(workload, blocks, way);
+void compensate(benchmark::State& state, const std::vector<Block>& given, Way way) {
   const Line first = std::get<Line>(std::get<MotionBlock>(given.front()).path);
   CompensatorSetup setup;
   setup.start = {first.start.x(), first.start.y(), 0};
@@ -100,28 +104,49 @@ void compensate(benchmark::State& state, const Workload& workload, Way way) {
   }
   state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(given.size()));
   state.counters["blocks_out"] = static_cast<double>(out_blocks);
-  state.counters["bytes_a_block"] = static_cast<double>(bytes_held) / static_cast<double>(blocks);
+  state.counters["bytes_a_block"] =
+      static_cast<double>(bytes_held) / static_cast<double>(given.size());
 }
 
-std::string name_of(const Workload& workload, const char* way) {
-  std::string radius = std::to_string(workload.tool_radius);
+void compensate_workload(benchmark::State& state, const Workload& workload, Way way) {
+  const auto blocks = static_cast<std::size_t>(state.range(0));
+  compensate(state, program({workload.contour(blocks)}, workload.tool_radius, way), way);
+}
+
+void compensate_shapes(benchmark::State& state, const RealShapes& shapes, Way way) try {
+  compensate(state, program(shapes.contours(), shapes.tool_radius, way), way);
+} catch (const std::exception& missing) {
+  state.SkipWithError(missing.what());
+}
+
+std::string name_of(const std::string& shape, double tool_radius, const char* way) {
+  std::string radius = std::to_string(tool_radius);
   radius.erase(radius.find_last_not_of("0") + 1);
   if (radius.back() == '.') radius.pop_back();
-  return workload.name + " R" + radius + " " + way;
+  return shape + " R" + radius + " " + way;
 }
+
+constexpr std::pair<Way, const char*> ways[] = {{Way::plain, "G140"},
+                                                {Way::whole, "removed"},
+                                                {Way::window, "window 1000"},
+                                                {Way::measured, "removed and measured"}};
 
 // Growth is seen over the whole contour, with ten times as many again.
 const bool registered = [] {
   for (const Workload& workload : workloads())
-    for (const auto& [way, name] : {std::pair{Way::plain, "G140"}, std::pair{Way::whole, "removed"},
-                                    std::pair{Way::window, "window 1000"},
-                                    std::pair{Way::measured, "removed and measured"}}) {
+    for (const auto& [way, name] : ways) {
       auto* measured =
-          benchmark::RegisterBenchmark(name_of(workload, name).c_str(), compensate, workload, way);
+          benchmark::RegisterBenchmark(name_of(workload.name, workload.tool_radius, name).c_str(),
+                                       compensate_workload, workload, way);
       measured->Arg(100'000)->Arg(1'000'000)->Unit(benchmark::kMillisecond);
       if (way == Way::measured) measured->Arg(10'000);
       if (way == Way::whole || way == Way::measured) measured->Arg(10'000'000);
     }
+  for (const RealShapes& shapes : real_shapes())
+    for (const auto& [way, name] : ways)
+      benchmark::RegisterBenchmark(name_of(shapes.name, shapes.tool_radius, name).c_str(),
+                                   compensate_shapes, shapes, way)
+          ->Unit(benchmark::kMillisecond);
   return true;
 }();
 

@@ -137,16 +137,18 @@ void motions(benchmark::State& state) {
   const MotionWriter writer(4, "");
   TextBuffer text;
   WrittenState written;
+  const TrackingTravel none;
   run_timed(
       state, compensated.size(), [&] { text.clear(); },
       [&] {
         for (const CompensatedBlock& block : compensated) {
           const Position end = from_plane(Plane::xy, end_of(block.path), 0);
+          const MotionWriter::Axes axes{.end = end, .tracking = none};
           if (const Arc* arc = std::get_if<Arc>(&block.path))
-            writer.append_arc(text, *arc, writer.numbers_of(*arc, Plane::xy, written), Plane::xy,
-                              end, {}, 0, written);
+            writer.append_arc(text, {*arc, writer.numbers_of(*arc, Plane::xy, written)}, axes,
+                              written);
           else
-            writer.append_line(text, MotionKind::linear, end, {}, 0, written);
+            writer.append_line(text, MotionKind::linear, axes, written);
         }
       });
 }

@@ -4,7 +4,11 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <string_view>
+#include <utility>
 
+#include "tests/support/coasts.h"
+#include "tests/support/font.h"
 #include "tests/support/random.h"
 
 namespace trc::bench {
@@ -155,8 +159,52 @@ const std::array kinds{
     Workload{"comb", 1, comb}, Workload{"combfine", 1, combfine}, Workload{"rough", 1, rough},
     Workload{"gear", 1, gear}, Workload{"gear", 3, gear},         Workload{"spiral", 0.6, spiral}};
 
+double area_of(const std::vector<Point>& ring) {
+  double twice = 0;
+  for (std::size_t k = 0; k < ring.size(); ++k)
+    twice += cross(ring[k], ring[(k + 1) % ring.size()]);
+  return twice / 2;
+}
+
+std::vector<Segment> counter_clockwise(std::vector<Point> ring) {
+  if (area_of(ring) < 0) std::reverse(ring.begin(), ring.end());
+  return closed(ring);
+}
+
+std::vector<std::vector<Segment>> letters() {
+  constexpr std::string_view engraved =
+      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789";
+  std::vector<std::vector<Segment>> contours;
+  for (const char* name : {"DejaVuSans", "DejaVuSerif", "DejaVuSansMono"}) {
+    const support::Font font("/usr/share/fonts/truetype/dejavu/" + std::string(name) + ".ttf");
+    for (const char letter : engraved)
+      for (const auto& ring : font.rings_of(static_cast<char32_t>(letter), {}))
+        if (ring.size() > 2) contours.push_back(counter_clockwise(ring));
+  }
+  return contours;
+}
+
+// Not one that goes round the world: it runs across all others from one rim of the map to the
+// other.
+bool is_in_one_piece(const std::vector<Point>& ring) {
+  return std::adjacent_find(ring.begin(), ring.end(), [](const Point& a, const Point& b) {
+           return std::abs(a.x() - b.x()) > 1000;
+         }) == ring.end();
+}
+
+std::vector<std::vector<Segment>> coast() {
+  std::vector<Point> longest;
+  for (auto& ring : support::coasts("h"))
+    if (ring.size() > longest.size() && is_in_one_piece(ring)) longest = std::move(ring);
+  return {counter_clockwise(std::move(longest))};
+}
+
+const std::array shapes{RealShapes{"letters", 0.3, letters}, RealShapes{"letters", 3, letters},
+                        RealShapes{"coast", 0.02, coast}, RealShapes{"coast", 0.3, coast}};
+
 }  // namespace
 
 std::span<const Workload> workloads() { return kinds; }
+std::span<const RealShapes> real_shapes() { return shapes; }
 
 }  // namespace trc::bench

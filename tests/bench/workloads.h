@@ -25,4 +25,16 @@ struct Workload {
 // spiral: one arm whose walls are 1 mm apart, and half of all blocks.
 [[nodiscard]] std::span<const Workload> workloads();
 
+// Closed contours, counter-clockwise, that nobody has drawn for it. Outwards, begun where they are
+// farthest from the zero point.
+struct RealShapes {
+  std::string name{};
+  double tool_radius = 0;
+  std::vector<std::vector<Segment>> (*contours)() = nullptr;  // throws where they are not installed
+};
+
+// letters: capitals of 40 mm, small letters and digits of three fonts, engraved one by one.
+// coast: the longest one, a degree of the globe a centimetre, every turn a few micrometres long.
+[[nodiscard]] std::span<const RealShapes> real_shapes();
+
 }  // namespace trc::bench

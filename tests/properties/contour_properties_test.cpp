@@ -384,7 +384,7 @@ TrcMode with_random_options(Random& random, TrcMode mode) {
   return mode;
 }
 
-// Blocks in the middle of a contour take the short way (ContourRun) wherever nothing is about them:
+// Blocks in the middle of a contour take the short way (ShortWay) wherever nothing is about them:
 // up to a violation, a text and what each batch leaves. All passes put out the same, bit for bit,
 // whatever is on, into loop removal and out of it.
 TEST_P(EveryContour, IsTheSameTheShortWay) {
