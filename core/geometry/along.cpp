@@ -185,11 +185,6 @@ double PathPart::first_exit(const Segment& obstacle, double reach, double slack)
   return exit;
 }
 
-double first_exit(const Segment& path, double from, double to, const Segment& obstacle,
-                  double reach, double slack) {
-  return PathPart(path, from, to).first_exit(obstacle, reach, slack);
-}
-
 // The distance from a line is a convex function of the point, so that along the tangent in the
 // middle it falls no faster than it does there; from the tangent the path departs by no more than
 // its curvature lets it, and the distance changes by no more than that. What is left has to be out

@@ -41,11 +41,6 @@ namespace trc {
 [[nodiscard]] std::optional<double> first_entry(const Segment& path, double from, double to,
                                                 const Segment& obstacle, double reach);
 
-// How far along `path`, up to `to`, it stays nearer than that once it is so, from `from` on but for
-// `slack`.
-[[nodiscard]] double first_exit(const Segment& path, double from, double to,
-                                const Segment& obstacle, double reach, double slack);
-
 // A path between two places, for one such question after the other.
 class PathPart {
  public:
@@ -63,7 +58,7 @@ class PathPart {
   [[nodiscard]] std::optional<double> first_entry(const Segment& obstacle, double reach) const;
   // Whether there is one.
   [[nodiscard]] bool comes_nearer(const Segment& obstacle, double reach) const;
-  // As above.
+  // How far along it stays nearer than that once it is so, from its begin on but for `slack`.
   [[nodiscard]] double first_exit(const Segment& obstacle, double reach, double slack) const;
 
  private:

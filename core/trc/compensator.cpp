@@ -1,6 +1,5 @@
 #include "core/trc/compensator.h"
 
-#include "core/trc/contour_run.h"
 #include "core/trc/loops/loop_removal.h"
 #include "core/trc/pass.h"
 #include "core/trc/passes/bottlenecks.h"
@@ -16,6 +15,8 @@
 #include "core/trc/selection/inside_corner.h"
 #include "core/trc/selection/refused_way.h"
 #include "core/trc/selection/split.h"
+#include "core/trc/short_way/short_release.h"
+#include "core/trc/short_way/short_way.h"
 #include "core/trc/state_archive.h"
 
 namespace trc {
@@ -49,7 +50,7 @@ struct Compensator::Passes {
         contour_violations(setup.tolerances, log),
         bottlenecks(setup, log, checkpoint),
         reporting(setup, log),
-        contour_run(
+        short_way(
             setup.inverse_path, setup.tolerances, log, loop_removal,
             [this](PathBlocks& free, std::vector<CompensatedBlock>& out) {
               path.blocks.swap(free);
@@ -57,7 +58,8 @@ struct Compensator::Passes {
               path.blocks.swap(free);
               return goes_on;
             },
-            reporting) {}
+            reporting),
+        short_release(setup.inverse_path, setup.tolerances, loop_removal, reporting) {}
 
   // clang-format off
   bool step(Input input, std::vector<CompensatedBlock>& out) {
@@ -75,7 +77,7 @@ struct Compensator::Passes {
   bool release(std::vector<CompensatedBlock>& out) {
     checkpoint.pass();
     const bool is_idle = path.blocks.empty() && bottlenecks.is_empty();
-    if (is_idle && engine != Engine::passes && contour_run.release(out, out.size() + some)) return true;
+    if (is_idle && engine != Engine::passes && short_release.put_out(out, out.size() + some)) return true;
     return loop_removal.release_some(path.blocks) && finish_path(Input::more, out);
   }
   bool find_path(Input input) {
@@ -103,15 +105,15 @@ struct Compensator::Passes {
             loop_removal, bottlenecks, reporting);
   }
 
-  // Takes blocks from the front the short way, as far as that goes: ContourRun. Returns how many.
+  // Takes blocks from the front the short way, as far as that goes. Returns how many.
   std::size_t run(std::span<Block> blocks, std::vector<CompensatedBlock>& out) {
     if (engine == Engine::passes) return 0;
     const std::size_t worthwhile = engine == Engine::short_way ? 1 : 3;
     PathBlock* held = relevant_blocks.held();
     PathBlock* open = transitions.open_block();
     if (blocks.size() < worthwhile || held == nullptr || open == nullptr) return 0;
-    if (diagnostics.stopped() || !contour_run.may_begin(*open, *held) || !idle_for(*held)) return 0;
-    const std::size_t count = contour_run.take(*open, *held, blocks, out);
+    if (diagnostics.stopped() || !short_way.may_begin(*open, *held) || !idle_for(*held)) return 0;
+    const std::size_t count = short_way.take(*open, *held, blocks, out);
     if (count > 0) relevant_blocks.go_on_from_held();
     return count;
   }
@@ -159,7 +161,8 @@ struct Compensator::Passes {
   Bottlenecks bottlenecks;
   selection::Split split;
   Reporting reporting;
-  ContourRun contour_run;
+  ShortWay short_way;
+  ShortRelease short_release;
 
   std::span<Block> programmed;  // of the caller: one block
   OnTheWay<PathBlockPtr> path;

@@ -86,8 +86,8 @@ struct PathBlock {
 
   // Passive blocks programmed after this one, in order. Those after G40 wait for
   // the block across the contour that G237 inserts.
-  std::vector<PassiveBlock> riders{};
-  std::vector<PassiveBlock> riders_after_exit{};
+  std::vector<PassiveBlock> passive{};
+  std::vector<PassiveBlock> passive_after_exit{};
 
   [[nodiscard]] const TrcMode& mode() const { return *programmed.mode; }
   // Violating loops are taken out of the whole contour, instead of blocks masked

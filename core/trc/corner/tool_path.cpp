@@ -6,16 +6,17 @@ namespace trc {
 
 // The sweep is adjusted, not recomputed: for an almost full circle the angle between the
 // new ends cannot tell 2 pi from 0.
-Segment shortened(const Arc& programmed, const Point& start, const Point& end, double left,
-                  bool may_run_back, const Tolerances& tolerances) {
-  const double radius = (start - programmed.center).norm();
-  if (left * radius <= tolerances.same_point && left * radius >= -tolerances.on_contour)
-    return Line{.start = start, .end = end};
-  if (left < 0 && !may_run_back) left += 2 * std::numbers::pi;
-  return Arc{.start = start,
-             .end = end,
+Segment shortened(const Arc& programmed, const LeftOfArc& left, Consumed consumed,
+                  const Tolerances& tolerances) {
+  const double radius = (left.start - programmed.center).norm();
+  if (left.sweep * radius <= tolerances.same_point && left.sweep * radius >= -tolerances.on_contour)
+    return Line{.start = left.start, .end = left.end};
+  const bool wraps_round = left.sweep < 0 && consumed == Consumed::wraps_round;
+  const double sweep = wraps_round ? left.sweep + 2 * std::numbers::pi : left.sweep;
+  return Arc{.start = left.start,
+             .end = left.end,
              .center = programmed.center,
-             .sweep = programmed.sweep > 0 ? left : -left};
+             .sweep = programmed.sweep > 0 ? sweep : -sweep};
 }
 
 void insert_behind(const MotionBlock& before, const MotionBlock& after, MotionBlock& inserted) {

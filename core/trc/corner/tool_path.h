@@ -1,17 +1,29 @@
 #pragma once
 
+#include <cstdint>
+
 #include "core/base/tolerances.h"
 #include "core/geometry/segment.h"
 #include "core/nc/state/block.h"
 
 namespace trc {
 
-// What becomes of an arc's equidistant between `start` and `end`. `left`: rad the corners
-// leave of the programmed sweep, not positive where they consume it. Such an arc wraps round
-// (90038), or, where loops are removed (`may_run_back`), is travelled backwards, as a line is.
-// Up to Tolerances::same_point long it is a line.
-[[nodiscard]] Segment shortened(const Arc& programmed, const Point& start, const Point& end,
-                                double left, bool may_run_back, const Tolerances& tolerances);
+// What its corners leave of an arc's equidistant.
+struct LeftOfArc {
+  Point start = Point::Zero();
+  Point end = Point::Zero();
+  double sweep = 0;  // rad, of the programmed one; not positive where they consume it
+};
+
+// What an arc does that its corners consume.
+enum class Consumed : std::uint8_t {
+  wraps_round,  // 90038
+  runs_back,    // as a line does, where loops are removed
+};
+
+// The path of such an arc. Up to Tolerances::same_point long it is a line.
+[[nodiscard]] Segment shortened(const Arc& programmed, const LeftOfArc& left, Consumed consumed,
+                                const Tolerances& tolerances);
 
 // Gives `inserted` what all blocks inserted behind a block have in common; not the mode. Third
 // axis and tracking axes stand still in them, where the block leaves them (D-26).

@@ -18,7 +18,7 @@ void HeldPath::append(PathBlock& block) {
     const Cuts cuts{block.cut_at_start, block.cut_at_end};
     std::visit([&](const auto& path) { keep_contour(programmed, path, cuts); }, programmed.path);
   }
-  if (!block.riders.empty()) riders_.push_back({blocks_.end(), std::move(block.riders)});
+  if (!block.passive.empty()) passive_.push_back({blocks_.end(), std::move(block.passive)});
   const bool apart = !is_contour && stands_apart(block);
   if (apart)
     apart_.push_back({.block = blocks_.end(),
@@ -141,10 +141,10 @@ PathBlockPtr HeldPath::restored(std::size_t number) {
       give_offsets(block);
     }
   }
-  while (!riders_.empty() && riders_[riders_.begin()].block <= number) {
-    Riders& riders = riders_[riders_.begin()];
-    if (riders.block == number) block.riders = std::move(riders.blocks);
-    riders_.drop_before(riders_.begin() + 1);
+  while (!passive_.empty() && passive_[passive_.begin()].block <= number) {
+    PassiveBehind& passive = passive_[passive_.begin()];
+    if (passive.block == number) block.passive = std::move(passive.blocks);
+    passive_.drop_before(passive_.begin() + 1);
   }
   return owner;
 }
@@ -193,7 +193,7 @@ void HeldPath::clear() {
   contour_.clear();
   circles_.clear();
   settings_.clear();
-  riders_.clear();
+  passive_.clear();
   apart_.clear();
   has_roles_ = false;
 }

@@ -46,7 +46,7 @@ class HeldPath {
     Number block = 0;  // its path
     ContourRole role = ContourRole::unspecified;
   };
-  // Takes the riders out of the block.
+  // Takes the passive blocks out of the block.
   void append(PathBlock& block);
   // To be called before one or more of the following, the short way for blocks of the same mode and
   // compensation as the last one, `follows_like`, with nothing about them.
@@ -113,8 +113,8 @@ class HeldPath {
   [[nodiscard]] Stretch stretch(std::size_t first, std::size_t end) const;
   [[nodiscard]] std::size_t number_of(std::size_t block) const { return blocks_[block].number; }
   // Whether technology words ride on the next block to be restored, or one before it.
-  [[nodiscard]] bool has_riders(std::size_t next) const {
-    return !riders_.empty() && riders_[riders_.begin()].block <= next;
+  [[nodiscard]] bool has_passive(std::size_t next) const {
+    return !passive_.empty() && passive_[passive_.begin()].block <= next;
   }
   // Whether nothing but the axes of the plane moves in a block.
   [[nodiscard]] bool stays_put(std::size_t block) const;
@@ -133,10 +133,10 @@ class HeldPath {
   // Across the plane, where the block starts, mm.
   [[nodiscard]] double height_of(std::size_t block) const { return setting_of(block).normal.from; }
 
-  // How many blocks from `next` on, the next one to leave, have no riders; up to `most`.
-  [[nodiscard]] std::size_t without_riders(std::size_t next, std::size_t most) const {
-    if (riders_.empty()) return most;
-    return std::min(most, std::max(riders_[riders_.begin()].block, next) - next);
+  // How many blocks from `next` on, the next one to leave, have no passive blocks; up to `most`.
+  [[nodiscard]] std::size_t without_passive(std::size_t next, std::size_t most) const {
+    if (passive_.empty()) return most;
+    return std::min(most, std::max(passive_[passive_.begin()].block, next) - next);
   }
   // What stands in place of a transition arc (D-45): lines from where the block before it ends to
   // `start`, on to `end`, and to where the block behind it starts. What has no length is left out.
@@ -163,8 +163,8 @@ class HeldPath {
   class Reader;
   [[nodiscard]] Reader read_from(std::size_t block) const;
 
-  // A block as it was, but for the cuts of lines, with its riders; each one once, in ascending
-  // order. Of a linear transition all but its path.
+  // A block as it was, but for the cuts of lines, with its passive blocks; each one once, in
+  // ascending order. Of a linear transition all but its path.
   [[nodiscard]] PathBlockPtr restored(std::size_t number);
 
   // Forgets contour blocks and their path.
@@ -176,7 +176,7 @@ class HeldPath {
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(blocks_, arcs_, contour_, circles_, settings_, riders_, apart_, has_roles_);
+    archive(blocks_, arcs_, contour_, circles_, settings_, passive_, apart_, has_roles_);
   }
 
  private:
@@ -184,7 +184,7 @@ class HeldPath {
   using KeptArc = held::KeptArc;
   using KeptContour = held::KeptContour;
   using KeptCircle = held::KeptCircle;
-  using Riders = held::Riders;
+  using PassiveBehind = held::PassiveBehind;
   using Apart = held::Apart;
 
   // Of the contour block of a block, or of one behind it.
@@ -212,7 +212,7 @@ class HeldPath {
   NumberedQueue<KeptContour> contour_;
   NumberedQueue<KeptCircle> circles_;  // of contour_
   NumberedQueue<Setting, 16> settings_;
-  NumberedQueue<Riders, 16> riders_;
+  NumberedQueue<PassiveBehind, 16> passive_;
   NumberedQueue<Apart, 64> apart_;
   bool has_roles_ = false;
 };

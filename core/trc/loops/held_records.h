@@ -108,7 +108,7 @@ struct KeptCircle {
   }
 };
 
-struct Riders {
+struct PassiveBehind {
   std::size_t block = 0;
   std::vector<PassiveBlock> blocks{};
 

@@ -34,7 +34,7 @@ std::size_t LoopRelease::end_of_portion() const {
 }
 
 LoopRelease::Row LoopRelease::next_as_they_came(std::size_t most) const {
-  return {next_, walked_.whole_in_a_row(next_, path_.without_riders(next_, most))};
+  return {next_, walked_.whole_in_a_row(next_, path_.without_passive(next_, most))};
 }
 
 bool LoopRelease::next_stands_for_itself() const {
@@ -53,7 +53,7 @@ const PathPiece* LoopRelease::next_part() const {
   if (walked_.empty()) return nullptr;
   const auto& [block, cut] = walked_.kept(walked_.begin());
   const bool is_next_part = cut != WalkedPath::Kept::whole && block == next_;
-  if (!is_next_part || path_.is_apart(block) || path_.has_riders(block)) return nullptr;
+  if (!is_next_part || path_.is_apart(block) || path_.has_passive(block)) return nullptr;
   return &walked_.cut(cut);
 }
 
@@ -83,7 +83,7 @@ std::size_t LoopRelease::last_dropped_before(std::size_t end) const {
 
 bool LoopRelease::leave_no_trace(std::size_t end) const {
   const std::size_t last = last_dropped_before(end);
-  return !path_.has_riders(last) && path_.have_one_setting(next_, last) && path_.stays_put(last);
+  return !path_.has_passive(last) && path_.have_one_setting(next_, last) && path_.stays_put(last);
 }
 
 void LoopRelease::pass_by(const PathPlace& next, const Point& place, PathBlocks& out) {
@@ -99,7 +99,7 @@ void LoopRelease::pass_by(const PathPlace& next, const Point& place, PathBlocks&
   bool is_first = true;
   for (; next_ < end; ++next_) {
     if (!path_.is_contour(next_)) continue;
-    if (std::exchange(is_first, false) || next_ == last || path_.has_riders(next_))
+    if (std::exchange(is_first, false) || next_ == last || path_.has_passive(next_))
       dropped.add(path_.restored(next_));
   }
   dropped.finish();

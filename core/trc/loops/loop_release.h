@@ -48,7 +48,8 @@ class LoopRelease {
   // What is left behind the last piece is left out at `place`, the end of the path.
   void leave_out_rest(const Point& place, PathBlocks& out);
 
-  // The next blocks that leave as they came: with nothing before them, no riders, and up to `most`.
+  // The next blocks that leave as they came: with nothing before them, no passive blocks, and up to
+  // `most`.
   [[nodiscard]] Row next_as_they_came(std::size_t most) const;
   void have_left(std::size_t count);
   // What is travelled of the next block, where that is not all of it, and nothing comes out before

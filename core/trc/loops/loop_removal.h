@@ -57,7 +57,7 @@ class LoopRemoval {
   // where not all of it is held any more.
   [[nodiscard]] selection::RefusedWay refused_way() const;
 
-  // The middle of a contour is being held: ContourRun may give it more of it.
+  // The middle of a contour is being held: ShortWay may give it more of it.
   [[nodiscard]] bool takes_contour() const { return !leaving_ && end_of_contour() > 0; }
   // Whether what comes next may be given the short way if it is like this block.
   [[nodiscard]] bool takes_more_like(const PathBlock& block) const {
@@ -65,7 +65,7 @@ class LoopRemoval {
   }
   // To be called before that.
   void go_on_like_last() { path_.go_on_like_last(); }
-  // A contour block, as ContourRun has it behind blocks of the same mode and compensation.
+  // A contour block, as ShortWay has it behind blocks of the same mode and compensation.
   // `Programmed` and `Path` are Lines or Arcs.
   template <class Programmed, class Path>
   struct PlainBlock {

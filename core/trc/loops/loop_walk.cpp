@@ -244,9 +244,10 @@ void LoopWalk::tolerate(const Onset& onset, Nearness nearness) {
   const Segment segment = path(at_.block).path;
   const double limit = obstacles_.reach(
       at_.block, nearness == Nearness::passable ? Nearness::exact : Nearness::passable);
-  const double end = first_exit(
-      segment, onset.along, length_of(segment), obstacles_.wall(onset.obstacle),
-      obstacles_.reach_to(onset.obstacle, at_.block, limit), slack_of_places(tolerances_));
+  const PathPart rest(segment, onset.along, length_of(segment));
+  const double end = rest.first_exit(obstacles_.wall(onset.obstacle),
+                                     obstacles_.reach_to(onset.obstacle, at_.block, limit),
+                                     slack_of_places(tolerances_));
   tolerated_ = {.from = onset.along,
                 .until = {at_.block, std::max(end, onset.along + tolerances_.same_point)},
                 .nearness = nearness};
@@ -274,9 +275,9 @@ bool LoopWalk::counts_as_none(const Onset& violation) {
   if (!is_closed() || !(is_at_begin(violation) || is_at_end(violation))) return false;
   const Segment segment = path(at_.block).path;
   const Segment obstacle = contour(violation.obstacle).programmed;
-  const double end =
-      first_exit(segment, violation.along, length_of(segment), obstacle,
-                 obstacles_.reach(at_.block, Nearness::passable), slack_of_places(tolerances_));
+  const PathPart rest(segment, violation.along, length_of(segment));
+  const double end = rest.first_exit(obstacle, obstacles_.reach(at_.block, Nearness::passable),
+                                     slack_of_places(tolerances_));
   const double too_near = obstacles_.reach(at_.block, Nearness::slight);
   if (first_entry(segment, violation.along, end, obstacle, too_near)) return false;
   tolerate(violation, Nearness::slight);

@@ -22,16 +22,16 @@ DroppedBlocks::Standing DroppedBlocks::standing_behind(const PathBlock& block) {
   return standing(block.programmed.normal, block.programmed.tracking, &AxisTravel::to);
 }
 
-// Where its riders leave them.
+// Where its passive blocks leave them.
 DroppedBlocks::Standing DroppedBlocks::standing_after(const PathBlock& block) {
-  const PassiveBlock& last = block.riders.back();
+  const PassiveBlock& last = block.passive.back();
   return standing(last.normal, last.tracking, &AxisTravel::to);
 }
 
 void DroppedBlocks::add(PathBlockPtr block) {
   if (!std::exchange(begun_, true))
     stands_ = standing(block->programmed.normal, block->programmed.tracking, &AxisTravel::from);
-  if (block->riders.empty()) {
+  if (block->passive.empty()) {
     waiting_ = std::move(block);
     return;
   }
@@ -42,7 +42,7 @@ void DroppedBlocks::add(PathBlockPtr block) {
   carrier.role = Role::passive;
   carrier.programmed.source = block->programmed.source;
   carrier.programmed.mode = block->programmed.mode;
-  carrier.riders = std::move(block->riders);
+  carrier.passive = std::move(block->passive);
 }
 
 void DroppedBlocks::finish() {

@@ -7,8 +7,8 @@
 namespace trc {
 
 // What comes out in place of a loop that LoopRemoval takes out of the path, all at the point it is
-// left out at: riders in their order, and what the blocks dropped would have moved out of the
-// plane.
+// left out at: passive blocks in their order, and what the blocks dropped would have moved out of
+// the plane.
 class DroppedBlocks {
  public:
   DroppedBlocks(const Point& place, PathBlocks& out) : place_(place), out_(out) {}

@@ -68,36 +68,37 @@ const char* RelevantBlocks::unavailable(const TrcMode& mode) const {
 }
 
 bool RelevantBlocks::feed(Block&& block, PathBlocks& out) {
-  return std::visit(overloaded{
-                        [&](MotionBlock& motion) { return follow(std::move(motion), out); },
-                        [&](PassiveBlock& passive) { return seat(std::move(passive), out); },
-                    },
-                    block);
+  return std::visit(
+      overloaded{
+          [&](MotionBlock& motion) { return follow(std::move(motion), out); },
+          [&](PassiveBlock& passive) { return attach_passive(std::move(passive), out); },
+      },
+      block);
 }
 
 bool RelevantBlocks::drain(PathBlocks& out) {
   return release(end_mode_ ? &*end_mode_ : nullptr, out);
 }
 
-bool RelevantBlocks::seat(PassiveBlock&& block, PathBlocks& out) {
+bool RelevantBlocks::attach_passive(PassiveBlock&& block, PathBlocks& out) {
   if (!held_) {
     auto carrier = std::make_unique<PathBlock>();
     carrier->role = Role::passive;
     carrier->programmed.source = block.source;
     carrier->programmed.mode = block.mode;
-    carrier->riders.push_back(std::move(block));
+    carrier->passive.push_back(std::move(block));
     out.push_back(std::move(carrier));
     return true;
   }
-  if (held_->riders.size() + held_->riders_after_exit.size() >= setup_.limits.passive_blocks) {
+  if (held_->passive.size() + held_->passive_after_exit.size() >= setup_.limits.passive_blocks) {
     Diagnostic overflow = diagnostic(Code::too_many_passive_blocks, block.source);
     overflow.values = {{"limit", static_cast<double>(setup_.limits.passive_blocks)}};
     return diagnostics_.report(std::move(overflow));
   }
   const bool after_exit =
       !block.mode->active() && block.mode->deselection == Selection::perpendicular;
-  auto& seats = after_exit ? held_->riders_after_exit : held_->riders;
-  seats.push_back(std::move(block));
+  auto& carried = after_exit ? held_->passive_after_exit : held_->passive;
+  carried.push_back(std::move(block));
   return true;
 }
 

@@ -14,7 +14,7 @@
 namespace trc {
 
 // Tells what each block is to TRC – approach, contour, retract, side change –
-// and seats passive blocks (M words, dwell, motion across the plane) behind the
+// and carried passive blocks (M words, dwell, motion across the plane) behind the
 // motion block they were programmed after, so that the later passes see motion
 // only. While TRC is off passive blocks go through at once.
 //
@@ -31,7 +31,7 @@ class RelevantBlocks {
   bool drain(PathBlocks& out);
   [[nodiscard]] std::size_t look_ahead() const { return 1; }
 
-  // The block held back, if there is one. ContourRun puts a later one of the same mode in its
+  // The block held back, if there is one. ShortWay puts a later one of the same mode in its
   // place.
   [[nodiscard]] PathBlock* held() { return held_.get(); }
   void go_on_from_held() { last_path_ = held_->programmed.path; }
@@ -52,7 +52,7 @@ class RelevantBlocks {
   }
 
  private:
-  bool seat(PassiveBlock&& block, PathBlocks& out);
+  bool attach_passive(PassiveBlock&& block, PathBlocks& out);
   bool follow(MotionBlock&& motion, PathBlocks& out);
   // Passes the held block on; `next` is the mode after it, if it is known.
   bool release(const TrcMode* next, PathBlocks& out);

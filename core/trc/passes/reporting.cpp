@@ -11,7 +11,7 @@
 namespace trc {
 bool Reporting::feed(PathBlock& block, std::vector<CompensatedBlock>& out) {
   if (block.role == Role::passive) {
-    let_off(block.riders, out);
+    put_out_passive(block.passive, out);
     return true;
   }
   MotionBlock& programmed = block.programmed;
@@ -25,7 +25,7 @@ bool Reporting::feed(PathBlock& block, std::vector<CompensatedBlock>& out) {
       result.inverse = std::make_shared<const Segment>(*recovered);
   }
   if (block.role != Role::inserted) summary_.programmed_length += length_of(programmed.path);
-  if (!block.riders.empty()) let_off(block.riders, out);
+  if (!block.passive.empty()) put_out_passive(block.passive, out);
   return !diagnostics_.stopped();
 }
 
@@ -35,24 +35,26 @@ void Reporting::stand_at(Plane plane, const Position& position) {
   height_ = position[axes_of(plane).third];
 }
 
-void Reporting::let_off(std::vector<PassiveBlock>& riders, std::vector<CompensatedBlock>& out) {
-  for (PassiveBlock& rider : riders) {
+void Reporting::put_out_passive(std::vector<PassiveBlock>& blocks,
+                                std::vector<CompensatedBlock>& out) {
+  for (PassiveBlock& passive : blocks) {
     CompensatedBlock& result = out.emplace_back();
-    result.source = rider.source;
-    result.plane = rider.mode->plane;
-    result.origin = rider.text.empty() || rider.moves ? Origin::uncompensated : Origin::passthrough;
-    result.rapid = rider.rapid;
+    result.source = passive.source;
+    result.plane = passive.mode->plane;
+    result.origin =
+        passive.text.empty() || passive.moves ? Origin::uncompensated : Origin::passthrough;
+    result.rapid = passive.rapid;
     if (result.plane != plane_) stand_at(result.plane, position());
-    check(height_ == rider.normal.from, "a rider starts where its block ended");
+    check(height_ == passive.normal.from, "a passive block starts where its block ended");
     result.path = Line{.start = place_, .end = place_};
-    result.normal = rider.normal;
-    result.feed = rider.feed;
-    result.tracking = std::move(rider.tracking);
-    result.text = std::move(rider.text);
-    height_ = rider.normal.to;
+    result.normal = passive.normal;
+    result.feed = passive.feed;
+    result.tracking = std::move(passive.tracking);
+    result.text = std::move(passive.text);
+    height_ = passive.normal.to;
     count(result.origin, 0);
   }
-  riders.clear();
+  blocks.clear();
 }
 
 double Reporting::feed_factor(const PathBlock& block) {

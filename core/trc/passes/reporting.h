@@ -17,7 +17,7 @@
 
 namespace trc {
 
-// Turns path blocks into the result: lets the riders off behind their block,
+// Turns path blocks into the result: puts passive blocks behind their block,
 // sets the feed at the tool centre (G10, G11) and counts. Checks the one promise
 // everybody relies on: each block starts where the one before ended.
 class Reporting {
@@ -41,7 +41,7 @@ class Reporting {
     bool rapid = false;
   };
   // One block of the path, but for its tracking axes. `Path` is a Line or an Arc. Here for
-  // ContourRun, which puts out nearly all blocks.
+  // ShortWay, which puts out nearly all blocks.
   template <class Path>
   CompensatedBlock& put_out(const Source& source, const Motion& motion, Origin origin,
                             const Path& tool_path, std::vector<CompensatedBlock>& out);
@@ -70,7 +70,7 @@ class Reporting {
   // Of the tool, machine axes.
   [[nodiscard]] Position position() const { return from_plane(plane_, place_, height_); }
   void stand_at(Plane plane, const Position& position);
-  void let_off(std::vector<PassiveBlock>& riders, std::vector<CompensatedBlock>& out);
+  void put_out_passive(std::vector<PassiveBlock>& blocks, std::vector<CompensatedBlock>& out);
   // F' / F: what the feed of the tool centre is multiplied by under G11.
   double feed_factor(const PathBlock& block);
   [[nodiscard]] bool goes_straight_on(const Vector& direction, const TrcMode& mode);

@@ -32,8 +32,8 @@ void complete(PathBlock& block, const Point& end, const Tolerances& tolerances) 
     block.tool_path = refitted(*arc, block.tool_start, end, tolerances.on_contour);  // D-20
   } else {
     const double left = left_of_block(block, block.cut_at_start, block.cut_at_end);
-    block.tool_path =
-        shortened(*arc, block.tool_start, end, left, block.removes_loops(), tolerances);
+    const auto consumed = block.removes_loops() ? Consumed::runs_back : Consumed::wraps_round;
+    block.tool_path = shortened(*arc, {block.tool_start, end, left}, consumed, tolerances);
   }
 }
 
@@ -43,18 +43,18 @@ void open(PathBlock& block, const Point& start, double cut, const Tolerances& to
   if (!block.at_end.active) complete(block, end_of(block.programmed.path), tolerances);
 }
 
-// Behind its riders, if the block has any.
+// Behind its passive blocks, if the block has any.
 PathBlockPtr insertion_behind(const PathBlock& before, const PathBlock& after) {
   auto inserted = std::make_unique_for_overwrite<PathBlock>();
   inserted->role = Role::inserted;
   inserted->at_start = inserted->at_end = before.at_end;
   insert_behind(before.programmed, after.programmed, inserted->programmed);
   inserted->programmed.mode = before.programmed.mode;
-  if (before.riders.empty()) return inserted;
-  const PassiveBlock& rider = before.riders.back();
-  inserted->programmed.normal = standing(rider.normal.to);
+  if (before.passive.empty()) return inserted;
+  const PassiveBlock& passive = before.passive.back();
+  inserted->programmed.normal = standing(passive.normal.to);
   inserted->programmed.tracking.clear();
-  for (const AxisTravel& axis : rider.tracking)
+  for (const AxisTravel& axis : passive.tracking)
     inserted->programmed.tracking.push_back(standing(axis.to));
   return inserted;
 }
@@ -164,7 +164,7 @@ void Transitions::enter(PathBlock& block, PathBlocks& out) const {
   }
   open(block, block.offset_start, 0, tolerances_);
   PathBlockPtr across = insertion_behind(block, block);
-  // Where the axes are before the block, whatever its riders do behind it.
+  // Where the axes are before the block, whatever its passive blocks do behind it.
   MotionBlock& motion = across->programmed;
   motion.normal = standing(block.programmed.normal.from);
   motion.tracking = block.programmed.tracking;
@@ -182,11 +182,11 @@ void Transitions::leave(const Point* next_start, PathBlocks& out) {
     out.push_back(std::move(held_));
     return;
   }
-  std::vector<PassiveBlock> riders = std::move(block.riders_after_exit);
+  std::vector<PassiveBlock> passive = std::move(block.passive_after_exit);
   const Point target = end_of(block.programmed.path);
   out.push_back(std::move(held_));
   insert(Line{.start = end, .end = target}, Origin::retract, insertion_behind(block, block), out);
-  out.back()->riders = std::move(riders);
+  out.back()->passive = std::move(passive);
 }
 
 void Transitions::join_anew(PathBlock& after, PathBlocks& out) {

@@ -35,7 +35,7 @@ class Transitions {
   bool feed(PathBlockPtr&& block, PathBlocks& out);
   bool drain(PathBlocks& out);
   [[nodiscard]] std::size_t look_ahead() const { return 2; }
-  // The block whose end is still open, if nothing waits behind it. ContourRun goes on from it.
+  // The block whose end is still open, if nothing waits behind it. ShortWay goes on from it.
   [[nodiscard]] PathBlock* open_block() {
     return masked_.empty() && !short_ ? held_.get() : nullptr;
   }

@@ -105,7 +105,7 @@ bool Split::feed(PathBlockPtr block, PathBlocks& out) {
     }
     if (last) break;
   }
-  out.back()->riders = std::move(block->riders);
+  out.back()->passive = std::move(block->passive);
   return true;
 }
 

@@ -1,4 +1,4 @@
-#include "core/trc/contour_run.h"
+#include "core/trc/short_way/short_way.h"
 
 #include <algorithm>
 #include <array>
@@ -7,11 +7,10 @@
 #include <utility>
 #include <variant>
 
-#include "core/base/in_one_piece.h"
+#include "core/base/flatten.h"
 #include "core/geometry/parallel.h"
 #include "core/trc/corner/bow_tie.h"
 #include "core/trc/corner/tool_path.h"
-#include "core/trc/loops/held_path_reader.h"
 #include "core/trc/passes/contour_violations.h"
 #include "core/trc/passes/offset.h"
 
@@ -50,13 +49,13 @@ bool is_plain(const PathBlock& block) {
   return block.role == Role::contour && block.origin == Origin::programmed &&
          block.at_start == block.at_end && !block.perpendicular_entry &&
          !block.perpendicular_exit && !block.path_given && !block.masked && !block.rejoin &&
-         !block.unreachable && !block.behind_tip && block.riders.empty() &&
-         block.riders_after_exit.empty();
+         !block.unreachable && !block.behind_tip && block.passive.empty() &&
+         block.passive_after_exit.empty();
 }
 
 }  // namespace
 
-bool ContourRun::may_begin(const PathBlock& open, const PathBlock& held) const {
+bool ShortWay::may_begin(const PathBlock& open, const PathBlock& held) const {
   const bool removes_loops = loop_removal_.takes_contour();
   return (removes_loops ? loop_removal_.takes_more_like(held) : !inverse_path_) &&
          held.removes_loops() == removes_loops && is_plain(open) && is_plain(held) &&
@@ -64,8 +63,8 @@ bool ContourRun::may_begin(const PathBlock& open, const PathBlock& held) const {
          is_plain(held.mode(), removes_loops);
 }
 
-std::size_t ContourRun::take(PathBlock& open, PathBlock& held, std::span<Block> blocks,
-                             std::vector<CompensatedBlock>& out) {
+std::size_t ShortWay::take(PathBlock& open, PathBlock& held, std::span<Block> blocks,
+                           std::vector<CompensatedBlock>& out) {
   begin(held);
   std::array<Corner, 2> corners;
   std::array<Step, 2> steps;
@@ -99,7 +98,7 @@ std::size_t ContourRun::take(PathBlock& open, PathBlock& held, std::span<Block> 
   return count;
 }
 
-void ContourRun::begin(const PathBlock& held) {
+void ShortWay::begin(const PathBlock& held) {
   mode_ = held.programmed.mode.get();
   shift_ = held.at_end.shift;
   going_ = true;
@@ -110,7 +109,7 @@ void ContourRun::begin(const PathBlock& held) {
   loop_removal_.go_on_like_last();
 }
 
-void ContourRun::offset(MotionBlock& programmed, Step& step, Corner& begin, Corner& end) const {
+void ShortWay::offset(MotionBlock& programmed, Step& step, Corner& begin, Corner& end) const {
   OffsetCurve& first = begin.after;
   OffsetCurve& last = end.before;
   step.programmed = &programmed;
@@ -142,15 +141,15 @@ void ContourRun::offset(MotionBlock& programmed, Step& step, Corner& begin, Corn
 }
 
 // 90017, where no loops are removed.
-bool ContourRun::vanishes(const OffsetCurve& equidistant) const {
+bool ShortWay::vanishes(const OffsetCurve& equidistant) const {
   return !removes_loops_ && equidistant.circular &&
          equidistant.circle.radius < tolerances_.on_contour;
 }
 
 // The rules between contour blocks (rule 4.2) as joint_between() has them for such blocks. In one
 // piece: what is done from here on takes less than to call it step by step.
-TRC_IN_ONE_PIECE bool ContourRun::join(const Corner& corner, const Step& before, Step& after,
-                                       std::vector<CompensatedBlock>& out) {
+TRC_FLATTEN bool ShortWay::join(const Corner& corner, const Step& before, Step& after,
+                                std::vector<CompensatedBlock>& out) {
   // Which kind of corner that is takes more than the corner.
   if (may_reverse(corner)) return false;
   switch (kind_of(corner, tolerances_)) {
@@ -174,8 +173,8 @@ TRC_IN_ONE_PIECE bool ContourRun::join(const Corner& corner, const Step& before,
   return join_inside(corner, before, after, out);
 }
 
-bool ContourRun::join_inside(const Corner& corner, const Step& before, Step& after,
-                             std::vector<CompensatedBlock>& out) {
+bool ShortWay::join_inside(const Corner& corner, const Step& before, Step& after,
+                           std::vector<CompensatedBlock>& out) {
   const bool vanished = before.unreachable || after.unreachable;
   const auto meeting =
       vanished ? std::nullopt : inside_joint(corner, removes_loops_ ? exact_ : tolerances_);
@@ -186,8 +185,8 @@ bool ContourRun::join_inside(const Corner& corner, const Step& before, Step& aft
                                  true, before, after, out);
 }
 
-bool ContourRun::leave(const Corner& corner, const Joint& joint, bool apart, const Step& before,
-                       Step& after, std::vector<CompensatedBlock>& out) {
+bool ShortWay::leave(const Corner& corner, const Joint& joint, bool apart, const Step& before,
+                     Step& after, std::vector<CompensatedBlock>& out) {
   after.tool_start = joint.start;
   after.cut_at_start = joint.cut_after;
   if (removes_loops_) {
@@ -201,13 +200,14 @@ bool ContourRun::leave(const Corner& corner, const Joint& joint, bool apart, con
 }
 
 // Does nothing where the block is a contour violation.
-bool ContourRun::put_out(const Corner& corner, const Joint& joint, const Step& before,
-                         const Step& after, std::vector<CompensatedBlock>& out) {
+bool ShortWay::put_out(const Corner& corner, const Joint& joint, const Step& before,
+                       const Step& after, std::vector<CompensatedBlock>& out) {
   if (const auto* arc = std::get_if<Arc>(&before.programmed->path)) {
     const double left = before.extent - before.cut_at_start - joint.cut_before;
     if (is_consumed(left, corner.before.circle.radius, tolerances_)) return false;
-    return put_out(shortened(*arc, before.tool_start, joint.end, left, false, tolerances_), joint,
-                   before, after, out);
+    return put_out(
+        shortened(*arc, {before.tool_start, joint.end, left}, Consumed::wraps_round, tolerances_),
+        joint, before, after, out);
   }
   const Line path{.start = before.tool_start, .end = joint.end};
   return !runs_back(path.end - path.start, corner.before.tangent, tolerances_) &&
@@ -215,8 +215,8 @@ bool ContourRun::put_out(const Corner& corner, const Joint& joint, const Step& b
 }
 
 template <class Path>
-bool ContourRun::put_out(const Path& path, const Joint& joint, const Step& before,
-                         const Step& after, std::vector<CompensatedBlock>& out) {
+bool ShortWay::put_out(const Path& path, const Joint& joint, const Step& before, const Step& after,
+                       std::vector<CompensatedBlock>& out) {
   if (out_of_range(path, tolerances_)) return false;
   MotionBlock& programmed = *before.programmed;
   reporting_.summary().programmed_length += before.length;
@@ -232,14 +232,15 @@ bool ContourRun::put_out(const Path& path, const Joint& joint, const Step& befor
   return true;
 }
 
-TRC_IN_ONE_PIECE [[gnu::noinline]] void ContourRun::hold(const Corner& corner, const Joint& joint,
-                                                         bool apart, const Step& before,
-                                                         const Step& after) {
+TRC_FLATTEN [[gnu::noinline]] void ShortWay::hold(const Corner& corner, const Joint& joint,
+                                                  bool apart, const Step& before,
+                                                  const Step& after) {
   const HeldPath::Cuts cuts{before.cut_at_start, joint.cut_before};
   if (const auto* arc = std::get_if<Arc>(&before.programmed->path)) {
     const double left = before.extent - cuts.at_start - cuts.at_end;
-    std::visit([&](const auto& path) { hold(corner, *arc, path, cuts, before); },
-               shortened(*arc, before.tool_start, joint.end, left, true, tolerances_));
+    std::visit(
+        [&](const auto& path) { hold(corner, *arc, path, cuts, before); },
+        shortened(*arc, {before.tool_start, joint.end, left}, Consumed::runs_back, tolerances_));
   } else {
     const Line path{.start = before.tool_start, .end = joint.end};
     hold(corner, std::get<Line>(before.programmed->path), path, cuts, before);
@@ -248,8 +249,8 @@ TRC_IN_ONE_PIECE [[gnu::noinline]] void ContourRun::hold(const Corner& corner, c
 }
 
 template <class Programmed, class Path>
-void ContourRun::hold(const Corner& corner, const Programmed& programmed, const Path& path,
-                      const HeldPath::Cuts& cuts, const Step& before) {
+void ShortWay::hold(const Corner& corner, const Programmed& programmed, const Path& path,
+                    const HeldPath::Cuts& cuts, const Step& before) {
   const double left_inside =
       before.extent - std::max(cuts.at_start, 0.0) - std::max(cuts.at_end, 0.0);
   Certificate::Block course{.tangent_at_start = before.tangent_at_start,
@@ -263,8 +264,8 @@ void ContourRun::hold(const Corner& corner, const Programmed& programmed, const 
   going_ = loop_removal_.take(plain, leaving_);
 }
 
-void ContourRun::hold_inserted(const Joint& joint, bool apart, const Step& before,
-                               const Step& after) {
+void ShortWay::hold_inserted(const Joint& joint, bool apart, const Step& before,
+                             const Step& after) {
   const MotionBlock& programmed = *before.programmed;
   const bool has_more = programmed.rapid || programmed.feed <= 0 || programmed.normal.moves() ||
                         !programmed.tracking.empty();
@@ -282,108 +283,10 @@ void ContourRun::hold_inserted(const Joint& joint, bool apart, const Step& befor
 }
 
 // What is reported belongs to the block that was taken last: the run ends with it.
-void ContourRun::put_out_leaving(std::vector<CompensatedBlock>& out) {
+void ShortWay::put_out_leaving(std::vector<CompensatedBlock>& out) {
   if (going_ && !leaving_.empty()) going_ = leave_selection_(leaving_, out);
   leaving_.clear();
   going_ = going_ && diagnostics_.pending().size() == reports_before_;
-}
-
-TRC_IN_ONE_PIECE bool ContourRun::release(std::vector<CompensatedBlock>& out, std::size_t most) {
-  const std::size_t before = out.size();
-  LoopRelease* const path = loop_removal_.releases_path();
-  while (path != nullptr && out.size() < most) {
-    path->pass_by_without_trace();
-    if (const PathPiece* part = path->next_part()) {
-      if (!put_out_held(*part, out)) break;
-      path->part_has_left();
-      continue;
-    }
-    const LoopRelease::Row row = path->next_as_they_came(most - out.size());
-    const std::size_t count = row.count > 0 ? put_out_held(row, out) : 0;
-    if (count == 0) break;
-    path->have_left(count);
-  }
-  return out.size() > before;
-}
-
-std::size_t ContourRun::put_out_held(const LoopRelease::Row& row,
-                                     std::vector<CompensatedBlock>& out) {
-  HeldPath::Reader held = loop_removal_.path().read_from(row.first);
-  if (!may_put_out(held.setting())) return 0;
-  const auto put_out_whole = [&](const auto& path) { return put_out(held, path, {}, out); };
-  std::size_t count = 0;
-  for (; count < row.count && held.next(); ++count) {
-    const bool goes_on = held.is_linear() ? put_out_lines(held, row.first + count, out)
-                                          : held.visit_path(put_out_whole);
-    if (!goes_on) break;
-  }
-  return count;
-}
-
-bool ContourRun::put_out_lines(const HeldPath::Reader& held, std::size_t transition,
-                               std::vector<CompensatedBlock>& out) {
-  const HeldPath::Lines lines = loop_removal_.path().lines_of(transition);
-  const auto is_out = [&](const Line& line) { return out_of_range(line, tolerances_); };
-  if (std::any_of(lines.all().begin(), lines.all().end(), is_out)) return false;
-  for (const Line& line : lines.all()) put_out(held, line, {}, out);
-  return true;
-}
-
-bool ContourRun::put_out_held(const PathPiece& part, std::vector<CompensatedBlock>& out) {
-  HeldPath::Reader held = loop_removal_.path().read_from(part.block);
-  const bool gets_circle = part.behind_loop && held.setting().mode->options.gen_cir_block_in_corner;
-  if (gets_circle || !may_put_out(held.setting()) || !held.next()) return false;
-  const auto put_out_line = [&](const Line& whole) {
-    const HeldPath::Cuts cuts{part.from, length_of(whole) - part.to};
-    return put_out(held, Line{.start = part.start, .end = part.end}, cuts, out);
-  };
-  const auto put_out_arc = [&](const Arc& whole) {
-    const double length = length_of(whole);
-    if (part.is_all_of(whole, length)) return put_out(held, whole, {}, out);
-    const double radius = radius_of(whole);
-    const HeldPath::Cuts cuts{part.from / radius, (length - part.to) / radius};
-    return put_out(held, stretch_of(whole, part.from, part.to, part.start, part.end), cuts, out);
-  };
-  return held.visit_path(overloaded{put_out_line, put_out_arc});
-}
-
-bool ContourRun::may_put_out(const HeldPath::Setting& setting) const {
-  return !inverse_path_ && setting.mode->feed_adaptation == FeedAdaptation::off;
-}
-
-template <class Path>
-bool ContourRun::put_out(const HeldPath::Reader& held, const Path& path, const HeldPath::Cuts& cuts,
-                         std::vector<CompensatedBlock>& out) {
-  if (out_of_range(path, tolerances_)) return false;
-  if (held.is_contour()) {
-    const auto length = programmed_length(held, path.end - path.start, cuts);
-    if (!length) return false;
-    reporting_.summary().programmed_length += *length;
-  }
-  const HeldPath::Setting& setting = held.setting();
-  const Reporting::Motion motion{*setting.mode, setting.normal, setting.feed, setting.rapid};
-  CompensatedBlock& block = reporting_.put_out(held.source(), motion, held.origin(), path, out);
-  if (!setting.tracking.empty()) block.tracking = setting.tracking;
-  return true;
-}
-
-std::optional<double> ContourRun::programmed_length(const HeldPath::Reader& held,
-                                                    const Vector& travelled,
-                                                    const HeldPath::Cuts& more) const {
-  const auto of_line = [&](const Line& line) -> std::optional<double> {
-    const auto [tangent, length] = directed(line.end - line.start);
-    if (runs_back(travelled, tangent, tolerances_)) return std::nullopt;
-    return length;
-  };
-  const auto of_arc = [&](const Arc& arc, const HeldPath::Cuts& cuts) -> std::optional<double> {
-    const double radius = radius_of(arc);
-    const double sweep = std::abs(arc.sweep);
-    const double left = sweep - (cuts.at_start + more.at_start) - (cuts.at_end + more.at_end);
-    const double parallel = parallel_radius(arc, radius, held.setting().at_end.shift);
-    if (is_consumed(left, parallel, tolerances_)) return std::nullopt;
-    return sweep * radius;
-  };
-  return held.visit_programmed(overloaded{of_line, of_arc});
 }
 
 }  // namespace trc

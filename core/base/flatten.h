@@ -4,7 +4,7 @@
 // sanitizers: with all their checks in one function the compiler does not come to an end. Clang is
 // left alone, which only checks the code here.
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__) || defined(__clang__)
-#define TRC_IN_ONE_PIECE
+#define TRC_FLATTEN
 #else
-#define TRC_IN_ONE_PIECE [[gnu::flatten]]
+#define TRC_FLATTEN [[gnu::flatten]]
 #endif

@@ -2,7 +2,6 @@
 
 #include <cstddef>
 #include <functional>
-#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -25,14 +24,14 @@ namespace trc {
 // What comes out, and when, is bit for bit what the passes put out. It asks the same geometry
 // the same questions; whatever is to be reported, or takes more than a rule for two blocks, it
 // leaves to them: it stops before such a block, as if it had never been there.
-class ContourRun {
+class ShortWay {
  public:
   // The passes behind LoopRemoval: take all of `path`, and leave it empty. Returns false once the
   // stream must stop.
   using LeaveSelection = std::function<bool(PathBlocks& path, std::vector<CompensatedBlock>& out)>;
 
-  ContourRun(bool inverse_path, const Tolerances& tolerances, const Diagnostics& diagnostics,
-             LoopRemoval& loop_removal, LeaveSelection leave_selection, Reporting& reporting)
+  ShortWay(bool inverse_path, const Tolerances& tolerances, const Diagnostics& diagnostics,
+           LoopRemoval& loop_removal, LeaveSelection leave_selection, Reporting& reporting)
       : inverse_path_(inverse_path),
         tolerances_(tolerances),
         diagnostics_(diagnostics),
@@ -48,9 +47,6 @@ class ContourRun {
   // what lay before them. Returns how many.
   std::size_t take(PathBlock& open, PathBlock& held, std::span<Block> blocks,
                    std::vector<CompensatedBlock>& out);
-  // The other end of a selection that LoopRemoval has held: puts out blocks that leave it as they
-  // came, until there are `most` in `out`. Returns whether there was one.
-  bool release(std::vector<CompensatedBlock>& out, std::size_t most);
 
  private:
   // A block between its two corners.
@@ -92,24 +88,6 @@ class ContourRun {
   void hold_inserted(const Joint& joint, bool apart, const Step& before, const Step& after);
   // What a window of LoopRemoval has set free.
   void put_out_leaving(std::vector<CompensatedBlock>& out);
-  // Puts out blocks from the first of the row on, up to one that the passes have to put out.
-  // Returns how many.
-  std::size_t put_out_held(const LoopRelease::Row& row, std::vector<CompensatedBlock>& out);
-  // The lines in place of the arc it is at, all or none.
-  bool put_out_lines(const HeldPath::Reader& held, std::size_t transition,
-                     std::vector<CompensatedBlock>& out);
-  // The same with what is travelled of one.
-  bool put_out_held(const PathPiece& part, std::vector<CompensatedBlock>& out);
-  [[nodiscard]] bool may_put_out(const HeldPath::Setting& setting) const;
-  // Does nothing where the passes have to do it. `cuts`: what removed loops have cut.
-  template <class Path>
-  bool put_out(const HeldPath::Reader& held, const Path& path, const HeldPath::Cuts& cuts,
-               std::vector<CompensatedBlock>& out);
-  // mm; nothing where the path of a contour block is a contour violation.
-  [[nodiscard]] std::optional<double> programmed_length(const HeldPath::Reader& held,
-                                                        const Vector& travelled,
-                                                        const HeldPath::Cuts& more) const;
-
   bool inverse_path_;
   Tolerances tolerances_;
   const Diagnostics& diagnostics_;
