@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <optional>
 #include <vector>
 
@@ -36,7 +37,7 @@ std::vector<CompensatedBlock> corner_with_plunge(double third) {
 }
 
 // D-25, D-26: the plunge comes before the arc, and the arc runs at its depth.
-TEST(InsertedBlocks, StandWhereTheRiderHasMovedTheThirdAxis) {
+TEST(InsertedBlocks, StandWhereThePassiveBlockHasMovedTheThirdAxis) {
   const std::vector<CompensatedBlock> blocks = corner_with_plunge(-3);
   EXPECT_EQ(support::first_gap(blocks), "");
   bool plunged = false;
@@ -50,6 +51,39 @@ TEST(InsertedBlocks, StandWhereTheRiderHasMovedTheThirdAxis) {
     EXPECT_EQ(block.normal.to, -3);
   }
   EXPECT_EQ(arcs, 1U);
+}
+
+// G141, R = 5, G42: a notch of 1 mm in a wall whose second part is half a micrometre out of line.
+// Both blocks of the notch are masked, but plunge; the line that leads over runs at their depth.
+TEST(InsertedBlocks, StandWhereMaskedBlocksHaveMovedTheThirdAxis) {
+  SessionSetup setup;
+  setup.program.mode.tool_radius = 5;
+  setup.program.mode.masking = Masking::on;
+  PathSession session(setup);
+  std::vector<CompensatedBlock> blocks;
+  const auto move = [&](double x, double y, std::optional<double> z = {}) {
+    MoveRequest request;
+    request.end = {x, y, z};
+    EXPECT_TRUE(session.program().move(request) && session.advance(blocks));
+  };
+  EXPECT_TRUE(session.program().select(Side::right, {}));
+  move(10, 0);
+  move(20, 0);
+  move(21, 3, -1);
+  move(22, 0.0005, -2);
+  move(60, 0.0005);
+  EXPECT_TRUE(session.program().deselect({}));
+  move(80, 0);
+  EXPECT_TRUE(session.finish({}, blocks));
+  EXPECT_EQ(support::first_gap(blocks), "");
+  const auto masked = std::ranges::count(blocks, Origin::masked, &CompensatedBlock::origin);
+  EXPECT_EQ(masked, 2);
+  const auto across = std::ranges::find(blocks, Origin::transition, &CompensatedBlock::origin);
+  ASSERT_NE(across, blocks.end());
+  EXPECT_EQ(across->normal.from, -2);
+  EXPECT_EQ(across->normal.to, -2);
+  EXPECT_EQ(std::get<Line>(across->path).start, Point(20, -5));
+  EXPECT_EQ(std::get<Line>(across->path).end.y(), 0.0005 - 5);
 }
 
 }  // namespace

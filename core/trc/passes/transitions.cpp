@@ -195,7 +195,8 @@ void Transitions::join_anew(PathBlock& after, PathBlocks& out) {
   before.cut_at_end = rejoin.cut_before;
   complete(before, rejoin.point, tolerances_);
   PathBlockPtr across;
-  if (rejoin.start != rejoin.point) across = insertion_behind(before, after);
+  // Masked blocks move the other axes all the same.
+  if (rejoin.start != rejoin.point) across = insertion_behind(*masked_.back(), after);
   out.push_back(std::move(held_));
   for (PathBlockPtr& masked : masked_) {
     masked->origin = Origin::masked;
