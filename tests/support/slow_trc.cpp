@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <optional>
 
@@ -145,6 +146,9 @@ class SlowCompensation {
   // The transition angle in rad; 2 pi at a reversal (D-05) that does not enclose
   // the tool, pi where nothing turns.
   [[nodiscard]] Real angle_between(const Shape& before, const Shape& after) const;
+  // Whether the two go back on each other and part, or cross once more, by less than twice the
+  // input resolution: whether that is a slit or a tip, rounding decides (D-44).
+  [[nodiscard]] bool ties_back(const Shape& before, const Shape& after) const;
 
   TrcMode mode_;
   Real side_;
@@ -181,6 +185,26 @@ Real SlowCompensation::angle_between(const Shape& before, const Shape& after) co
   if (std::abs(turn) < no_turn) return pi;
   if (pi - std::abs(turn) < no_turn) return encloses_tool(before, after) ? 0 : 2 * pi;
   return pi - side_ * turn;
+}
+
+bool SlowCompensation::ties_back(const Shape& before, const Shape& after) const {
+  constexpr Real doubtful = 2e-3L;
+  const Real turn = std::atan2(cross_of(before.end_tangent, after.start_tangent),
+                               dot(before.end_tangent, after.start_tangent));
+  const Real opening = std::copysign(pi - std::abs(turn), turn);
+  if (std::abs(opening) > 0.1L) return false;
+  Real bend = 0;
+  Real reach = std::numeric_limits<Real>::infinity();
+  for (const Shape* shape : {&before, &after}) {
+    const Real size = shape->is_arc ? shape->radius * std::min(shape->extent, 1.0L) : shape->extent;
+    reach = std::min(reach, size);
+    if (shape->is_arc) bend -= (shape->sweep > 0 ? 1 : -1) / shape->radius;
+  }
+  if (bend == 0 && std::abs(opening) < no_turn) return false;  // a tip (D-05)
+  const auto gap_at = [&](Real way) { return way * (opening + bend * way / 2); };
+  const bool crosses_again = opening * bend < 0 && std::abs(opening) < std::abs(bend) * reach;
+  return std::abs(gap_at(reach)) < doubtful ||
+         (crosses_again && std::abs(gap_at(-opening / bend)) < doubtful);
 }
 
 // The first place where `value` is no longer negative, between `inside`, where it
@@ -261,6 +285,7 @@ Join SlowCompensation::inside_join(const Shape& before, const Shape& after) {
 
 Join SlowCompensation::join(const Shape& before, const Shape& after) {
   const Real beta = angle_between(before, after);
+  if (ties_back(before, after)) outcome_.borderline = true;
   const SlowPoint corner = before.end;
   const SlowPoint q = corner + to_tool(before.end_tangent);
   const SlowPoint p = corner + to_tool(after.start_tangent);
