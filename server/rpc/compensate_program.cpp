@@ -18,26 +18,26 @@ constexpr std::size_t much_output_bytes = 512U << 10U;
 
 }  // namespace
 
-CompensateProgram::Run::Run(const StreamContext& stream, const wire::PathSettings& settings,
+CompensateProgram::Run::Run(const StreamContext& stream_context, const wire::PathSettings& settings,
                             const ProgramSessionSetup& setup)
-    : account(stream.account),
+    : stream(stream_context),
       layout(settings.response_layout),
-      session(in_portions(setup)),
-      answers(stream.backend, stream.record),
+      session(watched(setup)),
+      responses(stream.backend, stream.record),
       meter(settings.session.compensator.limits),
       verifies(settings.session.verify != Verify::off) {}
 
-ProgramSessionSetup CompensateProgram::Run::in_portions(ProgramSessionSetup setup) {
-  setup.session.compensator.take_portion = [this](auto& blocks) {
-    answers.outbox().keep_portion(blocks);
-    account.progressed();
+ProgramSessionSetup CompensateProgram::Run::watched(ProgramSessionSetup setup) {
+  setup.session.compensator.interrupt = [this] {
+    if (responses.outbox().has_grown()) stream.account.progressed();
+    stream.pass();
   };
   return setup;
 }
 
 bool CompensateProgram::Run::is_soon_done(std::uint64_t lines) const {
   return !verifies && input.empty() && meter.holds_few() && lines <= Meter::few_blocks &&
-         answers.outbox().held_bytes() <= few_bytes;
+         !responses.outbox().holds(few_bytes + 1);
 }
 
 Turn CompensateProgram::take(const v1::CompensateProgramRequest& request,
@@ -60,7 +60,7 @@ Turn CompensateProgram::set_up(const v1::ProgramSetup& message,
   if (auto refused = read_setup(message, config, settings)) return end(*refused);
   stream_.record.set_client_tag(settings.path.client_tag);
   run_.emplace(stream_, settings.path,
-               ProgramSessionSetup{.session = stream_.interruptible(settings.path.session),
+               ProgramSessionSetup{.session = settings.path.session,
                                    .nc_text = settings.nc_text,
                                    .decimals = settings.decimals,
                                    .longest_line = config.max_line_bytes});
@@ -80,16 +80,16 @@ Turn CompensateProgram::set_up(const v1::ProgramSetup& message,
 }
 
 void CompensateProgram::feed(const v1::ProgramText& chunk) {
-  Answers& answers = run_->answers;
-  answers.begin();
+  Responses& responses = run_->responses;
+  responses.begin();
   if (run_->finished) {
     stream_.record.received(0);
-    return answers.end_with(refuse(Refusal::input_after_final, {}, {{"field", "text"}}));
+    return responses.end_with(refuse(Refusal::input_after_final, {}, {{"field", "text"}}));
   }
   if (chunk.first_byte() != run_->bytes_in) {
     const std::string expected = std::to_string(run_->bytes_in);
     const std::string got = std::to_string(chunk.first_byte());
-    return answers.end_with(refuse(Refusal::text_out_of_sequence,
+    return responses.end_with(refuse(Refusal::text_out_of_sequence,
                                    "expected " + expected + ", got " + got,
                                    {{"expected", expected}, {"got", got}}));
   }
@@ -102,12 +102,12 @@ void CompensateProgram::feed(const v1::ProgramText& chunk) {
 }
 
 void CompensateProgram::go_on() {
-  Answers& answers = run_->answers;
+  Responses& responses = run_->responses;
   const Meter::Running running(run_->meter);
   const std::string_view input = run_->input;
   bool goes_on = true;
   while (goes_on && run_->input_taken < input.size() &&
-         answers.outbox().held_bytes() < much_output_bytes) {
+         !responses.outbox().holds(much_output_bytes)) {
     const std::string_view piece = input.substr(run_->input_taken, bytes_per_piece);
     goes_on = give(piece);
     run_->input_taken += piece.size();
@@ -115,7 +115,7 @@ void CompensateProgram::go_on() {
   const bool is_left = goes_on && run_->input_taken < input.size();
   if (goes_on && !is_left && run_->input_is_final) finish();
   if (!is_left) run_->input = std::string();
-  answers.input_is_left(is_left);
+  responses.input_is_left(is_left);
 
   const Summary& so_far = run_->session.summary();
   stream_.record.taken(so_far.blocks_in - run_->blocks_seen);
@@ -125,22 +125,21 @@ void CompensateProgram::go_on() {
 
 bool CompensateProgram::give(std::string_view text) {
   stream_.pass();
-  Answers& answers = run_->answers;
-  const bool goes_on = run_->session.feed(text, answers.outbox().content());
-  answers.place(run_->session.diagnostics());
-  return goes_on;
+  Responses& responses = run_->responses;
+  if (run_->session.feed(text, responses.outbox().content())) return true;
+  responses.end_with_error();
+  return false;
 }
 
 void CompensateProgram::finish() {
   run_->finished = true;
-  run_->session.finish(run_->answers.outbox().content());
-  run_->answers.place(run_->session.diagnostics());
-  run_->answers.finish();
+  if (!run_->session.finish(run_->responses.outbox().content())) run_->responses.end_with_error();
+  run_->responses.finish();
 }
 
 Turn CompensateProgram::proceed(v1::CompensateProgramResponse& response) {
-  if (run_->answers.outbox().empty() && !run_->input.empty()) go_on();
-  return run_->answers.next(
+  if (run_->responses.outbox().empty() && !run_->input.empty()) go_on();
+  return run_->responses.next(
       run_->layout, response,
       [&](const Outbox::Slice& slice, bool last) {
         response.mutable_nc_text()->assign(slice.text);
@@ -160,9 +159,9 @@ Turn CompensateProgram::proceed(v1::CompensateProgramResponse& response) {
 }
 
 std::string CompensateProgram::resume_token() {
-  if (run_->finished || run_->answers.failed()) return {};
+  if (run_->finished || run_->responses.failed()) return {};
   return stream_.backend.resume_tokens.seal(setup_, [this](StateWriter& archive) {
-    archive(*run_, run_->answers.outbox().blocks_taken());
+    archive(*run_, run_->responses.outbox().blocks_taken());
   });
 }
 
@@ -171,7 +170,7 @@ std::optional<Ending> CompensateProgram::resume(std::string_view token) {
     std::uint64_t blocks_out = 0;
     archive(*run_, blocks_out);
     run_->bytes_answered = run_->bytes_in;
-    run_->answers.outbox().go_on_behind(blocks_out);
+    run_->responses.outbox().go_on_behind(blocks_out);
   });
 }
 

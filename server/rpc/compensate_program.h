@@ -6,8 +6,8 @@
 #include <string_view>
 
 #include "core/session/program_session.h"
-#include "server/rpc/answers.h"
 #include "server/rpc/meter.h"
+#include "server/rpc/responses.h"
 #include "server/rpc/stream_context.h"
 #include "server/rpc/stream_work.h"
 #include "trc/v1/trc_service.pb.h"
@@ -33,7 +33,7 @@ class CompensateProgram final
         const ProgramSessionSetup& setup);
 
     // As of PathRun.
-    [[nodiscard]] ProgramSessionSetup in_portions(ProgramSessionSetup setup);
+    [[nodiscard]] ProgramSessionSetup watched(ProgramSessionSetup setup);
 
     template <class Archive>
     void serialize(Archive& archive) {
@@ -43,10 +43,10 @@ class CompensateProgram final
     // As of PathRun.
     [[nodiscard]] bool is_soon_done(std::uint64_t lines) const;
 
-    StreamAccount& account;
+    StreamContext stream;
     wire::Layout layout;
     ProgramSession session;
-    Answers answers;
+    Responses responses;
     Meter meter;
     std::uint64_t bytes_in = 0;
     std::uint64_t bytes_answered = 0;  // input whose output is all out

@@ -10,16 +10,16 @@ namespace trc::server {
 PathRun::PathRun(const StreamContext& stream, const wire::PathSettings& settings)
     : stream_(stream),
       layout_(settings.response_layout),
-      session_(in_portions(stream.interruptible(settings.session))),
+      session_(watched(settings.session)),
       reader_(settings.session.program.tracking_axes.size()),
-      answers_(stream.backend, stream.record),
+      responses_(stream.backend, stream.record),
       meter_(settings.session.compensator.limits),
       verifies_(settings.session.verify != Verify::off) {}
 
-SessionSetup PathRun::in_portions(SessionSetup setup) {
-  setup.compensator.take_portion = [this](auto& blocks) {
-    answers_.outbox().keep_portion(blocks);
-    stream_.account.progressed();
+SessionSetup PathRun::watched(SessionSetup setup) {
+  setup.compensator.interrupt = [this] {
+    if (responses_.outbox().has_grown()) stream_.account.progressed();
+    stream_.pass();
   };
   return setup;
 }
@@ -27,24 +27,24 @@ SessionSetup PathRun::in_portions(SessionSetup setup) {
 template <class Batch>
 void PathRun::feed_batch(const Batch& batch, const char* field, std::int64_t blocks) {
   stream_.record.received(static_cast<std::uint64_t>(blocks));
-  answers_.begin();
+  responses_.begin();
   if (finished_)
-    return answers_.end_with(refuse(Refusal::input_after_final, {}, {{"field", field}}));
+    return responses_.end_with(refuse(Refusal::input_after_final, {}, {{"field", field}}));
   if (batch.first_block() != reader_.next_block()) {
     const std::string expected = std::to_string(reader_.next_block());
     const std::string got = std::to_string(batch.first_block());
-    return answers_.end_with(refuse(Refusal::batch_out_of_sequence,
+    return responses_.end_with(refuse(Refusal::batch_out_of_sequence,
                                     "expected " + expected + ", got " + got,
                                     {{"expected", expected}, {"got", got}}));
   }
   const std::uint32_t most = stream_.backend.config.max_blocks_per_batch;
   if (blocks > most)
-    return answers_.end_with(
+    return responses_.end_with(
         refuse(Refusal::batch_too_large, {},
                {{"max_blocks_per_batch", std::to_string(most)}, {"got", std::to_string(blocks)}}));
   // Corners give transition blocks too. All would be moved again and again while their number
   // grows.
-  std::vector<CompensatedBlock>& ready = answers_.outbox().content().blocks;
+  std::vector<CompensatedBlock>& ready = responses_.outbox().content().blocks();
   ready.reserve(ready.size() + static_cast<std::size_t>(2 * blocks));
   read(batch);
   if (batch.final()) finish();
@@ -57,8 +57,8 @@ void PathRun::read(const Batch& batch) {
   items_ = 0;  // groups begin with a batch: a resumed stream has those of the unbroken one
   reader_.read(
       batch, [&](const wire::PathInput& input) { return give(input); }, faults);
-  if (answers_.failed()) return;
-  if (advance() && !faults.empty()) answers_.end_with(refuse(faults));
+  if (responses_.failed()) return;
+  if (advance() && !faults.empty()) responses_.end_with(refuse(faults));
   if (meter_.note(session_.summary())) stream_.account.progressed();
 }
 
@@ -78,21 +78,21 @@ bool PathRun::give(const wire::PathInput& input) {
 }
 
 bool PathRun::advance() {
-  const bool goes_on = session_.advance(answers_.outbox().content());
-  answers_.place(session_.diagnostics());
-  return goes_on;
+  if (session_.advance(responses_.outbox().content())) return true;
+  responses_.end_with_error();
+  return false;
 }
 
 // A verification measures a selection as a whole once it has ended.
 bool PathRun::is_soon_done(std::uint64_t blocks) const {
   return !verifies_ && meter_.holds_few() && blocks <= Meter::few_blocks &&
-         answers_.outbox().blocks_waiting() <= 2 * Meter::few_blocks;
+         !responses_.outbox().holds(2 * Meter::few_blocks * sizeof(CompensatedBlock));
 }
 
 std::string PathRun::resume_token(const ResumeTokens::Digest& setup) const {
-  if (finished_ || answers_.failed()) return {};
+  if (finished_ || responses_.failed()) return {};
   return stream_.backend.resume_tokens.seal(setup, [this](StateWriter& archive) {
-    archive(session_, reader_, meter_, answers_.outbox().blocks_taken());
+    archive(session_, reader_, meter_, responses_.outbox().blocks_taken());
   });
 }
 
@@ -100,17 +100,17 @@ std::optional<Ending> PathRun::resume(std::string_view token, const ResumeTokens
   return stream_.backend.resume_tokens.open(token, setup, [this](StateReader& archive) {
     std::uint64_t blocks_out = 0;
     archive(session_, reader_, meter_, blocks_out);
-    answers_.outbox().go_on_behind(blocks_out);
+    responses_.outbox().go_on_behind(blocks_out);
   });
 }
 
 void PathRun::finish() {
-  if (finished_ || answers_.failed()) return;
+  if (finished_ || responses_.failed()) return;
   const Meter::Running running(meter_);
   finished_ = true;
-  session_.finish({.index = reader_.next_block()}, answers_.outbox().content().blocks);
-  answers_.place(session_.diagnostics());
-  answers_.finish();
+  if (!session_.finish({.index = reader_.next_block()}, responses_.outbox().content()))
+    responses_.end_with_error();
+  responses_.finish();
 }
 
 }  // namespace trc::server

@@ -8,8 +8,8 @@
 
 #include "core/session/session.h"
 #include "proto/wire/block.h"
-#include "server/rpc/answers.h"
 #include "server/rpc/meter.h"
+#include "server/rpc/responses.h"
 #include "server/rpc/stream_context.h"
 
 namespace trc::server {
@@ -29,7 +29,7 @@ class PathRun {
 
   template <class Response, class FinishSlice>
   Turn answer(Response& response, FinishSlice finish_slice) {
-    return answers_.next(layout_, response, finish_slice, [&] {
+    return responses_.next(layout_, response, finish_slice, [&] {
       wire::to_proto(meter_.summary(session_), *response.mutable_summary());
     });
   }
@@ -47,8 +47,8 @@ class PathRun {
   [[nodiscard]] bool finished() const { return finished_; }
 
  private:
-  // What a selection sets free goes to the outbox as it comes.
-  [[nodiscard]] SessionSetup in_portions(SessionSetup setup);
+  // The time of a selection counts from what came out of it last.
+  [[nodiscard]] SessionSetup watched(SessionSetup setup);
   template <class Batch>
   void feed_batch(const Batch& batch, const char* field, std::int64_t blocks);
   template <class Batch>
@@ -61,7 +61,7 @@ class PathRun {
   wire::Layout layout_;
   PathSession session_;
   wire::BlockReader reader_;
-  Answers answers_;
+  Responses responses_;
   Meter meter_;
   std::size_t items_ = 0;  // given, of the batch
   bool verifies_ = false;
