@@ -22,16 +22,6 @@ VerifiedCompensator::VerifiedCompensator(const CompensatorSetup& setup, Verify v
                         diagnostics);
 }
 
-bool VerifiedCompensator::feed(std::vector<Block>& blocks, std::vector<CompensatedBlock>& out) {
-  if (!verification_) return compensator_.feed(blocks, out);
-  for (std::span<Block> left(blocks); !left.empty() && !diagnostics_.stopped();) {
-    left = left.subspan(feed_until_report(left, out));
-    while (is_releasing()) release(out);
-  }
-  blocks.clear();
-  return !diagnostics_.stopped();
-}
-
 std::size_t VerifiedCompensator::feed_until_report(std::span<Block> blocks,
                                                    std::vector<CompensatedBlock>& out) {
   if (!verification_) return compensator_.feed_until_report(blocks, out);
@@ -74,12 +64,6 @@ bool VerifiedCompensator::measure(const std::vector<CompensatedBlock>& out) {
   measured_ = out.size();
   if (!verification_->compensated(fresh)) return false;
   return !finishing_ || is_releasing() || verification_->finish();
-}
-
-bool VerifiedCompensator::finish(const TrcMode& at_end, std::vector<CompensatedBlock>& out) {
-  bool goes_on = finish_until_portion(at_end, out);
-  while (is_releasing()) goes_on = release(out);
-  return goes_on;
 }
 
 bool VerifiedCompensator::finish_until_portion(const TrcMode& at_end,

@@ -20,9 +20,7 @@ class VerifiedCompensator {
   VerifiedCompensator& operator=(const VerifiedCompensator&) = delete;
 
   // As of Compensator.
-  bool feed(std::vector<Block>& blocks, std::vector<CompensatedBlock>& out);
   std::size_t feed_until_report(std::span<Block> blocks, std::vector<CompensatedBlock>& out);
-  bool finish(const TrcMode& at_end, std::vector<CompensatedBlock>& out);
   bool finish_until_portion(const TrcMode& at_end, std::vector<CompensatedBlock>& out);
   [[nodiscard]] bool is_releasing() const { return compensator_.is_releasing(); }
   bool release(std::vector<CompensatedBlock>& out);
