@@ -50,8 +50,8 @@ Exit do_job(Job& job, Input& input, Reporter& reporter, const TextSink& sink) {
       compensate_program(job.service, job.setup, input, reporter, [&](const Answer& answer) {
         const std::string& text = result.of(answer);
         if (job.recorded) {
-          for (const wire::ReceivedDiagnostic& received : answer.diagnostics)
-            to_proto(received, *record.add_diagnostics());
+          for (const Diagnostic& told : answer.diagnostics)
+            wire::to_proto(told, *record.add_diagnostics());
           made.add(text);
         }
         return sink(text);

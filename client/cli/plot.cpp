@@ -44,7 +44,7 @@ std::optional<std::string> page_of(std::string text, v1::ProgramSetup setup,
   server::http::ViewBuilder builder(std::move(text), setup, std::move(settings), memory,
                                     [] { return false; });
   if (paths.exit == Exit::refused) builder.set_refused();
-  for (const wire::ReceivedDiagnostic& diagnostic : paths.received) {
+  for (const Diagnostic& diagnostic : paths.diagnostics) {
     v1::Diagnostic message;
     wire::to_proto(diagnostic, message);
     builder.add(message);

@@ -71,14 +71,15 @@ ProgramInfo describe_program(const std::string& program, ProgramSessionSetup set
 
   setup.nc_text = false;
   ProgramSession session(setup);
-  ProgramOutput output;
-  if (session.feed(program, output)) session.finish(output);
+  Answers answers;
+  if (session.feed(program, answers)) session.finish(answers);
+  const Answer whole = answers.take();
   info.refused = session.diagnostics().stopped();
-  const Contours contours = contours_of(output.blocks);
+  const Contours contours = contours_of(whole.blocks);
   text << "lines: " << session.lines_read() << '\n'
        << "selections: " << contours.selections << ", " << contours.blocks << " blocks, "
        << rounded(contours.length) << " mm\n";
-  const auto found = session.diagnostics().take();
+  const std::vector<Diagnostic>& found = whole.diagnostics;
   text << (info.refused ? "refused:\n" : found.empty() ? "nothing to refuse\n" : "to look at:\n");
   for (const Diagnostic& diagnostic : found)
     text << "  line " << diagnostic.source.line << ": " << static_cast<int>(diagnostic.code) << ' '

@@ -31,10 +31,8 @@ ProgramPaths read_paths(const ServiceOptions& options, v1::ProgramSetup setup, I
       compensate_program(options, setup, input, reporter, [&](const Answer& answer) {
         paths.compensated.insert(paths.compensated.end(), answer.blocks.begin(),
                                  answer.blocks.end());
-        for (const wire::ReceivedDiagnostic& received : answer.diagnostics) {
-          paths.diagnostics.push_back(received.diagnostic);
-          paths.received.push_back(received);
-        }
+        paths.diagnostics.insert(paths.diagnostics.end(), answer.diagnostics.begin(),
+                                 answer.diagnostics.end());
         return true;
       });
   paths.exit = outcome.exit;

@@ -21,11 +21,10 @@ struct ProgramPaths {
   // As read here, without the service. Where the text has an error they end
   // there; the error is among `diagnostics`, from the service.
   std::vector<Block> programmed{};
-  std::vector<CompensatedBlock> compensated{};       // what was certain, if refused
-  std::vector<Diagnostic> diagnostics{};             // also told on standard error
-  std::vector<wire::ReceivedDiagnostic> received{};  // the same with the texts they came with
-  LeadSettings leads{};                              // of the setup
-  std::optional<wire::ProgramSummary> summary{};     // complete runs only
+  std::vector<CompensatedBlock> compensated{};    // what was certain, if refused
+  std::vector<Diagnostic> diagnostics{};          // also told on standard error
+  LeadSettings leads{};                           // of the setup
+  std::optional<wire::ProgramSummary> summary{};  // complete runs only
 };
 
 [[nodiscard]] ProgramPaths read_paths(const ServiceOptions& options, v1::ProgramSetup setup,

@@ -185,8 +185,7 @@ std::string more(const Counted& counted, std::string_view of_what, const Shown& 
 
 }  // namespace
 
-std::string text_of(const wire::ReceivedDiagnostic& received, const Shown& shown) {
-  const Diagnostic& diagnostic = received.diagnostic;
+std::string text_of(const Diagnostic& diagnostic, const Shown& shown) {
   const std::size_t column = column_of(diagnostic, shown.source_line);
   std::string place = printable(shown.file);
   if (diagnostic.source.line > 0) place += ':' + std::to_string(diagnostic.source.line);
@@ -195,16 +194,14 @@ std::string text_of(const wire::ReceivedDiagnostic& received, const Shown& shown
   if (diagnostic.source.number != Source::no_number)
     place += " N" + std::to_string(diagnostic.source.number) + ':';
 
-  // A sender that has no texts for people yet is shown with its message.
-  const std::string& message = received.text.empty() ? received.message : received.text;
+  const DiagnosticTexts texts = texts_of(diagnostic);
   std::string text =
       painted(place, bold, shown) + ' ' +
       severity_and_code(diagnostic.severity, diagnostic.code, diagnostic.language, shown) + ' ' +
-      painted(printable(message), bold, shown) + '\n';
+      painted(printable(texts.text), bold, shown) + '\n';
   if (diagnostic.source.line > 0 && shown.source_line && !shown.source_line->empty())
     text += excerpt_of(diagnostic, column, shown);
-  const std::string& help = received.help.empty() ? received.remedy : received.help;
-  if (!help.empty()) text += lines_of_help(help, diagnostic.language, shown);
+  if (!texts.help.empty()) text += lines_of_help(texts.help, diagnostic.language, shown);
   if (!diagnostic.entry_help) return text;
   Writing writing = shown.writing;
   writing.inch = diagnostic.inch;

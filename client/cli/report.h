@@ -30,7 +30,7 @@ struct Shown {
 //
 // Without column where it is not known: then that of the word at fault, if the line has it once.
 // Control characters, and what is no UTF-8, are shown as '?'. Each line ends with a line feed.
-[[nodiscard]] std::string text_of(const wire::ReceivedDiagnostic& received, const Shown& shown);
+[[nodiscard]] std::string text_of(const Diagnostic& diagnostic, const Shown& shown);
 
 // Messages of one code and severity that are counted, not shown.
 struct Counted {

@@ -1,6 +1,8 @@
 #include "client/cli/reporter.h"
 
 #include <iostream>
+#include <memory>
+#include <utility>
 
 #include "core/base/explanation.h"
 #include "proto/wire/setup.h"
@@ -16,13 +18,13 @@ Writing writing_of(const v1::ProgramSetup& setup) {
 
 // Its help in words of the command line, where it is the one of its code: the sender names fields
 // of the setup.
-wire::ReceivedDiagnostic for_command_line(wire::ReceivedDiagnostic received) {
-  const Language language = received.diagnostic.language;
-  const std::string& sent = received.help.empty() ? received.remedy : received.help;
-  const std::string_view own = help_on_command_line(received.diagnostic.code, language);
-  if (!own.empty() && sent == help_of({.code = received.diagnostic.code}, language))
-    received.help = own;
-  return received;
+Diagnostic for_command_line(Diagnostic found) {
+  const std::string_view own = help_on_command_line(found.code, found.language);
+  DiagnosticTexts texts = texts_of(found);
+  if (own.empty() || texts.help != help_of({.code = found.code}, found.language)) return found;
+  texts.help = own;
+  found.texts = std::make_shared<const DiagnosticTexts>(std::move(texts));
+  return found;
 }
 
 }  // namespace
@@ -34,30 +36,28 @@ Reporter::Reporter(Input& input, const v1::ProgramSetup& setup, Progress& progre
       in_colour_(colours_wanted()),
       progress_(progress) {}
 
-void Reporter::report(const std::vector<wire::ReceivedDiagnostic>& diagnostics) {
-  for (const wire::ReceivedDiagnostic& received : diagnostics) {
-    const Diagnostic& found = received.diagnostic;
+void Reporter::report(const std::vector<Diagnostic>& diagnostics) {
+  for (const Diagnostic& found : diagnostics) {
     refused_ = refused_ || found.severity == Severity::error;
-    const Text text(found.severity, found.code, received.message);
+    const Text text(found.severity, found.code, texts_of(found).message);
     if (const auto like = like_shown_.find(text); like != like_shown_.end()) {
       like->second.add(found);
     } else if (order_.size() < most_texts) {
       like_shown_.emplace(text, Counted{});
       order_.push_back(text);
-      show(received);
+      show(found);
     } else {
       of_other_texts_[Kind(found.severity, found.code)].add(found);
     }
   }
 }
 
-void Reporter::show(const wire::ReceivedDiagnostic& received) {
+void Reporter::show(const Diagnostic& found) {
   progress_.clear();
-  std::cerr << text_of(for_command_line(received),
-                       {.file = input_.name(),
-                        .source_line = lines_.line(received.diagnostic.source.line),
-                        .writing = writing_,
-                        .in_colour = in_colour_});
+  std::cerr << text_of(for_command_line(found), {.file = input_.name(),
+                                                 .source_line = lines_.line(found.source.line),
+                                                 .writing = writing_,
+                                                 .in_colour = in_colour_});
 }
 
 void Reporter::finish() {

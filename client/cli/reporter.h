@@ -14,7 +14,6 @@
 #include "client/cli/report.h"
 #include "client/cli/source_lines.h"
 #include "core/base/diagnostic.h"
-#include "proto/wire/diagnostic.h"
 #include "trc/v1/setup.pb.h"
 
 namespace trc::cli {
@@ -32,7 +31,7 @@ class Reporter {
   Reporter(const Reporter&) = delete;
   Reporter& operator=(const Reporter&) = delete;
 
-  void report(const std::vector<wire::ReceivedDiagnostic>& diagnostics);
+  void report(const std::vector<Diagnostic>& diagnostics);
   // No more will be found.
   void finish();
 
@@ -44,7 +43,7 @@ class Reporter {
   using Kind = std::pair<Severity, Code>;
   using Text = std::tuple<Severity, Code, std::string>;  // of a message, without its place
 
-  void show(const wire::ReceivedDiagnostic& received);
+  void show(const Diagnostic& found);
 
   const Input& input_;
   SourceLines lines_;

@@ -46,8 +46,8 @@ void ResultText::add_json(const Answer& answer) {
     wire::to_proto(block, *item_.mutable_block());
     lines_.append(item_, text_);
   }
-  for (const wire::ReceivedDiagnostic& received : answer.diagnostics) {
-    to_proto(received, *item_.mutable_diagnostic());
+  for (const Diagnostic& told : answer.diagnostics) {
+    wire::to_proto(told, *item_.mutable_diagnostic());
     lines_.append(item_, text_);
   }
 }

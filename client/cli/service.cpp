@@ -119,24 +119,24 @@ Outcome compensate_program(const ServiceOptions& options, const v1::ProgramSetup
   Progress& progress = reporter.progress();
   bool answered = false;
   std::uint64_t bytes = 0;
-  const AnswerSink take = [&](const Answer& answer) {
+  Answers answers([&](Answer& answer) {
     answered = true;
     reporter.report(answer.diagnostics);
     progress.update(bytes);
     return sink(answer);
-  };
+  });
 
   bool open = true;
   while (open) {
     const std::string_view text = input.read();
     if (text.empty()) break;
     bytes += text.size();
-    open = session.feed(text, take);
+    open = session.feed(text, answers);
     progress.update(bytes);
   }
   // Half a program must not look like a whole one.
   if (input.failed()) return {.exit = Exit::wrong_call};
-  const bool done = open && session.finish(take);
+  const bool done = open && session.finish(answers);
   reporter.finish();
   if (done) return {.exit = Exit::done, .summary = session.summary()};
   // What the server has no room for is told as a diagnostic, too; the program has no fault.

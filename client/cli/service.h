@@ -12,8 +12,8 @@
 #include "client/cli/command.h"
 #include "client/cli/files.h"
 #include "client/cli/reporter.h"
-#include "client/trc/answer.h"
 #include "client/trc/failure.h"
+#include "core/session/answers.h"
 #include "proto/wire/path_item.h"
 #include "trc/v1/http.pb.h"
 #include "trc/v1/setup.pb.h"
@@ -33,9 +33,6 @@ struct ServiceOptions {
   std::string tls_key{};
 };
 void add_service_options(CLI::App& command, ServiceOptions& options);
-
-using client::Answer;
-using client::AnswerSink;
 
 struct Outcome {
   Exit exit = Exit::done;

@@ -149,8 +149,8 @@ void Job::write(std::uint64_t number, v1::ProgramText& text) const {
 
 namespace {
 
-std::string why_refused(Diagnostics& diagnostics) {
-  for (const Diagnostic& diagnostic : diagnostics.take())
+std::string why_refused(const std::vector<Diagnostic>& diagnostics) {
+  for (const Diagnostic& diagnostic : diagnostics)
     if (diagnostic.severity == Severity::error)
       return std::to_string(static_cast<int>(diagnostic.code)) + ": " + message_of(diagnostic);
   return "the core gives no path";
@@ -173,11 +173,12 @@ ExpectedResult expected_path(const Job& job, std::string& refused) {
   }
   PathSession session(settings.session);
   wire::BlockReader reader(settings.session.program.tracking_axes.size());
-  std::vector<CompensatedBlock> out;
-  const auto hand_over = [&] {
-    for (const CompensatedBlock& block : out) expected.add(block);
-    out.clear();
-  };
+  std::vector<Diagnostic> told;
+  Answers out([&](const Answer& part) {
+    for (const CompensatedBlock& block : part.blocks) expected.add(block);
+    told.insert(told.end(), part.diagnostics.begin(), part.diagnostics.end());
+    return true;
+  });
   const auto give = [&](const wire::PathInput& input) {
     return wire::apply(input, session.program());
   };
@@ -185,15 +186,14 @@ ExpectedResult expected_path(const Job& job, std::string& refused) {
   v1::BlockColumns columns;
   for (std::uint64_t batch = 0; batch < job.batches() && going; ++batch) {
     job.write(batch, columns);
-    going = reader.read(columns, give, faults) && session.advance(out);
-    hand_over();
+    going = reader.read(columns, give, faults);
+    going = session.advance(out) && going;
   }
   going = going && session.finish({.index = reader.next_block()}, out);
-  hand_over();
   if (!faults.empty())
     refused = first_of(faults);
   else if (!going)
-    refused = why_refused(session.diagnostics());
+    refused = why_refused(told);
   return expected;
 }
 
@@ -208,18 +208,20 @@ ExpectedResult expected_text(const Job& job, std::string& refused) {
     return expected;
   }
   ProgramSession session({.session = settings.path.session, .decimals = settings.decimals});
-  ProgramOutput out;
+  std::vector<Diagnostic> told;
+  Answers out([&](const Answer& part) {
+    expected.add(std::string_view(part.text));
+    told.insert(told.end(), part.diagnostics.begin(), part.diagnostics.end());
+    return true;
+  });
   bool going = true;
   v1::ProgramText text;
   for (std::uint64_t batch = 0; batch < job.batches() && going; ++batch) {
     job.write(batch, text);
     going = session.feed(text.text(), out);
-    expected.add(std::string_view(out.text));
-    out.text.clear();
   }
   going = going && session.finish(out);
-  expected.add(std::string_view(out.text));
-  if (!going) refused = why_refused(session.diagnostics());
+  if (!going) refused = why_refused(told);
   return expected;
 }
 

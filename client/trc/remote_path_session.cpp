@@ -37,12 +37,12 @@ struct RemotePathSession::Parts {
         unsent_setup(setup),
         columns(setup.response_layout() == v1::RESPONSE_LAYOUT_COLUMNS) {}
 
-  bool send_batch(std::span<const wire::PathInput> items, bool final, const AnswerSink& sink) {
+  bool send_batch(std::span<const wire::PathInput> items, bool final, Answers& out) {
     if (columns)
       writer.write(items, final, *session.outgoing().mutable_columns());
     else
       writer.write(items, final, *session.outgoing().mutable_batch());
-    return session.send(final ? session.end_of_input : writer.next_block(), sink);
+    return session.send(final ? session.end_of_input : writer.next_block(), out);
   }
 
   std::unique_ptr<v1::TrcService::Stub> stub;
@@ -62,26 +62,26 @@ RemotePathSession::RemotePathSession(const Connection& connection, const v1::Pat
 
 RemotePathSession::~RemotePathSession() = default;
 
-bool RemotePathSession::feed(std::span<const wire::PathInput> items, const AnswerSink& sink) {
+bool RemotePathSession::feed(std::span<const wire::PathInput> items, Answers& out) {
   Parts& parts = *parts_;
   if (!parts.set_up) {
     parts.set_up = true;
     parts.session.outgoing().mutable_setup()->Swap(&parts.unsent_setup);
-    if (!parts.session.open(sink)) return false;
+    if (!parts.session.open(out)) return false;
   }
   const std::size_t most = parts.session.limits().max_blocks_per_batch();
   const std::size_t batch = most == 0 ? best_batch : std::min(most, best_batch);
   while (!items.empty()) {
     const auto part = items.first(std::min(items.size(), batch));
-    if (!parts.send_batch(part, false, sink)) return false;
+    if (!parts.send_batch(part, false, out)) return false;
     items = items.subspan(part.size());
   }
   return !parts.session.failure();
 }
 
-bool RemotePathSession::finish(const AnswerSink& sink) {
-  if (feed({}, sink)) parts_->send_batch({}, true, sink);
-  return parts_->session.finish(sink);
+bool RemotePathSession::finish(Answers& out) {
+  if (feed({}, out)) parts_->send_batch({}, true, out);
+  return parts_->session.finish(out);
 }
 
 const std::optional<Failure>& RemotePathSession::failure() const {

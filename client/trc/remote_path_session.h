@@ -5,9 +5,9 @@
 #include <optional>
 #include <span>
 
-#include "client/trc/answer.h"
 #include "client/trc/connection.h"
 #include "client/trc/failure.h"
+#include "core/session/answers.h"
 #include "proto/wire/block.h"
 #include "proto/wire/path_item.h"
 #include "proto/wire/setup.h"
@@ -27,14 +27,14 @@ class RemotePathSession {
   RemotePathSession(const RemotePathSession&) = delete;
   RemotePathSession& operator=(const RemotePathSession&) = delete;
 
-  // Sends the items, divided into batches the server takes, and hands out what
+  // Sends the items, divided into batches the server takes, and appends what
   // has become certain. `Source::index` is ignored: position counts. A MoveRequest
   // must be absolute. Returns false once the stream has ended; `failure` then
   // says why.
-  bool feed(std::span<const wire::PathInput> items, const AnswerSink& sink);
-  // End of the path: hands out all that was held back. Returns whether the path
+  bool feed(std::span<const wire::PathInput> items, Answers& out);
+  // End of the path: appends all that was held back. Returns whether the path
   // was compensated completely.
-  bool finish(const AnswerSink& sink);
+  bool finish(Answers& out);
 
   [[nodiscard]] const std::optional<Failure>& failure() const;
   // How often the stream was lost and another one has gone on.

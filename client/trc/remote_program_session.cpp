@@ -28,13 +28,13 @@ struct RemoteProgramSession::Parts {
             },
             connection) {}
 
-  bool send_text(std::string_view text, bool final, const AnswerSink& sink) {
+  bool send_text(std::string_view text, bool final, Answers& out) {
     v1::ProgramText& message = *session.outgoing().mutable_text();
     message.set_first_byte(sent_bytes);
     message.set_text(text.data(), text.size());
     message.set_final(final);
     sent_bytes += text.size();
-    return session.send(final ? session.end_of_input : sent_bytes, sink);
+    return session.send(final ? session.end_of_input : sent_bytes, out);
   }
 
   std::unique_ptr<v1::TrcService::Stub> stub;
@@ -52,24 +52,24 @@ RemoteProgramSession::RemoteProgramSession(const Connection& connection,
 
 RemoteProgramSession::~RemoteProgramSession() = default;
 
-bool RemoteProgramSession::feed(std::string_view text, const AnswerSink& sink) {
+bool RemoteProgramSession::feed(std::string_view text, Answers& out) {
   Parts& parts = *parts_;
   if (!parts.set_up) {
     parts.set_up = true;
     parts.session.outgoing().mutable_setup()->Swap(&parts.unsent_setup);
-    if (!parts.session.open(sink)) return false;
+    if (!parts.session.open(out)) return false;
   }
   while (!text.empty()) {
     const std::string_view chunk = text.substr(0, std::min(text.size(), chunk_bytes));
-    if (!parts.send_text(chunk, false, sink)) return false;
+    if (!parts.send_text(chunk, false, out)) return false;
     text.remove_prefix(chunk.size());
   }
   return !parts.session.failure();
 }
 
-bool RemoteProgramSession::finish(const AnswerSink& sink) {
-  if (feed({}, sink)) parts_->send_text({}, true, sink);
-  return parts_->session.finish(sink);
+bool RemoteProgramSession::finish(Answers& out) {
+  if (feed({}, out)) parts_->send_text({}, true, out);
+  return parts_->session.finish(out);
 }
 
 const std::optional<Failure>& RemoteProgramSession::failure() const {

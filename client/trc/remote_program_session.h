@@ -5,9 +5,9 @@
 #include <optional>
 #include <string_view>
 
-#include "client/trc/answer.h"
 #include "client/trc/connection.h"
 #include "client/trc/failure.h"
+#include "core/session/answers.h"
 #include "proto/wire/path_item.h"
 #include "trc/v1/setup.pb.h"
 
@@ -27,12 +27,12 @@ class RemoteProgramSession {
   RemoteProgramSession(const RemoteProgramSession&) = delete;
   RemoteProgramSession& operator=(const RemoteProgramSession&) = delete;
 
-  // Sends text, cut anywhere, and hands out what has become certain. Returns
+  // Sends text, cut anywhere, and appends what has become certain. Returns
   // false once the stream has ended; `failure` then says why.
-  bool feed(std::string_view text, const AnswerSink& sink);
-  // End of the text: hands out all that was held back. Returns whether the
+  bool feed(std::string_view text, Answers& out);
+  // End of the text: appends all that was held back. Returns whether the
   // program was compensated completely.
-  bool finish(const AnswerSink& sink);
+  bool finish(Answers& out);
 
   [[nodiscard]] const std::optional<Failure>& failure() const;
   // How often the stream was lost and another one has gone on.

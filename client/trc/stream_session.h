@@ -8,13 +8,15 @@
 #include <limits>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
+#include <vector>
 
-#include "client/trc/answer.h"
 #include "client/trc/connection.h"
 #include "client/trc/failure.h"
 #include "client/trc/resume_clock.h"
 #include "client/trc/stream.h"
+#include "core/session/answers.h"
 #include "proto/wire/compensated_block.h"
 #include "proto/wire/diagnostic.h"
 #include "trc/v1/trc_service.pb.h"
@@ -24,9 +26,9 @@ namespace trc::client {
 // What both kinds of session share: the window of unanswered requests, reading responses, how a
 // stream ends, and how the session goes on when one was lost:
 //
-//     requests   ──► kept since the last token ──► stream ──► responses ──► sink
+//     requests   ──► kept since the last token ──► stream ──► responses ──► answers
 //     stream lost ──► wait ──► new stream: setup with the token ──► the kept requests again,
-//                              of their answers those left out that the sink has got already
+//                              of their answers those left out that the caller has got already
 //
 // `Summary` is the native summary.
 template <class Request, class Response, class Summary>
@@ -51,25 +53,25 @@ class StreamSession {
 
   // Sends `outgoing`, a setup, and waits until the server has taken it: limits are known from then
   // on.
-  bool open(const AnswerSink& sink) {
+  bool open(Answers& out) {
     setup_ = std::exchange(outgoing_, Request());
     path_setup(setup_).set_want_resume_tokens(policy_.patience > policy_.patience.zero());
     reached_ = connection_.reach();
-    return begin(sink) || recover(sink);
+    return begin(out) || recover(out);
   }
 
   // Sends `outgoing`. `input_end`: the input position behind it; `end_of_input` for the last one.
-  bool send(std::uint64_t input_end, const AnswerSink& sink) {
+  bool send(std::uint64_t input_end, Answers& out) {
     if (failure_ || finished_) return false;
     keep(input_end);
-    return transmit(outgoing_, input_end, sink) || recover(sink);
+    return transmit(outgoing_, input_end, out) || recover(out);
   }
 
   // Hands out the rest and reads the status.
-  bool finish(const AnswerSink& sink) {
+  bool finish(Answers& out) {
     while (!failure_ && !finished_) {
-      if (close(sink)) finished_ = true;
-      if (!finished_ && !recover(sink)) break;
+      if (close(out)) finished_ = true;
+      if (!finished_ && !recover(out)) break;
     }
     return !failure_;
   }
@@ -81,7 +83,7 @@ class StreamSession {
   [[nodiscard]] std::uint64_t resumed() const { return resumed_; }
 
  private:
-  // What the sink has got since the token.
+  // What the caller has got since the token.
   struct Handed {
     std::size_t blocks = 0;
     std::size_t bytes = 0;
@@ -102,23 +104,23 @@ class StreamSession {
     return *request.mutable_setup()->mutable_path();
   }
 
-  auto taker(const AnswerSink& sink) {
-    return [this, &sink](const Response& response) { return take(response, sink); };
+  auto taker(Answers& out) {
+    return [this, &out](const Response& response) { return take(response, out); };
   }
 
-  bool begin(const AnswerSink& sink) {
+  bool begin(Answers& out) {
     stream_.emplace(start_);
     accepted_ = false;
     unanswered_.clear();
-    const auto take = taker(sink);
+    const auto take = taker(out);
     if (!stream_->send(setup_, take)) return false;
     while (!accepted_)
       if (!stream_->receive(take)) return false;
     return true;
   }
 
-  bool transmit(const Request& request, std::uint64_t input_end, const AnswerSink& sink) {
-    const auto take = taker(sink);
+  bool transmit(const Request& request, std::uint64_t input_end, Answers& out) {
+    const auto take = taker(out);
     if (input_end != end_of_input) unanswered_.push_back(input_end);
     if (!stream_->send(request, take)) return false;
     while (unanswered_.size() >= window_)
@@ -141,10 +143,10 @@ class StreamSession {
 
   // The stream has ended before its time. Goes on with a new one, or says why not: always false
   // then.
-  bool recover(const AnswerSink& sink) {
+  bool recover(Answers& out) {
     if (finished_) return false;
     for (;;) {
-      if ((!failure_ || stopped_) && close(sink)) {
+      if ((!failure_ || stopped_) && close(out)) {
         finished_ = true;
         return false;
       }
@@ -155,14 +157,14 @@ class StreamSession {
       to_skip_ = handed_;
       path_setup(setup_).set_resume_token(token_);
       const ResumeClock::Attempt attempt(clock_);
-      if (begin(sink) && send_kept(sink)) {
+      if (begin(out) && send_kept(out)) {
         ++resumed_;
         return true;
       }
     }
   }
 
-  bool send_kept(const AnswerSink& sink) {
+  bool send_kept(Answers& out) {
     // A token that arrives meanwhile drops requests from the front: the next one to send is found
     // by its place.
     std::uint64_t sent_through = 0;
@@ -174,7 +176,7 @@ class StreamSession {
       sent_through = next->input_end;
       sent = true;
       const Request request = next->request;
-      if (!transmit(request, sent_through, sink)) return false;
+      if (!transmit(request, sent_through, out)) return false;
     }
     return true;
   }
@@ -196,17 +198,16 @@ class StreamSession {
   }
 
   // Reads the stream to its end. True when it has ended well.
-  bool close(const AnswerSink& sink) {
+  bool close(Answers& out) {
     if (stopped_) stream_->cancel();
-    const AnswerSink drop = [](const Answer&) { return true; };
-    const grpc::Status status = stream_->close(taker(stopped_ ? drop : sink));
+    const grpc::Status status = stream_->close(taker(out));
     if (!failure_) failure_ = failure_of(status);
     if (!failure_ && !summary_) failure_ = missing_summary();
     if (failure_) summary_.reset();
     return !failure_;
   }
 
-  bool take(const Response& response, const AnswerSink& sink) {
+  bool take(const Response& response, Answers& out) {
     if (response.has_heartbeat() || stopped_) return true;
     if (response.has_accepted()) {
       accepted_ = ever_accepted_ = true;
@@ -217,30 +218,37 @@ class StreamSession {
     const std::uint64_t consumed = consumed_through(response);
     while (!unanswered_.empty() && unanswered_.front() <= consumed) unanswered_.pop_front();
 
-    Answer answer;
+    std::vector<CompensatedBlock>& blocks = out.blocks();
+    std::string& text = out.text();
+    std::vector<Diagnostic> diagnostics;
+    const Handed before{.blocks = blocks.size(), .bytes = text.size()};
     wire::FieldFaults faults;
-    if (response.has_batch()) reader_.read(response.batch(), answer.blocks, faults);
-    if (response.has_columns()) reader_.read(response.columns(), answer.blocks, faults);
+    if (response.has_batch()) reader_.read(response.batch(), blocks, faults);
+    if (response.has_columns()) reader_.read(response.columns(), blocks, faults);
     if (response.has_summary()) summary_ = wire::from_proto(response.summary());
-    if (!faults.empty()) return stop(invalid_response(faults));
-    answer.text = text_of(response);
+    if (!faults.empty()) {
+      blocks.resize(before.blocks);
+      return stop(invalid_response(faults));
+    }
+    text += text_of(response);
     for (const v1::Diagnostic& diagnostic : response.diagnostics())
-      answer.diagnostics.push_back(wire::from_proto(diagnostic));
-    leave_out(answer.blocks, to_skip_.blocks);
-    leave_out(answer.text, to_skip_.bytes);
-    leave_out(answer.diagnostics, to_skip_.diagnostics);
-    handed_.blocks += answer.blocks.size();
-    handed_.bytes += answer.text.size();
-    handed_.diagnostics += answer.diagnostics.size();
+      diagnostics.push_back(wire::from_proto(diagnostic));
+    const Handed fresh{.blocks = leave_out(blocks, before.blocks, to_skip_.blocks),
+                       .bytes = leave_out(text, before.bytes, to_skip_.bytes),
+                       .diagnostics = leave_out(diagnostics, 0, to_skip_.diagnostics)};
+    handed_.blocks += fresh.blocks;
+    handed_.bytes += fresh.bytes;
+    handed_.diagnostics += fresh.diagnostics;
+    out.tell(std::move(diagnostics));
     if (!response.resume_token().empty() || response.has_summary()) {
       if (to_skip_ != Handed{}) return stop(resumed_path_differs());
       note_token(response.resume_token(), consumed);
     }
-    if (answer.text.empty() && answer.blocks.empty() && answer.diagnostics.empty()) return true;
+    if (fresh == Handed{}) return true;
     progressed_ = true;
-    return sink(answer) || stop({.status = "CANCELLED",
-                                 .message = "the caller wanted no more",
-                                 .reason = "CALLER_STOPPED"});
+    return out.hand_on() || stop({.status = "CANCELLED",
+                                  .message = "the caller wanted no more",
+                                  .reason = "CALLER_STOPPED"});
   }
 
   bool stop(Failure why) {
@@ -249,11 +257,14 @@ class StreamSession {
     return false;
   }
 
+  // Of what was appended behind `before` as much as is to be skipped. Returns how much stays.
   template <class Sequence>
-  static void leave_out(Sequence& answers, std::size_t& to_skip) {
-    const std::size_t count = std::min(answers.size(), to_skip);
-    answers.erase(answers.begin(), answers.begin() + static_cast<std::ptrdiff_t>(count));
+  static std::size_t leave_out(Sequence& answers, std::size_t before, std::size_t& to_skip) {
+    const std::size_t count = std::min(answers.size() - before, to_skip);
+    const auto first = answers.begin() + static_cast<std::ptrdiff_t>(before);
+    answers.erase(first, first + static_cast<std::ptrdiff_t>(count));
     to_skip -= count;
+    return answers.size() - before;
   }
 
   // All answers to the input before `position` are out: only what follows can be needed again.
@@ -277,8 +288,8 @@ class StreamSession {
   static std::uint64_t consumed_through(const v1::CompensateProgramResponse& response) {
     return response.consumed_bytes();
   }
-  static std::string text_of(const v1::CompensatePathResponse& /*response*/) { return {}; }
-  static std::string text_of(const v1::CompensateProgramResponse& response) {
+  static std::string_view text_of(const v1::CompensatePathResponse& /*response*/) { return {}; }
+  static std::string_view text_of(const v1::CompensateProgramResponse& response) {
     return response.nc_text();
   }
 

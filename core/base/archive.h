@@ -10,6 +10,7 @@
 #include <cereal/types/variant.hpp>
 #include <cereal/types/vector.hpp>
 
+#include "core/base/diagnostic.h"
 #include "core/base/source.h"
 #include "core/base/state.h"
 
@@ -21,6 +22,34 @@ template <class Archive>
 void serialize(Archive& archive, Source& source) {
   auto& [index, number, line, part] = source;
   archive(index, number, line, part);
+}
+
+template <class Archive>
+void serialize(Archive& archive, DiagnosticValue& named) {
+  auto& [name, value] = named;
+  archive(name, value);
+}
+
+template <class Archive>
+void serialize(Archive& archive, DiagnosticPoint& point) {
+  auto& [x, y, z] = point;
+  archive(x, y, z);
+}
+
+template <class Archive>
+void serialize(Archive& archive, Slip& slip) {
+  auto& [kind, instead] = slip;
+  archive(kind, instead);
+}
+
+// One that waits for its place: without what is added to an error, behind which nothing waits, and
+// without the texts of another sender.
+template <class Archive>
+void serialize(Archive& archive, Diagnostic& diagnostic) {
+  auto& [code, severity, source, column, detail, values, point, found_together, entry_help, slip,
+         inch, language, texts] = diagnostic;
+  archive(code, severity, source, column, detail, values, point, found_together, slip, inch,
+          language);
 }
 
 }  // namespace trc

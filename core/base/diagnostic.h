@@ -139,6 +139,17 @@ struct Slip {
   std::string instead{};  // what was probably meant, as it is to be written
 };
 
+// The texts of a diagnostic.
+struct DiagnosticTexts {
+  std::string message{};  // in English, as are
+  std::string remedy{};
+  std::string reason{};  // UPPER_SNAKE
+  // In the language that was asked for.
+  std::string title{};
+  std::string text{};
+  std::string help{};
+};
+
 struct Diagnostic {
   Code code{};
   Severity severity = Severity::error;
@@ -155,6 +166,9 @@ struct Diagnostic {
   // What holds where it was found; lengths are in mm whatever it says, texts say them in it.
   bool inch = false;
   Language language = Language::english;  // that its receiver has asked for
+  // Those it was sent with, which are its own: its sender may know codes that this program does
+  // not. Null where it was raised here.
+  std::shared_ptr<const DiagnosticTexts> texts{};
 };
 
 // One row of the public table: everything that is known about a code before it
@@ -173,6 +187,9 @@ struct CodeRow {
 
 // The diagnostic with the severity its row gives.
 [[nodiscard]] Diagnostic diagnostic(Code code, const Source& source, std::string detail = {});
+
+// Those it was sent with; else those that the tables of this program give it.
+[[nodiscard]] DiagnosticTexts texts_of(const Diagnostic& diagnostic);
 
 // Another block a diagnostic speaks of, as values: NAME_index, and where they are known NAME_line
 // and NAME_number. `message_of` names it by its line.

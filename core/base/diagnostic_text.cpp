@@ -274,6 +274,16 @@ std::string message_of(const Diagnostic& diagnostic, Language language) {
   return text;
 }
 
+DiagnosticTexts texts_of(const Diagnostic& diagnostic) {
+  if (diagnostic.texts) return *diagnostic.texts;
+  return {.message = message_of(diagnostic),
+          .remedy = help_of(diagnostic),
+          .reason = std::string(row_of(diagnostic.code).reason),
+          .title = std::string(title_of(diagnostic.code, diagnostic.language)),
+          .text = message_of(diagnostic, diagnostic.language),
+          .help = help_of(diagnostic, diagnostic.language)};
+}
+
 std::string help_of(const Diagnostic& diagnostic, Language language) {
   const bool german = language == Language::german;
   const auto* const slip = std::ranges::find(slip_helps, diagnostic.slip.kind, &SlipHelp::kind);

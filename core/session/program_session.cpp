@@ -20,9 +20,6 @@ namespace {
 // stay few however long a chunk is.
 constexpr std::size_t bytes_per_piece = 8 * 1024;
 
-// So many are handed on at once, where somebody takes them.
-constexpr std::size_t blocks_per_portion = 1024;
-
 // After so many lines in a row that give no block, they come out if no block is
 // on its way; if one is, they may take so many bytes.
 constexpr std::uint64_t silent_lines_per_release = 256;
@@ -63,198 +60,131 @@ void add(const Block& block, NcWriter::Meaning& meaning) {
 
 }  // namespace
 
-// Reading runs ahead of compensation by up to one piece of text. What it reports
-// waits in a log of its own until the blocks before that line are compensated:
-// output and diagnostics come in the order of the program, however it is cut.
+// The reader gives lines to the writer and what they mean to the path. It runs ahead of both by up
+// to one piece of text: the path brings what it finds into the order of the program, and the writer
+// holds each line until a block comes from behind it.
 struct ProgramSession::Parts {
   explicit Parts(const ProgramSessionSetup& given)
       : setup(given),
-        program(program_setup(setup.session), setup.session.compensator.tolerances,
-                read_diagnostics, blocks),
-        interpreter({.longest_line = setup.longest_line, .most_faults = setup.most_faults}, program,
-                    read_diagnostics),
-        compensator(compensator_setup(), setup.session.verify, diagnostics),
+        path(setup.session),
+        reader({.longest_line = setup.longest_line, .most_faults = setup.most_faults},
+               path.program(), path.found()),
         writer(writer_setup(setup)),
-        meaning{.end = setup.session.program.start} {
-    diagnostics.speak(setup.session.language);
-    diagnostics.count_as(read_diagnostics.units());
+        meaning{.end = setup.session.program.start},
+        to_writer([this](Answer& part) { return write(part); }) {
     if (const Dialect& dialect = dialect_of(setup.session.program.dialect); !dialect.available)
-      diagnostics.report(diagnostic(Code::not_available, {},
-                                    std::string("the dialect ").append(dialect.spelling)));
+      path.stop(diagnostic(Code::not_available, {},
+                           std::string("the dialect ").append(dialect.spelling)));
     if (setup.decimals >= 0 && setup.decimals < most_decimals) return;
     Diagnostic invalid = diagnostic(Code::field_invalid, {}, "decimals");
     invalid.values = {{"decimals", static_cast<double>(setup.decimals)}};
-    diagnostics.report(std::move(invalid));
+    path.stop(std::move(invalid));
   }
 
-  CompensatorSetup compensator_setup();
+  [[nodiscard]] bool stopped() const { return path.diagnostics().stopped(); }
+  // Where the path answers to.
+  [[nodiscard]] Answers& path_out() { return setup.nc_text ? to_writer : *output; }
 
-  // Compensates what has been read. Returns whether the stream goes on.
-  bool advance(ProgramOutput& out);
-  bool take(LinePointer& given, ProgramOutput& out);
-  bool release_silent_lines(const Source& source, ProgramOutput& out);
-  // Reports what reading found up to this line, behind the blocks before it.
-  bool report_until(std::uint32_t line, ProgramOutput& out);
-  // Compensates the blocks of all lines taken.
-  bool compensate(ProgramOutput& out);
-  // Gives what was reported since the last time its place: at the end of a line.
-  void place(ProgramOutput& out);
-  bool end(ProgramOutput& out);
-  void hand_out(std::vector<CompensatedBlock>& given);
+  // Compensates and writes what has been read.
+  void advance();
+  bool take(LinePointer& given);
+  bool release_silent_lines(const ProgramLine& line);
+  bool end(const ProgramLine& line);
+  bool write(Answer& part);
 
-  // All lines read have been taken when a call has ended, but for those of a corner; a helix gives
-  // blocks of several turns, of which the last waits for its corner.
+  // All lines read have been taken when a call has ended, but for those of a corner.
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(read_diagnostics, diagnostics, program, interpreter, compensator, writer, meaning,
-            silent_lines, ended, lines, blocks);
+    archive(path, reader, writer, lines, next_item, meaning, silent_lines, ended);
   }
 
   ProgramSessionSetup setup;
-  Diagnostics read_diagnostics;
-  Diagnostics diagnostics;
-  std::vector<Block> blocks;
-  ProgramState program;
-  Interpreter interpreter;
-  VerifiedCompensator compensator;
+  PathSession path;
+  Interpreter reader;
   NcWriter writer;
 
   std::vector<LinePointer> lines;
-  std::vector<Diagnostic> reported;  // by the reader; the first `reports_taken` are passed on
-  std::size_t reports_taken = 0;
-  std::size_t blocks_taken = 0;  // of `blocks`: those of the lines taken
-  std::vector<CompensatedBlock> compensated;
-  ProgramOutput* output = nullptr;  // of the call
-  std::size_t placed = 0;           // of the pending diagnostics
-  NcWriter::Meaning meaning{};      // of the last line taken
-  std::uint64_t line_taken = 0;     // its Source::index
-  std::uint64_t silent_lines = 0;
-  bool ended = false;
+  std::size_t blocks_taken = 0;    // of those that wait for the path: of the lines taken
+  std::uint64_t next_item = 0;     // behind the lines taken
+  NcWriter::Meaning meaning{};     // of the last line taken
+  std::uint64_t silent_lines = 0;  // taken in a row
+  bool ended = false;              // by M02 or M30
+  Answers to_writer;
+  Answers* output = nullptr;  // of the call
 };
 
-CompensatorSetup ProgramSession::Parts::compensator_setup() {
-  CompensatorSetup result = setup.session.compensator;
-  result.start = setup.session.program.start;
-  result.take_portion = [this](std::vector<CompensatedBlock>& given) { hand_out(given); };
-  return result;
-}
-
-bool ProgramSession::Parts::advance(ProgramOutput& out) {
-  reported = read_diagnostics.take();
-  reports_taken = 0;
-  bool goes_on = true;
+void ProgramSession::Parts::advance() {
+  blocks_taken = 0;
   // Of a corner that waits for its second motion the lines wait as well.
   const auto held =
-      std::ranges::find_if(lines, [index = program.held_from()](const LinePointer& line) {
+      std::ranges::find_if(lines, [index = path.program().held_from()](const LinePointer& line) {
         return line->source.index >= index;
       });
+  bool goes_on = !stopped();
   for (LinePointer& line : std::span(lines.begin(), held)) {
-    goes_on = goes_on && take(line, out);
-    if (goes_on && diagnostics.pending().size() > placed) {
-      goes_on = compensate(out);
-      place(out);
-    }
-    if (!setup.nc_text) interpreter.recycle(std::move(line));
+    goes_on = goes_on && take(line);
+    if (!setup.nc_text) reader.recycle(std::move(line));
   }
   lines.erase(lines.begin(), held);
-  goes_on =
-      goes_on && report_until(std::numeric_limits<std::uint32_t>::max(), out) && compensate(out);
-  place(out);
-  writer.release_lines([this](LinePointer line) { interpreter.recycle(std::move(line)); });
-  return goes_on;
+  // A line with a fault gives nothing, also where reading goes on for more of them.
+  if (path.found().stopped())
+    path.advance(path_out());
+  else
+    path.advance_before(next_item, path_out());
+  writer.release_lines([this](LinePointer line) { reader.recycle(std::move(line)); });
+  if (!setup.nc_text && output->blocks().size() >= Compensator::portion) output->portion();
+  output->hand_on();
 }
 
-bool ProgramSession::Parts::take(LinePointer& given, ProgramOutput& out) {
+bool ProgramSession::Parts::take(LinePointer& given) {
   const ProgramLine& line = *given;
-  line_taken = line.source.index;
-  if (reports_taken < reported.size() && !report_until(line.source.line, out)) return false;
+  next_item = line.source.index + (line.has_words ? 1 : 0);
   meaning.gives_block = false;
   meaning.moved = 0;
-  while (line.has_words && blocks_taken < blocks.size() &&
-         index_of(blocks[blocks_taken]) == line.source.index)
-    add(blocks[blocks_taken++], meaning);
-  const bool ends_program = line.ends_program;
+  const std::span<const Block> waiting = path.waiting();
+  while (line.has_words && blocks_taken < waiting.size() &&
+         index_of(waiting[blocks_taken]) == line.source.index)
+    add(waiting[blocks_taken++], meaning);
   if (setup.nc_text) {
-    const Source source = line.source;
     writer.take(std::move(given), meaning);
     silent_lines = meaning.gives_block ? 0 : silent_lines + 1;
-    if (silent_lines >= silent_lines_per_release && !release_silent_lines(source, out))
-      return false;
+    if (silent_lines >= silent_lines_per_release && !release_silent_lines(line)) return false;
   }
-  if (ends_program && !end(out)) return false;
+  const bool ends = line.ends_program && !std::exchange(ended, true);
+  if (ends && !end(line)) return false;
   // Nothing can come before the lines behind the program end.
-  if (ended && setup.nc_text) writer.finish(out.text);
+  if (ended && setup.nc_text) writer.finish(output->text());
+  if (ends) path.end_item(path_out());
   return true;
 }
 
 // A matter of the lines taken, not of how they arrived: the output depends on it.
-bool ProgramSession::Parts::release_silent_lines(const Source& source, ProgramOutput& out) {
+bool ProgramSession::Parts::release_silent_lines(const ProgramLine& line) {
   silent_lines = 0;
-  if (!compensate(out)) return false;
-  writer.write_silent_lines(out.text);
+  blocks_taken = 0;
+  const bool goes_on = line.has_words ? path.advance_through(line.source.index, path_out())
+                                      : path.advance_before(next_item, path_out());
+  if (!goes_on) return false;
+  writer.write_silent_lines(output->text());
+  path.end_item(path_out());
   if (writer.silent_bytes() <= most_silent_bytes) return true;
-  Diagnostic overflow = diagnostic(Code::too_many_passive_blocks, source);
+  Diagnostic overflow = diagnostic(Code::too_many_passive_blocks, line.source);
   overflow.values = {{"bytes", static_cast<double>(writer.silent_bytes())},
                      {"limit", static_cast<double>(most_silent_bytes)}};
-  return diagnostics.report(std::move(overflow));
+  path.stop(std::move(overflow));
+  return false;
 }
 
-bool ProgramSession::Parts::report_until(std::uint32_t line, ProgramOutput& out) {
-  for (; reports_taken < reported.size(); ++reports_taken) {
-    Diagnostic& next = reported[reports_taken];
-    if (next.source.line > line) break;
-    if (diagnostics.stopped() && !next.found_together) return false;
-    if (!diagnostics.stopped()) {
-      if (!compensate(out)) return false;
-      // Where nothing is selected, all that was read before an error is certain.
-      if (next.severity == Severity::error && !program.contour_open() && !end(out)) return false;
-    }
-    diagnostics.report(std::move(next));
-  }
-  return !diagnostics.stopped();
-}
-
-bool ProgramSession::Parts::compensate(ProgramOutput& out) {
-  std::span<Block> taken(blocks.data(), blocks_taken);
-  while (!taken.empty() && !diagnostics.stopped()) {
-    const std::size_t count = compensator.feed_until_report(taken, compensated);
-    const bool line_goes_on = index_of(taken[count - 1]) == line_taken;
-    taken = taken.subspan(count);
-    hand_out(compensated);
-    if (!line_goes_on) place(out);
-  }
-  blocks.erase(blocks.begin(), blocks.begin() + static_cast<std::ptrdiff_t>(blocks_taken));
+bool ProgramSession::Parts::end(const ProgramLine& line) {
   blocks_taken = 0;
-  return !diagnostics.stopped();
+  return path.advance_through(line.source.index, path_out()) && path.end(path_out());
 }
 
-void ProgramSession::Parts::place(ProgramOutput& out) {
-  const std::size_t reports = diagnostics.pending().size();
-  if (reports == placed) return;
-  out.places.push_back({.blocks = out.blocks_before + out.blocks.size(),
-                        .bytes = out.text.size(),
-                        .diagnostics = reports});
-  placed = reports;
-}
-
-bool ProgramSession::Parts::end(ProgramOutput& out) {
-  if (std::exchange(ended, true)) return true;
-  if (!compensate(out)) return false;
-  const bool goes_on = compensator.finish(program.mode(), compensated);
-  hand_out(compensated);
-  return goes_on;
-}
-
-void ProgramSession::Parts::hand_out(std::vector<CompensatedBlock>& given) {
-  if (setup.nc_text) {
-    for (const CompensatedBlock& block : given) writer.write(block, output->text);
-  } else {
-    output->blocks.insert(output->blocks.end(), std::make_move_iterator(given.begin()),
-                          std::make_move_iterator(given.end()));
-    const TakePortion& take = setup.session.compensator.take_portion;
-    if (take && output->blocks.size() >= blocks_per_portion) take(output->blocks);
-  }
-  given.clear();
+bool ProgramSession::Parts::write(Answer& part) {
+  std::string& text = output->text();
+  for (const CompensatedBlock& block : part.blocks) writer.write(block, text);
+  output->tell(std::move(part.diagnostics));
+  return output->wanted();
 }
 
 ProgramSession::ProgramSession(const ProgramSessionSetup& setup)
@@ -262,42 +192,42 @@ ProgramSession::ProgramSession(const ProgramSessionSetup& setup)
 
 ProgramSession::~ProgramSession() = default;
 
-bool ProgramSession::feed(std::string_view text, ProgramOutput& out) {
+bool ProgramSession::feed(std::string_view text, Answers& out) {
   Parts& parts = *parts_;
   parts.output = &out;
-  parts.placed = parts.diagnostics.pending().size();
-  while (!text.empty() && !parts.diagnostics.stopped()) {
+  if (parts.stopped()) parts.advance();
+  while (!text.empty() && !parts.stopped() && out.wanted()) {
     const std::string_view piece = text.substr(0, bytes_per_piece);
     text.remove_prefix(piece.size());
-    parts.interpreter.feed(piece, parts.lines);
-    parts.advance(out);
+    parts.reader.feed(piece, parts.lines);
+    parts.advance();
   }
-  return !parts.diagnostics.stopped();
+  return !parts.stopped() && out.wanted();
 }
 
-bool ProgramSession::finish(ProgramOutput& out) {
+bool ProgramSession::finish(Answers& out) {
   Parts& parts = *parts_;
-  if (parts.diagnostics.stopped()) return false;
   parts.output = &out;
-  parts.placed = parts.diagnostics.pending().size();
-  parts.interpreter.finish(parts.lines);
-  if (!parts.advance(out) || !parts.end(out)) return false;
-  if (parts.setup.nc_text) parts.writer.finish(out.text);
-  return true;
+  if (!parts.stopped()) {
+    parts.reader.finish(parts.lines);
+    parts.advance();
+    const bool goes_on = parts.path.advance(parts.path_out()) && parts.path.end(parts.path_out());
+    if (goes_on && parts.setup.nc_text) parts.writer.finish(out.text());
+  }
+  parts.advance();
+  return !parts.stopped() && out.wanted();
 }
 
 void ProgramSession::save(StateWriter& archive) const { archive(*parts_); }
 void ProgramSession::load(StateReader& archive) { archive(*parts_); }
 
-Diagnostics& ProgramSession::diagnostics() { return parts_->diagnostics; }
-const Summary& ProgramSession::summary() const { return parts_->compensator.summary(); }
+const Diagnostics& ProgramSession::diagnostics() const { return parts_->path.diagnostics(); }
+const Summary& ProgramSession::summary() const { return parts_->path.summary(); }
 const verify::ClearanceReport* ProgramSession::clearance() const {
-  return parts_->compensator.clearance();
+  return parts_->path.clearance();
 }
-std::size_t ProgramSession::verification_bytes() const {
-  return parts_->compensator.verification_bytes();
-}
-const RadiusTerms& ProgramSession::radius_terms() const { return parts_->program.tool().terms(); }
-std::uint64_t ProgramSession::lines_read() const { return parts_->interpreter.lines_read(); }
+std::size_t ProgramSession::verification_bytes() const { return parts_->path.verification_bytes(); }
+const RadiusTerms& ProgramSession::radius_terms() const { return parts_->path.radius_terms(); }
+std::uint64_t ProgramSession::lines_read() const { return parts_->reader.lines_read(); }
 
 }  // namespace trc

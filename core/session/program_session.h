@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "core/session/program_output.h"
+#include "core/session/answers.h"
 #include "core/session/session.h"
 
 namespace trc {
@@ -21,8 +21,8 @@ struct ProgramSessionSetup {
   std::size_t most_faults = 50;
 };
 
-// One NC channel fed with NC text. The text may be cut anywhere, also inside a
-// word or a UTF-8 character: the output is the same.
+// One NC channel fed with NC text: a reader, a PathSession and a writer. The text may be cut
+// anywhere, also inside a word or a UTF-8 character: the output is the same.
 //
 // NC text output is the program with TRC resolved: G40 throughout, N words,
 // comments and technology words kept, G01/G02/G03 with the centre mode of the
@@ -34,16 +34,18 @@ class ProgramSession {
   ProgramSession(const ProgramSession&) = delete;
   ProgramSession& operator=(const ProgramSession&) = delete;
 
-  // Appends to `out` all that has become certain. Returns false once stopped.
-  bool feed(std::string_view text, ProgramOutput& out);
+  // Appends to `out` all that has become certain. Returns false once the stream must stop, or no
+  // more is wanted.
+  bool feed(std::string_view text, Answers& out);
   // End of the text.
-  bool finish(ProgramOutput& out);
+  bool finish(Answers& out);
 
   // As of PathSession. An unfinished line is part of it.
   void save(StateWriter& archive) const;
   void load(StateReader& archive);
 
-  [[nodiscard]] Diagnostics& diagnostics();
+  // As of PathSession.
+  [[nodiscard]] const Diagnostics& diagnostics() const;
   [[nodiscard]] const Summary& summary() const;
   // Null unless the setup asks for it.
   [[nodiscard]] const verify::ClearanceReport* clearance() const;

@@ -1,8 +1,7 @@
 #include "core/session/session.h"
 
 #include <algorithm>
-#include <limits>
-#include <utility>
+#include <iterator>
 
 #include "core/trc/state_archive.h"
 
@@ -25,71 +24,97 @@ ProgramSetup program_setup(const SessionSetup& setup) {
 }
 
 PathSession::PathSession(const SessionSetup& setup)
-    : program_(program_setup(setup), setup.compensator.tolerances, read_diagnostics_, blocks_),
+    : program_(program_setup(setup), setup.compensator.tolerances, found_, blocks_),
       compensator_(compensator_setup(setup), setup.verify, diagnostics_) {
   diagnostics_.speak(setup.language);
+  diagnostics_.count_as(found_.units());
 }
 
-bool PathSession::advance(ProgramOutput& out) {
-  placed_ = diagnostics_.pending().size();
-  std::span<Block> left(blocks_);
-  for (Diagnostic& found : read_diagnostics_.take()) {
-    const std::uint64_t index = found.source.index;
-    compensate_before(index, left, out);
+bool PathSession::advance(Answers& out) { return advance_before(no_item, out); }
+
+bool PathSession::advance_before(std::uint64_t index, Answers& out) {
+  work_off(index, out);
+  end_item(out);
+  return goes_on(out);
+}
+
+bool PathSession::advance_through(std::uint64_t index, Answers& out) {
+  open_item_ = index;
+  work_off(index + 1, out);
+  open_item_ = no_item;
+  return out.hand_on() && !diagnostics_.stopped();
+}
+
+// What was found in an item is told with what its compensation reports, behind all of it.
+void PathSession::work_off(std::uint64_t end, Answers& out) {
+  std::ranges::move(found_.take(), std::back_inserter(to_tell_));
+  const std::uint64_t held_from = program_.held_from();
+  // Behind an error nothing comes that would complete what is held.
+  const std::uint64_t tell_before = found_.stopped() ? end : std::min(end, held_from);
+  const std::uint64_t compensated_before = std::min(end, held_from);
+  std::size_t told = 0;
+  while (told < to_tell_.size() && to_tell_[told].source.index < tell_before) {
+    Diagnostic& next = to_tell_[told++];
+    const std::uint64_t item = next.source.index;
+    compensate_before(std::min(item, compensated_before), out);
     // Where nothing is selected, all that was given before an error is certain.
-    if (found.severity == Severity::error && !program_.contour_open() && !diagnostics_.stopped())
-      compensator_.finish(program_.mode(), out.blocks);
-    if (!diagnostics_.report(std::move(found))) break;
-    compensate_before(index + 1, left, out);
-    place(out);
+    if (next.severity == Severity::error && !program_.contour_open()) this->end(out);
+    diagnostics_.report(std::move(next));
+    // Errors that were found together are told together.
+    if (diagnostics_.stopped()) continue;
+    compensate_before(std::min(item + 1, compensated_before), out);
+    if (item != open_item_) out.tell(diagnostics_.take());
   }
-  compensate_before(std::numeric_limits<std::uint64_t>::max(), left, out);
-  place(out);
-  blocks_.clear();
-  return !diagnostics_.stopped();
+  to_tell_.erase(to_tell_.begin(), to_tell_.begin() + static_cast<std::ptrdiff_t>(told));
+  compensate_before(compensated_before, out);
+  blocks_.erase(blocks_.begin(), blocks_.begin() + static_cast<std::ptrdiff_t>(next_));
+  next_ = 0;
 }
 
-bool PathSession::advance(std::vector<CompensatedBlock>& out) {
-  output_.blocks.swap(out);
-  const bool goes_on = advance(output_);
-  output_.blocks.swap(out);
-  output_.places.clear();
-  return goes_on;
-}
-
-void PathSession::compensate_before(std::uint64_t index, std::span<Block>& left,
-                                    ProgramOutput& out) {
-  while (!diagnostics_.stopped() && !left.empty() && index_of(left.front()) < index) {
+void PathSession::compensate_before(std::uint64_t end, Answers& out) {
+  while (goes_on(out) && next_ < blocks_.size() && index_of(blocks_[next_]) < end) {
+    const std::span<Block> left = std::span(blocks_).subspan(next_);
     const auto behind = std::partition_point(
-        left.begin(), left.end(), [&](const Block& block) { return index_of(block) < index; });
+        left.begin(), left.end(), [&](const Block& block) { return index_of(block) < end; });
     const auto due = left.first(static_cast<std::size_t>(behind - left.begin()));
-    left = left.subspan(compensator_.feed_until_report(due, out.blocks));
-    place(out);
+    const std::size_t count = compensator_.feed_until_report(due, out.blocks());
+    next_ += count;
+    release(out);
+    const std::uint64_t item = index_of(due[count - 1]);
+    const bool item_goes_on = count < due.size() && index_of(due[count]) == item;
+    if (!item_goes_on && item != open_item_) out.tell(diagnostics_.take());
   }
 }
 
-void PathSession::place(ProgramOutput& out) {
-  const std::size_t reports = diagnostics_.pending().size();
-  if (reports == placed_) return;
-  out.places.push_back({.blocks = out.blocks_before + out.blocks.size(),
-                        .bytes = out.text.size(),
-                        .diagnostics = reports});
-  placed_ = reports;
+void PathSession::release(Answers& out) {
+  while (compensator_.is_releasing() && out.portion()) compensator_.release(out.blocks());
 }
 
-Diagnostics& PathSession::diagnostics() {
-  for (Diagnostic& found : read_diagnostics_.take()) diagnostics_.report(std::move(found));
-  return diagnostics_;
+bool PathSession::end(Answers& out) {
+  if (goes_on(out) && !std::exchange(ended_, true)) {
+    compensator_.finish_until_portion(program_.mode(), out.blocks());
+    release(out);
+  }
+  return out.hand_on() && !diagnostics_.stopped();
+}
+
+void PathSession::end_item(Answers& out) {
+  out.tell(diagnostics_.take());
+  out.hand_on();
+}
+
+bool PathSession::finish(const Source& end, Answers& out) {
+  program_.end(end);
+  if (advance(out)) this->end(out);
+  return advance(out);
 }
 
 void PathSession::save(StateWriter& archive) const {
-  archive(diagnostics_, program_, compensator_);
+  archive(found_, diagnostics_, to_tell_, blocks_, ended_, program_, compensator_);
 }
-void PathSession::load(StateReader& archive) { archive(diagnostics_, program_, compensator_); }
 
-bool PathSession::finish(const Source& end, std::vector<CompensatedBlock>& out) {
-  program_.end(end);
-  return advance(out) && compensator_.finish(program_.mode(), out);
+void PathSession::load(StateReader& archive) {
+  archive(found_, diagnostics_, to_tell_, blocks_, ended_, program_, compensator_);
 }
 
 }  // namespace trc

@@ -2,14 +2,16 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "core/base/diagnostics.h"
 #include "core/nc/state/program_state.h"
-#include "core/session/program_output.h"
+#include "core/session/answers.h"
 #include "core/session/verified_compensator.h"
 #include "core/trc/compensator.h"
 
@@ -36,14 +38,28 @@ class PathSession {
 
   // Moves, commands and passthrough are given here, in path order.
   [[nodiscard]] ProgramState& program() { return program_; }
+  // What whoever gives them finds in them: it is told behind the item that it names
+  // (Source::index).
+  [[nodiscard]] Diagnostics& found() { return found_; }
+  // Given, but not compensated.
+  [[nodiscard]] std::span<const Block> waiting() const { return std::span(blocks_).subspan(next_); }
 
-  // Compensates everything given since the last call and appends what has become certain, with
-  // the places of diagnostics among it: they do not depend on how much is given between two calls.
-  // Returns false once the stream must stop.
-  bool advance(ProgramOutput& out);
-  bool advance(std::vector<CompensatedBlock>& out);
-  // Ends the program (D-27) and appends all that was held back.
-  bool finish(const Source& end, std::vector<CompensatedBlock>& out);
+  // Compensates everything given since the last call and appends what has become certain. Returns
+  // false once the stream must stop, or no more is wanted.
+  bool advance(Answers& out);
+  // The same of the items before this one alone.
+  bool advance_before(std::uint64_t index, Answers& out);
+  // With this one, of which more may be to come out: what is reported of it is not told yet.
+  bool advance_through(std::uint64_t index, Answers& out);
+  // The path ends with what was given: appends all that was held back. What is reported of it is
+  // not told yet. Does nothing the second time.
+  bool end(Answers& out);
+  // The item has ended: what is reported of it is told. All that advances does so, too.
+  void end_item(Answers& out);
+  // Ends the program (D-27), advances and ends the path.
+  bool finish(const Source& end, Answers& out);
+  // Stops the stream with an error that no item is at fault of, told by the next call.
+  void stop(Diagnostic error) { diagnostics_.report(std::move(error)); }
 
   // What a session with the same setup needs to go on here; only while the stream goes on. Holds
   // what has not come out yet.
@@ -51,9 +67,8 @@ class PathSession {
   // Goes on there; nothing may have been given before. Throws when it is no such state.
   void load(StateReader& archive);
 
-  // What advance() and finish() have reported, and behind it what was found in what they have not
-  // seen yet.
-  [[nodiscard]] Diagnostics& diagnostics();
+  // How many were told, and whether one has stopped the stream.
+  [[nodiscard]] const Diagnostics& diagnostics() const { return diagnostics_; }
   [[nodiscard]] const Summary& summary() const { return compensator_.summary(); }
   // Null unless the setup asks for it.
   [[nodiscard]] const verify::ClearanceReport* clearance() const {
@@ -65,17 +80,26 @@ class PathSession {
   [[nodiscard]] std::size_t verification_bytes() const { return compensator_.verification_bytes(); }
 
  private:
-  void compensate_before(std::uint64_t index, std::span<Block>& left, ProgramOutput& out);
-  void place(ProgramOutput& out);
+  // Of the items before `end`, but for those that wait for what is given next.
+  void work_off(std::uint64_t end, Answers& out);
+  void compensate_before(std::uint64_t end, Answers& out);
+  // A selection that has ended leaves in portions.
+  void release(Answers& out);
+  [[nodiscard]] bool goes_on(const Answers& out) const {
+    return !diagnostics_.stopped() && out.wanted();
+  }
 
   Diagnostics diagnostics_;
-  // What is found in the program waits here until the blocks before it are compensated.
-  Diagnostics read_diagnostics_;
-  std::size_t placed_ = 0;  // of the pending diagnostics
-  ProgramOutput output_;    // of a caller who does not ask for places
-  std::vector<Block> blocks_;
+  Diagnostics found_;
+  std::vector<Diagnostic> to_tell_;  // of what was found: the items are to be compensated first
+  std::vector<Block> blocks_;        // given; the first `next_` are compensated
+  std::size_t next_ = 0;
+  std::uint64_t open_item_ = no_item;  // what is reported of it is not told yet
+  bool ended_ = false;
   ProgramState program_;
   VerifiedCompensator compensator_;
+
+  static constexpr std::uint64_t no_item = std::numeric_limits<std::uint64_t>::max();
 };
 
 }  // namespace trc

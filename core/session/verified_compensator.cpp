@@ -11,7 +11,7 @@ namespace trc {
 
 VerifiedCompensator::VerifiedCompensator(const CompensatorSetup& setup, Verify verify,
                                          Diagnostics& diagnostics, verify::UncutSink uncut)
-    : compensator_(measuring(setup, verify), diagnostics), diagnostics_(diagnostics) {
+    : compensator_(setup, diagnostics), diagnostics_(diagnostics) {
   if (verify == Verify::off) return;
   verification_.emplace(verify::VerificationSetup{.verify = verify,
                                                   .allowed = setup.tolerances.on_contour,
@@ -22,24 +22,6 @@ VerifiedCompensator::VerifiedCompensator(const CompensatorSetup& setup, Verify v
                         diagnostics);
 }
 
-CompensatorSetup VerifiedCompensator::measuring(CompensatorSetup setup, Verify verify) {
-  if (verify == Verify::off || !setup.take_portion) return setup;
-  setup.take_portion = [this, take = std::move(setup.take_portion)](auto& out) {
-    measure(out);
-    take(out);
-    measured_ = out.size();
-  };
-  return setup;
-}
-
-bool VerifiedCompensator::feed(std::vector<Block>& blocks, std::vector<CompensatedBlock>& out) {
-  if (!verification_) return compensator_.feed(blocks, out);
-  for (std::span<Block> left(blocks); !left.empty() && !diagnostics_.stopped();)
-    left = left.subspan(feed_until_report(left, out));
-  blocks.clear();
-  return !diagnostics_.stopped();
-}
-
 std::size_t VerifiedCompensator::feed_until_report(std::span<Block> blocks,
                                                    std::vector<CompensatedBlock>& out) {
   if (!verification_) return compensator_.feed_until_report(blocks, out);
@@ -47,7 +29,7 @@ std::size_t VerifiedCompensator::feed_until_report(std::span<Block> blocks,
     return take_held(blocks.first(held), out);
   const std::uint64_t line = index_of(blocks.front());
   std::size_t count = 0;
-  while (count < blocks.size() && index_of(blocks[count]) == line)
+  while (count < blocks.size() && index_of(blocks[count]) == line && !is_releasing())
     if (!take(blocks[count++], out)) return blocks.size();
   return count;
 }
@@ -80,13 +62,20 @@ bool VerifiedCompensator::take(Block& block, std::vector<CompensatedBlock>& out)
 bool VerifiedCompensator::measure(const std::vector<CompensatedBlock>& out) {
   const auto fresh = std::span(out).subspan(measured_);
   measured_ = out.size();
-  return verification_->compensated(fresh);
+  if (!verification_->compensated(fresh)) return false;
+  return !finishing_ || is_releasing() || verification_->finish();
 }
 
-bool VerifiedCompensator::finish(const TrcMode& at_end, std::vector<CompensatedBlock>& out) {
+bool VerifiedCompensator::finish_until_portion(const TrcMode& at_end,
+                                               std::vector<CompensatedBlock>& out) {
+  finishing_ = true;
   measured_ = out.size();
-  if (!compensator_.finish(at_end, out)) return false;
-  return !verification_ || (measure(out) && verification_->finish());
+  return compensator_.finish_until_portion(at_end, out) && (!verification_ || measure(out));
+}
+
+bool VerifiedCompensator::release(std::vector<CompensatedBlock>& out) {
+  measured_ = out.size();
+  return compensator_.release(out) && (!verification_ || measure(out));
 }
 
 void VerifiedCompensator::save(StateWriter& archive) const {

@@ -20,9 +20,10 @@ class VerifiedCompensator {
   VerifiedCompensator& operator=(const VerifiedCompensator&) = delete;
 
   // As of Compensator.
-  bool feed(std::vector<Block>& blocks, std::vector<CompensatedBlock>& out);
   std::size_t feed_until_report(std::span<Block> blocks, std::vector<CompensatedBlock>& out);
-  bool finish(const TrcMode& at_end, std::vector<CompensatedBlock>& out);
+  bool finish_until_portion(const TrcMode& at_end, std::vector<CompensatedBlock>& out);
+  [[nodiscard]] bool is_releasing() const { return compensator_.is_releasing(); }
+  bool release(std::vector<CompensatedBlock>& out);
 
   void save(StateWriter& archive) const;
   void load(StateReader& archive);
@@ -38,12 +39,11 @@ class VerifiedCompensator {
   }
 
  private:
-  [[nodiscard]] CompensatorSetup measuring(CompensatorSetup setup, Verify verify);
   // Of blocks that end no selection. Returns how many.
   std::size_t take_held(std::span<Block> blocks, std::vector<CompensatedBlock>& out);
   // Of one block, measured.
   bool take(Block& block, std::vector<CompensatedBlock>& out);
-  // What is new in `out`.
+  // What is new in `out`, and, once all has come out, what its end tells.
   bool measure(const std::vector<CompensatedBlock>& out);
 
   Compensator compensator_;
@@ -51,6 +51,7 @@ class VerifiedCompensator {
   std::optional<verify::Verification> verification_;
   std::size_t measured_ = 0;    // of `out`
   std::size_t told_ahead_ = 0;  // of the next blocks: the verification knows them
+  bool finishing_ = false;      // nothing more is given
 };
 
 }  // namespace trc

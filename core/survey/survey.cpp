@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <string_view>
 #include <unordered_map>
 #include <utility>
@@ -99,11 +100,6 @@ void Survey::compensate(const Reading& reading, bool removes_loops, Surveyed& fo
   CompensatorSetup compensator = setup_.session.compensator;
   compensator.start = setup_.session.program.start;
   compensator.inverse_path = false;
-  const auto release = [this](std::vector<CompensatedBlock>& out) {
-    if (!out.empty() && setup_.progressed) setup_.progressed();
-    out.clear();
-  };
-  compensator.take_portion = release;
   if (removes_loops) compensator.largest_masked_share = 1;
   verify::UncutSink uncut;
   if (setup_.uncut)
@@ -115,22 +111,29 @@ void Survey::compensate(const Reading& reading, bool removes_loops, Surveyed& fo
   VerifiedCompensator session(compensator, setup_.session.verify, log, std::move(uncut));
   std::vector<Block> blocks;
   std::vector<CompensatedBlock> out;
-  const auto take_log = [&] {
+  const auto drop = [&] {
+    if (!out.empty() && setup_.progressed) setup_.progressed();
+    out.clear();
+  };
+  // Of the path only what it tells is wanted.
+  const auto take = [&] {
+    for (drop(); session.is_releasing(); drop()) session.release(out);
     for (const Diagnostic& told : log.take()) {
       note(told, setup_.session.compensator.tolerances.on_contour, found);
       if (told.severity == Severity::error && !found.refusal) found.refusal = told;
     }
-    release(out);
   };
   for (std::size_t at = 0; at < reading.blocks.size() && !log.stopped(); at += portion) {
     blocks.clear();
     const std::size_t end = std::min(at + portion, reading.blocks.size());
     for (std::size_t i = at; i < end; ++i) blocks.push_back(modes.changed(reading.blocks[i]));
-    session.feed(blocks, out);
-    take_log();
+    for (std::span<Block> left(blocks); !left.empty() && !log.stopped();) {
+      left = left.subspan(session.feed_until_report(left, out));
+      take();
+    }
   }
-  if (!log.stopped()) session.finish(modes.at_end(), out);
-  take_log();
+  if (!log.stopped()) session.finish_until_portion(modes.at_end(), out);
+  take();
   found.summary = session.summary();
   if (session.clearance() != nullptr) found.clearance = *session.clearance();
   found.uncut_known = setup_.uncut && found.accepted();

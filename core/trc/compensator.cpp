@@ -1,5 +1,7 @@
 #include "core/trc/compensator.h"
 
+#include <optional>
+
 #include "core/trc/loops/loop_removal.h"
 #include "core/trc/pass.h"
 #include "core/trc/passes/bottlenecks.h"
@@ -36,7 +38,6 @@ struct Compensator::Passes {
       : setup(given),
         diagnostics(log),
         checkpoint(setup.interrupt),
-        take_portion(setup.take_portion),
         engine(setup.engine),
         relevant_blocks(setup, log, refused_way),
         convert_circles(setup.tolerances),
@@ -64,12 +65,17 @@ struct Compensator::Passes {
   // clang-format off
   bool step(Input input, std::vector<CompensatedBlock>& out) {
     if (diagnostics.stopped() || !find_path(input)) return false;
+    unfinished = input;
+    return go_on(out);
+  }
+  // Ends the step that was begun, or leaves more of it for the next call.
+  bool go_on(std::vector<CompensatedBlock>& out) {
     while (loop_removal.is_leaving()) {
       if (!release(out)) return false;
-      if (out.size() < portion || !take_portion) continue;
-      take_portion(out);
-      if (diagnostics.stopped()) return false;  // by a verification of what it has taken
+      if (out.size() >= portion) return true;
     }
+    const Input input = *unfinished;
+    unfinished.reset();
     return finish_path(input, out);
   }
   // Blocks that leave a selection as they came go straight into the result; where one does not, a
@@ -140,13 +146,11 @@ struct Compensator::Passes {
     diagnostics.help_with_entry(selection::help_with(refused, setup));
   }
 
-  static constexpr std::size_t portion = 1024;
   static constexpr std::size_t some = 32;  // of a portion
 
   CompensatorSetup setup;
   Diagnostics& diagnostics;
   Checkpoint checkpoint;
-  TakePortion take_portion;
   Engine engine;
   selection::RefusedWay refused_way;  // by the pass that has stopped the stream
   RelevantBlocks relevant_blocks;
@@ -164,7 +168,8 @@ struct Compensator::Passes {
   ShortWay short_way;
   ShortRelease short_release;
 
-  std::span<Block> programmed;  // of the caller: one block
+  std::span<Block> programmed;      // of the caller: one block
+  std::optional<Input> unfinished;  // of a step: a selection is leaving
   OnTheWay<PathBlockPtr> path;
 };
 
@@ -177,7 +182,10 @@ Compensator::~Compensator() = default;
 // come out before a stop must not depend on how the caller batches.
 bool Compensator::feed(std::vector<Block>& blocks, std::vector<CompensatedBlock>& out) {
   std::span<Block> left(blocks);
-  while (!left.empty() && !passes_->diagnostics.stopped()) left = left.subspan(take(left, out));
+  while (!left.empty() && !passes_->diagnostics.stopped()) {
+    left = left.subspan(take(left, out));
+    while (is_releasing()) release(out);
+  }
   blocks.clear();
   return !passes_->diagnostics.stopped();
 }
@@ -185,11 +193,11 @@ bool Compensator::feed(std::vector<Block>& blocks, std::vector<CompensatedBlock>
 std::size_t Compensator::feed_until_report(std::span<Block> blocks,
                                            std::vector<CompensatedBlock>& out) {
   const std::vector<Diagnostic>& reports = passes_->diagnostics.pending();
-  const std::size_t reports_before = reports.size();
   std::size_t taken = 0;
   while (taken < blocks.size() && !passes_->diagnostics.stopped()) {
-    const bool reported = reports.size() > reports_before;
-    if (reported && index_of(blocks[taken]) != index_of(blocks[taken - 1])) return taken;
+    const bool reported = !reports.empty();
+    const bool line_is_over = taken > 0 && index_of(blocks[taken]) != index_of(blocks[taken - 1]);
+    if ((reported && line_is_over) || is_releasing()) return taken;
     taken += take(blocks.subspan(taken, reported ? 1 : blocks.size() - taken), out);
   }
   return blocks.size();
@@ -209,8 +217,24 @@ std::size_t Compensator::take(std::span<Block> blocks, std::vector<CompensatedBl
 }
 
 bool Compensator::finish(const TrcMode& at_end, std::vector<CompensatedBlock>& out) {
+  bool goes_on = finish_until_portion(at_end, out);
+  while (is_releasing()) goes_on = release(out);
+  return goes_on;
+}
+
+bool Compensator::finish_until_portion(const TrcMode& at_end, std::vector<CompensatedBlock>& out) {
   passes_->relevant_blocks.end_in(at_end);
   if (passes_->step(Input::ended, out)) return true;
+  passes_->help_with_entry();
+  return false;
+}
+
+bool Compensator::is_releasing() const {
+  return passes_->unfinished && !passes_->diagnostics.stopped();
+}
+
+bool Compensator::release(std::vector<CompensatedBlock>& out) {
+  if (passes_->go_on(out)) return true;
   passes_->help_with_entry();
   return false;
 }

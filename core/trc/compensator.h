@@ -27,10 +27,6 @@ struct Limits {
   std::size_t selection_blocks = 20'000'000;
 };
 
-// Takes what has come out so far, and clears it: the end of a selection sets free all of its path
-// in one call, which would be as large as the selection otherwise. Without it all stays there.
-using TakePortion = std::function<void(std::vector<CompensatedBlock>&)>;
-
 // Which way blocks in the middle of a contour go. What comes out is the same: for tests.
 enum class Engine : std::uint8_t {
   automatic,  // the short way where enough of them come at once
@@ -51,7 +47,6 @@ struct CompensatorSetup {
   Engine engine = Engine::automatic;
   bool helps_with_entries = true;     // Diagnostic::entry_help
   Checkpoint::Interrupt interrupt{};  // of long work
-  TakePortion take_portion{};
 };
 
 // What a finished session did.
@@ -76,11 +71,23 @@ class Compensator {
   // Returns false once the stream must stop.
   bool feed(std::vector<Block>& blocks, std::vector<CompensatedBlock>& out);
   // The same, but no farther than to the end of the program line (Source::index) in which something
-  // was reported. Returns how many blocks were taken.
+  // was reported that is pending, and to a selection that leaves in portions. Returns how many
+  // blocks were taken.
   std::size_t feed_until_report(std::span<Block> blocks, std::vector<CompensatedBlock>& out);
   // No more blocks: appends all that was held back. `at_end` is the mode the
   // program ended in: a G40 nothing followed still ends the contour.
   bool finish(const TrcMode& at_end, std::vector<CompensatedBlock>& out);
+  // The same, but no farther than to a selection that leaves in portions.
+  bool finish_until_portion(const TrcMode& at_end, std::vector<CompensatedBlock>& out);
+
+  // Blocks in a portion: the end of a selection sets free all of its path, which leaves in pieces
+  // of that size and a few more.
+  static constexpr std::size_t portion = 1024;
+  // A portion has come out and more is to follow: release() before anything else.
+  [[nodiscard]] bool is_releasing() const;
+  // Appends until there is a portion in `out`, or all is out. Returns false once the stream must
+  // stop.
+  bool release(std::vector<CompensatedBlock>& out);
 
   void save(StateWriter& archive) const;
   void load(StateReader& archive);

@@ -4,6 +4,7 @@
 #include <array>
 #include <limits>
 #include <memory>
+#include <utility>
 
 #include "core/base/entry_help.h"
 
@@ -109,7 +110,7 @@ v1::Diagnostic::Severity to_proto(Severity severity) {
 void to_proto(const Diagnostic& diagnostic, v1::Diagnostic& message) {
   message.Clear();
   const Source& source = diagnostic.source;
-  const CodeRow& row = row_of(diagnostic.code);
+  DiagnosticTexts texts = texts_of(diagnostic);
   message.set_code(static_cast<std::int32_t>(diagnostic.code));
   message.set_severity(to_proto(diagnostic.severity));
   if (source.number != Source::no_number)
@@ -118,18 +119,18 @@ void to_proto(const Diagnostic& diagnostic, v1::Diagnostic& message) {
     message.set_source_index(static_cast<std::uint32_t>(source.index));
   if (source.line != 0) message.set_line(source.line);
   if (diagnostic.column != 0) message.set_column(diagnostic.column);
-  message.set_message(message_of(diagnostic));
+  message.set_message(std::move(texts.message));
   for (const DiagnosticValue& value : diagnostic.values)
     (*message.mutable_values())[value.name] = value.value;
-  message.set_remedy(help_of(diagnostic));
+  message.set_remedy(std::move(texts.remedy));
   if (diagnostic.point) write(*diagnostic.point, *message.mutable_point());
   if (diagnostic.entry_help) write(*diagnostic.entry_help, *message.mutable_entry_help());
-  message.set_reason(std::string(row.reason));
+  message.set_reason(std::move(texts.reason));
   message.set_detail(diagnostic.detail);
   const Language language = diagnostic.language;
-  message.set_title(std::string(title_of(diagnostic.code, language)));
-  message.set_text(message_of(diagnostic, language));
-  message.set_help(help_of(diagnostic, language));
+  message.set_title(std::move(texts.title));
+  message.set_text(std::move(texts.text));
+  message.set_help(std::move(texts.help));
   write(source, diagnostic.column, *message.mutable_place());
   for (const RelatedPlace& related : related_places(diagnostic)) {
     v1::RelatedPlace& place = *message.add_related_places();
@@ -141,24 +142,18 @@ void to_proto(const Diagnostic& diagnostic, v1::Diagnostic& message) {
   message.set_inch(diagnostic.inch);
 }
 
-void to_proto(const ReceivedDiagnostic& received, v1::Diagnostic& message) {
-  to_proto(received.diagnostic, message);
-  message.set_message(received.message);
-  message.set_remedy(received.remedy);
-  message.set_reason(received.reason);
-  message.set_title(received.title);
-  message.set_text(received.text);
-  message.set_help(received.help);
-}
-
-ReceivedDiagnostic from_proto(const v1::Diagnostic& message) {
-  ReceivedDiagnostic received{.message = message.message(),
-                              .remedy = message.remedy(),
-                              .reason = message.reason(),
-                              .title = message.title(),
-                              .text = message.text(),
-                              .help = message.help()};
-  Diagnostic& diagnostic = received.diagnostic;
+Diagnostic from_proto(const v1::Diagnostic& message) {
+  Diagnostic diagnostic;
+  DiagnosticTexts texts{.message = message.message(),
+                        .remedy = message.remedy(),
+                        .reason = message.reason(),
+                        .title = message.title(),
+                        .text = message.text(),
+                        .help = message.help()};
+  // A sender that has no texts for people yet is shown with its message.
+  if (texts.text.empty()) texts.text = texts.message;
+  if (texts.help.empty()) texts.help = texts.remedy;
+  diagnostic.texts = std::make_shared<const DiagnosticTexts>(std::move(texts));
   diagnostic.code = static_cast<Code>(message.code());
   // A severity this reader does not know is taken for the gravest.
   diagnostic.severity = message.severity() == v1::Diagnostic::NOTE      ? Severity::note
@@ -180,7 +175,7 @@ ReceivedDiagnostic from_proto(const v1::Diagnostic& message) {
   if (message.has_point()) diagnostic.point = point_of(message.point());
   if (message.has_entry_help())
     diagnostic.entry_help = std::make_shared<const EntryHelp>(help_of(message.entry_help()));
-  return received;
+  return diagnostic;
 }
 
 }  // namespace trc::wire

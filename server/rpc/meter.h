@@ -39,7 +39,7 @@ class Meter {
   static constexpr std::uint64_t few_blocks = 128;
 
   template <class Session>
-  [[nodiscard]] wire::PathSummary summary(Session& session) const {
+  [[nodiscard]] wire::PathSummary summary(const Session& session) const {
     wire::PathSummary summary = summary_of(session.summary(), session.diagnostics());
     if (const auto* clearance = session.clearance()) summary.clearance = *clearance;
     const RadiusTerms& radius = session.radius_terms();

@@ -1,7 +1,7 @@
 #include "server/rpc/outbox.h"
 
 #include <algorithm>
-#include <iterator>
+#include <deque>
 #include <utility>
 
 #include "core/base/pages.h"
@@ -29,114 +29,103 @@ void empty_out(Buffer& buffer) {
     buffer.clear();
 }
 
-}  // namespace
-
-void Outbox::keep_portion(std::vector<CompensatedBlock>& blocks) {
-  portions_.emplace_back(
-      content_.blocks_before,
-      std::vector(std::make_move_iterator(blocks.begin()), std::make_move_iterator(blocks.end())));
-  content_.blocks_before += blocks.size();
-  blocks.clear();
-}
-
-void Outbox::forget_portions() {
-  while (!portions_.empty() &&
-         portions_.front().first_block + portions_.front().blocks.size() <= next_block_)
-    portions_.pop_front();
-}
-
-Outbox::Portion::~Portion() {
+// The pages of a portion go back to the system with it.
+void empty_portion(std::vector<CompensatedBlock>& blocks) {
   const std::size_t bytes = blocks.capacity() * sizeof(CompensatedBlock);
   void* const memory = blocks.data();
   blocks.clear();
   if (memory != nullptr) give_back_pages(memory, bytes);
 }
 
-void Outbox::forget_taken() {
-  forget_portions();
-  if (!empty()) return;
-  content_.blocks_before = next_block_;
-  next_byte_ = 0;
-  empty_out(content_.blocks);
-  empty_out(content_.text);
+}  // namespace
+
+void Outbox::forget_taken_parts() {
+  std::deque<Answer>& parts = answers_.parts();
+  while (parts.size() > 1 && is_taken(parts.front())) {
+    empty_portion(parts.front().blocks);
+    parts.pop_front();
+    taken_ = {};
+    parts_seen_ = parts.size();
+  }
 }
 
-void Outbox::place(std::vector<Diagnostic> diagnostics) {
-  diagnostics_waiting_ += diagnostics.size();
-  std::size_t placed = 0;
-  const auto place_through = [&](const ProgramOutput::Place& place) {
-    if (place.diagnostics <= placed) return;
-    const auto all = std::make_move_iterator(diagnostics.begin());
-    placed_.push_back({.block = place.blocks,
-                       .byte = place.bytes,
-                       .diagnostics = {all + static_cast<std::ptrdiff_t>(placed),
-                                       all + static_cast<std::ptrdiff_t>(place.diagnostics)}});
-    placed = place.diagnostics;
-  };
-  for (const ProgramOutput::Place& place : content_.places) place_through(place);
-  content_.places.clear();
-  place_through({.blocks = content_.blocks_before + content_.blocks.size(),
-                 .bytes = content_.text.size(),
-                 .diagnostics = diagnostics.size()});
+void Outbox::forget_taken() {
+  forget_taken_parts();
+  if (!empty()) return;
+  Answer& last = answers_.parts().front();
+  empty_out(last.blocks);
+  empty_out(last.text);
+  last.diagnostics.clear();
+  taken_ = {};
 }
 
 bool Outbox::empty() const {
-  return placed_.empty() && blocks_waiting() == 0 && next_byte_ == content_.text.size();
+  const std::deque<Answer>& parts = answers_.parts();
+  return is_taken(parts.front()) && std::all_of(parts.begin() + 1, parts.end(),
+                                                [](const Answer& part) { return part.empty(); });
 }
 
-std::span<const CompensatedBlock> Outbox::next_blocks() const {
-  const bool in_content = portions_.empty();
-  const std::vector<CompensatedBlock>& blocks =
-      in_content ? content_.blocks : portions_.front().blocks;
-  const std::uint64_t first = in_content ? content_.blocks_before : portions_.front().first_block;
-  std::uint64_t end = first + blocks.size();
-  if (!placed_.empty()) end = std::min(end, placed_.front().block);
-  return std::span(blocks).subspan(next_block_ - first, end - next_block_);
+const Diagnostic* Outbox::error() const {
+  for (const Answer& part : answers_.parts())
+    for (const Diagnostic& told : part.diagnostics)
+      if (told.severity == Severity::error) return &told;
+  return nullptr;
 }
 
 Outbox::Slice Outbox::take(wire::Layout layout, std::size_t most_bytes) {
-  forget_portions();
-  const std::size_t end_byte = placed_.empty() ? content_.text.size() : placed_.front().byte;
+  forget_taken_parts();
+  Answer& part = answers_.parts().front();
 
-  Slice slice{.first_block = next_block_, .blocks = next_blocks()};
+  Slice slice{.first_block = blocks_taken_,
+              .blocks = std::span(part.blocks).subspan(taken_.blocks)};
   std::size_t bytes = 0;
   std::size_t count = 0;
   while (count < slice.blocks.size() && (count == 0 || bytes < most_bytes))
     bytes += wire::most_bytes(slice.blocks[count++], layout);
   slice.blocks = slice.blocks.first(count);
-  next_block_ += count;
+  taken_.blocks += count;
+  blocks_taken_ += count;
 
   // A line begun in this slice is finished in it.
-  std::size_t stop = std::min(end_byte, next_byte_ + most_bytes - std::min(most_bytes, bytes));
-  if (stop < end_byte && stop > next_byte_) {
-    const std::size_t line_end = content_.text.find('\n', stop - 1);
+  const std::size_t end_byte = part.text.size();
+  std::size_t stop = std::min(end_byte, taken_.bytes + most_bytes - std::min(most_bytes, bytes));
+  if (stop < end_byte && stop > taken_.bytes) {
+    const std::size_t line_end = part.text.find('\n', stop - 1);
     stop = line_end == std::string::npos ? end_byte : std::min(end_byte, line_end + 1);
   }
-  slice.text = std::string_view(content_.text).substr(next_byte_, stop - next_byte_);
-  next_byte_ = stop;
+  slice.text = std::string_view(part.text).substr(taken_.bytes, stop - taken_.bytes);
+  taken_.bytes = stop;
 
   bytes += slice.text.size();
-  if (!placed_.empty() && next_block_ == placed_.front().block && next_byte_ == end_byte)
+  if (taken_.blocks == part.blocks.size() && taken_.bytes == end_byte)
     take_diagnostics(bytes, most_bytes, slice);
   return slice;
 }
 
 void Outbox::take_diagnostics(std::size_t bytes, std::size_t most_bytes, Slice& slice) {
-  std::vector<Diagnostic>& diagnostics = placed_.front().diagnostics;
-  while (next_diagnostic_ < diagnostics.size() && (bytes == 0 || bytes < most_bytes)) {
-    bytes += message_bytes(diagnostics[next_diagnostic_]);
-    slice.diagnostics.push_back(std::move(diagnostics[next_diagnostic_++]));
-    --diagnostics_waiting_;
+  std::vector<Diagnostic>& diagnostics = answers_.parts().front().diagnostics;
+  while (taken_.diagnostics < diagnostics.size() && (bytes == 0 || bytes < most_bytes)) {
+    bytes += message_bytes(diagnostics[taken_.diagnostics]);
+    slice.diagnostics.push_back(std::move(diagnostics[taken_.diagnostics++]));
   }
-  if (next_diagnostic_ < diagnostics.size()) return;
-  next_diagnostic_ = 0;
-  placed_.pop_front();
 }
 
-std::size_t Outbox::held_bytes() const {
+bool Outbox::holds(std::size_t bytes) const {
+  std::size_t held = 0;
   // Not what is reserved: memory that was never written to is none.
-  return blocks_waiting() * sizeof(CompensatedBlock) + content_.text.size() +
-         diagnostics_waiting_ * sizeof(Diagnostic);
+  const auto add = [&](const Answer& part, const Taken& taken) {
+    held += (part.blocks.size() - taken.blocks) * sizeof(CompensatedBlock) + part.text.size() -
+            taken.bytes + (part.diagnostics.size() - taken.diagnostics) * sizeof(Diagnostic);
+  };
+  for (const Answer& part : answers_.parts()) {
+    add(part, &part == &answers_.parts().front() ? taken_ : Taken{});
+    if (held >= bytes) return true;
+  }
+  return false;
+}
+
+bool Outbox::has_grown() {
+  return std::exchange(parts_seen_, answers_.parts().size()) < answers_.parts().size();
 }
 
 }  // namespace trc::server

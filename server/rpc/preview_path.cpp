@@ -5,7 +5,6 @@
 namespace trc::server {
 
 Turn PreviewPath::take(const v1::PreviewPathRequest& request, v1::PreviewPathResponse& response) {
-  using Request = v1::PreviewPathRequest;
   if (!request.has_setup()) return end(refuse(Refusal::setup_missing, {}, {{"field", "setup"}}));
   wire::PathSettings settings;
   if (auto refused = read_setup(request.setup(), stream_.backend.config, settings))
@@ -15,15 +14,11 @@ Turn PreviewPath::take(const v1::PreviewPathRequest& request, v1::PreviewPathRes
                       {{"field", "setup.resume_token"}}));
   stream_.record.set_client_tag(settings.client_tag);
   run_.emplace(stream_, settings);
-  if (request.path_case() == Request::kBatch) run_->feed(request.batch());
-  if (request.path_case() == Request::kColumns) run_->feed(request.columns());
-  run_->finish();
+  run_->feed(request);
   return proceed(response);
 }
 
-Turn PreviewPath::proceed(v1::PreviewPathResponse& response) {
-  return run_->answer(response, [](const Outbox::Slice& /*slice*/, bool /*last*/) {});
-}
+Turn PreviewPath::proceed(v1::PreviewPathResponse& response) { return run_->answer(response); }
 
 Turn PreviewPath::ended(v1::PreviewPathResponse& /*response*/) { return end({}); }
 

@@ -75,7 +75,6 @@ void compensate(benchmark::State& state, const std::vector<Block>& given, Way wa
   };
   std::size_t bytes_before = 0;
   std::size_t bytes_held = 0;  // when the last batch is still to come
-  setup.take_portion = take;
   std::vector<Block> rest;
   for (auto _ : state) {
     state.PauseTiming();
@@ -86,18 +85,21 @@ void compensate(benchmark::State& state, const std::vector<Block>& given, Way wa
     VerifiedCompensator compensator(setup, way == Way::measured ? Verify::report : Verify::off,
                                     diagnostics);
     std::vector<CompensatedBlock> out;
+    const auto release = [&] {
+      for (take(out); compensator.is_releasing(); take(out)) compensator.release(out);
+      if (!diagnostics.stopped()) static_cast<void>(diagnostics.take());
+      return !diagnostics.stopped();
+    };
     bool going = true;
     out_blocks = 0;
     for (std::span<Block> left(rest); !left.empty() && going;) {
       const auto batch = left.first(std::min<std::size_t>(left.size(), 1024));
       if (batch.size() == left.size()) bytes_held = bytes_in_use() - bytes_before;
       left = left.subspan(compensator.feed_until_report(batch, out));
-      going = !diagnostics.stopped();
-      if (going) static_cast<void>(diagnostics.take());
-      take(out);
+      going = release();
     }
-    going = going && compensator.finish(TrcMode{}, out);
-    take(out);
+    if (going) compensator.finish_until_portion(TrcMode{}, out);
+    going = going && release();
     if (!going) {
       state.SkipWithError(message_of(diagnostics.pending().back()).c_str());
       break;

@@ -54,7 +54,7 @@ SessionSetup session_setup() {
 class Stream {
  public:
   Stream() {
-    std::vector<CompensatedBlock> out;
+    Answers out;
     const std::vector<wire::PathInput> approach = inputs_of(part().approach);
     give(approach.front(), out);
     session_.program().select(Side::right, {});
@@ -62,11 +62,11 @@ class Stream {
     advance(out);
   }
 
-  bool give(const wire::PathInput& input, std::vector<CompensatedBlock>& out) {
+  bool give(const wire::PathInput& input, Answers& out) {
     constexpr std::size_t group = 256;  // as the server
     return wire::apply(input, session_.program()) && (++items_ % group != 0 || advance(out));
   }
-  bool advance(std::vector<CompensatedBlock>& out) { return session_.advance(out); }
+  bool advance(Answers& out) { return session_.advance(out); }
 
  private:
   PathSession session_{session_setup()};
@@ -75,10 +75,10 @@ class Stream {
 
 std::vector<CompensatedBlock> compensated_lap() {
   Stream stream;
-  std::vector<CompensatedBlock> out;
+  Answers out;
   for (const Block& block : part().lap_blocks) require(stream.give(input_of(block), out));
   require(stream.advance(out));
-  return out;
+  return out.take().blocks;
 }
 
 template <class Batch>
@@ -195,19 +195,19 @@ void served(benchmark::State& state) {
   Response response;
   wire::BlockReader reader(6);
   wire::FieldFaults faults;
-  std::vector<CompensatedBlock> out;
+  Answers out;
   std::string answer;
   run_timed(
       state, Part::blocks_per_lap, [] {},
       [&] {
-        out.clear();
+        out.blocks().clear();
         require(request.ParseFromString(bytes));
         reader.read(
             request, [&](const wire::PathInput& input) { return stream.give(input, out); }, faults);
         require(stream.advance(out));
-        write_answer(out, response, answer);
+        write_answer(out.blocks(), response, answer);
       });
-  require(faults.empty() && !out.empty());
+  require(faults.empty() && !out.blocks().empty());
 }
 
 template <class Request, class Response>

@@ -29,28 +29,6 @@ constexpr std::string_view refused_program =
     "N040 G41 G01 X30 Y20\nN050 G01 X60\nN060 G01 X90\nN070 G40\nN080 G02 X140 Y-30 J-50\n"
     "N120 M30\n";
 
-// Everything a session has handed out.
-struct Collected {
-  std::string text;
-  std::vector<CompensatedBlock> blocks;
-  std::vector<wire::ReceivedDiagnostic> diagnostics;
-
-  AnswerSink sink() {
-    return [this](const Answer& answer) {
-      text += answer.text;
-      blocks.insert(blocks.end(), answer.blocks.begin(), answer.blocks.end());
-      diagnostics.insert(diagnostics.end(), answer.diagnostics.begin(), answer.diagnostics.end());
-      return true;
-    };
-  }
-  // Every bit of every block.
-  [[nodiscard]] std::string bytes() const {
-    v1::CompensatedBatch batch;
-    wire::to_proto(blocks, 0, batch);
-    return batch.SerializeAsString();
-  }
-};
-
 std::string bytes_of(const std::vector<CompensatedBlock>& blocks) {
   v1::CompensatedBatch batch;
   wire::to_proto(blocks, 0, batch);
@@ -103,14 +81,16 @@ server::InProcessServer* RemoteSession::server_ = nullptr;
 
 TEST_F(RemoteSession, ProgramTextIsThatOfALocalSession) {
   ProgramSession local({});
-  ProgramOutput expected;
-  ASSERT_TRUE(local.feed(g239_program, expected) && local.finish(expected));
+  Answers answers;
+  ASSERT_TRUE(local.feed(g239_program, answers) && local.finish(answers));
+  const Answer expected = answers.take();
   for (const std::size_t cut : {std::size_t{1}, std::size_t{7}, g239_program.size()}) {
     RemoteProgramSession remote(connection(), {});
-    Collected collected;
+    Answers out;
     for (std::size_t from = 0; from < g239_program.size(); from += cut)
-      ASSERT_TRUE(remote.feed(g239_program.substr(from, cut), collected.sink()));
-    ASSERT_TRUE(remote.finish(collected.sink())) << remote.failure()->message;
+      ASSERT_TRUE(remote.feed(g239_program.substr(from, cut), out));
+    ASSERT_TRUE(remote.finish(out)) << remote.failure()->message;
+    const Answer collected = out.take();
     EXPECT_EQ(collected.text, expected.text);
     EXPECT_TRUE(collected.blocks.empty());
     ASSERT_TRUE(remote.summary());
@@ -122,8 +102,9 @@ TEST_F(RemoteSession, ProgramTextIsThatOfALocalSession) {
 
 TEST_F(RemoteSession, ProgramBlocksAreThoseOfALocalSessionInBothLayouts) {
   ProgramSession local({.nc_text = false});
-  ProgramOutput expected;
-  ASSERT_TRUE(local.feed(g239_program, expected) && local.finish(expected));
+  Answers answers;
+  ASSERT_TRUE(local.feed(g239_program, answers) && local.finish(answers));
+  const Answer expected = answers.take();
   ASSERT_FALSE(expected.blocks.empty());
   for (const v1::ResponseLayout layout :
        {v1::RESPONSE_LAYOUT_BLOCKS, v1::RESPONSE_LAYOUT_COLUMNS}) {
@@ -131,10 +112,11 @@ TEST_F(RemoteSession, ProgramBlocksAreThoseOfALocalSessionInBothLayouts) {
     setup.set_output(v1::PROGRAM_OUTPUT_BLOCKS);
     setup.mutable_path()->set_response_layout(layout);
     RemoteProgramSession remote(connection(), setup);
-    Collected collected;
-    ASSERT_TRUE(remote.feed(g239_program, collected.sink()));
-    ASSERT_TRUE(remote.finish(collected.sink())) << remote.failure()->message;
-    EXPECT_EQ(collected.bytes(), bytes_of(expected.blocks));
+    Answers out;
+    ASSERT_TRUE(remote.feed(g239_program, out));
+    ASSERT_TRUE(remote.finish(out)) << remote.failure()->message;
+    const Answer collected = out.take();
+    EXPECT_EQ(bytes_of(collected.blocks), bytes_of(expected.blocks));
     EXPECT_TRUE(collected.text.empty());
   }
 }
@@ -144,20 +126,22 @@ TEST_F(RemoteSession, PathIsThatOfALocalSessionInBothLayouts) {
   SCOPED_TRACE("seed " + std::to_string(seed));
   const std::vector<wire::PathInput> items = meander(2000, seed);
   PathSession local(small_tool(wire::Layout::blocks).session);
-  std::vector<CompensatedBlock> expected;
+  Answers answers;
   for (const wire::PathInput& item : items)
-    ASSERT_TRUE(wire::apply(item, local.program()) && local.advance(expected));
-  ASSERT_TRUE(local.finish({.index = items.size()}, expected));
-  ASSERT_GT(expected.size(), items.size());
+    ASSERT_TRUE(wire::apply(item, local.program()) && local.advance(answers));
+  ASSERT_TRUE(local.finish({.index = items.size()}, answers));
+  const Answer expected = answers.take();
+  ASSERT_GT(expected.blocks.size(), items.size());
 
   for (const wire::Layout layout : {wire::Layout::blocks, wire::Layout::columns}) {
     RemotePathSession remote(connection(), small_tool(layout));
-    Collected collected;
-    ASSERT_TRUE(remote.feed(items, collected.sink())) << remote.failure()->message;
-    ASSERT_TRUE(remote.finish(collected.sink())) << remote.failure()->message;
-    EXPECT_TRUE(collected.bytes() == bytes_of(expected));
+    Answers out;
+    ASSERT_TRUE(remote.feed(items, out)) << remote.failure()->message;
+    ASSERT_TRUE(remote.finish(out)) << remote.failure()->message;
+    const Answer collected = out.take();
+    EXPECT_TRUE(bytes_of(collected.blocks) == bytes_of(expected.blocks));
     ASSERT_TRUE(remote.summary());
-    EXPECT_EQ(remote.summary()->summary.blocks_out, expected.size());
+    EXPECT_EQ(remote.summary()->summary.blocks_out, expected.blocks.size());
     EXPECT_EQ(remote.summary()->summary.compensated_length, local.summary().compensated_length);
   }
 }
@@ -172,35 +156,37 @@ TEST_F(RemoteSession, MaskedPathIsThatOfALocalSessionInBothLayouts) {
   settings.session.program.mode.masking = Masking::on;
   settings.session.program.mode.options.remove_masked_blocks = true;
   PathSession local(settings.session);
-  std::vector<CompensatedBlock> expected;
+  Answers answers;
   for (const wire::PathInput& item : items) ASSERT_TRUE(wire::apply(item, local.program()));
-  ASSERT_TRUE(local.advance(expected) && local.finish({.index = items.size()}, expected));
-  ASSERT_GT(expected.size(), 4000U);
-  const std::size_t diagnostics = local.diagnostics().take().size();
+  ASSERT_TRUE(local.advance(answers) && local.finish({.index = items.size()}, answers));
+  const Answer expected = answers.take();
+  ASSERT_GT(expected.blocks.size(), 4000U);
 
   for (const wire::Layout layout : {wire::Layout::blocks, wire::Layout::columns}) {
     settings.response_layout = layout;
     RemotePathSession remote(connection(), settings);
-    Collected collected;
-    ASSERT_TRUE(remote.feed(items, collected.sink())) << remote.failure()->message;
-    ASSERT_TRUE(remote.finish(collected.sink())) << remote.failure()->message;
-    EXPECT_TRUE(collected.bytes() == bytes_of(expected));
-    EXPECT_EQ(collected.diagnostics.size(), diagnostics);
+    Answers out;
+    ASSERT_TRUE(remote.feed(items, out)) << remote.failure()->message;
+    ASSERT_TRUE(remote.finish(out)) << remote.failure()->message;
+    const Answer collected = out.take();
+    EXPECT_TRUE(bytes_of(collected.blocks) == bytes_of(expected.blocks));
+    EXPECT_EQ(collected.diagnostics.size(), expected.diagnostics.size());
   }
 }
 
 TEST_F(RemoteSession, RefusedProgramGivesItsDiagnosticAndNoSummary) {
   RemoteProgramSession remote(connection(), {});
-  Collected collected;
-  remote.feed(refused_program, collected.sink());
-  EXPECT_FALSE(remote.finish(collected.sink()));
+  Answers out;
+  remote.feed(refused_program, out);
+  EXPECT_FALSE(remote.finish(out));
+  const Answer collected = out.take();
   ASSERT_FALSE(collected.diagnostics.empty());
-  const wire::ReceivedDiagnostic& last = collected.diagnostics.back();
-  EXPECT_EQ(last.diagnostic.code, Code::circle_center_misfit);
-  EXPECT_EQ(last.diagnostic.severity, Severity::error);
-  EXPECT_EQ(last.diagnostic.source.line, 9U);
-  EXPECT_EQ(last.diagnostic.source.number, 80);
-  EXPECT_FALSE(last.remedy.empty());
+  const Diagnostic& last = collected.diagnostics.back();
+  EXPECT_EQ(last.code, Code::circle_center_misfit);
+  EXPECT_EQ(last.severity, Severity::error);
+  EXPECT_EQ(last.source.line, 9U);
+  EXPECT_EQ(last.source.number, 80);
+  EXPECT_FALSE(texts_of(last).remedy.empty());
   ASSERT_TRUE(remote.failure());
   EXPECT_EQ(remote.failure()->status, "INVALID_ARGUMENT");
   EXPECT_EQ(remote.failure()->reason, row_of(Code::circle_center_misfit).reason);
@@ -213,9 +199,9 @@ TEST_F(RemoteSession, WrongSetupNamesItsFields) {
   setup.mutable_path()->set_tool_radius(std::nan(""));
   setup.set_decimals(17);
   RemoteProgramSession remote(connection(), setup);
-  Collected collected;
-  EXPECT_FALSE(remote.feed(g239_program, collected.sink()));
-  EXPECT_FALSE(remote.finish(collected.sink()));
+  Answers out;
+  EXPECT_FALSE(remote.feed(g239_program, out));
+  EXPECT_FALSE(remote.finish(out));
   ASSERT_TRUE(remote.failure());
   EXPECT_EQ(remote.failure()->status, "INVALID_ARGUMENT");
   ASSERT_EQ(remote.failure()->fields.size(), 2U);
@@ -229,9 +215,10 @@ TEST_F(RemoteSession, WrongBlockNamesItsFieldAndLetsTheEarlierOnesThrough) {
     const std::vector<wire::PathInput> items{
         MoveRequest{.end = {1, 2, {}}, .feed = 5},
         MoveRequest{.end = {std::numeric_limits<double>::infinity(), {}, {}}, .feed = 5}};
-    Collected collected;
-    remote.feed(items, collected.sink());
-    EXPECT_FALSE(remote.finish(collected.sink()));
+    Answers out;
+    remote.feed(items, out);
+    EXPECT_FALSE(remote.finish(out));
+    const Answer collected = out.take();
     EXPECT_EQ(collected.blocks.size(), 1U);
     ASSERT_TRUE(remote.failure());
     ASSERT_EQ(remote.failure()->fields.size(), 1U);
@@ -242,8 +229,9 @@ TEST_F(RemoteSession, WrongBlockNamesItsFieldAndLetsTheEarlierOnesThrough) {
 
 TEST_F(RemoteSession, EmptyPathIsComplete) {
   RemotePathSession remote(connection(), wire::PathSettings{});
-  Collected collected;
-  EXPECT_TRUE(remote.finish(collected.sink()));
+  Answers out;
+  EXPECT_TRUE(remote.finish(out));
+  const Answer collected = out.take();
   EXPECT_TRUE(collected.blocks.empty());
   ASSERT_TRUE(remote.summary());
   EXPECT_EQ(remote.summary()->summary.blocks_out, 0U);
@@ -253,7 +241,7 @@ TEST_F(RemoteSession, SinkThatWantsNoMoreStopsTheStream) {
   const std::vector<wire::PathInput> items = meander(5000, 3);
   RemotePathSession remote(connection(), small_tool(wire::Layout::columns));
   int answers = 0;
-  const AnswerSink stop = [&answers](const Answer&) { return ++answers < 2; };
+  Answers stop([&answers](const Answer&) { return ++answers < 2; });
   remote.feed(items, stop);
   EXPECT_FALSE(remote.finish(stop));
   EXPECT_EQ(answers, 2);
@@ -264,24 +252,25 @@ TEST_F(RemoteSession, SinkThatWantsNoMoreStopsTheStream) {
 
 TEST_F(RemoteSession, UnfinishedSessionEndsWhenDropped) {
   const std::vector<wire::PathInput> items = meander(50, 3);
-  Collected collected;
+  Answers out;
   { const RemotePathSession untouched(connection(), small_tool(wire::Layout::blocks)); }
   {
     RemotePathSession remote(connection(), small_tool(wire::Layout::blocks));
-    EXPECT_TRUE(remote.feed(items, collected.sink()));
+    EXPECT_TRUE(remote.feed(items, out));
   }
   // The server is well and takes the next one.
   RemotePathSession next(connection(), small_tool(wire::Layout::blocks));
-  EXPECT_TRUE(next.feed(items, collected.sink()));
-  EXPECT_TRUE(next.finish(collected.sink()));
+  EXPECT_TRUE(next.feed(items, out));
+  EXPECT_TRUE(next.finish(out));
 }
 
 TEST_F(RemoteSession, FinishedSessionTakesNothingMore) {
   RemotePathSession remote(connection(), small_tool(wire::Layout::blocks));
-  Collected collected;
-  ASSERT_TRUE(remote.finish(collected.sink()));
+  Answers out;
+  ASSERT_TRUE(remote.finish(out));
   const std::vector<wire::PathInput> items{MoveRequest{.end = {1, 2, {}}, .feed = 5}};
-  EXPECT_FALSE(remote.feed(items, collected.sink()));
+  EXPECT_FALSE(remote.feed(items, out));
+  const Answer collected = out.take();
   EXPECT_TRUE(collected.blocks.empty());
 }
 
@@ -305,16 +294,18 @@ TEST(Connection, ServesOverTcpAndUnixSocket) {
   ASSERT_TRUE(started.server) << started.fault;
   const std::string port = std::to_string(started.server->ports().front());
   ProgramSession local({});
-  ProgramOutput expected;
-  ASSERT_TRUE(local.feed(g239_program, expected) && local.finish(expected));
+  Answers answers;
+  ASSERT_TRUE(local.feed(g239_program, answers) && local.finish(answers));
+  const Answer expected = answers.take();
   for (const std::string& address : {"127.0.0.1:" + port, "unix:" + socket}) {
     SCOPED_TRACE(address);
     std::optional<Connection> connection;
     ASSERT_FALSE(Connection::open(address, {}, connection));
     RemoteProgramSession remote(*connection, {});
-    Collected collected;
-    EXPECT_TRUE(remote.feed(g239_program, collected.sink()));
-    EXPECT_TRUE(remote.finish(collected.sink()));
+    Answers out;
+    EXPECT_TRUE(remote.feed(g239_program, out));
+    EXPECT_TRUE(remote.finish(out));
+    const Answer collected = out.take();
     EXPECT_EQ(collected.text, expected.text);
   }
 }
@@ -323,8 +314,8 @@ TEST(Connection, NobodyListeningIsUnreachable) {
   std::optional<Connection> connection;
   ASSERT_FALSE(Connection::open("unix:/nonexistent/trc.sock", {}, connection));
   RemoteProgramSession remote(*connection, {});
-  Collected collected;
-  EXPECT_FALSE(remote.feed("G0 X0\n", collected.sink()));
+  Answers out;
+  EXPECT_FALSE(remote.feed("G0 X0\n", out));
   ASSERT_TRUE(remote.failure());
   EXPECT_EQ(remote.failure()->status, "UNAVAILABLE");
   EXPECT_TRUE(remote.failure()->unreachable());
@@ -385,8 +376,8 @@ class BrokenServer : public v1::TrcService::Service {
 TEST(BrokenServer, OkWithoutSummaryIsNoSuccess) {
   BrokenServer server(BrokenServer::Fault::no_summary);
   RemotePathSession remote(server.connection(), wire::PathSettings{});
-  Collected collected;
-  EXPECT_FALSE(remote.finish(collected.sink()));
+  Answers out;
+  EXPECT_FALSE(remote.finish(out));
   ASSERT_TRUE(remote.failure());
   EXPECT_EQ(remote.failure()->reason, "SUMMARY_MISSING");
 }
@@ -394,8 +385,8 @@ TEST(BrokenServer, OkWithoutSummaryIsNoSuccess) {
 TEST(BrokenServer, GapInThePathIsNoSuccess) {
   BrokenServer server(BrokenServer::Fault::gap);
   RemotePathSession remote(server.connection(), wire::PathSettings{});
-  Collected collected;
-  EXPECT_FALSE(remote.finish(collected.sink()));
+  Answers out;
+  EXPECT_FALSE(remote.finish(out));
   ASSERT_TRUE(remote.failure());
   EXPECT_EQ(remote.failure()->reason, "RESPONSE_INVALID");
 }

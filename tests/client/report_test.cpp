@@ -13,14 +13,23 @@
 namespace trc::cli {
 namespace {
 
-wire::ReceivedDiagnostic reversed_line() {
+struct Sent {
+  Diagnostic diagnostic{};
+  DiagnosticTexts texts{};
+};
+
+Sent reversed_line() {
   return {.diagnostic = {.code = Code::line_reversed, .source = {.number = 60, .line = 7}},
-          .message = "the path runs against the contour",
-          .remedy = "use a smaller tool"};
+          .texts = {.text = "the path runs against the contour", .help = "use a smaller tool"}};
+}
+
+std::string text_of(Sent sent, const Shown& shown) {
+  sent.diagnostic.texts = std::make_shared<const DiagnosticTexts>(sent.texts);
+  return text_of(sent.diagnostic, shown);
 }
 
 // The same without its line of the program.
-std::string alone(std::string_view file, const wire::ReceivedDiagnostic& received) {
+std::string alone(std::string_view file, const Sent& received) {
   return text_of(received, {.file = file});
 }
 
@@ -31,10 +40,10 @@ TEST(Report, NamesFileLineNumberCodeMessageAndRemedy) {
 }
 
 TEST(Report, SpeaksTheLanguageOfTheMessage) {
-  wire::ReceivedDiagnostic received = reversed_line();
+  Sent received = reversed_line();
   received.diagnostic.language = Language::german;
-  received.text = "das Werkzeug passt nicht";
-  received.help = "Einen kleineren Fräser nehmen.";
+  received.texts.text = "das Werkzeug passt nicht";
+  received.texts.help = "Einen kleineren Fräser nehmen.";
   EXPECT_EQ(alone("part.nc", received),
             "part.nc:7: N60: Fehler 90019: das Werkzeug passt nicht\n"
             "Hilfe: Einen kleineren Fräser nehmen.\n");
@@ -45,7 +54,7 @@ TEST(Report, SpeaksTheLanguageOfTheMessage) {
 }
 
 TEST(Report, TellsWarningsAndNotesFromErrors) {
-  wire::ReceivedDiagnostic received = reversed_line();
+  Sent received = reversed_line();
   received.diagnostic.severity = Severity::warning;
   EXPECT_EQ(alone("a", received).rfind("a:7: N60: warning 90019: ", 0), 0u);
   received.diagnostic.severity = Severity::note;
@@ -53,15 +62,15 @@ TEST(Report, TellsWarningsAndNotesFromErrors) {
 }
 
 TEST(Report, LeavesOutWhatIsUnknown) {
-  wire::ReceivedDiagnostic received = reversed_line();
+  Sent received = reversed_line();
   received.diagnostic.source = {};
-  received.remedy.clear();
+  received.texts.help.clear();
   EXPECT_EQ(alone("part.nc", received),
             "part.nc: error 90019: the path runs against the contour\n");
 }
 
 TEST(Report, MarksTheWordInItsLine) {
-  wire::ReceivedDiagnostic received = reversed_line();
+  Sent received = reversed_line();
   received.diagnostic.column = 9;
   EXPECT_EQ(text_of(received, {.file = "p", .source_line = "N60 G02 X-40.5 I25"}),
             "p:7:9: N60: error 90019: the path runs against the contour\n"
@@ -71,7 +80,7 @@ TEST(Report, MarksTheWordInItsLine) {
 }
 
 TEST(Report, FindsTheWordAtFaultWhereTheLineHasItOnce) {
-  wire::ReceivedDiagnostic received = reversed_line();
+  Sent received = reversed_line();
   received.diagnostic.detail = "G187 P2";
   EXPECT_NE(
       text_of(received, {.file = "p", .source_line = "N60 G187 P2 X1"}).find("p:7:5: N60: error"),
@@ -85,7 +94,7 @@ TEST(Report, FindsTheWordAtFaultWhereTheLineHasItOnce) {
 }
 
 TEST(Report, MarksTheWordThatTheDetailSaysSomethingOf) {
-  wire::ReceivedDiagnostic received = reversed_line();
+  Sent received = reversed_line();
   received.diagnostic.column = 5;
   received.diagnostic.detail = "TRANS, an expression or a name";
   EXPECT_NE(text_of(received, {.file = "p", .source_line = "N60 TRANS X1"}).find("|     ^~~~~\n"),
@@ -93,7 +102,7 @@ TEST(Report, MarksTheWordThatTheDetailSaysSomethingOf) {
 }
 
 TEST(Report, CountsCharactersNotBytesAndKeepsTheMarkUnderTabs) {
-  wire::ReceivedDiagnostic received = reversed_line();
+  Sent received = reversed_line();
   received.diagnostic.column = 9;
   EXPECT_NE(text_of(received, {.file = "p", .source_line = "\t(\xC3\xB8 12) X5"})
                 .find("    7 |  (\xC3\xB8 12) X5\n      |        ^\n"),
@@ -102,7 +111,7 @@ TEST(Report, CountsCharactersNotBytesAndKeepsTheMarkUnderTabs) {
 }
 
 TEST(Report, ShowsThePartOfALongLineThatMatters) {
-  wire::ReceivedDiagnostic received = reversed_line();
+  Sent received = reversed_line();
   received.diagnostic.column = 501;
   const std::string text = text_of(
       received, {.file = "p", .source_line = std::string(500, 'a') + "X5" + std::string(500, 'b')});
@@ -118,16 +127,16 @@ TEST(Report, ShowsThePartOfALongLineThatMatters) {
 }
 
 TEST(Report, KeepsControlCharactersFromTheTerminal) {
-  wire::ReceivedDiagnostic received = reversed_line();
-  received.message = "bad \x1B[2J word\n \xC2\x9B \xFF";
+  Sent received = reversed_line();
+  received.texts.text = "bad \x1B[2J word\n \xC2\x9B \xFF";
   EXPECT_EQ(text_of(received, {.file = "p\n", .source_line = "\x1B[2J\xFFX"}),
             "p?:7: N60: error 90019: bad ?[2J word? ? ?\n    7 | ?[2J?X\n"
             "help: use a smaller tool\n");
 }
 
 TEST(Report, KeepsTheDirectionOfWriting) {
-  wire::ReceivedDiagnostic received = reversed_line();
-  received.message = "a\u202Eb\u2066c\u200F \u2300";
+  Sent received = reversed_line();
+  received.texts.text = "a\u202Eb\u2066c\u200F \u2300";
   EXPECT_EQ(alone("p", received),
             "p:7: N60: error 90019: a?b?c? \u2300\nhelp: use a smaller tool\n");
 }
@@ -240,7 +249,7 @@ TEST(EntryHelpText, SaysNothingWhereNothingIsKnown) {
 }
 
 TEST(EntryHelpText, StandsBehindTheRemedy) {
-  wire::ReceivedDiagnostic received = reversed_line();
+  Sent received = reversed_line();
   received.diagnostic.entry_help = std::make_shared<const EntryHelp>(quarter_circle_help());
   EXPECT_NE(alone("part.nc", received).find("help: use a smaller tool\nhelp: the approach is "),
             std::string::npos);

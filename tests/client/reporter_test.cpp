@@ -3,16 +3,18 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <memory>
 #include <string>
 
 namespace trc::cli {
 namespace {
 
-wire::ReceivedDiagnostic warning(std::uint32_t line, const std::string& message) {
-  return {.diagnostic = {.code = Code::stretch_factor_out_of_range,
-                         .severity = Severity::warning,
-                         .source = {.line = line}},
-          .message = message};
+Diagnostic warning(std::uint32_t line, const std::string& message) {
+  return {.code = Code::stretch_factor_out_of_range,
+          .severity = Severity::warning,
+          .source = {.line = line},
+          .texts = std::make_shared<const DiagnosticTexts>(
+              DiagnosticTexts{.message = message, .text = message})};
 }
 
 struct Told {

@@ -85,9 +85,9 @@ struct Collected {
   void take(const Answer& answer) {
     text += answer.text;
     blocks.insert(blocks.end(), answer.blocks.begin(), answer.blocks.end());
-    for (const wire::ReceivedDiagnostic& received : answer.diagnostics)
-      diagnostics += std::to_string(static_cast<int>(received.diagnostic.code)) + " at block " +
-                     std::to_string(received.diagnostic.source.index) + " behind " +
+    for (const Diagnostic& told : answer.diagnostics)
+      diagnostics += std::to_string(static_cast<int>(told.code)) + " at block " +
+                     std::to_string(told.source.index) + " behind " +
                      std::to_string(blocks.size()) + "\n";
   }
 };
@@ -110,16 +110,16 @@ using Disturb = std::function<void()>;
 template <class Session, class Pieces>
 Collected run(Session& session, const Pieces& pieces, const Disturb& disturb) {
   Collected result;
-  const AnswerSink sink = [&](const Answer& answer) {
+  Answers answers([&](const Answer& answer) {
     result.take(answer);
     disturb();
     return true;
-  };
+  });
   for (const auto& piece : pieces) {
     disturb();
-    if (!session.feed(piece, sink)) break;
+    if (!session.feed(piece, answers)) break;
   }
-  session.finish(sink);
+  session.finish(answers);
   result.summary = counts_of(session.summary());
   if (session.failure()) result.failure = session.failure()->reason + session.failure()->status;
   result.resumed = session.resumed();

@@ -52,9 +52,9 @@ TEST(Shapes, CanBeCompensatedWithoutAViolation) {
         const std::string text =
             program_of({.shape = std::string(row.name), .blocks = blocks, .seed = seed});
         ProgramSession session({.nc_text = false});
-        ProgramOutput output;
+        Answers output;
         EXPECT_TRUE(session.feed(text, output) && session.finish(output));
-        for (const Diagnostic& diagnostic : session.diagnostics().pending())
+        for (const Diagnostic& diagnostic : output.take().diagnostics)
           ADD_FAILURE() << static_cast<int>(diagnostic.code) << ": " << message_of(diagnostic);
         EXPECT_GE(session.summary().blocks_out, blocks);
       }

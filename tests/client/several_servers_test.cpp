@@ -96,10 +96,10 @@ class Passage {
  private:
   const std::string text_ = meander(2000);
   std::string output_;
-  const AnswerSink take_ = [this](const Answer& answer) {
+  Answers take_{[this](const Answer& answer) {
     output_ += answer.text;
     return true;
-  };
+  }};
   RemoteProgramSession session_;
 };
 

@@ -33,23 +33,23 @@ int main(int argc, char** argv) {
   program << std::ifstream(argv[2], std::ios::binary).rdbuf();
   const std::string text = program.str();
   std::ofstream output(argv[3], std::ios::binary);
-  const trc::client::AnswerSink sink = [&](const trc::client::Answer& answer) {
+  trc::Answers answers([&](const trc::Answer& answer) {
     output << answer.text;
     return true;
-  };
+  });
 
   trc::client::RemoteProgramSession session(*connection, {});
   constexpr std::size_t piece = 4096;
   bool goes_on = true;
   for (std::size_t at = 0; goes_on && at < text.size(); at += piece) {
-    goes_on = session.feed(std::string_view(text).substr(at, piece), sink);
+    goes_on = session.feed(std::string_view(text).substr(at, piece), answers);
     if (at == 0) {
       std::puts("begun");
       std::fflush(stdout);
     }
     std::this_thread::sleep_for(pause);
   }
-  const bool complete = session.finish(sink);
+  const bool complete = session.finish(answers);
   std::printf("resumed %llu\n", static_cast<unsigned long long>(session.resumed()));
   if (complete) return 0;
   const auto& failure = session.failure();

@@ -45,9 +45,9 @@ std::string program(int turns, const std::string& head = "") {
 
 std::string compensated(const std::string& text) {
   ProgramSession session({});
-  ProgramOutput out;
+  Answers out;
   EXPECT_TRUE(session.feed(text, out) && session.finish(out));
-  return out.text;
+  return out.take().text;
 }
 
 class Client {

@@ -56,9 +56,9 @@ std::string staircase(std::size_t bytes, const std::string& head) {
 
 std::string compensated(const std::string& text) {
   ProgramSession session({});
-  ProgramOutput out;
+  Answers out;
   EXPECT_TRUE(session.feed(text, out) && session.finish(out));
-  return out.text;
+  return out.take().text;
 }
 
 // The whole program in one message, each client with a connection of its own.

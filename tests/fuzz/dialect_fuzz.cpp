@@ -19,18 +19,19 @@ namespace trc::fuzz {
 namespace {
 
 struct Given {
-  ProgramOutput output{};
+  Answer output{};
   std::string diagnostics{};
 };
 
 Given given_by(std::string_view text, const ProgramSessionSetup& setup, std::size_t piece) {
   ProgramSession session(setup);
-  Given given;
+  Answers answers;
   bool running = true;
   for (std::size_t at = 0; running && at < text.size(); at += piece)
-    running = session.feed(text.substr(at, piece), given.output);
-  if (running) session.finish(given.output);
-  for (const Diagnostic& found : session.diagnostics().take())
+    running = session.feed(text.substr(at, piece), answers);
+  if (running) session.finish(answers);
+  Given given{.output = answers.take()};
+  for (const Diagnostic& found : given.output.diagnostics)
     given.diagnostics.append(std::to_string(found.source.line))
         .append(" ")
         .append(message_of(found))

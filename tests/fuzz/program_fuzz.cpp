@@ -16,20 +16,20 @@
 namespace trc::fuzz {
 namespace {
 
-ProgramOutput output_of(std::string_view text, bool nc_text, std::size_t piece) {
+Answer output_of(std::string_view text, bool nc_text, std::size_t piece) {
   ProgramSession session({.nc_text = nc_text});
-  ProgramOutput out;
+  Answers out;
   bool running = true;
   for (std::size_t at = 0; running && at < text.size(); at += piece)
     running = session.feed(text.substr(at, piece), out);
   if (running) session.finish(out);
-  return out;
+  return out.take();
 }
 
 void check(std::string_view text, bool nc_text, std::size_t piece) {
   const TimeBound bound;
-  const ProgramOutput whole = output_of(text, nc_text, std::max<std::size_t>(text.size(), 1));
-  const ProgramOutput pieces = output_of(text, nc_text, piece);
+  const Answer whole = output_of(text, nc_text, std::max<std::size_t>(text.size(), 1));
+  const Answer pieces = output_of(text, nc_text, piece);
   claim(whole.text == pieces.text, "The text depends on where the input was cut");
   claim_same(pieces.blocks, whole.blocks, "The path of text in pieces");
   claim_path(whole.blocks);

@@ -40,20 +40,21 @@ class Run {
     for (const wire::PathInput& item : path.items) {
       goes_on = wire::apply(item, session_->program());
       ++given;
-      if (!goes_on || given % batch == 0) goes_on = session_->advance(result_.blocks) && goes_on;
+      if (!goes_on || given % batch == 0) goes_on = session_->advance(answers_) && goes_on;
       if (!goes_on) break;
       if (given % resumed == 0) go_on_elsewhere();
     }
-    if (goes_on) goes_on = session_->advance(result_.blocks);
-    result_.complete = goes_on && session_->finish({.index = path.items.size()}, result_.blocks);
-    take_diagnostics();
-    claim(result_.complete != session_->diagnostics().stopped(), "Stopped, or complete");
-    return std::move(result_);
+    if (goes_on) goes_on = session_->advance(answers_);
+    const bool complete = goes_on && session_->finish({.index = path.items.size()}, answers_);
+    claim(complete != session_->diagnostics().stopped(), "Stopped, or complete");
+    Answer whole = answers_.take();
+    return {.blocks = std::move(whole.blocks),
+            .diagnostics = std::move(whole.diagnostics),
+            .complete = complete};
   }
 
  private:
   void go_on_elsewhere() {
-    take_diagnostics();
     std::stringstream state;
     {
       StateWriter archive(state);
@@ -64,14 +65,9 @@ class Run {
     session_->load(archive);
   }
 
-  void take_diagnostics() {
-    for (Diagnostic& raised : session_->diagnostics().take())
-      result_.diagnostics.push_back(std::move(raised));
-  }
-
   SessionSetup setup_;
   std::optional<PathSession> session_;
-  Result result_;
+  Answers answers_;
 };
 
 void claim_resumed(const Result& actual, const Result& expected) {

@@ -121,15 +121,16 @@ Written run(const std::string& text, ProgramSessionSetup setup, bool nc_text,
             std::size_t piece = 0) {
   setup.nc_text = nc_text;
   ProgramSession session(setup);
-  ProgramOutput output;
+  Answers answers;
   bool running = true;
   const std::size_t step = piece == 0 ? std::max<std::size_t>(text.size(), 1) : piece;
   for (std::size_t at = 0; running && at < text.size(); at += step)
-    running = session.feed(std::string_view(text).substr(at, step), output);
-  if (running) session.finish(output);
-  return {.text = output.text,
-          .blocks = output.blocks,
-          .diagnostics = session.diagnostics().take(),
+    running = session.feed(std::string_view(text).substr(at, step), answers);
+  if (running) session.finish(answers);
+  Answer output = answers.take();
+  return {.text = std::move(output.text),
+          .blocks = std::move(output.blocks),
+          .diagnostics = std::move(output.diagnostics),
           .stopped = session.diagnostics().stopped()};
 }
 
@@ -144,16 +145,17 @@ Written run_resumed(const std::string& text, const ProgramSessionSetup& setup, s
       StateReader archive(stream);
       session.load(archive);
     }
-    ProgramOutput output;
-    if (session.feed(std::string_view(text).substr(at, piece), output) && at + piece >= text.size())
-      session.finish(output);
+    Answers answers;
+    if (session.feed(std::string_view(text).substr(at, piece), answers) &&
+        at + piece >= text.size())
+      session.finish(answers);
     std::ostringstream stream;
     StateWriter archive(stream);
     session.save(archive);
     state = stream.str();
+    Answer output = answers.take();
     result.text += output.text;
-    for (Diagnostic& told : session.diagnostics().take())
-      result.diagnostics.push_back(std::move(told));
+    std::ranges::move(output.diagnostics, std::back_inserter(result.diagnostics));
     result.stopped = session.diagnostics().stopped();
   }
   return result;

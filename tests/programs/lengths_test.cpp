@@ -22,7 +22,7 @@ std::string text_of_file(const std::filesystem::path& path) {
   return text.str();
 }
 
-double length_of_path(const ProgramOutput& out) {
+double length_of_path(const Answer& out) {
   double length = 0;
   for (const CompensatedBlock& block : out.blocks)
     if (block.origin == Origin::programmed || block.origin == Origin::transition)
@@ -44,10 +44,10 @@ TEST(PathLengths, AreThoseOfTheWholePath) {
     ProgramSessionSetup setup;
     setup.nc_text = false;
     ProgramSession session(setup);
-    ProgramOutput out;
+    Answers out;
     const std::string text = text_of_file(folder / (name + ".nc"));
     EXPECT_TRUE(session.feed(text, out) && session.finish(out));
-    EXPECT_NEAR(length_of_path(out), expected, part * expected);
+    EXPECT_NEAR(length_of_path(out.take()), expected, part * expected);
     ++count;
   }
   EXPECT_EQ(count, 8U);

@@ -69,13 +69,14 @@ std::string test_name(const ::testing::TestParamInfo<std::string>& tested) {
 Outcome run(const std::string& text, ProgramSessionSetup setup, std::size_t piece) {
   setup.nc_text = false;
   ProgramSession session(setup);
-  ProgramOutput output;
+  Answers answers;
   bool running = true;
   for (std::size_t at = 0; running && at < text.size(); at += piece)
-    running = session.feed(std::string_view(text).substr(at, piece), output);
-  if (running) session.finish(output);
+    running = session.feed(std::string_view(text).substr(at, piece), answers);
+  if (running) session.finish(answers);
+  Answer output = answers.take();
   return {.blocks = std::move(output.blocks),
-          .diagnostics = session.diagnostics().take(),
+          .diagnostics = std::move(output.diagnostics),
           .stopped = session.diagnostics().stopped()};
 }
 
@@ -83,9 +84,9 @@ std::string resolved_text(const std::string& text, ProgramSessionSetup setup) {
   setup.nc_text = true;
   setup.decimals = 6;
   ProgramSession session(setup);
-  ProgramOutput output;
-  if (session.feed(text, output)) session.finish(output);
-  return output.text;
+  Answers answers;
+  if (session.feed(text, answers)) session.finish(answers);
+  return answers.take().text;
 }
 
 std::string report_of(const std::vector<Diagnostic>& diagnostics) {

@@ -75,16 +75,16 @@ class ServedPrograms : public ::testing::Test {
     wire::to_proto(settings, setup);
     client::RemoteProgramSession remote(*connection_, setup);
     Served served;
-    const client::AnswerSink sink = [&](const client::Answer& answer) {
+    Answers answers([&](const Answer& answer) {
       served.blocks.insert(served.blocks.end(), answer.blocks.begin(), answer.blocks.end());
-      for (const auto& received : answer.diagnostics)
-        served.diagnostics.emplace_back(received.diagnostic.code, received.diagnostic.source.line);
+      for (const Diagnostic& told : answer.diagnostics)
+        served.diagnostics.emplace_back(told.code, told.source.line);
       return true;
-    };
+    });
     bool goes_on = true;
     for (std::size_t at = 0; goes_on && at < text.size(); at += piece)
-      goes_on = remote.feed(std::string_view(text).substr(at, piece), sink);
-    served.complete = goes_on && remote.finish(sink);
+      goes_on = remote.feed(std::string_view(text).substr(at, piece), answers);
+    served.complete = goes_on && remote.finish(answers);
     return served;
   }
 
@@ -96,10 +96,11 @@ Served run_here(const std::string& text) {
   ProgramSessionSetup setup = read_setup(text);
   setup.nc_text = false;
   ProgramSession session(setup);
-  ProgramOutput output;
-  const bool complete = session.feed(text, output) && session.finish(output);
+  Answers answers;
+  const bool complete = session.feed(text, answers) && session.finish(answers);
+  Answer output = answers.take();
   Served served{.blocks = std::move(output.blocks), .complete = complete};
-  for (const Diagnostic& diagnostic : session.diagnostics().take())
+  for (const Diagnostic& diagnostic : output.diagnostics)
     served.diagnostics.emplace_back(diagnostic.code, diagnostic.source.line);
   return served;
 }

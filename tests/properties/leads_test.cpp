@@ -31,10 +31,11 @@ Outcome run(const std::string& text, const SessionSetup& session) {
   setup.session = session;
   setup.nc_text = false;
   ProgramSession program(setup);
-  ProgramOutput output;
-  if (program.feed(text, output)) program.finish(output);
+  Answers answers;
+  if (program.feed(text, answers)) program.finish(answers);
+  Answer output = answers.take();
   return {.blocks = std::move(output.blocks),
-          .diagnostics = program.diagnostics().take(),
+          .diagnostics = std::move(output.diagnostics),
           .stopped = program.diagnostics().stopped()};
 }
 

@@ -94,13 +94,14 @@ Outcome run(const std::string& text, std::size_t piece) {
   ProgramSessionSetup setup;
   setup.nc_text = false;
   ProgramSession session(setup);
-  ProgramOutput output;
+  Answers answers;
   bool running = true;
   for (std::size_t at = 0; running && at < text.size(); at += piece)
-    running = session.feed(std::string_view(text).substr(at, piece), output);
-  if (running) session.finish(output);
+    running = session.feed(std::string_view(text).substr(at, piece), answers);
+  if (running) session.finish(answers);
+  Answer output = answers.take();
   return {.blocks = std::move(output.blocks),
-          .diagnostics = session.diagnostics().take(),
+          .diagnostics = std::move(output.diagnostics),
           .stopped = session.diagnostics().stopped()};
 }
 

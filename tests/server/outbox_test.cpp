@@ -17,7 +17,7 @@ CompensatedBlock block(std::uint64_t index) {
 
 TEST(Outbox, LeavesInSlicesThatFitAMessage) {
   Outbox outbox;
-  for (std::uint64_t i = 0; i < 1000; ++i) outbox.content().blocks.push_back(block(i));
+  for (std::uint64_t i = 0; i < 1000; ++i) outbox.content().blocks().push_back(block(i));
   std::uint64_t next = 0;
   int slices = 0;
   while (!outbox.empty()) {
@@ -35,10 +35,10 @@ TEST(Outbox, LeavesInSlicesThatFitAMessage) {
 // A masked selection has a note for every loop, all behind one block.
 TEST(Outbox, DiagnosticsLeaveInSlicesThatFitAMessage) {
   Outbox outbox;
-  outbox.content().blocks.push_back(block(0));
+  outbox.content().blocks().push_back(block(0));
   std::vector<Diagnostic> notes(1000);
   for (std::uint64_t i = 0; i < notes.size(); ++i) notes[i].source.index = i;
-  outbox.place(std::move(notes));
+  outbox.content().tell(std::move(notes));
   std::uint64_t next = 0;
   int slices = 0;
   while (!outbox.empty()) {
@@ -57,7 +57,7 @@ TEST(Outbox, OneDiagnosticAlwaysLeavesHoweverLarge) {
   Outbox outbox;
   Diagnostic large;
   large.detail.assign(60'000, 'x');
-  outbox.place({large, large});
+  outbox.content().tell({large, large});
   EXPECT_EQ(outbox.take(Layout::blocks, 1000).diagnostics.size(), 1U);
   EXPECT_EQ(outbox.take(Layout::blocks, 1000).diagnostics.size(), 1U);
   EXPECT_TRUE(outbox.empty());
@@ -65,10 +65,10 @@ TEST(Outbox, OneDiagnosticAlwaysLeavesHoweverLarge) {
 
 TEST(Outbox, CountsBlocksOverAllRequests) {
   Outbox outbox;
-  outbox.content().blocks.assign(3, block(0));
+  outbox.content().blocks().assign(3, block(0));
   EXPECT_EQ(outbox.take(Layout::blocks, 1'000'000).first_block, 0U);
   outbox.forget_taken();
-  outbox.content().blocks.assign(2, block(0));
+  outbox.content().blocks().assign(2, block(0));
   const Outbox::Slice slice = outbox.take(Layout::blocks, 1'000'000);
   EXPECT_EQ(slice.first_block, 3U);
   EXPECT_EQ(slice.blocks.size(), 2U);
@@ -79,7 +79,7 @@ TEST(Outbox, OneBlockAlwaysLeavesHoweverLarge) {
   Outbox outbox;
   CompensatedBlock large = block(0);
   large.text.assign(60'000, 'M');
-  outbox.content().blocks.assign(2, large);
+  outbox.content().blocks().assign(2, large);
   EXPECT_EQ(outbox.take(Layout::blocks, 1000).blocks.size(), 1U);
   EXPECT_EQ(outbox.take(Layout::blocks, 1000).blocks.size(), 1U);
   EXPECT_TRUE(outbox.empty());
@@ -89,7 +89,7 @@ TEST(Outbox, TextLeavesInWholeLines) {
   Outbox outbox;
   std::string text;
   for (int i = 0; i < 100; ++i) text += "N" + std::to_string(i * 10) + " X1 Y2\n";
-  outbox.content().text = text;
+  outbox.content().text() = text;
   std::string joined;
   while (!outbox.empty()) {
     const Outbox::Slice slice = outbox.take(Layout::blocks, 64);
@@ -103,10 +103,9 @@ TEST(Outbox, TextLeavesInWholeLines) {
 
 TEST(Outbox, DiagnosticsComeBehindWhatWasCertainBefore) {
   Outbox outbox;
-  outbox.content().blocks.assign(2, block(0));
-  outbox.place({diagnostic(Code::stretch_factor_out_of_range, {})});
-  outbox.content().blocks.push_back(block(1));
-  outbox.place({});
+  outbox.content().blocks().assign(2, block(0));
+  outbox.content().tell({diagnostic(Code::stretch_factor_out_of_range, {})});
+  outbox.content().blocks().push_back(block(1));
 
   const Outbox::Slice first = outbox.take(Layout::blocks, 1'000'000);
   EXPECT_EQ(first.blocks.size(), 2U);
@@ -120,7 +119,7 @@ TEST(Outbox, DiagnosticsComeBehindWhatWasCertainBefore) {
 
 TEST(Outbox, ADiagnosticAloneIsASliceToo) {
   Outbox outbox;
-  outbox.place({diagnostic(Code::program_empty, {})});
+  outbox.content().tell({diagnostic(Code::program_empty, {})});
   EXPECT_FALSE(outbox.empty());
   EXPECT_EQ(outbox.take(Layout::blocks, 1000).diagnostics.size(), 1U);
   EXPECT_TRUE(outbox.empty());
@@ -131,15 +130,18 @@ TEST(Outbox, PortionsLeaveBeforeWhatCameBehindThem) {
   outbox.go_on_behind(5);
   std::uint64_t given = 5;
   for (int portion = 0; portion < 4; ++portion) {
-    for (int i = 0; i < 100; ++i) outbox.content().blocks.push_back(block(given++));
-    // Behind 150 blocks in all, 50 of them in a portion that is kept later.
-    if (portion == 1)
-      outbox.content().places.push_back({.blocks = 5 + 150, .bytes = 0, .diagnostics = 1});
-    if (portion < 3) outbox.keep_portion(outbox.content().blocks);
+    for (int i = 0; i < 100; ++i) {
+      outbox.content().blocks().push_back(block(given++));
+      if (portion == 1 && i == 49)
+        outbox.content().tell({diagnostic(Code::stretch_factor_out_of_range, {})});
+    }
+    if (portion < 3) outbox.content().portion();
   }
-  outbox.place({diagnostic(Code::stretch_factor_out_of_range, {})});
-  EXPECT_EQ(outbox.blocks_waiting(), 400U);
-  EXPECT_EQ(outbox.held_bytes(), 400 * sizeof(CompensatedBlock) + sizeof(Diagnostic));
+  const std::size_t held = 400 * sizeof(CompensatedBlock) + sizeof(Diagnostic);
+  EXPECT_TRUE(outbox.holds(held));
+  EXPECT_FALSE(outbox.holds(held + 1));
+  EXPECT_TRUE(outbox.has_grown());
+  EXPECT_FALSE(outbox.has_grown());
 
   std::uint64_t next = 5;
   while (!outbox.empty()) {
@@ -151,7 +153,7 @@ TEST(Outbox, PortionsLeaveBeforeWhatCameBehindThem) {
   }
   EXPECT_EQ(next, given);
   EXPECT_EQ(outbox.blocks_taken(), given);
-  EXPECT_EQ(outbox.held_bytes(), 0U);
+  EXPECT_FALSE(outbox.holds(1));
 }
 
 }  // namespace

@@ -1,11 +1,15 @@
 #include <gtest/gtest.h>
 
 #include <cstdint>
+#include <optional>
 #include <ostream>
+#include <sstream>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
+#include "core/base/archive.h"
 #include "core/session/program_session.h"
 
 namespace trc {
@@ -24,26 +28,36 @@ std::ostream& operator<<(std::ostream& out, const Placed& placed) {
              << placed.bytes;
 }
 
-std::vector<Placed> places_of(std::string_view program, std::size_t cut) {
-  ProgramSession session({});
-  ProgramOutput out;
-  std::vector<Placed> result;
-  const auto take = [&] {
-    const std::vector<Diagnostic> diagnostics = session.diagnostics().take();
-    std::size_t next = 0;
-    out.places.push_back({.bytes = out.text.size(), .diagnostics = diagnostics.size()});
-    for (const ProgramOutput::Place& place : out.places)
-      for (; next < place.diagnostics; ++next)
-        result.push_back({diagnostics[next].code, diagnostics[next].source.line, place.bytes});
-    out.places.clear();
-  };
+void append_places(const Answer& part, std::size_t& bytes, std::vector<Placed>& places) {
+  bytes += part.text.size();
+  for (const Diagnostic& told : part.diagnostics)
+    places.push_back({told.code, told.source.line, bytes});
+}
+
+// `resumed`: each piece in a session of its own.
+std::vector<Placed> places_of(std::string_view program, std::size_t cut,
+                              const ProgramSessionSetup& setup = {}, bool resumed = false) {
+  std::optional<ProgramSession> session(std::in_place, setup);
+  std::vector<Placed> places;
+  std::size_t bytes = 0;
+  Answers out([&](const Answer& part) {
+    append_places(part, bytes, places);
+    return true;
+  });
   for (std::size_t at = 0; at < program.size(); at += cut) {
-    if (!session.feed(program.substr(at, cut), out)) break;
-    take();
+    if (!session->feed(program.substr(at, cut), out)) break;
+    if (!resumed) continue;
+    std::stringstream state;
+    {
+      StateWriter archive(state);
+      session->save(archive);
+    }
+    session.emplace(setup);
+    StateReader archive(state);
+    session->load(archive);
   }
-  session.finish(out);
-  take();
-  return result;
+  session->finish(out);
+  return places;
 }
 
 // A setting out of range, which the reader reports, then a step that is too short for the tool,
@@ -62,15 +76,14 @@ std::string program_with_warnings(std::string_view end) {
 }
 
 void expect_same_places(const std::string& program) {
+  // Whatever is told of a line comes behind all of its text.
   const std::vector<Placed> line_by_line = [&] {
     ProgramSession session({});
-    ProgramOutput out;
-    std::vector<Placed> result;
-    const auto take = [&] {
-      for (const Diagnostic& diagnostic : session.diagnostics().take())
-        result.push_back({diagnostic.code, diagnostic.source.line, out.text.size()});
-    };
+    Answers out;
+    std::vector<Placed> places;
+    std::size_t bytes = 0;
     std::string_view rest = program;
+    const auto take = [&] { append_places(out.take(), bytes, places); };
     while (!rest.empty()) {
       const std::size_t length = rest.find('\n') + 1;
       const bool goes_on = session.feed(rest.substr(0, length), out);
@@ -80,7 +93,7 @@ void expect_same_places(const std::string& program) {
     }
     session.finish(out);
     take();
-    return result;
+    return places;
   }();
   EXPECT_GT(line_by_line.size(), 300U);
   for (const std::size_t cut : {std::size_t{1}, std::size_t{13}, std::size_t{700}, program.size()})
@@ -97,6 +110,27 @@ TEST(DiagnosticPlaces, AreKeptBeforeAnError) {
 
 TEST(DiagnosticPlaces, AreKeptWhereTheProgramEndsUnderCompensation) {
   expect_same_places(program_with_warnings("X10\nM30\n"));
+}
+
+// A rounded corner waits for the motion behind it; the centre of its arc is corrected, which the
+// reader says at once.
+TEST(DiagnosticPlaces, AreThoseOfTheLineWhereItWaitsForItsCorner) {
+  ProgramSessionSetup setup;
+  setup.session.program.dialect = DialectName::fanuc;
+  std::string program = "G90 G17 G0 X0 Y0\n";
+  for (int i = 0; i < 40; ++i) {
+    const std::string x = std::to_string(100 * i + 40);
+    program += "G1 X" + std::to_string(100 * i + 20) + " Y0 F100\nG2 X" + x +
+               " Y0 I10.02 J0,R2\n(waits)\nG1 X" + x + " Y30,C1\nX" + std::to_string(100 * i + 90) +
+               "\n";
+  }
+  program += "M30\n";
+  const std::vector<Placed> whole = places_of(program, program.size(), setup);
+  EXPECT_EQ(whole.size(), 40U);
+  for (const std::size_t cut : {1, 13, 200}) {
+    EXPECT_EQ(places_of(program, cut, setup), whole) << "cut every " << cut << " bytes";
+    EXPECT_EQ(places_of(program, cut, setup, true), whole) << "resumed every " << cut << " bytes";
+  }
 }
 
 }  // namespace

@@ -13,11 +13,11 @@ std::vector<Diagnostic> diagnostics_of(std::string_view program,
                                        const ProgramSessionSetup& setup = {},
                                        std::size_t cut = 1000) {
   ProgramSession session(setup);
-  ProgramOutput out;
+  Answers out;
   for (std::size_t at = 0; at < program.size(); at += cut)
     if (!session.feed(program.substr(at, cut), out)) break;
   session.finish(out);
-  return session.diagnostics().take();
+  return out.take().diagnostics;
 }
 
 // A slot 8 mm, then one 0.3 inch wide, both too narrow; the path is known blocks later.

@@ -323,29 +323,34 @@ TEST(Refusals, DecimalsOutOfRange) {
 
 TEST(Memory, LinesThatGiveNoBlockDoNotPileUp) {
   ProgramSession session({});
-  ProgramOutput out;
+  std::string written;
+  Answers out([&](const Answer& part) {
+    written += part.text;
+    return true;
+  });
   std::string program = "G0 X0\n";
   ASSERT_TRUE(session.feed(program, out));
   for (int i = 0; i < 10'000; ++i) {
     const std::string remark = "(" + std::to_string(i) + ")\n";
     program += remark;
     ASSERT_TRUE(session.feed(remark, out));
-    ASSERT_LT(program.size() - out.text.size(), 4096U);
+    ASSERT_LT(program.size() - written.size(), 4096U);
   }
   ASSERT_TRUE(session.finish(out));
-  EXPECT_EQ(out.text, program);
+  EXPECT_EQ(written, program);
 }
 
 TEST(Memory, TextBetweenTwoBlocksOfAContourIsLimited) {
   ProgramSession session({});
-  ProgramOutput out;
+  Answers out;
   ASSERT_TRUE(session.feed("V.G.WZ_AKT.R=1\nG41 G1 X10 F100\nX20\n", out));
   const std::string remark = "(" + std::string(60'000, 'x') + ")\n";
   bool goes_on = true;
   for (int i = 0; goes_on && i < 2'000; ++i) goes_on = session.feed(remark, out);
   EXPECT_FALSE(goes_on);
-  ASSERT_EQ(session.diagnostics().pending().size(), 1U);
-  EXPECT_EQ(session.diagnostics().pending()[0].code, Code::too_many_passive_blocks);
+  const std::vector<Diagnostic> told = out.take().diagnostics;
+  ASSERT_EQ(told.size(), 1U);
+  EXPECT_EQ(told[0].code, Code::too_many_passive_blocks);
 }
 
 }  // namespace

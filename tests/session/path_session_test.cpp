@@ -31,24 +31,23 @@ TEST(PathSession, BlocksComeOutWhenTheyAreCertain) {
   setup.program.start = {1, 2, 3};
   setup.program.mode.tool_radius = 10;
   PathSession session(setup);
-  std::vector<CompensatedBlock> out;
+  Answers out;
 
   ASSERT_TRUE(session.program().move(line_to(0, 0, 0)));
   ASSERT_TRUE(session.advance(out));
-  EXPECT_EQ(listed(out), "0 uncompensated line 1 2 3 -> 0 0 3\n");
-  out.clear();
+  EXPECT_EQ(listed(out.take().blocks), "0 uncompensated line 1 2 3 -> 0 0 3\n");
 
   ASSERT_TRUE(session.program().select(Side::left, {.index = 1}));
   ASSERT_TRUE(session.program().move(line_to(2, 30, 0)));
   ASSERT_TRUE(session.advance(out));
-  EXPECT_EQ(listed(out), "");
+  EXPECT_EQ(listed(out.take().blocks), "");
 
   ASSERT_TRUE(session.program().move(line_to(3, 60, 0)));
   ASSERT_TRUE(session.program().deselect({.index = 4}));
   ASSERT_TRUE(session.program().move(line_to(5, 90, 0)));
   ASSERT_TRUE(session.advance(out));
   ASSERT_TRUE(session.finish({.index = 6}, out));
-  EXPECT_EQ(listed(out),
+  EXPECT_EQ(listed(out.take().blocks),
             "2 approach line 0 0 3 -> 30 10 3\n"
             "3 programmed line 30 10 3 -> 60 10 3\n"
             "5 retract line 60 10 3 -> 90 0 3\n");
@@ -62,7 +61,7 @@ TEST(PathSession, AnArcBehindADeselectionUnderG239IsRefusedWhereverItsCentreIs) 
     setup.program.mode.tool_radius = 10;
     setup.program.mode.selection = Selection::without_block;
     PathSession session(setup);
-    std::vector<CompensatedBlock> out;
+    Answers answers;
     ProgramState& program = session.program();
     ASSERT_TRUE(program.select(Side::left, {.index = 0}));
     ASSERT_TRUE(program.move(line_to(1, 30, 20)));
@@ -72,11 +71,12 @@ TEST(PathSession, AnArcBehindADeselectionUnderG239IsRefusedWhereverItsCentreIs) 
     arc.kind = MotionKind::clockwise;
     arc.center = {center.x(), center.y(), std::nullopt};
     EXPECT_FALSE(program.move(arc));
-    EXPECT_FALSE(session.advance(out));
-    EXPECT_EQ(listed(out),
+    EXPECT_FALSE(session.advance(answers));
+    const Answer out = answers.take();
+    EXPECT_EQ(listed(out.blocks),
               "1 approach line 0 0 0 -> 30 30 0\n"
               "2 programmed line 30 30 0 -> 60 30 0\n");
-    const auto& reported = session.diagnostics().pending();
+    const std::vector<Diagnostic>& reported = out.diagnostics;
     ASSERT_EQ(reported.size(), 1U);
     EXPECT_EQ(reported[0].code, Code::circle_center_misfit);
     ASSERT_TRUE(reported[0].point);
@@ -87,7 +87,7 @@ TEST(PathSession, AnArcBehindADeselectionUnderG239IsRefusedWhereverItsCentreIs) 
 
 // A long staircase whose end sets free some thousand blocks at once, in the motion behind it or at
 // the end of the program.
-bool compensate_staircase(SessionSetup setup, bool deselected, std::vector<CompensatedBlock>& out) {
+bool compensate_staircase(SessionSetup setup, bool deselected, Answers& out) {
   constexpr std::uint64_t steps = 3000;
   setup.program.mode.tool_radius = 0.3;
   setup.program.mode.masking = Masking::on;
@@ -107,52 +107,72 @@ bool compensate_staircase(SessionSetup setup, bool deselected, std::vector<Compe
   return going && session.finish({.index = index}, out);
 }
 
-TEST(PathSession, TheEndOfALongSelectionCanBeTakenInPortions) {
+TEST(PathSession, TheEndOfALongSelectionLeavesInPortions) {
   for (const Verify verify : {Verify::off, Verify::enforce})
     for (const bool deselected : {false, true}) {
-      SessionSetup setup{.verify = verify};
-      std::vector<CompensatedBlock> whole;
-      ASSERT_TRUE(compensate_staircase(setup, deselected, whole));
+      const SessionSetup setup{.verify = verify};
+      Answers kept;
+      ASSERT_TRUE(compensate_staircase(setup, deselected, kept));
+      const std::vector<CompensatedBlock> whole = kept.take().blocks;
       ASSERT_GT(whole.size(), 5000U);
 
       std::vector<CompensatedBlock> taken;
       std::size_t largest = 0;
-      setup.compensator.take_portion = [&](std::vector<CompensatedBlock>& out) {
-        largest = std::max(largest, out.size());
-        taken.insert(taken.end(), out.begin(), out.end());
-        out.clear();
-      };
-      std::vector<CompensatedBlock> rest;
-      ASSERT_TRUE(compensate_staircase(setup, deselected, rest));
-      EXPECT_LT(std::max(largest, rest.size()), 1200U);
-      taken.insert(taken.end(), rest.begin(), rest.end());
+      Answers handed_on([&](const Answer& part) {
+        largest = std::max(largest, part.blocks.size());
+        taken.insert(taken.end(), part.blocks.begin(), part.blocks.end());
+        return true;
+      });
+      ASSERT_TRUE(compensate_staircase(setup, deselected, handed_on));
+      EXPECT_LT(largest, 1200U);
       EXPECT_EQ(listed(taken), listed(whole)) << "verify " << static_cast<int>(verify);
     }
+}
+
+TEST(PathSession, StopsWhereNoMoreIsWanted) {
+  std::size_t parts = 0;
+  Answers out([&](const Answer& /*part*/) { return ++parts < 3; });
+  EXPECT_FALSE(compensate_staircase({}, true, out));
+  EXPECT_EQ(parts, 3U);
 }
 
 TEST(PathSession, NothingComesOutAfterAnError) {
   SessionSetup setup;
   setup.program.mode.tool_radius = 10;
   PathSession session(setup);
-  std::vector<CompensatedBlock> out;
+  Answers out;
   ASSERT_TRUE(session.program().move(line_to(0, 5, 0)));
   EXPECT_FALSE(session.program().move(line_to(1, 2e6, 0)));
   EXPECT_FALSE(session.advance(out));
-  EXPECT_EQ(out.size(), 1U);  // what was given before it, as if given alone
   EXPECT_FALSE(session.finish({.index = 2}, out));
-  EXPECT_EQ(out.size(), 1U);
-  EXPECT_EQ(session.diagnostics().take().at(0).code, Code::end_point_out_of_range);
+  const Answer whole = out.take();
+  EXPECT_EQ(whole.blocks.size(), 1U);  // what was given before it, as if given alone
+  ASSERT_EQ(whole.diagnostics.size(), 1U);
+  EXPECT_EQ(whole.diagnostics[0].code, Code::end_point_out_of_range);
+}
+
+// Each diagnostic with the number of blocks before it.
+std::vector<std::string> order_of(const Answers& answers) {
+  std::vector<std::string> order;
+  std::size_t blocks = 0;
+  for (const Answer& part : answers.parts()) {
+    blocks += part.blocks.size();
+    for (const Diagnostic& told : part.diagnostics)
+      order.push_back(std::to_string(static_cast<int>(told.code)) + " of " +
+                      std::to_string(told.source.index) + " behind " + std::to_string(blocks));
+  }
+  order.push_back(std::to_string(blocks));
+  return order;
 }
 
 // Blocks on both sides of a message of the reader, and one of the compensation before it.
 TEST(PathSession, DiagnosticsHaveTheSamePlacesHoweverMuchIsGivenAtOnce) {
   SessionSetup setup;
   setup.program.mode.tool_radius = 10;
-  const auto places_with = [&](std::uint64_t group) {
+  const auto order_with = [&](std::uint64_t group) {
     PathSession session(setup);
     ProgramState& program = session.program();
-    ProgramOutput out;
-    std::vector<std::string> places;
+    Answers out;
     for (std::uint64_t index = 0; index < 40; ++index) {
       const auto x = static_cast<double>(10 * index);
       // A selection that has no contour, and a feed nobody can drive.
@@ -161,23 +181,15 @@ TEST(PathSession, DiagnosticsHaveTheSamePlacesHoweverMuchIsGivenAtOnce) {
       MoveRequest move = line_to(index, x, index % 2 == 0 ? 0 : 5);
       if (index == 30) move.feed = -1;
       const bool goes_on = program.move(move);
-      if (goes_on && (index + 1) % group != 0) continue;
-      const std::size_t placed = out.places.size();
-      session.advance(out);
-      const std::vector<Diagnostic> reported = session.diagnostics().take();
-      for (std::size_t i = placed; i < out.places.size(); ++i)
-        places.push_back(std::to_string(out.places[i].blocks));
-      for (const Diagnostic& each : reported)
-        places.push_back(std::to_string(static_cast<int>(each.code)) + " at " +
-                         std::to_string(each.source.index));
+      if (!goes_on || (index + 1) % group == 0) session.advance(out);
       if (!goes_on) break;
     }
-    std::sort(places.begin(), places.end());
-    return ::testing::PrintToString(places) + std::to_string(out.blocks.size());
+    return order_of(out);
   };
-  const std::string alone = places_with(1);
-  EXPECT_NE(alone.find("30"), std::string::npos) << alone;
-  for (const std::uint64_t group : {2, 5, 9, 16, 40}) EXPECT_EQ(places_with(group), alone) << group;
+  const std::vector<std::string> alone = order_with(1);
+  ASSERT_EQ(alone.size(), 3U);
+  EXPECT_NE(alone[1].find("of 30 behind 3"), std::string::npos) << alone[1];
+  for (const std::uint64_t group : {2, 5, 9, 16, 40}) EXPECT_EQ(order_with(group), alone) << group;
 }
 
 }  // namespace

@@ -23,14 +23,8 @@ namespace {
 namespace fs = std::filesystem;
 
 struct Result {
-  ProgramOutput output{};
-  std::vector<Diagnostic> diagnostics{};
+  Answer output{};
   bool complete = false;
-
-  void take(ProgramSession& session) {
-    for (Diagnostic& raised : session.diagnostics().take())
-      diagnostics.push_back(std::move(raised));
-  }
 };
 
 template <class Session>
@@ -49,28 +43,26 @@ void restore(Session& session, const std::string& state) {
 }
 
 Result unbroken(const ProgramSessionSetup& setup, std::string_view text) {
-  Result result;
+  Answers answers;
   ProgramSession session(setup);
-  session.feed(text, result.output);
-  result.complete = session.finish(result.output);
-  result.take(session);
-  return result;
+  session.feed(text, answers);
+  const bool complete = session.finish(answers);
+  return {.output = answers.take(), .complete = complete};
 }
 
 // In pieces of at most `longest` bytes, each of them in a session of its own.
 Result resumed(const ProgramSessionSetup& setup, std::string_view text, std::size_t longest,
                std::mt19937& random) {
-  Result result;
+  Answers answers;
   std::string state;
   for (;;) {
     ProgramSession session(setup);
     if (!state.empty()) restore(session, state);
     const std::string_view piece = text.substr(0, random() % longest + 1);
     text.remove_prefix(piece.size());
-    const bool goes_on = session.feed(piece, result.output);
-    if (goes_on && text.empty()) result.complete = session.finish(result.output);
-    result.take(session);
-    if (!goes_on || text.empty()) return result;
+    const bool goes_on = session.feed(piece, answers);
+    const bool complete = goes_on && text.empty() && session.finish(answers);
+    if (!goes_on || text.empty()) return {.output = answers.take(), .complete = complete};
     state = state_of(session);
   }
 }
@@ -92,10 +84,10 @@ void expect_same(const Result& actual, const Result& expected) {
     EXPECT_EQ(a.tracking, e.tracking);
     EXPECT_EQ(a.text, e.text);
   }
-  ASSERT_EQ(actual.diagnostics.size(), expected.diagnostics.size());
-  for (std::size_t i = 0; i < expected.diagnostics.size(); ++i) {
-    EXPECT_EQ(actual.diagnostics[i].code, expected.diagnostics[i].code);
-    EXPECT_EQ(actual.diagnostics[i].source, expected.diagnostics[i].source);
+  ASSERT_EQ(actual.output.diagnostics.size(), expected.output.diagnostics.size());
+  for (std::size_t i = 0; i < expected.output.diagnostics.size(); ++i) {
+    EXPECT_EQ(actual.output.diagnostics[i].code, expected.output.diagnostics[i].code);
+    EXPECT_EQ(actual.output.diagnostics[i].source, expected.output.diagnostics[i].source);
   }
 }
 
@@ -142,7 +134,7 @@ TEST(ResumedSession, GivesThePathOfRandomPrograms) {
 TEST(ResumedSession, StateDoesNotGrowWithTheContour) {
   const auto largest = [](int blocks) {
     ProgramSession session({});
-    ProgramOutput out;
+    Answers out;
     session.feed("G41 V.G.WZ_AKT.R=1\n", out);
     std::size_t size = 0;
     for (int i = 1; i <= blocks; ++i) {
@@ -165,7 +157,7 @@ TEST(ResumedSession, StateIsBoundedByTheWindow) {
     setup.session.compensator.limits.look_ahead_blocks = static_cast<std::size_t>(window);
     setup.session.compensator.implicit_contour_masking = implicit;
     ProgramSession session(setup);
-    ProgramOutput out;
+    Answers out;
     session.feed(masking + " V.G.WZ_AKT.R=3\nG41 G1 X50000 Y0 F100\n", out);
     std::size_t size = 0;
     bool goes_on = true;
@@ -178,7 +170,7 @@ TEST(ResumedSession, StateIsBoundedByTheWindow) {
       };
       goes_on = session.feed(to(0, 0) + to(0, -9) + "M8\n" + to(width, -9) + to(width, 0), out);
       size = std::max(size, state_of(session).size());
-      out = {};
+      static_cast<void>(out.take());
     }
     EXPECT_TRUE(goes_on) << masking;
     return size;
@@ -193,7 +185,7 @@ TEST(ResumedSession, StateIsBoundedByTheWindow) {
 
 TEST(ResumedSession, WhatIsNoStateIsRefused) {
   ProgramSession session({});
-  ProgramOutput out;
+  Answers out;
   session.feed("N10 G1 X10 F100\n", out);
   const std::string state = state_of(session);
   for (const std::size_t size : {std::size_t{0}, std::size_t{1}, state.size() / 2}) {

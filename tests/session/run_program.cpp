@@ -27,15 +27,16 @@ std::string ProgramRun::reports() const {
 
 ProgramRun to_text(std::string_view program, const ProgramSessionSetup& setup, std::size_t cut) {
   ProgramSession session(setup);
-  ProgramOutput out;
+  Answers answers;
   bool goes_on = true;
   const std::size_t step = cut == 0 ? std::max<std::size_t>(program.size(), 1) : cut;
   for (std::size_t at = 0; goes_on && at < program.size(); at += step)
-    goes_on = session.feed(program.substr(at, step), out);
-  if (goes_on) goes_on = session.finish(out);
+    goes_on = session.feed(program.substr(at, step), answers);
+  if (goes_on) goes_on = session.finish(answers);
+  Answer out = answers.take();
   return {.text = std::move(out.text),
           .blocks = std::move(out.blocks),
-          .diagnostics = session.diagnostics().take(),
+          .diagnostics = std::move(out.diagnostics),
           .completed = goes_on};
 }
 

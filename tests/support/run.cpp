@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <iomanip>
+#include <iterator>
 #include <numbers>
 #include <sstream>
 #include <utility>
@@ -148,12 +149,18 @@ const Diagnostic* Outcome::error() const {
 
 Channel::Channel(const TrcMode& mode, const Point& start, std::size_t batch,
                  const CompensatorSetup& compensator)
-    : plane_(mode.plane), batch_(batch), session_(setup_for(mode, start, compensator)) {}
+    : plane_(mode.plane),
+      batch_(batch),
+      session_(setup_for(mode, start, compensator)),
+      answers_([this](Answer& part) {
+        std::ranges::move(part.blocks, std::back_inserter(outcome_.blocks));
+        std::ranges::move(part.diagnostics, std::back_inserter(outcome_.diagnostics));
+        return true;
+      }) {}
 
 void Channel::item_given(bool goes_on) {
   note(goes_on);
-  if (running_ && batch_ != 0 && ++items_ % batch_ == 0)
-    running_ = session_.advance(outcome_.blocks);
+  if (running_ && batch_ != 0 && ++items_ % batch_ == 0) running_ = session_.advance(answers_);
 }
 
 void Channel::move(const Segment& segment, std::size_t ordinal, std::optional<double> third,
@@ -173,10 +180,10 @@ void Channel::pass(const std::string& text, std::size_t ordinal) {
 }
 
 Outcome Channel::finish(std::size_t ordinal) {
-  if (running_) running_ = session_.advance(outcome_.blocks);
-  if (running_) running_ = session_.finish(place(ordinal), outcome_.blocks);
+  // Also where an item was refused: that is told then.
+  running_ = session_.advance(answers_) && running_;
+  if (running_) running_ = session_.finish(place(ordinal), answers_);
   outcome_.stopped = session_.diagnostics().stopped();
-  outcome_.diagnostics = session_.diagnostics().take();
   return std::move(outcome_);
 }
 

@@ -62,6 +62,7 @@ class Channel {
   std::size_t batch_;
   PathSession session_;
   Outcome outcome_{};
+  Answers answers_;
   std::uint64_t index_ = 0;
   std::size_t items_ = 0;
   bool running_ = true;

@@ -72,10 +72,10 @@ Single single_run(const Contour& contour, const TrcMode& mode, double radius) {
   session.program.mode.tool_radius = radius;
   PathSession run(session);
   give(contour, mode.side, run.program());
-  std::vector<CompensatedBlock> out;
+  Answers out;
   if (run.advance(out)) run.finish({.index = contour.blocks.size() + 2}, out);
   Single result{.summary = run.summary(), .clearance = *run.clearance()};
-  for (const Diagnostic& told : run.diagnostics().take()) {
+  for (const Diagnostic& told : out.take().diagnostics) {
     if (told.severity == Severity::error && !result.refusal) result.refusal = told;
     for (const DiagnosticValue& value : told.values)
       if (told.code == Code::blocks_masked && value.name == "left_out_length")

@@ -59,10 +59,10 @@ Single single_run(std::string_view text, double radius, SessionSetup session = {
   session.program.mode.tool_radius = radius - session.program.nominal_radius;
   session.program.tool_radius_given = true;
   ProgramSession run({.session = session, .nc_text = false});
-  ProgramOutput out;
+  Answers out;
   if (run.feed(text, out)) run.finish(out);
   Single result{.summary = run.summary(), .clearance = *run.clearance()};
-  for (const Diagnostic& told : run.diagnostics().take())
+  for (const Diagnostic& told : out.take().diagnostics)
     if (told.severity == Severity::error && !result.refusal) result.refusal = told;
   return result;
 }

@@ -19,11 +19,11 @@ std::vector<CompensatedBlock> corner_with_plunge(double third) {
   setup.program.mode.tool_radius = 5;
   setup.program.mode.transition = Transition::circular;
   PathSession session(setup);
-  std::vector<CompensatedBlock> blocks;
+  Answers answers;
   const auto move = [&](std::optional<double> x, std::optional<double> y, std::optional<double> z) {
     MoveRequest request;
     request.end = {x, y, z};
-    EXPECT_TRUE(session.program().move(request) && session.advance(blocks));
+    EXPECT_TRUE(session.program().move(request) && session.advance(answers));
   };
   EXPECT_TRUE(session.program().select(Side::left, {}));
   move(10, 0, std::nullopt);
@@ -32,8 +32,8 @@ std::vector<CompensatedBlock> corner_with_plunge(double third) {
   move(std::nullopt, -50, std::nullopt);
   EXPECT_TRUE(session.program().deselect({}));
   move(20, std::nullopt, std::nullopt);
-  EXPECT_TRUE(session.finish({}, blocks));
-  return blocks;
+  EXPECT_TRUE(session.finish({}, answers));
+  return answers.take().blocks;
 }
 
 // D-25, D-26: the plunge comes before the arc, and the arc runs at its depth.

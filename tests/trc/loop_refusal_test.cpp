@@ -19,9 +19,9 @@ std::string program(double radius, const std::string& contour) {
 
 std::optional<Diagnostic> refusal_of(const std::string& text) {
   ProgramSession session({});
-  ProgramOutput out;
+  Answers out;
   if (session.feed(text, out) && session.finish(out)) return {};
-  return session.diagnostics().pending().back();
+  return out.take().diagnostics.back();
 }
 
 double value_of(const Diagnostic& diagnostic, const std::string& name) {

@@ -39,12 +39,13 @@ Outcome verified(const std::string& text, std::size_t piece, Verify verify = Ver
   setup.session.verify = verify;
   ProgramSession session(setup);
   Outcome outcome;
-  ProgramOutput out;
+  Answers answers;
   for (std::size_t at = 0; at < text.size() && outcome.goes_on; at += piece)
-    outcome.goes_on = session.feed(std::string_view(text).substr(at, piece), out);
-  outcome.goes_on = outcome.goes_on && session.finish(out);
+    outcome.goes_on = session.feed(std::string_view(text).substr(at, piece), answers);
+  outcome.goes_on = outcome.goes_on && session.finish(answers);
+  Answer out = answers.take();
   outcome.path = std::move(out.blocks);
-  outcome.diagnostics = session.diagnostics().take();
+  outcome.diagnostics = std::move(out.diagnostics);
   if (const auto* clearance = session.clearance()) outcome.clearance = *clearance;
   return outcome;
 }

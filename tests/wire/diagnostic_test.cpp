@@ -21,20 +21,21 @@ TEST(DiagnosticMessage, ReadsBackEveryField) {
       .point = DiagnosticPoint{.x = 1, .y = 2, .z = 0}};
   v1::Diagnostic message;
   to_proto(sent, message);
-  const ReceivedDiagnostic read = from_proto(message);
-  EXPECT_EQ(read.diagnostic.code, sent.code);
-  EXPECT_EQ(read.diagnostic.severity, sent.severity);
-  EXPECT_EQ(read.diagnostic.source, sent.source);
-  EXPECT_EQ(read.diagnostic.column, sent.column);
-  EXPECT_EQ(read.diagnostic.detail, sent.detail);
-  ASSERT_EQ(read.diagnostic.values.size(), 2U);
-  EXPECT_EQ(read.diagnostic.values[0].name, "arc_radius");
-  EXPECT_EQ(read.diagnostic.values[1].value, 10);
-  ASSERT_TRUE(read.diagnostic.point);
-  EXPECT_EQ(read.diagnostic.point->y, 2);
-  EXPECT_EQ(read.message, message_of(sent));
-  EXPECT_EQ(read.remedy, row_of(sent.code).remedy);
-  EXPECT_EQ(read.reason, row_of(sent.code).reason);
+  const Diagnostic read = from_proto(message);
+  EXPECT_EQ(read.code, sent.code);
+  EXPECT_EQ(read.severity, sent.severity);
+  EXPECT_EQ(read.source, sent.source);
+  EXPECT_EQ(read.column, sent.column);
+  EXPECT_EQ(read.detail, sent.detail);
+  ASSERT_EQ(read.values.size(), 2U);
+  EXPECT_EQ(read.values[0].name, "arc_radius");
+  EXPECT_EQ(read.values[1].value, 10);
+  ASSERT_TRUE(read.point);
+  EXPECT_EQ(read.point->y, 2);
+  const DiagnosticTexts texts = texts_of(read);
+  EXPECT_EQ(texts.message, message_of(sent));
+  EXPECT_EQ(texts.remedy, row_of(sent.code).remedy);
+  EXPECT_EQ(texts.reason, row_of(sent.code).reason);
 }
 
 TEST(DiagnosticMessage, CarriesTextsAndPlacesForPeople) {
@@ -84,9 +85,9 @@ TEST(DiagnosticMessage, ReadsBackAbsence) {
   EXPECT_FALSE(message.has_source_number());
   EXPECT_FALSE(message.has_line());
   EXPECT_FALSE(message.has_point());
-  const ReceivedDiagnostic read = from_proto(message);
-  EXPECT_EQ(read.diagnostic.source, Source{});
-  EXPECT_FALSE(read.diagnostic.point);
+  const Diagnostic read = from_proto(message);
+  EXPECT_EQ(read.source, Source{});
+  EXPECT_FALSE(read.point);
 }
 
 TEST(DiagnosticMessage, ReadsBackWhatItProposes) {
@@ -108,7 +109,7 @@ TEST(DiagnosticMessage, ReadsBackWhatItProposes) {
   sent.entry_help = std::make_shared<const EntryHelp>(help);
   v1::Diagnostic message;
   to_proto(sent, message);
-  const auto read = from_proto(message).diagnostic.entry_help;
+  const auto read = from_proto(message).entry_help;
   ASSERT_TRUE(read);
   EXPECT_TRUE(read->leaves);
   EXPECT_EQ(read->third_axis, 1);
@@ -137,7 +138,7 @@ TEST(DiagnosticMessage, LeavesOutWhatNothingIsProposedOf) {
   v1::Diagnostic message;
   to_proto({.code = Code::line_reversed}, message);
   EXPECT_FALSE(message.has_entry_help());
-  EXPECT_FALSE(from_proto(message).diagnostic.entry_help);
+  EXPECT_FALSE(from_proto(message).entry_help);
   Diagnostic start = diagnostic(Code::selection_point_too_near, {});
   start.entry_help = std::make_shared<const EntryHelp>(EntryHelp{.given_length = 3});
   to_proto(start, message);
@@ -151,15 +152,15 @@ TEST(DiagnosticMessage, EveryCodeHasTextsAndReadsBack) {
     to_proto(diagnostic(row.code, {}), message);
     EXPECT_FALSE(message.message().empty()) << message.code();
     EXPECT_FALSE(message.remedy().empty()) << message.code();
-    EXPECT_EQ(from_proto(message).diagnostic.code, row.code);
-    EXPECT_EQ(from_proto(message).diagnostic.severity, row.severity) << message.code();
+    EXPECT_EQ(from_proto(message).code, row.code);
+    EXPECT_EQ(from_proto(message).severity, row.severity) << message.code();
   }
 }
 
 TEST(DiagnosticMessage, SeverityFromANewerServerCountsAsError) {
   v1::Diagnostic message;
   message.set_severity(static_cast<v1::Diagnostic::Severity>(17));
-  EXPECT_EQ(from_proto(message).diagnostic.severity, Severity::error);
+  EXPECT_EQ(from_proto(message).severity, Severity::error);
 }
 
 TEST(SummaryMessage, ReadsBackEveryField) {

@@ -23,13 +23,13 @@ int main(int argc, char** argv) {
     return 2;
   }
   trc::client::RemoteProgramSession session(*connection, {});
-  const auto print = [](const trc::client::Answer& answer) {
+  trc::Answers print([](const trc::Answer& answer) {
     std::cout << answer.text;
-    for (const auto& received : answer.diagnostics)
-      std::cerr << "line " << received.diagnostic.source.line << ": "
-                << static_cast<int>(received.diagnostic.code) << ' ' << received.message << '\n';
+    for (const trc::Diagnostic& told : answer.diagnostics)
+      std::cerr << "line " << told.source.line << ": " << static_cast<int>(told.code) << ' '
+                << trc::texts_of(told).message << '\n';
     return true;
-  };
+  });
   session.feed(program.str(), print);
   if (session.finish(print)) return 0;
   std::cerr << session.failure()->message << '\n';

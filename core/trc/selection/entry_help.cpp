@@ -75,7 +75,6 @@ class EntrySearch {
         walls_(contour_.first(contour_.size() - refused.leads_out)),
         plane_(refused_block_.mode->plane) {
     setup_.helps_with_entries = false;
-    setup_.take_portion = {};
   }
 
   [[nodiscard]] EntryHelp find() const;

@@ -102,7 +102,6 @@ void ShortWay::begin(const PathBlock& held) {
   mode_ = held.programmed.mode.get();
   shift_ = held.at_end.shift;
   going_ = true;
-  reports_before_ = diagnostics_.pending().size();
   removes_loops_ = held.removes_loops();
   if (!removes_loops_) return;
   exact_ = to_all_digits(tolerances_, std::abs(shift_));
@@ -286,7 +285,8 @@ void ShortWay::hold_inserted(const Joint& joint, bool apart, const Step& before,
 void ShortWay::put_out_leaving(std::vector<CompensatedBlock>& out) {
   if (going_ && !leaving_.empty()) going_ = leave_selection_(leaving_, out);
   leaving_.clear();
-  going_ = going_ && diagnostics_.pending().size() == reports_before_;
+  // What is told of a line follows that line.
+  going_ = going_ && diagnostics_.pending().empty();
 }
 
 }  // namespace trc

@@ -100,7 +100,6 @@ class ShortWay {
   bool removes_loops_ = false;
   Tolerances exact_{};  // for the meetings of a contour whose loops are removed
   bool going_ = true;
-  std::size_t reports_before_ = 0;
   MotionBlock inserted_{};  // one after the other
   PathBlocks leaving_;      // between LoopRemoval and the passes behind it
 };

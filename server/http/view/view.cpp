@@ -214,7 +214,7 @@ std::string View::compensated_text(Verify verify, const std::function<void()>& i
   session_setup.verify = verify;
   ProgramSession session(
       {.session = session_setup, .nc_text = true, .decimals = settings_.decimals});
-  ProgramOutput out;
+  Answers out;
   std::string_view text = program_.text();
   bool goes_on = true;
   while (goes_on && !text.empty()) {
@@ -223,8 +223,9 @@ std::string View::compensated_text(Verify verify, const std::function<void()>& i
     interrupt();
   }
   if (goes_on) session.finish(out);
-  if (verify != Verify::off) measure(session, session.diagnostics().pending());
-  return std::move(out.text);
+  Answer whole = out.take();
+  if (verify != Verify::off) measure(session, whole.diagnostics);
+  return std::move(whole.text);
 }
 
 void View::make_output(const std::function<void()>& interrupt) {

@@ -37,19 +37,19 @@ void write_slice(const Outbox::Slice& slice, wire::Layout layout, Response& resp
     wire::to_proto(diagnostic, *response.add_diagnostics());
 }
 
-// The order of answers to one request: everything that is certain, then what closes it. An error
-// comes as the status, behind all that was certain before it; a finished path as the summary.
-class Answers {
+// The responses to one request: everything that is certain, in its order, then what closes it. An
+// error comes as the status, behind all that was certain before it; a finished path as the summary.
+class Responses {
  public:
-  Answers(Backend& backend, CallRecord& record) : backend_(backend), record_(record) {}
+  Responses(Backend& backend, CallRecord& record) : backend_(backend), record_(record) {}
 
   [[nodiscard]] Outbox& outbox() { return outbox_; }
   [[nodiscard]] const Outbox& outbox() const { return outbox_; }
 
   // A request has arrived; it gets at least one answer, unless the RPC ends.
   void begin() { answered_ = false; }
-  // Takes the session's diagnostics; the one that has stopped it ends the RPC.
-  void place(Diagnostics& diagnostics);
+  // The session has been stopped: the first of its errors ends the RPC.
+  void end_with_error();
   // The RPC ends with this error once the outbox is empty. The first one counts.
   void end_with(Ending error) {
     if (!error_) error_ = std::move(error);

@@ -1,0 +1,91 @@
+#include "server/rpc/program_run.h"
+
+namespace trc::server {
+namespace {
+
+// After so much text it is asked whether the client is still there.
+constexpr std::size_t bytes_per_piece = 16U << 10U;
+// A few lines, or blocks.
+constexpr std::size_t few_bytes = 16U << 10U;
+// So much output leaves before more input is taken.
+constexpr std::size_t much_output_bytes = 512U << 10U;
+
+}  // namespace
+
+ProgramRun::ProgramRun(const StreamContext& stream, const Settings& settings)
+    : StreamRun(stream, settings.path,
+                {.session = settings.path.session,
+                 .nc_text = settings.nc_text,
+                 .decimals = settings.decimals,
+                 .longest_line = stream.backend.config.max_line_bytes}) {}
+
+void ProgramRun::feed(const Request& request) {
+  stream_.record.received(0);
+  responses_.begin();
+  take(request.text());
+}
+
+void ProgramRun::take(const v1::ProgramText& chunk) {
+  if (finished())
+    return responses_.end_with(refuse(Refusal::input_after_final, {}, {{"field", "text"}}));
+  if (chunk.first_byte() != bytes_in_) {
+    const std::string expected = std::to_string(bytes_in_);
+    const std::string got = std::to_string(chunk.first_byte());
+    return responses_.end_with(refuse(Refusal::text_out_of_sequence,
+                                      "expected " + expected + ", got " + got,
+                                      {{"expected", expected}, {"got", got}}));
+  }
+  bytes_in_ += chunk.text().size();
+  input_ = chunk.text();
+  input_taken_ = 0;
+  input_is_final_ = chunk.final();
+  go_on();
+}
+
+void ProgramRun::go_on() {
+  const Meter::Running running(meter_);
+  const std::string_view input = input_;
+  bool open = true;
+  while (open && input_taken_ < input.size() && !responses_.outbox().holds(much_output_bytes)) {
+    const std::string_view piece = input.substr(input_taken_, bytes_per_piece);
+    stream_.pass();
+    open = goes_on(session_.feed(piece, answers()));
+    input_taken_ += piece.size();
+  }
+  const bool is_left = open && input_taken_ < input.size();
+  if (open && !is_left && input_is_final_) finish_session();
+  if (!is_left) input_ = std::string();
+  responses_.input_is_left(is_left);
+
+  const std::uint64_t blocks_in = session_.summary().blocks_in;
+  stream_.record.taken(blocks_in - blocks_seen_);
+  blocks_seen_ = blocks_in;
+  note_progress();
+}
+
+void ProgramRun::summarize(v1::ProgramSummary& message) const {
+  wire::to_proto(wire::ProgramSummary{.path = meter_.summary(session_),
+                                      .lines_in = session_.lines_read(),
+                                      .bytes_in = bytes_in_,
+                                      .bytes_out = bytes_out_},
+                 message);
+}
+
+std::string ProgramRun::resume_token(const ResumeTokens::Digest& setup) const {
+  return token_of(setup, bytes_in_, bytes_out_, blocks_seen_);
+}
+
+std::optional<Ending> ProgramRun::resume(std::string_view token,
+                                         const ResumeTokens::Digest& setup) {
+  auto refused = go_on_from(token, setup, bytes_in_, bytes_out_, blocks_seen_);
+  bytes_answered_ = bytes_in_;
+  return refused;
+}
+
+bool ProgramRun::is_short(const Request* request) const {
+  constexpr std::size_t bytes_per_line = 16;
+  const std::size_t bytes = request == nullptr ? 0 : request->text().text().size();
+  return input_.empty() && is_soon_done(bytes / bytes_per_line, few_bytes);
+}
+
+}  // namespace trc::server

@@ -1,0 +1,10 @@
+#include "server/rpc/responses.h"
+
+namespace trc::server {
+
+// Several faults of reading may have been found in one run; the status tells the first.
+void Responses::end_with_error() {
+  if (const Diagnostic* error = outbox_.error()) end_with(refuse(*error));
+}
+
+}  // namespace trc::server
