@@ -60,11 +60,11 @@ TEST(InsertedBlocks, StandWhereMaskedBlocksHaveMovedTheThirdAxis) {
   setup.program.mode.tool_radius = 5;
   setup.program.mode.masking = Masking::on;
   PathSession session(setup);
-  std::vector<CompensatedBlock> blocks;
+  Answers out;
   const auto move = [&](double x, double y, std::optional<double> z = {}) {
     MoveRequest request;
     request.end = {x, y, z};
-    EXPECT_TRUE(session.program().move(request) && session.advance(blocks));
+    EXPECT_TRUE(session.program().move(request) && session.advance(out));
   };
   EXPECT_TRUE(session.program().select(Side::right, {}));
   move(10, 0);
@@ -74,7 +74,8 @@ TEST(InsertedBlocks, StandWhereMaskedBlocksHaveMovedTheThirdAxis) {
   move(60, 0.0005);
   EXPECT_TRUE(session.program().deselect({}));
   move(80, 0);
-  EXPECT_TRUE(session.finish({}, blocks));
+  EXPECT_TRUE(session.finish({}, out));
+  const std::vector<CompensatedBlock> blocks = out.take().blocks;
   EXPECT_EQ(support::first_gap(blocks), "");
   const auto masked = std::ranges::count(blocks, Origin::masked, &CompensatedBlock::origin);
   EXPECT_EQ(masked, 2);
