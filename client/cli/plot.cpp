@@ -41,8 +41,8 @@ std::optional<std::string> page_of(std::string text, v1::ProgramSetup setup,
   wire::FieldFaults faults;
   wire::ProgramSettings settings = wire::from_proto(setup, wire::FieldPath("setup"), faults);
   server::http::Memory memory(std::numeric_limits<std::size_t>::max() / 2);
-  server::http::ViewBuilder builder(std::move(text), setup, std::move(settings), memory,
-                                    [] { return false; });
+  server::http::ViewBuilder builder(std::move(text), setup, std::move(settings), std::nullopt,
+                                    memory, [] { return false; });
   if (paths.exit == Exit::refused) builder.set_refused();
   for (const Diagnostic& diagnostic : paths.diagnostics) {
     v1::Diagnostic message;

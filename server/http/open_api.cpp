@@ -171,6 +171,10 @@ void add_routes(Struct& paths, Schemas& known) {
     add_parameters_in_path(route.path, operation);
     if (route.takes_settings) add_settings(operation);
     if (route.handle == survey_program) add_survey(operation);
+    if (route.handle == make_view)
+      add_parameter(operation, "shown_plane", "query",
+                    "xy, zx, yz: seen across that plane; by default that of the first compensated "
+                    "block");
     add_body(route, operation, known);
     add_answers(route, operation, known);
   }

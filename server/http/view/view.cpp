@@ -22,7 +22,8 @@ namespace trc::server::http {
 namespace {
 
 constexpr std::uint32_t most_level = 24;
-// A tile is shown about that large, in pixels.
+// A tile is shown about that large, in pixels: from 0.7 to 1.4 times. What is left out of it is
+// less than half a pixel then.
 constexpr double tile_pixels = 512;
 constexpr std::size_t most_segments = 2048;
 constexpr int most_diagnostics = 1000;
@@ -67,24 +68,26 @@ Plane first_plane(const std::vector<Block>& blocks) {
 void add_seen(Elements& elements, Element element, Plane plane, const Segment& shape,
               const AxisTravel& normal, Plane shown) {
   if (!verify::is_finite(shape)) return;
-  const bool same = plane == shown;
-  element.third_from = static_cast<float>(normal.from);
-  element.third_to = static_cast<float>(normal.to);
+  element.plane = plane;
   std::vector<Segment> seen = project(plane, shape, normal, shown);
   // Straight at the viewer: a way without length in the plane.
-  if (seen.empty() && normal.moves()) {
+  if (seen.empty() && (normal.moves() || start_of(shape) != end_of(shape))) {
     const Point here = to_plane(shown, from_plane(plane, start_of(shape), normal.from));
     seen.emplace_back(Line{.start = here, .end = here});
   }
-  for (const Segment& piece : seen) {
-    if (!same) {
-      const PlaneAxes axes = axes_of(shown);
-      const Position from = from_plane(plane, start_of(shape), normal.from);
-      const Position to = from_plane(plane, end_of(shape), normal.to);
-      element.third_from = static_cast<float>(from[axes.third]);
-      element.third_to = static_cast<float>(to[axes.third]);
-    }
-    elements.add(element, piece);
+  const std::size_t third = axes_of(shown).third;
+  const auto third_at = [&](std::size_t piece) {
+    const double share = static_cast<double>(piece) / static_cast<double>(seen.size());
+    const double across = normal.from + share * (normal.to - normal.from);
+    if (plane == shown) return static_cast<float>(across);
+    const Point at = share == 1 ? end_of(shape) : verify::place_at(shape, share).point;
+    return static_cast<float>(from_plane(plane, at, across)[third]);
+  };
+  for (std::size_t i = 0; i < seen.size(); ++i) {
+    element.third_from = third_at(i);
+    element.third_to = third_at(i + 1);
+    element.ends_block = i + 1 == seen.size();
+    elements.add(element, seen[i]);
   }
 }
 
@@ -117,6 +120,12 @@ LineEnd end_in(Plane plane, const Segment& path, const AxisTravel& normal, const
   return {.x = end[0], .y = end[1], .z = end[2], .line = source.line};
 }
 
+std::uint64_t blocks_in(const Elements& elements) {
+  std::uint64_t blocks = 0;
+  for (std::size_t i = 0; i < elements.size(); ++i) blocks += elements[i].ends_block ? 1 : 0;
+  return blocks;
+}
+
 std::vector<LineEnd> ends_of(const std::vector<Block>& blocks) {
   std::vector<LineEnd> ends;
   for (const Block& block : blocks)
@@ -130,8 +139,8 @@ std::vector<LineEnd> ends_of(const std::vector<Block>& blocks) {
 std::string View::tile(std::uint32_t level, std::uint32_t x, std::uint32_t y) const {
   const double side = std::ldexp(said_.tile_size(), -static_cast<int>(std::min(level, most_level)));
   const Point low(said_.tile_low().x() + side * x, said_.tile_low().y() + side * y);
-  return tile_of(contour_, path_, {.low = low, .side = side},
-                 {.tolerance = side / (2 * tile_pixels), .most_segments = most_segments});
+  return tile_of(contour_, path_, plane_of(said_.plane()), {.low = low, .side = side},
+                 {.tolerance = side / (4 * tile_pixels), .most_segments = most_segments});
 }
 
 v1::View View::said_by_now() const {
@@ -167,6 +176,7 @@ v1::ViewBlock View::described(const Elements& elements, std::size_t index, bool 
   *block.mutable_end() = message_of(plane, element.end, double{element.third_to});
   block.set_feed(double{element.feed});
   block.set_tool_radius(double{element.tool_radius});
+  block.set_plane(message_of(element.plane));
   const Segment shape = elements.shape_of(element);
   if (const auto* arc = std::get_if<Arc>(&shape)) {
     set(*block.mutable_center(), arc->center);
@@ -262,6 +272,7 @@ void View::make_output(const std::function<void()>& interrupt) {
   const Plane plane = plane_of(said_.plane());
   for (std::size_t i = 0; i < path_.size(); ++i) {
     const Element& element = path_[i];
+    if (!element.ends_block) continue;
     const Position end = from_plane(plane, element.end, double{element.third_to});
     ends.push_back({.x = end[0], .y = end[1], .z = end[2], .line = element.line});
   }
@@ -272,13 +283,14 @@ void View::make_output(const std::function<void()>& interrupt) {
 }
 
 ViewBuilder::ViewBuilder(std::string text, const v1::ProgramSetup& setup,
-                         wire::ProgramSettings settings, Memory& memory,
+                         wire::ProgramSettings settings, std::optional<Plane> plane, Memory& memory,
                          std::function<bool()> make_room)
     : text_(std::move(text)),
       settings_(std::move(settings)),
       share_(memory),
       make_room_(std::move(make_room)),
-      reader_(settings_.path.session) {
+      reader_(settings_.path.session),
+      asked_plane_(plane) {
   said_.set_name(setup.file_name());
 }
 
@@ -361,7 +373,7 @@ std::shared_ptr<View> ViewBuilder::finish(std::string id) {
 }
 
 void ViewBuilder::add_contour(const std::vector<Block>& blocks) {
-  if (!plane_) plane_ = compensated_plane(blocks);
+  if (!plane_) settle_plane(compensated_plane(blocks));
   if (!plane_) {
     waiting_.insert(waiting_.end(), blocks.begin(), blocks.end());
     return;
@@ -371,9 +383,15 @@ void ViewBuilder::add_contour(const std::vector<Block>& blocks) {
   for (const Block& block : blocks) add_contour(block);
 }
 
+void ViewBuilder::settle_plane(std::optional<Plane> own) {
+  if (!own) return;
+  own_plane_ = *own;
+  plane_ = asked_plane_.value_or(*own);
+}
+
 void ViewBuilder::settle_plane() {
   if (plane_) return;
-  plane_ = first_plane(waiting_);
+  settle_plane(first_plane(waiting_));
   add_contour(std::vector<Block>());
 }
 
@@ -386,6 +404,10 @@ void ViewBuilder::add_contour(const Block& block) {
   const Side side = active ? motion.mode->side : Side::off;
   const bool is_contour = active && std::exchange(side_, side) == side;
   if (!active) side_ = Side::off;
+  // The first one, and then the first one that is compensated.
+  if (contour_.empty() || (active && said_.tool_radius() == 0))
+    said_.set_unit(reader_.is_inch(motion.source.index) ? v1::LENGTH_UNIT_INCH
+                                                        : v1::LENGTH_UNIT_MM);
   const Element element{.feed = motion.rapid ? 0 : static_cast<float>(motion.feed),
                         .line = motion.source.line,
                         .tool_radius = active ? static_cast<float>(motion.mode->tool_radius) : 0,
@@ -422,8 +444,9 @@ void ViewBuilder::describe(const Lines& program) {
   said_.set_tile_size(side);
   said_.set_most_level(most_level);
   said_.set_plane(message_of(*plane_));
-  said_.set_contour_blocks(contour_.size());
-  said_.set_path_blocks(path_.size());
+  said_.set_own_plane(message_of(own_plane_));
+  said_.set_contour_blocks(blocks_in(contour_));
+  said_.set_path_blocks(blocks_in(path_));
   said_.set_lines(program.count());
   said_.set_path_length(path_.length());
   if (path_.empty()) return;

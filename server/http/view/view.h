@@ -81,9 +81,10 @@ class View {
 // Puts a view together while the answers come in: the contour is read beside the path.
 class ViewBuilder {
  public:
-  // `make_room` frees memory that matters less; false: there is none.
+  // `plane` is shown, none: that of the first compensated block. `make_room` frees memory that
+  // matters less; false: there is none.
   ViewBuilder(std::string text, const v1::ProgramSetup& setup, wire::ProgramSettings settings,
-              Memory& memory, std::function<bool()> make_room);
+              std::optional<Plane> plane, Memory& memory, std::function<bool()> make_room);
 
   // False when there is no memory.
   [[nodiscard]] bool add(const std::vector<CompensatedBlock>& blocks);
@@ -104,6 +105,7 @@ class ViewBuilder {
   void add_contour(const Block& block);
   // Where nothing is compensated the first motion says which plane is shown.
   void settle_plane();
+  void settle_plane(std::optional<Plane> own);
   void mark_masked();
   void describe(const Lines& program);
   // Takes the memory for what there is by now.
@@ -122,7 +124,9 @@ class ViewBuilder {
   std::uint64_t read_lines_ = 0;
   // Read before it was known which plane is shown.
   std::vector<Block> waiting_;
-  std::optional<Plane> plane_;
+  std::optional<Plane> asked_plane_;
+  std::optional<Plane> plane_;  // that is shown
+  Plane own_plane_ = Plane::xy;
   // Of the motion before.
   Side side_ = Side::off;
   Elements contour_;
