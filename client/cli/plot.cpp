@@ -15,6 +15,7 @@
 #include "proto/wire/diagnostic.h"
 #include "proto/wire/path_item.h"
 #include "proto/wire/setup.h"
+#include "server/http/view/view_builder.h"
 
 namespace trc::cli {
 namespace {
@@ -28,7 +29,7 @@ struct Call {
 };
 
 // The page that shows this program. None, and standard error says why, where it is too large.
-std::optional<std::string> page_of(std::string text, v1::ProgramSetup setup,
+std::optional<std::string> page_of(std::string text, const v1::ProgramSetup& setup,
                                    const std::string& name, const ProgramPaths& paths) {
   const std::size_t blocks = paths.programmed.size() + paths.compensated.size();
   if (blocks > most_page_blocks) {
@@ -37,12 +38,12 @@ std::optional<std::string> page_of(std::string text, v1::ProgramSetup setup,
               << "; use trc view, or write .svg\n";
     return std::nullopt;
   }
-  setup.set_file_name(name);
   wire::FieldFaults faults;
   wire::ProgramSettings settings = wire::from_proto(setup, wire::FieldPath("setup"), faults);
   server::http::Memory memory(std::numeric_limits<std::size_t>::max() / 2);
-  server::http::ViewBuilder builder(std::move(text), setup, std::move(settings), std::nullopt,
-                                    memory, [] { return false; });
+  server::http::ViewBuilder builder(
+      {.text = std::move(text), .name = name, .settings = std::move(settings)}, memory,
+      [] { return false; });
   if (paths.exit == Exit::refused) builder.set_refused();
   for (const Diagnostic& diagnostic : paths.diagnostics) {
     v1::Diagnostic message;

@@ -13,7 +13,7 @@
 #include "server/http/program_questions.h"
 #include "server/http/settings.h"
 #include "server/http/view/store.h"
-#include "server/http/view/view.h"
+#include "server/http/view/view_builder.h"
 #include "server/rpc/setup.h"
 
 namespace trc::server::http {
@@ -182,9 +182,10 @@ void make_view(Api& api, const ExchangePointer& exchange) {
     return answer_problem(*exchange, problem_of(refused->status));
   const std::string text = std::move(exchange->request().body);
   // Older views give way to a new one.
-  auto builder =
-      std::make_unique<ViewBuilder>(text, setup, std::move(settings), plane, api.memory(),
-                                    [&api] { return api.views().give_up_one(); });
+  auto builder = std::make_unique<ViewBuilder>(
+      ViewedProgram{
+          .text = text, .name = setup.file_name(), .settings = std::move(settings), .plane = plane},
+      api.memory(), [&api] { return api.views().give_up_one(); });
   if (measured_later) builder->measure_later();
   Run::start(api, exchange, compensate_program_rpc,
              std::make_unique<ProgramQuestions>(setup, text, api.most_message_bytes()),
