@@ -4,11 +4,13 @@
 #include <memory>
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include "client/cli/command.h"
 #include "client/cli/files.h"
 #include "client/cli/program_options.h"
 #include "client/cli/program_paths.h"
+#include "client/cli/reporter.h"
 #include "client/cli/standalone_page.h"
 #include "client/plot/picture.h"
 #include "client/plot/svg.h"
@@ -86,17 +88,23 @@ Exit run(const Call& call) {
   if (as_page) input.watch([&](std::string_view piece) { text += piece; });
   const ProgramPaths paths = read_paths(call.program.service, setup, input);
   if (paths.exit != Exit::done && paths.exit != Exit::refused) return paths.exit;
+  std::vector<Diagnostic> told;
+  for (const Diagnostic& found : paths.diagnostics) told.push_back(for_command_line(found));
   const std::string title = std::filesystem::path(input.name()).filename().string();
   std::optional<std::string> drawing;
   if (as_page)
     drawing = page_of(std::move(text), setup, title, paths);
   else
-    drawing = plot::to_svg(plot::compose_views({.title = title,
-                                                .programmed = paths.programmed,
-                                                .path = paths.compensated,
-                                                .diagnostics = paths.diagnostics,
-                                                .leads = paths.leads}),
-                           {.numbers = call.numbers, .points = call.points});
+    drawing = plot::to_svg(
+        plot::compose_views(
+            {.title = title,
+             .programmed = paths.programmed,
+             .path = paths.compensated,
+             .diagnostics = told,
+             .language = language_of_tag(setup.path().language()).value_or(Language::english),
+             .inch = paths.inch,
+             .leads = paths.leads}),
+        {.numbers = call.numbers, .points = call.points});
   if (!drawing || !output.write(*drawing) || !output.commit()) return Exit::wrong_call;
   return paths.exit;
 }
