@@ -29,7 +29,8 @@ const server = {
     json(`v1/views?${query({...settings, name: program.name, ...(plane && {shown_plane: plane})})}`, {method: 'POST', headers: text, body: program.text}),
   view: id => json(`v1/views/${id}`),
   dropView: id => ask(`v1/views/${id}`, {method: 'DELETE'}).catch(() => {}),
-  tile: async (id, level, x, y, signal) => (await ask(`v1/views/${id}/tiles/${level}/${x}/${y}`, {signal})).arrayBuffer(),
+  tile: async (id, {level, x, y, segments}, signal) =>
+    (await ask(`v1/views/${id}/tiles/${level}/${x}/${y}?segments=${segments}`, {signal})).arrayBuffer(),
   lines: (id, what, from, count) => json(`v1/views/${id}/${what}?from=${from}&count=${count}`),
   blocks: (id, line) => json(`v1/views/${id}/blocks?line=${line}`),
   place: (id, share, signal) => json(`v1/views/${id}/place?share=${share}`, {signal}),

@@ -197,7 +197,6 @@ class Drawing {
 }
 
 const tilePixels = 512;
-const mostSegments = 8000;
 
 class Inside {
   constructor(json) {
@@ -239,7 +238,7 @@ class Inside {
   async view() { return this.said; }
   async dropView() {}
 
-  async tile(id, level, x, y) {
+  async tile(id, {level, x, y, segments}) {
     const side = this.said.tileSize / 2 ** level;
     const low = {x: (this.said.tileLow?.x ?? 0) + x * side, y: (this.said.tileLow?.y ?? 0) + y * side};
     for (let tolerance = side / (4 * tilePixels); ; tolerance *= 2) {
@@ -247,7 +246,7 @@ class Inside {
       drawing.draw(this.contour, 0);
       drawing.draw(this.path, pathFlag);
       const count = drawing.segments.length / 7;
-      if (count > mostSegments && tolerance < side) continue;
+      if (count > segments && tolerance < side) continue;
       const bytes = new ArrayBuffer(16 + 28 * count);
       new DataView(bytes).setUint32(4, count, true);
       const numbers = new Float32Array(bytes, 16), words = new Uint32Array(bytes, 16);

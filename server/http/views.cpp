@@ -220,8 +220,13 @@ void view_tile(Api& api, const ExchangePointer& exchange) {
     numbers[i] = static_cast<std::uint32_t>(*number);
     rest = rest.substr(0, rest.rfind('/'));
   }
-  api.compute([exchange, view, numbers] {
-    std::string tile = view->tile(numbers[0], numbers[1], numbers[2]);
+  // So that somebody with a large screen and many tiles asks for less of each.
+  constexpr std::uint64_t usual = 2048;
+  const auto segments = static_cast<std::size_t>(std::clamp<std::uint64_t>(
+      number_in(exchange->request().query, "segments", usual), 256, 16'384));
+  api.compute([exchange, view, numbers, segments] {
+    std::string tile =
+        view->tile({.level = numbers[0], .x = numbers[1], .y = numbers[2]}, segments);
     exchange->post([exchange, tile = std::move(tile)]() mutable {
       exchange->answer({.content_type = "application/octet-stream",
                         .headers = {{"Cache-Control", "private, max-age=3600, immutable"}}},

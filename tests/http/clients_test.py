@@ -449,6 +449,16 @@ class Programs(unittest.TestCase):
         magic, count = struct.unpack("<4sI", tile[:8])
         self.assertEqual((magic, len(tile)), (b"TRCT", 16 + 28 * count))
         self.assertGreaterEqual(count, 10)
+        _, view_of_many = self.server.ask_json("POST", "/v1/views?tool_radius=0.1",
+                                               program_of(5000), TEXT)
+        many = f"/v1/views/{view_of_many['id']}/tiles/0/0/0"
+        counts = []
+        for query in ("?segments=1", "", "?segments=8000", "?segments=many"):
+            _, _, tile = self.server.ask("GET", many + query)
+            counts.append(struct.unpack("<4sI", tile[:8])[1])
+        self.assertLessEqual(counts[0], 256)
+        self.assertTrue(counts[1] <= 2048 < counts[2] <= 8000, counts)
+        self.assertEqual(counts[1], counts[3])
         _, lines = self.server.ask_json("GET", at + "/lines?from=2&count=2")
         self.assertEqual(lines["lines"], SQUARE.splitlines()[1:3])
         output = {"pending": True}

@@ -25,7 +25,6 @@ namespace {
 // A tile is shown about that large, in pixels: from 0.7 to 1.4 times. What is left out of it is
 // less than half a pixel then.
 constexpr double tile_pixels = 512;
-constexpr std::size_t most_segments = 2048;
 
 LineEnd end_in(Plane plane, const Segment& path, const AxisTravel& normal, const Source& source) {
   const Position end = from_plane(plane, end_of(path), normal.to);
@@ -42,10 +41,11 @@ std::vector<LineEnd> ends_of(const std::vector<Block>& blocks) {
 
 }  // namespace
 
-std::string View::tile(std::uint32_t level, std::uint32_t x, std::uint32_t y) const {
+std::string View::tile(const TileName& name, std::size_t most_segments) const {
   const double side =
-      std::ldexp(parts_.said.tile_size(), -static_cast<int>(std::min(level, most_level)));
-  const Point low(parts_.said.tile_low().x() + side * x, parts_.said.tile_low().y() + side * y);
+      std::ldexp(parts_.said.tile_size(), -static_cast<int>(std::min(name.level, most_level)));
+  const Point low(parts_.said.tile_low().x() + side * name.x,
+                  parts_.said.tile_low().y() + side * name.y);
   return tile_of(parts_.contour, parts_.path, plane_of(parts_.said.plane()),
                  {.low = low, .side = side},
                  {.tolerance = side / (4 * tile_pixels), .most_segments = most_segments});

@@ -25,6 +25,13 @@ inline constexpr int most_diagnostics = 1000;
 // Of a text, in bytes, between two looks at whether to go on.
 inline constexpr std::size_t text_piece = 16U << 10U;
 
+// A square of the quadtree over a view, counted from the lowest corner.
+struct TileName {
+  std::uint32_t level = 0;
+  std::uint32_t x = 0;
+  std::uint32_t y = 0;
+};
+
 // What a view holds; none of it changes.
 struct ViewParts {
   v1::View said{};
@@ -49,7 +56,8 @@ class View {
   [[nodiscard]] const Elements& path() const { return parts_.path; }
   [[nodiscard]] const Lines& program() const { return parts_.program; }
 
-  [[nodiscard]] std::string tile(std::uint32_t level, std::uint32_t x, std::uint32_t y) const;
+  // Where half a pixel would take more segments it is drawn more coarsely.
+  [[nodiscard]] std::string tile(const TileName& name, std::size_t most_segments) const;
   [[nodiscard]] v1::ViewBlocks blocks_of_line(std::uint32_t line) const;
   [[nodiscard]] v1::ViewPlace place_at(double share) const;
 
