@@ -18,9 +18,9 @@
 #include <set>
 
 #include "client/cli/job_record.h"
-#include "client/cli/sha256.h"
 #include "core/base/version.h"
 #include "core/nc/text/number_format.h"
+#include "server/sha256.h"
 
 namespace trc::cli {
 namespace {
@@ -51,7 +51,7 @@ bool is_content_of(const v1::JobFile& filed, const std::string& path) {
   std::error_code fault;
   if (fs::file_size(path, fault) != filed.bytes() || fault) return false;
   std::ifstream stream(path, std::ios::binary);
-  Sha256 content;
+  server::Sha256 content;
   std::array<char, 65536> piece{};
   while (stream.read(piece.data(), piece.size()) || stream.gcount() > 0)
     content.add({piece.data(), static_cast<std::size_t>(stream.gcount())});

@@ -3,6 +3,8 @@
 #include <google/protobuf/util/json_util.h>
 #include <google/protobuf/util/message_differencer.h>
 
+#include "server/job_record.h"
+
 namespace trc::cli {
 namespace {
 
@@ -36,7 +38,7 @@ std::string text_of(const v1::JobRecord& record) {
 std::string record_from(const std::string& text, v1::JobRecord& record) {
   const auto status = google::protobuf::util::JsonStringToMessage(text, &record);
   if (!status.ok()) return "it is no record of a job: " + std::string(status.message());
-  if (record.format() != record_format)
+  if (record.format() != server::job_record_format)
     return "it is no record of a job: format is \"" + record.format() + "\"";
   return {};
 }

@@ -7,9 +7,6 @@
 
 namespace trc::cli {
 
-// JobRecord::format
-inline constexpr const char* record_format = "trc-job-record-1";
-
 // The record as JSON, for people too; schema in proto/job_record.schema.json.
 [[nodiscard]] std::string text_of(const v1::JobRecord& record);
 

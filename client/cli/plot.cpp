@@ -4,17 +4,20 @@
 #include <memory>
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include "client/cli/command.h"
 #include "client/cli/files.h"
 #include "client/cli/program_options.h"
 #include "client/cli/program_paths.h"
+#include "client/cli/reporter.h"
 #include "client/cli/standalone_page.h"
 #include "client/plot/picture.h"
 #include "client/plot/svg.h"
 #include "proto/wire/diagnostic.h"
 #include "proto/wire/path_item.h"
 #include "proto/wire/setup.h"
+#include "server/http/view/view_builder.h"
 
 namespace trc::cli {
 namespace {
@@ -28,7 +31,7 @@ struct Call {
 };
 
 // The page that shows this program. None, and standard error says why, where it is too large.
-std::optional<std::string> page_of(std::string text, v1::ProgramSetup setup,
+std::optional<std::string> page_of(std::string text, const v1::ProgramSetup& setup,
                                    const std::string& name, const ProgramPaths& paths) {
   const std::size_t blocks = paths.programmed.size() + paths.compensated.size();
   if (blocks > most_page_blocks) {
@@ -37,12 +40,12 @@ std::optional<std::string> page_of(std::string text, v1::ProgramSetup setup,
               << "; use trc view, or write .svg\n";
     return std::nullopt;
   }
-  setup.set_file_name(name);
   wire::FieldFaults faults;
   wire::ProgramSettings settings = wire::from_proto(setup, wire::FieldPath("setup"), faults);
   server::http::Memory memory(std::numeric_limits<std::size_t>::max() / 2);
-  server::http::ViewBuilder builder(std::move(text), setup, std::move(settings), memory,
-                                    [] { return false; });
+  server::http::ViewBuilder builder(
+      {.text = std::move(text), .name = name, .settings = std::move(settings)}, memory,
+      [] { return false; });
   if (paths.exit == Exit::refused) builder.set_refused();
   for (const Diagnostic& diagnostic : paths.diagnostics) {
     v1::Diagnostic message;
@@ -85,17 +88,23 @@ Exit run(const Call& call) {
   if (as_page) input.watch([&](std::string_view piece) { text += piece; });
   const ProgramPaths paths = read_paths(call.program.service, setup, input);
   if (paths.exit != Exit::done && paths.exit != Exit::refused) return paths.exit;
+  std::vector<Diagnostic> told;
+  for (const Diagnostic& found : paths.diagnostics) told.push_back(for_command_line(found));
   const std::string title = std::filesystem::path(input.name()).filename().string();
   std::optional<std::string> drawing;
   if (as_page)
     drawing = page_of(std::move(text), setup, title, paths);
   else
-    drawing = plot::to_svg(plot::compose_views({.title = title,
-                                                .programmed = paths.programmed,
-                                                .path = paths.compensated,
-                                                .diagnostics = paths.diagnostics,
-                                                .leads = paths.leads}),
-                           {.numbers = call.numbers, .points = call.points});
+    drawing = plot::to_svg(
+        plot::compose_views(
+            {.title = title,
+             .programmed = paths.programmed,
+             .path = paths.compensated,
+             .diagnostics = told,
+             .language = language_of_tag(setup.path().language()).value_or(Language::english),
+             .inch = paths.inch,
+             .leads = paths.leads}),
+        {.numbers = call.numbers, .points = call.points});
   if (!drawing || !output.write(*drawing) || !output.commit()) return Exit::wrong_call;
   return paths.exit;
 }

@@ -9,6 +9,20 @@
 #include "proto/wire/setup.h"
 
 namespace trc::cli {
+namespace {
+
+bool is_inch(ContourReader& reader, const std::vector<Block>& blocks) {
+  const MotionBlock* first = nullptr;
+  for (const Block& block : blocks) {
+    const auto* motion = std::get_if<MotionBlock>(&block);
+    if (motion == nullptr || !motion->mode) continue;
+    if (first == nullptr || motion->mode->active()) first = motion;
+    if (motion->mode->active()) break;
+  }
+  return first != nullptr && reader.is_inch(first->source.index);
+}
+
+}  // namespace
 
 ProgramPaths read_paths(const ServiceOptions& options, v1::ProgramSetup setup, Input& input) {
   ProgramPaths paths;
@@ -37,7 +51,10 @@ ProgramPaths read_paths(const ServiceOptions& options, v1::ProgramSetup setup, I
       });
   paths.exit = outcome.exit;
   paths.summary = outcome.summary;
-  if (reader) paths.programmed = reader->finish();
+  if (reader) {
+    paths.programmed = reader->finish();
+    paths.inch = is_inch(*reader, paths.programmed);
+  }
   return paths;
 }
 

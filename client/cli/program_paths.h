@@ -21,8 +21,10 @@ struct ProgramPaths {
   // As read here, without the service. Where the text has an error they end
   // there; the error is among `diagnostics`, from the service.
   std::vector<Block> programmed{};
-  std::vector<CompensatedBlock> compensated{};    // what was certain, if refused
-  std::vector<Diagnostic> diagnostics{};          // also told on standard error
+  std::vector<CompensatedBlock> compensated{};  // what was certain, if refused
+  std::vector<Diagnostic> diagnostics{};        // also told on standard error
+  // Whether the program counts in inch where it first compensates, else where it first moves.
+  bool inch = false;
   LeadSettings leads{};                           // of the setup
   std::optional<wire::ProgramSummary> summary{};  // complete runs only
 };

@@ -16,8 +16,8 @@ Writing writing_of(const v1::ProgramSetup& setup) {
   return {.dialect = settings.path.session.program.dialect};
 }
 
-// Its help in words of the command line, where it is the one of its code: the sender names fields
-// of the setup.
+}  // namespace
+
 Diagnostic for_command_line(Diagnostic found) {
   const std::string_view own = help_on_command_line(found.code, found.language);
   DiagnosticTexts texts = texts_of(found);
@@ -26,8 +26,6 @@ Diagnostic for_command_line(Diagnostic found) {
   found.texts = std::make_shared<const DiagnosticTexts>(std::move(texts));
   return found;
 }
-
-}  // namespace
 
 Reporter::Reporter(Input& input, const v1::ProgramSetup& setup, Progress& progress)
     : input_(input),

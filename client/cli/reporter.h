@@ -18,6 +18,10 @@
 
 namespace trc::cli {
 
+// With its help in words of the command line, where that is the one of its code: the sender names
+// fields of the setup.
+[[nodiscard]] Diagnostic for_command_line(Diagnostic found);
+
 // Tells on standard error what was found in one program. What equals something that was told,
 // place apart, is counted and told of at the end; of what is left when there are very many
 // different texts, a path with a million warnings, say, the codes are counted.

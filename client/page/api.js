@@ -24,16 +24,20 @@ const query = settings => new URLSearchParams({language: currentLanguage(), ...s
 const server = {
   info: () => json('v1/info'),
   openApi: () => json('v1/openapi.json'),
-  makeView: (program, settings) =>
-    json(`v1/views?${query({...settings, name: program.name})}`, {method: 'POST', headers: text, body: program.text}),
+  // `plane`: xy, zx or yz is shown; else that of the first compensated block.
+  makeView: (program, settings, plane) =>
+    json(`v1/views?${query({...settings, name: program.name, ...(plane && {shown_plane: plane})})}`, {method: 'POST', headers: text, body: program.text}),
   view: id => json(`v1/views/${id}`),
   dropView: id => ask(`v1/views/${id}`, {method: 'DELETE'}).catch(() => {}),
-  tile: async (id, level, x, y, signal) => (await ask(`v1/views/${id}/tiles/${level}/${x}/${y}`, {signal})).arrayBuffer(),
+  tile: async (id, {level, x, y, segments}, signal) =>
+    (await ask(`v1/views/${id}/tiles/${level}/${x}/${y}?segments=${segments}`, {signal})).arrayBuffer(),
   lines: (id, what, from, count) => json(`v1/views/${id}/${what}?from=${from}&count=${count}`),
   blocks: (id, line) => json(`v1/views/${id}/blocks?line=${line}`),
   place: (id, share, signal) => json(`v1/views/${id}/place?share=${share}`, {signal}),
   compensated: async (program, settings) =>
     (await ask(`v1/programs:compensate?${query(settings)}`, {method: 'POST', headers: text, body: program.text})).blob(),
+  record: async (program, settings) =>
+    (await ask(`v1/programs:record?${query({...settings, name: program.name})}`, {method: 'POST', headers: text, body: program.text})).blob(),
   survey: (program, settings, radius) =>
     json(`v1/programs:surveyRadii?${query({...settings, ...(radius > 0 && {radii: radius, uncut: true})})}`,
       {method: 'POST', headers: text, body: program.text}),

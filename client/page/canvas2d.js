@@ -1,4 +1,4 @@
-import {palette, rapidFlag, pathFlag, special, widths} from './styles.js';
+import {asideFlag, palette, pathFlag, rapidFlag, special, widths} from './styles.js';
 
 // Draws the same without a graphics processor.
 export class Canvas2d {
@@ -25,7 +25,7 @@ export class Canvas2d {
         const rapid = (word & rapidFlag) !== 0;
         const marked = how.line && tile.words[i * 7 + 5] === how.line;
         if (how.band) {
-          if (!isPath || rapid || style < 2 || style > 4) continue;
+          if (!isPath || rapid || (word & asideFlag) || style < 2 || style > 4) continue;
         } else if (how.compare ? !isPath : !(how.layers >> style & 1) || (rapid && !(how.layers >> 6 & 1))) {
           continue;
         }

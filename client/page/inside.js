@@ -1,3 +1,5 @@
+import {axesOf, inPlane, planeNames, positionOf} from './planes.js';
+
 // A program that lies in this file itself, as `trc plot -o part.html` writes it: it is asked as the
 // server is.
 const bytesOf = text => Uint8Array.from(atob(text), c => c.charCodeAt(0));
@@ -8,16 +10,19 @@ const linesOf = bytes => {
 };
 
 const groupSize = 64;
-const styleBits = 0xff, rapidFlag = 0x100, pathFlag = 0x200;
+const styleBits = 0xff, rapidFlag = 0x100, pathFlag = 0x200, asideFlag = 0x400, planeShift = 12;
 const contourMasked = 1, transition = 3;
 
 // The elements of the contour, or of the path, in columns.
 class Elements {
-  constructor({ends, values, words, arcs}) {
-    this.ends = new Float64Array(bytesOf(ends).buffer);
-    this.values = new Float32Array(bytesOf(values).buffer);
-    this.words = new Uint32Array(bytesOf(words).buffer);
-    this.arcs = new Float64Array(bytesOf(arcs).buffer);
+  static decoded({ends, values, words, arcs}, plane) {
+    return new Elements(plane, new Float64Array(bytesOf(ends).buffer), new Float32Array(bytesOf(values).buffer),
+      new Uint32Array(bytesOf(words).buffer), new Float64Array(bytesOf(arcs).buffer));
+  }
+
+  // `plane` is the one they are seen in.
+  constructor(plane, ends, values, words, arcs) {
+    Object.assign(this, {plane, ends, values, words, arcs});
     this.count = this.ends.length / 4;
     this.boxes = new Float64Array(4 * Math.ceil(this.count / groupSize)).fill(NaN);
     this.lengths = new Float64Array(this.count + 1);
@@ -58,6 +63,29 @@ class Elements {
     return Math.hypot(flat, this.values[4 * i + 1] - this.values[4 * i]);
   }
 
+  planeOf(i) { return planeNames[this.words[3 * i + 1] >> planeShift & 3]; }
+  positionAt(i, share) {
+    const {x, y} = this.at(i, share), [from, to] = this.values.subarray(4 * i, 4 * i + 2);
+    return positionOf(this.plane, x, y, from + share * (to - from));
+  }
+
+  // The same from another side; arcs become chords.
+  seenIn(plane) {
+    if (plane === this.plane) return this;
+    const ends = [], values = [], words = [];
+    for (let i = 0; i < this.count; ++i) {
+      const arc = this.arc(i), chords = arc ? Math.max(8, Math.ceil(Math.abs(arc.sweep) / 0.05)) : 1;
+      for (let n = 0; n < chords; ++n) {
+        const [a, b] = [n, n + 1].map(k => this.positionAt(i, k / chords));
+        const [from, to] = [a, b].map(p => inPlane(plane, p)), third = axesOf(plane)[2];
+        ends.push(from.x, from.y, to.x, to.y);
+        values.push(a[third], b[third], this.values[4 * i + 2], this.values[4 * i + 3]);
+        words.push(this.words[3 * i], this.words[3 * i + 1], 0);
+      }
+    }
+    return new Elements(plane, Float64Array.from(ends), Float32Array.from(values), Uint32Array.from(words), new Float64Array(0));
+  }
+
   // An arc lies within its whole circle.
   boxOf(i, box) {
     const [ax, ay, bx, by] = this.ends.subarray(4 * i, 4 * i + 4);
@@ -69,18 +97,13 @@ class Elements {
     box[3] = arc ? arc.y + r : Math.max(ay, by);
   }
 
-  described(i, view, onPath) {
-    const [ax, ay, bx, by] = this.ends.subarray(4 * i, 4 * i + 4);
+  described(i, onPath) {
     const arc = this.arc(i);
-    return {onPath, index: i, line: this.line(i), start: position(view, ax, ay, this.values[4 * i]),
-      end: position(view, bx, by, this.values[4 * i + 1]), feed: this.values[4 * i + 2], toolRadius: this.values[4 * i + 3],
+    return {onPath, index: i, line: this.line(i), plane: this.planeOf(i),
+      start: this.positionAt(i, 0), end: this.positionAt(i, 1), feed: this.values[4 * i + 2], toolRadius: this.values[4 * i + 3],
       ...(arc && {center: {x: arc.x, y: arc.y}, sweep: arc.sweep})};
   }
 }
-
-const position = (view, first, second, third) =>
-  view.plane === 'PLANE_ZX' ? {z: first, x: second, y: third}
-    : view.plane === 'PLANE_YZ' ? {y: first, z: second, x: third} : {x: first, y: second, z: third};
 
 // The segments of a square, of which none is shorter than the tolerance but those that must be seen.
 class Drawing {
@@ -88,7 +111,7 @@ class Drawing {
     this.low = low;
     this.side = side;
     this.tolerance = tolerance;
-    this.margin = side / 512;
+    this.margin = side / 128;
     this.segments = [];
     this.dots = new Set();
   }
@@ -122,7 +145,8 @@ class Drawing {
       elements.boxOf(i, box);
       if (!this.sees(box, 0)) { lift(); continue; }
       const [ax, ay, bx, by] = elements.ends.subarray(4 * i, 4 * i + 4);
-      const word = elements.style(i) | flags | (elements.isRapid(i) ? rapidFlag : 0);
+      const word = elements.style(i) | flags | (elements.isRapid(i) ? rapidFlag : 0) |
+        (elements.planeOf(i) === elements.plane ? 0 : asideFlag);
       const small = Math.max(box[2] - box[0], box[3] - box[1]) <= 2 * this.tolerance;
       const about = {element: i, line: elements.line(i), word};
       if (elements.isSpecial(i) && small) this.dot(ax, ay, about);
@@ -173,7 +197,6 @@ class Drawing {
 }
 
 const tilePixels = 512;
-const mostSegments = 8000;
 
 class Inside {
   constructor(json) {
@@ -184,23 +207,46 @@ class Inside {
     this.outputBytes = output === undefined ? null : bytesOf(output);
     this.texts = {lines: linesOf(bytesOf(text)), output: this.outputBytes && linesOf(this.outputBytes)};
     this.sources = sources ?? [];
-    this.contour = new Elements(contour);
-    this.path = new Elements(path);
+    this.own = {said: view, contour: Elements.decoded(contour, view.plane), path: Elements.decoded(path, view.plane)};
+    Object.assign(this, this.own);
   }
 
-  async makeView() { return this.said; }
+  async makeView(program, settings, asked) {
+    const plane = planeNames.find(name => name === `PLANE_${asked?.toUpperCase()}`) ?? this.own.said.plane;
+    if (plane === this.own.said.plane) Object.assign(this, this.own);
+    else this.lookAt(plane);
+    return this.said;
+  }
+
+  lookAt(plane) {
+    this.contour = this.own.contour.seenIn(plane);
+    this.path = this.own.path.seenIn(plane);
+    const low = {x: Infinity, y: Infinity}, high = {x: -Infinity, y: -Infinity};
+    for (const {ends} of [this.contour, this.path])
+      ends.forEach((value, i) => {
+        const axis = i % 2 ? 'y' : 'x';
+        low[axis] = Math.min(low[axis], value);
+        high[axis] = Math.max(high[axis], value);
+      });
+    const tileSize = 1.25 * Math.max(high.x - low.x, high.y - low.y, 1);
+    const tileLow = {x: (low.x + high.x - tileSize) / 2, y: (low.y + high.y - tileSize) / 2};
+    const thirds = this.path.values.filter((value, i) => i % 4 < 2);
+    this.said = {...this.own.said, plane, low, high, tileLow, tileSize,
+      lowest: thirds.reduce((a, b) => Math.min(a, b), Infinity), highest: thirds.reduce((a, b) => Math.max(a, b), -Infinity)};
+  }
+
   async view() { return this.said; }
   async dropView() {}
 
-  async tile(id, level, x, y) {
+  async tile(id, {level, x, y, segments}) {
     const side = this.said.tileSize / 2 ** level;
     const low = {x: (this.said.tileLow?.x ?? 0) + x * side, y: (this.said.tileLow?.y ?? 0) + y * side};
-    for (let tolerance = side / (2 * tilePixels); ; tolerance *= 2) {
+    for (let tolerance = side / (4 * tilePixels); ; tolerance *= 2) {
       const drawing = new Drawing(low, side, tolerance);
       drawing.draw(this.contour, 0);
       drawing.draw(this.path, pathFlag);
       const count = drawing.segments.length / 7;
-      if (count > mostSegments && tolerance < side) continue;
+      if (count > segments && tolerance < side) continue;
       const bytes = new ArrayBuffer(16 + 28 * count);
       new DataView(bytes).setUint32(4, count, true);
       const numbers = new Float32Array(bytes, 16), words = new Uint32Array(bytes, 16);
@@ -220,7 +266,7 @@ class Inside {
     const blocks = [];
     for (const [elements, onPath] of [[this.contour, false], [this.path, true]])
       for (let i = 0; i < elements.count && blocks.length < 1000; ++i)
-        if (elements.line(i) === line) blocks.push(elements.described(i, this.said, onPath));
+        if (elements.line(i) === line) blocks.push(elements.described(i, onPath));
     return {blocks};
   }
 
@@ -236,8 +282,7 @@ class Inside {
     const own = path.lengths[low + 1] - path.lengths[low];
     const part = own > 0 ? Math.min(1, (length - path.lengths[low]) / own) : 1;
     const point = path.at(low, part);
-    const [from, to] = path.values.subarray(4 * low, 4 * low + 2);
-    return {point, position: position(this.said, point.x, point.y, from + part * (to - from)), block: path.described(low, this.said, true)};
+    return {point, position: path.positionAt(low, part), block: path.described(low, true)};
   }
 
   async compensated() { return new Blob([this.outputBytes], {type: 'text/plain'}); }

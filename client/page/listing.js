@@ -29,6 +29,7 @@ export class Listing {
     this.count = 0;
     this.chunks = new Map();
     this.selected = 0;
+    this.at = 0;
     this.bad = new Set();
     this.fill.replaceChildren();
     this.fill.style.height = '0';
@@ -114,15 +115,26 @@ export class Listing {
 
   onKey(event) {
     const step = {ArrowDown: 1, ArrowUp: -1, PageDown: this.rows, PageUp: -this.rows}[event.key];
-    if (!step || this.what !== 'lines') return;
+    if (!step) return;
     event.preventDefault();
+    if (this.what === 'output') return this.step(step);
     this.choose(Math.max(0, Math.min(this.count - 1, this.selected - 1 + step)));
+  }
+
+  // To the next row of compensated text that stems from another line.
+  step(rows) {
+    const way = Math.sign(rows);
+    for (let row = Math.max(0, this.at + rows); row >= 0 && row < this.count; row += way) {
+      const line = this.sourceOf(row);
+      if (line > 0 && line !== this.selected) return this.chosen(line);
+    }
   }
 
   // Marks a line of the program and brings it into sight.
   async select(line) {
     this.selected = line;
     const row = this.what === 'lines' ? line - 1 : await this.rowOf(line);
+    this.at = Math.max(0, row);
     if (row >= 0) {
       if (row < this.first || row >= this.first + this.rows - 1) {
         const before = Math.max(0, row - Math.floor(this.rows / 2));

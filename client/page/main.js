@@ -1,11 +1,14 @@
 import {api, inside} from './api.js';
+import {arrowsOf} from './arrows.js';
 import {Canvas2d} from './canvas2d.js';
 import {Listing} from './listing.js';
 import {motionsOf, textOf} from './motions.js';
 import {Options} from './options.js';
 import {Overlay} from './overlay.js';
+import {axesOf, inPlane, planeNames} from './planes.js';
 import {Camera, Tiles} from './scene.js';
-import {palette, special, styleNames} from './styles.js';
+import {settingName, settingWord} from './settings_texts.js';
+import {palette, special, styleNames, widths} from './styles.js';
 import {svgOf} from './svg.js';
 import {currentLanguage, t, translate} from './texts.js';
 import {WebGl} from './webgl.js';
@@ -13,14 +16,14 @@ import {WebGl} from './webgl.js';
 const $ = id => document.getElementById(id);
 const camera = new Camera();
 const programs = [];
-let current = null;      // {name, text, settings, view, tiles, compare}
+let current = null;      // {name, text, settings, plane, view, tiles, compareWith, compare}
 let options = null;
 let line = 0;            // of the program, marked
 let place = null;        // of the tool
 let measured = [];
 let isMeasuring = false;
 let layers = 0x7f;       // as bits: styles, then rapid
-const also = {band: false, compare: true, marks: true, proposals: true, uncut: true};
+const also = {arrows: true, band: false, compare: true, marks: true, proposals: true, uncut: true};
 
 const renderer = WebGl.make($('lines')) ?? new Canvas2d($('lines'));
 const overlay = new Overlay($('over'));
@@ -55,16 +58,22 @@ function draw() {
     document.body.dataset.complete = current.tiles.complete;
     if (current.tiles.complete) document.body.dataset.pictureMs ??= (performance.now() - current.began).toFixed(1);
   }
-  overlay.draw(camera, ratio, {view: current?.view, place, measured, marks: also.marks,
+  const arrows = current?.tiles && also.arrows ? arrowsOf(camera, current.tiles.visible(camera), isShown) : [];
+  document.body.dataset.arrows = arrows.length;
+  const aim = isMeasuring && stage.matches(':focus-visible');
+  overlay.draw(camera, ratio, {view: current?.view, unit: unitOf(current?.view), arrows, aim, place, measured, marks: also.marks,
     proposals: also.proposals ? current?.proposals : [], uncut: also.uncut ? current?.uncut : []});
   document.body.dataset.drawMs = (performance.now() - start).toFixed(1);
 }
 
+const isShown = (style, rapid) => (layers >> style & 1) === 1 && (!rapid || (layers >> 6 & 1) === 1);
+
 // ---- programs
 
-const axes = {PLANE_ZX: ['z', 'x', 'y'], PLANE_YZ: ['y', 'z', 'x']};
-const axesOf = view => axes[view?.plane] ?? ['x', 'y', 'z'];
-const inPlane = (view, position) => ({x: position[axesOf(view)[0]] ?? 0, y: position[axesOf(view)[1]] ?? 0});
+// What was found in the plane that is compensated is drawn there.
+const isOwnPlane = view => (view.plane ?? '') === (view.ownPlane ?? '');
+// Lengths are said as the program counts them.
+const unitOf = view => view?.unit === 'LENGTH_UNIT_INCH' ? {name: 'inch', size: 25.4, digits: 5} : {name: 'mm', size: 1, digits: 4};
 const corner = point => ({x: point?.x ?? 0, y: point?.y ?? 0});
 
 async function add(files) {
@@ -98,7 +107,7 @@ async function compute(fit) {
   options?.refuse([]);
   try {
     const began = performance.now();
-    const view = await api.makeView(program, program.settings);
+    const view = await api.makeView(program, program.settings, program.plane);
     forget(program);
     program.view = view;
     program.tiles = tilesOf(view);
@@ -109,7 +118,7 @@ async function compute(fit) {
     return fail(error);
   }
   if (current !== program) return;
-  await Promise.all([show(program, fit), learn(program, program.view)]);
+  await Promise.all([show(program, fit), learn(program, program.view), program.compareWith && compare(program)]);
 }
 
 // What is measured behind the first picture.
@@ -132,12 +141,11 @@ function tilesOf(view) {
 }
 
 function forget(program) {
-  for (const old of [program, program.compare]) {
-    if (!old?.view) continue;
-    old.tiles.release();
-    api.dropView(old.view.id);
-  }
-  program.compare = null;
+  forgetCompared(program);
+  $('compared').textContent = '';
+  if (!program.view) return;
+  program.tiles.release();
+  api.dropView(program.view.id);
 }
 
 function fail(error) {
@@ -154,6 +162,9 @@ async function show(program, fit) {
   $('way').value = 0;
   $('save-nc').disabled = view.refused === true;
   $('save-svg').disabled = false;
+  $('save-record').disabled = view.refused === true;
+  $('plane').disabled = false;
+  $('plane').value = view.plane ?? 'PLANE_XY';
   program.uncut = [];
   $('survey').disabled = inside !== null;
   $('largest').replaceChildren();
@@ -174,14 +185,19 @@ function showAll() {
 
 // ---- what was said
 
-const mm = value => (value ?? 0).toLocaleString(currentLanguage(), {maximumFractionDigits: 4, useGrouping: false});
+// As controls write them, in every language.
+function inUnit(value) {
+  const {size, digits} = unitOf(current?.view);
+  return String(Number(((value ?? 0) / size).toFixed(digits)) || 0);
+}
+const withUnit = value => `${inUnit(value)} ${unitOf(current?.view).name}`;
 
 function showSaid(view) {
   const found = view.diagnostics ?? [];
   say(t(view.refused ? 'refused' : found.length ? 'notes' : 'done'), view.refused ? 'error' : '');
   const order = {ERROR: 0, WARNING: 1, NOTE: 2};
   const items = [...found].sort((a, b) => order[a.severity] - order[b.severity]).map(item);
-  current.proposals = found.flatMap(d => (d.entryHelp?.proposals ?? []).map(p => motionsOf(p, at => inPlane(view, at))));
+  current.proposals = !isOwnPlane(view) ? [] : found.flatMap(d => (d.entryHelp?.proposals ?? []).map(p => motionsOf(p, at => inPlane(view.plane, at))));
   if (view.diagnosticsLeftOut) {
     const rest = document.createElement('li');
     rest.textContent = `${view.diagnosticsLeftOut} ${t('leftOut')}`;
@@ -215,12 +231,12 @@ function item(diagnostic) {
 // What would do in place of the approach or the retract that was refused.
 function helpWithEntry(help) {
   const {view} = current;
-  const names = axesOf(view).slice(0, 2);
-  const at = point => names.map(name => `${name.toUpperCase()}${mm(point[name])}`).join(' ');
+  const names = axesOf(view.plane).slice(0, 2);
+  const at = point => names.map(name => `${name.toUpperCase()}${inUnit(point[name])}`).join(' ');
   const list = document.createElement('ul');
   list.className = 'proposals';
   const facts = [
-    help.neededLength && t('tooShort', {given: mm(help.givenLength), needed: mm(help.neededLength)}),
+    help.neededLength && t('tooShort', {given: withUnit(help.givenLength), needed: withUnit(help.neededLength)}),
     help.legalPoint && t(help.leaves ? 'mayEnd' : 'mayStart', {at: at(help.legalPoint)}),
   ].filter(Boolean);
   if (facts.length) {
@@ -234,8 +250,8 @@ function helpWithEntry(help) {
     const shape = proposal.shape === 'SHAPE_LINE' ? t('asLine') : t('asQuarter');
     const head = document.createElement('strong');
     head.textContent = `${t(help.leaves ? 'proposedExit' : 'proposedEntry')}, ${shape}`;
-    const motions = motionsOf(proposal, point => inPlane(view, point));
-    button.append(head, ` ${textOf(proposal, motions, at, radius => `${t('arc')} R${mm(radius)}`)}`);
+    const motions = motionsOf(proposal, point => inPlane(view.plane, point));
+    button.append(head, ` ${textOf(proposal, motions, at, radius => `${t('arc')} R${inUnit(radius)}`)}`);
     button.addEventListener('click', () => {
       const points = motions.flatMap(({from, to}) => [from, to]);
       zoomTo(view, ...cornersOf(points));
@@ -247,6 +263,8 @@ function helpWithEntry(help) {
   return [list];
 }
 
+const positionText = p => `X${inUnit(p.x)} Y${inUnit(p.y)} Z${inUnit(p.z)}`;
+
 function showCertificate(view) {
   const rows = [];
   const add = (name, value) => {
@@ -257,24 +275,24 @@ function showCertificate(view) {
   };
   const c = view.summary?.path?.minClearance;
   if (c) {
-    add(t('smallest'), `${mm(c.distance)} ${t('required')} ${mm(c.toolRadius)} mm`);
-    if (c.point) add(t('at'), `X${mm(c.point.x)} Y${mm(c.point.y)} Z${mm(c.point.z)}`);
+    add(t('smallest'), `${inUnit(c.distance)} ${t('required')} ${withUnit(c.toolRadius)}`);
+    if (c.point) add(t('at'), positionText(c.point));
     add(t('checked'), `${c.blocksChecked ?? 0}`);
     if (c.blocksGouging) add(t('tooNear'), `${c.blocksGouging}`);
   } else {
     add(t('certificate'), t(view.measuring ? 'measuring' : view.toolRadius && !view.refused ? 'notMeasured' : 'none'));
   }
-  add(t('tool'), `${mm(view.toolRadius)} mm`);
-  add(t('plane'), axesOf(view).slice(0, 2).join('').toUpperCase());
-  add(t('length'), `${mm(view.pathLength)} mm, ${view.pathBlocks ?? 0} ${t('blocks')}`);
-  add(t('height'), `${axesOf(view)[2].toUpperCase()} ${mm(view.lowest)} … ${mm(view.highest)} mm`);
+  add(t('tool'), withUnit(view.toolRadius));
+  add(t('plane'), axesOf(view.plane).slice(0, 2).join('').toUpperCase());
+  add(t('length'), `${withUnit(view.pathLength)}, ${view.pathBlocks ?? 0} ${t('blocks')}`);
+  add(t('height'), `${axesOf(view.plane)[2].toUpperCase()} ${inUnit(view.lowest)} … ${withUnit(view.highest)}`);
   $('certificate').replaceChildren(...rows);
 }
 
 // ---- going to a line
 
 const cornersOf = points => [Math.min, Math.max].map(end => ({x: end(...points.map(p => p.x)), y: end(...points.map(p => p.y))}));
-const boundsOf = (view, blocks) => cornersOf(blocks.flatMap(b => [inPlane(view, b.start ?? {}), inPlane(view, b.end ?? {})]));
+const boundsOf = (view, blocks) => cornersOf(blocks.flatMap(b => [inPlane(view.plane, b.start ?? {}), inPlane(view.plane, b.end ?? {})]));
 
 function zoomTo(view, low, high) {
   const least = Math.max(4 * (view.toolRadius ?? 0), 1);
@@ -286,7 +304,7 @@ function zoomTo(view, low, high) {
 async function goTo(diagnostic) {
   const {view} = current;
   if (diagnostic.point) {
-    const at = inPlane(view, diagnostic.point);
+    const at = inPlane(view.plane, diagnostic.point);
     zoomTo(view, at, at);
   }
   await mark(diagnostic.line ?? 0, !diagnostic.point);
@@ -322,8 +340,8 @@ async function survey() {
   if (current !== program || program.view !== view) return;
   $('survey').disabled = false;
   $('largest').replaceChildren(...(answer ? surveyed(answer, view) : []));
-  program.uncut = (answer?.radii?.[0]?.uncut ?? []).map(({start, end, center, sweep}) => (
-    {from: inPlane(view, start ?? {}), to: inPlane(view, end ?? {}), ...(center && sweep && {center: inPlane(view, center), sweep})}));
+  program.uncut = !isOwnPlane(view) ? [] : (answer?.radii?.[0]?.uncut ?? []).map(({start, end, center, sweep}) => (
+    {from: inPlane(view.plane, start ?? {}), to: inPlane(view.plane, end ?? {}), ...(center && sweep && {center: inPlane(view.plane, center), sweep})}));
   redraw();
 }
 
@@ -331,7 +349,7 @@ function surveyed({radii = [], summary}, view) {
   const largest = summary?.largest ?? {};
   const head = document.createElement('strong');
   head.textContent = !largest.radius ? t('largestNone')
-    : `${t('largestIs')} ${largest.isLimited ? '' : `${t('atLeast')} `}${mm(largest.radius)} mm`;
+    : `${t('largestIs')} ${largest.isLimited ? '' : `${t('atLeast')} `}${withUnit(largest.radius)}`;
   const parts = [head];
   (largest.limits ?? []).filter(place => place.line).forEach((place, i) => {
     const button = document.createElement('button');
@@ -342,7 +360,7 @@ function surveyed({radii = [], summary}, view) {
   const [own] = radii;
   if (own?.wallLength) {
     const uncut = document.createElement('p');
-    uncut.textContent = `${mm(own.uncutLength)} mm ${t('of')} ${mm(own.wallLength)} mm ${t('uncut', {radius: mm(view.toolRadius)})}`;
+    uncut.textContent = `${withUnit(own.uncutLength)} ${t('of')} ${withUnit(own.wallLength)} ${t('uncut', {radius: withUnit(view.toolRadius)})}`;
     parts.push(uncut);
   }
   return parts;
@@ -359,8 +377,7 @@ async function move() {
   try {
     place = await api.place(view.id, Number($('way').value) / Number($('way').max), asked.signal);
   } catch { return; }
-  const p = place.position ?? {};
-  $('place').textContent = `X${mm(p.x)} Y${mm(p.y)} Z${mm(p.z)}` + (place.block?.line ? `, ${t('line')} ${place.block.line}` : '');
+  $('place').textContent = positionText(place.position ?? {}) + (place.block?.line ? `, ${t('line')} ${place.block.line}` : '');
   line = place.block?.line ?? 0;
   input.select(line);
   output.select(line);
@@ -379,11 +396,10 @@ stage.addEventListener('pointerdown', event => {
 });
 stage.addEventListener('pointermove', event => {
   const at = camera.toPlane(event.offsetX, event.offsetY);
-  const names = axesOf(current?.view);
-  // In the unit the program was said to have.
-  const [unit, size, digits] = current?.settings?.unit === 'inch' ? ['inch', 25.4, 4] : ['mm', 1, 3];
+  const names = axesOf(current?.view?.plane);
+  const {name: unit, size, digits} = unitOf(current?.view);
   $('cursor').textContent = !current ? ''
-    : `${names[0].toUpperCase()} ${(at.x / size).toFixed(digits)}  ${names[1].toUpperCase()} ${(at.y / size).toFixed(digits)} ${unit}`;
+    : `${names[0].toUpperCase()} ${(at.x / size).toFixed(digits - 1)}  ${names[1].toUpperCase()} ${(at.y / size).toFixed(digits - 1)} ${unit}`;
   if (!drag || !fingers.has(event.pointerId)) return;
   const before = fingers.get(event.pointerId);
   const dx = event.offsetX - before.offsetX, dy = event.offsetY - before.offsetY;
@@ -416,8 +432,11 @@ function click(x, y) {
   const found = current.tiles.pick(camera, at, 8 / camera.scale);
   if (isMeasuring) {
     measured = measured.length === 1 ? [measured[0], found?.point ?? at] : [found?.point ?? at];
-    if (measured.length === 2)
-      $('place').textContent = `${mm(Math.hypot(measured[1].x - measured[0].x, measured[1].y - measured[0].y))} mm`;
+    if (measured.length === 2) {
+      const [dx, dy] = [measured[1].x - measured[0].x, measured[1].y - measured[0].y];
+      const [first, second] = axesOf(current.view.plane).map(name => name.toUpperCase());
+      $('place').textContent = `${withUnit(Math.hypot(dx, dy))} (${first} ${inUnit(dx)}, ${second} ${inUnit(dy)})`;
+    }
     return redraw();
   }
   mark(found?.line ?? 0, false);
@@ -430,6 +449,7 @@ stage.addEventListener('keydown', event => {
     ArrowUp: () => { camera.y += step; }, ArrowDown: () => { camera.y -= step; },
     '+': () => camera.zoom(1.4), '-': () => camera.zoom(1 / 1.4), 0: showAll,
     Escape: () => { measured = []; line = 0; },
+    m: () => $('measure').click(), Enter: () => { if (current?.tiles) click(camera.width / 2, camera.height / 2); },
   }[event.key];
   if (!act) return;
   event.preventDefault();
@@ -447,6 +467,12 @@ $('measure').addEventListener('click', () => {
   redraw();
 });
 $('way').addEventListener('input', move);
+stage.addEventListener('focus', redraw);
+stage.addEventListener('blur', redraw);
+$('plane').addEventListener('change', () => {
+  current.plane = {PLANE_XY: 'xy', PLANE_ZX: 'zx', PLANE_YZ: 'yz'}[$('plane').value];
+  compute(true);
+});
 
 // ---- files
 
@@ -474,41 +500,80 @@ $('save-nc').addEventListener('click', async () => {
     save(await api.compensated(current, current.settings), `${stem(current.name)}_g40.nc`);
   } catch (error) { fail(error); }
 });
-$('save-svg').addEventListener('click', () =>
-  save(new Blob([svgOf(camera, current.tiles.visible(camera), current.name)], {type: 'image/svg+xml'}), `${stem(current.name)}.svg`));
+$('save-svg').addEventListener('click', () => {
+  const {view, tiles, compare, name} = current;
+  const found = also.marks ? (view.diagnostics ?? []).filter(d => d.point && d.severity !== 'NOTE').map(d => ({...d, at: inPlane(view.plane, d.point)})) : [];
+  const svg = svgOf(camera, {tiles: tiles.visible(camera), compared: compare && also.compare ? compare.tiles.visible(camera) : [],
+    arrows: also.arrows ? arrowsOf(camera, tiles.visible(camera), isShown) : [], found, isShown, title: name});
+  save(new Blob([svg], {type: 'image/svg+xml'}), `${stem(name)}.svg`);
+});
+$('save-record').addEventListener('click', async () => {
+  try {
+    save(await api.record(current, current.settings), `${stem(current.name)}_g40.json`);
+  } catch (error) { fail(error); }
+});
 
 // ---- forms
 
 $('form').addEventListener('submit', event => { event.preventDefault(); compute(false); });
 $('form').addEventListener('input', event => event.target.setCustomValidity(''));
-$('compare-form').addEventListener('submit', async event => {
-  event.preventDefault();
-  if (!current?.view) return;
+// ---- two results on top of each other
+
+async function compare(program) {
   try {
-    const view = await api.makeView(current, {...current.settings, tool_radius: $('compare-radius').value});
-    if (current.compare) { current.compare.tiles.release(); api.dropView(current.compare.view.id); }
-    current.compare = {view, tiles: tilesOf(view)};
+    const view = await api.makeView(program, {...program.settings, ...program.compareWith}, program.plane);
+    forgetCompared(program);
+    program.compare = {view, tiles: tilesOf(view)};
+    if (current !== program) return;
     document.body.dataset.compared = view.id;
+    $('compared').textContent = compared(program);
     redraw();
   } catch (error) { fail(error); }
+}
+
+function compared({compareWith, compare: {view}}) {
+  const [[name, value]] = Object.entries(compareWith);
+  const error = (view.diagnostics ?? []).find(d => d.severity === 'ERROR');
+  const smallest = view.summary?.path?.minClearance;
+  return `${settingName(name, currentLanguage())} ${settingWord(value, currentLanguage())}: ` + [
+    view.refused ? `${t('refusedShort')} ${error?.code ?? ''}` + (error?.line ? `, ${t('line')} ${error.line}` : '') : '',
+    `${t('length')} ${withUnit(view.pathLength)}`,
+    smallest ? `${t('smallest')} ${inUnit(smallest.distance)} ${t('required')} ${withUnit(smallest.toolRadius)}` : '',
+  ].filter(Boolean).join('; ');
+}
+
+function forgetCompared(program) {
+  const {compare: old} = program;
+  if (!old) return;
+  old.tiles.release();
+  api.dropView(old.view.id);
+  program.compare = null;
+}
+
+$('compare-form').addEventListener('submit', event => {
+  event.preventDefault();
+  if (!current?.view) return;
+  current.compareWith = {[$('compare-setting').value]: $('compare-value').value.trim()};
+  compare(current);
 });
 $('compare-off').addEventListener('click', () => {
-  if (!current?.compare) return;
-  current.compare.tiles.release();
-  api.dropView(current.compare.view.id);
-  current.compare = null;
+  if (!current) return;
+  current.compareWith = null;
+  forgetCompared(current);
+  $('compared').textContent = '';
   redraw();
 });
 
 function makeLayers() {
-  const box = (name, color, get, set) => {
+  // `kind`: how it is drawn, as a class of the sample.
+  const box = (name, color, kind, get, set) => {
     const label = document.createElement('label');
     const check = document.createElement('input');
     check.type = 'checkbox';
     check.checked = get();
     check.addEventListener('change', () => { set(check.checked); redraw(); });
     const swatch = document.createElement('span');
-    swatch.className = 'swatch';
+    swatch.className = `swatch ${kind}`;
     swatch.style.borderTopColor = color;
     const text = document.createElement('span');
     text.dataset.text = name;
@@ -516,26 +581,30 @@ function makeLayers() {
     label.append(check, swatch, text);
     return label;
   };
-  const bit = (name, color, i) => box(name, color, () => (layers >> i & 1) === 1,
+  const bit = (name, color, kind, i) => box(name, color, kind, () => (layers >> i & 1) === 1,
     on => { layers = on ? layers | 1 << i : layers & ~(1 << i); });
+  const others = [['layerArrows', 'text', 'arrow', 'arrows'], ['layerBand', 'band', 'wide', 'band'],
+    ['layerCompare', 'compare', '', 'compare'], ['layerMarks', 'finding', 'cross', 'marks'],
+    ['layerProposal', 'proposal', 'dashed', 'proposals'], ['layerUncut', 'uncut', 'dotted', 'uncut']];
   $('layers').replaceChildren(
-    ...styleNames.map((name, i) => bit(name, palette()[i], i)), bit('layerRapid', special().text, 6),
-    ...[['layerBand', 'band', 'band'], ['layerCompare', 'compare', 'compare'], ['layerMarks', 'finding', 'marks'],
-      ['layerProposal', 'proposal', 'proposals'], ['layerUncut', 'uncut', 'uncut']].map(([name, color, key]) => {
-      return box(name, special()[color], () => also[key], on => { also[key] = on; });
-    }));
+    ...styleNames.map((name, i) => bit(name, palette()[i], widths[i] < 2 ? 'thin' : '', i)),
+    bit('layerRapid', special().text, 'dashed', 6),
+    ...others.map(([name, color, kind, key]) =>
+      box(name, special()[color], kind, () => also[key], on => { also[key] = on; })));
 }
 
 $('language').addEventListener('change', () => {
   translate($('language').value);
   options?.translate();
   if (current?.view) showSaid(current.view);
+  if (current?.compare) $('compared').textContent = compared(current);
 });
 
 async function begin() {
   translate();
   $('language').value = currentLanguage();
   makeLayers();
+  $('plane').replaceChildren(...planeNames.map((name, i) => new Option(`${name.slice(6)} (G${17 + i})`, name)));
   matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => { makeLayers(); redraw(); });
   new ResizeObserver(redraw).observe($('stage'));
   document.body.dataset.inside = inside !== null;
@@ -547,6 +616,7 @@ async function begin() {
     return choose(programs[0]);
   }
   options = new Options($('form'), await api.openApi(), await api.info());
+  options.offerOther($('compare-setting'), $('compare-value'));
   document.body.dataset.ready = 'true';
   const token = new URLSearchParams(location.search).get('offer');
   if (!token) return;

@@ -4,7 +4,7 @@ import {currentLanguage, t} from './texts.js';
 // The settings of the server as a form: what there is comes from its OpenAPI document, what #TRC
 // options mean from its info.
 const mainSettings = ['tool_radius', 'dialect', 'unit', 'wear', 'tools', 'selection_mode', 'transition', 'contour_masking'];
-export const notForPeople = ['language', 'response_layout', 'client_tag', 'want_resume_tokens', 'name', 'decimals'];
+export const notForPeople = ['language', 'response_layout', 'client_tag', 'want_resume_tokens', 'name', 'decimals', 'shown_plane'];
 
 export class Options {
   constructor(form, openApi, info) {
@@ -12,6 +12,7 @@ export class Options {
       .filter(p => p.in === 'query' && !notForPeople.includes(p.name));
     const meanings = new Map((info.trcKeywords ?? []).map(k => [k.name.toLowerCase(), k.meaning]));
     this.inputs = new Map();
+    this.descriptions = new Map();
     this.translations = [];
     const orderOf = ({name}) => (mainSettings.indexOf(name) + 1) || mainSettings.length + 1;
     for (const parameter of [...parameters].sort((a, b) => orderOf(a) - orderOf(b))) {
@@ -28,6 +29,7 @@ export class Options {
     input.name = name;
     input.autocomplete = 'off';
     this.inputs.set(name, input);
+    this.descriptions.set(name, description);
     label.append(title, input);
     this.translations.push(language => { title.textContent = settingName(name, language); });
     const kind = input.tagName === 'INPUT' && description !== 'a number' ? description : '';
@@ -56,6 +58,26 @@ export class Options {
       this.translations.push(language => { option.text = settingWord(word, language); });
     }
     return select;
+  }
+
+  // Another value of a setting: which one, and an input that takes what it takes.
+  offerOther(which, place) {
+    which.replaceChildren(...[...this.inputs.keys()].map(name => new Option(name, name)));
+    const name = () => {
+      for (const option of which.options) option.text = settingName(option.value, currentLanguage());
+    };
+    const show = () => {
+      const input = this.input(this.descriptions.get(which.value));
+      input.id = place.id;
+      input.autocomplete = 'off';
+      input.setAttribute('aria-labelledby', place.getAttribute('aria-labelledby'));
+      place.replaceWith(input);
+      place = input;
+      for (const say of this.translations) say(currentLanguage());
+    };
+    this.translations.push(name);
+    which.addEventListener('change', show);
+    show();
   }
 
   get values() {

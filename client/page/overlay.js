@@ -1,4 +1,5 @@
-import {special} from './styles.js';
+import {axesOf, inPlane} from './planes.js';
+import {palette, special} from './styles.js';
 
 // What lies over the picture: axes with a scale, the tool, findings, what is measured.
 export class Overlay {
@@ -7,42 +8,73 @@ export class Overlay {
     this.context = canvas.getContext('2d');
   }
 
-  draw(camera, ratio, {view, place, measured, marks, proposals, uncut}) {
+  draw(camera, ratio, {view, unit, arrows, place, measured, marks, proposals, uncut, aim}) {
     const c = this.context;
     c.setTransform(ratio, 0, 0, ratio, 0, 0);
     c.clearRect(0, 0, camera.width, camera.height);
     if (!view) return;
     this.colors = special();
     c.font = '12px system-ui, sans-serif';
-    this.axes(camera);
+    this.axes(camera, unit.size);
+    this.arrows(arrows);
     for (const stretch of uncut ?? []) this.way(camera, [stretch], {color: this.colors.uncut, width: 5, dash: [2, 4]});
     for (const proposal of proposals ?? []) this.proposal(camera, proposal);
     if (marks) for (const finding of view.diagnostics ?? []) this.finding(camera, view, finding);
-    if (place?.point) this.tool(camera, place);
+    if (place?.point) this.tool(camera, view, place);
     this.measure(camera, measured);
+    if (aim) this.aim(camera);
   }
 
-  axes(camera) {
+  // Scales count in the unit of the program, which has so many mm.
+  axes(camera, size) {
     const c = this.context;
-    const step = niceStep(90 / camera.scale);
+    const unitStep = niceStep(90 / camera.scale / size), step = unitStep * size;
     c.fillStyle = c.strokeStyle = this.colors.text;
-    c.globalAlpha = 0.65;
-    c.lineWidth = 1;
+    c.lineWidth = 3;
     const low = camera.toPlane(0, camera.height), high = camera.toPlane(camera.width, 0);
-    const digits = Math.max(0, -Math.floor(Math.log10(step)));
+    const digits = Math.max(0, -Math.floor(Math.log10(unitStep) + 1e-9));
+    const label = (value, x, y) => {
+      c.strokeStyle = this.colors.back;
+      const text = (Math.round(value / step) * unitStep).toFixed(digits);
+      c.strokeText(text, x, y);
+      c.fillText(text, x, y);
+    };
     c.textBaseline = 'bottom';
     for (let x = Math.ceil(low.x / step) * step; x <= high.x; x += step) {
       const [sx] = camera.toScreen({x, y: 0});
       c.fillRect(sx, camera.height - 5, 1, 5);
-      c.fillText(x.toFixed(digits), sx + 3, camera.height - 2);
+      label(x, sx + 3, camera.height - 2);
     }
     c.textBaseline = 'middle';
     for (let y = Math.ceil(low.y / step) * step; y <= high.y; y += step) {
       const [, sy] = camera.toScreen({x: 0, y});
       c.fillRect(0, sy, 5, 1);
-      c.fillText(y.toFixed(digits), 8, sy);
+      label(y, 8, sy);
     }
-    c.globalAlpha = 1;
+  }
+
+  arrows(arrows) {
+    const c = this.context, colors = palette();
+    for (const {x, y, dx, dy, style} of arrows) {
+      c.fillStyle = colors[style];
+      c.beginPath();
+      c.moveTo(x + 7 * dx, y + 7 * dy);
+      c.lineTo(x - 5 * dx - 5 * dy, y - 5 * dy + 5 * dx);
+      c.lineTo(x - 5 * dx + 5 * dy, y - 5 * dy - 5 * dx);
+      c.closePath();
+      c.fill();
+    }
+  }
+
+  // Where a key puts a point.
+  aim(camera) {
+    const c = this.context, x = camera.width / 2, y = camera.height / 2;
+    c.strokeStyle = this.colors.marked;
+    c.lineWidth = 2;
+    c.beginPath();
+    c.moveTo(x - 12, y); c.lineTo(x + 12, y);
+    c.moveTo(x, y - 12); c.lineTo(x, y + 12);
+    c.stroke();
   }
 
   // Motions after each other, each {from, to, center, sweep} in the plane.
@@ -75,8 +107,7 @@ export class Overlay {
   // A circle with a cross: a shape, not a colour alone.
   finding(camera, view, diagnostic) {
     if (!diagnostic.point || diagnostic.severity === 'NOTE') return;
-    const names = {PLANE_ZX: ['z', 'x'], PLANE_YZ: ['y', 'z']}[view.plane] ?? ['x', 'y'];
-    const [x, y] = camera.toScreen({x: diagnostic.point[names[0]] ?? 0, y: diagnostic.point[names[1]] ?? 0});
+    const [x, y] = camera.toScreen(inPlane(view.plane, diagnostic.point));
     const c = this.context, r = diagnostic.severity === 'ERROR' ? 9 : 6;
     c.strokeStyle = this.colors.finding;
     c.lineWidth = 2.5;
@@ -87,14 +118,22 @@ export class Overlay {
     c.stroke();
   }
 
-  tool(camera, place) {
+  // Round, or a shank with its tip where it is seen from the side.
+  tool(camera, view, place) {
     const [x, y] = camera.toScreen({x: place.point.x ?? 0, y: place.point.y ?? 0});
     const radius = (place.block?.toolRadius ?? 0) * camera.scale;
     const c = this.context;
     c.strokeStyle = this.colors.text;
     c.lineWidth = 1.5;
     c.beginPath();
-    if (radius > 0) c.arc(x, y, radius, 0, 2 * Math.PI);
+    const shown = view.plane ?? 'PLANE_XY', own = place.block?.plane ?? shown;
+    if (radius > 0 && own === shown) {
+      c.arc(x, y, radius, 0, 2 * Math.PI);
+    } else if (radius > 0) {
+      const length = Math.max(4 * radius, 40);
+      if (axesOf(shown)[0] === axesOf(own)[2]) c.rect(x, y - radius, length, 2 * radius);
+      else c.rect(x - radius, y - length, 2 * radius, length);
+    }
     c.moveTo(x - 6, y); c.lineTo(x + 6, y);
     c.moveTo(x, y - 6); c.lineTo(x, y + 6);
     c.stroke();

@@ -20,6 +20,8 @@ export class Camera {
 }
 
 const tilePixels = 512;
+// Of all tiles that are seen together.
+const mostSegments = 50_000, mostOfTile = 8192;
 const mostTiles = 160;
 
 export class Tiles {
@@ -42,13 +44,16 @@ export class Tiles {
     const clamp = i => Math.max(0, Math.min(2 ** level - 1, i));
     const lowX = view.tileLow?.x ?? 0, lowY = view.tileLow?.y ?? 0;
     if (high.x < lowX || high.y < lowY || low.x > lowX + size || low.y > lowY + size) return [];
+    // A tile is seen at least that large, one more begins at each edge.
+    const across = pixels => Math.ceil(pixels / (tilePixels * Math.SQRT1_2)) + 1;
+    const segments = Math.floor(Math.min(mostOfTile, mostSegments / (across(camera.width) * across(camera.height))));
     const wanted = new Set();
     const draw = new Map();
     for (let y = clamp(index(low.y, lowY)); y <= clamp(index(high.y, lowY)); ++y)
       for (let x = clamp(index(low.x, lowX)); x <= clamp(index(high.x, lowX)); ++x) {
         const key = `${level}/${x}/${y}`;
         wanted.add(key);
-        if (!this.loaded.has(key)) this.ask(key, level, x, y);
+        if (!this.loaded.has(key)) this.ask(key, {level, x, y, segments});
         const found = this.nearest(level, x, y);
         if (found) draw.set(found.key, found);
       }
@@ -69,12 +74,13 @@ export class Tiles {
     return null;
   }
 
-  async ask(key, level, x, y) {
+  async ask(key, name) {
     if (this.asked.has(key)) return;
     const abort = new AbortController();
     this.asked.set(key, abort);
     try {
-      const bytes = await api.tile(this.view.id, level, x, y, abort.signal);
+      const {level, x, y} = name;
+      const bytes = await api.tile(this.view.id, name, abort.signal);
       const count = new DataView(bytes).getUint32(4, true);
       const side = this.view.tileSize / 2 ** level;
       this.loaded.set(key, {key, level, count, side, bytes,

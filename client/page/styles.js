@@ -1,6 +1,7 @@
 // Colours that differ for every kind of colour vision (Okabe and Ito), by the style of an element.
 export const styleNames = ['layerContour', 'layerMasked', 'layerPath', 'layerTransition', 'layerLead', 'layerPlain'];
-export const rapidFlag = 0x100, pathFlag = 0x200;
+// Aside: another plane holds there than the one that is shown.
+export const rapidFlag = 0x100, pathFlag = 0x200, asideFlag = 0x400;
 
 const light = ['#1a1d21', '#d55e00', '#0072b2', '#1c9be0', '#007a5a', '#7a7a7a'];
 const dark = ['#f0f2f4', '#ff8a3c', '#4db5f0', '#9bdcff', '#3fd0a4', '#9a9a9a'];
@@ -12,4 +13,4 @@ export const special = () => isDark()
 
 export const rgb = hex => [1, 3, 5].map(i => parseInt(hex.slice(i, i + 2), 16) / 255);
 // Pixels: what matters is wider.
-export const widths = [1.6, 3, 2.2, 2.6, 2.2, 1.4];
+export const widths = [1.6, 3, 2.2, 2.6, 1.5, 1.4];

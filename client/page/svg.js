@@ -1,24 +1,42 @@
-import {palette, rapidFlag, widths} from './styles.js';
+import {palette, pathFlag, rapidFlag, special, widths} from './styles.js';
 
 const escaped = text => text.replace(/[&<>"]/g, c => `&#${c.charCodeAt(0)};`);
+const px = value => value.toFixed(2);
 
-// What is seen, as SVG.
-export function svgOf(camera, tiles, title) {
+// The segments of one look together: [key, "M…L…"].
+function pathsOf(camera, tiles, keyOf) {
   const paths = new Map();
   for (const tile of tiles)
     for (let i = 0; i < tile.count; ++i) {
-      const word = tile.words[i * 7 + 6];
+      const key = keyOf(tile.words[i * 7 + 6]);
+      if (key === null) continue;
       const [ax, ay] = camera.toScreen({x: tile.x + tile.numbers[i * 7], y: tile.y + tile.numbers[i * 7 + 1]});
       const [bx, by] = camera.toScreen({x: tile.x + tile.numbers[i * 7 + 2], y: tile.y + tile.numbers[i * 7 + 3]});
-      const key = word & (0xff | rapidFlag);
       if (!paths.has(key)) paths.set(key, []);
-      paths.get(key).push(`M${ax.toFixed(2)} ${ay.toFixed(2)}L${bx.toFixed(2)} ${by.toFixed(2)}`);
+      paths.get(key).push(`M${px(ax)} ${px(ay)}L${px(bx)} ${px(by)}`);
     }
-  const drawn = [...paths].sort(([a], [b]) => a - b).map(([key, parts]) => {
-    const style = key & 0xff;
-    return `<path d="${parts.join('')}" stroke="${palette()[style]}" stroke-width="${widths[style]}"` +
-      `${key & rapidFlag ? ' stroke-dasharray="5 5"' : ''}/>`;
-  });
-  return `<?xml version="1.0" encoding="UTF-8"?>\n<svg xmlns="http://www.w3.org/2000/svg" width="${camera.width}" height="${camera.height}">` +
-    `<title>${escaped(title)}</title><g fill="none" stroke-linecap="round">${drawn.join('\n')}</g></svg>\n`;
+  return [...paths].sort(([a], [b]) => a - b).map(([key, parts]) => [key, parts.join('')]);
+}
+
+// What is seen, as SVG. `found` has the place of each finding in the plane as `at`.
+export function svgOf(camera, {tiles, compared, arrows, found, isShown, title}) {
+  const {width, height} = camera;
+  const dashes = key => (key & rapidFlag ? ' stroke-dasharray="5 5"' : '');
+  const drawn = pathsOf(camera, compared, word => (word & pathFlag ? word & rapidFlag : null))
+    .map(([key, d]) => `<path d="${d}" stroke="${special().compare}" stroke-width="${widths[2]}"${dashes(key)}/>`);
+  const shown = word => (isShown(word & 0xff, (word & rapidFlag) !== 0) ? word & (0xff | rapidFlag) : null);
+  for (const [key, d] of pathsOf(camera, tiles, shown))
+    drawn.push(`<path d="${d}" stroke="${palette()[key & 0xff]}" stroke-width="${widths[key & 0xff]}"${dashes(key)}/>`);
+  for (const {x, y, dx, dy, style} of arrows)
+    drawn.push(`<path d="M${px(x + 7 * dx)} ${px(y + 7 * dy)}L${px(x - 5 * dx - 5 * dy)} ${px(y - 5 * dy + 5 * dx)}` +
+      `L${px(x - 5 * dx + 5 * dy)} ${px(y - 5 * dy - 5 * dx)}Z" fill="${palette()[style]}" stroke="none"/>`);
+  for (const {at, severity, code, text, message} of found) {
+    const [x, y] = camera.toScreen(at), r = severity === 'ERROR' ? 9 : 6, s = 0.6 * r;
+    drawn.push(`<path d="M${px(x - r)} ${px(y)}a${r} ${r} 0 1 0 ${2 * r} 0a${r} ${r} 0 1 0 ${-2 * r} 0` +
+      `M${px(x - s)} ${px(y - s)}L${px(x + s)} ${px(y + s)}M${px(x - s)} ${px(y + s)}L${px(x + s)} ${px(y - s)}" ` +
+      `stroke="${special().finding}" stroke-width="2.5"><title>${escaped(`${code} ${text ?? message ?? ''}`)}</title></path>`);
+  }
+  return `<?xml version="1.0" encoding="UTF-8"?>\n<svg xmlns="http://www.w3.org/2000/svg" width="${width}" height="${height}">` +
+    `<title>${escaped(title)}</title><rect width="100%" height="100%" fill="${special().back}"/>\n` +
+    `<g fill="none" stroke-linecap="round">${drawn.join('\n')}</g></svg>\n`;
 }

@@ -20,7 +20,7 @@ void main() {
   bool rapid = (about.z & 256u) != 0u, path = (about.z & 512u) != 0u;
   bool shown = (layers >> style & 1u) != 0u && (!rapid || (layers >> 6 & 1u) != 0u);
   bool is_marked = line != 0u && about.y == line;
-  if (band > 0.0) shown = path && !rapid && style >= 2u && style <= 4u;
+  if (band > 0.0) shown = path && !rapid && (about.z & 1024u) == 0u && style >= 2u && style <= 4u;
   else if (is_compare) shown = path;
   vec2 a = origin + ends.xy * scale, b = origin + ends.zw * scale;
   span = distance(a, b);
@@ -99,14 +99,27 @@ export class WebGl {
     gl.uniform1f(this.at('band'), (how.band ?? 0) * camera.scale * ratio);
     gl.uniform1i(this.at('is_compare'), how.compare ? 1 : 0);
     gl.uniform3fv(this.at('own_color'), rgb(how.color ?? '#000000'));
+    // Strokes reach from tile to tile: each draws its own pixels, so that no seam is seen.
+    if (!how.band) gl.enable(gl.SCISSOR_TEST);
     for (const tile of tiles) {
       if (tile.count === 0) continue;
+      this.keepWithin(tile);
       gl.bindVertexArray(tile.array ?? this.upload(tile));
       // In double precision up to here: the tile's own numbers are small.
       gl.uniform2f(this.at('origin'), (tile.x - camera.x) * camera.scale * ratio, (tile.y - camera.y) * camera.scale * ratio);
       gl.drawArraysInstanced(gl.TRIANGLE_STRIP, 0, 4, tile.count);
     }
     gl.bindVertexArray(null);
+    gl.disable(gl.SCISSOR_TEST);
+  }
+
+  keepWithin(tile) {
+    const {gl, camera, ratio} = this;
+    const pixel = (at, from, extent) => Math.round(((at - from) * camera.scale + extent / 2) * ratio);
+    const clamped = (at, most) => Math.max(0, Math.min(most, at));
+    const [left, right] = [tile.x, tile.x + tile.side].map(x => clamped(pixel(x, camera.x, camera.width), this.canvas.width));
+    const [below, above] = [tile.y, tile.y + tile.side].map(y => clamped(pixel(y, camera.y, camera.height), this.canvas.height));
+    gl.scissor(left, below, right - left, above - below);
   }
 
   upload(tile) {

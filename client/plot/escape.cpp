@@ -52,4 +52,19 @@ std::string escaped(std::string_view text) {
   return safe;
 }
 
+std::vector<std::string> wrapped(const std::string& text, std::size_t most) {
+  std::vector<std::string> lines;
+  std::string rest = text;
+  while (rest.size() > most) {
+    std::size_t cut = rest.rfind(' ', most);
+    if (cut == std::string::npos || cut == 0) cut = most;
+    // Not within a letter.
+    while (cut > 1 && (static_cast<unsigned char>(rest[cut]) & 0xC0U) == 0x80U) --cut;
+    lines.push_back(rest.substr(0, cut));
+    rest.erase(0, rest.find_first_not_of(' ', cut));
+  }
+  lines.push_back(rest);
+  return lines;
+}
+
 }  // namespace trc::plot

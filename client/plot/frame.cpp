@@ -4,8 +4,28 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <numbers>
+#include <optional>
 
 namespace trc::plot {
+namespace {
+
+// One elliptical arc command spans at most half a turn: at more, the flag for
+// the larger arc would hang on how the ends were rounded.
+void append_arc(std::string& d, const Arc& arc, const Frame& frame) {
+  const double radius = (arc.start - arc.center).norm() * frame.scale;
+  const bool halved = std::abs(arc.sweep) > std::numbers::pi * (1 + 1e-9);
+  // Seen from above, y upwards, counter-clockwise is positive; on the sheet y
+  // runs down, where SVG calls the same sense 0.
+  const char* sense = arc.sweep > 0 ? "0" : "1";
+  const auto append = [&](const Point& to) {
+    d += "A" + px(radius) + " " + px(radius) + " 0 0 " + sense + " " + pair(frame.on_sheet(to));
+  };
+  if (halved) append(place_at(arc, 0.5).point);
+  append(arc.end);
+}
+
+}  // namespace
 
 Frame fit(const Bounds& contents, double widest, double tallest) {
   constexpr double margin = 0.06;  // of the larger extent, on each side
@@ -59,6 +79,34 @@ std::string decimal(double value, int decimals) {
     if (text.back() == '.') text.pop_back();
   }
   return text == "-0" ? "0" : text;
+}
+
+std::string px(double value) { return decimal(value, 3); }
+
+std::string pair(const Point& point) { return px(point.x()) + " " + px(point.y()); }
+
+std::string path_data(std::span<const Segment> segments, const Frame& frame) {
+  std::string d;
+  std::optional<Point> reached;
+  for (const Segment& segment : segments) {
+    const Place start = place_at(segment, 0);
+    if (!reached || *reached != start.point) d += "M" + pair(frame.on_sheet(start.point));
+    const Place end = place_at(segment, 1);
+    const auto* arc = std::get_if<Arc>(&segment);
+    if (arc && (arc->start - arc->center).norm() * frame.scale > 0.01) {
+      append_arc(d, *arc, frame);
+    } else {
+      d += "L" + pair(frame.on_sheet(end.point));
+    }
+    reached = end.point;
+  }
+  return d;
+}
+
+std::array<const char*, 2> axis_names(Plane plane) {
+  if (plane == Plane::zx) return {"Z", "X"};
+  if (plane == Plane::yz) return {"Y", "Z"};
+  return {"X", "Y"};
 }
 
 }  // namespace trc::plot

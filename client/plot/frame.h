@@ -1,9 +1,12 @@
 #pragma once
 
+#include <array>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "client/plot/outline.h"
+#include "core/geometry/plane.h"
 
 namespace trc::plot {
 
@@ -26,9 +29,9 @@ struct Frame {
 // `contents` allows, with a margin around it. Contents without extent get 1 mm.
 [[nodiscard]] Frame fit(const Bounds& contents, double widest, double tallest);
 
-// Round numbers (1, 2 or 5 times a power of ten apart) in [low, high].
+// Round numbers (1, 2 or 5 times a power of ten apart) in [low, high], in any unit.
 struct Ticks {
-  double step = 1;   // mm
+  double step = 1;
   int decimals = 0;  // that tell neighbours apart
   std::vector<double> at{};
 };
@@ -36,5 +39,16 @@ struct Ticks {
 
 // Fixed point with at most `decimals` digits, without trailing zeros and without "-0".
 [[nodiscard]] std::string decimal(double value, int decimals);
+
+// Pixels as a drawing has them, a number or a point.
+[[nodiscard]] std::string px(double value);
+[[nodiscard]] std::string pair(const Point& point);
+
+// The attribute `d` of a path along the segments, which moves where one does not begin where the
+// one before has ended.
+[[nodiscard]] std::string path_data(std::span<const Segment> segments, const Frame& frame);
+
+// Of the first and second axis of a plane.
+[[nodiscard]] std::array<const char*, 2> axis_names(Plane plane);
 
 }  // namespace trc::plot

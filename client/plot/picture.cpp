@@ -3,29 +3,21 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <iterator>
 #include <map>
 #include <optional>
 #include <set>
-#include <string_view>
 #include <utility>
 #include <vector>
 
 #include "client/plot/changed_contour.h"
-#include "core/base/entry_help.h"
-#include "core/base/explanation.h"
+#include "client/plot/findings.h"
+#include "client/plot/lead_blocks.h"
+#include "client/plot/words.h"
 #include "core/geometry/along.h"
 #include "core/trc/result/listing.h"
-#include "core/trc/walls/selection_contours.h"
 
 namespace trc::plot {
 namespace {
-
-std::string number_of(const Source& source) {
-  if (source.number != Source::no_number) return "N" + std::to_string(source.number);
-  if (source.line > 0) return "line " + std::to_string(source.line);
-  return "block " + std::to_string(source.index + 1);
-}
 
 Layer layer_of(Origin origin) {
   switch (origin) {
@@ -56,49 +48,14 @@ Plane plane_to_show(const Contents& contents) {
   return contents.path.empty() ? Plane::xy : contents.path.front().plane;
 }
 
-// What of the contour blocks is no wall, by their Source::index.
-class LeadBlocks {
- public:
-  // mm from the start of a block; nothing of a lead is a wall.
-  struct Wall {
-    double from = 0;
-    double to = 0;
-  };
-
-  explicit LeadBlocks(const Contents& contents) {
-    for (const SelectionContour& contour : contours_of(contents.programmed)) {
-      const SidedWalls walls = find_walls(contour, contents.leads);
-      for (std::size_t number = 0; number < contour.blocks.size(); ++number) {
-        const MotionBlock& block = *contour.blocks[number];
-        contour_.insert(contour_.end(), block.source.index);
-        if (walls.is_lead(number))
-          walls_.insert_or_assign(block.source.index, Wall{});
-        else if (const auto part = walls.part_of(number))
-          walls_.insert_or_assign(block.source.index,
-                                  Wall{part->from, std::min(part->to, length_of(block.path))});
-      }
-    }
-  }
-  // Not what leads to a contour, from it, or by without compensation.
-  [[nodiscard]] bool is_in_contour(std::uint64_t index) const {
-    return contour_.find(index) != contour_.end();
-  }
-  // Nothing: all of the block is a wall.
-  [[nodiscard]] std::optional<Wall> wall_of(std::uint64_t index) const {
-    const auto found = walls_.find(index);
-    return found == walls_.end() ? std::nullopt : std::optional(found->second);
-  }
-
- private:
-  std::set<std::uint64_t> contour_{};
-  std::map<std::uint64_t, Wall> walls_{};
-};
-
 class Composer {
  public:
-  explicit Composer(const Contents& contents) : contents_(contents) {
+  explicit Composer(const Contents& contents)
+      : contents_(contents), words_(words_in(contents.language)) {
     picture_.title = contents.title;
     picture_.plane = plane_to_show(contents);
+    picture_.language = contents.language;
+    picture_.inch = contents.inch;
     single_ = contents.programmed.size() + contents.path.size() <= most_single_strokes;
   }
 
@@ -107,9 +64,7 @@ class Composer {
     add_path();
     add_tools();
     add_radius_changes();
-    add_warnings();
-    add_fault();
-    add_proposals();
+    add_findings(contents_, picture_);
     std::stable_sort(picture_.strokes.begin(), picture_.strokes.end(),
                      [](const Stroke& a, const Stroke& b) { return a.layer < b.layer; });
     return std::move(picture_);
@@ -119,12 +74,14 @@ class Composer {
   void add(Stroke stroke) {
     std::erase_if(stroke.segments, [](const Segment& segment) { return !is_finite(segment); });
     if (stroke.segments.empty()) return;
+    stroke.ends.push_back(place_at(stroke.segments.back(), 1).point);
     if (!single_) {
       stroke.title.clear();
       Stroke& before = last_of(stroke.layer);
       if (!before.segments.empty() && before.rapid == stroke.rapid) {
         before.segments.insert(before.segments.end(), stroke.segments.begin(),
                                stroke.segments.end());
+        before.ends.push_back(stroke.ends.back());
         return;
       }
       flush(before);
@@ -176,10 +133,10 @@ class Composer {
     if (changed != changed_.end()) {
       add({.layer = Layer::replaced,
            .segments = project(plane, motion.path, motion.normal, picture_.plane),
-           .title = number_of(motion.source) + " as programmed"});
+           .title = number_of(motion.source, words_) + words_.as_programmed});
       add({.layer = Layer::programmed,
            .segments = project(plane, changed->second, motion.normal, picture_.plane),
-           .title = number_of(motion.source) + " contour, changed"});
+           .title = number_of(motion.source, words_) + words_.changed});
       return;
     }
     // A block the closing point lies in is a wall on one side of it and a lead on the other one.
@@ -204,7 +161,7 @@ class Composer {
     // Away from the tool.
     picture_.numbers.push_back({.at = middle.point,
                                 .aside = motion.mode->side == Side::left ? Vector(-left) : left,
-                                .text = number_of(motion.source)});
+                                .text = number_of(motion.source, words_)});
   }
 
   void show_part(const MotionBlock& motion, double from, double to, bool leads) {
@@ -219,8 +176,9 @@ class Composer {
     add({.layer = layer,
          .rapid = motion.rapid,
          .segments = project(motion.mode->plane, part, motion.normal, picture_.plane),
-         .title = number_of(motion.source) + (layer == Layer::lead ? " lead" : " contour") +
-                  (lost ? ", not travelled" : "")});
+         .title = number_of(motion.source, words_) +
+                  (layer == Layer::lead ? words_.lead : words_.contour) +
+                  (lost ? words_.not_travelled : "")});
   }
 
   void show(const PassiveBlock& passive, const Position& position) {
@@ -230,7 +188,7 @@ class Composer {
          .rapid = passive.rapid,
          .segments =
              project(plane, Line{.start = here, .end = here}, passive.normal, picture_.plane),
-         .title = number_of(passive.source) + " contour"});
+         .title = number_of(passive.source, words_) + words_.contour});
   }
 
   void add_path() {
@@ -240,7 +198,8 @@ class Composer {
       add({.layer = is_inserted(at) ? Layer::transition : layer_of(block.origin),
            .rapid = block.rapid,
            .segments = project(block.plane, block.path, block.normal, picture_.plane),
-           .title = number_of(block.source) + " " + std::string(name_of(block.origin))});
+           .title = number_of(block.source, words_) + " " +
+                    words_.origins[static_cast<std::size_t>(block.origin)]});
     }
     flush_joined();
   }
@@ -260,16 +219,6 @@ class Composer {
     const Vector way = place_at(block.path, 0.5).direction;
     return is_arc(block.path) || is_arc(other.path) ||
            (way - place_at(other.path, 0.5).direction).norm() > 1e-6;
-  }
-
-  void add_warnings() {
-    for (const Diagnostic& diagnostic : contents_.diagnostics) {
-      if (diagnostic.severity != Severity::warning) continue;
-      if (picture_.warnings.size() == most_warnings) return;
-      picture_.warnings.push_back({.place = place_of(diagnostic),
-                                   .text = text_of("warning ", diagnostic),
-                                   .remedy = remedy_of(diagnostic)});
-    }
   }
 
   // The tool where the first approach begins and where it first touches.
@@ -343,93 +292,8 @@ class Composer {
         {.center = place_at(last->path, 1).point, .radius = behind.mode->cutting_radius()});
   }
 
-  void add_fault() {
-    for (const Diagnostic& diagnostic : contents_.diagnostics) {
-      if (diagnostic.severity != Severity::error) continue;
-      picture_.fault =
-          Fault{.place = place_of(diagnostic),
-                .text = text_of("error ", diagnostic),
-                .remedy = remedy_of(diagnostic),
-                .tool_radius = diagnostic.point ? tool_radius_at(diagnostic.source.index) : 0};
-      return;
-    }
-  }
-
-  // Never travelled: the operator may put them in.
-  void add_proposals() {
-    for (const Diagnostic& diagnostic : contents_.diagnostics) {
-      if (!diagnostic.entry_help) continue;
-      const EntryHelp& help = *diagnostic.entry_help;
-      if (axes_of(picture_.plane).third != help.third_axis) continue;
-      for (const EntryProposal& proposal : help.proposals) add(proposal, help.leaves);
-    }
-    flush_joined();
-  }
-
-  void add(const EntryProposal& proposal, bool leaves) {
-    const bool is_line = proposal.shape == EntryProposal::Shape::line;
-    Stroke stroke{.layer = Layer::proposal,
-                  .title = std::string(leaves ? "proposed exit" : "proposed entry") +
-                           (is_line ? ", line" : ", quarter circle")};
-    Point at = in_plane(proposal.start);
-    for (const ProposedBlock& block : proposal.blocks) {
-      const Point end = in_plane(block.end);
-      if (block.center) {
-        stroke.segments.emplace_back(
-            Arc{.start = at, .end = end, .center = in_plane(*block.center), .sweep = block.sweep});
-      } else {
-        stroke.segments.emplace_back(Line{.start = at, .end = end});
-      }
-      at = end;
-    }
-    add(std::move(stroke));
-  }
-
-  [[nodiscard]] Point in_plane(const DiagnosticPoint& point) const {
-    return to_plane(picture_.plane, Position{point.x, point.y, point.z});
-  }
-
-  [[nodiscard]] std::optional<Point> place_of(const Diagnostic& diagnostic) const {
-    if (diagnostic.point) return in_plane(*diagnostic.point);
-    std::optional<Point> reached;
-    for (const Block& block : contents_.programmed) {
-      const auto* motion = std::get_if<MotionBlock>(&block);
-      if (!motion || !motion->mode || motion->mode->plane != picture_.plane) continue;
-      if (motion->source.index == diagnostic.source.index) return place_at(motion->path, 0.5).point;
-      if (motion->source.index > diagnostic.source.index) break;
-      reached = place_at(motion->path, 1).point;
-    }
-    return reached;
-  }
-
-  // Of the last motion up to there under TRC; behind its end the tool is still the same.
-  [[nodiscard]] double tool_radius_at(std::uint64_t index) const {
-    double radius = 0;
-    for (const Block& block : contents_.programmed) {
-      const auto* motion = std::get_if<MotionBlock>(&block);
-      if (!motion || !motion->mode) continue;
-      if (motion->source.index > index) break;
-      if (motion->mode->active()) radius = motion->mode->cutting_radius();
-    }
-    return radius;
-  }
-
-  static std::string text_of(const std::string& severity, const Diagnostic& diagnostic) {
-    std::string text = severity + std::to_string(static_cast<std::int32_t>(diagnostic.code));
-    if (diagnostic.source.line > 0) text += " in line " + std::to_string(diagnostic.source.line);
-    if (diagnostic.source.number != Source::no_number)
-      text += " (N" + std::to_string(diagnostic.source.number) + ")";
-    return text + ": " + message_of(diagnostic);
-  }
-
-  static std::string remedy_of(const Diagnostic& diagnostic) {
-    const Explanation* explanation = explanation_of(diagnostic.code);
-    return std::string(explanation && !explanation->on_command_line.empty()
-                           ? explanation->on_command_line
-                           : row_of(diagnostic.code).remedy);
-  }
-
   const Contents& contents_;
+  const Words& words_;
   Picture picture_;
   bool single_ = true;
   std::map<std::uint64_t, Segment> changed_{};

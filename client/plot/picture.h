@@ -7,6 +7,7 @@
 
 #include "client/plot/outline.h"
 #include "core/base/diagnostic.h"
+#include "core/base/language.h"
 #include "core/geometry/plane.h"
 #include "core/nc/state/block.h"
 #include "core/trc/result/compensated_block.h"
@@ -31,7 +32,8 @@ struct Stroke {
   Layer layer = Layer::programmed;
   bool rapid = false;
   std::vector<Segment> segments{};
-  std::string title{};  // which block this is; empty when several are joined
+  std::string title{};        // which block this is; empty when several are joined
+  std::vector<Point> ends{};  // where blocks end
 };
 
 inline constexpr std::size_t layer_count = 9;
@@ -71,6 +73,8 @@ struct Picture {
   std::vector<Label> numbers{};     // N words, or lines where there is none
   std::vector<Warning> warnings{};  // the first `most_warnings`
   std::optional<Fault> fault{};
+  Language language = Language::english;
+  bool inch = false;  // what axes and radii are said in
 };
 
 struct Contents {
@@ -78,6 +82,8 @@ struct Contents {
   std::span<const Block> programmed{};
   std::span<const CompensatedBlock> path{};
   std::span<const Diagnostic> diagnostics{};
+  Language language = Language::english;
+  bool inch = false;     // the program counts in inch
   LeadSettings leads{};  // which blocks are drawn thinner
   // The plane that is shown; none: that of the first compensated contour block.
   std::optional<Plane> plane{};

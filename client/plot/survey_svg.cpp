@@ -23,15 +23,6 @@ constexpr double thickest = 14;
 constexpr std::array<const char*, 8> colors{"#d55e00", "#0072b2", "#009e73", "#cc79a7",
                                             "#e69f00", "#56b4e9", "#8b5a2b", "#6a3d9a"};
 
-std::string px(double value) { return decimal(value, 3); }
-std::string pair(const Point& point) { return px(point.x()) + " " + px(point.y()); }
-
-std::array<const char*, 2> axis_names(Plane plane) {
-  if (plane == Plane::zx) return {"Z", "X"};
-  if (plane == Plane::yz) return {"Y", "Z"};
-  return {"X", "Y"};
-}
-
 Bounds bounds_of(const SurveyPicture& picture) {
   Bounds bounds;
   for (const Segment& segment : picture.contour) bounds.add(segment);
@@ -107,30 +98,12 @@ class Drawing {
     draw_text({edge, frame_.top + frame_.height + 15}, reach, " fill=\"#444\"");
   }
 
-  void append_arc(std::string& d, const Arc& arc) const {
-    const std::string radius = px((arc.start - arc.center).norm() * frame_.scale);
-    const char* sense = arc.sweep > 0 ? "0" : "1";
-    const auto append = [&](const Point& to) {
-      d += "A" + radius + " " + radius + " 0 0 " + sense + " " + pair(frame_.on_sheet(to));
-    };
-    // At more than half a turn the flag for the larger arc would hang on rounding.
-    if (std::abs(arc.sweep) > std::numbers::pi * (1 + 1e-9)) append(place_at(arc, 0.5).point);
-    append(arc.end);
-  }
-
   void draw_strokes(const char* name, const char* color, double stroke_width,
                     const std::vector<Segment>& segments) {
     if (segments.empty()) return;
-    std::string d;
-    for (const Segment& segment : segments) {
-      d += "M" + pair(frame_.on_sheet(place_at(segment, 0).point));
-      if (const auto* arc = std::get_if<Arc>(&segment))
-        append_arc(d, *arc);
-      else
-        d += "L" + pair(frame_.on_sheet(place_at(segment, 1).point));
-    }
     body_ += std::string("<path class=\"") + name + "\" fill=\"none\" stroke=\"" + color +
-             "\" stroke-width=\"" + px(stroke_width) + "\" d=\"" + d + "\"/>\n";
+             "\" stroke-width=\"" + px(stroke_width) + "\" d=\"" + path_data(segments, frame_) +
+             "\"/>\n";
   }
 
   void draw_refusal(std::size_t rank) {

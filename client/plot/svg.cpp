@@ -3,13 +3,15 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <deque>
 #include <numbers>
 #include <optional>
 #include <set>
 #include <utility>
 
+#include "client/plot/arrows.h"
 #include "client/plot/frame.h"
+#include "client/plot/words.h"
+#include "core/nc/text/number_format.h"
 
 namespace trc::plot {
 namespace {
@@ -26,37 +28,21 @@ struct Style {
   const char* name;  // of the group
   const char* color;
   const char* width;
-  const char* legend;
   bool dashed = false;  // also where it is no rapid motion
 };
 
 constexpr std::array<Style, layer_count> styles{{
-    {Layer::beside, "beside", "#555", "0.9", "programmed beside contours"},
-    {Layer::lead, "lead", "black", "0.9", "lead-in, lead-out"},
-    {Layer::programmed, "programmed", "black", "2.4", "programmed contour"},
-    {Layer::replaced, "replaced", "red", "1.6", "as programmed, replaced", true},
-    {Layer::masked, "masked", "red", "2.4", "masked or removed"},
-    {Layer::approach, "approach", "blue", "0.8", "path beside contours"},
-    {Layer::path, "path", "blue", "1.7", "compensated path"},
-    {Layer::transition, "transition", "deepskyblue", "2.4", "transition block"},
-    {Layer::proposal, "proposal", "green", "2", "proposed instead", true},
+    {Layer::beside, "beside", "#555", "0.9"},
+    {Layer::lead, "lead", "black", "0.9"},
+    {Layer::programmed, "programmed", "black", "2.4"},
+    {Layer::replaced, "replaced", "red", "1.6", true},
+    {Layer::masked, "masked", "red", "2.4"},
+    {Layer::approach, "approach", "blue", "0.8"},
+    {Layer::path, "path", "blue", "1.7"},
+    {Layer::transition, "transition", "deepskyblue", "2.4"},
+    {Layer::proposal, "proposal", "green", "2", true},
 }};
 constexpr const char* dash = "8 5";
-
-std::array<const char*, 2> axis_names(Plane plane) {
-  switch (plane) {
-    case Plane::zx:
-      return {"Z", "X"};
-    case Plane::yz:
-      return {"Y", "Z"};
-    case Plane::xy:
-      break;
-  }
-  return {"X", "Y"};
-}
-
-std::string px(double value) { return decimal(value, 3); }
-std::string pair(const Point& point) { return px(point.x()) + " " + px(point.y()); }
 
 Bounds bounds_of(const Picture& picture) {
   Bounds bounds;
@@ -76,45 +62,6 @@ Bounds bounds_of(const Picture& picture) {
   return bounds;
 }
 
-// Words of `text` in lines of at most `most` letters.
-std::vector<std::string> wrapped(const std::string& text, std::size_t most) {
-  std::vector<std::string> lines;
-  std::string rest = text;
-  while (rest.size() > most) {
-    std::size_t cut = rest.rfind(' ', most);
-    if (cut == std::string::npos || cut == 0) cut = most;
-    lines.push_back(rest.substr(0, cut));
-    rest.erase(0, rest.find_first_not_of(' ', cut));
-  }
-  lines.push_back(rest);
-  return lines;
-}
-
-// The last pixels of a path in short pieces.
-class ShortPieces {
- public:
-  void clear() { points_.clear(); }
-  void add(const Point& from, const Point& to) {
-    if (points_.empty() || (points_.back() - from).norm() > 1e-6) points_ = {from};
-    points_.push_back(to);
-    while (points_.size() > 2 && (points_.back() - points_[1]).norm() > reach) points_.pop_front();
-  }
-  // Where to, if it went straight on for long enough to carry an arrow.
-  [[nodiscard]] std::optional<Vector> direction() const {
-    if (points_.size() < 2) return std::nullopt;
-    const Vector way = points_.back() - points_.front();
-    double length = 0;
-    for (std::size_t i = 1; i < points_.size(); ++i) length += (points_[i] - points_[i - 1]).norm();
-    constexpr double straight = 0.97;
-    if (way.norm() < reach || way.norm() < straight * length) return std::nullopt;
-    return way.normalized();
-  }
-
- private:
-  static constexpr double reach = 12;  // pixels
-  std::deque<Point> points_;
-};
-
 std::string opening(const std::string& title, double width, double height) {
   const std::string w = px(std::ceil(width));
   const std::string h = px(std::ceil(height));
@@ -133,13 +80,15 @@ class Sheet {
       : picture_(picture),
         options_(options),
         above_(above),
+        words_(words_in(picture.language)),
+        unit_(picture.inch ? mm_per_inch : 1),
         frame_(fit(bounds_of(picture), widest, above > 0 ? tallest_beside : tallest)) {
     // One step for both axes, so that the grid shows squares.
-    const double step = (above > 0 ? 40 : 62) / frame_.scale;
-    across_ = ticks_between(frame_.world.low.x(), frame_.world.high.x(), step);
-    up_ = ticks_between(frame_.world.low.y(), frame_.world.high.y(), step);
+    const double step = (above > 0 ? 40 : 62) / frame_.scale / unit_;
+    across_ = ticks_between(frame_.world.low.x() / unit_, frame_.world.high.x() / unit_, step);
+    up_ = ticks_between(frame_.world.low.y() / unit_, frame_.world.high.y() / unit_, step);
     std::size_t longest = 4;
-    for (const double mm : up_.at) longest = std::max(longest, decimal(mm, up_.decimals).size());
+    for (const double at : up_.at) longest = std::max(longest, decimal(at, up_.decimals).size());
     frame_.left = edge + 8 + text_width * static_cast<double>(longest);
     frame_.top = above + edge + (caption().empty() ? 0 : 24);
     width_ = std::max(frame_.left + frame_.width + edge, 360.0);
@@ -170,8 +119,10 @@ class Sheet {
   [[nodiscard]] std::string caption() const {
     if (above_ == 0) return picture_.title;
     const auto [first, second] = axis_names(picture_.plane);
-    return std::string("plane ") + first + second;
+    return std::string(words_.plane) + first + second;
   }
+
+  [[nodiscard]] const char* unit() const { return picture_.inch ? "inch" : "mm"; }
 
   void draw_caption() {
     if (!caption().empty())
@@ -193,58 +144,26 @@ class Sheet {
     const double right = frame_.left + frame_.width;
     const double bottom = frame_.top + frame_.height;
     body_ += "<g class=\"grid\" stroke=\"#e4e4e4\" stroke-width=\"1\">\n";
-    for (const double mm : across_.at)
-      draw_line({frame_.x(mm), frame_.top}, {frame_.x(mm), bottom});
-    for (const double mm : up_.at) draw_line({frame_.left, frame_.y(mm)}, {right, frame_.y(mm)});
+    for (const double at : across_.at)
+      draw_line({frame_.x(at * unit_), frame_.top}, {frame_.x(at * unit_), bottom});
+    for (const double at : up_.at)
+      draw_line({frame_.left, frame_.y(at * unit_)}, {right, frame_.y(at * unit_)});
     body_ += "</g>\n<g class=\"axes\" fill=\"#444\">\n";
     body_ += "<rect x=\"" + px(frame_.left) + "\" y=\"" + px(frame_.top) + "\" width=\"" +
              px(frame_.width) + "\" height=\"" + px(frame_.height) +
              "\" fill=\"none\" stroke=\"#888\"/>\n";
-    for (const double mm : across_.at)
-      draw_text({frame_.x(mm), bottom + 15}, decimal(mm, across_.decimals),
+    for (const double at : across_.at)
+      draw_text({frame_.x(at * unit_), bottom + 15}, decimal(at, across_.decimals),
                 " text-anchor=\"middle\"");
-    for (const double mm : up_.at)
-      draw_text({frame_.left - 6, frame_.y(mm) + 4}, decimal(mm, up_.decimals),
+    for (const double at : up_.at)
+      draw_text({frame_.left - 6, frame_.y(at * unit_) + 4}, decimal(at, up_.decimals),
                 " text-anchor=\"end\"");
     const auto [first, second] = axis_names(picture_.plane);
-    draw_text({right, bottom + 30}, std::string(first) + " / mm",
+    draw_text({right, bottom + 30}, std::string(first) + " / " + unit(),
               " text-anchor=\"end\" font-style=\"italic\"");
-    draw_text({frame_.left + 6, frame_.top + 15}, std::string(second) + " / mm",
+    draw_text({frame_.left + 6, frame_.top + 15}, std::string(second) + " / " + unit(),
               " font-style=\"italic\"");
     body_ += "</g>\n";
-  }
-
-  // One elliptical arc command spans at most half a turn: at more, the flag for
-  // the larger arc would hang on how the ends were rounded.
-  void append_arc(std::string& d, const Arc& arc) const {
-    const double radius = (arc.start - arc.center).norm() * frame_.scale;
-    const bool halved = std::abs(arc.sweep) > std::numbers::pi * (1 + 1e-9);
-    // Seen from above, y upwards, counter-clockwise is positive; on the sheet y
-    // runs down, where SVG calls the same sense 0.
-    const char* sense = arc.sweep > 0 ? "0" : "1";
-    const auto append = [&](const Point& to) {
-      d += "A" + px(radius) + " " + px(radius) + " 0 0 " + sense + " " + pair(frame_.on_sheet(to));
-    };
-    if (halved) append(place_at(arc, 0.5).point);
-    append(arc.end);
-  }
-
-  [[nodiscard]] std::string path_data(const std::vector<Segment>& segments) const {
-    std::string d;
-    std::optional<Point> reached;
-    for (const Segment& segment : segments) {
-      const Place start = place_at(segment, 0);
-      if (!reached || *reached != start.point) d += "M" + pair(frame_.on_sheet(start.point));
-      const Place end = place_at(segment, 1);
-      const auto* arc = std::get_if<Arc>(&segment);
-      if (arc && (arc->start - arc->center).norm() * frame_.scale > 0.01) {
-        append_arc(d, *arc);
-      } else {
-        d += "L" + pair(frame_.on_sheet(end.point));
-      }
-      reached = end.point;
-    }
-    return d;
   }
 
   void draw_layer(const Style& style) {
@@ -253,7 +172,7 @@ class Sheet {
       for (const Stroke& stroke : picture_.strokes) {
         if (stroke.layer != style.layer || stroke.rapid != rapid) continue;
         if (!std::exchange(open, true)) open_layer(style, rapid);
-        body_ += "<path d=\"" + path_data(stroke.segments) + "\"";
+        body_ += "<path d=\"" + path_data(stroke.segments, frame_) + "\"";
         body_ += stroke.title.empty() ? "/>\n"
                                       : "><title>" + escaped(stroke.title) + "</title></path>\n";
       }
@@ -271,52 +190,14 @@ class Sheet {
     shown_.push_back({&style, rapid});
   }
 
-  // At most eighty arrows, at least a hundred pixels of path apart: each in the middle of a piece
-  // that is long enough to carry it, or where short pieces have gone straight on for as long.
   void draw_arrows() {
-    double whole = 0;
-    for (const Stroke& stroke : picture_.strokes)
-      if (is_path(stroke))
-        for (const Segment& segment : stroke.segments) whole += extent_of(segment) * frame_.scale;
-    const double apart = std::max(100.0, whole / 80);
     body_ += "<g class=\"arrows\" fill=\"blue\">\n";
-    double since = apart;
-    ShortPieces pieces;
-    for (const Stroke& stroke : picture_.strokes) {
-      if (!is_path(stroke)) continue;
-      for (const Segment& segment : stroke.segments) {
-        const double length = extent_of(segment) * frame_.scale;
-        since += length;
-        const bool carries = length >= 36;
-        if (carries)
-          pieces.clear();
-        else
-          pieces.add(frame_.on_sheet(place_at(segment, 0).point),
-                     frame_.on_sheet(place_at(segment, 1).point));
-        if (since < apart) continue;
-        if (carries) {
-          const Place middle = place_at(segment, 0.5);
-          draw_arrow(frame_.on_sheet(middle.point),
-                     Vector(middle.direction.x(), -middle.direction.y()));
-        } else if (const auto ahead = pieces.direction()) {
-          draw_arrow(frame_.on_sheet(place_at(segment, 1).point), *ahead);
-        } else {
-          continue;
-        }
-        since = 0;
-      }
+    for (const auto& [tip, ahead] : arrows_of(picture_, frame_)) {
+      const Vector aside = left_of(ahead);
+      body_ += "<path d=\"M" + pair(tip + 6 * ahead) + "L" + pair(tip - 5 * ahead + 4 * aside) +
+               "L" + pair(tip - 5 * ahead - 4 * aside) + "Z\"/>\n";
     }
     body_ += "</g>\n";
-  }
-
-  static bool is_path(const Stroke& stroke) {
-    return stroke.layer == Layer::path || stroke.layer == Layer::approach;
-  }
-
-  void draw_arrow(const Point& tip, const Vector& ahead) {
-    const Vector aside = left_of(ahead);
-    body_ += "<path d=\"M" + pair(tip + 6 * ahead) + "L" + pair(tip - 5 * ahead + 4 * aside) + "L" +
-             pair(tip - 5 * ahead - 4 * aside) + "Z\"/>\n";
   }
 
   // Where blocks end; those that would lie on each other once.
@@ -327,8 +208,8 @@ class Sheet {
     for (const Stroke& stroke : picture_.strokes) {
       if (stroke.layer == Layer::proposal) continue;
       const bool path = is_path(stroke) || stroke.layer == Layer::transition;
-      for (const Segment& segment : stroke.segments) {
-        const Point at = frame_.on_sheet(place_at(segment, 1).point);
+      for (const Point& end : stroke.ends) {
+        const Point at = frame_.on_sheet(end);
         if (!taken
                  .insert({static_cast<int>(std::floor(at.x() / cell)),
                           static_cast<int>(std::floor(at.y() / cell))})
@@ -347,8 +228,8 @@ class Sheet {
     for (const ToolCircle& tool : picture_.tools) {
       const Point center = frame_.on_sheet(tool.center);
       body_ += "<circle cx=\"" + px(center.x()) + "\" cy=\"" + px(center.y()) + "\" r=\"" +
-               px(tool.radius * frame_.scale) + "\"><title>tool radius " + decimal(tool.radius, 6) +
-               " mm</title></circle>\n";
+               px(tool.radius * frame_.scale) + "\"><title>" + words_.tool_radius +
+               decimal(tool.radius / unit_, 6) + " " + unit() + "</title></circle>\n";
     }
     body_ += "</g>\n";
   }
@@ -424,11 +305,13 @@ class Sheet {
                 (rapid || style->dashed ? std::string(" stroke-dasharray=\"") + dash + "\""
                                         : std::string()) +
                 "/>",
-            34, std::string(style->legend) + (rapid ? ", rapid" : ""));
+            34,
+            std::string(words_.layers[static_cast<std::size_t>(style->layer)]) +
+                (rapid ? words_.rapid : ""));
     if (!picture_.tools.empty())
       entry(
           "<circle cx=\"7\" cy=\"0\" r=\"7\" fill=\"#888\" fill-opacity=\"0.12\" stroke=\"#666\"/>",
-          14, "tool, R " + radii() + " mm");
+          14, words_.tool + std::string(", R ") + radii() + " " + unit());
     body_ += "</g>\n";
     return y + line_height;
   }
@@ -438,7 +321,7 @@ class Sheet {
     constexpr std::size_t most_told = 6;
     std::vector<std::string> told;
     for (const ToolCircle& tool : picture_.tools) {
-      std::string radius = decimal(tool.radius, 4);
+      std::string radius = decimal(tool.radius / unit_, 4);
       if (std::find(told.begin(), told.end(), radius) == told.end())
         told.push_back(std::move(radius));
     }
@@ -460,7 +343,7 @@ class Sheet {
         y = draw_wrapped(warning.remedy, "#555", y);
     }
     if (picture_.warnings.size() > told)
-      y = draw_wrapped(std::to_string(picture_.warnings.size() - told) + " more warnings",
+      y = draw_wrapped(std::to_string(picture_.warnings.size() - told) + words_.more_warnings,
                        "#8a6d00", y);
     if (!picture_.fault) return y;
     y = draw_wrapped(picture_.fault->text, "red", y + 6);
@@ -480,6 +363,8 @@ class Sheet {
   const Picture& picture_;
   const SvgOptions& options_;
   const double above_;
+  const Words& words_;
+  const double unit_;  // mm
   Frame frame_;
   Ticks across_;
   Ticks up_;

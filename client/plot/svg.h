@@ -21,4 +21,7 @@ struct SvgOptions {
 // `text` for XML: markup escaped, what is no valid UTF-8 text replaced.
 [[nodiscard]] std::string escaped(std::string_view text);
 
+// Its words in lines of at most `most` bytes.
+[[nodiscard]] std::vector<std::string> wrapped(const std::string& text, std::size_t most);
+
 }  // namespace trc::plot

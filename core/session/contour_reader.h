@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -22,6 +23,8 @@ class ContourReader {
   [[nodiscard]] std::vector<Block> take() { return std::exchange(blocks_, {}); }
   // End of the text: the blocks that have not been taken; nothing may be fed behind it.
   [[nodiscard]] std::vector<Block> finish();
+  // Whether the text counts in inch in a block (Source::index) that was read.
+  [[nodiscard]] bool is_inch(std::uint64_t block) { return diagnostics_.units().is_inch(block); }
 
  private:
   Diagnostics diagnostics_;

@@ -15,13 +15,17 @@
 namespace trc::server::http {
 namespace {
 
-constexpr std::array<Route, 19> table{{
+constexpr std::array<Route, 20> table{{
     {"POST", "/v1/programs:compensate", Body::program, true, "text/plain,application/x-ndjson",
      "Compensates an NC program: NC text in, NC text with TRC resolved out, or the path as JSON "
      "lines",
      compensate_program},
     {"POST", "/v1/programs:verify", Body::program, true, "application/json",
      "Compensates an NC program and measures the path against the contour", verify_program},
+    {"POST", "/v1/programs:record", Body::program, true, "application/json",
+     "Compensates an NC program and tells what was made of which bytes, and how it was measured: a "
+     "JobRecord, as `trc verify --record` takes it",
+     record_program},
     {"POST", "/v1/programs:surveyRadii", Body::program, true, "application/json",
      "Says what tools of many radii make of an NC program: `radii` (3,5,8 or 3:8:0.5), `uncut`, "
      "`largest`; a SurveyAnswer",

@@ -177,19 +177,27 @@ class StreamFormat final : public ConnectFormat {
   }
 };
 
+// An RPC that was asked for, its body, and how it answers.
+struct Call {
+  const MethodDescriptor& method;
+  std::string_view body;
+  bool is_json;
+  std::shared_ptr<Format> format;
+};
+
 // The message in the body, as bytes; what is wrong with it instead.
 struct Question {
   std::string bytes{};
   std::string fault{};
 };
 
-Question read_question(const MethodDescriptor& method, std::string_view body, bool is_json) {
+Question read_question(const Call& call) {
   Question question;
-  const auto message = made(*method.input_type());
-  if (is_json) {
-    question.fault = wire::Json().read(body, *message);
-  } else if (!message->ParseFromArray(body.data(), static_cast<int>(body.size()))) {
-    question.fault = "the body is no " + method.input_type()->full_name();
+  const auto message = made(*call.method.input_type());
+  if (call.is_json) {
+    question.fault = wire::Json().read(call.body, *message);
+  } else if (!message->ParseFromArray(call.body.data(), static_cast<int>(call.body.size()))) {
+    question.fault = "the body is no " + call.method.input_type()->full_name();
   }
   question.bytes = message->SerializeAsString();
   return question;
@@ -211,18 +219,17 @@ void answer_unsupported(Exchange& exchange, std::string_view types) {
 }
 
 // Reading JSON is work, and done by those who compute.
-void start(Api& api, const ExchangePointer& exchange, const MethodDescriptor& method,
-           std::string_view body, bool is_json, std::shared_ptr<Format> format) {
-  api.compute([&api, exchange, &method, body, is_json, format] {
-    const Question question = read_question(method, body, is_json);
-    exchange->post([&api, exchange, &method, question, format] {
+void start(Api& api, const ExchangePointer& exchange, const Call& call) {
+  api.compute([&api, exchange, call] {
+    const Question question = read_question(call);
+    exchange->post([&api, exchange, call, question] {
       if (!question.fault.empty())
-        return format->refuse(exchange, {StatusCode::INVALID_ARGUMENT, question.fault});
+        return call.format->refuse(exchange, {StatusCode::INVALID_ARGUMENT, question.fault});
       exchange->request().body = {};
       Run::start(
-          api, exchange, "/" + method.service()->full_name() + "/" + method.name(),
+          api, exchange, "/" + call.method.service()->full_name() + "/" + call.method.name(),
           std::make_unique<PreparedQuestions>(std::vector{RpcCall::bytes_of(question.bytes)}),
-          format);
+          call.format);
     });
   });
 }
@@ -249,8 +256,8 @@ void answer_connect(Api& api, const ExchangePointer& exchange) {
     const bool is_json = type == "application/json";
     if (!is_json && type != "application/proto")
       return answer_unsupported(*exchange, "application/json or application/proto");
-    return start(api, exchange, method, body, is_json,
-                 std::make_shared<UnaryFormat>(method, is_json));
+    return start(api, exchange,
+                 {method, body, is_json, std::make_shared<UnaryFormat>(method, is_json)});
   }
   const bool is_json = type == "application/connect+json";
   if (!is_json && type != "application/connect+proto")
@@ -259,7 +266,7 @@ void answer_connect(Api& api, const ExchangePointer& exchange) {
   if (!open_envelope(body))
     return format->refuse(exchange, {StatusCode::INVALID_ARGUMENT,
                                      "the body must be one envelope without compression"});
-  start(api, exchange, method, body, is_json, std::move(format));
+  start(api, exchange, {method, body, is_json, std::move(format)});
 }
 
 }  // namespace trc::server::http

@@ -3,7 +3,6 @@
 #include <sys/socket.h>
 
 #include <algorithm>
-#include <array>
 #include <boost/asio/dispatch.hpp>
 #include <boost/asio/post.hpp>
 #include <boost/asio/ssl/stream.hpp>
@@ -12,13 +11,12 @@
 #include <boost/beast/http.hpp>
 #include <boost/beast/ssl.hpp>
 #include <cerrno>
-#include <cstdio>
 #include <limits>
 #include <optional>
-#include <sstream>
 #include <type_traits>
 #include <utility>
 
+#include "server/http/head.h"
 #include "server/http/problem.h"
 #include "server/http/tls.h"
 #include "server/http/uri.h"
@@ -40,20 +38,6 @@ constexpr std::size_t piece_bytes = 64U << 10U;
 // What is read of a request that was answered before it had come, so that the answer arrives.
 constexpr std::size_t most_ignored_bytes = 4U << 20U;
 constexpr std::chrono::seconds longest_farewell{2};
-
-std::string lower(beast::string_view text) {
-  std::string result(text.data(), text.size());
-  for (char& c : result)
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  return result;
-}
-
-// "1f4\r\n"
-std::string chunk_head(std::size_t bytes) {
-  std::array<char, 24> text{};
-  const int length = std::snprintf(text.data(), text.size(), "%zx\r\n", bytes);
-  return {text.data(), static_cast<std::size_t>(length)};
-}
 
 template <class Stream>
 class Connection final : public Exchange,
@@ -98,19 +82,14 @@ class Connection final : public Exchange,
   void begin(Head head) override { begun_ = head_bytes(std::move(head), std::nullopt); }
 
   void write(std::string piece, Written then) override {
-    std::string bytes = std::exchange(begun_, {});
-    if (!piece.empty()) bytes += chunk_head(piece.size()) + piece + "\r\n";
-    send(std::move(bytes), std::move(then));
+    send(std::exchange(begun_, {}) + chunk_of(piece), std::move(then));
   }
 
   void end(const Pairs& trailers) override {
-    std::string bytes = std::exchange(begun_, {}) + "0\r\n";
-    for (const auto& [name, value] : trailers)
-      bytes.append(name).append(": ").append(value) += "\r\n";
-    bytes += "\r\n";
-    send(std::move(bytes), [self = this->shared_from_this()](bool taken) {
-      if (taken) self->finish();
-    });
+    send(std::exchange(begun_, {}) + last_chunk(trailers),
+         [self = this->shared_from_this()](bool taken) {
+           if (taken) self->finish();
+         });
   }
 
   void break_off() override {
@@ -176,7 +155,7 @@ class Connection final : public Exchange,
         fault != bhttp::error::end_of_stream && fault != bhttp::error::partial_message)
       return refuse(400, "REQUEST_MALFORMED", "This is not HTTP");
     if (fault) return close_socket();
-    read_head();
+    request_ = request_of(parser_->get(), std::move(request_.peer));
     keep_alive_ = parser_->keep_alive();
     const auto& head = parser_->get();
     // Without chunks the end of the connection would be the end of an answer.
@@ -190,28 +169,16 @@ class Connection final : public Exchange,
     admit();
   }
 
-  void read_head() {
-    const auto& head = parser_->get();
-    const beast::string_view method = head.method_string();
-    request_.method = std::string(method.data(), method.size());
-    request_.path.clear();
-    request_.query.clear();
-    request_.headers.clear();
-    request_.body.clear();
-    for (const auto& field : head)
-      request_.headers.emplace_back(lower(field.name_string()),
-                                    std::string(field.value().data(), field.value().size()));
-  }
-
   void admit() {
     const Service::Admission admission = service_.admit(request_);
     if (admission.refused) return refuse(*admission.refused);
     most_body_bytes_ = admission.most_body_bytes;
     const auto length = parser_->content_length();
-    if (length && *length > most_body_bytes_) return refuse_size();
-    if (length && !take_memory(static_cast<std::size_t>(*length))) return refuse_memory();
+    if (length && *length > most_body_bytes_) return refuse(body_too_large(most_body_bytes_));
+    if (length && !take_memory(static_cast<std::size_t>(*length)))
+      return refuse(no_memory_for_body());
     held_body_ = length ? static_cast<std::size_t>(*length) : 0;
-    if (lower(parser_->get()[bhttp::field::expect]) == "100-continue" && !parser_->is_done())
+    if (expects_continue(parser_->get()) && !parser_->is_done())
       return send("HTTP/1.1 100 Continue\r\n\r\n", [self = this->shared_from_this()](bool taken) {
         if (taken) self->read_body(0);
       });
@@ -235,10 +202,10 @@ class Connection final : public Exchange,
       return refuse(400, "REQUEST_MALFORMED", "The body of the request is malformed");
     if (fault) return close_socket();
     const std::size_t size = parser_->get().body().size();
-    if (size > most_body_bytes_) return refuse_size();
+    if (size > most_body_bytes_) return refuse(body_too_large(most_body_bytes_));
     if (size > held_body_) {
       const std::size_t more = std::max(size - held_body_, piece_bytes);
-      if (!take_memory(more)) return refuse_memory();
+      if (!take_memory(more)) return refuse(no_memory_for_body());
       held_body_ += more;
     }
     // Only what has come far enough gets more time: a byte now and then does not.
@@ -250,18 +217,6 @@ class Connection final : public Exchange,
     while (!share_.take(bytes))
       if (!service_.make_room()) return false;
     return true;
-  }
-
-  void refuse_size() {
-    refuse(problem(413, "BODY_TOO_LARGE", "The body of the request is too large",
-                   "at most " + std::to_string(most_body_bytes_) +
-                       " bytes are taken here (http-max-body-mib, max-message-bytes)"));
-  }
-
-  void refuse_memory() {
-    refuse(problem(503, "HTTP_MEMORY_LIMIT", "A limit of the server is reached",
-                   "requests and views take all the memory the setting http-max-memory-mib "
-                   "allows; try again later"));
   }
 
   void dispatch() {
@@ -301,17 +256,7 @@ class Connection final : public Exchange,
   std::string head_bytes(Head head, std::optional<std::size_t> length) {
     status_ = head.status;
     service_.decorate(request_, head);
-    bhttp::response<bhttp::empty_body> response(bhttp::int_to_status(head.status), 11);
-    for (const auto& [name, value] : head.headers) response.insert(name, value);
-    if (!head.content_type.empty()) response.set(bhttp::field::content_type, head.content_type);
-    if (length)
-      response.set(bhttp::field::content_length, std::to_string(*length));
-    else
-      response.set(bhttp::field::transfer_encoding, "chunked");
-    response.keep_alive(keep_alive_);
-    std::ostringstream bytes;
-    bytes << response.base();
-    return bytes.str();
+    return bytes_of(head, length, keep_alive_);
   }
 
   // An answer before the request is read whole ends the connection.

@@ -9,6 +9,7 @@ class Api;
 // One for each route.
 void compensate_program(Api& api, const ExchangePointer& exchange);
 void verify_program(Api& api, const ExchangePointer& exchange);
+void record_program(Api& api, const ExchangePointer& exchange);
 void survey_program(Api& api, const ExchangePointer& exchange);
 void compensate_path(Api& api, const ExchangePointer& exchange);
 void verify_path(Api& api, const ExchangePointer& exchange);

@@ -164,6 +164,23 @@ std::string lower(std::string_view word) {
   return result;
 }
 
+// What is asked of a view.
+void add_questions(const Route& route, Struct& operation) {
+  const auto add = [&](std::string_view name, std::string_view meaning) {
+    add_parameter(operation, name, "query", meaning);
+  };
+  if (route.handle == make_view)
+    add("shown_plane",
+        "xy, zx, yz: seen across that plane; by default that of the first compensated block");
+  if (route.handle == view_tile) add("segments", "at most, 256 to 16384; 2048 without it");
+  if (route.handle == view_lines || route.handle == view_output) {
+    add("from", "the first line, from 1");
+    add("count", "of lines, 200 without it");
+  }
+  if (route.handle == view_blocks) add("line", "of the program, from 1");
+  if (route.handle == view_place) add("share", "of the way, 0 to 1");
+}
+
 void add_routes(Struct& paths, Schemas& known) {
   for (const Route& route : routes()) {
     Struct& operation = object(object(paths, std::string(route.path)), lower(route.method));
@@ -171,6 +188,7 @@ void add_routes(Struct& paths, Schemas& known) {
     add_parameters_in_path(route.path, operation);
     if (route.takes_settings) add_settings(operation);
     if (route.handle == survey_program) add_survey(operation);
+    add_questions(route, operation);
     add_body(route, operation, known);
     add_answers(route, operation, known);
   }

@@ -92,6 +92,14 @@ void verify_program(Api& api, const ExchangePointer& exchange) {
         std::make_shared<Measured>(Measured::Blocks::left_out, api.most_message_bytes()));
 }
 
+void record_program(Api& api, const ExchangePointer& exchange) {
+  v1::ProgramSetup setup;
+  setup.mutable_path()->set_verify(v1::VERIFICATION_REPORT);
+  if (!read_setup(*exchange, exchange->request().query, setup)) return;
+  setup.set_output(v1::PROGRAM_OUTPUT_NC);
+  start(api, exchange, setup, std::make_shared<RecordFormat>(setup, exchange->request().body));
+}
+
 void survey_program(Api& api, const ExchangePointer& exchange) {
   v1::SurveySetup setup;
   std::string fault;

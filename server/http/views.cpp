@@ -13,7 +13,7 @@
 #include "server/http/program_questions.h"
 #include "server/http/settings.h"
 #include "server/http/view/store.h"
-#include "server/http/view/view.h"
+#include "server/http/view/view_builder.h"
 #include "server/rpc/setup.h"
 
 namespace trc::server::http {
@@ -143,17 +143,34 @@ void make_output_of(Api& api, const std::shared_ptr<View>& view) {
   });
 }
 
+// Takes from the query which plane is shown; false: it is none.
+bool take_plane(Pairs& query, std::optional<Plane>& plane) {
+  const auto asked = std::ranges::find(query, "shown_plane", &Pairs::value_type::first);
+  if (asked == query.end()) return true;
+  constexpr std::array<std::pair<std::string_view, Plane>, 3> planes{
+      {{"xy", Plane::xy}, {"zx", Plane::zx}, {"yz", Plane::yz}}};
+  for (const auto& [name, meant] : planes)
+    if (asked->second == name) plane = meant;
+  query.erase(asked);
+  return plane.has_value();
+}
+
 }  // namespace
 
 void make_view(Api& api, const ExchangePointer& exchange) {
   v1::ProgramSetup setup;
   setup.mutable_path()->set_verify(v1::VERIFICATION_REPORT);
-  if (const auto refused = read_settings(exchange->request().query,
-                                         exchange->request().header("accept-language"), setup))
+  Pairs query = exchange->request().query;
+  std::optional<Plane> plane;
+  if (!take_plane(query, plane))
+    return answer_problem(*exchange, problem(400, "SETTING_INVALID",
+                                             "A query parameter is no setting that can be taken",
+                                             "shown_plane: it takes xy, zx, yz"));
+  if (const auto refused =
+          read_settings(query, exchange->request().header("accept-language"), setup))
     return answer_problem(*exchange, *refused);
   // Measuring takes longer than all else.
   constexpr std::size_t large_bytes = 1U << 20U;
-  const Pairs& query = exchange->request().query;
   const bool measured_later =
       exchange->request().body.size() > large_bytes &&
       std::none_of(query.begin(), query.end(), [](const auto& p) { return p.first == "verify"; });
@@ -165,8 +182,10 @@ void make_view(Api& api, const ExchangePointer& exchange) {
     return answer_problem(*exchange, problem_of(refused->status));
   const std::string text = std::move(exchange->request().body);
   // Older views give way to a new one.
-  auto builder = std::make_unique<ViewBuilder>(text, setup, std::move(settings), api.memory(),
-                                               [&api] { return api.views().give_up_one(); });
+  auto builder = std::make_unique<ViewBuilder>(
+      ViewedProgram{
+          .text = text, .name = setup.file_name(), .settings = std::move(settings), .plane = plane},
+      api.memory(), [&api] { return api.views().give_up_one(); });
   if (measured_later) builder->measure_later();
   Run::start(api, exchange, compensate_program_rpc,
              std::make_unique<ProgramQuestions>(setup, text, api.most_message_bytes()),
@@ -201,8 +220,13 @@ void view_tile(Api& api, const ExchangePointer& exchange) {
     numbers[i] = static_cast<std::uint32_t>(*number);
     rest = rest.substr(0, rest.rfind('/'));
   }
-  api.compute([exchange, view, numbers] {
-    std::string tile = view->tile(numbers[0], numbers[1], numbers[2]);
+  // So that somebody with a large screen and many tiles asks for less of each.
+  constexpr std::uint64_t usual = 2048;
+  const auto segments = static_cast<std::size_t>(std::clamp<std::uint64_t>(
+      number_in(exchange->request().query, "segments", usual), 256, 16'384));
+  api.compute([exchange, view, numbers, segments] {
+    std::string tile =
+        view->tile({.level = numbers[0], .x = numbers[1], .y = numbers[2]}, segments);
     exchange->post([exchange, tile = std::move(tile)]() mutable {
       exchange->answer({.content_type = "application/octet-stream",
                         .headers = {{"Cache-Control", "private, max-age=3600, immutable"}}},

@@ -305,7 +305,7 @@ TEST(Svg, ShowsWhyAndWhereAProgramWasRefused) {
   std::smatch place;
   ASSERT_TRUE(std::regex_search(fault, place, circle));
   EXPECT_NE(fault.find("<title>error 90019"), std::string::npos);
-  EXPECT_NE(svg.find(">Use a smaller tool: trc radii says which one fits."), std::string::npos);
+  EXPECT_NE(svg.find(">Use a smaller tool"), std::string::npos);
   const auto at_fault = numbers_in(paths_in(group(svg, "programmed")).at(1));
   EXPECT_NEAR(std::stod(place[1]), at_fault[0], 2e-3);
   EXPECT_NEAR(std::stod(place[2]), (at_fault[1] + at_fault[3]) / 2, 2e-3);
@@ -458,6 +458,58 @@ TEST(Svg, PutsArrowsOnPathsOfShortPieces) {
   EXPECT_EQ(paths_in(group(svg_of({}, path), "arrows")).size(), 0u);
 }
 
+TEST(Svg, KeepsArrowsThereAndBackApart) {
+  const std::vector<CompensatedBlock> path{
+      compensated(10, Origin::programmed, Line{{0, 0}, {100, 0}}),
+      compensated(20, Origin::programmed, Line{{100, 0}, {0, 0}})};
+  const auto arrows = paths_in(group(svg_of({}, path), "arrows"));
+  ASSERT_EQ(arrows.size(), 2u);
+  const auto there = numbers_in(arrows[0]);
+  const auto back = numbers_in(arrows[1]);
+  EXPECT_GT(there[0], there[2]);
+  EXPECT_LT(back[0], back[2]);
+  // From tail to tail, which are the nearest corners.
+  EXPECT_GT(there[2] - back[2], 13);
+  // Again and again the same way: none on another one.
+  std::vector<CompensatedBlock> often;
+  for (int i = 0; i < 10; ++i) often.insert(often.end(), path.begin(), path.end());
+  EXPECT_EQ(paths_in(group(svg_of({}, often), "arrows")).size(), 2u);
+}
+
+TEST(Svg, CountsAsTheProgramDoes) {
+  const auto ends = [](const std::string& svg) {
+    const std::string axes = group(svg, "axes");
+    return axes.substr(axes.rfind("<text"));
+  };
+  const Contents contents{.programmed = corner_contour, .path = corner_path};
+  EXPECT_NE(ends(to_svg(compose(contents), {})).find("Y / mm"), std::string::npos);
+  Contents inch = contents;
+  inch.inch = true;
+  const std::string svg = to_svg(compose(inch), {});
+  EXPECT_NE(ends(svg).find("Y / inch"), std::string::npos);
+  EXPECT_NE(svg.find("R 0.3937 inch"), std::string::npos) << "a tool of 10 mm";
+}
+
+TEST(Svg, IsTheSameInGermanButForItsWords) {
+  std::vector<Diagnostic> found{diagnostic(Code::clearance_violated, source(20))};
+  found.front().severity = Severity::warning;
+  found.front().language = Language::german;
+  Contents contents{.programmed = corner_contour, .path = corner_path, .diagnostics = found};
+  contents.language = Language::german;
+  const std::string svg = to_svg(compose(contents), {});
+  for (const char* word : {"programmierte Kontur", "korrigierte Bahn", "Werkzeug, R 10 mm",
+                           "Warnung 900216 in Zeile 3 (N20): nachgemessen"})
+    EXPECT_NE(svg.find(word), std::string::npos) << word;
+  for (const char* word : {"programmed", "warning 9", "tool radius", "approach", "contour<"})
+    EXPECT_EQ(svg.find(word, svg.find("class=\"legend\"")), std::string::npos) << word;
+  // What the service said of it stands there as it was said.
+  found.front().texts = std::make_shared<const DiagnosticTexts>(
+      DiagnosticTexts{.text = "said so", .help = "do that"});
+  const std::string said = to_svg(compose(contents), {});
+  EXPECT_NE(said.find(">Warnung 900216 in Zeile 3 (N20): said so<"), std::string::npos);
+  EXPECT_NE(said.find(">do that<"), std::string::npos);
+}
+
 TEST(Svg, DrawsBothToolsWhereTheRadiusChanges) {
   TrcMode larger = *mode(Side::left);
   larger.tool_radius = 20;
@@ -480,6 +532,13 @@ TEST(Svg, MarksWhereBlocksEndOnDemandOnly) {
   const std::regex circle("<circle [^>]*stroke=\"blue\"");
   // Of the five blocks of the path the last one ends where the contour does.
   EXPECT_EQ(std::distance(std::sregex_iterator(points.begin(), points.end(), circle), {}), 4);
+  // An arc seen from the side is drawn as chords, which are no blocks.
+  const std::vector<CompensatedBlock> round{compensated(
+      10, Origin::programmed, Arc{.start = {0, 0}, .end = {40, 0}, .center = {20, 0}, .sweep = -pi},
+      false, Plane::zx)};
+  const std::string side =
+      group(to_svg(compose({.path = round, .plane = Plane::xy}), {.points = true}), "points");
+  EXPECT_EQ(std::distance(std::sregex_iterator(side.begin(), side.end(), circle), {}), 1);
 }
 
 TEST(Svg, ShowsDepthsAndOtherPlanesInViewsOfTheirOwn) {

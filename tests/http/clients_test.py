@@ -1,8 +1,10 @@
 """What HTTP answers is what gRPC answers, byte for byte; and what it refuses it says why."""
 import base64
 import json
+import os
 import struct
 import subprocess
+import tempfile
 import time
 import unittest
 import urllib.request
@@ -129,6 +131,55 @@ class Programs(unittest.TestCase):
         self.assertEqual(status, 200)
         self.assertAlmostEqual(answer["summary"]["minClearance"]["distance"], 5, places=4)
         self.assertNotIn("blocks", answer)
+
+    def test_a_record_is_what_trc_files(self):
+        with tempfile.TemporaryDirectory() as folder:
+            program, record = (os.path.join(folder, name) for name in ("part.nc", "part.json"))
+            with open(program, "w", encoding="ascii") as file:
+                file.write(SQUARE)
+            code, _ = trc("compensate", program, "--set", "tool_radius=5", "-o",
+                          os.path.join(folder, "out.nc"), "--record", record)
+            self.assertEqual(code, 0)
+            with open(record, encoding="utf-8") as file:
+                filed = json.load(file)
+        status, told = self.server.ask_json(
+            "POST", "/v1/programs:record?tool_radius=5", SQUARE, TEXT)
+        self.assertEqual(status, 200)
+        self.assertEqual(set(filed) - set(told), set())
+        for key in ("format", "outputFormat", "outcome", "serverVersion"):
+            self.assertEqual(told[key], filed[key], key)
+        for key in ("minClearance", "blocksByOrigin"):
+            self.assertEqual(told["summary"]["path"][key], filed["summary"]["path"][key], key)
+        for key in ("sha256", "bytes"):
+            self.assertEqual(told["input"][key], filed["input"][key])
+            self.assertEqual(told["output"][key], filed["output"][key])
+        status, problem = self.server.ask_json(
+            "POST", "/v1/programs:record", "N10 G999\n", TEXT)
+        self.assertEqual((status, problem["diagnostics"][0]["code"]), (422, 900002))
+
+    def test_a_view_is_seen_across_the_plane_that_is_asked_for(self):
+        # Down to Z-2 in two steps; from the side a box of 60 by 3.
+        program = ("N10 G00 X-20 Y0 Z1\nN20 G41 G01 X0 Y0 Z0 F500\nN30 X40 Z-1\nN40 Y40 Z-2\n"
+                   "N50 X0\nN60 G40 X-20\nN70 M30\n")
+        seen = {}
+        for plane in ("", "xy", "zx", "yz"):
+            query = "?tool_radius=5" + (plane and "&shown_plane=" + plane)
+            status, seen[plane] = self.server.ask_json("POST", "/v1/views" + query, program, TEXT)
+            self.assertEqual(status, 201)
+            self.assertEqual(seen[plane]["ownPlane"], "PLANE_XY")
+            self.assertEqual(seen[plane]["unit"], "LENGTH_UNIT_MM")
+            for same in ("pathBlocks", "contourBlocks"):
+                self.assertEqual(seen[plane][same], seen[""][same])
+        self.assertEqual(seen[""]["plane"], "PLANE_XY")
+        self.assertEqual((seen["xy"]["low"], seen["xy"]["high"]), (seen[""]["low"], seen[""]["high"]))
+        # First axis Z, second X; then Y and Z.
+        self.assertEqual((seen["zx"]["low"]["x"], seen["zx"]["high"]["x"]), (-2, 1))
+        self.assertEqual((seen["yz"]["low"]["y"], seen["yz"]["high"]["y"]), (-2, 1))
+        self.assertAlmostEqual(seen["zx"]["low"]["y"], -20)
+        status, problem = self.server.ask_json(
+            "POST", "/v1/views?shown_plane=xz", program, TEXT)
+        self.assertEqual((status, problem["reason"]), (400, "SETTING_INVALID"))
+        self.assertIn("xy, zx, yz", problem["detail"])
 
     def test_a_survey_tells_of_many_radii(self):
         status, answer = self.server.ask_json(
@@ -398,6 +449,16 @@ class Programs(unittest.TestCase):
         magic, count = struct.unpack("<4sI", tile[:8])
         self.assertEqual((magic, len(tile)), (b"TRCT", 16 + 28 * count))
         self.assertGreaterEqual(count, 10)
+        _, view_of_many = self.server.ask_json("POST", "/v1/views?tool_radius=0.1",
+                                               program_of(5000), TEXT)
+        many = f"/v1/views/{view_of_many['id']}/tiles/0/0/0"
+        counts = []
+        for query in ("?segments=1", "", "?segments=8000", "?segments=many"):
+            _, _, tile = self.server.ask("GET", many + query)
+            counts.append(struct.unpack("<4sI", tile[:8])[1])
+        self.assertLessEqual(counts[0], 256)
+        self.assertTrue(counts[1] <= 2048 < counts[2] <= 8000, counts)
+        self.assertEqual(counts[1], counts[3])
         _, lines = self.server.ask_json("GET", at + "/lines?from=2&count=2")
         self.assertEqual(lines["lines"], SQUARE.splitlines()[1:3])
         output = {"pending": True}

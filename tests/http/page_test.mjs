@@ -137,13 +137,117 @@ const tests = {
     await page.locator('#way').focus();
     await page.keyboard.press('End');
     await page.waitForFunction(() => document.getElementById('place').textContent.startsWith('X80 Y-20'));
-    await page.fill('#compare-radius', '3');
+    await page.fill('#compare-value', '3');
     await page.click('#compare-form button[type=submit]');
     await page.waitForSelector('body[data-compared]');
+    assert.match(await page.textContent('#compared'), /Tool radius, mm 3: way 1\d\d[.\d]* mm; smallest 3 of 3 mm/);
+    // Another option, whose values are offered; it stays when the program is computed again.
+    await page.selectOption('#compare-setting', 'transition');
+    const [before, offered] = await page.evaluate(() => [document.body.dataset.compared,
+      [...document.querySelectorAll('#compare-value option')].map(option => option.value)]);
+    assert.ok(offered.length > 2, String(offered));
+    await page.selectOption('#compare-value', offered.at(-1));
+    await page.click('#compare-form button[type=submit]');
+    await page.waitForFunction(old => document.body.dataset.compared !== old, before);
+    assert.match(await page.textContent('#compared'), /^Outside corners /);
+    await page.click('#compute');
+    await page.waitForFunction(() => /^Outside corners /.test(document.getElementById('compared').textContent));
     await page.check('#layers label:has([data-text=layerBand]) input');
     await page.selectOption('#language', 'de');
     assert.equal(await page.textContent('#compute'), 'Korrigieren');
     assert.equal(await page.getAttribute('html', 'lang'), 'de');
+  },
+
+  async 'arrows say which way it goes, along one line and along short ones'(page) {
+    const arrows = () => page.evaluate(() => Number(document.body.dataset.arrows));
+    const circle = Array.from({length: 1000}, (_, i) => `G01 X${(50 * Math.cos(i * Math.PI / 500)).toFixed(4)} Y${(50 * Math.sin(i * Math.PI / 500)).toFixed(4)}`);
+    await show(page, file('round.nc', ['G00 X60 Y-20', 'G41 G01 X50 Y0 F500', ...circle.slice(1), 'G01 X50 Y0', 'G40 G01 X60 Y20', 'M30', ''].join('\n')));
+    assert.ok(await arrows() > 10, `${await arrows()} arrows`);
+    await show(page, file('notch.nc', notch));
+    assert.ok(await arrows() > 2);
+    await page.uncheck('#layers label:has([data-text=layerArrows]) input');
+    await page.waitForFunction(() => document.body.dataset.arrows === '0');
+  },
+
+  async 'lengths are said as the program counts them'(page) {
+    const path = file('inch.nc', 'O1\nG20 G17 G90\nG00 X-1. Y-1. Z.2\nG41 D1 G01 X0. Y0. F20.\nY2.\nX4.\nY0.\nX0.\nG40 X-1. Y-1.\nM30\n');
+    await page.selectOption('[name=dialect]', 'fanuc');
+    await show(page, path, {tool_radius: '6.35'});
+    assert.match(await page.textContent('#certificate'), /smallest0\.25 of 0\.25 inch.*tool radius0\.25 inch/);
+    await page.locator('#way').focus();
+    await page.keyboard.press('End');
+    await page.waitForFunction(() => document.getElementById('place').textContent.startsWith('X-1 Y-1 Z0.2'));
+    const box = await page.locator('#over').boundingBox();
+    const cursor = async x => {
+      await page.mouse.move(box.x + x, box.y + box.height / 2);
+      return page.textContent('#cursor');
+    };
+    assert.match(await cursor(50), /^X -?\d\.\d{4} {2}Y -?\d\.\d{4} inch$/);
+    // The same point to the same point, by keys: no distance; and from side to side: some inches.
+    await page.click('#measure');
+    await page.mouse.click(box.x + 5, box.y + 5);
+    await page.mouse.click(box.x + box.width - 5, box.y + 5);
+    const [, across] = /^([\d.]+) inch \(X /.exec(await page.textContent('#place'));
+    const xOf = text => Number(/X (-?[\d.]+)/.exec(text)[1]);
+    const ends = [xOf(await cursor(5)), xOf(await cursor(box.width - 5))];
+    assert.ok(Math.abs(Number(across) - (ends[1] - ends[0])) < 1e-3, `${across} ${ends}`);
+    await page.locator('#over').focus();
+    await page.keyboard.press('Enter');
+    await page.keyboard.press('Enter');
+    assert.match(await page.textContent('#place'), /^0 inch/);
+  },
+
+  async 'other planes and heights have their view'(page) {
+    const ramp = 'N10 G17 G90 G71\nN20 G00 X-20 Y-20 Z10\nN30 G01 Z0 F200\nN40 G41 G01 X0 Y0 F500\nN50 Y60 Z-2\nN60 X80 Z-4\n' +
+      'N70 G02 X100 Y40 I0 J-20 Z-6\nN80 G01 Y0 Z-8\nN90 X0 Z-10\nN100 G40 X-20 Y-20\nN110 G00 Z10\nN120 M30\n';
+    const path = file('ramp.nc', ramp), written = join(folder, 'ramp.html');
+    const look = async () => {
+      assert.equal(await page.inputValue('#plane'), 'PLANE_XY');
+      assert.match(await page.textContent('#certificate'), /planeXY.*heightZ -10 … 10 mm/);
+      await page.selectOption('#plane', 'PLANE_YZ');
+      await page.waitForFunction(() => /planeYZ/.test(document.getElementById('certificate').textContent));
+      await page.waitForSelector('body[data-complete=true]');
+      assert.ok(Number(await page.evaluate(() => document.body.dataset.segments)) > 20);
+      assert.match(await page.textContent('#certificate'), /way449\.\d+ mm, 10 blocks.*heightX -20 … 105 mm/);
+      // Upwards lies Z.
+      const box = await page.locator('#over').boundingBox();
+      const cursor = async y => {
+        await page.mouse.move(box.x + box.width / 2, box.y + y);
+        return Number(/^Y .* Z (-?[\d.]+) mm$/.exec(await page.textContent('#cursor'))[1]);
+      };
+      assert.ok(await cursor(20) > await cursor(box.height - 20));
+      await page.locator('#way').fill('5000');
+      await page.waitForFunction(() => /^X.*line/.test(document.getElementById('place').textContent));
+      const at = await page.textContent('#place');
+      // The same from above, and the text on both sides is linked there too.
+      await page.waitForFunction(() => document.querySelectorAll('#output [role=option]').length > 0);
+      await page.locator('#output [role=option]').filter({hasText: 'N80'}).click();
+      await page.waitForFunction(() => /N80/.test(document.querySelector('#input [aria-selected=true]')?.textContent));
+      await page.selectOption('#plane', 'PLANE_XY');
+      await page.waitForFunction(() => /planeXY/.test(document.getElementById('certificate').textContent));
+      await page.locator('#way').fill('5000');
+      await page.waitForFunction(() => /^X.*line/.test(document.getElementById('place').textContent));
+      const numbers = text => text.match(/-?[\d.]+/g).map(Number);
+      numbers(await page.textContent('#place')).forEach((n, i) => assert.ok(Math.abs(n - numbers(at)[i]) < 0.05, `${at}`));
+    };
+    await show(page, path);
+    await look();
+    trc('plot', path, '-o', written, '--radius', '5');
+    await page.goto(`file://${written}`);
+    await page.waitForSelector('body[data-complete=true]');
+    await look();
+  },
+
+  async 'the record of a page is one for trc verify'(page) {
+    const path = join(top, 'client/samples/bracket.nc');
+    await show(page, path, {tool_radius: ''});
+    const [download] = await Promise.all([page.waitForEvent('download'), page.click('#save-record')]);
+    assert.equal(download.suggestedFilename(), 'bracket_g40.json');
+    const told = trc('verify', path, '--record', await download.path());
+    assert.equal(told.status, 0, told.stderr);
+    assert.match(told.stdout, /the record holds/);
+    await show(page, file('notch.nc', notch));
+    assert.ok(await page.locator('#save-record').isDisabled());
   },
 
   async 'a wrong setting is said where it is'(page) {

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "core/geometry/plane.h"
 #include "core/geometry/segment.h"
 #include "core/verify/shape.h"
 
@@ -22,6 +23,9 @@ enum class Style : std::uint8_t {
 };
 inline constexpr std::uint32_t rapid_flag = 1U << 8U;
 inline constexpr std::uint32_t path_flag = 1U << 9U;
+// Another plane than the one that is shown holds there: the tool is seen from the side.
+inline constexpr std::uint32_t aside_flag = 1U << 10U;
+inline constexpr std::uint32_t plane_shift = 12;
 
 // A motion as the picture has it: in the plane that is shown.
 struct Element {
@@ -36,6 +40,8 @@ struct Element {
   Style style = Style::path;
   std::uint8_t origin = 0;  // of v1::CompensatedBlock; 0 on the contour
   bool rapid = false;
+  Plane plane = Plane::xy;  // that holds in its block
+  bool ends_block = true;   // a block of another plane may be seen as several elements
 
   // Must be seen at any scale.
   [[nodiscard]] bool is_special() const {

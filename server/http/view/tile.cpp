@@ -64,14 +64,15 @@ class Sleeve {
 
 class Drawing {
  public:
-  Drawing(const Square& square, double tolerance, std::size_t most_segments)
+  Drawing(const Square& square, Plane plane, double tolerance, std::size_t most_segments)
       : square_(square),
+        plane_(plane),
         tolerance_(tolerance),
         most_segments_(most_segments),
         dot_cells_(static_cast<std::size_t>(std::clamp(square.side / (4 * tolerance), 8.0, 256.0))),
         dots_(dot_cells_ * dot_cells_) {
     // Strokes have a width: what lies beside the square may reach into it.
-    const double margin = square.side / 512;
+    const double margin = square.side / 128;
     low_ = square.low - Vector(margin, margin);
     high_ = square.low + Vector(square.side + margin, square.side + margin);
   }
@@ -94,7 +95,8 @@ class Drawing {
 
   void draw_group(const Elements& elements, std::size_t group, std::uint32_t flags);
   void draw_element(const Elements& elements, std::size_t index, std::uint32_t flags);
-  void draw_arc(const Arc& arc);
+  enum class Chords { joined, all };
+  void draw_arc(const Arc& arc, Chords chords);
   void draw_dot(const Point& at, const Pen& pen);
   void go_to(const Point& to);
   void lift();
@@ -102,6 +104,7 @@ class Drawing {
   void add(const Point& from, const Point& to, const Pen& pen);
 
   const Square& square_;
+  const Plane plane_;
   const double tolerance_;
   const std::size_t most_segments_;
   Point low_;
@@ -150,7 +153,8 @@ void Drawing::draw_element(const Elements& elements, std::size_t index, std::uin
   const Pen pen{.element = index,
                 .line = element.line,
                 .style = static_cast<std::uint32_t>(element.style) | flags |
-                         (element.rapid ? rapid_flag : 0U)};
+                         (element.rapid ? rapid_flag : 0U) |
+                         (element.plane == plane_ ? 0U : aside_flag)};
   const bool small = box.size().maxCoeff() <= 2 * tolerance_;
   if (element.is_special() && small) draw_dot(element.start, pen);
   // Something small keeps the pen of the stroke it is part of.
@@ -162,7 +166,7 @@ void Drawing::draw_element(const Elements& elements, std::size_t index, std::uin
   }
   if (begin_ == at_) pen_ = pen;
   if (const auto* arc = std::get_if<Arc>(&shape))
-    draw_arc(*arc);
+    draw_arc(*arc, small ? Chords::joined : Chords::all);
   else
     go_to(element.end);
   if (small) return;
@@ -170,23 +174,29 @@ void Drawing::draw_element(const Elements& elements, std::size_t index, std::uin
   begin_at(element.end);
 }
 
-// As chords that stay within a half of the tolerance; those that cannot be seen are not drawn.
-void Drawing::draw_arc(const Arc& arc) {
+// As chords that stay within a part of the tolerance. Those of something small are joined where
+// that cannot be seen; those of an arc for itself are all drawn, so that it looks round.
+void Drawing::draw_arc(const Arc& arc, Chords chords) {
   constexpr double most_chords = 20'000;
   const double radius = radius_of(arc);
-  const double sagitta = std::min(tolerance_ / 2, radius);
+  const double sagitta = std::min(tolerance_ / (chords == Chords::all ? 4 : 2), radius);
   const double step = radius > 0 ? 2 * std::acos(1 - sagitta / radius) : std::numbers::pi;
   const double count =
       std::clamp(std::ceil(std::abs(arc.sweep) / std::max(step, 1e-9)), 2.0, most_chords);
   const Vector from = arc.start - arc.center;
-  const auto chords = static_cast<std::size_t>(count);
-  for (std::size_t i = 1; i < chords; ++i) {
+  const auto go = [&](const Point& to) {
+    go_to(to);
+    if (chords == Chords::joined) return;
+    lift();
+    begin_at(to);
+  };
+  for (std::size_t i = 1; i < static_cast<std::size_t>(count); ++i) {
     const double angle = arc.sweep * static_cast<double>(i) / count;
     const double c = std::cos(angle);
     const double s = std::sin(angle);
-    go_to(arc.center + Vector(c * from.x() - s * from.y(), s * from.x() + c * from.y()));
+    go(arc.center + Vector(c * from.x() - s * from.y(), s * from.x() + c * from.y()));
   }
-  go_to(arc.end);
+  go(arc.end);
 }
 
 void Drawing::draw_dot(const Point& at, const Pen& pen) {
@@ -263,10 +273,10 @@ std::string bytes_of(const std::vector<DrawnSegment>& segments, double tolerance
 
 }  // namespace
 
-std::string tile_of(const Elements& contour, const Elements& path, const Square& square,
-                    const TileLimits& limits) {
+std::string tile_of(const Elements& contour, const Elements& path, Plane plane,
+                    const Square& square, const TileLimits& limits) {
   for (double tolerance = limits.tolerance;; tolerance *= 2) {
-    Drawing drawing(square, tolerance, limits.most_segments);
+    Drawing drawing(square, plane, tolerance, limits.most_segments);
     const bool fits = drawing.draw(contour, 0) && drawing.draw(path, path_flag);
     // Beyond that everything in the square is one dot.
     if (fits || tolerance > square.side) return bytes_of(drawing.segments(), tolerance);

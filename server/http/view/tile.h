@@ -12,7 +12,7 @@ namespace trc::server::http {
 // left out lies within `tolerance` of what is drawn, and an element that must be seen is at least a
 // dot. Bytes, little endian: "TRCT", the number of segments (u32), the tolerance (f32, mm), 0
 // (u32), and for each segment x0 y0 x1 y1 (f32, mm from the square's lowest corner), the index of
-// its element, its line, its style with flags (u32).
+// its element, its line, its style with flags (u32). `plane` is the one that is shown.
 struct Square {
   Point low = Point::Zero();
   double side = 0;  // mm
@@ -21,7 +21,7 @@ struct TileLimits {
   double tolerance = 0;  // mm; more where there would be too many segments
   std::size_t most_segments = 0;
 };
-[[nodiscard]] std::string tile_of(const Elements& contour, const Elements& path,
+[[nodiscard]] std::string tile_of(const Elements& contour, const Elements& path, Plane plane,
                                   const Square& square, const TileLimits& limits);
 
 }  // namespace trc::server::http

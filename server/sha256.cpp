@@ -1,9 +1,9 @@
-#include "client/cli/sha256.h"
+#include "server/sha256.h"
 
 #include <array>
 #include <stdexcept>
 
-namespace trc::cli {
+namespace trc::server {
 namespace {
 
 void check(int result) {
@@ -34,4 +34,4 @@ std::string Sha256::digits() {
   return text;
 }
 
-}  // namespace trc::cli
+}  // namespace trc::server

@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-namespace trc::cli {
+namespace trc::server {
 
 // SHA-256 of what is given piece by piece.
 class Sha256 {
@@ -28,4 +28,4 @@ class Sha256 {
   std::uint64_t bytes_ = 0;
 };
 
-}  // namespace trc::cli
+}  // namespace trc::server

@@ -1,0 +1,34 @@
+#include "server/job_record.h"
+
+#include <array>
+#include <ctime>
+#include <string>
+
+#include "core/base/version.h"
+
+namespace trc::server {
+namespace {
+
+std::string utc_now() {
+  const std::time_t now = std::time(nullptr);
+  std::tm utc{};
+  gmtime_r(&now, &utc);
+  std::array<char, 32> text{};
+  return {text.data(), std::strftime(text.data(), text.size(), "%Y-%m-%dT%H:%M:%SZ", &utc)};
+}
+
+}  // namespace
+
+void begin(v1::JobRecord& record) {
+  record.set_format(job_record_format);
+  record.set_started(utc_now());
+  record.set_client_version(std::string(version()));
+  record.set_client_commit(std::string(commit()));
+}
+
+void fill(Sha256& content, v1::JobFile& file) {
+  file.set_bytes(content.bytes());
+  file.set_sha256(content.digits());
+}
+
+}  // namespace trc::server
