@@ -43,6 +43,15 @@ void open(PathBlock& block, const Point& start, double cut, const Tolerances& to
   if (!block.at_end.active) complete(block, end_of(block.programmed.path), tolerances);
 }
 
+// Where the block and its passive blocks leave the other axes.
+void stand_behind(const PathBlock& block, MotionBlock& inserted) {
+  const PassiveBlock* last = block.passive.empty() ? nullptr : &block.passive.back();
+  inserted.normal = standing(last != nullptr ? last->normal.to : block.programmed.normal.to);
+  inserted.tracking.clear();
+  for (const AxisTravel& axis : last != nullptr ? last->tracking : block.programmed.tracking)
+    inserted.tracking.push_back(standing(axis.to));
+}
+
 // Behind its passive blocks, if the block has any.
 PathBlockPtr insertion_behind(const PathBlock& before, const PathBlock& after) {
   auto inserted = std::make_unique_for_overwrite<PathBlock>();
@@ -50,12 +59,7 @@ PathBlockPtr insertion_behind(const PathBlock& before, const PathBlock& after) {
   inserted->at_start = inserted->at_end = before.at_end;
   insert_behind(before.programmed, after.programmed, inserted->programmed);
   inserted->programmed.mode = before.programmed.mode;
-  if (before.passive.empty()) return inserted;
-  const PassiveBlock& passive = before.passive.back();
-  inserted->programmed.normal = standing(passive.normal.to);
-  inserted->programmed.tracking.clear();
-  for (const AxisTravel& axis : passive.tracking)
-    inserted->programmed.tracking.push_back(standing(axis.to));
+  if (!before.passive.empty()) stand_behind(before, inserted->programmed);
   return inserted;
 }
 
@@ -195,8 +199,11 @@ void Transitions::join_anew(PathBlock& after, PathBlocks& out) {
   before.cut_at_end = rejoin.cut_before;
   complete(before, rejoin.point, tolerances_);
   PathBlockPtr across;
-  // Masked blocks move the other axes all the same.
-  if (rejoin.start != rejoin.point) across = insertion_behind(*masked_.back(), after);
+  if (rejoin.start != rejoin.point) {
+    across = insertion_behind(before, after);
+    // Masked blocks move the other axes all the same.
+    stand_behind(*masked_.back(), across->programmed);
+  }
   out.push_back(std::move(held_));
   for (PathBlockPtr& masked : masked_) {
     masked->origin = Origin::masked;
