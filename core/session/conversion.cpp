@@ -236,6 +236,7 @@ bool Conversion::read_words(const ProgramLine& line, Words& words) {
         break;
       }
       case WordRole::mode:
+        if (word.ends_with(':')) break;  // a label, to which nothing jumps
         if (!read_mode(line, capitals(word))) return false;
         break;
       case WordRole::technology:

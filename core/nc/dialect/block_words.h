@@ -41,6 +41,7 @@ struct Interpreter::BlockWords {
   std::optional<Value> feed{};
   std::optional<Value> tool{};          // D
   std::optional<Value> tool_number{};   // T
+  std::optional<Value> later_tool{};    // a second T of FANUC: fetched behind the change by M06
   bool loads_tool = false;              // M06
   std::optional<Value> tool_radius{};   // V.G.WZ_AKT.R
   std::optional<Value> allowance{};     // OFFN

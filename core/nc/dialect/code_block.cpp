@@ -217,9 +217,11 @@ bool Interpreter::read_code_address(const CodeWord& word, ProgramLine& line, Blo
       block.tool = value;
       break;
     case 'T':
-      if (block.tool_number) return twice();
+      if (block.later_tool || (block.tool_number && dialect_.name != DialectName::fanuc))
+        return twice();
       if (!is_whole(std::floor(word.value))) return refuse_code(line, word, Code::nc_number);
-      block.tool_number = {.value = std::floor(word.value), .begin = word.begin};
+      (block.tool_number ? block.later_tool : block.tool_number) = {.value = std::floor(word.value),
+                                                                    .begin = word.begin};
       code_.turning |= is_turning_tool(line.word({.begin = word.begin, .end = word.end}));
       break;
     case 'M':
@@ -262,6 +264,12 @@ bool Interpreter::read_code_machine_function(const CodeWord& word, ProgramLine& 
 
 // What the words mean together, before any of it takes effect.
 bool Interpreter::complete_code_block(ProgramLine& line, BlockWords& block) {
+  // T01T02M06 of Mazak: the first tool is changed, the second one fetched meanwhile. Radii come
+  // from D, so nothing hangs on which of them a control loads.
+  if (block.later_tool && !block.changes_tool)
+    return refuse(line, TextFault{.code = Code::nc_word_twice,
+                                  .begin = block.later_tool->begin,
+                                  .detail = "T without M06"});
   if (block.tool_number) code_.next_tool = whole_number(block.tool_number->value);
   code_.tool_named |= block.tool_number.has_value();
   code_.changes_by_m6 |= block.changes_tool;

@@ -187,6 +187,9 @@ bool Interpreter::read_named_words(ProgramLine& line, BlockWords& block) {
       case NamedWord::Kind::comment:
         add(line, word, WordRole::comment);
         break;
+      case NamedWord::Kind::label:  // stands in front, as words of modes do
+        add(line, word, WordRole::mode);
+        break;
       case NamedWord::Kind::skip:
         block.to_skip = true;
         add(line, word, WordRole::technology);

@@ -12,6 +12,19 @@ bool begins_number(char sign) {
   return is_digit(sign) || sign == '+' || sign == '-' || sign == '.';
 }
 
+// Where the colon of a label such as `L1:` stands that begins at `begin`, else npos. A label is the
+// first word of a block, behind its number at most.
+std::size_t colon_of_label(std::string_view line, std::size_t begin) {
+  constexpr std::string_view number_signs = "/:Nn0123456789 \t";
+  constexpr auto none = std::string_view::npos;
+  if (upper(line[begin]) == 'N') return none;
+  if (line.substr(0, begin).find_first_not_of(number_signs) != none) return none;
+  std::size_t at = begin + 1;
+  while (at < line.size() && (is_letter(line[at]) || is_digit(line[at]) || line[at] == '_')) ++at;
+  const bool labelled = at > begin + 1 && at < line.size() && line[at] == ':';
+  return labelled ? at : none;
+}
+
 }  // namespace
 
 void NamedWordReader::skip_blanks() {
@@ -114,6 +127,12 @@ NamedWord NamedWordReader::address() {
   NamedWord word{.kind = NamedWord::Kind::address,
                  .letter = peek() == ':' ? 'N' : upper(peek()),
                  .begin = static_cast<std::uint32_t>(at_)};
+  if (const std::size_t colon = colon_of_label(line_, at_); colon != std::string_view::npos) {
+    word.kind = NamedWord::Kind::label;
+    at_ = colon + 1;
+    word.end = static_cast<std::uint32_t>(at_);
+    return word;
+  }
   ++at_;
   skip_blanks();
   const auto failed = [&] {
@@ -180,7 +199,7 @@ NamedWord NamedWordReader::name() {
     }
     word.end = static_cast<std::uint32_t>(at_);
   } else if (peek() == ':') {
-    word.kind = NamedWord::Kind::comment;  // a label, which nobody jumps to
+    word.kind = NamedWord::Kind::label;
     word.end = static_cast<std::uint32_t>(at_ + 1);
   }
   at_ = word.end;

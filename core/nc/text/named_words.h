@@ -11,7 +11,17 @@ namespace trc {
 // Cuts a line of Sinumerik's language into words: letters with numbers (X10, X=10, S1=500), names
 // with values (CR=5, T="MILL"), names alone (NORM) and calls (CYCLE81(…)).
 struct NamedWord {
-  enum class Kind : std::uint8_t { end, comment, skip, address, assignment, name, call, fault };
+  enum class Kind : std::uint8_t {
+    end,
+    comment,
+    label,
+    skip,
+    address,
+    assignment,
+    name,
+    call,
+    fault
+  };
   // X=AC(…): absolute; X=IC(…): a difference, whatever G90 and G91 say.
   enum class Reference : std::uint8_t { modal, absolute, incremental };
 

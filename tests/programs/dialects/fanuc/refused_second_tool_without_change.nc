@@ -1,0 +1,9 @@
+; refused 900010 line 5
+%
+O1235
+G90 G21 G17 G40
+T1 T2
+G0 X0 Y0
+M6
+M30
+%
