@@ -205,17 +205,21 @@ void for_each_job(std::uint64_t first_seed, const Claim& claim) {
 
 constexpr double inch = 25.4;
 
-// Whether the tool at the first point is clear of the contour: by 5 um, as a passage is, but of the
-// blocks that meet there, which turn by the rounding of their ends, by less than a gouge (D-14).
-bool has_room_at_the_start(const Contour& contour, const TrcMode& mode) {
-  const Line first = std::get<Line>(contour.blocks.front());
-  const Vector along = (first.end - first.start).normalized();
-  const Point tool = first.start + mode.tool_radius * Vector(along.y(), -along.x());
-  const auto is_clear = [&](const Segment& block) {
-    const bool meets = start_of(block) == first.start || end_of(block) == first.start;
-    return slow_distance(tool, block) >= mode.tool_radius + (meets ? -1e-4 : 5e-3);
+// Whether the tool at the first point and at the last one is clear of the contour: by 5 um, as a
+// passage is, but of the blocks that meet there, which turn by the rounding of their ends, by less
+// than a gouge (D-14).
+bool has_room_at_the_ends(const Contour& contour, const TrcMode& mode) {
+  const auto has_room_beside = [&](const Segment& end_block) {
+    const Line& line = std::get<Line>(end_block);
+    const Point& seam = start_of(contour.blocks.front());
+    const Vector along = (line.end - line.start).normalized();
+    const Point tool = seam + mode.tool_radius * Vector(along.y(), -along.x());
+    return std::all_of(contour.blocks.begin(), contour.blocks.end(), [&](const Segment& block) {
+      const bool meets = start_of(block) == seam || end_of(block) == seam;
+      return slow_distance(tool, block) >= mode.tool_radius + (meets ? -1e-4 : 5e-3);
+    });
   };
-  return std::all_of(contour.blocks.begin(), contour.blocks.end(), is_clear);
+  return has_room_beside(contour.blocks.front()) && has_room_beside(contour.blocks.back());
 }
 
 // With circular transitions: at the end of a mitre the rounding of a short edge is longer than at
@@ -235,8 +239,8 @@ TEST(Rounding, OfCoordinatesDoesNotChangeThePath) {  // D-44
       const bool none = exact.empty() || rounded.empty();
       if (!none && hausdorff(exact, rounded) <= play_of(job, unit * std::numbers::sqrt2 / 2))
         continue;
-      const bool starts = has_room_at_the_start(contour_of(job, 0), job.mode) &&
-                          has_room_at_the_start(contour_of(job, unit), job.mode);
+      const bool starts = has_room_at_the_ends(contour_of(job, 0), job.mode) &&
+                          has_room_at_the_ends(contour_of(job, unit), job.mode);
       if (!starts || is_near_a_change(job)) {
         ++left_out;
         continue;
@@ -300,7 +304,7 @@ TEST(Rounding, ThatTiesACornerDoesNotChangeThePath) {  // D-44
   std::cout << compared << " compared, " << left_out << " beside a passage as wide as the tool\n";
 }
 
-TEST(Rounding, IsRefusedNowhereWhereTheToolHasRoomAtTheStart) {  // D-44
+TEST(Rounding, IsRefusedNowhereWhereTheToolHasRoomAtTheEnds) {  // D-44
   std::size_t refused = 0;
   for_each_job(51'000'000, [&](const Job& job) {
     for (const double unit : {0.0, 1e-3, 1e-4 * inch}) {
@@ -310,7 +314,7 @@ TEST(Rounding, IsRefusedNowhereWhereTheToolHasRoomAtTheStart) {  // D-44
       ++refused;
       std::ostringstream programs;
       programs << contour;
-      EXPECT_FALSE(has_room_at_the_start(contour, job.mode)) << message_of(*outcome.error()) << '\n'
+      EXPECT_FALSE(has_room_at_the_ends(contour, job.mode)) << message_of(*outcome.error()) << '\n'
                                                              << programs.str();
     }
   });
