@@ -63,6 +63,35 @@ void expect_clear(const Outcome& outcome, const Contour& contour, const TrcMode&
       << text_of(outcome.blocks);
 }
 
+// G25, G42, R = 7, STRETCH_FACTOR = 6: a tip of three degrees, behind it an arc of 247 degrees whose
+// inside the tool just fits into. The mitre round the tip is 42 mm long; on its way back to the arc
+// it passes the far end of it, so that the circle round the tip stays.
+TEST(LoopRemoval, KeepsAMitreOffTheFarEndOfTheArcBehindIt) {  // D-45
+  TrcMode mode;
+  mode.side = Side::right;
+  mode.tool_radius = 7;
+  mode.transition = Transition::linear;
+  mode.masking = Masking::on;
+  mode.options.remove_masked_blocks = true;
+  mode.options.stretch_factor = 6;
+  const Point center(67.7014, 108.7107);
+  const Point tip(59.1563, 107.1374);
+  const double sweep = -4.3162;
+  const Vector begins = tip - center;
+  const Vector ends = {begins.x() * std::cos(sweep) - begins.y() * std::sin(sweep),
+                       begins.x() * std::sin(sweep) + begins.y() * std::cos(sweep)};
+  Contour contour;
+  const Point begin(56.5383, 121.3569);
+  contour.approach = {.start = {20, 100}, .end = begin};
+  contour.blocks = {Line{.start = begin, .end = tip},
+                    Arc{.start = tip, .end = center + ends, .center = center, .sweep = sweep}};
+  contour.retract = {.start = center + ends, .end = {81, 117.5}};
+  const Outcome outcome = compensate(contour, mode);
+  ASSERT_FALSE(outcome.stopped) << message_of(*outcome.error());
+  EXPECT_EQ(std::ranges::count(outcome.blocks, Origin::transition, &CompensatedBlock::origin), 1);
+  expect_clear(outcome, contour, mode);
+}
+
 TEST(LoopRemoval, NeverGouges) {
   std::size_t accepted = 0;
   std::size_t refused = 0;

@@ -9,9 +9,8 @@
 namespace trc {
 namespace {
 
-// Half a turn, less what rounding may do to it: on the square, and of an arc, which is less on it.
+// Half a turn on the square, less what rounding may do to it.
 constexpr double widest = 2 - 1e-6;
-constexpr double widest_arc = std::numbers::pi - 4e-6;
 
 // Where a direction points at a square whose corners lie on the axes, in quarters of a turn from
 // the first axis on, -2 to 2. That grows with the angle, by at most as much, and by 2 in half a

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <limits>
+#include <numbers>
 
 #include "core/base/numbered_queue.h"
 #include "core/base/tolerances.h"
@@ -21,6 +22,9 @@ namespace trc {
 // core/doc/loop_removal.md.
 class Certificate {
  public:
+  // Half a turn, rad, less what rounding may do to it: an arc so wide is in no chain.
+  static constexpr double widest_arc = std::numbers::pi - 4e-6;
+
   explicit Certificate(const Tolerances& tolerances) : tolerances_(tolerances) {}
 
   // What it takes to know of a contour block.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 
 #include "core/geometry/distance.h"
 #include "core/trc/walls/sided_walls.h"
@@ -211,12 +212,24 @@ bool Obstacles::comes_nearer(std::size_t block, double from, double to, Nearness
   return !neighbours_.empty() && neighbours_come_nearer(block, PathPart(segment, from, to), limit);
 }
 
+// The far end of an arc of half a turn and more may be in the way of what leads along its tangent.
+bool Obstacles::own_arc_is_nearer(std::size_t number, const PathPart& part, double limit) const {
+  const Segment own = programmed(number);
+  const auto* arc = std::get_if<Arc>(&own);
+  if (arc == nullptr || std::abs(arc->sweep) < Certificate::widest_arc) return false;
+  if (!all_are_walls_ && !walls_.is_wall_for(number, number)) return false;
+  return part.comes_nearer(own, reach_to(number, path_.contour_block(number).block, limit));
+}
+
 bool Obstacles::comes_nearer(std::size_t block, const Segment& way, Nearness nearness) const {
   const double limit = reach(block, nearness);
   const double length = length_of(way);
   if (length == 0 || limit <= 0) return false;
+  const PathPart part(way, 0, length);
+  if (path_.is_contour(block) && own_arc_is_nearer(path_.number_of(block), part, limit))
+    return true;
   find_neighbours(block, bounding_box(way), limit, false);
-  return !neighbours_.empty() && neighbours_come_nearer(block, PathPart(way, 0, length), limit);
+  return !neighbours_.empty() && neighbours_come_nearer(block, part, limit);
 }
 
 bool Obstacles::neighbours_come_nearer(std::size_t block, const PathPart& part,

@@ -135,6 +135,10 @@ class Obstacles {
   void keep_walls(NearFour& four, std::size_t own) const;
   [[nodiscard]] std::size_t end_of_contour() const { return path_.end_of_contour(); }
 
+  // Whether a part of another way of the contour block does.
+  [[nodiscard]] bool own_arc_is_nearer(std::size_t number, const PathPart& part,
+                                       double limit) const;
+
   using Fours = std::vector<NearFour>;
 
   void rebuild_boxes();
