@@ -13,13 +13,14 @@ VerifiedCompensator::VerifiedCompensator(const CompensatorSetup& setup, Verify v
                                          Diagnostics& diagnostics, verify::UncutSink uncut)
     : compensator_(setup, diagnostics), diagnostics_(diagnostics) {
   if (verify == Verify::off) return;
-  verification_.emplace(verify::VerificationSetup{.verify = verify,
-                                                  .allowed = setup.tolerances.on_contour,
-                                                  .leads = setup.leads,
-                                                  .selection_blocks = setup.limits.selection_blocks,
-                                                  .interrupt = setup.interrupt,
-                                                  .uncut = std::move(uncut)},
-                        diagnostics);
+  verification_.emplace(
+      verify::VerificationSetup{.verify = verify,
+                                .clearance = {.allowed = setup.tolerances.on_contour,
+                                              .leads = setup.leads,
+                                              .uncut = std::move(uncut)},
+                                .selection_blocks = setup.limits.selection_blocks,
+                                .interrupt = setup.interrupt},
+      diagnostics);
 }
 
 std::size_t VerifiedCompensator::feed_until_report(std::span<Block> blocks,

@@ -33,17 +33,17 @@ constexpr double slack = half_resolution / 2;  // mm
 class Selection {
  public:
   // Its programmed pieces are those from `begin` to `end`.
-  Selection(const HeldPath& held, std::size_t begin, std::size_t end, double allowed,
-            const LeadSettings& leads, Checkpoint& checkpoint, bool keeps_touched)
+  Selection(const HeldPath& held, std::size_t begin, std::size_t end,
+            const ClearanceSettings& settings, Checkpoint& checkpoint)
       : held_(held),
         begin_(begin),
         end_(end),
-        allowed_(allowed),
+        allowed_(settings.allowed),
         checkpoint_(checkpoint),
-        sides_(walls_between(begin, end, leads)),
+        sides_(walls_between(begin, end, settings.leads)),
         tree_(held, begin, end, sides_, checkpoint) {
     report_.walls = tree_.walls();
-    if (keeps_touched) touched_.resize(end - begin);
+    if (settings.uncut) touched_.resize(end - begin);
     is_plain_ = sides_.sides.size() == 1 && sides_.sides.front().are_plain();
     for (std::size_t place = begin; place < end; ++place) {
       checkpoint.pass();
@@ -335,17 +335,16 @@ void ClearanceReport::add(const ClearanceReport& other) {
   if (other.worst && (!worst || other.worst->margin() < worst->margin())) worst = other.worst;
 }
 
-ClearanceReport measure_clearance(const HeldPath& held, std::size_t end, double allowed,
-                                  const LeadSettings& leads, Checkpoint& checkpoint,
-                                  const UncutSink& uncut) {
+ClearanceReport measure_clearance(const HeldPath& held, std::size_t end,
+                                  const ClearanceSettings& settings, Checkpoint& checkpoint) {
   ClearanceReport report;
   std::size_t next = held.path().begin();
   for (std::size_t begin = held.programmed().begin(); begin < end;) {
     const std::size_t behind = end_of_selection(held, begin, end, checkpoint);
-    Selection selection(held, begin, behind, allowed, leads, checkpoint, bool{uncut});
+    Selection selection(held, begin, behind, settings, checkpoint);
     next = selection.measure_from(next);
     report.add(selection.report());
-    if (uncut) selection.tell_uncut(uncut);
+    if (settings.uncut) selection.tell_uncut(settings.uncut);
     begin = behind;
   }
   return report;
@@ -361,7 +360,8 @@ ClearanceReport measure_clearance(std::span<const Block> programmed,
   }
   for (const CompensatedBlock& block : path) held.add(block);
   Checkpoint checkpoint({});
-  return measure_clearance(held, held.programmed().end(), allowed, leads, checkpoint);
+  return measure_clearance(held, held.programmed().end(), {.allowed = allowed, .leads = leads},
+                           checkpoint);
 }
 
 }  // namespace trc::verify

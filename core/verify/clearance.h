@@ -56,6 +56,13 @@ struct UncutWall {
 // Is told them in the order of the program.
 using UncutSink = std::function<void(const UncutWall&)>;
 
+// What a path is measured against, and who is told.
+struct ClearanceSettings {
+  double allowed = 0;  // how much nearer than the tool radius the path may come, mm
+  LeadSettings leads{};
+  UncutSink uncut{};  // none: nobody wants to know
+};
+
 // Measures every block of the compensated path between approach and retract against all walls of
 // its selection, with the exact distance of lines and arcs. Shares no code with the compensation
 // and decides nothing by it: only source positions link path and contour. What is a wall is data:
@@ -71,8 +78,7 @@ inline constexpr double margin_resolution = 1e-5;  // mm
 
 // The same of what is held, as far as it stems from programmed pieces before the number `end`.
 [[nodiscard]] ClearanceReport measure_clearance(const HeldPath& held, std::size_t end,
-                                                double allowed, const LeadSettings& leads,
-                                                Checkpoint& checkpoint,
-                                                const UncutSink& uncut = {});
+                                                const ClearanceSettings& settings,
+                                                Checkpoint& checkpoint);
 
 }  // namespace trc::verify

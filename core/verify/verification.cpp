@@ -74,8 +74,7 @@ bool Verification::finish() { return measure_before(std::numeric_limits<std::uin
 
 bool Verification::measure_before(std::uint64_t end) {
   const std::size_t behind = held_.first_from(end);
-  const ClearanceReport found =
-      measure_clearance(held_, behind, setup_.allowed, setup_.leads, checkpoint_, setup_.uncut);
+  const ClearanceReport found = measure_clearance(held_, behind, setup_.clearance, checkpoint_);
   held_.forget_before(behind);
   report_.add(found);
   return found.gouging == 0 || tell(gouge(found), found.gouging == found.accepted);

@@ -25,12 +25,10 @@ namespace verify {
 
 struct VerificationSetup {
   Verify verify = Verify::enforce;
-  double allowed = 0;  // how much nearer than the tool radius the path may come, mm
-  LeadSettings leads{};
+  ClearanceSettings clearance{};
   // Programmed blocks of one selection that are held until it is measured.
   std::size_t selection_blocks = 0;
   Checkpoint::Interrupt interrupt{};  // of long work
-  UncutSink uncut{};                  // of what is measured
 };
 
 // Measures a path as it comes out: what is programmed is given first, then the path it has

@@ -121,7 +121,8 @@ TEST(Verification, FindsAPathThatWasMovedByAMicrometreOrTwo) {
   const Line contour{.start = {0, 0}, .end = {100, 0}};
   for (const double moved : {0.0, 2e-3}) {
     Diagnostics diagnostics;
-    Verification verification({.allowed = 1e-3, .selection_blocks = 100}, diagnostics);
+    Verification verification({.clearance = {.allowed = 1e-3}, .selection_blocks = 100},
+                              diagnostics);
     verification.programmed(MotionBlock{.source = {.index = 0}, .path = approach, .mode = on});
     verification.programmed(MotionBlock{.source = {.index = 1}, .path = contour, .mode = on});
     const std::vector<CompensatedBlock> path{

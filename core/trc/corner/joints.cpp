@@ -42,7 +42,7 @@ JointResult approach(const PathBlock& before, const PathBlock& after, const Corn
     case Selection::on_path:
       return on_path(
           selection::approach_on_path(corner, before.programmed.path, before.tangent_at_end,
-                                      mode.options.g236_lin, tolerances),
+                                      selection::around_corner(mode), tolerances),
           false, corner);
     case Selection::perpendicular:
       return JoinedBlocks{.joint = joint_across(corner.programmed, corner.after.anchor)};
@@ -77,7 +77,7 @@ JointResult retract(const PathBlock& after, Selection mode, const Corner& corner
     case Selection::on_path:
       return on_path(
           selection::retract_on_path(corner, after.programmed.path, after.tangent_at_start,
-                                     after.mode().options.g236_lin, tolerances),
+                                     selection::around_corner(after.mode()), tolerances),
           true, corner);
     case Selection::perpendicular:
       return JoinedBlocks{.joint = joint_across(corner.before.anchor, corner.programmed)};

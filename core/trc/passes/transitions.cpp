@@ -318,10 +318,10 @@ void Transitions::keep_refused_way(const Corner& corner, const PathBlock& after)
                   .cut_at_start = leaves ? before.cut_at_start : 0};
   // The arc of G05 asks for another direction, not for a length.
   if (block.mode().tangential) return;
-  const bool linear = block.mode().options.g236_lin;
+  const selection::AroundCorner around = selection::around_corner(block.mode());
   const auto needed = [&](const Segment& path, const Vector& tangent) {
-    return leaves ? selection::needed_off_path(corner, path, tangent, linear, tolerances_)
-                  : selection::needed_on_path(corner, path, tangent, linear, tolerances_);
+    return leaves ? selection::needed_off_path(corner, path, tangent, around, tolerances_)
+                  : selection::needed_on_path(corner, path, tangent, around, tolerances_);
   };
   const Vector& tangent = leaves ? after.tangent_at_start : before.tangent_at_end;
   refused_way_.needed_length = needed(block.programmed.path, tangent);

@@ -40,16 +40,17 @@ double extent_of(const Segment& programmed) {
 }
 
 // The swing around the corner, clockwise for G41.
-Segment swing(const Corner& corner, const Point& from, const Point& to, bool linear) {
-  if (linear) return Line{.start = from, .end = to};
+Segment swing(const Corner& corner, const Point& from, const Point& to, AroundCorner around) {
+  if (around == AroundCorner::line) return Line{.start = from, .end = to};
   const Point& center = corner.programmed;
   double sweep = turn_between(from - center, to - center);
   if (sweep * corner.shift > 0) sweep -= std::copysign(2 * pi, sweep);
   return Arc{.start = from, .end = to, .center = center, .sweep = sweep};
 }
 
-bool is_linear(bool wanted, double angle, const Tolerances& tolerances) {
-  return wanted && angle <= pi + tolerances.tangent;
+// Beyond 180 degrees a line would come nearer to the corner than the tool radius.
+AroundCorner possible(AroundCorner wanted, double angle, const Tolerances& tolerances) {
+  return angle <= pi + tolerances.tangent ? wanted : AroundCorner::arc;
 }
 
 // The block with nothing of it missing: all of the circle, or a line as long as coordinates reach.
@@ -70,25 +71,25 @@ double length_of_cut(const Segment& block, double cut) {
 }  // namespace
 
 std::optional<double> needed_on_path(const Corner& corner, const Segment& selection,
-                                     const Vector& tangent, bool linear,
+                                     const Vector& tangent, AroundCorner around,
                                      const Tolerances& tolerances) {
   const auto joint =
-      approach_on_path(corner, unlimited(selection, tolerances), tangent, linear, tolerances);
+      approach_on_path(corner, unlimited(selection, tolerances), tangent, around, tolerances);
   if (!joint) return std::nullopt;
   return length_of_cut(selection, joint->cut_before);
 }
 
 std::optional<double> needed_off_path(const Corner& corner, const Segment& deselection,
-                                      const Vector& tangent, bool linear,
+                                      const Vector& tangent, AroundCorner around,
                                       const Tolerances& tolerances) {
   const auto joint =
-      retract_on_path(corner, unlimited(deselection, tolerances), tangent, linear, tolerances);
+      retract_on_path(corner, unlimited(deselection, tolerances), tangent, around, tolerances);
   if (!joint) return std::nullopt;
   return length_of_cut(deselection, joint->cut_after);
 }
 
 std::optional<Joint> approach_on_path(const Corner& corner, const Segment& selection,
-                                      const Vector& tangent, bool linear,
+                                      const Vector& tangent, AroundCorner around,
                                       const Tolerances& tolerances) {
   const OffsetCurve path = offset_curve(selection, tangent, corner.programmed, 0);
   const double angle = transition_angle(corner, tolerances);
@@ -104,7 +105,7 @@ std::optional<Joint> approach_on_path(const Corner& corner, const Segment& selec
     if ((joint->start - joint->end).norm() <= tolerances.same_point) {
       joint->end = joint->start;
     } else {
-      joint->insert(swing(corner, joint->end, joint->start, is_linear(linear, angle, tolerances)));
+      joint->insert(swing(corner, joint->end, joint->start, possible(around, angle, tolerances)));
     }
   }
   if (joint && joint->cut_before > extent_of(selection)) joint.reset();
@@ -112,7 +113,7 @@ std::optional<Joint> approach_on_path(const Corner& corner, const Segment& selec
 }
 
 std::optional<Joint> retract_on_path(const Corner& corner, const Segment& deselection,
-                                     const Vector& tangent, bool linear,
+                                     const Vector& tangent, AroundCorner around,
                                      const Tolerances& tolerances) {
   const OffsetCurve path = offset_curve(deselection, tangent, corner.programmed, 0);
   const double angle = transition_angle(corner, tolerances);
@@ -128,7 +129,7 @@ std::optional<Joint> retract_on_path(const Corner& corner, const Segment& desele
     if ((joint->start - joint->end).norm() <= tolerances.same_point) {
       joint->start = joint->end;
     } else {
-      joint->insert(swing(corner, joint->end, joint->start, is_linear(linear, angle, tolerances)));
+      joint->insert(swing(corner, joint->end, joint->start, possible(around, angle, tolerances)));
     }
   }
   if (joint && joint->cut_after > extent_of(deselection)) joint.reset();

@@ -1,12 +1,21 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 
 #include "core/base/tolerances.h"
 #include "core/geometry/segment.h"
+#include "core/nc/state/trc_mode.h"
 #include "core/trc/corner/corner.h"
 
 namespace trc::selection {
+
+// What leads around the corner from 90 degrees on; up to 180 degrees G236_LIN asks for a line.
+enum class AroundCorner : std::uint8_t { arc, line };
+
+[[nodiscard]] inline AroundCorner around_corner(const TrcMode& mode) {
+  return mode.options.g236_lin ? AroundCorner::line : AroundCorner::arc;
+}
 
 // G236: the tool stays on the programmed selection block and changes over to the
 // equidistant of the contour (rule 3.3, D-02).
@@ -19,20 +28,20 @@ namespace trc::selection {
 // direction at the corner. The cut of the joint on its side is one of the
 // programmed block. Empty when the block is too short for that (D-03).
 [[nodiscard]] std::optional<Joint> approach_on_path(const Corner& corner, const Segment& selection,
-                                                    const Vector& tangent, bool linear,
+                                                    const Vector& tangent, AroundCorner around,
                                                     const Tolerances& tolerances);
 [[nodiscard]] std::optional<Joint> retract_on_path(const Corner& corner, const Segment& deselection,
-                                                   const Vector& tangent, bool linear,
+                                                   const Vector& tangent, AroundCorner around,
                                                    const Tolerances& tolerances);
 
 // The length the block has to have for that, mm, going on before (behind) what is given of it;
 // none: however long it is, there is no such point.
 [[nodiscard]] std::optional<double> needed_on_path(const Corner& corner, const Segment& selection,
-                                                   const Vector& tangent, bool linear,
+                                                   const Vector& tangent, AroundCorner around,
                                                    const Tolerances& tolerances);
 [[nodiscard]] std::optional<double> needed_off_path(const Corner& corner,
                                                     const Segment& deselection,
-                                                    const Vector& tangent, bool linear,
+                                                    const Vector& tangent, AroundCorner around,
                                                     const Tolerances& tolerances);
 
 }  // namespace trc::selection
