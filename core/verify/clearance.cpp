@@ -224,6 +224,8 @@ class Selection {
     if (path.piece.is_arc() || wall.is_arc()) {
       const Point& center = wall.is_arc() ? wall.center : path.piece.center;
       if (least_gap(ring_of(path.piece, center), ring_of(wall, center)) >= limit) return;
+    } else if (are_apart(path.piece, wall, limit)) {
+      return;
     }
     const Gap gap = gap_between(path.piece, wall);
     if (gap.distance >= limit) return;

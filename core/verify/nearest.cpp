@@ -1,5 +1,6 @@
 #include "core/verify/nearest.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -111,7 +112,20 @@ Gap gap_of_bows(const Segment& a, const Segment& b) {
   return gap;
 }
 
+bool is_beside(const Piece& line, const Piece& other, double distance) {
+  const Vector along = line.end - line.start;
+  const double at_start = cross(along, other.start - line.start);
+  const double at_end = cross(along, other.end - line.start);
+  if (!(at_start * at_end > 0)) return false;
+  const double least = std::min(std::abs(at_start), std::abs(at_end));
+  return least * least >= distance * distance * along.squaredNorm();
+}
+
 }  // namespace
+
+bool are_apart(const Piece& a, const Piece& b, double distance) {
+  return is_beside(a, b, distance) || is_beside(b, a, distance);
+}
 
 Point nearest_point(const Segment& segment, const Point& point) {
   return std::visit([&](const auto& shape) { return nearest_on(shape, point); }, segment);

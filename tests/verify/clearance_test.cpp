@@ -115,6 +115,22 @@ TEST(Gap, OfArcsWhoseEndsNearlyMeet) {
   }
 }
 
+TEST(Gap, IsNotSmallerThanLinesAreApart) {
+  constexpr std::uint64_t seed = 20261124;
+  SCOPED_TRACE(seed);
+  Chance chance(seed);
+  int apart = 0;
+  for (int i = 0; i < 3000; ++i) {
+    const Line a{.start = chance.point(), .end = chance.point()};
+    const Line b{.start = chance.point(), .end = chance.point()};
+    const double distance = chance.between(0, 50);
+    if (!are_apart(piece_of(a), piece_of(b), distance)) continue;
+    ++apart;
+    EXPECT_GE(gap_between(a, b).distance, distance - 1e-9) << i;
+  }
+  EXPECT_GT(apart, 100);
+}
+
 TEST(Disk, HoldsAllOfThePiece) {
   constexpr std::uint64_t seed = 20261123;
   SCOPED_TRACE(seed);
