@@ -9,6 +9,7 @@
 #include "core/trc/walls/closing.h"
 #include "core/trc/walls/sided_walls.h"
 #include "core/verify/coverage.h"
+#include "core/verify/disk.h"
 #include "core/verify/nearest.h"
 #include "core/verify/shape.h"
 #include "core/verify/wall_tree.h"
@@ -199,6 +200,7 @@ class Selection {
   }
 
   void search(const PathPiece& path, const Piece& part) {
+    disk_ = disk_of(part);
     tree_.for_each_near(
         tree_.probe(part), near_,
         [this](double required) {
@@ -215,6 +217,19 @@ class Selection {
   void compare(const PathPiece& path, const ProgrammedPiece& block, const Piece& wall,
                std::size_t first) {
     ++report_.steps;
+    const double required = std::min(required_, held_.rule_of(block).required);
+    const double limit = required + margin_of_interest() + slack;
+    // Most walls beside one that is near are told apart by this already.
+    if (least_gap(disk_, disk_of(wall)) >= limit) return;
+    if (path.piece.is_arc() || wall.is_arc()) {
+      const Point& center = wall.is_arc() ? wall.center : path.piece.center;
+      if (least_gap(ring_of(path.piece, center), ring_of(wall, center)) >= limit) return;
+    } else if (are_apart(path.piece, wall, limit)) {
+      return;
+    }
+    const Gap gap = gap_between(path.piece, wall);
+    if (gap.distance >= limit) return;
+    // Only of what is near it matters whether it is a wall, and how near the path may come to it.
     double touch = 0;
     if (!is_plain_) {
       const std::size_t own = held_.programmed()[path.programmed].number;
@@ -222,15 +237,8 @@ class Selection {
       touch = first == block.number ? sides_.touch_between(block.number, own)
                                     : touch_of_laps(block.number, first, own);
     }
-    const double required = std::min(required_, held_.rule_of(block).required) - touch;
-    const double limit = required + margin_of_interest();
-    if (path.piece.is_arc() || wall.is_arc()) {
-      const Point& center = wall.is_arc() ? wall.center : path.piece.center;
-      if (least_gap(ring_of(path.piece, center), ring_of(wall, center)) >= limit + slack) return;
-    }
-    const Gap gap = gap_between(path.piece, wall);
-    if (gap.distance < limit + slack) is_near_ = true;
-    note(path, gap.distance, required, gap.on_a, block.source);
+    if (gap.distance < limit - touch) is_near_ = true;
+    note(path, gap.distance, required - touch, gap.on_a, block.source);
   }
 
   // One of them lies in the lap of the path itself: as far behind the begin of that.
@@ -308,6 +316,7 @@ class Selection {
   std::optional<Clear> clear_;
   // Of the piece that is being measured.
   double required_ = 0;
+  Disk disk_;  // around the part of it that is compared
   bool gouges_ = false;
   bool is_near_ = false;
 };

@@ -1,5 +1,6 @@
 #include "core/verify/nearest.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -7,8 +8,6 @@
 
 namespace trc::verify {
 namespace {
-
-constexpr double full_turn = 2 * std::numbers::pi;
 
 Point nearest_on(const Line& line, const Point& point) {
   const Vector along = line.end - line.start;
@@ -20,15 +19,28 @@ Point nearest_on(const Line& line, const Point& point) {
   return line.start + share * along;
 }
 
+// Whether `out` lies in the sector of at most half a turn from `first` to the left.
+bool is_between(const Vector& first, const Vector& last, const Vector& out) {
+  // A sector of next to nothing, whose ends rounding has changed about, has nothing opposite it.
+  if (first.dot(last) > 0 && out.dot(first) < 0) return false;
+  return cross(first, out) >= 0 && cross(out, last) >= 0;
+}
+
+bool is_in_sector(const Arc& arc, const Vector& from, const Vector& out) {
+  const Vector to = arc.end - arc.center;
+  const bool turns_left = arc.sweep > 0;
+  const Vector& first = turns_left ? from : to;
+  const Vector& last = turns_left ? to : from;
+  return std::abs(arc.sweep) <= std::numbers::pi ? is_between(first, last, out)
+                                                 : !is_between(last, first, out);
+}
+
 Point nearest_on(const Arc& arc, const Point& point) {
   const Vector from = arc.start - arc.center;
   const Vector out = point - arc.center;
   const double distance = out.norm();
   if (distance == 0) return arc.start;
-  double turned = std::atan2(cross(from, out), from.dot(out));
-  if (arc.sweep < 0) turned = -turned;
-  if (turned < 0) turned += full_turn;
-  if (turned <= std::abs(arc.sweep)) return arc.center + out * (from.norm() / distance);
+  if (is_in_sector(arc, from, out)) return arc.center + out * (from.norm() / distance);
   return (point - arc.start).squaredNorm() < (point - arc.end).squaredNorm() ? arc.start : arc.end;
 }
 
@@ -100,7 +112,20 @@ Gap gap_of_bows(const Segment& a, const Segment& b) {
   return gap;
 }
 
+bool is_beside(const Piece& line, const Piece& other, double distance) {
+  const Vector along = line.end - line.start;
+  const double at_start = cross(along, other.start - line.start);
+  const double at_end = cross(along, other.end - line.start);
+  if (!(at_start * at_end > 0)) return false;
+  const double least = std::min(std::abs(at_start), std::abs(at_end));
+  return least * least >= distance * distance * along.squaredNorm();
+}
+
 }  // namespace
+
+bool are_apart(const Piece& a, const Piece& b, double distance) {
+  return is_beside(a, b, distance) || is_beside(b, a, distance);
+}
 
 Point nearest_point(const Segment& segment, const Point& point) {
   return std::visit([&](const auto& shape) { return nearest_on(shape, point); }, segment);

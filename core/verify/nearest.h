@@ -18,6 +18,10 @@ struct Gap {
 [[nodiscard]] Gap gap_between(const Segment& a, const Segment& b);
 [[nodiscard]] Gap gap_between(const Piece& a, const Piece& b);
 
+// All of one line lies so far, mm, beside the support of the other one, which tells in a few steps
+// that they come no nearer. False: they may, or may not.
+[[nodiscard]] bool are_apart(const Piece& a, const Piece& b, double distance);
+
 // The unit travel direction at a point of the segment.
 [[nodiscard]] Vector direction_at(const Segment& segment, const Point& point);
 

@@ -27,7 +27,10 @@ Ring seen_from(const Point& center, const Box& box, const Ring& ring) {
 WallTree::WallTree(const HeldPath& held, std::size_t begin, std::size_t end,
                    const SidedWalls& sides, Checkpoint& checkpoint)
     : held_(held), begin_(begin), end_(end), sides_(sides) {
-  for (const Walls& walls : sides.sides) has_parts_ = has_parts_ || !walls.parts.empty();
+  for (const Walls& walls : sides.sides) {
+    has_parts_ = has_parts_ || !walls.parts.empty();
+    has_leads_ = has_leads_ || !walls.leads.empty();
+  }
   std::size_t size = std::max<std::size_t>(1, (end - begin + bucket_size - 1) / bucket_size);
   std::size_t total = 0;
   for (;; size = (size + 1) / 2) {
@@ -63,7 +66,8 @@ void WallTree::hide_copies(Checkpoint& checkpoint) {
     return std::array{piece.start.x(),  piece.start.y(),  piece.end.x(), piece.end.y(),
                       piece.center.x(), piece.center.y(), piece.sweep,   static_cast<double>(rule)};
   };
-  // Most differ in a number made of all: sorting looks at that.
+  // Those that are the same have the same number made of all: sorting looks at that alone. Should
+  // others have it too, copies with one of them in between stay, which costs time only.
   struct Wall {
     std::uint64_t key;
     std::size_t number;
@@ -86,10 +90,7 @@ void WallTree::hide_copies(Checkpoint& checkpoint) {
   }
   std::sort(order.begin(), order.end(), [&](const Wall& a, const Wall& b) {
     checkpoint.pass();
-    if (a.key != b.key) return a.key < b.key;
-    const auto of_a = what_is_compared(a.number);
-    const auto of_b = what_is_compared(b.number);
-    return of_a != of_b ? of_a < of_b : a.number < b.number;
+    return a.key != b.key ? a.key < b.key : a.number < b.number;
   });
   for (std::size_t index = 1; index < order.size(); ++index) {
     checkpoint.pass();
@@ -146,7 +147,7 @@ WallTree::Node WallTree::both(const Node& a, const Node& b) {
 }
 
 bool WallTree::find_near(const Box& box, double reach, std::vector<Stretch>& found) const {
-  constexpr std::size_t short_enough = 2;  // levels above the leaves
+  constexpr std::size_t short_enough = 0;  // levels above the leaves
   found.assign(1, whole());
   for (std::size_t next = 0; next < found.size();) {
     const Stretch stretch = found[next];

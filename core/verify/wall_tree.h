@@ -63,22 +63,26 @@ class WallTree {
   template <class Reach, class Visit>
   void for_each_near(const Probe& probe, std::span<const Stretch> stretches, const Reach& reach,
                      const Visit& visit) const {
+    // Without initial values: most of them are never looked at.
     struct Open {
-      Stretch stretch{};
-      double gap = 0;
+      std::size_t level;
+      std::size_t index;
+      double gap;
     };
     // Of each level one node waits for its sibling.
     std::array<Open, 2 * most_levels> open;
     const auto see = [&](const Stretch& stretch) {
-      return Open{stretch, gap_of(probe, stretch, reach(node_at(stretch).required))};
+      return Open{.level = stretch.level,
+                  .index = stretch.index,
+                  .gap = gap_of(probe, stretch, reach(node_at(stretch).required))};
     };
     for (const Stretch& stretch : stretches) {
       std::size_t count = 0;
       open[count++] = see(stretch);
       while (count > 0) {
         const Open next = open[--count];
-        if (!(next.gap < reach(node_at(next.stretch).required))) continue;
-        const auto [level, index] = next.stretch;
+        const auto [level, index, gap] = next;
+        if (!(gap < reach(node_at({.level = level, .index = index}).required))) continue;
         if (level == 0) {
           visit_bucket(index, visit);
           continue;
@@ -141,7 +145,7 @@ class WallTree {
           first);
   }
   [[nodiscard]] bool is_wall(const ProgrammedPiece& block) const {
-    return block.is_contour && !sides_.is_lead(block.number);
+    return block.is_contour && !(has_leads_ && sides_.is_lead(block.number));
   }
   // Laps on top of each other would make every wall as many as there are laps.
   void hide_copies(Checkpoint& checkpoint);
@@ -155,6 +159,7 @@ class WallTree {
   std::size_t end_;
   const SidedWalls& sides_;
   bool has_parts_ = false;
+  bool has_leads_ = false;
   std::size_t walls_ = 0;
   Point middle_ = Point::Zero();  // of all walls
   // For each piece the first of those like it, as a contour block; none: no wall is there twice.

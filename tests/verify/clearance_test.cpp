@@ -10,6 +10,7 @@
 #include <random>
 #include <vector>
 
+#include "core/verify/disk.h"
 #include "core/verify/nearest.h"
 #include "core/verify/shape.h"
 
@@ -93,6 +94,52 @@ TEST(Gap, AgreesWithManyPointsOnRandomSegments) {
     EXPECT_GE(gap.distance, sampled - step) << i;
     EXPECT_NEAR(gap_between(b, a).distance, gap.distance, 1e-9) << i;
     EXPECT_NEAR((nearest_point(b, gap.on_a) - gap.on_a).norm(), gap.distance, 1e-9) << i;
+  }
+}
+
+// Rounding may let the ends of a full circle, or of next to no arc, change places.
+TEST(Gap, OfArcsWhoseEndsNearlyMeet) {
+  constexpr double little = 1e-13;  // rad
+  for (const double off : {-little, 0.0, little}) {
+    for (const double sense : {-1.0, 1.0}) {
+      const Point end(10 * std::cos(off), 10 * std::sin(off));
+      const Arc circle{.start = {10, 0}, .end = end, .center = {0, 0}, .sweep = sense * 2 * pi};
+      const Arc dot{.start = {10, 0}, .end = end, .center = {0, 0}, .sweep = sense * little};
+      for (const double angle : {0.0, off / 2, pi, pi - off / 2, pi + off / 2, 1.0}) {
+        const Point away(12 * std::cos(angle), 12 * std::sin(angle));
+        EXPECT_NEAR((nearest_point(circle, away) - away).norm(), 2, 1e-9) << off << ' ' << angle;
+        EXPECT_NEAR((nearest_point(dot, away) - away).norm(), (away - Point(10, 0)).norm(), 1e-9)
+            << off << ' ' << angle;
+      }
+    }
+  }
+}
+
+TEST(Gap, IsNotSmallerThanLinesAreApart) {
+  constexpr std::uint64_t seed = 20261124;
+  SCOPED_TRACE(seed);
+  Chance chance(seed);
+  int apart = 0;
+  for (int i = 0; i < 3000; ++i) {
+    const Line a{.start = chance.point(), .end = chance.point()};
+    const Line b{.start = chance.point(), .end = chance.point()};
+    const double distance = chance.between(0, 50);
+    if (!are_apart(piece_of(a), piece_of(b), distance)) continue;
+    ++apart;
+    EXPECT_GE(gap_between(a, b).distance, distance - 1e-9) << i;
+  }
+  EXPECT_GT(apart, 100);
+}
+
+TEST(Disk, HoldsAllOfThePiece) {
+  constexpr std::uint64_t seed = 20261123;
+  SCOPED_TRACE(seed);
+  Chance chance(seed);
+  for (int i = 0; i < 300; ++i) {
+    const Segment segment = chance.segment();
+    const Disk disk = disk_of(piece_of(segment));
+    for (const Point& point : points_of(segment, 100))
+      EXPECT_LE((point - disk.center).norm(), disk.radius + 1e-9) << i;
   }
 }
 
