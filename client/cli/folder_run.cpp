@@ -20,7 +20,6 @@
 #include "client/cli/job_record.h"
 #include "core/base/version.h"
 #include "core/nc/text/number_format.h"
-#include "server/sha256.h"
 
 namespace trc::cli {
 namespace {
@@ -47,23 +46,12 @@ std::string text_in(const std::string& path) {
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 
-bool is_content_of(const v1::JobFile& filed, const std::string& path) {
-  std::error_code fault;
-  if (fs::file_size(path, fault) != filed.bytes() || fault) return false;
-  std::ifstream stream(path, std::ios::binary);
-  server::Sha256 content;
-  std::array<char, 65536> piece{};
-  while (stream.read(piece.data(), piece.size()) || stream.gcount() > 0)
-    content.add({piece.data(), static_cast<std::size_t>(stream.gcount())});
-  return content.digits() == filed.sha256();
-}
-
 bool read_record(const Item& item, v1::JobRecord& record) {
   const std::string text = text_in(item.record);
   return !text.empty() && record_from(text, record).empty();
 }
 
-// Never with jsonl: the file has a line with times that the record leaves out.
+// Never with jsonl, whose last line tells how long it took.
 bool is_unchanged(const FolderRun& run, const Item& item) {
   v1::JobRecord record;
   if (run.format == "jsonl" || !read_record(item, record) || record.outcome() != "DONE")
@@ -74,7 +62,7 @@ bool is_unchanged(const FolderRun& run, const Item& item) {
          record.client_version() == version() && record.server_version() == run.server_version &&
          record.server_commit() == run.server_commit &&
          google::protobuf::util::MessageDifferencer::Equals(setup, record.setup()) &&
-         is_content_of(record.input(), item.file) && is_content_of(record.output(), item.output);
+         is_content_of(record.input(), item.file) && is_output_of(record, item.output);
 }
 
 // Starts the process. 0: it cannot be started.

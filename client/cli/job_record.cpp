@@ -3,7 +3,12 @@
 #include <google/protobuf/util/json_util.h>
 #include <google/protobuf/util/message_differencer.h>
 
+#include <algorithm>
+#include <array>
+#include <fstream>
+
 #include "server/job_record.h"
+#include "server/sha256.h"
 
 namespace trc::cli {
 namespace {
@@ -24,7 +29,35 @@ v1::ProgramSummary without_times(v1::ProgramSummary summary) {
   return summary;
 }
 
+// Whether the file begins with these bytes; the stream is behind them then.
+bool begins_with(std::ifstream& stream, const v1::JobFile& filed) {
+  server::Sha256 content;
+  std::array<char, 65536> piece{};
+  while (content.bytes() < filed.bytes()) {
+    const auto wanted = std::min<std::uint64_t>(piece.size(), filed.bytes() - content.bytes());
+    stream.read(piece.data(), static_cast<std::streamsize>(wanted));
+    if (stream.gcount() == 0) return false;
+    content.add({piece.data(), static_cast<std::size_t>(stream.gcount())});
+  }
+  return content.digits() == filed.sha256();
+}
+
+bool is_at_end(std::ifstream& stream) { return stream.peek() == std::ifstream::traits_type::eof(); }
+
 }  // namespace
+
+bool is_content_of(const v1::JobFile& filed, const std::string& path) {
+  std::ifstream stream(path, std::ios::binary);
+  return stream && begins_with(stream, filed) && is_at_end(stream);
+}
+
+bool is_output_of(const v1::JobRecord& filed, const std::string& path) {
+  if (filed.output_format() != "jsonl") return is_content_of(filed.output(), path);
+  std::ifstream stream(path, std::ios::binary);
+  std::string summary;
+  return stream && begins_with(stream, filed.output()) && std::getline(stream, summary) &&
+         summary.starts_with(R"({"summary":)") && is_at_end(stream);
+}
 
 std::string text_of(const v1::JobRecord& record) {
   google::protobuf::util::JsonPrintOptions options;

@@ -13,6 +13,12 @@ namespace trc::cli {
 // Returns what is wrong with the text, as a sentence; empty: it is in `record`.
 [[nodiscard]] std::string record_from(const std::string& text, v1::JobRecord& record);
 
+// Whether the file holds these bytes and no others.
+[[nodiscard]] bool is_content_of(const v1::JobFile& filed, const std::string& path);
+// Whether it holds what came out. The summary line of `jsonl`, which the record leaves out, may be
+// any; that it is there is asked for.
+[[nodiscard]] bool is_output_of(const v1::JobRecord& filed, const std::string& path);
+
 // Each a sentence about what the record of a second run says otherwise: the bytes of input and
 // output, what was told and what was measured. Versions and times may differ.
 [[nodiscard]] std::vector<std::string> differences(const v1::JobRecord& filed,

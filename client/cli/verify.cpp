@@ -1,5 +1,8 @@
+#include <filesystem>
 #include <iostream>
 #include <memory>
+#include <system_error>
+#include <utility>
 
 #include "client/cli/command.h"
 #include "client/cli/file_name.h"
@@ -47,7 +50,23 @@ struct Call {
   std::string record;
 };
 
-// Does the job again. What comes out otherwise is told.
+// The file that was written then, as it is now: empty, or how it differs. A refused program may
+// have left none, or an older one. Where it has been moved away, that is said.
+std::string fault_of_output(const v1::JobRecord& filed) {
+  if (filed.output().name().empty() || filed.output().name() == "-" || filed.outcome() != "DONE")
+    return {};
+  const std::string path = name_of_text(filed.output().name());
+  std::error_code missing;
+  if (!std::filesystem::exists(path, missing)) {
+    std::cout << filed.output().name() << " is not here: only the bytes made anew were compared\n";
+    return {};
+  }
+  // A device keeps nothing.
+  if (!std::filesystem::is_regular_file(path) || is_output_of(filed, path)) return {};
+  return filed.output().name() + " does not hold what came out when this record was made";
+}
+
+// Does the job again. What comes out otherwise is told, and what became of the file since.
 Exit check_record(const Call& call) {
   Input file(call.record);
   if (!file.open()) return Exit::wrong_call;
@@ -71,12 +90,13 @@ Exit check_record(const Call& call) {
   Reporter reporter(input, job.setup, progress);
   const Exit exit = do_job(job, input, reporter, [](const std::string&) { return true; });
   if (exit != Exit::done && exit != Exit::refused) return exit;
-  const std::vector<std::string> found = differences(filed, job.record);
+  std::vector<std::string> found = differences(filed, job.record);
+  if (std::string fault = fault_of_output(filed); !fault.empty()) found.push_back(std::move(fault));
   for (const std::string& sentence : found)
     std::cerr << "trc: " << call.record << ": " << sentence << '\n';
   const bool same_version = filed.server_version() == job.record.server_version() &&
                             filed.server_commit() == job.record.server_commit();
-  if (!found.empty() && !same_version)
+  if (!same_version)
     std::cerr << "trc: " << call.record << ": it was made by version " << filed.server_version()
               << " (" << filed.server_commit() << "), this is " << job.record.server_version()
               << " (" << job.record.server_commit() << ")\n";
@@ -124,8 +144,9 @@ void add_verify(CLI::App& app, Action& action) {
   auto* record =
       command
           ->add_option("--record", call->record,
-                       "Do the job of this record again and say whether the same comes out; "
-                       "without FILE of the program it names")
+                       "Do the job of this record again and say whether the same comes out, and "
+                       "whether the file written then still holds it; without FILE of the "
+                       "program it names")
           ->type_name("FILE.json")
           ->excludes("--set");
   auto* file = command->get_option("file");

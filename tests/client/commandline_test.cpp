@@ -852,6 +852,21 @@ TEST(Record, ShowsWhatWasTamperedWith) {
                "output");
   write_file(part, std::regex_replace(demo, std::regex("N70 X120"), "N70 X121"));
   expect_shown(filed + "\n", "input");
+  write_file(part, std::regex_replace(demo, std::regex("Y20"), "Y20.1234"));
+  const std::string out = folder.path("out");
+  const std::string made = read_file(out);
+  for (const std::string& changed : {made + "\n", made.substr(1), std::string()}) {
+    write_file(out, changed);
+    expect_shown(filed + "\n", "does not hold what came out");
+  }
+  // A result that is elsewhere is no fault, but said; so is another version.
+  std::filesystem::remove(out);
+  write_file(record, std::regex_replace(filed, std::regex(R"("serverCommit": "[^"]*")"),
+                                        R"("serverCommit": "0123456789ab")"));
+  const Ended moved = trc({"verify", "--record", record});
+  EXPECT_EQ(moved.code, 0) << moved.err;
+  EXPECT_NE(moved.out.find("is not here"), std::string::npos) << moved.out;
+  EXPECT_NE(moved.err.find("made by version"), std::string::npos) << moved.err;
   write_file(record, "{\"format\": \"something\"}");
   EXPECT_EQ(trc({"verify", "--record", record}).code, 2);
   EXPECT_EQ(trc({"verify"}).code, 2);
