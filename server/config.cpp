@@ -16,6 +16,7 @@
 #include <sstream>
 #include <string_view>
 #include <type_traits>
+#include <utility>
 
 #include "core/base/likely_meant.h"
 #include "core/base/version.h"
@@ -210,7 +211,7 @@ void declare(CLI::App& app, Config& config, Printed& printed) {
                   "batches a client may send ahead of the answers");
   settings.number("max-blocks-per-selection", config.max_blocks_per_selection, 1, 1'000'000'000,
                   "most blocks between G41/G42 and G40");
-  settings.number("max-riders", config.max_riders, 1, 1'000'000,
+  settings.number("max-passive-blocks", config.max_passive_blocks, 1, 1'000'000,
                   "most non-relevant blocks between two relevant ones (90011)");
   settings.number("max-line-bytes", config.max_line_bytes, 80, 64U * 1024U * 1024U,
                   "longest line of NC text");
@@ -299,7 +300,21 @@ std::vector<std::string> setting_names(const CLI::App& app) {
   return names;
 }
 
+// The name that a setting has now, as `word` spells it; empty: it never had another.
+std::string new_name_of(const std::string& word) {
+  constexpr std::array<std::pair<std::string_view, std::string_view>, 1> renamed{
+      {{"max-riders", "max-passive-blocks"}}};
+  for (const auto& [before, now] : renamed) {
+    if (word == environment_name(std::string(before))) return environment_name(std::string(now));
+    if (word == before) return std::string(now);
+    if (word == "--" + std::string(before)) return "--" + std::string(now);
+  }
+  return {};
+}
+
 std::string did_you_mean(const std::string& word, const std::vector<std::string>& candidates) {
+  if (const std::string now = new_name_of(word); !now.empty())
+    return "; it is called " + now + " now";
   const auto meant = likely_meant(word, candidates);
   return meant ? "; did you mean " + *meant + "?" : std::string();
 }
@@ -410,6 +425,21 @@ std::optional<std::string> fault_of_plain_port(const std::string& name, const st
          "' can be reached by other machines in plain text; allow that with " + permission;
 }
 
+// Options that do not exist, said with what was likely meant.
+std::string fault_of_extras(const CLI::App& app, int argc, const char* const* argv,
+                            const std::string& fault) {
+  std::vector<std::string> known;
+  for (const CLI::Option* option : app.get_options())
+    known.push_back("--" + option->get_lnames().front());
+  for (int i = 1; i < argc; ++i) {
+    const std::string_view whole = argv[i];
+    const std::string word(whole.substr(0, whole.find('=')));
+    if (word.starts_with("--") && std::find(known.begin(), known.end(), word) == known.end())
+      return "there is no option " + word + did_you_mean(word, known);
+  }
+  return fault;
+}
+
 // A guard that stands empty, as one does that a variable was to be put into, would be switched off
 // without a word. In a file it may be: there it is written down as such.
 std::optional<std::string> fault_of_empty_guard(int argc, const char* const* argv) {
@@ -518,7 +548,10 @@ CommandLine read_command_line(int argc, const char* const* argv) {
     return result;
   } catch (const CLI::Error& fault) {
     const auto guard = fault_of_empty_guard(argc, argv);
-    result.exit = CommandLine::Exit{.code = 2, .text = guard.value_or(one_line(fault.what()))};
+    const bool extra = fault.get_exit_code() == static_cast<int>(CLI::ExitCodes::ExtrasError);
+    const std::string text =
+        extra ? fault_of_extras(app, argc, argv, fault.what()) : std::string(fault.what());
+    result.exit = CommandLine::Exit{.code = 2, .text = guard.value_or(one_line(text))};
     return result;
   }
   if (const auto fault = fault_of_environment(app)) {

@@ -13,9 +13,10 @@ void apply_limits(const v1::PathSetup& message, const Config& config, SessionSet
   Limits& limits = session.compensator.limits;
   limits.selection_blocks = config.max_blocks_per_selection;
   // The client may ask for less.
-  limits.passive_blocks = message.has_max_passive_blocks()
-                              ? std::min<std::size_t>(limits.passive_blocks, config.max_riders)
-                              : config.max_riders;
+  limits.passive_blocks =
+      message.has_max_passive_blocks()
+          ? std::min<std::size_t>(limits.passive_blocks, config.max_passive_blocks)
+          : config.max_passive_blocks;
 }
 
 }  // namespace

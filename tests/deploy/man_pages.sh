@@ -23,7 +23,7 @@ compare() { # page, what the program has
 "$trcd" --help >"$work/trcd.help"
 options <"$work/trcd.help" >"$work/trcd"
 compare trcd.8 "$work/trcd"
-# "--max-riders UINT:UINT in [1 - 1000000]=100 (Env:…" against "--max-riders N [100]".
+# "--max-passive-blocks UINT:UINT in [1 - 1000000]=100 (Env:…" against "--max-passive-blocks N [100]".
 sed -nE 's/^ *(--[a-z-]+) .*=([^ =]+) \(Env:.*/\1 \2/p' "$work/trcd.help" |
   grep -vE ' (\[\]|false)$' >"$work/defaults"
 [ -s "$work/defaults" ]

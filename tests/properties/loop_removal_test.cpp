@@ -63,9 +63,9 @@ void expect_clear(const Outcome& outcome, const Contour& contour, const TrcMode&
       << text_of(outcome.blocks);
 }
 
-// G25, G42, R = 7, STRETCH_FACTOR = 6: a tip of three degrees, behind it an arc of 247 degrees whose
-// inside the tool just fits into. The mitre round the tip is 42 mm long; on its way back to the arc
-// it passes the far end of it, so that the circle round the tip stays.
+// G25, G42, R = 7, STRETCH_FACTOR = 6: a tip of three degrees, behind it an arc of 247 degrees
+// whose inside the tool just fits into. The mitre round the tip is 42 mm long; on its way back to
+// the arc it passes the far end of it, so that the circle round the tip stays.
 TEST(LoopRemoval, KeepsAMitreOffTheFarEndOfTheArcBehindIt) {  // D-45
   TrcMode mode;
   mode.side = Side::right;

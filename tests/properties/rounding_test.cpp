@@ -315,7 +315,7 @@ TEST(Rounding, IsRefusedNowhereWhereTheToolHasRoomAtTheEnds) {  // D-44
       std::ostringstream programs;
       programs << contour;
       EXPECT_FALSE(has_room_at_the_ends(contour, job.mode)) << message_of(*outcome.error()) << '\n'
-                                                             << programs.str();
+                                                            << programs.str();
     }
   });
   std::cout << refused << " refused\n";

@@ -77,7 +77,7 @@ TEST(ServerConfig, StartsWithTheDocumentedDefaults) {
   EXPECT_EQ(config.max_stream_cpu_s, 7200U);
   EXPECT_EQ(config.max_streams_per_connection, 64U);
   EXPECT_EQ(config.max_line_bytes, 65536U);
-  EXPECT_EQ(config.max_riders, 100U);
+  EXPECT_EQ(config.max_passive_blocks, 100U);
   EXPECT_EQ(config.idle_timeout_s, 300U);
   EXPECT_EQ(config.keepalive_time_s, 30U);
   EXPECT_EQ(config.drain_timeout_s, 30U);
@@ -303,6 +303,22 @@ TEST(ServerConfig, FaultsOfAFileNameItAndTheLine) {
   told("\nmax-streams = 1.5\n", ".toml", {"line 2", "max-streams"});
   told("\nlisten = [\n\"127.0.0.1:0\",\n1.5]\n", ".toml", {"line 4", "listen"});
   told("config = \"other.toml\"\n", ".toml", {"line 1", "there is no setting 'config'"});
+}
+
+TEST(ServerConfig, FormerNameOfASettingIsAFaultThatTellsTheNewOne) {
+  expect_fault(read({"--max-riders=7"}), {"--max-riders", "called --max-passive-blocks now"});
+  expect_fault(read({"--max-riders", "7"}), {"called --max-passive-blocks now"});
+  expect_fault(read({"--max-streem=7"}), {"--max-streem;", "did you mean --max-streams?"});
+  {
+    const Environment former("TRCD_MAX_RIDERS", "7");
+    expect_fault(read({}), {"TRCD_MAX_RIDERS", "called TRCD_MAX_PASSIVE_BLOCKS now"});
+  }
+  const TextFile file("max-riders = 7\n");
+  expect_fault(read({"--config", file.path().c_str()}),
+               {"line 1", "called max-passive-blocks now"});
+  const CommandLine now = read({"--max-passive-blocks=7"});
+  ASSERT_FALSE(now.exit.has_value()) << now.exit->text;
+  EXPECT_EQ(now.config.max_passive_blocks, 7U);
 }
 
 TEST(ServerConfig, UnknownVariableOfTheEnvironmentIsAFault) {

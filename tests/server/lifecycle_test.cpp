@@ -250,7 +250,7 @@ TEST(Server, StreamsBeyondTheLimitOfAConnectionWaitForTheirTurn) {
 
 TEST(Server, RidersBeyondTheLimitAreRefused) {
   Config config = loopback();
-  config.max_riders = 3;
+  config.max_passive_blocks = 3;
   const Running running(config);
   const Answer answer = run_program(running.channel(), {},
                                     "G41 V.G.WZ_AKT.R=1 G1 X10 F100\nX20\nM8\nM9\nM8\nM9\nX30\n");
