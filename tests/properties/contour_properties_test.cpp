@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <numbers>
 #include <set>
 #include <string>
 #include <vector>
@@ -18,7 +17,6 @@
 namespace trc::support {
 namespace {
 
-constexpr double pi = std::numbers::pi;
 constexpr std::size_t longest = 9;
 
 std::size_t contours_per_flavor() {

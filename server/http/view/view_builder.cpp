@@ -53,7 +53,9 @@ struct Movement {
 
 // A movement as the plane that is shown sees it, one element for each piece.
 void add_seen(Elements& elements, Element element, const Movement& movement, Plane shown) {
-  const auto& [plane, shape, normal] = movement;
+  const Plane plane = movement.plane;
+  const Segment& shape = movement.shape;
+  const AxisTravel& normal = movement.normal;
   if (!verify::is_finite(shape)) return;
   element.plane = plane;
   std::vector<Segment> seen = project(plane, shape, normal, shown);
