@@ -246,9 +246,10 @@ void MotionWriter::append_line(TextBuffer& out, MotionKind kind, const Axes& axe
 void MotionWriter::append_arc(TextBuffer& out, const NumberedArc& numbered, const Axes& given,
                               WrittenState& state) const {
   if (spelling_.klartext) return append_klartext_arc(out, numbered, given, state);
-  const auto& [arc, numbers, plane] = numbered;
+  const Arc& arc = numbered.arc;
+  const ArcNumbers& numbers = numbered.numbers;
   const bool clockwise = arc.sweep < 0;
-  const PlaneAxes axes = axes_of(plane);
+  const PlaneAxes axes = axes_of(numbered.plane);
   const AxisSet plane_axes = axis_bit(axes.first) | axis_bit(axes.second);
   // An end that rounds to another place than the start would not close the circle.
   const bool only_center =
@@ -297,9 +298,10 @@ void MotionWriter::append_pole(TextBuffer& out, const Point& pole, Plane plane,
 // Behind its CC. A helix has the angle that it turns by, as C has no third axis.
 void MotionWriter::append_klartext_arc(TextBuffer& out, const NumberedArc& numbered,
                                        const Axes& given, WrittenState& state) const {
-  const auto& [arc, numbers, plane] = numbered;
+  const Arc& arc = numbered.arc;
+  const ArcNumbers& numbers = numbered.numbers;
   const bool clockwise = arc.sweep < 0;
-  const PlaneAxes axes = axes_of(plane);
+  const PlaneAxes axes = axes_of(numbered.plane);
   const AxisSet in_plane = axis_bit(axes.first) | axis_bit(axes.second);
   const AxisSet third = axis_bit(axes.third);
   const bool helix = (given.always & third) != 0 ||
@@ -314,7 +316,7 @@ void MotionWriter::append_klartext_arc(TextBuffer& out, const NumberedArc& numbe
     at = write_units(at, angle, angle_decimals);
     named.never = in_plane;
     at = write_axes(at, named, {}, state);
-    const Vector arm = to_plane(plane, state.position) - state.pole;
+    const Vector arm = to_plane(numbered.plane, state.position) - state.pole;
     const double turn = from_units(angle, angle_decimals) * std::numbers::pi / 180;
     const Point read = state.pole + std::cos(turn) * arm + std::sin(turn) * left_of(arm);
     state.position[axes.first] = read.x();
