@@ -22,6 +22,33 @@
 
 namespace trc {
 
+// DISCL=, mm.
+struct SoftClearance {
+  double distance = 0;
+  bool absolute = false;  // a coordinate of the third axis
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(distance, absolute);
+  }
+};
+
+// G147 and the like, until the block that ends where the contour begins.
+struct SoftApproach {
+  Lead lead{};
+  std::optional<double> height{};  // of the contour, mm: the third axis
+  std::optional<SoftClearance> clearance{};
+  bool along_the_lead = true;  // G340
+  double feed = 0;             // FAD, mm/min; 0: none
+  bool rapid = false;          // how the tool came before
+  double feed_before = 0;
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(lead, height, clearance, along_the_lead, feed, rapid, feed_before);
+  }
+};
+
 struct ReaderLimits {
   std::size_t longest_line = 64 * 1024;  // bytes, continued lines together; 900006 beyond
   // So many different faults of reading are told together, at the end of the text at the latest:
@@ -194,7 +221,6 @@ class Interpreter {
   bool find_soft_end(const ProgramLine& line, const BlockWords& block,
                      std::array<std::optional<double>, 3>& end);
   bool refuse_clearance(const ProgramLine& line, std::uint32_t begin);
-  struct SoftClearance;
   [[nodiscard]] std::optional<SoftClearance> clearance_of(const BlockWords& block) const;
   [[nodiscard]] static std::optional<double> height_of(
       const std::optional<SoftClearance>& clearance, double plane, double away);
@@ -236,31 +262,6 @@ class Interpreter {
     return function.number == dialect_.inch_function || function.number == 700;
   }
 
-  // DISCL=, mm.
-  struct SoftClearance {
-    double distance = 0;
-    bool absolute = false;  // a coordinate of the third axis
-
-    template <class Archive>
-    void serialize(Archive& archive) {
-      archive(distance, absolute);
-    }
-  };
-  // G147 and the like, until the block that ends where the contour begins.
-  struct SoftApproach {
-    Lead lead{};
-    std::optional<double> height{};  // of the contour, mm: the third axis
-    std::optional<SoftClearance> clearance{};
-    bool along_the_lead = true;  // G340
-    double feed = 0;             // FAD, mm/min; 0: none
-    bool rapid = false;          // how the tool came before
-    double feed_before = 0;
-
-    template <class Archive>
-    void serialize(Archive& archive) {
-      archive(lead, height, clearance, along_the_lead, feed, rapid, feed_before);
-    }
-  };
   // What a program of a dialect of plain letters and numbers has in force besides.
   struct CodeModes {
     bool cycle = false;                // each position is one of a drilling cycle

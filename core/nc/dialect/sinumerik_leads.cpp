@@ -129,7 +129,7 @@ Lead Interpreter::soft_lead_of(const BlockWords& block) const {
 }
 
 // The part of DISCL= in a block that leads to or from a contour.
-std::optional<Interpreter::SoftClearance> Interpreter::clearance_of(const BlockWords& block) const {
+std::optional<SoftClearance> Interpreter::clearance_of(const BlockWords& block) const {
   if (!block.soft_clearance) return {};
   return SoftClearance{.distance = block.soft_clearance->value * length_unit(),
                        .absolute = block.clearance_is_absolute};
