@@ -35,6 +35,8 @@ let isDue = false;
 function redraw() {
   if (isDue) return;
   isDue = true;
+  // What is on the screen is no longer all of it, until it is drawn.
+  delete document.body.dataset.complete;
   requestAnimationFrame(() => { isDue = false; draw(); });
 }
 

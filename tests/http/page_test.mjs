@@ -270,7 +270,7 @@ const tests = {
     assert.match(arc, /quarter circle .* → arc R20 X5 Y0/);
     // Green, and dashed: some of what lies along the line is drawn.
     await list.locator('button').first().click();
-    await page.waitForTimeout(100);
+    await page.waitForSelector('body[data-complete=true]');
     const green = () => page.evaluate(() => {
       const canvas = document.getElementById('over'), pixels = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height).data;
       let count = 0;
@@ -280,7 +280,7 @@ const tests = {
     });
     assert.ok(await green() > 100, 'proposals are drawn');
     await page.uncheck('#layers label:has([data-text=layerProposal]) input');
-    await page.waitForTimeout(100);
+    await page.waitForSelector('body[data-complete=true]');
     assert.equal(await green(), 0);
   },
 
