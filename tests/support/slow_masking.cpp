@@ -21,6 +21,9 @@ constexpr Extended on_limit = 1e-9L;
 // What the rounded corners of a contour leave of a distance.
 constexpr Extended exact = 1e-13L;
 constexpr Extended reversal_angle = 1e-7L;  // rad
+// D-44, mm: the kink of a seam, and what a coordinate is rounded to.
+constexpr Extended no_gouge = 1e-4L;
+constexpr Extended input_resolution = 1e-3L;
 
 // A whole equidistant or an inserted arc.
 struct Element {
@@ -67,6 +70,7 @@ class Masking {
     const bool reached = reach_the_end();
     found.tied = tied_;
     found.shallow = shallow_;
+    found.rounded = has_tiny_block() || has_kinked_seam();
     if (!reached || goes_nowhere()) return found;
     for (std::size_t at = 0; at < way_.size(); ++at)
       if (const std::size_t parts = whole_arc(at); parts == 0 || !add_mitre(at, found)) {
@@ -154,7 +158,7 @@ class Masking {
   [[nodiscard]] std::size_t whole_arc(std::size_t at) const {
     const Piece& first = pieces_[way_[at]];
     const Element& arc = elements_[first.element];
-    if (!mitres_ || !arc.inserted || first.from > 0 || at == 0) return 0;
+    if (!mitres_ || !arc.inserted || first.from > 0) return 0;
     std::size_t behind = at;
     while (behind < way_.size() && pieces_[way_[behind]].element == first.element) ++behind;
     // A last piece that is next to nothing is none.
@@ -162,15 +166,16 @@ class Masking {
       return together(pieces_[piece].end, elements_[pieces_[piece].element].shape.end);
     };
     if (behind == way_.size() || !ends(way_[behind - 1])) return 0;
-    const Piece& before = pieces_[way_[at - 1]];
+    // Where nothing is left of a neighbour, it may count as travelled or not.
+    if (scale_.lenient) return behind - at;
+    if (at == 0) return 0;
+    const Element& block_before = elements_[pieces_[way_[at - 1]].element];
     const Piece& after = pieces_[way_[behind]];
-    const Element& block_before = elements_[before.element];
     const Element& block_after = elements_[after.element];
     const bool beside = !block_before.inserted && block_before.block + 1 == arc.block &&
                         ends(way_[at - 1]) && !block_after.inserted &&
                         block_after.block == arc.block && after.from == 0;
-    // Where nothing is left of a neighbour, it may count as travelled or not.
-    return beside || scale_.lenient ? behind - at : 0;
+    return beside ? behind - at : 0;
   }
 
   // D-45. G25 in place of the arc: lines go on as themselves, arcs in tangents, up to where they
@@ -253,6 +258,27 @@ class Masking {
     const Extended spare = clearance - radius_;
     if (spare < -exact * size_ && spare > -2e-6L * std::max(radius_, 1.0L)) shallow_ = true;
     return spare >= (scale_.lenient ? -1e-6L * std::max(radius_, 1.0L) : -exact * size_);
+  }
+
+  // One that is nothing, or a short one whose neighbours nearly meet beside it: a bow tie.
+  [[nodiscard]] bool has_tiny_block() const {
+    const Extended largest = std::min(input_resolution, 0.01L * radius_);
+    for (std::size_t k = 0; k < blocks_.size(); ++k) {
+      const Shape& block = blocks_[k];
+      if (block.extent <= input_resolution) return true;
+      if (k == 0 || k + 1 == blocks_.size() || block.extent > 16 * largest) continue;
+      if (std::min(blocks_[k + 1].distance_to(block.start),
+                   blocks_[k - 1].distance_to(block.end)) <= largest)
+        return true;
+    }
+    return false;
+  }
+
+  [[nodiscard]] bool has_kinked_seam() const {
+    if (length(blocks_.back().end - blocks_.front().start) > input_resolution) return false;
+    const Extended least = std::min(clearance(first_), clearance(last_));
+    return least < radius_ - exact * size_ &&
+           least >= radius_ - std::min(no_gouge, 0.01L * radius_);
   }
 
   void cut(std::size_t index) {

@@ -29,6 +29,10 @@ struct SlowMasking {
   // Somewhere an equidistant comes too near by less than twice the tolerance of
   // rule 5.1: whether it does come too near is a matter of taste.
   bool shallow = false;
+  // Something is smaller than what decides anything in rounded input (D-44), of which the
+  // definition knows nothing: a block below `input_resolution`, a bow tie, or the kink in the seam
+  // of a closed contour.
+  bool rounded = false;
 };
 
 // How strictly the words of rule 5.1 are taken.
