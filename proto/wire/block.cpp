@@ -38,7 +38,7 @@ bool read_tracking(const google::protobuf::RepeatedPtrField<v1::AxisPosition>& p
       add_fault(FieldPath(entry, "axis"), "is programmed twice in one block", faults);
       return false;
     }
-    if (!check_range(position.position(), -largest_tracking, largest_tracking, "",
+    if (!check_range(position.position(), {-largest_tracking, largest_tracking},
                      FieldPath(entry, "position"), faults))
       return false;
     target = position.position();

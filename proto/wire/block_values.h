@@ -18,11 +18,11 @@ inline bool is_coordinate(double value) {
 // mm, |value| at most 1e6.
 inline bool check_coordinate(double value, const FieldPath& path, FieldFaults& faults) {
   constexpr double largest = Tolerances{}.largest_coordinate;
-  return check_range(value, -largest, largest, "mm", path, faults);
+  return check_range(value, {-largest, largest, "mm"}, path, faults);
 }
 // mm/min, above 0 to 1e9.
 inline bool check_feed(double value, const FieldPath& path, FieldFaults& faults) {
-  return check_above(value, 0, 1e9, "mm/min", path, faults);
+  return check_above(value, {0, 1e9, "mm/min"}, path, faults);
 }
 // At most 65536 bytes without control characters: these would break the lines of
 // an NC output.

@@ -36,11 +36,12 @@ void add_fault(const FieldPath& path, std::string description, FieldFaults& faul
   faults.add({.field = path.text(), .description = std::move(description)});
 }
 
-void add_range_fault(double value, std::string_view from, double low, double high,
-                     std::string_view unit, const FieldPath& path, FieldFaults& faults) {
+void add_range_fault(double value, const FieldRange& range, const FieldPath& path,
+                     FieldFaults& faults) {
+  const std::string from = range.low_is_allowed ? "" : "above ";
   add_fault(path,
-            "is " + number_text(value) + ", allowed is " + std::string(from) + number_text(low) +
-                " to " + with_unit(high, unit),
+            "is " + number_text(value) + ", allowed is " + from + number_text(range.low) + " to " +
+                with_unit(range.high, range.unit),
             faults);
 }
 

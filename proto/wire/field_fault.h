@@ -55,24 +55,32 @@ class FieldPath {
 };
 
 void add_fault(const FieldPath& path, std::string description, FieldFaults& faults);
-// Of a value that is not in the range; `from` is "" or "above ".
-void add_range_fault(double value, std::string_view from, double low, double high,
-                     std::string_view unit, const FieldPath& path, FieldFaults& faults);
+
+// What is allowed; the unit "" where there is none.
+struct FieldRange {
+  double low = 0;
+  double high = 0;
+  std::string_view unit{};
+  bool low_is_allowed = true;
+};
+// Of a value that is not in the range.
+void add_range_fault(double value, const FieldRange& range, const FieldPath& path,
+                     FieldFaults& faults);
 
 // Each returns whether the value can be taken, else adds a fault that names the
 // value and the range. NaN and infinities are in no range.
-inline bool check_range(double value, double low, double high, std::string_view unit,
-                        const FieldPath& path, FieldFaults& faults) {
-  if (value >= low && value <= high) return true;
-  add_range_fault(value, "", low, high, unit, path, faults);
+inline bool check_range(double value, const FieldRange& range, const FieldPath& path,
+                        FieldFaults& faults) {
+  if (value >= range.low && value <= range.high && (range.low_is_allowed || value > range.low))
+    return true;
+  add_range_fault(value, range, path, faults);
   return false;
 }
 // Greater than `low`, at most `high`.
-inline bool check_above(double value, double low, double high, std::string_view unit,
-                        const FieldPath& path, FieldFaults& faults) {
-  if (value > low && value <= high) return true;
-  add_range_fault(value, "above ", low, high, unit, path, faults);
-  return false;
+inline bool check_above(double value, FieldRange range, const FieldPath& path,
+                        FieldFaults& faults) {
+  range.low_is_allowed = false;
+  return check_range(value, range, path, faults);
 }
 
 }  // namespace trc::wire

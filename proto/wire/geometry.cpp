@@ -15,7 +15,7 @@ constexpr EnumTable<v1::Plane, Plane, 3> planes{{
 bool check_coordinate(bool present, double value, std::string_view name, const FieldPath& path,
                       FieldFaults& faults) {
   constexpr double largest = Tolerances{}.largest_coordinate;
-  return !present || check_range(value, -largest, largest, "mm", FieldPath(path, name), faults);
+  return !present || check_range(value, {-largest, largest, "mm"}, FieldPath(path, name), faults);
 }
 
 }  // namespace

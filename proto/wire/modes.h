@@ -67,7 +67,7 @@ inline constexpr EnumTable<v1::CenterCorrection, bool, 2> center_corrections{{
 // The reference control holds radii in 32 bits of 0.1 um (rule 1.6).
 inline bool check_tool_radius(double radius, const FieldPath& path, FieldFaults& faults) {
   constexpr double largest = 214748.3647;
-  return check_range(radius, -largest, largest, "mm", path, faults);
+  return check_range(radius, {-largest, largest, "mm"}, path, faults);
 }
 
 }  // namespace trc::wire

@@ -81,16 +81,17 @@ SplitOption from_proto(const Split& message, const FieldPath& path, FieldFaults&
   split.where = places.from_proto(message.place(), FieldPath(path, "place"), faults)
                     .value_or(SplitOption::Where::pre);
   split.along_path = message.measure() == Split::MEASURE_PATH;
-  if (!split.along_path && check_range(message.axis(), 0, 2, "", FieldPath(path, "axis"), faults))
+  if (!split.along_path && check_range(message.axis(), {0, 2}, FieldPath(path, "axis"), faults))
     split.axis = static_cast<std::uint8_t>(message.axis());
-  check_above(message.dist_seg1(), 0, largest, "mm", FieldPath(path, "dist_seg1"), faults);
-  check_above(message.feed_seg1(), 0, largest_feed, "mm/min", FieldPath(path, "feed_seg1"), faults);
-  check_range(message.dist_seg2(), 0, largest, "mm", FieldPath(path, "dist_seg2"), faults);
+  check_above(message.dist_seg1(), {0, largest, "mm"}, FieldPath(path, "dist_seg1"), faults);
+  check_above(message.feed_seg1(), {0, largest_feed, "mm/min"}, FieldPath(path, "feed_seg1"),
+              faults);
+  check_range(message.dist_seg2(), {0, largest, "mm"}, FieldPath(path, "dist_seg2"), faults);
   const FieldPath feed_2(path, "feed_seg2");
   if (message.dist_seg2() > 0)
-    check_above(message.feed_seg2(), 0, largest_feed, "mm/min", feed_2, faults);
+    check_above(message.feed_seg2(), {0, largest_feed, "mm/min"}, feed_2, faults);
   else
-    check_range(message.feed_seg2(), 0, largest_feed, "mm/min", feed_2, faults);
+    check_range(message.feed_seg2(), {0, largest_feed, "mm/min"}, feed_2, faults);
   split.distance_1 = message.dist_seg1();
   split.feed_1 = message.feed_seg1();
   split.distance_2 = message.dist_seg2();
@@ -145,12 +146,12 @@ TrcOptionChanges from_proto(const v1::TrcOptions& message, const FieldPath& path
   if (message.has_stretch_factor()) {
     // A finite value out of 1 … 9 is the core's to answer, with warning 22007.
     constexpr double any = std::numeric_limits<double>::max();
-    check_range(message.stretch_factor(), -any, any, "", FieldPath(path, "stretch_factor"), faults);
+    check_range(message.stretch_factor(), {-any, any}, FieldPath(path, "stretch_factor"), faults);
     changes.stretch_factor = message.stretch_factor();
   }
   if (message.has_tangential_limit()) {
-    check_range(message.tangential_limit(), 0.1, 3, "degrees", FieldPath(path, "tangential_limit"),
-                faults);
+    check_range(message.tangential_limit(), {0.1, 3, "degrees"},
+                FieldPath(path, "tangential_limit"), faults);
     changes.tangential_limit = message.tangential_limit();
   }
   if (message.has_split())

@@ -63,7 +63,7 @@ CircleCheck from_proto(const v1::CircleCenterMode& message, const FieldPath& pat
   CircleCheck check;
   const auto limit = [&](bool present, double value, double high, std::string_view name,
                          double& target) {
-    if (present && check_range(value, 0, high, "", FieldPath(path, name), faults)) target = value;
+    if (present && check_range(value, {0, high}, FieldPath(path, name), faults)) target = value;
   };
   check.correct_center =
       center_corrections.from_proto(message.correction(), FieldPath(path, "correction"), faults)
@@ -139,7 +139,7 @@ TrcMode read_mode(const v1::PathSetup& message, const FieldPath& path, FieldFaul
       feed_adaptations
           .from_proto(message.feed_adaptation(), FieldPath(path, "feed_adaptation"), faults)
           .value_or(mode.feed_adaptation);
-  if (check_range(message.tangfeed_min_radius(), 0, largest_length, "mm",
+  if (check_range(message.tangfeed_min_radius(), {0, largest_length, "mm"},
                   FieldPath(path, "tangfeed_min_radius"), faults))
     mode.tangfeed_minimum = message.tangfeed_min_radius();
   if (check_tool_radius(message.tool_radius(), FieldPath(path, "tool_radius"), faults))
@@ -148,7 +148,7 @@ TrcMode read_mode(const v1::PathSetup& message, const FieldPath& path, FieldFaul
   mode.options = changed({}, from_proto(message.options(), options, faults));
   // In a program this is a warning at its line; a setup has no line to warn about.
   if (message.options().has_stretch_factor())
-    check_range(message.options().stretch_factor(), 1, 9, "", FieldPath(options, "stretch_factor"),
+    check_range(message.options().stretch_factor(), {1, 9}, FieldPath(options, "stretch_factor"),
                 faults);
   return mode;
 }
@@ -157,13 +157,13 @@ void read_limits(const v1::PathSetup& message, const FieldPath& path, Compensato
                  FieldFaults& faults) {
   compensator.limits.look_ahead_blocks = message.look_ahead_blocks();
   if (message.has_max_passive_blocks() &&
-      check_range(message.max_passive_blocks(), 1, 10'000, "",
-                  FieldPath(path, "max_passive_blocks"), faults))
+      check_range(message.max_passive_blocks(), {1, 10'000}, FieldPath(path, "max_passive_blocks"),
+                  faults))
     compensator.limits.passive_blocks = message.max_passive_blocks();
-  if (message.has_min_feed_factor() && check_range(message.min_feed_factor(), 1e-6, 1, "",
-                                                   FieldPath(path, "min_feed_factor"), faults))
+  if (message.has_min_feed_factor() &&
+      check_range(message.min_feed_factor(), {1e-6, 1}, FieldPath(path, "min_feed_factor"), faults))
     compensator.smallest_feed_factor = message.min_feed_factor();
-  if (message.has_input_resolution() && check_range(message.input_resolution(), 0, 0.1, "mm",
+  if (message.has_input_resolution() && check_range(message.input_resolution(), {0, 0.1, "mm"},
                                                     FieldPath(path, "input_resolution"), faults))
     compensator.tolerances.input_resolution = compensator.leads.input_resolution =
         message.input_resolution();
@@ -184,11 +184,11 @@ void read_leads(const v1::PathSetup& message, const FieldPath& path, Compensator
   const bool counted = settings.find == LeadSettings::Find::counted;
   if (!counted && settings.blocks_in + settings.blocks_out > 0)
     add_fault(leads, "counts blocks, which only FIND_BLOCKS does", faults);
-  if (message.has_closing_tolerance() && check_range(message.closing_tolerance(), 0, 1, "mm",
+  if (message.has_closing_tolerance() && check_range(message.closing_tolerance(), {0, 1, "mm"},
                                                      FieldPath(path, "closing_tolerance"), faults))
     settings.closing_tolerance = message.closing_tolerance();
-  if (message.has_max_masked_share() && check_range(message.max_masked_share(), 0, 1, "",
-                                                    FieldPath(path, "max_masked_share"), faults))
+  if (message.has_max_masked_share() &&
+      check_range(message.max_masked_share(), {0, 1}, FieldPath(path, "max_masked_share"), faults))
     compensator.largest_masked_share = message.max_masked_share();
 }
 
@@ -196,7 +196,7 @@ void read_leads(const v1::PathSetup& message, const FieldPath& path, Compensator
 void read_radius_terms(const v1::PathSetup& message, const FieldPath& path, ProgramSetup& program,
                        FieldFaults& faults) {
   const auto take = [&](bool present, double value, double low, const char* name, double& target) {
-    if (present && check_range(value, low, ToolInForce::largest_tool_radius, "mm",
+    if (present && check_range(value, {low, ToolInForce::largest_tool_radius, "mm"},
                                FieldPath(path, name), faults))
       target = value;
   };
@@ -228,7 +228,7 @@ void read_tools(const v1::ProgramSetup& message, const FieldPath& path,
   for (int i = 0; i < message.tools_size(); ++i) {
     const v1::Tool& tool = message.tools(i);
     const FieldPath entry(path, "tools", static_cast<std::size_t>(i));
-    check_range(tool.number(), 0, 2147483647, "", FieldPath(entry, "number"), faults);
+    check_range(tool.number(), {0, 2147483647}, FieldPath(entry, "number"), faults);
     check_tool_radius(tool.radius(), FieldPath(entry, "radius"), faults);
     check_tool_radius(tool.wear(), FieldPath(entry, "wear"), faults);
     if (!tools.try_emplace(tool.number(), tool.radius(), tool.wear()).second)
@@ -310,7 +310,7 @@ ProgramSettings from_proto(const v1::ProgramSetup& message, const FieldPath& pat
   settings.nc_text = outputs.from_proto(message.output(), FieldPath(path, "output"), faults)
                          .value_or(settings.nc_text);
   if (message.has_decimals() &&
-      check_range(message.decimals(), 1, 8, "", FieldPath(path, "decimals"), faults))
+      check_range(message.decimals(), {1, 8}, FieldPath(path, "decimals"), faults))
     settings.decimals = static_cast<int>(message.decimals());
   settings.file_name = message.file_name();
   if (settings.file_name.size() > 255)

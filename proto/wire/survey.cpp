@@ -24,7 +24,7 @@ constexpr std::size_t most_stretches = 2000;
 
 void add_radius(double radius, const FieldPath& path, std::vector<double>& radii,
                 FieldFaults& faults) {
-  if (!check_range(radius, smallest_radius, largest_radius, "mm", path, faults)) return;
+  if (!check_range(radius, {smallest_radius, largest_radius, "mm"}, path, faults)) return;
   if (std::find(radii.begin(), radii.end(), radius) != radii.end())
     return add_fault(path, "stands there a second time", faults);
   radii.push_back(radius);
@@ -32,12 +32,12 @@ void add_radius(double radius, const FieldPath& path, std::vector<double>& radii
 
 void add_range(const v1::RadiusRange& range, const FieldPath& path, std::vector<double>& radii,
                FieldFaults& faults) {
-  const bool fits =
-      check_range(range.from(), smallest_radius, largest_radius, "mm", FieldPath(path, "from"),
-                  faults) &&
-      check_range(range.to(), range.from(), largest_radius, "mm", FieldPath(path, "to"), faults) &&
-      check_range(range.step(), smallest_radius, largest_radius, "mm", FieldPath(path, "step"),
-                  faults);
+  const bool fits = check_range(range.from(), {smallest_radius, largest_radius, "mm"},
+                                FieldPath(path, "from"), faults) &&
+                    check_range(range.to(), {range.from(), largest_radius, "mm"},
+                                FieldPath(path, "to"), faults) &&
+                    check_range(range.step(), {smallest_radius, largest_radius, "mm"},
+                                FieldPath(path, "step"), faults);
   if (!fits) return;
   constexpr double rounding = 1e-9;
   const double count = std::floor((range.to() - range.from()) / range.step() + rounding) + 1;

@@ -47,7 +47,7 @@ bool from_proto(const v1::TrcCommand& message, const FieldPath& path, TrcCommand
   if (message.has_tangfeed_min_radius()) {
     // A negative value is the core's to answer, with 20963.
     constexpr double largest = Tolerances{}.largest_coordinate;
-    check_range(message.tangfeed_min_radius(), -largest, largest, "mm",
+    check_range(message.tangfeed_min_radius(), {-largest, largest, "mm"},
                 FieldPath(path, "tangfeed_min_radius"), faults);
     command.tangfeed_minimum = message.tangfeed_min_radius();
   }
