@@ -14,10 +14,7 @@ thread_local std::int64_t taken = 0;
 
 }  // namespace
 
-// ThreadSanitizer has operators of its own, which know the library that calls them: what gRPC,
-// built without it, hands from thread to thread and frees is left out there. Bytes are not counted
-// then.
-#if !defined(__SANITIZE_THREAD__)
+#if !defined(__SANITIZE_THREAD__)  // counts_heap
 
 namespace {
 

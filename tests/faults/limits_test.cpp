@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "core/session/program_session.h"
+#include "server/resources/memory_account.h"
 #include "tests/faults/memory_group.h"
 #include "tests/server/calls.h"
 #include "tests/support/process.h"
@@ -214,6 +215,7 @@ TEST(Limits, OnePeerCannotTakeAllPlaces) {
 }
 
 TEST(Limits, OnePeerCannotTakeAllMemory) {
+  if (!server::counts_heap) GTEST_SKIP() << "the heap is not counted under ThreadSanitizer";
   const Folder folder;
   const std::string socket = "unix:" + folder.path("socket");
   const ServerProcess server({"--max-session-memory-mib", "64", "--max-memory-per-peer-mib", "16"},

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "grpc/health/v1/health.grpc.pb.h"
+#include "server/resources/memory_account.h"
 #include "server/server.h"
 #include "tests/server/calls.h"
 #include "tests/support/process.h"
@@ -248,7 +249,7 @@ TEST(Server, StreamsBeyondTheLimitOfAConnectionWaitForTheirTurn) {
   EXPECT_TRUE(second.finish().ok());
 }
 
-TEST(Server, RidersBeyondTheLimitAreRefused) {
+TEST(Server, PassiveBlocksBeyondTheLimitAreRefused) {
   Config config = loopback();
   config.max_passive_blocks = 3;
   const Running running(config);
@@ -320,6 +321,7 @@ TEST(Server, BatchBeyondTheLimitIsRefused) {
 }
 
 TEST(Server, LongSelectionsOfAllStreamsShareTheMemory) {
+  if (!counts_heap) GTEST_SKIP() << "the heap is not counted under ThreadSanitizer";
   Config config = loopback();
   config.max_session_memory_mib = 1;
   const Running running(config);

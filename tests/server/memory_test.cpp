@@ -22,6 +22,7 @@ using Standing = MemoryBudget::Standing;
 constexpr std::uint64_t mib = 1U << 20U;
 
 TEST(MemoryAccount, CountsWhatATurnTakesAndGivesBack) {
+  if (!counts_heap) GTEST_SKIP() << "the heap is not counted under ThreadSanitizer";
   MemoryAccount account;
   std::vector<char> kept;
   {
@@ -46,6 +47,7 @@ TEST(MemoryAccount, CountsWhatATurnTakesAndGivesBack) {
 }
 
 TEST(MemoryAccount, CountsInWhateverThreadTheTurnIs) {
+  if (!counts_heap) GTEST_SKIP() << "the heap is not counted under ThreadSanitizer";
   MemoryAccount account;
   auto kept = std::make_unique<std::vector<char>>();
   std::thread([&] {
