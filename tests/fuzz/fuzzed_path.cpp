@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::array radii{1.0, 0.0, 0.001, 0.5, 2.0, 2.5, 4.0, 10.0, 100.0, -1.0, -3.0, 2e5};
 constexpr std::array windows{0U, 0U, 1U, 2U, 3U, 5U, 8U, 20U};
-constexpr std::array riders{100U, 1U, 3U};
+constexpr std::array passive_blocks{100U, 1U, 3U};
 
 class Decoder {
  public:
@@ -48,7 +48,7 @@ class Decoder {
     settings.response_layout = (flags & 32U) != 0 ? wire::Layout::columns : wire::Layout::blocks;
     settings.want_resume_tokens = (flags & 64U) != 0;
     compensator.limits.look_ahead_blocks = choices_.of(windows);
-    compensator.limits.passive_blocks = choices_.of(riders);
+    compensator.limits.passive_blocks = choices_.of(passive_blocks);
     return settings;
   }
 

@@ -124,7 +124,7 @@ TEST(InsertedLines, StandBehindALastLineWithoutLineEnd) {
   EXPECT_EQ(run.text, "G0 X0 Y0\nN10 G01 X0 Y5 F100\nG01 X50 Y5\n");
 }
 
-TEST(Riders, StayBehindTheirBlockAndBeforeInsertedOnes) {
+TEST(PassiveBlocks, StayBehindTheirBlockAndBeforeInsertedOnes) {
   EXPECT_EQ(output("G0 X0 Y0 Z5\nG26 V.G.WZ_AKT.R=5\n"
                    "N10 G41 G1 X10 F100\nN20 X50\n"
                    "N21 M8\nN22 G04 X0.5\n(remark)\nN23 Z-3\n"
@@ -143,7 +143,7 @@ TEST(Riders, StayBehindTheirBlockAndBeforeInsertedOnes) {
             "N50 M30\n");
 }
 
-TEST(Riders, DoNotMoveToTheProgrammedPoint) {
+TEST(PassiveBlocks, DoNotMoveToTheProgrammedPoint) {
   // X50 is where the program is, not where the tool is.
   EXPECT_EQ(output("G0 X0 Y0 Z5\nG138 V.G.WZ_AKT.R=5\n"
                    "G41 G1 X10 Y0 F100\nX50 Y20\nN20 X50 Y20 Z-3\nN21 X50 M9\nX50 Y60\nG40 X0\n"),
@@ -156,12 +156,12 @@ TEST(Riders, DoNotMoveToTheProgrammedPoint) {
             "G01 X0 Y60\n");
 }
 
-TEST(Riders, ProgramEndIsBehindTheRetract) {
+TEST(PassiveBlocks, ProgramEndIsBehindTheRetract) {
   EXPECT_EQ(output("G0 X0 Y0\nG237 V.G.WZ_AKT.R=5\nG41\nG1 X50 F100\nG40\nN90 M9 M30\n"),
             "G0 X0 Y0\nG01 X0 Y5 F100\nG01 X50 Y5\nG01 X50 Y0\nN90 M9 M30\n");
 }
 
-TEST(Riders, AStopStaysBehindTheMotionOfItsLine) {
+TEST(PassiveBlocks, AStopStaysBehindTheMotionOfItsLine) {
   EXPECT_EQ(output("N10 G0 X0 Y0\n"
                    "N20 V.G.WZ_AKT.R=10\n"
                    "N30 G41 G01 X30 Y0 F1000\n"
@@ -177,7 +177,7 @@ TEST(Riders, AStopStaysBehindTheMotionOfItsLine) {
             "M30\n");
 }
 
-TEST(Riders, AStopOfALineThatIsCopiedComesOnce) {
+TEST(PassiveBlocks, AStopOfALineThatIsCopiedComesOnce) {
   const std::string program = "G0 X0 Y0\nG01 X5 F100 M0\nM8 M1\nX6 M30\n";
   EXPECT_EQ(output(program), program);
 }

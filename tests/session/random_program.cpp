@@ -76,7 +76,7 @@ class Generator {
 
   void contour(std::size_t blocks) {
     for (std::size_t block = 0; block < blocks; ++block) {
-      riders();
+      passive_blocks();
       direction_ += random_.between(-1.8, 1.8);
       const double kind = random_.between(0, 1);
       if (kind < 0.55) {
@@ -156,7 +156,7 @@ class Generator {
     if (random_.chance(0.1)) word("(note)");
   }
 
-  void riders() {
+  void passive_blocks() {
     if (random_.chance(0.1)) word("M9"), end_line();
     if (random_.chance(0.1)) text_ += "(remark)\n";
     if (random_.chance(0.05)) text_ += "\n";
