@@ -313,6 +313,26 @@ TEST_P(EveryHardship, IsTheSameInBatches) {
   });
 }
 
+// A tiny arc in line with the block before it, as near as rounding lets it be, is no bow tie:
+// neither for the passes, which a block at a time takes, nor for the short way.
+TEST(LoopRemoval, IsTheSameInBatchesBehindATinyArcInLine) {  // D-44
+  for (const std::uint64_t seed : {1'010'187U, 1'029'936U}) {
+    Random random(seed);
+    const SmallContour made = small_contour(random, Hardship::sizes);
+    SCOPED_TRACE(story_of(made, seed));
+    std::vector<Outcome> outcomes;
+    for (const Engine engine : {Engine::passes, Engine::short_way}) {
+      Feeding feeding{.batch = 0};
+      feeding.compensator.engine = engine;
+      outcomes.push_back(compensate(made.contour, made.mode, feeding));
+    }
+    EXPECT_EQ(outcomes[0].stopped, outcomes[1].stopped);
+    EXPECT_EQ(text_of(outcomes[0].blocks), text_of(outcomes[1].blocks));
+    ASSERT_EQ(outcomes[0].diagnostics.size(), 1U);
+    EXPECT_EQ(message_of(outcomes[0].diagnostics[0]), message_of(outcomes[1].diagnostics[0]));
+  }
+}
+
 // What is left of a block between two joints in one point may have no length, or that of a
 // rounding.
 bool is_nothing(const std::vector<Segment>& path) {

@@ -113,9 +113,12 @@ bool Transitions::may_be_tied(const PathBlock& block) const {
       block.masked || block.rejoin || !continues(block) || !masked_.empty() ||
       held_->at_end != block.at_start || block.at_start != block.at_end)
     return false;
-  const double turn = cross(held_->tangent_at_end, block.tangent_at_start);
-  return turn * block.at_start.shift > 0 &&
-         length_of(block.programmed.path) <= longest_in_bow_tie(largest_bow_tie_for(block));
+  if (length_of(block.programmed.path) > longest_in_bow_tie(largest_bow_tie_for(block)))
+    return false;
+  // Which the short way leaves to this pass: a corner that is none ties nothing.
+  const Corner corner = corner_between(*held_, block, tolerances_);
+  return corner.sine_of_turn() * corner.shift > 0 &&
+         kind_of(corner, tolerances_) != CornerKind::tangential;
 }
 
 bool Transitions::take_short(PathBlock* after, PathBlocks& out) {
