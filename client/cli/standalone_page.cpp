@@ -77,7 +77,12 @@ class Bundle {
   // The modules write an import on one line, and `export` before what they declare.
   void add_line(std::string_view line, std::string& body, std::string& exported) {
     constexpr std::string_view importing = "import ";
+    constexpr std::string_view importing_no_name = "import './";
     constexpr std::string_view exporting = "export ";
+    if (line.starts_with(importing_no_name)) {
+      line.remove_prefix(importing_no_name.size());
+      return add(line.substr(0, line.find('\'')));
+    }
     if (line.starts_with(importing)) {
       const std::size_t from = line.find(" from './");
       std::string_view names = line.substr(importing.size(), from - importing.size());

@@ -1,0 +1,140 @@
+// What was found in a program: messages, the certificate, and the ways to a line.
+import {api} from './api.js';
+import {Listing} from './listing.js';
+import {motionsOf, textOf} from './motions.js';
+import {boundsOf, cornersOf, redraw, zoomTo} from './picture.js';
+import {axesOf, inPlane} from './planes.js';
+import {$, inUnit, isOwnPlane, positionText, shown, withUnit} from './shown.js';
+import {t} from './texts.js';
+
+export function say(text, kind = '') {
+  $('state').textContent = text;
+  $('state').className = kind;
+}
+
+export function fail(error) {
+  const problem = error.problem;
+  say(problem ? t('failed') + error.message : t('offline'), 'error');
+  if (problem?.fields) shown.options.refuse(problem.fields);
+}
+
+export function showSaid(view) {
+  const found = view.diagnostics ?? [];
+  say(t(view.refused ? 'refused' : found.length ? 'notes' : 'done'), view.refused ? 'error' : '');
+  const order = {ERROR: 0, WARNING: 1, NOTE: 2};
+  const items = [...found].sort((a, b) => order[a.severity] - order[b.severity]).map(item);
+  shown.current.proposals = !isOwnPlane(view) ? [] : found.flatMap(d => (d.entryHelp?.proposals ?? []).map(p => motionsOf(p, at => inPlane(view.plane, at))));
+  if (view.diagnosticsLeftOut) {
+    const rest = document.createElement('li');
+    rest.textContent = `${view.diagnosticsLeftOut} ${t('leftOut')}`;
+    items.push(rest);
+  }
+  $('diagnostics').replaceChildren(...items);
+  showCertificate(view);
+}
+
+function item(diagnostic) {
+  const kind = diagnostic.severity.toLowerCase();
+  const button = document.createElement('button');
+  button.className = kind;
+  const head = document.createElement('strong');
+  head.textContent = `${t(kind)} ${diagnostic.code}` + (diagnostic.line ? `, ${t('line')} ${diagnostic.line}` : '');
+  const remedy = document.createElement('span');
+  remedy.className = 'remedy';
+  remedy.textContent = diagnostic.help ?? diagnostic.remedy ?? '';
+  const message = document.createElement('span');
+  message.textContent = ` ${diagnostic.text ?? diagnostic.message ?? ''}`;
+  message.lang = remedy.lang = diagnostic.language || 'en';
+  button.append(head, message, remedy);
+  button.dataset.code = diagnostic.code;
+  button.addEventListener('click', () => goTo(diagnostic));
+  const entry = document.createElement('li');
+  entry.append(button);
+  if (diagnostic.entryHelp) entry.append(...helpWithEntry(diagnostic.entryHelp));
+  return entry;
+}
+
+// What would do in place of the approach or the retract that was refused.
+function helpWithEntry(help) {
+  const {view} = shown.current;
+  const names = axesOf(view.plane).slice(0, 2);
+  const at = point => names.map(name => `${name.toUpperCase()}${inUnit(point[name])}`).join(' ');
+  const list = document.createElement('ul');
+  list.className = 'proposals';
+  const facts = [
+    help.neededLength && t('tooShort', {given: withUnit(help.givenLength), needed: withUnit(help.neededLength)}),
+    help.legalPoint && t(help.leaves ? 'mayEnd' : 'mayStart', {at: at(help.legalPoint)}),
+  ].filter(Boolean);
+  if (facts.length) {
+    const entry = document.createElement('li'), text = document.createElement('p');
+    text.textContent = facts.join('; ');
+    entry.append(text);
+    list.append(entry);
+  }
+  for (const proposal of help.proposals ?? []) {
+    const entry = document.createElement('li'), button = document.createElement('button');
+    const shape = proposal.shape === 'SHAPE_LINE' ? t('asLine') : t('asQuarter');
+    const head = document.createElement('strong');
+    head.textContent = `${t(help.leaves ? 'proposedExit' : 'proposedEntry')}, ${shape}`;
+    const motions = motionsOf(proposal, point => inPlane(view.plane, point));
+    button.append(head, ` ${textOf(proposal, motions, at, radius => `${t('arc')} R${inUnit(radius)}`)}`);
+    button.addEventListener('click', () => {
+      const points = motions.flatMap(({from, to}) => [from, to]);
+      zoomTo(view, ...cornersOf(points));
+      redraw();
+    });
+    entry.append(button);
+    list.append(entry);
+  }
+  return [list];
+}
+
+function showCertificate(view) {
+  const rows = [];
+  const add = (name, value) => {
+    const dt = document.createElement('dt'), dd = document.createElement('dd');
+    dt.textContent = name;
+    dd.textContent = value;
+    rows.push(dt, dd);
+  };
+  const c = view.summary?.path?.minClearance;
+  if (c) {
+    add(t('smallest'), `${inUnit(c.distance)} ${t('required')} ${withUnit(c.toolRadius)}`);
+    if (c.point) add(t('at'), positionText(c.point));
+    add(t('checked'), `${c.blocksChecked ?? 0}`);
+    if (c.blocksGouging) add(t('tooNear'), `${c.blocksGouging}`);
+  } else {
+    add(t('certificate'), t(view.measuring ? 'measuring' : view.toolRadius && !view.refused ? 'notMeasured' : 'none'));
+  }
+  add(t('tool'), withUnit(view.toolRadius));
+  add(t('plane'), axesOf(view.plane).slice(0, 2).join('').toUpperCase());
+  add(t('length'), `${withUnit(view.pathLength)}, ${view.pathBlocks ?? 0} ${t('blocks')}`);
+  add(t('height'), `${axesOf(view.plane)[2].toUpperCase()} ${inUnit(view.lowest)} … ${withUnit(view.highest)}`);
+  $('certificate').replaceChildren(...rows);
+}
+
+async function goTo(diagnostic) {
+  const {view} = shown.current;
+  if (diagnostic.point) {
+    const at = inPlane(view.plane, diagnostic.point);
+    zoomTo(view, at, at);
+  }
+  await mark(diagnostic.line ?? 0, !diagnostic.point);
+}
+
+export async function mark(to, zoom) {
+  shown.line = to;
+  redraw();
+  input.select(to);
+  output.select(to);
+  if (!zoom || !to) return;
+  const {view} = shown.current;
+  const {blocks = []} = await api.blocks(view.id, to);
+  if (blocks.length && shown.current?.view === view) {
+    zoomTo(view, ...boundsOf(view, blocks));
+    redraw();
+  }
+}
+
+export const input = new Listing($('input'), 'lines', to => mark(to, true));
+export const output = new Listing($('output'), 'output', to => mark(to, true));

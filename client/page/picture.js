@@ -1,0 +1,73 @@
+// The picture: what is drawn, and which part of the plane.
+import {arrowsOf} from './arrows.js';
+import {Canvas2d} from './canvas2d.js';
+import {Overlay} from './overlay.js';
+import {inPlane} from './planes.js';
+import {Camera} from './scene.js';
+import {$, shown, unitOf} from './shown.js';
+import {special} from './styles.js';
+import {WebGl} from './webgl.js';
+
+export const camera = new Camera();
+const renderer = WebGl.make($('lines')) ?? new Canvas2d($('lines'));
+const overlay = new Overlay($('over'));
+document.body.dataset.renderer = renderer.constructor.name;
+
+let isDue = false;
+export function redraw() {
+  if (isDue) return;
+  isDue = true;
+  // What is on the screen is no longer all of it, until it is drawn.
+  delete document.body.dataset.complete;
+  requestAnimationFrame(() => { isDue = false; draw(); });
+}
+
+function draw() {
+  const ratio = window.devicePixelRatio || 1;
+  for (const canvas of [$('lines'), $('over')]) {
+    const width = Math.round(canvas.clientWidth * ratio), height = Math.round(canvas.clientHeight * ratio);
+    if (canvas.width !== width || canvas.height !== height) { canvas.width = width; canvas.height = height; }
+  }
+  camera.width = $('over').clientWidth;
+  camera.height = $('over').clientHeight;
+  const start = performance.now();
+  renderer.begin(camera, ratio);
+  if (shown.current?.tiles) {
+    const tiles = shown.current.tiles.visible(camera);
+    if (shown.also.band) renderer.draw(tiles, {layers: shown.layers, band: 2 * (shown.current.view.toolRadius ?? 0), color: special().band});
+    if (shown.current.compare && shown.also.compare)
+      renderer.draw(shown.current.compare.tiles.visible(camera), {layers: shown.layers, compare: true, color: special().compare});
+    renderer.draw(tiles, {layers: shown.layers, line: shown.line});
+    document.body.dataset.segments = tiles.reduce((sum, tile) => sum + tile.count, 0);
+    document.body.dataset.complete = shown.current.tiles.complete;
+    if (shown.current.tiles.complete) document.body.dataset.pictureMs ??= (performance.now() - shown.current.began).toFixed(1);
+  }
+  const arrows = shown.current?.tiles && shown.also.arrows ? arrowsOf(camera, shown.current.tiles.visible(camera), isShown) : [];
+  document.body.dataset.arrows = arrows.length;
+  const aim = shown.isMeasuring && $('over').matches(':focus-visible');
+  overlay.draw(camera, ratio, {view: shown.current?.view, unit: unitOf(shown.current?.view), arrows, aim, place: shown.place, measured: shown.measured, marks: shown.also.marks,
+    proposals: shown.also.proposals ? shown.current?.proposals : [], uncut: shown.also.uncut ? shown.current?.uncut : []});
+  document.body.dataset.drawMs = (performance.now() - start).toFixed(1);
+}
+
+export const isShown = (style, rapid) => (shown.layers >> style & 1) === 1 && (!rapid || (shown.layers >> 6 & 1) === 1);
+
+const corner = point => ({x: point?.x ?? 0, y: point?.y ?? 0});
+
+export function showAll() {
+  if (!shown.current?.view) return;
+  camera.width = $('over').clientWidth;
+  camera.height = $('over').clientHeight;
+  camera.show(corner(shown.current.view.low), corner(shown.current.view.high));
+  redraw();
+}
+
+export const cornersOf = points => [Math.min, Math.max].map(end => ({x: end(...points.map(p => p.x)), y: end(...points.map(p => p.y))}));
+export const boundsOf = (view, blocks) => cornersOf(blocks.flatMap(b => [inPlane(view.plane, b.start ?? {}), inPlane(view.plane, b.end ?? {})]));
+
+export function zoomTo(view, low, high) {
+  const least = Math.max(4 * (view.toolRadius ?? 0), 1);
+  const x = (low.x + high.x) / 2, y = (low.y + high.y) / 2;
+  const half = Math.max(high.x - low.x, high.y - low.y, least);
+  camera.show({x: x - half, y: y - half}, {x: x + half, y: y + half});
+}
