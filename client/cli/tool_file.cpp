@@ -12,17 +12,11 @@
 #include <utility>
 #include <vector>
 
+#include "core/nc/text/characters.h"
 #include "core/nc/text/number_format.h"
 
 namespace trc::cli {
 namespace {
-
-std::string upper(std::string_view text) {
-  std::string result(text);
-  for (char& c : result)
-    if (c >= 'a' && c <= 'z') c = static_cast<char>(c - 'a' + 'A');
-  return result;
-}
 
 std::string_view trimmed(std::string_view text) {
   const auto first = text.find_first_not_of(" \t\r\"");
@@ -66,7 +60,7 @@ std::optional<std::uint32_t> tool_number(std::optional<double> number) {
 std::map<char, double> words_of(std::string_view line) {
   std::map<char, double> words;
   for (std::size_t at = 0; at < line.size();) {
-    const char letter = upper(line.substr(at, 1))[0];
+    const char letter = in_upper_case(line.substr(at, 1))[0];
     if (letter == ';' || letter == '(') break;
     ++at;
     if (letter < 'A' || letter > 'Z') continue;
@@ -78,6 +72,15 @@ std::map<char, double> words_of(std::string_view line) {
   }
   return words;
 }
+
+// A tool by its number, or by its name alone, and which of its edges.
+struct Key {
+  std::uint32_t number = 0;
+  std::string name{};  // empty: the number tells
+  std::uint32_t edge = 1;
+
+  auto operator<=>(const Key&) const = default;
+};
 
 struct Sizes {
   double radius = 0;
@@ -108,10 +111,14 @@ class Table {
     if (tools_.empty()) return "it names no tool with a radius";
     unit_unsaid_ =
         !columns_.empty() && !table_unit_ && std::ranges::find(columns_, "UNIT") == columns_.end();
-    for (const auto& [number, sizes] : tools_) {
-      if (!sizes.has_radius) return "tool " + std::to_string(number) + " has wear, but no radius";
+    for (const auto& [key, sizes] : tools_) {
+      if (!sizes.has_radius) return text_of(key) + " has wear, but no radius";
       v1::Tool& tool = *setup_.add_tools();
-      tool.set_number(number);
+      tool.set_number(key.number);
+      const auto name = names_.find(key.number);
+      if (!key.name.empty() || name != names_.end())
+        tool.set_name(key.name.empty() ? name->second : key.name);
+      if (key.edge != 1) tool.set_edge(key.edge);
       tool.set_radius(sizes.radius);
       tool.set_wear(sizes.wear);
     }
@@ -121,35 +128,51 @@ class Table {
   [[nodiscard]] bool unit_unsaid() const { return unit_unsaid_; }
 
  private:
+  static std::string text_of(const Key& key) {
+    const std::string tool = key.name.empty() ? std::to_string(key.number) : "\"" + key.name + "\"";
+    return "tool " + tool + (key.edge == 1 ? "" : ", edge " + std::to_string(key.edge));
+  }
+  // The sizes of a tool that stands in one row; what is wrong, else.
+  std::string take(const Key& key, const Sizes& sizes) {
+    return tools_.try_emplace(key, sizes).second ? std::string() : text_of(key) + " a second time";
+  }
+
+  // Of a CSV.
+  static bool is_header(std::string_view line) {
+    const auto columns = split(line, ',');
+    return std::ranges::any_of(columns, [](std::string_view column) {
+      const std::string name = in_upper_case(column);
+      return name == "NUMBER" || name == "NAME";
+    });
+  }
   static std::optional<double> unit_named(std::string_view name) {
-    if (upper(name) == "MM") return 1;
-    if (upper(name) == "INCH") return mm_per_inch;
+    if (in_upper_case(name) == "MM") return 1;
+    if (in_upper_case(name) == "INCH") return mm_per_inch;
     return {};
   }
 
   // As it stands in the file: blanks in front count where columns do.
   std::string read_line(std::string_view line, std::string_view as_written) {
-    if (const std::string words = upper(line);
+    if (const std::string words = in_upper_case(line);
         words.starts_with("BEGIN ") && words.find(".T") != std::string::npos) {
       heidenhain_ = true;
       unit_ = words.ends_with("INCH") ? mm_per_inch : 1;
       return {};
     }
     if (heidenhain_) return line == "[END]" ? std::string() : row_of_places(as_written);
-    if (columns_.empty() && upper(line).starts_with("UNIT,") &&
-        upper(line).find("NUMBER") == std::string::npos) {
+    if (columns_.empty() && in_upper_case(line).starts_with("UNIT,") && !is_header(line)) {
       const auto cells = split(line, ',');
       table_unit_ = unit_named(cells[1]);
       return table_unit_ ? std::string()
                          : "unit is \"" + std::string(cells[1]) + "\", not mm or inch";
     }
-    if (columns_.empty() && upper(line).find("NUMBER") != std::string::npos) return header(line);
+    if (columns_.empty() && is_header(line)) return header(line);
     if (!columns_.empty()) return row(line);
-    if (upper(line).starts_with("%_N_")) {
+    if (in_upper_case(line).starts_with("%_N_")) {
       sinumerik_ = true;
       return {};
     }
-    if (upper(line).find("$TC_") < line.find_first_of(";=")) return data_of_edge(line);
+    if (in_upper_case(line).find("$TC_") < line.find_first_of(";=")) return data_of_edge(line);
     if (sinumerik_) return {};
     const std::map<char, double> words = words_of(line);
     const auto has = [&](char letter) { return words.contains(letter); };
@@ -159,7 +182,8 @@ class Table {
       if (!wear && words.at('L') != 12) return {};
       const auto number = tool_number(words.at('P'));
       if (!number) return "P is no number of a tool";
-      Sizes& sizes = tools_.try_emplace(*number, Sizes{.has_radius = false}).first->second;
+      Sizes& sizes =
+          tools_.try_emplace({.number = *number}, Sizes{.has_radius = false}).first->second;
       (wear ? sizes.wear : sizes.radius) = words.at('R') * unit_;
       sizes.has_radius |= !wear;
       return {};
@@ -167,7 +191,7 @@ class Table {
     if (has('T') && has('D')) {
       const auto number = tool_number(words.at('T'));
       if (!number) return "T is no number of a tool";
-      tools_[*number].radius = words.at('D') / 2 * unit_;
+      tools_[{.number = *number}].radius = words.at('D') / 2 * unit_;
       return {};
     }
     return has('G') || line == "%" || has('O') || has('M') || has('T')
@@ -182,15 +206,20 @@ class Table {
     sinumerik_ = true;
     line = trimmed(line.substr(line.find('$'), line.find(';', line.find('=')) - line.find('$')));
     const std::size_t open = std::min(line.find('['), line.size());
-    const std::string name = upper(trimmed(line.substr(0, open)));
+    const std::string name = in_upper_case(trimmed(line.substr(0, open)));
     const bool radius = name == "$TC_DP6";
     const bool wear = name == "$TC_DP15";
-    if (!radius && !wear && name != "$TC_DP1") return {};
+    const bool names = name == "$TC_TP2";
+    if (!radius && !wear && !names && name != "$TC_DP1") return {};
     const std::size_t close = std::min(line.find(']', open), line.size());
     const auto places =
         split(open < close ? line.substr(open + 1, close - open - 1) : std::string_view(), ',');
     const std::size_t equals = std::min(line.find('=', close), line.size());
     const auto tool = tool_number(number_from(places[0]));
+    if (names && tool && equals < line.size()) {
+      names_[*tool] = in_upper_case(trimmed(line.substr(equals + 1)));
+      return {};
+    }
     const auto edge = places.size() == 2 ? tool_number(number_from(places[1])) : std::nullopt;
     if (!tool || !edge || equals == line.size())
       return "\"" + std::string(line) + "\" names no tool and edge, as in " + name + "[1,1]";
@@ -205,21 +234,19 @@ class Table {
       if (*value >= first_turning_type && *value <= last_turning_type) turning_.insert(*tool);
       return {};
     }
-    Sizes& sizes = edges_[*tool].try_emplace(*edge, Sizes{.has_radius = false}).first->second;
+    Sizes& sizes = edges_.try_emplace({.number = *tool, .edge = *edge}, Sizes{.has_radius = false})
+                       .first->second;
     (wear ? sizes.wear : sizes.radius) = *value * unit_;
     sizes.has_radius |= radius;
     return {};
   }
 
-  // Of the tools of Sinumerik, those that have one radius.
+  // Of Sinumerik, but for those of turning.
   void take_edges() {
-    for (const auto& [tool, edges] : edges_) {
-      const Sizes& first = edges.begin()->second;
-      const bool alike =
-          std::ranges::all_of(edges, [&](const auto& edge) { return edge.second == first; });
+    for (const auto& [key, sizes] : edges_) {
       // What stands nowhere is 0 there.
-      const bool empty = !first.has_radius && first.wear == 0;
-      if (alike && !empty && !turning_.contains(tool)) tools_[tool] = first;
+      const bool empty = !sizes.has_radius && sizes.wear == 0;
+      if (!empty && !turning_.contains(key.number)) tools_.emplace(key, sizes);
     }
   }
 
@@ -228,16 +255,22 @@ class Table {
     if (places_.empty()) {
       for (std::size_t at = line.find_first_not_of(" \t\r"); at != std::string_view::npos;) {
         const auto end = std::min(line.find_first_of(" \t\r", at), line.size());
-        places_.emplace_back(upper(line.substr(at, end - at)), at);
+        places_.emplace_back(in_upper_case(line.substr(at, end - at)), at);
         at = line.find_first_not_of(" \t\r", end);
       }
       for (const char* name : {"T", "R"})
         if (!column_of(name)) return std::string("the table has no column ") + name;
       return {};
     }
-    const auto number = tool_number(number_from(cell(line, "T")));
-    if (!number) return "T is no number of a tool";
-    if (tools_.contains(*number)) return "tool " + std::to_string(*number) + " a second time";
+    const std::string_view place = cell(line, "T");
+    const auto number = tool_number(number_from(place.substr(0, place.find('.'))));
+    // 5.2: the second index of tool 5.
+    const auto index = place.find('.') < place.size()
+                           ? tool_number(number_from(place.substr(place.find('.') + 1)))
+                           : std::optional<std::uint32_t>(0);
+    if (!number || !index) return "T is no number of a tool";
+    const std::string_view name = cell(line, "NAME");
+    if (!name.empty() && *index == 0) names_[*number] = in_upper_case(name);
     const std::string_view radius = cell(line, "R");
     const std::string_view wear = cell(line, "DR");
     // Places without a tool.
@@ -247,8 +280,8 @@ class Table {
     if (!read_radius || !read_wear)
       return (read_radius ? "DR is \"" + std::string(wear) : "R is \"" + std::string(radius)) +
              "\", which is no number";
-    tools_[*number] = {.radius = *read_radius * unit_, .wear = *read_wear * unit_};
-    return {};
+    return take({.number = *number, .edge = *index + 1},
+                {.radius = *read_radius * unit_, .wear = *read_wear * unit_});
   }
 
   [[nodiscard]] std::optional<std::size_t> column_of(std::string_view name) const {
@@ -267,7 +300,7 @@ class Table {
   }
 
   std::string header(std::string_view line) {
-    for (const std::string_view name : split(line, ',')) columns_.push_back(upper(name));
+    for (const std::string_view name : split(line, ',')) columns_.push_back(in_upper_case(name));
     const auto has = [&](std::string_view wanted) {
       for (const std::string& column : columns_)
         if (column == wanted) return true;
@@ -275,16 +308,18 @@ class Table {
     };
     for (const std::string& column : columns_)
       if (column != "NUMBER" && column != "RADIUS" && column != "DIAMETER" && column != "WEAR" &&
-          column != "NAME" && column != "HOLDS" && column != "UNIT")
+          column != "NAME" && column != "EDGE" && column != "HOLDS" && column != "UNIT")
         return "unknown column \"" + column + "\"";
-    if (!has("NUMBER") || has("RADIUS") == has("DIAMETER"))
-      return "the header needs number and one of radius, diameter";
+    if (!(has("NUMBER") || has("NAME")) || has("RADIUS") == has("DIAMETER"))
+      return "the header needs number or name, and one of radius, diameter";
     return {};
   }
 
   std::string row(std::string_view line) {
     const auto cells = split(line, ',');
     std::optional<double> number;
+    std::string name;
+    std::uint32_t edge = 1;
     double value = 0;
     double wear = 0;
     bool diameter = false;
@@ -292,7 +327,18 @@ class Table {
     for (std::size_t i = 0; i < columns_.size(); ++i) {
       const std::string_view cell = i < cells.size() ? cells[i] : std::string_view();
       const std::string& column = columns_[i];
-      if (column == "NAME") continue;
+      if (column == "NAME") {
+        name = in_upper_case(cell);
+        continue;
+      }
+      if (column == "NUMBER" && cell.empty()) continue;  // the name tells
+      if (column == "EDGE") {
+        const auto given =
+            cell.empty() ? std::optional<std::uint32_t>(1) : tool_number(number_from(cell));
+        if (!given || *given == 0) return "edge is \"" + std::string(cell) + "\", which is none";
+        edge = *given;
+        continue;
+      }
       if (column == "UNIT") {
         const auto named = unit_named(cell);
         if (!named && !cell.empty()) return "unit is \"" + std::string(cell) + "\", not mm or inch";
@@ -300,7 +346,7 @@ class Table {
         continue;
       }
       if (column == "HOLDS") {
-        const std::string holds = upper(cell);
+        const std::string holds = in_upper_case(cell);
         if (!holds.empty() && holds != "RADIUS" && holds != "DIAMETER")
           return "holds is \"" + holds + "\", not RADIUS or DIAMETER";
         diameter |= holds == "DIAMETER";
@@ -314,12 +360,13 @@ class Table {
       if (column == "RADIUS" || column == "DIAMETER") value = *read;
       diameter |= column == "DIAMETER";
     }
-    const auto tool = tool_number(number);
+    const auto tool = number ? tool_number(number) : std::optional<std::uint32_t>(0);
     if (!tool) return "number is no number of a tool";
-    if (tools_.contains(*tool)) return "tool " + std::to_string(*tool) + " a second time";
+    if (!number && name.empty()) return "the tool has neither number nor name";
+    if (number && !name.empty()) names_[*tool] = std::exchange(name, {});
     const double factor = unit * (diameter ? 0.5 : 1);
-    tools_[*tool] = {.radius = factor * value, .wear = factor * wear};
-    return {};
+    return take({.number = *tool, .name = name, .edge = edge},
+                {.radius = factor * value, .wear = factor * wear});
   }
 
   v1::ProgramSetup& setup_;
@@ -330,9 +377,10 @@ class Table {
   bool heidenhain_ = false;
   std::vector<std::pair<std::string, std::size_t>> places_{};  // of its columns: name and begin
   bool sinumerik_ = false;
-  std::map<std::uint32_t, std::map<std::uint32_t, Sizes>> edges_{};  // of each tool, by number
+  std::map<Key, Sizes> edges_{};
   std::set<std::uint32_t> turning_{};
-  std::map<std::uint32_t, Sizes> tools_{};
+  std::map<std::uint32_t, std::string> names_{};  // of tools with numbers
+  std::map<Key, Sizes> tools_{};
 };
 
 }  // namespace
@@ -355,7 +403,7 @@ std::string read_tool_file(const std::string& path, v1::ProgramSetup& setup, boo
 bool switches_to_inch(std::string_view program, v1::Dialect dialect) {
   while (!program.empty()) {
     const auto end = program.find('\n');
-    const std::string line = upper(trimmed(program.substr(0, end)));
+    const std::string line = in_upper_case(trimmed(program.substr(0, end)));
     program.remove_prefix(end == std::string_view::npos ? program.size() : end + 1);
     if (dialect == v1::DIALECT_HEIDENHAIN) {
       if (line.find("BEGIN PGM") != std::string::npos) return line.ends_with(" INCH");

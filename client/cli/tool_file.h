@@ -10,19 +10,18 @@ namespace trc::cli {
 // Reads a table of tools into the setup. The formats, told apart by what they hold:
 //
 //   - CSV with a header that names its columns, in any order: `number,radius` in mm, and as wanted
-//     `diameter` in place of `radius`, `wear` (what the tool is larger by), `holds` (RADIUS or
-//     DIAMETER: what the radius column and the wear are), `name`, `unit` (mm or inch: what the row
-//     counts in); `#` begins a comment. A line `unit,inch` above the header counts for all rows.
+//     `name` (beside or in place of `number`), `edge` (D of Sinumerik), `diameter` in place of
+//     `radius`, `wear` (what the tool is larger by), `holds` (RADIUS or DIAMETER: what the radius
+//     column and the wear are), `unit` (mm or inch: what the row counts in); `#` begins a comment.
+//     A line `unit,inch` above the header counts for all rows.
 //   - LinuxCNC: lines with T and D words, D the diameter in the unit of the setup; `;` begins a
 //     comment.
 //   - Fanuc: lines `G10 L12 P2 R5.` (radius) and `G10 L13 P2 R-0.02` (wear), in the
 //     unit of the setup; other lines are passed over.
 //   - Sinumerik: lines `$TC_DP6[t,d]=5` (radius) and `$TC_DP15[t,d]=-0.02` (wear) in the unit of
-//   the
-//     setup, t the tool and d its edge, as a TOA file has them; other lines are passed over. Tools
-//     of turning (`$TC_DP1` 500 to 599) are left out, and so are those whose edges differ: a
-//     program chooses among them with D, which has no place in the setup.
-//   - Heidenhain: TOOL.T with its columns T, R and DR, the wear.
+//     the setup, t the tool and d its edge, `$TC_TP2[t]="NAME"`, as a TOA file has them; other
+//     lines are passed over. Tools of turning (`$TC_DP1` 500 to 599) are left out.
+//   - Heidenhain: TOOL.T with its columns T (5.2 is index 2 of tool 5), NAME, R and DR, the wear.
 //
 // Returns what is wrong, as a sentence; empty when all is read.
 [[nodiscard]] std::string read_tool_table(std::string_view text, v1::ProgramSetup& setup);

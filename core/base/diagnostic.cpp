@@ -139,7 +139,8 @@ constexpr auto rows = std::to_array<CodeRow>({
     {Code::nc_group_twice, error, "NC_GROUP_TWICE",
      "one block programs two functions that exclude each other", "Keep one of them."},
     {Code::tool_unknown, error, "TOOL_UNKNOWN", "the tool table of the setup has no such tool",
-     "Add the tool and its radius to the setup, or write V.G.WZ_AKT.R in place of the D word."},
+     "Add the tool to the table of the setup: its number, its name and edge where the program "
+     "says them, and its radius."},
     {Code::program_empty, error, "PROGRAM_EMPTY", "the program has no block",
      "Check that the file is the one meant and is complete."},
     {Code::side_behind_end, error, "SIDE_BEHIND_END",

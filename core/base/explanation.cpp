@@ -480,10 +480,11 @@ constexpr auto rows = std::to_array<Explanation>({
                 "N30 M30\n"},
     {.code = Code::tool_unknown,
      .meaning = "The D or T word names a tool of which the radius is not known.",
-     .causes = {"The tool table was not given.", "The number is one of another machine."},
+     .causes = {"The tool table was not given.", "The number is one of another machine.",
+                "The table has the tool, but not its name, or not this edge."},
      .on_command_line =
-         "Give the table: --tools tools.csv, or the tool alone: --set tools=77:5. Or "
-         "write V.G.WZ_AKT.R in place of the D word.",
+         "Give the table with that tool: --tools tools.csv, with number,name,edge,radius as far "
+         "as the program says them; or the tool alone, by number: --set tools=77:5.",
      .example = "N10 G00 X0 Y0\n"
                 "N20 D77\n"
                 "N30 M30\n"},

@@ -190,10 +190,11 @@ constexpr auto rows = std::to_array<GermanRow>({
      .help = "Nur eine davon stehen lassen."},
     {.code = Code::tool_unknown,
      .title = "die Werkzeugtabelle des Setups hat dieses Werkzeug nicht",
-     .help = "Das Werkzeug mit seinem Radius ins Setup aufnehmen, oder V.G.WZ_AKT.R statt des "
-             "D-Worts schreiben.",
-     .on_command_line = "Die Tabelle angeben: --tools tools.csv, oder das Werkzeug allein: --set "
-                        "tools=77:5. Oder V.G.WZ_AKT.R statt des D-Worts schreiben."},
+     .help = "Das Werkzeug in die Tabelle des Setups aufnehmen: Nummer, Name und Schneide, wo das "
+             "Programm sie nennt, und seinen Radius.",
+     .on_command_line = "Die Tabelle mit dem Werkzeug angeben: --tools tools.csv, mit "
+                        "number,name,edge,radius, soweit das Programm sie nennt; oder das Werkzeug "
+                        "allein, mit Nummer: --set tools=77:5."},
     {.code = Code::program_empty,
      .title = "das Programm hat keinen Satz",
      .help = "Prüfen, ob es die gemeinte Datei ist und ob sie vollständig ist."},

@@ -2,10 +2,15 @@
 
 #include <algorithm>
 #include <cctype>
+#include <map>
+#include <optional>
 #include <set>
+#include <string>
+#include <string_view>
 
 #include "core/base/tolerances.h"
 #include "core/nc/dialect/dialect.h"
+#include "core/nc/text/characters.h"
 #include "proto/wire/geometry.h"
 #include "proto/wire/modes.h"
 #include "proto/wire/options.h"
@@ -16,6 +21,7 @@ namespace {
 constexpr double largest_length = Tolerances{}.largest_coordinate;  // mm
 constexpr int most_axes = 32;
 constexpr int most_tools = 10'000;
+constexpr std::size_t longest_tool_name = 64;
 
 constexpr EnumTable<v1::ResponseLayout, Layout, 2> layouts{{
     {v1::RESPONSE_LAYOUT_BLOCKS, Layout::blocks},
@@ -216,8 +222,18 @@ void to_proto(const ProgramSetup& program, v1::PathSetup& message) {
   if (program.nominal_radius != 0) message.set_nominal_radius(program.nominal_radius);
 }
 
-void read_tools(const v1::ProgramSetup& message, const FieldPath& path,
-                std::map<std::int64_t, ToolRow>& tools, FieldFaults& faults) {
+// The tool of a name, which has a number of its own if it is given none. Nothing where another tool
+// has that name.
+std::optional<std::int64_t> tool_named(const v1::Tool& tool, ProgramSetup& program) {
+  const auto next = first_named_tool + static_cast<std::int64_t>(program.tool_names.size());
+  const std::int64_t number = tool.number() > 0 ? tool.number() : next;
+  const auto [known, is_new] = program.tool_names.try_emplace(in_upper_case(tool.name()), number);
+  if (!is_new && tool.number() > 0 && known->second != number) return std::nullopt;
+  return known->second;
+}
+
+void read_tools(const v1::ProgramSetup& message, const FieldPath& path, ProgramSetup& program,
+                FieldFaults& faults) {
   if (message.tools_size() > most_tools) {
     add_fault(FieldPath(path, "tools"),
               "has " + std::to_string(message.tools_size()) + " entries, allowed are " +
@@ -231,9 +247,29 @@ void read_tools(const v1::ProgramSetup& message, const FieldPath& path,
     check_range(tool.number(), {0, 2147483647}, FieldPath(entry, "number"), faults);
     check_tool_radius(tool.radius(), FieldPath(entry, "radius"), faults);
     check_tool_radius(tool.wear(), FieldPath(entry, "wear"), faults);
-    if (!tools.try_emplace(tool.number(), tool.radius(), tool.wear()).second)
+    check_range(tool.edge(), {0, 99}, FieldPath(entry, "edge"), faults);
+    std::int64_t number = tool.number();
+    if (!tool.name().empty()) {
+      if (tool.name().size() > longest_tool_name) {
+        add_fault(FieldPath(entry, "name"),
+                  "is longer than " + std::to_string(longest_tool_name) + " bytes", faults);
+        continue;
+      }
+      const auto named = tool_named(tool, program);
+      if (!named) {
+        add_fault(FieldPath(entry, "name"), "is the name of another tool", faults);
+        continue;
+      }
+      number = *named;
+    }
+    const std::int64_t row = row_of_edge(number, std::max<std::int64_t>(tool.edge(), 1));
+    if (!program.tools.try_emplace(row, tool.radius(), tool.wear()).second)
       add_fault(FieldPath(entry, "number"),
-                "names the tool " + std::to_string(tool.number()) + " a second time", faults);
+                "names the tool " +
+                    (tool.number() > 0 || tool.name().empty() ? std::to_string(tool.number())
+                                                              : tool.name()) +
+                    " a second time",
+                faults);
   }
 }
 
@@ -300,7 +336,7 @@ ProgramSettings from_proto(const v1::ProgramSetup& message, const FieldPath& pat
                            FieldFaults& faults) {
   ProgramSettings settings;
   settings.path = from_proto(message.path(), FieldPath(path, "path"), faults);
-  read_tools(message, path, settings.path.session.program.tools, faults);
+  read_tools(message, path, settings.path.session.program, faults);
   read_dialect(message, path, settings.path.session.program, faults);
   // Behind G40 without a motion of its own a tool change and whole drilling cycles may follow.
   constexpr std::size_t most_passive_blocks = 10'000;
@@ -376,15 +412,30 @@ void to_proto(const PathSettings& settings, v1::PathSetup& message) {
   message.set_resume_token(settings.resume_token);
 }
 
-void to_proto(const ProgramSettings& settings, v1::ProgramSetup& message) {
-  message.Clear();
-  to_proto(settings.path, *message.mutable_path());
-  for (const auto& [number, row] : settings.path.session.program.tools) {
+namespace {
+
+void tools_to_proto(const ProgramSetup& program, v1::ProgramSetup& message) {
+  std::map<std::int64_t, std::string_view> names;
+  for (const auto& [name, number] : program.tool_names) names.emplace(number, name);
+  for (const auto& [key, row] : program.tools) {
     v1::Tool& tool = *message.add_tools();
-    tool.set_number(static_cast<std::uint32_t>(number));
+    const std::int64_t edge = edge_of_row(key);
+    const std::int64_t number = key - row_of_edge(0, edge);
+    if (number < first_named_tool) tool.set_number(static_cast<std::uint32_t>(number));
+    if (const auto name = names.find(number); name != names.end())
+      tool.set_name(std::string(name->second));
+    if (edge > 1) tool.set_edge(static_cast<std::uint32_t>(edge));
     tool.set_radius(row.radius);
     tool.set_wear(row.wear);
   }
+}
+
+}  // namespace
+
+void to_proto(const ProgramSettings& settings, v1::ProgramSetup& message) {
+  message.Clear();
+  to_proto(settings.path, *message.mutable_path());
+  tools_to_proto(settings.path.session.program, message);
   if (!settings.nc_text) message.set_output(outputs.to_proto(false));
   if (settings.decimals != ProgramSettings{}.decimals)
     message.set_decimals(static_cast<std::uint32_t>(settings.decimals));

@@ -3,6 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <map>
+#include <sstream>
+#include <string>
+#include <vector>
 
 namespace trc::cli {
 namespace {
@@ -65,13 +68,31 @@ TEST(ToolFile, IsTheToolDataOfSinumerik) {
   EXPECT_DOUBLE_EQ(radii_in("%_N_TOOLS_INI\n$TC_DP6[2,1]=0.25\nM30\n", true).at(2), 6.35);
 }
 
-// A program chooses an edge with D, and a tool of the setup has one radius: of edges that differ
-// none is taken, so that G41 with that tool is refused.
-TEST(ToolFile, LeavesOutToolsOfSinumerikWhoseEdgesDiffer) {
-  EXPECT_EQ(radii_in("$TC_DP6[1,1]=5\n$TC_DP6[1,2]=4\n$TC_DP6[2,1]=3\n$TC_DP6[2,2]=3\n"),
-            (std::map<std::uint32_t, double>{{2, 3}}));
-  EXPECT_EQ(radii_in("$TC_DP6[1,1]=5\n$TC_DP6[1,2]=5\n$TC_DP15[1,2]=0.1\n$TC_DP6[3,2]=2\n"),
-            (std::map<std::uint32_t, double>{{3, 2}}));
+// "T5 name edge radius" of each row.
+std::vector<std::string> rows_in(std::string_view text) {
+  v1::ProgramSetup setup;
+  EXPECT_EQ(read_tool_table(text, setup), "");
+  std::vector<std::string> rows;
+  for (const v1::Tool& tool : setup.tools()) {
+    std::ostringstream row;
+    row << 'T' << tool.number() << ' ' << tool.name() << ' ' << tool.edge() << ' ' << tool.radius();
+    rows.push_back(row.str());
+  }
+  return rows;
+}
+
+TEST(ToolFile, HasNamesAndEdges) {
+  using Rows = std::vector<std::string>;
+  EXPECT_EQ(rows_in("number,name,edge,radius\n5,Mill_16,,8\n5,,2,7.5\n,Finish,1,4\n"),
+            (Rows{"T0 FINISH 0 4", "T5 MILL_16 0 8", "T5 MILL_16 2 7.5"}));
+  EXPECT_EQ(rows_in("name,radius\nA,3\n"), (Rows{"T0 A 0 3"}));
+  EXPECT_EQ(rows_in("$TC_TP2[1]=\"MILL\"\n$TC_DP6[1,1]=5\n$TC_DP6[1,2]=4\n$TC_DP6[3,2]=2\n"),
+            (Rows{"T1 MILL 0 5", "T1 MILL 2 4", "T3  2 2"}));
+  EXPECT_EQ(rows_in("BEGIN TOOL .T MM\nT    NAME  R\n5    A     5\n5.2  A     4.5\n[END]\n"),
+            (Rows{"T5 A 0 5", "T5 A 3 4.5"}));
+  EXPECT_EQ(fault_in("number,edge,radius\n1,2,5\n1,2,6\n"), "line 3: tool 1, edge 2 a second time");
+  EXPECT_EQ(fault_in("name,edge,radius\nA,0,5\n"), "line 2: edge is \"0\", which is none");
+  EXPECT_EQ(fault_in("number,name,radius\n,,5\n"), "line 2: the tool has neither number nor name");
 }
 
 TEST(ToolFile, SaysWhatIsWrongInToolDataOfSinumerik) {
@@ -134,7 +155,7 @@ TEST(ToolFile, SaysInWhichLineItIsWrong) {
   EXPECT_EQ(fault_in("number,radius\n1,five\n"), "line 2: RADIUS is \"five\", which is no number");
   EXPECT_EQ(fault_in("number,radius\n1,5\n1,6\n"), "line 3: tool 1 a second time");
   EXPECT_NE(fault_in("number,length\n").find("unknown column"), std::string::npos);
-  EXPECT_NE(fault_in("number\n1\n").find("needs number and one of"), std::string::npos);
+  EXPECT_NE(fault_in("number\n1\n").find("needs number or name"), std::string::npos);
   EXPECT_NE(fault_in("1;5\n").find("is no row"), std::string::npos);
   EXPECT_EQ(fault_in("G10 L13 P1 R-0.02\n"), "tool 1 has wear, but no radius");
   EXPECT_EQ(fault_in("\n"), "it names no tool with a radius");

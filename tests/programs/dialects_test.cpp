@@ -73,8 +73,12 @@ void read_head(DialectProgram& program) {
     if (key == "tool") {
       std::int64_t number = 0;
       double radius = 0;
+      std::int64_t edge = 1;
+      std::string name;
       words >> number >> radius;
-      program.setup.session.program.tools[number] = radius;
+      ProgramSetup& setup = program.setup.session.program;
+      if (words >> edge >> name) setup.tool_names[name] = number;
+      setup.tools[row_of_edge(number, edge)] = radius;
     }
   }
 }

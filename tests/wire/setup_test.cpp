@@ -29,7 +29,13 @@ PathSettings every_setting() {
                     .largest_radius_difference = 0.5,
                     .largest_radius_factor = 0};
   program.tracking_axes = {"C", "E2"};
-  program.tools = {{0, 0}, {5, {2.5, -0.02}}, {7, -3}};
+  program.tools = {{0, 0},
+                   {5, {2.5, -0.02}},
+                   {7, -3},
+                   {row_of_edge(5, 2), 2},
+                   {first_named_tool, 4},
+                   {row_of_edge(first_named_tool, 3), {4, 0.1}}};
+  program.tool_names = {{"FINISH", first_named_tool}};
   program.wear = 0.03;
   program.allowance = -0.2;
   program.nominal_radius = 5;
@@ -78,6 +84,7 @@ TEST(Setup, ReadsBackEveryField) {
   EXPECT_EQ(program.circle.largest_radius_factor, expected.circle.largest_radius_factor);
   EXPECT_EQ(program.tracking_axes, expected.tracking_axes);
   EXPECT_EQ(program.tools, expected.tools);
+  EXPECT_EQ(program.tool_names, expected.tool_names);
   EXPECT_EQ(program.wear, expected.wear);
   EXPECT_EQ(program.allowance, expected.allowance);
   EXPECT_EQ(program.nominal_radius, expected.nominal_radius);
@@ -207,6 +214,10 @@ INSTANTIATE_TEST_SUITE_P(
                      "setup.path.axis_names[1]"},
         RefusedSetup{"MainAxis", "path { axis_names: 'X' }", "setup.path.axis_names[0]"},
         RefusedSetup{"ClientTag", "path { client_tag: 'a\\nb' }", "setup.path.client_tag"},
+        RefusedSetup{"NameOfAnotherTool",
+                     "tools { number: 1 name: 'A' } tools { number: 2 name: 'a' }",
+                     "setup.tools[1].name"},
+        RefusedSetup{"ToolEdge", "tools { number: 1 edge: 100 }", "setup.tools[0].edge"},
         RefusedSetup{"ToolTwice", "tools { number: 1 } tools { number: 1 }",
                      "setup.tools[1].number"},
         RefusedSetup{"ToolRadius", "tools { radius: inf }", "setup.tools[0].radius"},

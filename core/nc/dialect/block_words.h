@@ -10,6 +10,11 @@
 
 namespace trc {
 
+// Of a D or T word.
+[[nodiscard]] inline bool is_number_of_tool(double value) {
+  return is_whole(value) && value < first_named_tool;
+}
+
 // CFIN of Sinumerik, among the numbers of the feed adaptation.
 inline constexpr int feed_at_inside = 1008;
 
@@ -39,8 +44,9 @@ struct Interpreter::BlockWords {
   std::optional<std::uint32_t> axis{};    // where the first axis word stands
   std::optional<std::uint32_t> center{};  // the first I J K R
   std::optional<Value> feed{};
-  std::optional<Value> tool{};          // D
-  std::optional<Value> tool_number{};   // T
+  std::optional<Value> tool{};               // D
+  std::optional<Value> tool_number{};        // T
+  std::optional<std::int64_t> named_tool{};  // of T="NAME"
   std::optional<Value> later_tool{};    // a second T of FANUC: fetched behind the change by M06
   bool loads_tool = false;              // M06
   std::optional<Value> tool_radius{};   // V.G.WZ_AKT.R

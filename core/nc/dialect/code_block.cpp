@@ -5,7 +5,9 @@
 #include <string>
 #include <utility>
 
+#include "core/base/likely_meant.h"
 #include "core/nc/dialect/block_words.h"
+#include "core/nc/text/characters.h"
 
 // How a block of plain letters and numbers is read: the dialects of Fanuc and of LinuxCNC.
 
@@ -214,12 +216,14 @@ bool Interpreter::read_code_address(const CodeWord& word, ProgramLine& line, Blo
       return true;
     case 'D':
       if (block.tool) return twice();
+      if (word.value >= first_named_tool) return refuse_code(line, word, Code::nc_number);
       block.tool = value;
       break;
     case 'T':
       if (block.later_tool || (block.tool_number && dialect_.name != DialectName::fanuc))
         return twice();
-      if (!is_whole(std::floor(word.value))) return refuse_code(line, word, Code::nc_number);
+      if (!is_number_of_tool(std::floor(word.value)))
+        return refuse_code(line, word, Code::nc_number);
       (block.tool_number ? block.later_tool : block.tool_number) = {.value = std::floor(word.value),
                                                                     .begin = word.begin};
       code_.turning |= is_turning_tool(line.word({.begin = word.begin, .end = word.end}));
@@ -270,7 +274,8 @@ bool Interpreter::complete_code_block(ProgramLine& line, BlockWords& block) {
     return refuse(line, TextFault{.code = Code::nc_word_twice,
                                   .begin = block.later_tool->begin,
                                   .detail = "T without M06"});
-  if (block.tool_number) code_.next_tool = whole_number(block.tool_number->value);
+  if (block.tool_number)
+    code_.next_tool = block.named_tool.value_or(whole_number(block.tool_number->value));
   code_.tool_named |= block.tool_number.has_value();
   code_.changes_by_m6 |= block.changes_tool;
   if (block.changes_tool) {
@@ -617,22 +622,34 @@ bool Interpreter::choose_tool_of_edge(ProgramLine& line, BlockWords& block) {
     return true;
   }
   const std::int64_t number = code_.changes_by_m6 ? code_.spindle_tool : code_.next_tool;
+  const auto unknown = [&](std::string detail) {
+    return refuse(
+        line, TextFault{.code = Code::tool_unknown, .begin = begin, .detail = std::move(detail)});
+  };
   const bool table = !state_.setup().tools.empty();
-  if (table && code_.edge != 1)
-    return refuse(line,
-                  TextFault{.code = Code::tool_unknown,
-                            .begin = begin,
-                            .detail = "an edge other than D1: tables of tools have its radius "
-                                      "alone"});
-  const bool another =
-      number < 0 && !code_.only_tool_name.empty() && code_.only_tool_name != code_.tool_name;
-  if (number < 0 && code_.only_tool_name.empty()) code_.only_tool_name = code_.tool_name;
-  if (number > 0) block.tool = {.value = static_cast<double>(number), .begin = begin};
-  if (another || (number < 0 && table))
-    return refuse(line, TextFault{.code = Code::tool_unknown,
-                                  .begin = begin,
-                                  .detail = "a tool with a name: give it a number"});
+  const std::int64_t edge = whole_number(code_.edge);
+  const std::int64_t row = row_of_edge(number, edge);
+  if (table && number == no_tool_number) return unknown(name_not_in_table(code_.tool_name));
+  const bool is_plain = edge == 1 && code_.tool_name.empty();
+  if (table && !is_plain && !state_.tool().has_tool(row))
+    return unknown("D" + std::to_string(edge) + " of " +
+                   (code_.tool_name.empty() ? "T" + std::to_string(number) : code_.tool_name));
+  if (number == no_tool_number) {
+    // The radius of the setup stands for the one tool that the program selects with.
+    if (code_.only_tool_name.empty()) code_.only_tool_name = code_.tool_name;
+    return code_.only_tool_name == code_.tool_name || unknown(code_.tool_name);
+  }
+  if (number != 0)
+    block.tool = {.value = static_cast<double>(table ? row : number), .begin = begin};
   return true;
+}
+
+// With the name of the table that it is a slip of, if there is one.
+std::string Interpreter::name_not_in_table(const std::string& name) const {
+  std::vector<std::string> names;
+  for (const auto& [known, tool] : state_.setup().tool_names) names.push_back(known);
+  const auto meant = likely_meant(in_upper_case(name), names);
+  return meant ? name + ", the table has " + *meant : name;
 }
 
 // G10 L12 P R of Fanuc, G10 L1 P R of LinuxCNC: the program gives a tool its radius.

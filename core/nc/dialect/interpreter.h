@@ -210,6 +210,7 @@ class Interpreter {
   bool take_sweep(ProgramLine& line, BlockWords& block);
   bool take_point_between(ProgramLine& line, BlockWords& block);
   bool choose_tool_of_edge(ProgramLine& line, BlockWords& block);
+  [[nodiscard]] std::string name_not_in_table(const std::string& name) const;
   // G147 … G348: sinumerik_leads.cpp.
   bool read_soft_word(const NamedWord& word, ProgramLine& line, BlockWords& block);
   bool take_soft_lead(ProgramLine& line, BlockWords& block);

@@ -233,13 +233,13 @@ bool Interpreter::read_address(const Word& word, ProgramLine& line, BlockWords& 
     case 'D':
       if (block.tool) return twice();
       if (block.tool_radius) return refuse(line, word, Code::radius_and_tool_word_together);
-      if (!is_whole(word.value)) return refuse(line, word, Code::nc_number);
+      if (!is_number_of_tool(word.value)) return refuse(line, word, Code::nc_number);
       block.tool = {.value = word.value, .begin = word.begin};
       add(line, word, WordRole::technology);
       return true;
     case 'T':
       if (block.tool_number) return twice();
-      if (!is_whole(word.value)) return refuse(line, word, Code::nc_number);
+      if (!is_number_of_tool(word.value)) return refuse(line, word, Code::nc_number);
       block.tool_number = {.value = word.value, .begin = word.begin};
       add(line, word, WordRole::technology);
       return true;

@@ -38,7 +38,7 @@ bool is_corner_radius(std::string_view word) {
 
 struct CalledTool {
   bool named = false;
-  std::int64_t number = 0;  // -1: the tool has a name
+  std::int64_t number = 0;  // as row_of_edge() has it, unless it has a name
   std::string name{};       // in quotes, or a parameter
 };
 
@@ -50,7 +50,9 @@ std::optional<CalledTool> read_called_tool(const std::string& line, std::size_t 
   double value = 0;
   if (is_number(word, value)) {
     called.named = true;
-    called.number = std::isfinite(value) ? static_cast<std::int64_t>(value) : -1;
+    const double index = std::round(10 * value) - 10 * std::floor(value);
+    called.number = row_of_edge(static_cast<std::int64_t>(std::floor(value)),
+                                static_cast<std::int64_t>(index) + 1);
     word = words.next();
     return called;
   }
@@ -60,7 +62,8 @@ std::optional<CalledTool> read_called_tool(const std::string& line, std::size_t 
   const std::size_t close =
       quoted && open != std::string::npos ? line.find('"', open + 1) : open + word.size();
   if (open == std::string::npos || close == std::string::npos) return {};
-  called = {.named = true, .number = -1, .name = line.substr(open, close - open)};
+  const std::size_t first = quoted ? open + 1 : open;
+  called = {.named = true, .number = no_tool_number, .name = line.substr(first, close - first)};
   while (word.find('"', 1) == std::string_view::npos && word.starts_with('"')) {
     const std::string_view more = words.next();
     if (more.empty() || more.ends_with('"')) break;
@@ -104,8 +107,8 @@ bool Interpreter::read_tool_call(ProgramLine& line, std::size_t begin, std::stri
   if (!faults_.empty()) return false;
   if (feed) modes.called_feed = *feed * (inch_ ? mm_per_inch / 10 : 1);
   if (called->named) {
-    modes.tool = called->number;
     modes.tool_name = called->name;
+    modes.tool = called->name.empty() ? called->number : state_.tool().tool_named(called->name);
     modes.modal_cycle = false;
     modes.radius_delta = 0;
     std::array<bool, 3> third{};
@@ -146,6 +149,12 @@ bool Interpreter::choose_called_tool(const ProgramLine& line, std::size_t begin)
   const auto unknown = [&](const std::string& tool) {
     return refuse_klartext(line, begin, "tool " + tool, Code::tool_unknown);
   };
+  const auto number_text = [&](std::int64_t tool) {
+    if (tool <= no_tool_number) return name_not_in_table(modes.tool_name);
+    const std::int64_t index = edge_of_row(tool) - 1;
+    const std::string number = std::to_string(tool - row_of_edge(0, index + 1));
+    return index > 0 ? number + "." + std::to_string(index) : number;
+  };
   place(line, static_cast<std::uint32_t>(begin));
   if (*modes.tool == 0) return state_.set_tool(0, line.source);
   std::optional<ToolRow> row = state_.tool().row_of_tool(*modes.tool);
@@ -154,13 +163,11 @@ bool Interpreter::choose_called_tool(const ProgramLine& line, std::size_t begin)
     const std::int64_t number = *modes.tool;
     if (modes.only_tool_name.empty()) modes.only_tool_name = modes.tool_name;
     if (code_.only_register.value_or(number) != number || modes.only_tool_name != modes.tool_name)
-      return unknown(number < 0 ? modes.tool_name : std::to_string(number));
+      return unknown(number_text(number));
     code_.only_register = number;
     row = ToolRow(setup.mode.tool_radius, setup.wear);
   }
-  if (!row && *modes.tool < 0 && !setup.tools.empty())
-    return unknown(modes.tool_name + ", with a name: give it a number");
-  if (!row && !setup.tools.empty()) return unknown(std::to_string(*modes.tool));
+  if (!row && !setup.tools.empty()) return unknown(number_text(*modes.tool));
   if (!row) return true;  // nobody has given one, or it is 0
   if (row->radius + row->wear + modes.radius_delta < 0)
     return refuse_klartext(line, begin, "R + DR of TOOL CALL is less than 0",

@@ -217,8 +217,9 @@ bool Interpreter::read_named_address(const NamedWord& word, ProgramLine& line, B
   const bool center = letter >= 'I' && letter <= 'K';
   if (letter == 'T' && word.is_text) {
     if (block.tool_number) return refuse_code(line, code, Code::nc_word_twice);
-    block.tool_number = {.value = -1, .begin = word.begin};
     code_.tool_name = word.name;
+    block.tool_number = {.value = -1, .begin = word.begin};
+    block.named_tool = state_.tool().tool_named(word.name);
     add(line, word, WordRole::technology);
     return true;
   }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -13,6 +14,17 @@
 
 namespace trc {
 
+inline constexpr std::int64_t no_tool_number = -1;
+// Tools that have a name alone are counted from here on: beyond what a D or T word may say.
+inline constexpr std::int64_t first_named_tool = std::int64_t{1} << 31U;
+// Where the tool table has a tool, by its number. `edge`: D of Sinumerik from 1 on; of Heidenhain's
+// tool 5.2 it is 3.
+[[nodiscard]] constexpr std::int64_t row_of_edge(std::int64_t tool, std::int64_t edge) {
+  return tool + (edge - 1) * (std::int64_t{1} << 32U);
+}
+// The edge of such a row.
+[[nodiscard]] constexpr std::int64_t edge_of_row(std::int64_t row) { return (row >> 32U) + 1; }
+
 // What holds before the first block.
 struct ProgramSetup {
   TrcMode mode{};                // plane, mode, radius, options; side must be off
@@ -20,7 +32,8 @@ struct ProgramSetup {
   bool absolute_center = false;  // G161; G162 is the initial state (rule 10.4)
   CircleCheck circle{};
   std::vector<std::string> tracking_axes{"A", "B", "C", "U", "V", "W"};
-  std::map<std::int64_t, ToolRow> tools{};  // by the number of the D or T word
+  std::map<std::int64_t, ToolRow> tools{};                        // by row_of_edge()
+  std::map<std::string, std::int64_t, std::less<>> tool_names{};  // the tool, as in row_of_edge()
   // The tool radius of `mode` is meant as it stands. One that is not 0 always is; 0 without this
   // is none at all (D-40), but in wear mode.
   bool tool_radius_given = false;

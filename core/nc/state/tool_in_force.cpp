@@ -3,6 +3,8 @@
 #include <cmath>
 #include <utility>
 
+#include "core/nc/text/characters.h"
+
 namespace trc {
 
 void give_radius(const RadiusTerms& terms, Side side, TrcMode& mode) {
@@ -78,6 +80,11 @@ std::optional<Refusal> ToolInForce::load_tool() {
   loads_tools_ = true;
   if (prepared_ == no_tool) return {};
   return take_tool(std::exchange(prepared_, no_tool));
+}
+
+std::int64_t ToolInForce::tool_named(std::string_view name) const {
+  const auto tool = setup_.tool_names.find(in_upper_case(name));
+  return tool == setup_.tool_names.end() ? no_tool_number : tool->second;
 }
 
 std::optional<ToolRow> ToolInForce::row_of_tool(std::int64_t number) const {

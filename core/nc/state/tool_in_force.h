@@ -4,6 +4,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "core/nc/state/program_setup.h"
 #include "core/nc/state/refusal.h"
@@ -42,7 +43,9 @@ class ToolInForce {
 
   // The parts of the radius in force.
   [[nodiscard]] const RadiusTerms& terms() const { return terms_; }
-  // Of the program or of the tool table.
+  // The tool of that name in the table; `no_tool_number`: it has none.
+  [[nodiscard]] std::int64_t tool_named(std::string_view name) const;
+  // Of the program or of the tool table; `number` as row_of_edge() has it.
   [[nodiscard]] std::optional<ToolRow> row_of_tool(std::int64_t number) const;
   // Whether a D word may name it.
   [[nodiscard]] bool has_tool(std::int64_t number) const {

@@ -5,6 +5,12 @@
 #include <charconv>
 
 namespace trc {
+
+std::string in_upper_case(std::string_view text) {
+  std::string result(text);
+  for (char& letter : result) letter = upper(letter);
+  return result;
+}
 namespace {
 
 bool is_control(char byte) { return static_cast<unsigned char>(byte) < 0x20 || byte == 0x7f; }

@@ -11,6 +11,7 @@ namespace trc {
 [[nodiscard]] constexpr char upper(char letter) {
   return letter >= 'a' && letter <= 'z' ? static_cast<char>(letter - 'a' + 'A') : letter;
 }
+[[nodiscard]] std::string in_upper_case(std::string_view text);
 [[nodiscard]] constexpr bool is_letter(char sign) {
   return upper(sign) >= 'A' && upper(sign) <= 'Z';
 }
