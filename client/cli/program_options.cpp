@@ -14,22 +14,6 @@
 
 namespace trc::cli {
 
-namespace {
-
-// By the option, or by what the file itself says.
-bool counts_in_inch(const ProgramOptions& options, const v1::ProgramSetup& setup) {
-  if (setup.unit() == v1::LENGTH_UNIT_INCH) return true;
-  if (!std::filesystem::is_regular_file(options.file)) return false;
-  constexpr std::size_t head = 64 * 1024;
-  std::ifstream stream(options.file, std::ios::binary);
-  std::string text(head, '\0');
-  stream.read(text.data(), head);
-  text.resize(static_cast<std::size_t>(stream.gcount()));
-  return switches_to_inch(text, setup.dialect());
-}
-
-}  // namespace
-
 void add_program_options(CLI::App& command, ProgramOptions& options) {
   command.add_option("file", options.file, "NC program; - reads standard input")
       ->type_name("FILE")
@@ -75,6 +59,15 @@ void add_setup_options(CLI::App& command, ProgramOptions& options) {
       ->type_name("MM");
   add_language_option(command, options.language);
   add_service_options(command, options.service);
+}
+
+void add_loudness_options(CLI::App& command, Loudness& loudness) {
+  auto* quiet = command.add_flag("-q,--quiet", loudness.quiet,
+                                 "Errors alone: no warnings, no progress, no line of summary");
+  command
+      .add_flag("-v,--verbose", loudness.verbose,
+                "Also what was taken: dialect, unit, setup, tools, service; and times")
+      ->excludes(quiet);
 }
 
 Language language_for(const std::string& option) {
@@ -133,6 +126,17 @@ bool setup_of(const ProgramOptions& options, v1::ProgramSetup& setup) {
   while (!name.empty() && utf8_character(name) == 0) name.erase(0, 1);
   setup.set_file_name(name);
   return true;
+}
+
+bool counts_in_inch(const ProgramOptions& options, const v1::ProgramSetup& setup) {
+  if (setup.unit() == v1::LENGTH_UNIT_INCH) return true;
+  if (!std::filesystem::is_regular_file(options.file)) return false;
+  constexpr std::size_t head = 64 * 1024;
+  std::ifstream stream(options.file, std::ios::binary);
+  std::string text(head, '\0');
+  stream.read(text.data(), head);
+  text.resize(static_cast<std::size_t>(stream.gcount()));
+  return switches_to_inch(text, setup.dialect());
 }
 
 void report_clearance(v1::ProgramSetup& setup) {

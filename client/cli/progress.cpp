@@ -6,8 +6,9 @@
 
 namespace trc::cli {
 
-Progress::Progress(bool result_on_screen)
-    : enabled_(isatty(STDERR_FILENO) == 1 && !(result_on_screen && isatty(STDOUT_FILENO) == 1)) {}
+Progress::Progress(bool result_on_screen, bool quiet)
+    : enabled_(!quiet && isatty(STDERR_FILENO) == 1 &&
+               !(result_on_screen && isatty(STDOUT_FILENO) == 1)) {}
 
 void Progress::update(std::uint64_t bytes_read) {
   if (!enabled_) return;

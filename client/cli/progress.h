@@ -6,11 +6,11 @@
 namespace trc::cli {
 
 // A line on the terminal that says how far the work is, once it takes longer
-// than a second. Nothing when standard error is no terminal, or when the result
-// itself is printed there.
+// than a second. Nothing when standard error is no terminal, when the result
+// itself is printed there, or when nothing but errors is wanted.
 class Progress {
  public:
-  explicit Progress(bool result_on_screen);
+  explicit Progress(bool result_on_screen, bool quiet = false);
   ~Progress() { clear(); }
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;

@@ -233,6 +233,60 @@ TEST(Compensate, IsInColourOnATerminalOnly) {
   EXPECT_EQ(trc({"compensate", folder.path("part.nc")}).err.find('\x1b'), std::string::npos);
 }
 
+TEST(Summary, IsALineOnATerminal) {
+  const Folder folder;
+  const std::string call =
+      "compensate " + folder.write("part.nc", demo) + " -o " + folder.path("out.nc");
+  const std::regex line(R"(^\d+ blocks, clearance 10\.000 mm at N\d+, \d+\.\d\d s\r\n$)");
+  const std::string said = on_a_terminal(call, "TERM=xterm");
+  EXPECT_TRUE(std::regex_match(said, line)) << said;
+  const std::regex german(R"(^\d+ Sätze, Abstand 10\.000 mm bei N\d+, \d+\.\d\d s\r\n$)");
+  const std::string told = on_a_terminal(call + " --lang de", "TERM=xterm");
+  EXPECT_TRUE(std::regex_match(told, german)) << told;
+  // A script reads what is not for a terminal, and asked for nothing.
+  EXPECT_EQ(on_a_terminal(call + " --quiet", "TERM=xterm"), "");
+  EXPECT_EQ(trc({"compensate", folder.path("part.nc"), "-o", folder.path("out.nc")}).err, "");
+  // Of what was refused there is nothing to sum up.
+  folder.write("part.nc", violating);
+  const std::string refused = on_a_terminal(call, "TERM=xterm");
+  EXPECT_FALSE(std::regex_search(refused, std::regex(R"(\d+\.\d\d s\r\n$)"))) << refused;
+}
+
+TEST(Quiet, TellsErrorsAlone) {
+  const std::string warned = "#TRC [STRETCH_FACTOR=30]\nG01 X1 F100\nM30\n";
+  EXPECT_NE(trc({"compensate", "-"}, warned).err.find("warning 22007"), std::string::npos);
+  for (const char* command : {"compensate", "verify"}) {
+    const Ended ended = trc({command, "-", "-q"}, warned);
+    EXPECT_EQ(ended.code, 0);
+    EXPECT_EQ(ended.err, "") << command;
+  }
+  const Ended refused = trc({"compensate", "-", "-q"}, violating);
+  EXPECT_EQ(refused.code, 1);
+  EXPECT_NE(refused.err.find("error 90019"), std::string::npos) << refused.err;
+  EXPECT_EQ(trc({"compensate", "-", "-q", "-v"}, demo).code, 2);
+}
+
+TEST(Verbose, TellsWhatWasTakenAndHowLongItTook) {
+  const Ended ended = trc({"compensate", "-", "-v", "--dialect", "isg", "--unit", "inch", "--set",
+                           "tools=1:5,2:3.5:-0.02", "--set", "transition=G26"},
+                          demo);
+  EXPECT_EQ(ended.code, 0);
+  EXPECT_EQ(ended.out, trc({"compensate", "-", "--unit", "inch"}, demo).out);
+  for (const char* said :
+       {"<stdin>: dialect isg, lengths in inch until the program says\n",
+        "<stdin>: setup: transition=circular verify=report\n",
+        "<stdin>: tools: 1: radius 5.000 mm; 2: radius 3.500 mm, wear -0.020 mm\n",
+        "<stdin>: service: this process, trc ", "<stdin>: 12 lines, ", " 1 approach",
+        "blocks of the path measured against", "<stdin>: time ", " inch at N"})
+    EXPECT_NE(ended.err.find(said), std::string::npos) << said << '\n' << ended.err;
+  for (const char* command : {"verify", "radii"}) {
+    const Ended other = trc({command, "-", "-v"}, demo);
+    EXPECT_EQ(other.code, 0) << command;
+    EXPECT_NE(other.err.find("<stdin>: dialect isg, lengths in mm"), std::string::npos)
+        << other.err;
+  }
+}
+
 // What is proposed is text that can be put in: from "… in mm: " on, one line of the program between
 // two commas, with G41 where it says so.
 std::string program_with(const std::string& proposal) {

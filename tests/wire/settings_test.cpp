@@ -25,6 +25,26 @@ TEST(Settings, TakeNumbersAndSwitches) {
   EXPECT_EQ(setup.path().max_passive_blocks(), 7u);
 }
 
+TEST(Settings, AreWrittenAsTheyAreRead) {
+  const std::vector<std::string> assignments{
+      "plane=zx",
+      "start_position=1,-2.5,0",
+      "tool_radius=4.98",
+      "transition=circular",
+      "options.stretch_factor=2.5",
+      "implicit_contour_masking=false",
+      "axis_names=A,C",
+      "max_passive_blocks=7",
+      "verify=enforce",
+      "leads=blocks:2,1",
+      "tools=1:5,2:3.5:-0.02",
+  };
+  v1::ProgramSetup setup;
+  for (const std::string& assignment : assignments) EXPECT_EQ(apply_setting(assignment, setup), "");
+  EXPECT_EQ(assignments_of(setup), assignments);
+  EXPECT_TRUE(assignments_of({}).empty());
+}
+
 TEST(Settings, TakeLeads) {
   const v1::Leads leads = set({"leads=blocks:2,1"}).path().leads();
   EXPECT_EQ(leads.find(), v1::Leads::FIND_BLOCKS);
