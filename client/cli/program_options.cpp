@@ -1,5 +1,6 @@
 #include "client/cli/program_options.h"
 
+#include <cmath>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -9,10 +10,29 @@
 #include "client/cli/tool_file.h"
 #include "core/nc/dialect/dialect.h"
 #include "core/nc/text/characters.h"
+#include "core/nc/text/number_format.h"
+#include "proto/wire/setting_meanings.h"
 #include "proto/wire/settings.h"
 #include "proto/wire/setup.h"
 
 namespace trc::cli {
+namespace {
+
+std::string shortest(double number) {
+  std::string text;
+  append_units(text, to_units(number, 6), 6);
+  return text;
+}
+
+// " in mm, -5 to 5"
+std::string unit_and_range(const wire::SettingMeaning& about) {
+  std::string text = about.unit.empty() ? "" : " in " + std::string(about.unit);
+  if (!std::isfinite(about.least)) return text;
+  return text + ", " + shortest(about.least) +
+         (about.most > about.least ? " to " + shortest(about.most) : " alone");
+}
+
+}  // namespace
 
 void add_program_options(CLI::App& command, ProgramOptions& options) {
   command.add_option("file", options.file, "NC program; - reads standard input")
@@ -80,6 +100,10 @@ Language language_for(const std::string& option) {
   return Language::english;
 }
 
+Language language_of(const v1::ProgramSetup& setup) {
+  return language_of_tag(setup.path().language()).value_or(Language::english);
+}
+
 void add_language_option(CLI::App& command, std::string& language) {
   command
       .add_option("--lang", language,
@@ -145,9 +169,13 @@ void report_clearance(v1::ProgramSetup& setup) {
 }
 
 std::string settings_help() {
-  std::string text = "Settings (--set KEY=VALUE):\n";
-  for (const wire::SettingRow& row : wire::settings())
-    text += "  " + row.key + ": " + row.values + "\n";
+  std::string text = "Settings (--set KEY=VALUE), with what they are without it:\n";
+  for (const wire::SettingRow& row : wire::settings()) {
+    const wire::SettingMeaning& about = wire::meaning_of(row.key);
+    text += "  " + row.key + ": " + row.values + unit_and_range(about) + "; " +
+            (about.initial.empty() ? "none" : std::string(about.initial)) + "\n      " +
+            std::string(about.meaning) + "\n";
+  }
   text += "The last part of a key will do where no other key ends in it: stretch_factor=2.";
   return text;
 }

@@ -40,6 +40,8 @@ bool setup_of(const ProgramOptions& options, v1::ProgramSetup& setup);
 // What --lang names, else what the environment does (LC_ALL, LC_MESSAGES, LANG, the first that is
 // set); English where neither is a language of ours.
 [[nodiscard]] Language language_for(const std::string& option);
+// That of the setup, English where it names none.
+[[nodiscard]] Language language_of(const v1::ProgramSetup& setup);
 // Adds --lang.
 void add_language_option(CLI::App& command, std::string& language);
 

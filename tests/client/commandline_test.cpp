@@ -1130,6 +1130,19 @@ TEST(Completion, CompletesInBash) {
   EXPECT_EQ(completed("trc completion fi", 2), "fish\n");
 }
 
+TEST(Help, SaysOfSettingsWhatTheyAre) {
+  const std::string help = trc({"compensate", "--help"}).out;
+  for (const char* said :
+       {"\n  tool_radius: a number in mm, -214748.3647 to 214748.3647; none\n      the size of the "
+        "tool; negative:",
+        "\n  options.stretch_factor: a number, 1 to 9; 1\n      longest stretch of a block, in "
+        "tool",
+        "\n  options.tangential_limit: a number in degrees, 0.1 to 3; 3\n",
+        "\n  options.online: a whole number, 0 alone; 0\n",
+        "\n  transition: linear (G25), circular (G26); linear\n      what is inserted at outside"})
+    EXPECT_NE(help.find(said), std::string::npos) << said;
+}
+
 TEST(Help, NamesEverySubcommand) {
   const Ended help = trc({"--help"});
   EXPECT_EQ(help.code, 0);
