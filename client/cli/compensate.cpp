@@ -106,10 +106,8 @@ void tell_done(const Call& call, const Job& job, const Input& input, double seco
   if (!job.summary || loudness.quiet) return;
   if (loudness.verbose) std::cerr << text_of_done(input.name(), *job.summary, seconds);
   if (!loudness.verbose && isatty(STDERR_FILENO) != 1) return;
-  const Language language =
-      language_of_tag(job.setup.path().language()).value_or(Language::english);
   std::cerr << summary_line(job.summary->path, counts_in_inch(call.program, job.setup), seconds,
-                            language)
+                            language_of(job.setup))
             << '\n';
 }
 
@@ -132,7 +130,7 @@ Exit run(const Call& call) {
     if (const Exit exit = tell_taken(input.name(), setup, call.program.service); exit != Exit::done)
       return exit;
   const auto began = std::chrono::steady_clock::now();
-  Progress progress(output.is_standard_output(), loudness.quiet);
+  Progress progress(output.is_standard_output() && !as_nc, loudness.quiet, language_of(setup));
   Reporter reporter(input, setup, progress, loudness.quiet);
   Job job{.service = call.program.service,
           .setup = setup,

@@ -47,7 +47,7 @@ ProgramPaths read_paths(const ProgramOptions& options, v1::ProgramSetup setup, I
     if (paths.exit != Exit::done) return paths;
   }
   const auto began = std::chrono::steady_clock::now();
-  Progress progress(false, options.loudness.quiet);
+  Progress progress(false, options.loudness.quiet, language_of(setup));
   Reporter reporter(input, setup, progress, options.loudness.quiet);
   const Outcome outcome =
       compensate_program(options.service, setup, input, reporter, [&](const Answer& answer) {

@@ -125,7 +125,7 @@ Exit run(const Call& call) {
     const Exit exit = tell_taken(input.name(), setup.program(), call.program.service);
     if (exit != Exit::done) return exit;
   }
-  Progress progress(false, loudness.quiet);
+  Progress progress(false, loudness.quiet, language_of(setup.program()));
   Reporter reporter(input, setup.program(), progress, loudness.quiet);
   std::string text;
   for (std::string_view piece = input.read(); !piece.empty(); piece = input.read()) text += piece;

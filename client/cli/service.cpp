@@ -122,7 +122,7 @@ Outcome compensate_program(const ServiceOptions& options, const v1::ProgramSetup
   Answers answers([&](Answer& answer) {
     answered = true;
     reporter.report(answer.diagnostics);
-    progress.update(bytes);
+    progress.read(bytes, input.size());
     return sink(answer);
   });
 
@@ -132,10 +132,11 @@ Outcome compensate_program(const ServiceOptions& options, const v1::ProgramSetup
     if (text.empty()) break;
     bytes += text.size();
     open = session.feed(text, answers);
-    progress.update(bytes);
+    progress.read(bytes, input.size());
   }
   // Half a program must not look like a whole one.
   if (input.failed()) return {.exit = Exit::wrong_call};
+  progress.read(bytes, bytes);
   const bool done = open && session.finish(answers);
   reporter.finish();
   if (done) return {.exit = Exit::done, .summary = session.summary()};

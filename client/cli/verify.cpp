@@ -91,7 +91,7 @@ Exit check_record(const Call& call) {
   if (loudness.verbose)
     if (const Exit exit = tell_taken(input.name(), job.setup, job.service); exit != Exit::done)
       return exit;
-  Progress progress(false, loudness.quiet);
+  Progress progress(false, loudness.quiet, language_of(job.setup));
   Reporter reporter(input, job.setup, progress, loudness.quiet);
   const Exit exit = do_job(job, input, reporter, [](const std::string&) { return true; });
   if (exit != Exit::done && exit != Exit::refused) return exit;
@@ -120,8 +120,13 @@ Exit run(const ProgramOptions& options) {
   if (paths.exit != Exit::done) return paths.exit;
 
   const double allowed = Tolerances{}.on_contour;
-  const verify::ClearanceReport report =
-      verify::measure_clearance(paths.programmed, paths.compensated, allowed, paths.leads);
+  Progress progress(false, options.loudness.quiet, language_of(setup));
+  const verify::ClearanceReport report = verify::measure_clearance(
+      paths.programmed, paths.compensated,
+      {.allowed = allowed,
+       .leads = paths.leads,
+       .progress = [&](std::size_t done, std::size_t all) { progress.measured(done, all); }});
+  progress.clear();
   if (!report.worst) {
     std::cout << "nothing to verify: no compensated contour\n";
     return Exit::done;
