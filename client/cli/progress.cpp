@@ -81,16 +81,8 @@ void Progress::update(Advance advance) {
   if (now < next_) return;
   next_ = now + between;
   advance.seconds = std::chrono::duration<double>(now - part_began_).count();
-  show(text_of(advance, language_));
-}
-
-void Progress::wait(const std::string& reason) {
-  if (enabled_) show(reason);
-}
-
-void Progress::show(const std::string& text) {
   shown_ = true;
-  std::fprintf(stderr, "\r%s\x1b[K", text.c_str());
+  std::fprintf(stderr, "\r%s\x1b[K", text_of(advance, language_).c_str());
   std::fflush(stderr);
 }
 

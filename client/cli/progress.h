@@ -40,14 +40,11 @@ class Progress {
   // `whole`: 0 where it is not known.
   void read(std::uint64_t bytes, std::uint64_t whole);
   void measured(std::uint64_t blocks, std::uint64_t whole);
-  // Says why nothing goes on, at once.
-  void wait(const std::string& reason);
   // Takes the line away, so that another can be written.
   void clear();
 
  private:
   void update(Advance advance);
-  void show(const std::string& text);
 
   bool enabled_;
   Language language_;

@@ -42,6 +42,7 @@ class Reporter {
 
   // Whether an error was among them.
   [[nodiscard]] bool refused() const { return refused_; }
+  [[nodiscard]] bool is_quiet() const { return quiet_; }
   [[nodiscard]] Progress& progress() { return progress_; }
 
  private:
