@@ -14,7 +14,6 @@
 namespace trc::wire {
 namespace {
 
-constexpr double any_number = SettingMeaning::unbounded;
 constexpr double largest_length = Tolerances{}.largest_coordinate;
 constexpr double largest_radius = ToolInForce::largest_tool_radius;
 constexpr double largest_count = std::numeric_limits<std::uint32_t>::max();
@@ -118,14 +117,13 @@ const std::map<std::string, SettingMeaning, std::less<>>& option_rows() {
       const bool is_switch = keyword.smallest == 0 && keyword.largest == 1;
       const auto whole = static_cast<int>(keyword.initial);
       initials.push_back(is_switch ? (whole != 0 ? "true" : "false") : std::to_string(whole));
-      found.emplace((of_split ? "options.split." : "options.") + name,
-                    SettingMeaning{.meaning = keyword.meaning,
-                                   .unit = keyword.unit,
-                                   .initial = initials.back(),
-                                   .least = is_switch ? -any_number : keyword.smallest,
-                                   .most = is_switch           ? any_number
-                                           : keyword.available ? keyword.largest
-                                                               : keyword.initial});
+      SettingMeaning row{
+          .meaning = keyword.meaning, .unit = keyword.unit, .initial = initials.back()};
+      if (!is_switch) {
+        row.least = keyword.smallest;
+        row.most = keyword.available ? keyword.largest : keyword.initial;
+      }
+      found.emplace((of_split ? "options.split." : "options.") + name, row);
     }
     return found;
   }();
