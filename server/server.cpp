@@ -69,14 +69,7 @@ Server::Start Server::start(const Config& settings) {
 
 std::unique_ptr<Server> Server::start_in_process(const Config& settings) {
   Config config = settings;
-  // Who serves only himself may use most of the memory.
-  const std::uint64_t memory = memory_limit_bytes();
-  constexpr std::uint64_t plenty = std::uint64_t{1} << 30U;
-  if (config.max_session_memory_mib == 0 && memory > plenty) {
-    config.max_session_memory_mib = static_cast<std::uint32_t>((memory >> 20U) / 8 * 5);
-    config.max_memory_per_peer_mib = config.max_session_memory_mib;
-  }
-  if (fill_in_limits(config, memory)) return nullptr;
+  if (fill_in_own_limits(config, memory_limit_bytes())) return nullptr;
   std::unique_ptr<Server> server(new Server(config, resume_key({}).key));
   return server->open(false).empty() ? std::move(server) : nullptr;
 }

@@ -1,3 +1,6 @@
+#include <unistd.h>
+
+#include <chrono>
 #include <iostream>
 #include <memory>
 #include <set>
@@ -14,6 +17,8 @@
 #include "client/cli/reporter.h"
 #include "client/cli/result_text.h"
 #include "client/cli/service.h"
+#include "client/cli/summary_line.h"
+#include "client/cli/verbose_text.h"
 #include "core/nc/dialect/dialect.h"
 #include "core/session/conversion.h"
 #include "proto/wire/setup.h"
@@ -95,6 +100,17 @@ Exit write_converted(const Call& call, const v1::ProgramSetup& setup, const std:
   return output.write(converted.text) && output.commit() ? Exit::done : Exit::wrong_call;
 }
 
+// On standard error, behind all that came out: to somebody who looks, or who asked for it.
+void tell_done(const Call& call, const Job& job, const Input& input, double seconds) {
+  const Loudness& loudness = call.program.loudness;
+  if (!job.summary || loudness.quiet) return;
+  if (loudness.verbose) std::cerr << text_of_done(input.name(), *job.summary, seconds);
+  if (!loudness.verbose && isatty(STDERR_FILENO) != 1) return;
+  std::cerr << summary_line(job.summary->path, counts_in_inch(call.program, job.setup), seconds,
+                            language_of(job.setup))
+            << '\n';
+}
+
 Exit run(const Call& call) {
   v1::ProgramSetup setup;
   if (!setup_for(call, setup)) return Exit::wrong_call;
@@ -109,8 +125,13 @@ Exit run(const Call& call) {
   Input input(call.program.file);
   Output output(call.output, as_nc ? Output::OnScreen::with_commit : Output::OnScreen::at_once);
   if (!input.open() || !output.open()) return Exit::wrong_call;
-  Progress progress(output.is_standard_output());
-  Reporter reporter(input, setup, progress);
+  const Loudness& loudness = call.program.loudness;
+  if (loudness.verbose)
+    if (const Exit exit = tell_taken(input.name(), setup, call.program.service); exit != Exit::done)
+      return exit;
+  const auto began = std::chrono::steady_clock::now();
+  Progress progress(output.is_standard_output() && !as_nc, loudness.quiet, language_of(setup));
+  Reporter reporter(input, setup, progress, loudness.quiet);
   Job job{.service = call.program.service,
           .setup = setup,
           .format = call.format,
@@ -123,12 +144,18 @@ Exit run(const Call& call) {
     whole += text;
     return true;
   });
-  if (!call.to.empty())
-    return exit == Exit::done ? write_converted(call, setup, whole, output) : exit;
+  const double seconds =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
+  if (!call.to.empty()) {
+    const Exit written = exit == Exit::done ? write_converted(call, setup, whole, output) : exit;
+    if (written == Exit::done) tell_done(call, job, input, seconds);
+    return written;
+  }
   // Half a program must not look like a whole one. Listings and JSON lines of what was certain
   // before a refusal are shown on the screen: no control runs them.
   const bool keep = exit == Exit::done || (output.is_standard_output() && !as_nc);
   if (keep && !output.commit()) return Exit::wrong_call;
+  tell_done(call, job, input, seconds);
   if (call.record.empty() || (exit != Exit::done && exit != Exit::refused)) return exit;
   Output record(call.record);
   return record.open() && record.write(text_of(job.record)) && record.commit() ? exit
@@ -145,6 +172,7 @@ void add_compensate(CLI::App& app, Action& action) {
       command->add_option("file", call->files, "NC program, or several; - reads standard input");
   files->type_name("FILE...")->required();
   add_setup_options(*command, call->program);
+  add_loudness_options(*command, call->program.loudness);
   command
       ->add_option("--format", call->format,
                    "nc: NC program, jsonl: one JSON object per block, listing: one line per block")

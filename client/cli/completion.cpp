@@ -93,9 +93,9 @@ std::string for_bash(const CLI::App& app) {
          "  local word=${COMP_WORDS[COMP_CWORD]} command=${COMP_WORDS[1]} words=\n"
          "  COMPREPLY=()\n"
          "  if [ \"$COMP_CWORD\" -eq 1 ]; then\n"
-         "    COMPREPLY=($(compgen -W " +
+         "    mapfile -t COMPREPLY < <(compgen -W " +
          quoted(names_of(commands_of(app)) + " --help --version") +
-         " -- \"$word\"))\n"
+         " -- \"$word\")\n"
          "    return\n"
          "  fi\n"
          "  case $command:${COMP_WORDS[COMP_CWORD - 1]} in\n" +
@@ -110,7 +110,7 @@ std::string for_bash(const CLI::App& app) {
          "    esac ;;\n"
          "    esac ;;\n"
          "  esac\n"
-         "  [ -z \"$words\" ] || COMPREPLY=($(compgen -W \"$words\" -- \"$word\"))\n"
+         "  [ -z \"$words\" ] || mapfile -t COMPREPLY < <(compgen -W \"$words\" -- \"$word\")\n"
          "}\n"
          "complete -F _trc trc\n";
 }

@@ -11,6 +11,7 @@
 #include "client/cli/program_options.h"
 #include "core/base/diagnostic.h"
 #include "core/base/explanation.h"
+#include "core/base/german_explanation.h"
 
 namespace trc::cli {
 namespace {
@@ -76,11 +77,24 @@ void print_list(Language language) {
                       "it.\n");
 }
 
+// What an explanation says in one language.
+struct Words {
+  std::string_view meaning;
+  std::array<std::string_view, 3> causes{};
+  std::string_view no_example;
+};
+Words words_of(const Explanation& explanation, Language language) {
+  const GermanExplanation* german =
+      language == Language::german ? german_explanation_of(explanation.code) : nullptr;
+  return german == nullptr ? Words{explanation.meaning, explanation.causes, explanation.no_example}
+                           : Words{german->meaning, german->causes, german->no_example};
+}
+
 void print_example(std::string_view code, const Explanation& explanation, Language language) {
   const bool german = language == Language::german;
   if (explanation.example.empty()) {
     std::cout << (german ? "\nKein Beispiel. " : "\nThere is no example. ")
-              << folded(explanation.no_example, 0) << '\n';
+              << folded(words_of(explanation, language).no_example, 0) << '\n';
     return;
   }
   std::cout << (german ? "\nBeispiel" : "\nExample") << ": trc explain " << code
@@ -96,19 +110,18 @@ void print_example(std::string_view code, const Explanation& explanation, Langua
   }
 }
 
-// Meaning and causes are in English alone.
 void print(const CodeRow& row, const Explanation& explanation, Language language) {
   const bool german = language == Language::german;
   const std::string code = std::to_string(static_cast<int>(row.code));
   const std::string_view own = help_on_command_line(row.code, language);
   const std::string help = own.empty() ? help_of({.code = row.code}, language) : std::string(own);
+  const Words words = words_of(explanation, language);
   std::cout << word_for(row.severity, language) << ' ' << code << ' ' << row.reason << '\n'
-            << folded(title_of(row.code, language), 0) << "\n\n";
-  if (german) std::cout << "Was hilft:\n  - " << folded(help, 4) << "\n\nAuf Englisch:\n";
-  std::cout << folded(explanation.meaning, 0) << "\n\nCauses:\n";
-  for (const std::string_view cause : explanation.causes)
+            << folded(title_of(row.code, language), 0) << "\n\n"
+            << folded(words.meaning, 0) << (german ? "\n\nUrsachen:\n" : "\n\nCauses:\n");
+  for (const std::string_view cause : words.causes)
     if (!cause.empty()) std::cout << "  - " << folded(cause, 4) << '\n';
-  if (!german) std::cout << "\nWhat helps:\n  - " << folded(help, 4) << '\n';
+  std::cout << (german ? "\nWas hilft:\n  - " : "\nWhat helps:\n  - ") << folded(help, 4) << '\n';
   print_example(code, explanation, language);
 }
 
@@ -129,8 +142,8 @@ Exit run(const Call& call) {
     return Exit::done;
   }
   if (explanation->example.empty()) {
-    std::cerr << "trc: there is no example of " << call.code << ". " << explanation->no_example
-              << '\n';
+    std::cerr << "trc: there is no example of " << call.code << ". "
+              << words_of(*explanation, language).no_example << '\n';
     return Exit::wrong_call;
   }
   std::cout << explanation->example;

@@ -65,7 +65,12 @@ Input::~Input() {
 
 bool Input::open() {
   descriptor_ = path_ == "-" ? STDIN_FILENO : ::open(path_.c_str(), O_RDONLY | O_CLOEXEC);
-  if (descriptor_ >= 0) return true;
+  struct stat about {};
+  if (descriptor_ >= 0) {
+    if (::fstat(descriptor_, &about) == 0 && S_ISREG(about.st_mode))
+      size_ = static_cast<std::uint64_t>(about.st_size);
+    return true;
+  }
   std::cerr << "trc: cannot read " << name_ << ": " << std::strerror(errno) << '\n';
   return false;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <string>
 #include <string_view>
@@ -24,6 +25,8 @@ class Input {
   void watch(std::function<void(std::string_view)> watcher) {
     watchers_.push_back(std::move(watcher));
   }
+  // In bytes; 0: not known, as of what comes through a pipe.
+  [[nodiscard]] std::uint64_t size() const { return size_; }
   // Whether reading broke off before the end.
   [[nodiscard]] bool failed() const { return failed_; }
 
@@ -36,6 +39,7 @@ class Input {
   std::string path_;
   std::string name_;
   int descriptor_ = -1;
+  std::uint64_t size_ = 0;
   bool failed_ = false;
   std::string buffer_;
   std::vector<std::function<void(std::string_view)>> watchers_;

@@ -42,6 +42,7 @@ Exit do_job(Job& job, Input& input, Reporter& reporter, const TextSink& sink) {
         }
         return sink(text);
       });
+  job.summary = outcome.summary;
   if (outcome.summary) {
     to_proto(*outcome.summary, *record.mutable_summary());
     if (!sink(result.of(outcome.summary->path))) return Exit::wrong_call;

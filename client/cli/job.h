@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 
 #include "client/cli/command.h"
@@ -16,11 +17,12 @@ namespace trc::cli {
 struct Job {
   ServiceOptions service{};
   v1::ProgramSetup setup{};
-  std::string format = "nc";  // as --format
-  std::string input_name{};   // for the record
-  std::string output_name{};  // likewise
-  bool recorded = false;      // the record is wanted
-  v1::JobRecord record{};     // whole where the program was compensated or refused
+  std::string format = "nc";                      // as --format
+  std::string input_name{};                       // for the record
+  std::string output_name{};                      // likewise
+  bool recorded = false;                          // the record is wanted
+  std::optional<wire::ProgramSummary> summary{};  // of one that was compensated
+  v1::JobRecord record{};  // whole where the program was compensated or refused
 };
 
 // Takes a piece of the result. False: no more is wanted.

@@ -86,7 +86,7 @@ Exit run(const Call& call) {
 
   std::string text;
   if (as_page) input.watch([&](std::string_view piece) { text += piece; });
-  const ProgramPaths paths = read_paths(call.program.service, setup, input);
+  const ProgramPaths paths = read_paths(call.program, setup, input);
   if (paths.exit != Exit::done && paths.exit != Exit::refused) return paths.exit;
   std::vector<Diagnostic> told;
   for (const Diagnostic& found : paths.diagnostics) told.push_back(for_command_line(found));
@@ -116,6 +116,7 @@ void add_plot(CLI::App& app, Action& action) {
       "plot", "Draw the programmed contour (black) and the compensated path (blue)");
   auto call = std::make_shared<Call>();
   add_program_options(*command, call->program);
+  add_loudness_options(*command, call->program.loudness);
   command->add_option("-o,--output", call->output, "Picture to write, .svg or .html; - is SVG")
       ->type_name("OUT.svg|OUT.html")
       ->required();

@@ -1,5 +1,6 @@
 #include "client/cli/program_options.h"
 
+#include <cmath>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -9,23 +10,26 @@
 #include "client/cli/tool_file.h"
 #include "core/nc/dialect/dialect.h"
 #include "core/nc/text/characters.h"
+#include "core/nc/text/number_format.h"
+#include "proto/wire/setting_meanings.h"
 #include "proto/wire/settings.h"
 #include "proto/wire/setup.h"
 
 namespace trc::cli {
-
 namespace {
 
-// By the option, or by what the file itself says.
-bool counts_in_inch(const ProgramOptions& options, const v1::ProgramSetup& setup) {
-  if (setup.unit() == v1::LENGTH_UNIT_INCH) return true;
-  if (!std::filesystem::is_regular_file(options.file)) return false;
-  constexpr std::size_t head = 64 * 1024;
-  std::ifstream stream(options.file, std::ios::binary);
-  std::string text(head, '\0');
-  stream.read(text.data(), head);
-  text.resize(static_cast<std::size_t>(stream.gcount()));
-  return switches_to_inch(text, setup.dialect());
+std::string shortest(double number) {
+  std::string text;
+  append_units(text, to_units(number, 6), 6);
+  return text;
+}
+
+// " in mm, -5 to 5"
+std::string unit_and_range(const wire::SettingMeaning& about) {
+  std::string text = about.unit.empty() ? "" : " in " + std::string(about.unit);
+  if (!std::isfinite(about.least)) return text;
+  return text + ", " + shortest(about.least) +
+         (about.most > about.least ? " to " + shortest(about.most) : " alone");
 }
 
 }  // namespace
@@ -77,6 +81,15 @@ void add_setup_options(CLI::App& command, ProgramOptions& options) {
   add_service_options(command, options.service);
 }
 
+void add_loudness_options(CLI::App& command, Loudness& loudness) {
+  auto* quiet = command.add_flag("-q,--quiet", loudness.quiet,
+                                 "Errors alone: no warnings, no progress, no line of summary");
+  command
+      .add_flag("-v,--verbose", loudness.verbose,
+                "Also what was taken: dialect, unit, setup, tools, service; and times")
+      ->excludes(quiet);
+}
+
 Language language_for(const std::string& option) {
   if (!option.empty()) return language_of_tag(option).value_or(Language::english);
   for (const char* name : {"LC_ALL", "LC_MESSAGES", "LANG"}) {
@@ -85,6 +98,10 @@ Language language_for(const std::string& option) {
       return language_of_tag(value).value_or(Language::english);
   }
   return Language::english;
+}
+
+Language language_of(const v1::ProgramSetup& setup) {
+  return language_of_tag(setup.path().language()).value_or(Language::english);
 }
 
 void add_language_option(CLI::App& command, std::string& language) {
@@ -135,15 +152,30 @@ bool setup_of(const ProgramOptions& options, v1::ProgramSetup& setup) {
   return true;
 }
 
+bool counts_in_inch(const ProgramOptions& options, const v1::ProgramSetup& setup) {
+  if (setup.unit() == v1::LENGTH_UNIT_INCH) return true;
+  if (!std::filesystem::is_regular_file(options.file)) return false;
+  constexpr std::size_t head = 64 * 1024;
+  std::ifstream stream(options.file, std::ios::binary);
+  std::string text(head, '\0');
+  stream.read(text.data(), head);
+  text.resize(static_cast<std::size_t>(stream.gcount()));
+  return switches_to_inch(text, setup.dialect());
+}
+
 void report_clearance(v1::ProgramSetup& setup) {
   if (setup.path().verify() == v1::VERIFICATION_UNSPECIFIED)
     setup.mutable_path()->set_verify(v1::VERIFICATION_REPORT);
 }
 
 std::string settings_help() {
-  std::string text = "Settings (--set KEY=VALUE):\n";
-  for (const wire::SettingRow& row : wire::settings())
-    text += "  " + row.key + ": " + row.values + "\n";
+  std::string text = "Settings (--set KEY=VALUE), with what they are without it:\n";
+  for (const wire::SettingRow& row : wire::settings()) {
+    const wire::SettingMeaning& about = wire::meaning_of(row.key);
+    text += "  " + row.key + ": " + row.values + unit_and_range(about) + "; " +
+            (about.initial.empty() ? "none" : std::string(about.initial)) + "\n      " +
+            std::string(about.meaning) + "\n";
+  }
   text += "The last part of a key will do where no other key ends in it: stretch_factor=2.";
   return text;
 }

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "client/cli/loudness.h"
 #include "client/cli/service.h"
 #include "core/base/language.h"
 #include "trc/v1/setup.pb.h"
@@ -22,11 +23,15 @@ struct ProgramOptions {
   std::optional<double> wear{};            // mm
   std::string unknown_words{};             // empty: refuse
   std::string language{};                  // empty: that of the environment
+  Loudness loudness{};
   ServiceOptions service{};
 };
 void add_program_options(CLI::App& command, ProgramOptions& options);
 // The same but for the file.
 void add_setup_options(CLI::App& command, ProgramOptions& options);
+
+// Adds -q and -v.
+void add_loudness_options(CLI::App& command, Loudness& loudness);
 
 // The setup the options describe. Says on standard error what is wrong with them
 // and returns false then.
@@ -35,11 +40,17 @@ bool setup_of(const ProgramOptions& options, v1::ProgramSetup& setup);
 // What --lang names, else what the environment does (LC_ALL, LC_MESSAGES, LANG, the first that is
 // set); English where neither is a language of ours.
 [[nodiscard]] Language language_for(const std::string& option);
+// That of the setup, English where it names none.
+[[nodiscard]] Language language_of(const v1::ProgramSetup& setup);
 // Adds --lang.
 void add_language_option(CLI::App& command, std::string& language);
 
 // Measures the path, unless the setup says whether to: somebody looks at what is told.
 void report_clearance(v1::ProgramSetup& setup);
+
+// Whether the lengths of the program count in inch: by the setup, or by what the head of the file
+// itself says. For what is told, never for reading it.
+[[nodiscard]] bool counts_in_inch(const ProgramOptions& options, const v1::ProgramSetup& setup);
 
 // "Settings (--set): …", for the end of a help text.
 [[nodiscard]] std::string settings_help();

@@ -1,10 +1,13 @@
 #include "client/cli/program_paths.h"
 
+#include <chrono>
+#include <iostream>
 #include <string>
 #include <string_view>
 
 #include "client/cli/progress.h"
 #include "client/cli/reporter.h"
+#include "client/cli/verbose_text.h"
 #include "core/session/contour_reader.h"
 #include "proto/wire/setup.h"
 
@@ -24,7 +27,7 @@ bool is_inch(ContourReader& reader, const std::vector<Block>& blocks) {
 
 }  // namespace
 
-ProgramPaths read_paths(const ServiceOptions& options, v1::ProgramSetup setup, Input& input) {
+ProgramPaths read_paths(const ProgramOptions& options, v1::ProgramSetup setup, Input& input) {
   ProgramPaths paths;
   setup.set_output(v1::PROGRAM_OUTPUT_BLOCKS);
   setup.mutable_path()->set_response_layout(v1::RESPONSE_LAYOUT_COLUMNS);
@@ -39,10 +42,15 @@ ProgramPaths read_paths(const ServiceOptions& options, v1::ProgramSetup setup, I
     if (reader) reader->feed(text);
   });
 
-  Progress progress(false);
-  Reporter reporter(input, setup, progress);
+  if (options.loudness.verbose) {
+    paths.exit = tell_taken(input.name(), setup, options.service);
+    if (paths.exit != Exit::done) return paths;
+  }
+  const auto began = std::chrono::steady_clock::now();
+  Progress progress(false, options.loudness.quiet, language_of(setup));
+  Reporter reporter(input, setup, progress, options.loudness.quiet);
   const Outcome outcome =
-      compensate_program(options, setup, input, reporter, [&](const Answer& answer) {
+      compensate_program(options.service, setup, input, reporter, [&](const Answer& answer) {
         paths.compensated.insert(paths.compensated.end(), answer.blocks.begin(),
                                  answer.blocks.end());
         paths.diagnostics.insert(paths.diagnostics.end(), answer.diagnostics.begin(),
@@ -51,6 +59,10 @@ ProgramPaths read_paths(const ServiceOptions& options, v1::ProgramSetup setup, I
       });
   paths.exit = outcome.exit;
   paths.summary = outcome.summary;
+  if (options.loudness.verbose && outcome.summary)
+    std::cerr << text_of_done(
+        input.name(), *outcome.summary,
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count());
   if (reader) {
     paths.programmed = reader->finish();
     paths.inch = is_inch(*reader, paths.programmed);

@@ -5,7 +5,7 @@
 
 #include "client/cli/command.h"
 #include "client/cli/files.h"
-#include "client/cli/service.h"
+#include "client/cli/program_options.h"
 #include "core/base/diagnostic.h"
 #include "core/nc/state/block.h"
 #include "core/trc/result/compensated_block.h"
@@ -29,7 +29,7 @@ struct ProgramPaths {
   std::optional<wire::ProgramSummary> summary{};  // complete runs only
 };
 
-[[nodiscard]] ProgramPaths read_paths(const ServiceOptions& options, v1::ProgramSetup setup,
+[[nodiscard]] ProgramPaths read_paths(const ProgramOptions& options, v1::ProgramSetup setup,
                                       Input& input);
 
 }  // namespace trc::cli

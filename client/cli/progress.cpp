@@ -2,22 +2,87 @@
 
 #include <unistd.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstdio>
 
+#include "core/nc/text/number_format.h"
+
 namespace trc::cli {
+namespace {
 
-Progress::Progress(bool result_on_screen)
-    : enabled_(isatty(STDERR_FILENO) == 1 && !(result_on_screen && isatty(STDOUT_FILENO) == 1)) {}
+constexpr double bytes_per_mb = 1e6;
+constexpr std::chrono::milliseconds between{200};
 
-void Progress::update(std::uint64_t bytes_read) {
+std::string fixed(double value, int decimals) {
+  std::string text;
+  append_fixed(text, value, decimals);
+  return text;
+}
+
+// Whole minutes from two on: what is left is no more than a guess.
+std::string span(double seconds) {
+  const double whole = std::ceil(seconds);
+  return whole < 120 ? fixed(whole, 0) + " s" : fixed(std::ceil(whole / 60), 0) + " min";
+}
+
+std::string rate(const Advance& advance) {
+  const double each = static_cast<double>(advance.done) / std::max(advance.seconds, 1e-3);
+  return advance.of == Advance::Of::reading ? fixed(each / bytes_per_mb, 1) + " MB/s"
+                                            : fixed(each, 0);
+}
+
+}  // namespace
+
+std::string text_of(const Advance& advance, Language language) {
+  const bool german = language == Language::german;
+  const bool reading = advance.of == Advance::Of::reading;
+  const double done = static_cast<double>(advance.done);
+  if (reading && advance.whole > 0 && advance.done >= advance.whole)
+    return (german ? "alles gelesen, die Bahn entsteht, " : "all read, the path is on its way, ") +
+           span(advance.seconds);
+  std::string text = rate(advance);
+  if (!reading) text += german ? " Sätze/s" : " blocks/s";
+  if (advance.whole == 0)
+    return fixed(done / bytes_per_mb, 1) + (german ? " MB gelesen, " : " MB read, ") + text + ", " +
+           span(advance.seconds);
+  const double whole = static_cast<double>(advance.whole);
+  const char* const verb = reading ? (german ? " % gelesen, " : " % read, ")
+                                   : (german ? " % gemessen, " : " % measured, ");
+  text = fixed(std::floor(100 * done / whole), 0) + verb + text;
+  if (advance.done == 0) return text;
+  const std::string left = span(advance.seconds * (whole - done) / done);
+  return text + (german ? ", noch " + left : ", " + left + " left");
+}
+
+Progress::Progress(bool result_on_screen, bool quiet, Language language, Clock::duration silence)
+    : enabled_(!quiet && isatty(STDERR_FILENO) == 1 &&
+               !(result_on_screen && isatty(STDOUT_FILENO) == 1)),
+      language_(language),
+      next_(part_began_ + silence) {}
+
+void Progress::read(std::uint64_t bytes, std::uint64_t whole) {
+  update({.of = Advance::Of::reading, .done = bytes, .whole = whole});
+}
+
+void Progress::measured(std::uint64_t blocks, std::uint64_t whole) {
+  update({.of = Advance::Of::measuring, .done = blocks, .whole = whole});
+}
+
+void Progress::update(Advance advance) {
   if (!enabled_) return;
   const Clock::time_point now = Clock::now();
+  if (advance.of != of_) {
+    of_ = advance.of;
+    part_began_ = now;
+    // Its rate is not known before.
+    next_ = std::max(next_, now + between);
+  }
   if (now < next_) return;
-  next_ = now + std::chrono::milliseconds(200);
+  next_ = now + between;
+  advance.seconds = std::chrono::duration<double>(now - part_began_).count();
   shown_ = true;
-  const double seconds = std::chrono::duration<double>(now - start_).count();
-  std::fprintf(stderr, "\r%.1f MB read, %.0f s\x1b[K", static_cast<double>(bytes_read) / 1e6,
-               seconds);
+  std::fprintf(stderr, "\r%s\x1b[K", text_of(advance, language_).c_str());
   std::fflush(stderr);
 }
 

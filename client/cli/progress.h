@@ -2,30 +2,56 @@
 
 #include <chrono>
 #include <cstdint>
+#include <string>
+
+#include "core/base/language.h"
 
 namespace trc::cli {
 
+// How far a part of the work is.
+struct Advance {
+  enum class Of : std::uint8_t {
+    reading,    // and compensating; counted in bytes of text
+    measuring,  // counted in blocks of the path
+  };
+  Of of = Of::reading;
+  std::uint64_t done = 0;
+  std::uint64_t whole = 0;  // 0: not known, as of a program that comes through a pipe
+  double seconds = 0;       // since this part began
+};
+
+// "42 % read, 12.3 MB/s, 7 s left"; without the whole "12.3 MB read, 4.1 MB/s, 3 s"; and where all
+// is read "all read, the path is on its way, 12 s".
+[[nodiscard]] std::string text_of(const Advance& advance, Language language);
+
 // A line on the terminal that says how far the work is, once it takes longer
-// than a second. Nothing when standard error is no terminal, or when the result
-// itself is printed there.
+// than a second. Nothing when standard error is no terminal, when the result
+// itself is printed there, or when nothing but errors is wanted.
 class Progress {
  public:
-  explicit Progress(bool result_on_screen);
+  using Clock = std::chrono::steady_clock;
+
+  explicit Progress(bool result_on_screen, bool quiet = false, Language language = {},
+                    Clock::duration silence = std::chrono::seconds(1));
   ~Progress() { clear(); }
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  void update(std::uint64_t bytes_read);
+  // `whole`: 0 where it is not known.
+  void read(std::uint64_t bytes, std::uint64_t whole);
+  void measured(std::uint64_t blocks, std::uint64_t whole);
   // Takes the line away, so that another can be written.
   void clear();
 
  private:
-  using Clock = std::chrono::steady_clock;
+  void update(Advance advance);
 
   bool enabled_;
+  Language language_;
   bool shown_ = false;
-  Clock::time_point start_ = Clock::now();
-  Clock::time_point next_ = start_ + std::chrono::seconds(1);
+  Advance::Of of_ = Advance::Of::reading;
+  Clock::time_point part_began_ = Clock::now();
+  Clock::time_point next_;
 };
 
 }  // namespace trc::cli

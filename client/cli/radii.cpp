@@ -16,6 +16,7 @@
 #include "client/cli/reporter.h"
 #include "client/cli/service.h"
 #include "client/cli/survey_text.h"
+#include "client/cli/verbose_text.h"
 #include "client/plot/survey_svg.h"
 #include "core/survey/reading.h"
 #include "proto/wire/json.h"
@@ -119,8 +120,13 @@ Exit run(const Call& call) {
   }
   Input input(call.program.file);
   if (!input.open()) return Exit::wrong_call;
-  Progress progress(false);
-  Reporter reporter(input, setup.program(), progress);
+  const Loudness& loudness = call.program.loudness;
+  if (loudness.verbose) {
+    const Exit exit = tell_taken(input.name(), setup.program(), call.program.service);
+    if (exit != Exit::done) return exit;
+  }
+  Progress progress(false, loudness.quiet, language_of(setup.program()));
+  Reporter reporter(input, setup.program(), progress, loudness.quiet);
   std::string text;
   for (std::string_view piece = input.read(); !piece.empty(); piece = input.read()) text += piece;
   if (input.failed()) return Exit::wrong_call;
@@ -149,6 +155,7 @@ void add_radii(CLI::App& app, Action& action) {
       "Say what tools of many radii make of a program, and which is the largest that fits");
   auto call = std::make_shared<Call>();
   add_program_options(*command, call->program);
+  add_loudness_options(*command, call->program.loudness);
   command
       ->add_option("--radii", call->radii,
                    "Radii to ask about, mm: 3,5,8 or 3:8:0.5, from, to and step; 64 at most")

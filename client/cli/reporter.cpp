@@ -27,16 +27,18 @@ Diagnostic for_command_line(Diagnostic found) {
   return found;
 }
 
-Reporter::Reporter(Input& input, const v1::ProgramSetup& setup, Progress& progress)
+Reporter::Reporter(Input& input, const v1::ProgramSetup& setup, Progress& progress, bool quiet)
     : input_(input),
       lines_(input),
       writing_(writing_of(setup)),
       in_colour_(colours_wanted()),
+      quiet_(quiet),
       progress_(progress) {}
 
 void Reporter::report(const std::vector<Diagnostic>& diagnostics) {
   for (const Diagnostic& found : diagnostics) {
     refused_ = refused_ || found.severity == Severity::error;
+    if (quiet_ && found.severity != Severity::error) continue;
     const Text text(found.severity, found.code, texts_of(found).message);
     if (const auto like = like_shown_.find(text); like != like_shown_.end()) {
       like->second.add(found);

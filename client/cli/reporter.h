@@ -31,7 +31,8 @@ class Reporter {
   static constexpr std::size_t most_texts = 1000;
 
   // Before anything of the program is read. All three outlive it.
-  Reporter(Input& input, const v1::ProgramSetup& setup, Progress& progress);
+  // `quiet`: errors alone are shown.
+  Reporter(Input& input, const v1::ProgramSetup& setup, Progress& progress, bool quiet = false);
   Reporter(const Reporter&) = delete;
   Reporter& operator=(const Reporter&) = delete;
 
@@ -41,6 +42,7 @@ class Reporter {
 
   // Whether an error was among them.
   [[nodiscard]] bool refused() const { return refused_; }
+  [[nodiscard]] bool is_quiet() const { return quiet_; }
   [[nodiscard]] Progress& progress() { return progress_; }
 
  private:
@@ -53,6 +55,7 @@ class Reporter {
   SourceLines lines_;
   Writing writing_;
   bool in_colour_;
+  bool quiet_;
   Progress& progress_;
   bool refused_ = false;
   std::map<Text, Counted> like_shown_{};

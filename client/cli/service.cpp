@@ -3,13 +3,19 @@
 #include <chrono>
 #include <iostream>
 #include <memory>
+#include <set>
+#include <sstream>
+#include <string>
 #include <string_view>
+#include <utility>
 
 #include "client/trc/connection.h"
 #include "client/trc/remote_program_session.h"
 #include "client/trc/survey.h"
 #include "proto/wire/diagnostic.h"
 #include "server/in_process.h"
+#include "server/resources/limits.h"
+#include "server/resources/memory_watch.h"
 
 namespace trc::cli {
 namespace {
@@ -29,13 +35,31 @@ class Service {
   explicit Service(const ServiceOptions& options, const client::ConnectionOptions& how = {})
       : name_(options.server) {
     if (!options.server.empty()) {
+      if (options.has_own_limits()) {
+        failure_ = wrong_limits(
+            "--memory-limit-mib, --max-session-memory-mib and --max-blocks-per-selection are of a "
+            "run in this process; a server has limits of its own (trc info --server)");
+        return;
+      }
       failure_ = client::Connection::open(
           options.server, {.ca = options.tls_ca, .cert = options.tls_cert, .key = options.tls_key},
           connection_, how);
       return;
     }
-    own_ = std::make_shared<server::InProcessServer>();
-    connection_.emplace(own_->channel());
+    server::Config config = server::InProcessServer::quiet();
+    config.memory_limit_mib = options.memory_limit_mib;
+    config.max_session_memory_mib = options.max_session_memory_mib;
+    if (options.max_blocks_per_selection > 0)
+      config.max_blocks_per_selection = options.max_blocks_per_selection;
+    server::Config added_up = config;
+    if (auto fault = fill_in_own_limits(added_up, server::memory_limit_bytes())) {
+      failure_ = wrong_limits("--" + std::move(*fault));
+      return;
+    }
+    own_ = std::make_shared<server::InProcessServer>(config);
+    // Nobody but this run makes room in this process.
+    connection_.emplace(own_->channel(),
+                        client::ResumePolicy{.patience = std::chrono::milliseconds::zero()});
   }
 
   [[nodiscard]] const std::optional<client::Failure>& failure() const { return failure_; }
@@ -55,6 +79,10 @@ class Service {
   }
 
  private:
+  static client::Failure wrong_limits(std::string fault) {
+    return {.status = "INVALID_ARGUMENT", .message = std::move(fault), .reason = "LIMITS_WRONG"};
+  }
+
   void explain_unreachable(const client::Failure& failure, bool answered) const {
     // A server that gives a reason speaks for itself; the transport does not.
     if (failure.reason == "SERVER_DRAINING" && !name_.empty()) {
@@ -77,6 +105,41 @@ class Service {
   std::shared_ptr<server::InProcessServer> own_;
   std::optional<client::Connection> connection_;
   std::optional<client::Failure> failure_;
+};
+
+// Says on standard error why nothing goes on, each reason once.
+class Patience {
+ public:
+  Patience(const ServiceOptions& options, Reporter& reporter)
+      : options_(options), reporter_(reporter) {}
+
+  [[nodiscard]] client::ConnectionOptions how() {
+    client::ConnectionOptions options;
+    options.resume.patience = std::chrono::duration_cast<std::chrono::milliseconds>(
+        std::chrono::duration<double>(options_.wait_s));
+    options.resume.waiting = [this](const client::Failure& why) { tell(why); };
+    return options;
+  }
+
+ private:
+  void tell(const client::Failure& why) {
+    if (reporter_.is_quiet() || !told_.insert(why.status + why.reason).second) return;
+    std::string text = "trc: the server at " + options_.server;
+    if (why.reason == "SERVER_DRAINING")
+      text += " shuts down";
+    else if (why.asks_to_wait())
+      text += " has no room now: " + why.message;
+    else
+      text += " was lost";
+    reporter_.progress().clear();
+    std::ostringstream seconds;
+    seconds << options_.wait_s;
+    std::cerr << text << "; waiting for up to " << seconds.str() << " s (--wait)\n";
+  }
+
+  const ServiceOptions& options_;
+  Reporter& reporter_;
+  std::set<std::string> told_{};
 };
 
 // A program with an error of its own.
@@ -106,6 +169,28 @@ void add_service_options(CLI::App& command, ServiceOptions& options) {
         ->check(CLI::ExistingFile)
         ->needs(server);
   };
+  command
+      .add_option("--wait", options.wait_s,
+                  "How long to wait for a server that has no room, shuts down or was lost, s; 0: "
+                  "not at all")
+      ->type_name("S")
+      ->check(CLI::Range(0.0, 86400.0))
+      ->capture_default_str();
+  command
+      .add_option("--memory-limit-mib", options.memory_limit_mib,
+                  "Without a server: what this process may take; else all there is")
+      ->type_name("MIB")
+      ->check(CLI::Range(64, 1 << 30));
+  command
+      .add_option("--max-session-memory-mib", options.max_session_memory_mib,
+                  "Without a server: what a program may hold of it; else five eighths")
+      ->type_name("MIB")
+      ->check(CLI::Range(1, 1 << 30));
+  command
+      .add_option("--max-blocks-per-selection", options.max_blocks_per_selection,
+                  "Without a server: most blocks between G41 or G42 and G40; else 20000000")
+      ->type_name("N")
+      ->check(CLI::Range(1, 1'000'000'000));
   add_file("--tls-ca", options.tls_ca, "Certificate (PEM) the server is known by");
   add_file("--tls-cert", options.tls_cert, "Certificate (PEM) of this client");
   add_file("--tls-key", options.tls_key, "Key (PEM) of that certificate");
@@ -113,7 +198,8 @@ void add_service_options(CLI::App& command, ServiceOptions& options) {
 
 Outcome compensate_program(const ServiceOptions& options, const v1::ProgramSetup& setup,
                            Input& input, Reporter& reporter, const AnswerSink& sink) {
-  const Service service(options);
+  Patience patience(options, reporter);
+  const Service service(options, patience.how());
   if (service.failure()) return {.exit = service.explain(*service.failure(), false)};
   client::RemoteProgramSession session(service.connection(), setup);
   Progress& progress = reporter.progress();
@@ -122,7 +208,7 @@ Outcome compensate_program(const ServiceOptions& options, const v1::ProgramSetup
   Answers answers([&](Answer& answer) {
     answered = true;
     reporter.report(answer.diagnostics);
-    progress.update(bytes);
+    progress.read(bytes, input.size());
     return sink(answer);
   });
 
@@ -132,10 +218,11 @@ Outcome compensate_program(const ServiceOptions& options, const v1::ProgramSetup
     if (text.empty()) break;
     bytes += text.size();
     open = session.feed(text, answers);
-    progress.update(bytes);
+    progress.read(bytes, input.size());
   }
   // Half a program must not look like a whole one.
   if (input.failed()) return {.exit = Exit::wrong_call};
+  progress.read(bytes, bytes);
   const bool done = open && session.finish(answers);
   reporter.finish();
   if (done) return {.exit = Exit::done, .summary = session.summary()};

@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <chrono>
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
@@ -31,6 +32,16 @@ struct ServiceOptions {
   std::string tls_ca{};  // PEM files
   std::string tls_cert{};
   std::string tls_key{};
+  // For one that has no room, shuts down or was lost, s.
+  double wait_s = 60;
+  // Of a run in this process, as the settings of trcd that have these names; 0: as without them.
+  std::uint32_t memory_limit_mib = 0;
+  std::uint32_t max_session_memory_mib = 0;
+  std::uint64_t max_blocks_per_selection = 0;
+
+  [[nodiscard]] bool has_own_limits() const {
+    return memory_limit_mib > 0 || max_session_memory_mib > 0 || max_blocks_per_selection > 0;
+  }
 };
 void add_service_options(CLI::App& command, ServiceOptions& options);
 

@@ -13,6 +13,7 @@
 #include "client/cli/program_paths.h"
 #include "client/cli/progress.h"
 #include "client/cli/reporter.h"
+#include "client/cli/verbose_text.h"
 #include "core/base/tolerances.h"
 #include "core/nc/text/number_format.h"
 #include "core/verify/clearance.h"
@@ -86,8 +87,12 @@ Exit check_record(const Call& call) {
           .format = filed.output_format(),
           .input_name = name,
           .recorded = true};
-  Progress progress(false);
-  Reporter reporter(input, job.setup, progress);
+  const Loudness& loudness = call.program.loudness;
+  if (loudness.verbose)
+    if (const Exit exit = tell_taken(input.name(), job.setup, job.service); exit != Exit::done)
+      return exit;
+  Progress progress(false, loudness.quiet, language_of(job.setup));
+  Reporter reporter(input, job.setup, progress, loudness.quiet);
   const Exit exit = do_job(job, input, reporter, [](const std::string&) { return true; });
   if (exit != Exit::done && exit != Exit::refused) return exit;
   std::vector<std::string> found = differences(filed, job.record);
@@ -111,12 +116,17 @@ Exit run(const ProgramOptions& options) {
   if (!setup_of(options, setup)) return Exit::wrong_call;
   Input input(options.file);
   if (!input.open()) return Exit::wrong_call;
-  const ProgramPaths paths = read_paths(options.service, setup, input);
+  const ProgramPaths paths = read_paths(options, setup, input);
   if (paths.exit != Exit::done) return paths.exit;
 
   const double allowed = Tolerances{}.on_contour;
-  const verify::ClearanceReport report =
-      verify::measure_clearance(paths.programmed, paths.compensated, allowed, paths.leads);
+  Progress progress(false, options.loudness.quiet, language_of(setup));
+  const verify::ClearanceReport report = verify::measure_clearance(
+      paths.programmed, paths.compensated,
+      {.allowed = allowed,
+       .leads = paths.leads,
+       .progress = [&](std::size_t done, std::size_t all) { progress.measured(done, all); }});
+  progress.clear();
   if (!report.worst) {
     std::cout << "nothing to verify: no compensated contour\n";
     return Exit::done;
@@ -141,6 +151,7 @@ void add_verify(CLI::App& app, Action& action) {
       "verify", "Measure how near the compensated path comes to the programmed contour");
   auto call = std::make_shared<Call>();
   add_program_options(*command, call->program);
+  add_loudness_options(*command, call->program.loudness);
   auto* record =
       command
           ->add_option("--record", call->record,

@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <cstddef>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -35,6 +36,8 @@ struct ResumePolicy {
   // Input that is kept because the server may ask for it again. What a selection that is held as a
   // whole passes beyond that cannot be resumed.
   std::size_t most_kept_bytes = std::size_t{256} << 20U;
+  // Is told before each wait why there is one, in the thread that uses the session.
+  std::function<void(const Failure&)> waiting{};
 };
 
 struct ConnectionOptions {

@@ -151,7 +151,9 @@ class StreamSession {
         return false;
       }
       if (std::exchange(progressed_, false)) clock_.restart();
-      if (!may_resume() || !clock_.wait(failure_->retry_after_seconds)) return fail(*failure_);
+      if (!may_resume()) return fail(*failure_);
+      if (policy_.waiting) policy_.waiting(*failure_);
+      if (!clock_.wait(failure_->retry_after_seconds)) return fail(*failure_);
       failure_.reset();
       reader_ = reader_at_token_;
       to_skip_ = handed_;

@@ -40,6 +40,7 @@ class Selection {
         begin_(begin),
         end_(end),
         allowed_(settings.allowed),
+        progress_(settings.progress),
         checkpoint_(checkpoint),
         sides_(walls_between(begin, end, settings.leads)),
         tree_(held, begin, end, sides_, checkpoint) {
@@ -72,6 +73,8 @@ class Selection {
         checkpoint_.pass();
         measure(held_.path()[next]);
       }
+      const auto& all = held_.path();
+      if (progress_) progress_(next - all.begin(), all.end() - all.begin());
     }
     return next;
   }
@@ -299,6 +302,7 @@ class Selection {
   std::size_t begin_;
   std::size_t end_;
   double allowed_;
+  const std::function<void(std::size_t, std::size_t)>& progress_;
   Checkpoint& checkpoint_;
   SidedWalls sides_;
   bool is_plain_ = false;  // all of the contour is a wall for all of the path
@@ -362,6 +366,12 @@ ClearanceReport measure_clearance(const HeldPath& held, std::size_t end,
 ClearanceReport measure_clearance(std::span<const Block> programmed,
                                   std::span<const CompensatedBlock> path, double allowed,
                                   const LeadSettings& leads) {
+  return measure_clearance(programmed, path, {.allowed = allowed, .leads = leads});
+}
+
+ClearanceReport measure_clearance(std::span<const Block> programmed,
+                                  std::span<const CompensatedBlock> path,
+                                  const ClearanceSettings& settings) {
   HeldPath held;
   for (const Block& block : programmed) {
     const auto* motion = std::get_if<MotionBlock>(&block);
@@ -369,8 +379,7 @@ ClearanceReport measure_clearance(std::span<const Block> programmed,
   }
   for (const CompensatedBlock& block : path) held.add(block);
   Checkpoint checkpoint({});
-  return measure_clearance(held, held.programmed().end(), {.allowed = allowed, .leads = leads},
-                           checkpoint);
+  return measure_clearance(held, held.programmed().end(), settings, checkpoint);
 }
 
 }  // namespace trc::verify

@@ -61,6 +61,8 @@ struct ClearanceSettings {
   double allowed = 0;  // how much nearer than the tool radius the path may come, mm
   LeadSettings leads{};
   UncutSink uncut{};  // none: nobody wants to know
+  // Is told every few blocks how many of the path have been measured, of how many in all.
+  std::function<void(std::size_t measured, std::size_t all)> progress{};
 };
 
 // Measures every block of the compensated path between approach and retract against all walls of
@@ -75,6 +77,9 @@ inline constexpr double margin_resolution = 1e-5;  // mm
 [[nodiscard]] ClearanceReport measure_clearance(std::span<const Block> programmed,
                                                 std::span<const CompensatedBlock> path,
                                                 double allowed, const LeadSettings& leads = {});
+[[nodiscard]] ClearanceReport measure_clearance(std::span<const Block> programmed,
+                                                std::span<const CompensatedBlock> path,
+                                                const ClearanceSettings& settings);
 
 // The same of what is held, as far as it stems from programmed pieces before the number `end`.
 [[nodiscard]] ClearanceReport measure_clearance(const HeldPath& held, std::size_t end,

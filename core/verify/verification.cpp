@@ -24,7 +24,7 @@ Diagnostic gouge(const ClearanceReport& found) {
 }  // namespace
 
 std::size_t Verification::held_only(std::span<const Block> blocks) const {
-  if (!ends_.empty()) return 0;
+  if (!ends_.empty() || is_untold_) return 0;
   bool holds = !held_.programmed().empty();
   std::size_t room =
       setup_.selection_blocks - std::min(setup_.selection_blocks, held_.programmed().size());
@@ -55,11 +55,19 @@ bool Verification::programmed(const Block& block) {
   }
   too_long_ = motion->mode->selection_number;
   held_ = HeldPath();
-  return tell(selection_too_long(motion->source, setup_.selection_blocks), false);
+  unmeasured_ = motion->source;
+  is_untold_ = true;
+  return setup_.verify == Verify::report || tell_unmeasured();
+}
+
+bool Verification::tell_unmeasured() {
+  if (!std::exchange(is_untold_, false)) return true;
+  return tell(selection_too_long(unmeasured_, setup_.selection_blocks), false);
 }
 
 bool Verification::compensated(std::span<const CompensatedBlock> path) {
   for (const CompensatedBlock& block : path) {
+    if (is_untold_ && block.source.index >= unmeasured_.index && !tell_unmeasured()) return false;
     if (!ends_.empty() && block.source.index >= ends_.front()) {
       const std::uint64_t end = ends_.front();
       ends_.pop_front();
@@ -70,7 +78,10 @@ bool Verification::compensated(std::span<const CompensatedBlock> path) {
   return true;
 }
 
-bool Verification::finish() { return measure_before(std::numeric_limits<std::uint64_t>::max()); }
+bool Verification::finish() {
+  if (!tell_unmeasured()) return false;
+  return measure_before(std::numeric_limits<std::uint64_t>::max());
+}
 
 bool Verification::measure_before(std::uint64_t end) {
   const std::size_t behind = held_.first_from(end);

@@ -35,7 +35,9 @@ struct VerificationSetup {
 // become. A selection is held until all of its path is there, and measured then.
 //
 // Where the path comes nearer to the walls than the tool radius, that is 900216. A selection of
-// more blocks than may be held is not measured: 900212, as severe.
+// more blocks than may be held is not measured: 900212, as severe. As a warning that waits for the
+// path of its block: where the selection cannot be compensated either, that is the same as an
+// error.
 class Verification {
  public:
   Verification(VerificationSetup setup, Diagnostics& diagnostics)
@@ -58,13 +60,15 @@ class Verification {
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(held_, ends_, too_long_, report_.worst, report_.checked, report_.walls, report_.gouging,
-            report_.accepted, report_.wall_length, report_.touched_length);
+    archive(held_, ends_, too_long_, unmeasured_, is_untold_, report_.worst, report_.checked,
+            report_.walls, report_.gouging, report_.accepted, report_.wall_length,
+            report_.touched_length);
   }
 
  private:
   // What was programmed before `end` has all come out.
   bool measure_before(std::uint64_t end);
+  bool tell_unmeasured();
   // A diagnostic that tells of what was measured, or not.
   bool tell(Diagnostic problem, bool accepted);
 
@@ -74,6 +78,8 @@ class Verification {
   HeldPath held_;                   // the motions of selections, and their path
   std::deque<std::uint64_t> ends_;  // the first motion behind each selection that has ended
   std::uint32_t too_long_ = 0;      // the selection that is not held; 0: none
+  Source unmeasured_{};             // the first block of it that was too many
+  bool is_untold_ = false;          // a warning of that waits for the path of this block
   ClearanceReport report_;
 };
 

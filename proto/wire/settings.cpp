@@ -263,6 +263,53 @@ bool set_field(Message& owner, const FieldDescriptor& field, std::string_view te
   }
 }
 
+std::string shortest(double number) {
+  std::array<char, 32> digits{};
+  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), number).ptr;
+  return {digits.data(), end};
+}
+
+// As set_field takes it.
+std::string value_of(const Message& owner, const FieldDescriptor& field) {
+  const auto& reflection = *owner.GetReflection();
+  std::string text;
+  if (is_leads(field)) {
+    const auto& leads = dynamic_cast<const v1::Leads&>(reflection.GetMessage(owner, &field));
+    const auto& word = *v1::Leads::Find_descriptor()->FindValueByNumber(leads.find());
+    text = lower(std::string_view(word.name()).substr(prefix_of(*word.type()).size()));
+    if (leads.find() == v1::Leads::FIND_BLOCKS)
+      text += ":" + std::to_string(leads.blocks_in()) + "," + std::to_string(leads.blocks_out());
+    return text;
+  }
+  if (field.message_type()) {
+    const Message& position = reflection.GetMessage(owner, &field);
+    const auto* type = position.GetDescriptor();
+    for (int i = 0; i < type->field_count(); ++i)
+      text += (i > 0 ? "," : "") +
+              shortest(position.GetReflection()->GetDouble(position, type->field(i)));
+    return text;
+  }
+  if (field.is_repeated()) {
+    for (int i = 0; i < reflection.FieldSize(owner, &field); ++i)
+      text += (i > 0 ? "," : "") + reflection.GetRepeatedString(owner, &field, i);
+    return text;
+  }
+  switch (field.cpp_type()) {
+    case FieldDescriptor::CPPTYPE_BOOL:
+      return reflection.GetBool(owner, &field) ? "true" : "false";
+    case FieldDescriptor::CPPTYPE_DOUBLE:
+      return shortest(reflection.GetDouble(owner, &field));
+    case FieldDescriptor::CPPTYPE_UINT32:
+      return std::to_string(reflection.GetUInt32(owner, &field));
+    case FieldDescriptor::CPPTYPE_ENUM: {
+      const std::string& name = reflection.GetEnum(owner, &field)->name();
+      return lower(std::string_view(name).substr(prefix_of(*field.enum_type()).size()));
+    }
+    default:
+      return reflection.GetString(owner, &field);
+  }
+}
+
 std::string set_tools(std::string_view text, v1::ProgramSetup& setup) {
   for (const std::string_view entry : split(text, ',')) {
     const auto parts = split(entry, ':');
@@ -328,6 +375,31 @@ std::string apply_setting(std::string_view assignment, v1::ProgramSetup& setup) 
   if (set_field(*owner, field, value)) return {};
   return key_of(route) + ": \"" + std::string(value) + "\" is not possible; it takes " +
          values_of(field);
+}
+
+std::vector<std::string> assignments_of(const v1::ProgramSetup& setup) {
+  std::vector<std::string> found;
+  for (const Route& route : all_routes()) {
+    const Message* owner = &setup.path();
+    bool is_part = false;
+    for (std::size_t i = 0; i + 1 < route.size(); ++i) {
+      is_part = is_part || is_set_as_a_whole(*route[i]);
+      owner = &owner->GetReflection()->GetMessage(*owner, route[i]);
+    }
+    const FieldDescriptor& field = *route.back();
+    const auto& reflection = *owner->GetReflection();
+    const bool is_set = field.is_repeated() ? reflection.FieldSize(*owner, &field) > 0
+                                            : reflection.HasField(*owner, &field);
+    if (is_set && !is_part) found.push_back(key_of(route) + "=" + value_of(*owner, field));
+  }
+  std::string tools;
+  for (const v1::Tool& tool : setup.tools()) {
+    tools +=
+        (tools.empty() ? "" : ",") + std::to_string(tool.number()) + ":" + shortest(tool.radius());
+    if (tool.wear() != 0) tools += ":" + shortest(tool.wear());
+  }
+  if (!tools.empty()) found.push_back("tools=" + tools);
+  return found;
 }
 
 std::vector<SettingRow> settings() {

@@ -21,6 +21,10 @@ namespace trc::wire {
 // value lies in its range is the service's business.
 [[nodiscard]] std::string apply_setting(std::string_view assignment, v1::ProgramSetup& setup);
 
+// What the setup holds, as apply_setting takes it, in the order of the fields: "tool_radius=5". The
+// tool table is the last.
+[[nodiscard]] std::vector<std::string> assignments_of(const v1::ProgramSetup& setup);
+
 // Every key with what it takes, in the order of the fields.
 struct SettingRow {
   std::string key;

@@ -13,6 +13,7 @@
 #include "proto/wire/json.h"
 #include "server/http/api.h"
 #include "server/http/problem.h"
+#include "server/http/settings.h"
 #include "server/text.h"
 #include "trc/v1/trc_service.pb.h"
 
@@ -182,6 +183,7 @@ struct Call {
   const MethodDescriptor& method;
   std::string_view body;
   bool is_json;
+  std::string_view accept_language;
   std::shared_ptr<Format> format;
 };
 
@@ -199,6 +201,7 @@ Question read_question(const Call& call) {
   } else if (!message->ParseFromArray(call.body.data(), static_cast<int>(call.body.size()))) {
     question.fault = "the body is no " + call.method.input_type()->full_name();
   }
+  prefer_language(call.accept_language, *message);
   question.bytes = message->SerializeAsString();
   return question;
 }
@@ -247,6 +250,7 @@ void answer_connect(Api& api, const ExchangePointer& exchange) {
   const Request& request = exchange->request();
   const MethodDescriptor& method = *rpc_at(request.path);
   const std::string_view type = request.content_type();
+  const std::string_view accept_language = request.header("accept-language");
   std::string_view body = request.body;
   if (method.client_streaming())
     return answer_error(*exchange, {StatusCode::UNIMPLEMENTED,
@@ -256,8 +260,9 @@ void answer_connect(Api& api, const ExchangePointer& exchange) {
     const bool is_json = type == "application/json";
     if (!is_json && type != "application/proto")
       return answer_unsupported(*exchange, "application/json or application/proto");
-    return start(api, exchange,
-                 {method, body, is_json, std::make_shared<UnaryFormat>(method, is_json)});
+    return start(
+        api, exchange,
+        {method, body, is_json, accept_language, std::make_shared<UnaryFormat>(method, is_json)});
   }
   const bool is_json = type == "application/connect+json";
   if (!is_json && type != "application/connect+proto")
@@ -266,7 +271,7 @@ void answer_connect(Api& api, const ExchangePointer& exchange) {
   if (!open_envelope(body))
     return format->refuse(exchange, {StatusCode::INVALID_ARGUMENT,
                                      "the body must be one envelope without compression"});
-  start(api, exchange, {method, body, is_json, std::move(format)});
+  start(api, exchange, {method, body, is_json, accept_language, std::move(format)});
 }
 
 }  // namespace trc::server::http

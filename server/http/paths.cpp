@@ -9,6 +9,7 @@
 #include "server/http/formats.h"
 #include "server/http/handlers.h"
 #include "server/http/problem.h"
+#include "server/http/settings.h"
 #include "server/rpc/get_server_info.h"
 
 namespace trc::server::http {
@@ -30,6 +31,7 @@ void start(Api& api, const ExchangePointer& exchange, const char* rpc, Ask ask,
   api.compute([&api, exchange, rpc, name, ask, format = std::move(format)] {
     Message message;
     const std::string fault = wire::Json().read(exchange->request().body, message);
+    prefer_language(exchange->request().header("accept-language"), message);
     exchange->post([&api, exchange, rpc, name, fault, messages = ask(message), format] {
       exchange->request().body = {};
       if (!fault.empty())

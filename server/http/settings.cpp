@@ -8,6 +8,7 @@
 #include "proto/wire/setup.h"
 #include "server/http/problem.h"
 #include "server/text.h"
+#include "trc/v1/trc_service.pb.h"
 
 namespace trc::server::http {
 namespace {
@@ -44,6 +45,17 @@ std::string read_one(const std::string& name, const std::string& value, v1::Prog
   return {};
 }
 
+// Null: the message has no place for one.
+v1::PathSetup* path_setup_of(google::protobuf::Message& message) {
+  if (auto* path = dynamic_cast<v1::PreviewPathRequest*>(&message)) return path->mutable_setup();
+  if (auto* program = dynamic_cast<v1::CompensateProgramOnceRequest*>(&message))
+    return program->mutable_setup()->mutable_path();
+  auto* survey = dynamic_cast<v1::SurveyPathRequest*>(&message);
+  // One with a program is refused as it is.
+  if (survey == nullptr || survey->setup().has_program()) return nullptr;
+  return survey->mutable_setup()->mutable_path();
+}
+
 }  // namespace
 
 std::string dialects() {
@@ -74,6 +86,12 @@ std::optional<v1::Problem> read_settings(const Pairs& query, std::string_view ac
   }
   refused.set_detail(refused.fields(0).description());
   return refused;
+}
+
+void prefer_language(std::string_view accept_language, google::protobuf::Message& message) {
+  if (accepted_language(accept_language) != Language::german) return;
+  v1::PathSetup* setup = path_setup_of(message);
+  if (setup != nullptr && setup->language().empty()) setup->set_language("de");
 }
 
 }  // namespace trc::server::http

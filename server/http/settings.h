@@ -1,5 +1,7 @@
 #pragma once
 
+#include <google/protobuf/message.h>
+
 #include <optional>
 #include <string>
 #include <string_view>
@@ -20,5 +22,9 @@ namespace trc::server::http {
 [[nodiscard]] std::optional<v1::Problem> read_settings(const Pairs& query,
                                                        std::string_view accept_language,
                                                        v1::ProgramSetup& setup);
+
+// Where the setup of a request in JSON or in Connect names no language, it is the one that the
+// header Accept-Language prefers, too. A message without a setup stays as it is.
+void prefer_language(std::string_view accept_language, google::protobuf::Message& message);
 
 }  // namespace trc::server::http

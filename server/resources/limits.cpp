@@ -61,4 +61,15 @@ std::optional<std::string> fill_in_limits(Config& config, std::uint64_t memory_b
   return std::nullopt;
 }
 
+std::optional<std::string> fill_in_own_limits(Config& config, std::uint64_t memory_bytes) {
+  const std::uint64_t memory =
+      config.memory_limit_mib > 0 ? config.memory_limit_mib * mib : memory_bytes;
+  constexpr std::uint64_t plenty = 1024 * mib;
+  if (config.max_session_memory_mib == 0 && memory > plenty)
+    config.max_session_memory_mib = static_cast<std::uint32_t>(memory / mib / 8 * 5);
+  if (config.max_memory_per_peer_mib == 0)
+    config.max_memory_per_peer_mib = config.max_session_memory_mib;
+  return fill_in_limits(config, memory_bytes);
+}
+
 }  // namespace trc::server

@@ -14,6 +14,7 @@
 #include "core/nc/dialect/trc_command.h"
 #include "core/nc/state/program_state.h"
 #include "proto/wire/diagnostic.h"
+#include "proto/wire/setting_meanings.h"
 #include "proto/wire/setup.h"
 
 namespace trc::server {
@@ -42,23 +43,18 @@ void describe_limits(const Config& config, v1::Limits& limits) {
 void describe_radius_terms(v1::GetServerInfoResponse& response) {
   constexpr double largest = ToolInForce::largest_tool_radius;
   const ProgramSetup initial;
-  const auto add = [&](const char* name, double least, double most, double value,
-                       const char* meaning) {
+  const auto add = [&](const char* name, double least, double most, double value) {
     v1::RadiusTerm& term = *response.add_radius_terms();
     term.set_name(name);
     term.set_min(least);
     term.set_max(most);
     term.set_default_value(value);
-    term.set_meaning(meaning);
+    term.set_meaning(std::string(wire::meaning_of(name).meaning));
   };
-  add("tool_radius", -largest, largest, initial.mode.tool_radius,
-      "the size of the tool; negative: on the other side; with nominal_radius what the tool "
-      "differs from that");
-  add("wear", -initial.max_wear, initial.max_wear, initial.wear,
-      "what the tool is larger by; max_wear of the setup allows more");
-  add("allowance", -largest, largest, initial.allowance, "stock that is left on the part");
-  add("nominal_radius", 0, largest, initial.nominal_radius,
-      "the tool whose centre path the program is; 0: the program is the contour");
+  add("tool_radius", -largest, largest, initial.mode.tool_radius);
+  add("wear", -initial.max_wear, initial.max_wear, initial.wear);
+  add("allowance", -largest, largest, initial.allowance);
+  add("nominal_radius", 0, largest, initial.nominal_radius);
 }
 
 // G01, G41, G138

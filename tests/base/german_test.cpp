@@ -3,11 +3,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <regex>
 #include <set>
 #include <string>
 
 #include "core/base/explanation.h"
+#include "core/base/german_explanation.h"
 #include "core/nc/dialect/dialect.h"
 
 namespace trc {
@@ -53,6 +55,34 @@ TEST(German, SaysTheSameWordsOfProgramsAndSettings) {
     EXPECT_EQ(once(words_of_machine(german.on_command_line)),
               once(words_of_machine(explanation_of(row.code)->on_command_line)));
   }
+}
+
+std::size_t causes_in(const std::array<std::string_view, 3>& causes) {
+  return static_cast<std::size_t>(
+      std::ranges::count_if(causes, [](std::string_view cause) { return !cause.empty(); }));
+}
+
+TEST(German, ExplainsEveryCode) {
+  const auto rows = code_table();
+  ASSERT_EQ(german_explanations().size(), rows.size());
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    SCOPED_TRACE(static_cast<int>(rows[i].code));
+    const Explanation& english = *explanation_of(rows[i].code);
+    const GermanExplanation& german = german_explanations()[i];
+    EXPECT_EQ(german.code, rows[i].code);
+    EXPECT_TRUE(german.meaning.ends_with('.'));
+    EXPECT_NE(german.meaning, english.meaning);
+    EXPECT_EQ(causes_in(german.causes), causes_in(english.causes));
+    EXPECT_EQ(german.no_example.empty(), english.no_example.empty());
+    EXPECT_EQ(once(words_of_machine(german.meaning)), once(words_of_machine(english.meaning)));
+    for (std::size_t cause = 0; cause < german.causes.size(); ++cause) {
+      EXPECT_TRUE(german.causes[cause].empty() || german.causes[cause].ends_with('.'));
+      EXPECT_EQ(once(words_of_machine(german.causes[cause])),
+                once(words_of_machine(english.causes[cause])))
+          << german.causes[cause];
+    }
+  }
+  EXPECT_EQ(german_explanation_of(static_cast<Code>(123)), nullptr);
 }
 
 TEST(German, NamesEveryFunctionThatIsRefused) {

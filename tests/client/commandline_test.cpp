@@ -1,7 +1,9 @@
+#include <fcntl.h>
 #include <google/protobuf/struct.pb.h>
 #include <google/protobuf/util/json_util.h>
 #include <gtest/gtest.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 #include <chrono>
 #include <csignal>
@@ -14,6 +16,7 @@
 #include <sstream>
 #include <string>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include "tests/support/process.h"
@@ -188,6 +191,10 @@ TEST(Language, IsThatOfTheOptionElseOfTheEnvironment) {
   const Ended explained = trc({"explain", "90019", "--lang", "de"});
   EXPECT_NE(explained.out.find("Was hilft:\n  - Einen kleineren"), std::string::npos)
       << explained.out;
+  EXPECT_NE(explained.out.find("Ursachen:\n  - Das Werkzeug ist zu groß"), std::string::npos)
+      << explained.out;
+  for (const char* word : {"Causes", "English", "Englisch", " the "})
+    EXPECT_EQ(explained.out.find(word), std::string::npos) << word;
 }
 
 TEST(Compensate, SaysLengthsInTheUnitOfTheProgram) {
@@ -231,6 +238,60 @@ TEST(Compensate, IsInColourOnATerminalOnly) {
     EXPECT_EQ(said.find('\x1b'), std::string::npos) << said;
   }
   EXPECT_EQ(trc({"compensate", folder.path("part.nc")}).err.find('\x1b'), std::string::npos);
+}
+
+TEST(Summary, IsALineOnATerminal) {
+  const Folder folder;
+  const std::string call =
+      "compensate " + folder.write("part.nc", demo) + " -o " + folder.path("out.nc");
+  const std::regex line(R"(^\d+ blocks, clearance 10\.000 mm at N\d+, \d+\.\d\d s\r\n$)");
+  const std::string said = on_a_terminal(call, "TERM=xterm");
+  EXPECT_TRUE(std::regex_match(said, line)) << said;
+  const std::regex german(R"(^\d+ Sätze, Abstand 10\.000 mm bei N\d+, \d+\.\d\d s\r\n$)");
+  const std::string told = on_a_terminal(call + " --lang de", "TERM=xterm");
+  EXPECT_TRUE(std::regex_match(told, german)) << told;
+  // A script reads what is not for a terminal, and asked for nothing.
+  EXPECT_EQ(on_a_terminal(call + " --quiet", "TERM=xterm"), "");
+  EXPECT_EQ(trc({"compensate", folder.path("part.nc"), "-o", folder.path("out.nc")}).err, "");
+  // Of what was refused there is nothing to sum up.
+  folder.write("part.nc", violating);
+  const std::string refused = on_a_terminal(call, "TERM=xterm");
+  EXPECT_FALSE(std::regex_search(refused, std::regex(R"(\d+\.\d\d s\r\n$)"))) << refused;
+}
+
+TEST(Quiet, TellsErrorsAlone) {
+  const std::string warned = "#TRC [STRETCH_FACTOR=30]\nG01 X1 F100\nM30\n";
+  EXPECT_NE(trc({"compensate", "-"}, warned).err.find("warning 22007"), std::string::npos);
+  for (const char* command : {"compensate", "verify"}) {
+    const Ended ended = trc({command, "-", "-q"}, warned);
+    EXPECT_EQ(ended.code, 0);
+    EXPECT_EQ(ended.err, "") << command;
+  }
+  const Ended refused = trc({"compensate", "-", "-q"}, violating);
+  EXPECT_EQ(refused.code, 1);
+  EXPECT_NE(refused.err.find("error 90019"), std::string::npos) << refused.err;
+  EXPECT_EQ(trc({"compensate", "-", "-q", "-v"}, demo).code, 2);
+}
+
+TEST(Verbose, TellsWhatWasTakenAndHowLongItTook) {
+  const Ended ended = trc({"compensate", "-", "-v", "--dialect", "isg", "--unit", "inch", "--set",
+                           "tools=1:5,2:3.5:-0.02", "--set", "transition=G26"},
+                          demo);
+  EXPECT_EQ(ended.code, 0);
+  EXPECT_EQ(ended.out, trc({"compensate", "-", "--unit", "inch"}, demo).out);
+  for (const char* said :
+       {"<stdin>: dialect isg, lengths in inch until the program says\n",
+        "<stdin>: setup: transition=circular verify=report\n",
+        "<stdin>: tools: 1: radius 5.000 mm; 2: radius 3.500 mm, wear -0.020 mm\n",
+        "<stdin>: service: this process, trc ", "<stdin>: 12 lines, ", " 1 approach",
+        "blocks of the path measured against", "<stdin>: time ", " inch at N"})
+    EXPECT_NE(ended.err.find(said), std::string::npos) << said << '\n' << ended.err;
+  for (const char* command : {"verify", "radii"}) {
+    const Ended other = trc({command, "-", "-v"}, demo);
+    EXPECT_EQ(other.code, 0) << command;
+    EXPECT_NE(other.err.find("<stdin>: dialect isg, lengths in mm"), std::string::npos)
+        << other.err;
+  }
 }
 
 // What is proposed is text that can be put in: from "… in mm: " on, one line of the program between
@@ -506,6 +567,134 @@ TEST(ExitCode, SaysThatALimitWasMet) {
   EXPECT_EQ(ended.code, 4) << ended.err;
   EXPECT_NE(ended.err.find("error"), std::string::npos) << ended.err;
   EXPECT_EQ(ended.out, "");
+}
+
+std::string masked_generated() {
+  std::string masking = trc({"generate", "--shape", "meander", "--blocks", "8000"}).out;
+  masking.insert(masking.find("\nN40") + 1, "N35 G141\n");
+  return masking;
+}
+
+TEST(OwnLimits, AreOptionsAndEndWithTheCodeOfLimits) {
+  const std::string masking = masked_generated();
+  const auto ended = [&](std::vector<std::string> options) {
+    options.insert(options.begin(), {"compensate", "-"});
+    return trc(options, masking);
+  };
+  EXPECT_EQ(ended({}).code, 0);
+  const Ended blocks = ended({"--max-blocks-per-selection", "1000"});
+  EXPECT_EQ(blocks.code, 4) << blocks.err;
+  EXPECT_NE(blocks.err.find("1000"), std::string::npos) << blocks.err;
+  EXPECT_EQ(blocks.out, "");
+  const Ended memory = ended({"--max-session-memory-mib", "1"});
+  EXPECT_EQ(memory.code, 4) << memory.err;
+  EXPECT_NE(memory.err.find("max-session-memory-mib"), std::string::npos) << memory.err;
+  EXPECT_EQ(memory.out, "");
+}
+
+TEST(OwnLimits, MustFitTogetherAndAreOfNoServer) {
+  const Ended sum =
+      trc({"compensate", "-", "--memory-limit-mib", "64", "--max-session-memory-mib", "100"}, demo);
+  EXPECT_EQ(sum.code, 2);
+  EXPECT_NE(sum.err.find("--memory-limit-mib: "), std::string::npos) << sum.err;
+  const Ended other =
+      trc({"compensate", "-", "--server", "127.0.0.1:1", "--max-blocks-per-selection", "5"}, demo);
+  EXPECT_EQ(other.code, 2);
+  EXPECT_NE(other.err.find("trc info --server"), std::string::npos) << other.err;
+}
+
+// A program that does not end, through a pipe that this object holds open.
+class Endless {
+ public:
+  explicit Endless(const std::string& server)
+      : path_(made(folder_)),
+        client_({TRC_PROGRAM, "compensate", path_, "--server", server}),
+        // No other program may hold it open.
+        text_(::open(path_.c_str(), O_WRONLY | O_CLOEXEC)) {
+    const std::string begin = demo.substr(0, demo.size() / 2);
+    EXPECT_EQ(::write(text_, begin.data(), begin.size()), static_cast<ssize_t>(begin.size()));
+  }
+  ~Endless() { end(); }
+  Endless(const Endless&) = delete;
+  Endless& operator=(const Endless&) = delete;
+
+  int end() {
+    if (const int text = std::exchange(text_, -1); text >= 0) ::close(text);
+    return client_.wait();
+  }
+
+ private:
+  static std::string made(const Folder& folder) {
+    std::string path = folder.path("endless.nc");
+    EXPECT_EQ(::mkfifo(path.c_str(), 0600), 0);
+    return path;
+  }
+
+  Folder folder_;
+  std::string path_;
+  Process client_;
+  int text_;
+};
+
+bool has_one_stream(const ServerProcess& server) {
+  return within_seconds(20, [&] {
+    return http_get(server.admin(), "/metrics").find("\ntrc_streams_active 1\n") !=
+           std::string::npos;
+  });
+}
+
+TEST(Wait, ForAServerThatIsFullIsSaidAndEnds) {
+  const ServerProcess server({"--max-streams", "1", "--admin-listen", "127.0.0.1:0"});
+  ASSERT_NE(server.address(), "");
+  Endless first(server.address());
+  ASSERT_TRUE(has_one_stream(server));
+  const Folder folder;
+  const std::string file = folder.write("part.nc", demo);
+  const auto waiting = [&](const std::string& seconds) {
+    return trc({"compensate", file, "--server", server.address(), "--wait", seconds});
+  };
+  const Ended at_once = waiting("0");
+  EXPECT_EQ(at_once.code, 4) << at_once.err;
+  EXPECT_NE(at_once.err.find("max-streams"), std::string::npos) << at_once.err;
+  EXPECT_EQ(at_once.err.find("waiting"), std::string::npos) << at_once.err;
+  const Ended later = waiting("2.5");
+  EXPECT_EQ(later.code, 4) << later.err;
+  const std::string said = "has no room now: ";
+  EXPECT_NE(later.err.find(said), std::string::npos) << later.err;
+  EXPECT_EQ(later.err.find(said), later.err.rfind(said)) << later.err;
+  EXPECT_NE(later.err.find("; waiting for up to 2.5 s (--wait)\n"), std::string::npos) << later.err;
+
+  // Who has waited gets the place that becomes free.
+  Process patient({TRC_PROGRAM, "compensate", file, "--server", server.address()});
+  ASSERT_TRUE(within_seconds(20, [&] { return patient.err().find(said) != std::string::npos; }));
+  EXPECT_EQ(first.end(), 0);
+  EXPECT_EQ(patient.wait(), 0) << patient.err();
+  EXPECT_EQ(patient.out(), trc({"compensate", file}).out);
+}
+
+TEST(Server, ThatShutsDownIsToldFromOneThatIsNotThere) {
+  ServerProcess server({"--admin-listen", "127.0.0.1:0"});
+  ASSERT_NE(server.address(), "");
+  Endless first(server.address());
+  ASSERT_TRUE(has_one_stream(server));
+  server.signal(SIGTERM);
+  Ended draining;
+  const auto is_refused = [&] {
+    draining = trc({"compensate", "-", "--server", server.address(), "--wait", "0"}, demo);
+    return draining.code == 3;
+  };
+  EXPECT_TRUE(within_seconds(20, is_refused));
+  EXPECT_NE(draining.err.find("is there, but shuts down"), std::string::npos) << draining.err;
+  const Ended waited =
+      trc({"compensate", "-", "--server", server.address(), "--wait", "1.5"}, demo);
+  EXPECT_EQ(waited.code, 3);
+  EXPECT_NE(waited.err.find("shuts down; waiting for up to 1.5 s (--wait)"), std::string::npos)
+      << waited.err;
+  first.end();
+  EXPECT_EQ(server.wait(), 0);
+  const Ended down = trc({"compensate", "-", "--server", server.address()}, demo);
+  EXPECT_EQ(down.code, 3);
+  EXPECT_NE(down.err.find("cannot reach a server at"), std::string::npos) << down.err;
 }
 
 TEST(Server, IsThatOfTheEnvironmentUnlessAnotherIsNamed) {
@@ -1063,6 +1252,8 @@ TEST(Completion, HasEveryCommandAndOption) {
 TEST(Completion, CompletesInBash) {
   const Folder folder;
   const std::string script = folder.write("trc.bash", trc({"completion", "bash"}).out);
+  const Ended checked = run({"/usr/bin/shellcheck", "--shell=bash", script});
+  EXPECT_EQ(checked.code, 0) << checked.out;
   const auto completed = [&](const std::string& words, int at) {
     return run({"/bin/bash", "-c",
                 "compopt() { :; }; . " + script + "; COMP_WORDS=(" + words +
@@ -1074,6 +1265,19 @@ TEST(Completion, CompletesInBash) {
   EXPECT_EQ(completed("trc compensate --unit ''", 3), "mm inch\n");
   EXPECT_EQ(completed("trc compensate --dialect fa", 3), "fanuc\n");
   EXPECT_EQ(completed("trc completion fi", 2), "fish\n");
+}
+
+TEST(Help, SaysOfSettingsWhatTheyAre) {
+  const std::string help = trc({"compensate", "--help"}).out;
+  for (const char* said :
+       {"\n  tool_radius: a number in mm, -214748.3647 to 214748.3647; none\n      the size of the "
+        "tool; negative:",
+        "\n  options.stretch_factor: a number, 1 to 9; 1\n      longest stretch of a block, in "
+        "tool",
+        "\n  options.tangential_limit: a number in degrees, 0.1 to 3; 3\n",
+        "\n  options.online: a whole number, 0 alone; 0\n",
+        "\n  transition: linear (G25), circular (G26); linear\n      what is inserted at outside"})
+    EXPECT_NE(help.find(said), std::string::npos) << said;
 }
 
 TEST(Help, NamesEverySubcommand) {

@@ -106,6 +106,32 @@ class Programs(unittest.TestCase):
         self.assertEqual(error("", {})["help"], "Write a decimal point: X10.5.")
         self.assertEqual(error("?language=en", {"Accept-Language": "de"})["language"], "en")
 
+    def test_requests_in_json_speak_the_language_that_is_preferred(self):
+        german = {**JSON, "Accept-Language": "de-DE,de;q=0.9,en;q=0.8"}
+        # A side without a radius: 900219.
+        path = {"batch": {"blocks": [{"command": {"side": "COMPENSATION_SIDE_LEFT"}},
+                                     {"linear": {"end": {"x": 10, "y": 0}}},
+                                     {"linear": {"end": {"x": 20, "y": 0}}}]}}
+
+        def told(setup, headers):
+            _, problem = self.server.ask_json("POST", "/v1/paths:compensate",
+                                              json.dumps({**path, **setup}), headers)
+            return problem["diagnostics"][-1]["language"]
+
+        self.assertEqual(told({}, german), "de")
+        self.assertEqual(told({}, JSON), "en")
+        self.assertEqual(told({"setup": {"language": "en"}}, german), "en")
+
+        def connect(headers):
+            # A factor that is out of its range: warning 22007.
+            body = json.dumps({"text": "#TRC [STRETCH_FACTOR=30]\nG1 X1 F100\nM30\n"})
+            _, answer = self.server.ask_json(
+                "POST", "/trc.v1.TrcService/CompensateProgramOnce", body, headers)
+            return answer["diagnostics"][0]["language"]
+
+        self.assertEqual(connect(german), "de")
+        self.assertEqual(connect(JSON), "en")
+
     def test_a_program_stopped_late_never_looks_whole(self):
         # More than an answer is held back, then an error.
         text = program_of(60000).replace("M30", "G999\nM30")

@@ -361,15 +361,20 @@ TEST(ContourMaskingFunction, DoesNotSwitchKerfMasking) {
 TEST(SelectionTooLong, NamesItsLimit) {  // 900212
   const std::string contour = "G41 G1 X10\nX20\nX30\nX40\nX50\nG40 X60";
   for (const char* held_by : {"G238", "G141", "G141\n#TRC[REMOVE_MASKED_BLOCKS=1]", ""}) {
-    ProgramSessionSetup setup;
-    setup.session.compensator.limits.selection_blocks = 3;
-    setup.session.compensator.implicit_contour_masking = held_by[0] == '\0';
-    const ProgramRun run = to_blocks(program_of("X0 Y0", held_by, contour), setup);
-    ASSERT_EQ(run.diagnostics.size(), 1U) << held_by;
-    EXPECT_EQ(run.diagnostics[0].code, Code::selection_too_long) << held_by;
-    ASSERT_EQ(run.diagnostics[0].values.size(), 1U) << held_by;
-    EXPECT_EQ(run.diagnostics[0].values[0].name, "limit");
-    EXPECT_EQ(run.diagnostics[0].values[0].value, 3);
+    // A verification that cannot hold it either does not say so once more.
+    for (const Verify verify : {Verify::off, Verify::report, Verify::enforce}) {
+      ProgramSessionSetup setup;
+      setup.session.verify = verify;
+      setup.session.compensator.limits.selection_blocks = 3;
+      setup.session.compensator.implicit_contour_masking = held_by[0] == '\0';
+      const ProgramRun run = to_blocks(program_of("X0 Y0", held_by, contour), setup);
+      ASSERT_EQ(run.diagnostics.size(), 1U) << held_by;
+      EXPECT_EQ(run.diagnostics[0].code, Code::selection_too_long) << held_by;
+      EXPECT_EQ(run.diagnostics[0].severity, Severity::error) << held_by;
+      ASSERT_EQ(run.diagnostics[0].values.size(), 1U) << held_by;
+      EXPECT_EQ(run.diagnostics[0].values[0].name, "limit");
+      EXPECT_EQ(run.diagnostics[0].values[0].value, 3);
+    }
   }
 }
 

@@ -2,6 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <iomanip>
+#include <sstream>
+
+#include "proto/wire/setting_meanings.h"
+#include "proto/wire/setup.h"
+
 namespace trc::wire {
 namespace {
 
@@ -23,6 +30,26 @@ TEST(Settings, TakeNumbersAndSwitches) {
   EXPECT_EQ(setup.path().look_ahead_blocks(), 200u);
   EXPECT_TRUE(setup.path().implicit_contour_masking());
   EXPECT_EQ(setup.path().max_passive_blocks(), 7u);
+}
+
+TEST(Settings, AreWrittenAsTheyAreRead) {
+  const std::vector<std::string> assignments{
+      "plane=zx",
+      "start_position=1,-2.5,0",
+      "tool_radius=4.98",
+      "transition=circular",
+      "options.stretch_factor=2.5",
+      "implicit_contour_masking=false",
+      "axis_names=A,C",
+      "max_passive_blocks=7",
+      "verify=enforce",
+      "leads=blocks:2,1",
+      "tools=1:5,2:3.5:-0.02",
+  };
+  v1::ProgramSetup setup;
+  for (const std::string& assignment : assignments) EXPECT_EQ(apply_setting(assignment, setup), "");
+  EXPECT_EQ(assignments_of(setup), assignments);
+  EXPECT_TRUE(assignments_of({}).empty());
 }
 
 TEST(Settings, TakeLeads) {
@@ -111,6 +138,72 @@ TEST(Settings, ListEveryFieldOfAPathSetup) {
         "client_tag ", "tools "})
     EXPECT_NE(keys.find(key), std::string::npos) << key;
   EXPECT_EQ(keys.find("resume_token "), std::string::npos);
+}
+
+bool is_taken(const std::string& assignment) {
+  v1::ProgramSetup setup;
+  EXPECT_EQ(apply_setting(assignment, setup), "") << assignment;
+  FieldFaults faults;
+  static_cast<void>(from_proto(setup, FieldPath("setup"), faults));
+  return faults.empty();
+}
+
+std::string digits_of(double number) {
+  std::ostringstream text;
+  text << std::setprecision(17) << number;
+  return text.str();
+}
+
+TEST(SettingMeanings, AreThereForEverySetting) {
+  for (const SettingRow& row : settings()) {
+    const SettingMeaning& about = meaning_of(row.key);
+    EXPECT_NE(about.meaning, "") << row.key;
+    const bool is_number = row.values == "a number" || row.values == "a whole number";
+    EXPECT_EQ(std::isfinite(about.least) && std::isfinite(about.most), is_number) << row.key;
+  }
+}
+
+TEST(SettingMeanings, NameTheRangeThatIsTaken) {
+  for (const SettingRow& row : settings()) {
+    const SettingMeaning& about = meaning_of(row.key);
+    // A split and counted leads are whole or nothing: their parts are not looked at alone.
+    if (!std::isfinite(about.least) || row.key.starts_with("options.split.") ||
+        row.key.starts_with("leads."))
+      continue;
+    EXPECT_TRUE(is_taken(row.key + "=" + digits_of(about.least))) << row.key;
+    EXPECT_TRUE(is_taken(row.key + "=" + digits_of(about.most))) << row.key;
+    // What does not fit the field is refused before.
+    if (about.most == std::numeric_limits<std::uint32_t>::max()) continue;
+    const double step = row.values == "a whole number" ? 1 : 1e-6;
+    EXPECT_FALSE(is_taken(row.key + "=" + digits_of(about.most + step))) << row.key;
+    if (about.least == 0 && step == 1) continue;
+    EXPECT_FALSE(is_taken(row.key + "=" + digits_of(about.least - (step == 1 ? 1 : 0.9 * step))))
+        << row.key;
+  }
+}
+
+// Said once more, the initial value changes nothing.
+TEST(SettingMeanings, NameTheInitialValue) {
+  const auto read_with = [](const std::string& assignment) {
+    v1::ProgramSetup setup;
+    if (!assignment.empty()) {
+      EXPECT_EQ(apply_setting(assignment, setup), "") << assignment;
+    }
+    FieldFaults faults;
+    const ProgramSettings read = from_proto(setup, FieldPath("setup"), faults);
+    EXPECT_TRUE(faults.empty()) << assignment;
+    v1::ProgramSetup again;
+    to_proto(read, again);
+    return again.ShortDebugString();
+  };
+  for (const SettingRow& row : settings()) {
+    const std::string initial(meaning_of(row.key).initial);
+    const bool is_part =
+        row.key.starts_with("options.split.") && row.key != "options.split.measure";
+    // They mean nothing without the measure.
+    if (initial.empty() || is_part) continue;
+    EXPECT_EQ(read_with(row.key + "=" + initial), read_with("")) << row.key;
+  }
 }
 
 }  // namespace

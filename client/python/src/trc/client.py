@@ -26,9 +26,9 @@ def identity(message: bytes) -> bytes:
 class Client:
     """A connection to a server, for many calls and many threads.
 
-    server: "HOST:PORT", several of one key with commas between, or "unix:/path"; none: a trcd of this
-    machine is started. tls: for an encrypted connection. timeout: seconds of each call; none: no
-    end. Close it, or use it in a `with` statement.
+    server: "HOST:PORT", several of one key with commas between, or "unix:/path"; none: a trcd of
+    this machine is started. tls: for an encrypted connection. timeout: seconds of each call; none:
+    no end. Close it, or use it in a `with` statement.
     """
 
     def __init__(self, server: Optional[str] = None, *, tls: Optional[Tls] = None,
@@ -52,9 +52,10 @@ class Client:
                    **setup: Any) -> Result:
         """The NC program with tool radius compensation resolved.
 
-        tools: D number → radius in mm, or Tool messages as dictionaries. setup: fields of ProgramSetup,
-        PathSetup and TrcOptions by name (radius=5, transition="G26", remove_masked_blocks=True). Raises
-        TrcError where the program is refused, ServerError where there is no answer.
+        tools: D number → radius in mm, or Tool messages as dictionaries. setup: fields of
+        ProgramSetup, PathSetup and TrcOptions by name (radius=5, transition="G26",
+        remove_masked_blocks=True). Raises TrcError where the program is refused, ServerError where
+        there is no answer.
         """
         exchange = ProgramExchange(bytes_of(text), settings.program_setup(setup, tools))
         self._run(exchange)
@@ -73,11 +74,12 @@ class Client:
                      uncut: bool = False, largest: bool = True, **setup: Any) -> Survey:
         """What tools of many radii make of an NC program or a path, and the largest that fits.
 
-        radii: mm, 0.0001 to 107374, each at most once, 64 at most; each takes the place of every radius
-        that setup and program give. uncut: names the stretches of wall that each leaves uncut. largest:
-        looks for the largest radius that reaches every wall. setup: as of compensate() or
-        compensate_path(), without tools. A radius that does not fit is told, not raised: TrcError says
-        that the program is wrong with every radius, ServerError that there is no answer.
+        radii: mm, 0.0001 to 107374, each at most once, 64 at most; each takes the place of every
+        radius that setup and program give. uncut: names the stretches of wall that each leaves
+        uncut. largest: looks for the largest radius that reaches every wall. setup: as of
+        compensate() or compensate_path(), without tools. A radius that does not fit is told, not
+        raised: TrcError says that the program is wrong with every radius, ServerError that there
+        is no answer.
         """
         exchange = survey_of(program, radii, uncut, largest, setup)
         self._run(exchange)

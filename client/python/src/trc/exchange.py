@@ -1,7 +1,7 @@
 """One stream, from the setup to the summary: what is sent, what has come, where to go on.
 
-No connection is in here: the client and its asyncio twin drive the same exchange. A stream that is lost
-goes on from the last resume token, on any server of the same version and key; what came behind
+No connection is in here: the client and its asyncio twin drive the same exchange. A stream that is
+lost goes on from the last resume token, on any server of the same version and key; what came behind
 the token comes again and is dropped here, so that the joined answer is that of an unbroken stream.
 """
 

@@ -35,8 +35,9 @@ class _Local:
         program = os.environ.get("TRC_TRCD") or shutil.which("trcd")
         if program is None:
             raise ServerError(grpc.StatusCode.UNAVAILABLE,
-                              "no server was given and there is no trcd here: pass server=\"HOST:PORT\", "
-                              "install the package trcd, or name the program in TRC_TRCD")
+                              "no server was given and there is no trcd here: pass "
+                              "server=\"HOST:PORT\", install the package trcd, or name the program in "
+                              "TRC_TRCD")
         self._folder = tempfile.mkdtemp(prefix="trc-")
         self.address = f"unix:{self._folder}/trcd.sock"
         said = File(self._folder, "stderr")

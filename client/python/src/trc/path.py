@@ -59,8 +59,9 @@ class Path:
                    texts: Mapping[int, str] = {}, **columns: Sequence[float]) -> "Path":
         """Of numpy columns, which are not copied where they hold 64-bit floats.
 
-        kinds: a Kind for each block. commands: block number → TrcCommand of the protocol, or "left",
-        "right", "off". texts: block number → text. columns: x y z, i j k (centres of arcs) and feed.
+        kinds: a Kind for each block. commands: block number → TrcCommand of the protocol, or
+        "left", "right", "off". texts: block number → text. columns: x y z, i j k (centres of arcs)
+        and feed.
         """
         path = cls()
         path._kinds = np.asarray(kinds, np.uint8)
@@ -202,7 +203,8 @@ class CompensatedPath:
             parts = [getattr(batch, name) for batch in batches]
             return np.concatenate(parts) if parts else np.empty((0, 3))
 
-        self.kinds: np.ndarray = np.concatenate([b.kinds for b in batches] or [np.empty(0, np.uint8)])
+        self.kinds: np.ndarray = np.concatenate(
+            [b.kinds for b in batches] or [np.empty(0, np.uint8)])
         self.origins: np.ndarray = np.concatenate(
             [b.origins for b in batches] or [np.empty(0, np.uint8)])
         self.start: np.ndarray = joined("start")

@@ -1,7 +1,7 @@
 """Keyword arguments as the setup of the protocol.
 
-Each field of PathSetup, TrcOptions and ProgramSetup has its own name as a keyword, with a value as in
-JSON; enums also by the word of the control, as in transition="G26".
+Each field of PathSetup, TrcOptions and ProgramSetup has its own name as a keyword, with a value as
+in JSON; enums also by the word of the control, as in transition="G26".
 """
 
 from __future__ import annotations

@@ -1,7 +1,7 @@
 """Packed columns on the wire.
 
-Protobuf's Python classes copy repeated numbers one by one. A packed column is its numbers side by side in
-memory, as numpy has them, so columns are written and read here as they are.
+Protobuf's Python classes copy repeated numbers one by one. A packed column is its numbers side by
+side in memory, as numpy has them, so columns are written and read here as they are.
 """
 
 from __future__ import annotations

@@ -1,0 +1,52 @@
+#include "client/cli/summary_line.h"
+
+#include <cstddef>
+#include <cstdint>
+
+#include "core/nc/text/number_format.h"
+#include "core/trc/result/compensated_block.h"
+
+namespace trc::cli {
+namespace {
+
+constexpr double inch = 25.4;  // mm
+
+std::string grouped(std::uint64_t count, Language language) {
+  std::string digits = std::to_string(count);
+  // A point would be read as that of decimals.
+  const char between = language == Language::german ? ' ' : ',';
+  for (std::size_t place = digits.size(); place > 3;) {
+    place -= 3;
+    digits.insert(place, 1, between);
+  }
+  return digits;
+}
+
+std::string fixed(double value, int decimals) {
+  std::string text;
+  append_fixed(text, value, decimals);
+  return text;
+}
+
+}  // namespace
+
+std::string summary_line(const wire::PathSummary& summary, bool in_inch, double seconds,
+                         Language language) {
+  const bool german = language == Language::german;
+  const std::uint64_t blocks = summary.summary.blocks_out;
+  const std::uint64_t masked =
+      summary.summary.blocks_by_origin[static_cast<std::size_t>(Origin::masked)];
+  std::string line = grouped(blocks, language);
+  line += german ? (blocks == 1 ? " Satz" : " Sätze") : (blocks == 1 ? " block" : " blocks");
+  if (masked > 0) line += ", " + grouped(masked, language) + (german ? " ausgeblendet" : " masked");
+  if (const auto& worst = summary.clearance.worst) {
+    line += german ? ", Abstand " : ", clearance ";
+    line +=
+        in_inch ? fixed(worst->distance / inch, 4) + " inch" : fixed(worst->distance, 3) + " mm";
+    if (worst->path.number != Source::no_number)
+      line += (german ? " bei N" : " at N") + std::to_string(worst->path.number);
+  }
+  return line + ", " + fixed(seconds, 2) + " s";
+}
+
+}  // namespace trc::cli
