@@ -14,6 +14,7 @@
 #include "client/c/trc.h"
 #include "core/session/program_session.h"
 #include "tests/support/process.h"
+#include "tests/support/random.h"
 
 namespace trc::testing_support {
 namespace {
@@ -350,6 +351,47 @@ TEST(CApi, ABlockThatCannotBeTakenIsNamedAndNotTaken) {
     ASSERT_EQ(said.motions.size(), 2U) << row.names;
     EXPECT_NEAR(said.motions[1].end[0], 20, 1e-4);
     EXPECT_EQ(said.motions[1].index, 1U);
+  }
+}
+
+// Whatever stands in a block: it is taken, refused, or named as wrong.
+TEST(CApi, NoBlockWhateverItHoldsGivesAnythingElse) {
+  constexpr double infinite = std::numeric_limits<double>::infinity();
+  constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
+  const std::vector<double> odd = {0,    1,     -5,     10,       25,        1e-9,     999999,
+                                   -1e7, 1e300, 1e-310, infinite, -infinite, no_number};
+  const std::vector<const char*> texts = {nullptr, "", "{}", "M8", "{\"plane\": 2}"};
+  for (std::uint64_t seed = 1; seed <= 300; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    support::Random random(seed);
+    const Session session = create(TRC_INPUT_BLOCKS, {"tool_radius=2", "verify=report"});
+    int status = TRC_OK;
+    for (int i = 0; i < 40 && status != TRC_REFUSED; ++i) {
+      trc_block block = of_kind(static_cast<int>(random.below(11)));
+      block.given = static_cast<std::uint32_t>(random.below(random.chance(0.25) ? 1024 : 8));
+      for (double* value :
+           {&block.x, &block.y, &block.z, &block.i, &block.j, &block.k, &block.radius, &block.feed})
+        *value = random.chance(0.1) ? odd[random.below(odd.size())] : random.between(0, 100);
+      block.number = static_cast<std::int64_t>(random.below(3)) - 1;
+      block.role = static_cast<int>(random.below(50) == 0 ? 7 : random.below(3));
+      block.text = texts[random.below(texts.size())];
+      trc_axis axis{};
+      axis.axis = static_cast<std::uint32_t>(random.below(8));
+      axis.position = odd[random.below(odd.size())];
+      block.axes = &axis;
+      block.axis_count = random.chance(0.1) ? 1 : 0;
+      status = feed(session.get(), {block});
+      EXPECT_TRUE(status == TRC_OK || status == TRC_REFUSED || status == TRC_ARGUMENT)
+          << status << ": " << trc_last_error();
+    }
+    status = trc_finish(session.get());
+    EXPECT_TRUE(status == TRC_OK || status == TRC_REFUSED) << status << ": " << trc_last_error();
+    Said said;
+    take(session.get(), said);
+    for (const trc_motion& motion : said.motions)
+      for (const double coordinate : motion.end) EXPECT_TRUE(std::isfinite(coordinate));
+    EXPECT_EQ(status == TRC_REFUSED,
+              !said.diagnostics.empty() && said.diagnostics.back().severity == TRC_ERROR);
   }
 }
 
