@@ -40,6 +40,8 @@ layer(server "${known}|server/.*" ".*")
 
 # The client library is for other people's programs; only the command line runs a server of its own.
 layer(client/trc "${known}|client/trc/.*" ".*")
+# What is linked without gRPC.
+layer(client/c "${known}|client/c/.*" "stddef\\.h|stdint\\.h")
 layer(client/plot "${known}|client/(trc|plot)/.*" ".*")
 layer(client/load "${known}|client/(trc|load)/.*" ".*")
 layer(client/cli "${known}|client/.*|server/.*" ".*")

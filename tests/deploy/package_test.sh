@@ -29,6 +29,7 @@ cat >"$work/expected" <<'LIST'
 -rw-r--r-- root/root ./usr/share/zsh/vendor-completions/_trc
 LIST
 diff "$work/expected" "$work/contents" || fail "the package holds other files"
+tests/deploy/libraries.sh build/release "$bin/trc" "$bin/trcd"
 say "built: $(du -k "$package" | cut -f 1) kB, lintian is content"
 
 make_machine

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# The defences of the programs given: position independent, nothing writable that need not be, no
+# The defences of the programs and libraries given: position independent, nothing writable that need not be, no
 # executable stack, checked stacks and string functions, and CET on x86. Of CET the code itself is
 # looked at: the linker marks no program on Debian 12, whose own start code is without.
 set -euo pipefail
@@ -19,7 +19,10 @@ for program in "$@"; do
   demand "stack protector" '__stack_chk_fail' "$symbols"
   demand "fortified functions" '__[a-z]+_chk' "$symbols"
   case $(uname -m) in
-    x86_64) demand "CET" endbr64 "$(objdump -d --disassemble=main "$program")" ;;
+    x86_64)
+      entry=main
+      [[ $program != *.so* ]] || entry=trc_create
+      demand "CET" endbr64 "$(objdump -d --disassemble=$entry "$program")" ;;
   esac
 done
 exit $fault
