@@ -55,6 +55,7 @@ std::vector<std::string> words_of(const CLI::App& command) {
 
 std::string names_of(const std::vector<const CLI::App*>& commands) {
   std::vector<std::string> names;
+  names.reserve(commands.size());
   for (const CLI::App* command : commands) names.push_back(command->get_name());
   return joined(names, " ");
 }
@@ -80,6 +81,7 @@ std::string for_bash(const CLI::App& app) {
       names.insert(names.end(), spellings.begin(), spellings.end());
       if (spellings.empty() || !takes_a_value(*option)) continue;
       std::vector<std::string> places;
+      places.reserve(spellings.size());
       for (const std::string& name : spellings) places.push_back(command->get_name() + ":" + name);
       const std::vector<std::string> words = values_of(*option);
       values += "    " + joined(places, "|") + ") " +

@@ -63,7 +63,8 @@ void add_setup_options(CLI::App& command, ProgramOptions& options) {
       ->transform(CLI::IsMember({"refuse", "copy"}, CLI::ignore_case));
   command
       .add_option("--tools", options.tools,
-                  "Table of tools: CSV with the header number,radius (mm, whatever the program "
+                  "Table of tools: CSV with the header number,radius, as wanted with name and edge "
+                  "(mm, whatever the program "
                   "counts in, unless a first line unit,inch or a column unit says otherwise), a "
                   "tool table of LinuxCNC, TOOL.T of Heidenhain, G10 lines of Fanuc, tool data "
                   "of Sinumerik ($TC_DP6 and $TC_DP15 of a TOA file)")

@@ -40,7 +40,7 @@ std::string meant_option(const CLI::App& command, const std::string& word) {
     for (const wire::SettingRow& row : wire::settings()) {
       if (!likely_meant(name, {as_option(row.key)})) continue;
       const std::string setting = row.key.substr(row.key.rfind('.') + 1);
-      return text + "; did you mean --set " + setting + "=…?\n";
+      return text.append("; did you mean --set ").append(setting).append("=…?\n");
     }
   }
   return text + "; trc " + command.get_name() + " --help lists all\n";

@@ -244,7 +244,9 @@ constexpr auto rows = std::to_array<GermanExplanation>({
     {.code = Code::tool_unknown,
      .meaning = "Das D- oder T-Wort nennt ein Werkzeug, dessen Radius nicht bekannt ist.",
      .causes = {"Die Werkzeugtabelle wurde nicht angegeben.",
-                "Die Nummer ist die einer anderen Maschine."}},
+                "Die Nummer ist die einer anderen Maschine.",
+                "Die Tabelle hat das Werkzeug, aber nicht seinen Namen oder nicht diese "
+                "Schneide."}},
     {.code = Code::program_empty,
      .meaning = "Es gibt nichts zu korrigieren: keine Zeile des Programms enthält ein Wort.",
      .causes = {"Die falsche Datei, oder eine, die nicht zu Ende geschrieben wurde."}},
