@@ -232,8 +232,8 @@ constexpr auto rows = std::to_array<CodeRow>({
      "stretch may be left out, raise max_masked_share."},
     {Code::no_tool_radius, error, "NO_TOOL_RADIUS",
      "TRC is selected although no tool radius has been given",
-     "Program a D word or T word whose radius the tool table of the setup holds, or "
-     "V.G.WZ_AKT.R; or give tool_radius in the setup."},
+     "Program a D word or T word whose radius the tool table of the setup holds, or give "
+     "tool_radius in the setup."},
     {Code::tool_radius_zero, warning, "TOOL_RADIUS_ZERO",
      "the tool radius is given as 0: nothing is compensated",
      "Check that the radius is meant to be 0."},

@@ -484,7 +484,7 @@ constexpr auto rows = std::to_array<Explanation>({
                 "The table has the tool, but not its name, or not this edge."},
      .on_command_line =
          "Give the table with that tool: --tools tools.csv, with number,name,edge,radius as far "
-         "as the program says them; or the tool alone, by number: --set tools=77:5.",
+         "as the program says them; a number alone is enough as --set tools=77:5.",
      .example = "N10 G00 X0 Y0\n"
                 "N20 D77\n"
                 "N30 M30\n"},
@@ -833,7 +833,7 @@ constexpr auto rows = std::to_array<Explanation>({
                 "setup has said one.",
      .causes = {"The tool table was not given.", "The D or T word stands behind G41."},
      .on_command_line = "Give the radius: --radius 5, or the tools: --tools tools.csv, --set "
-                        "tools=1:5. Or write V.G.WZ_AKT.R=5 into the program.",
+                        "tools=1:5.",
      .example = "N10 G00 X0 Y0\n"
                 "N20 G41\n"
                 "N30 G01 X10 Y10 F500\n"

@@ -193,8 +193,8 @@ constexpr auto rows = std::to_array<GermanRow>({
      .help = "Das Werkzeug in die Tabelle des Setups aufnehmen: Nummer, Name und Schneide, wo das "
              "Programm sie nennt, und seinen Radius.",
      .on_command_line = "Die Tabelle mit dem Werkzeug angeben: --tools tools.csv, mit "
-                        "number,name,edge,radius, soweit das Programm sie nennt; oder das Werkzeug "
-                        "allein, mit Nummer: --set tools=77:5."},
+                        "number,name,edge,radius, soweit das Programm sie nennt; für eine Nummer "
+                        "allein genügt --set tools=77:5."},
     {.code = Code::program_empty,
      .title = "das Programm hat keinen Satz",
      .help = "Prüfen, ob es die gemeinte Datei ist und ob sie vollständig ist."},
@@ -318,9 +318,9 @@ constexpr auto rows = std::to_array<GermanRow>({
      .title = "die Werkzeugradiuskorrektur wird angewählt, obwohl kein Werkzeugradius angegeben "
               "ist",
      .help = "Ein D-Wort oder T-Wort programmieren, dessen Radius die Werkzeugtabelle des Setups "
-             "hat, oder V.G.WZ_AKT.R; oder tool_radius im Setup angeben.",
+             "hat, oder tool_radius im Setup angeben.",
      .on_command_line = "Den Radius angeben: --radius 5, oder die Werkzeuge: --tools tools.csv, "
-                        "--set tools=1:5. Oder V.G.WZ_AKT.R=5 ins Programm schreiben."},
+                        "--set tools=1:5."},
     {.code = Code::tool_radius_zero,
      .title = "der Werkzeugradius ist mit 0 angegeben: korrigiert wird nichts",
      .help = "Prüfen, ob der Radius 0 sein soll."},

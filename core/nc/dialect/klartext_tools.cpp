@@ -147,7 +147,7 @@ bool Interpreter::choose_called_tool(const ProgramLine& line, std::size_t begin)
   if (!modes.tool) return true;
   const ProgramSetup& setup = state_.setup();
   const auto unknown = [&](const std::string& tool) {
-    return refuse_klartext(line, begin, "tool " + tool, Code::tool_unknown);
+    return refuse_klartext(line, begin, tool, Code::tool_unknown);
   };
   const auto number_text = [&](std::int64_t tool) {
     if (tool <= no_tool_number) return name_not_in_table(modes.tool_name);
