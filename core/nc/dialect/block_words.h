@@ -10,6 +10,10 @@
 
 namespace trc {
 
+// -1 where it is none.
+[[nodiscard]] inline std::int64_t whole_number(double value) {
+  return is_whole(value) ? static_cast<std::int64_t>(value) : -1;
+}
 // Of a D or T word.
 [[nodiscard]] inline bool is_number_of_tool(double value) {
   return is_whole(value) && value < first_named_tool;

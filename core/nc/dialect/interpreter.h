@@ -145,7 +145,7 @@ class Interpreter {
   bool read_command(const Word& word, ProgramLine& line, BlockWords& block);
   bool check_feed(ProgramLine& line, const BlockWords& block);
 
-  // Of the dialects of plain letters and numbers: code_block.cpp.
+  // Of the dialects of plain letters and numbers: code_block_words.cpp and code_block.cpp.
   bool read_code_words(ProgramLine& line, BlockWords& block);
   bool read_code_word(const CodeWord& word, ProgramLine& line, BlockWords& block);
   bool read_code_function(const CodeWord& word, ProgramLine& line, BlockWords& block);

@@ -15,6 +15,10 @@ namespace trc {
 // Where RL or RR stands in a block of Klartext that is not read; npos: nowhere.
 [[nodiscard]] std::size_t place_of_klartext_side(std::string_view block);
 
+// A block in capitals, with single blanks, without what stands in quotes and behind `;`.
+[[nodiscard]] std::string statement_of(std::string_view text);
+[[nodiscard]] bool begins_with_word(std::string_view statement, std::string_view word);
+
 // What the words of a block that may move say, before any of it takes effect.
 struct Interpreter::KlartextBlock {
   struct Value {

@@ -1,0 +1,247 @@
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include "core/nc/dialect/block_words.h"
+
+// How the words of a block of plain letters and numbers are read: the dialects of Fanuc and of
+// LinuxCNC.
+
+namespace trc {
+namespace {
+
+using enum GGroup;
+
+void add(ProgramLine& line, const CodeWord& word, WordRole role) {
+  line.words.push_back({.begin = word.begin, .end = word.end, .role = role});
+}
+
+WordRole role_of(GGroup group) {
+  switch (group) {
+    case motion:
+      return WordRole::motion;
+    case side:
+      return WordRole::trc;
+    case plane:
+    case unit:
+    case dimension:
+    case circle_center:
+      return WordRole::mode;
+    default:
+      return WordRole::technology;
+  }
+}
+
+// T0101: the tool and its offset in one word, as lathes have it.
+bool is_turning_tool(std::string_view word) {
+  return word.size() == 5 && word.substr(1) != "0000" && word.substr(1, 2) == word.substr(3);
+}
+
+bool is_subprogram_call(double m) { return m == 96 || m == 97 || m == 98 || m == 198; }
+
+}  // namespace
+
+bool Interpreter::refuse_code(const ProgramLine& line, const CodeWord& word, Code code,
+                              std::string_view meaning) {
+  std::string detail(line.word({.begin = word.begin, .end = word.end}));
+  if (!meaning.empty()) detail.append(", ").append(meaning);
+  return refuse(line, TextFault{.code = code, .begin = word.begin, .detail = std::move(detail)});
+}
+
+// All words are read, also behind one that is refused, so that every obstacle is told.
+bool Interpreter::read_code_words(ProgramLine& line, BlockWords& block) {
+  CodeReader reader(line.text);
+  bool readable = true;
+  for (;;) {
+    const CodeWord word = reader.next();
+    switch (word.kind) {
+      case CodeWord::Kind::end:
+        return complete_code_block(line, block) && readable;
+      case CodeWord::Kind::fault:
+        refuse(line, reader.fault());
+        readable = false;
+        break;
+      case CodeWord::Kind::comment:
+        add(line, word, WordRole::comment);
+        break;
+      case CodeWord::Kind::skip:
+        block.to_skip = true;
+        add(line, word, WordRole::technology);
+        break;
+      case CodeWord::Kind::address:
+        readable = read_code_word(word, line, block) && readable;
+        break;
+    }
+    if (diagnostics_.stopped()) return false;
+  }
+}
+
+bool Interpreter::read_code_word(const CodeWord& word, ProgramLine& line, BlockWords& block) {
+  switch (word.letter) {
+    case 'N':
+      // Some controls jump and call with N behind other words.
+      if (block.words > 0)
+        return refuse_code(line, word, Code::nc_unsupported, "behind other words");
+      if (word.has_number && word.whole && is_whole(word.value))
+        line.source.number = static_cast<std::int64_t>(word.value);
+      add(line, word, WordRole::number);
+      return true;
+    case 'O':  // the number of the program
+      if (blocks_read_ > 0 && dialect_.name == DialectName::linuxcnc)
+        return refuse_code(line, word, Code::nc_unsupported, "a subprogram or a loop");
+      if (blocks_read_ > 0)
+        return refuse(line, TextFault{.code = Code::nc_unsupported,
+                                      .begin = word.begin,
+                                      .detail = "O, a second program in one text"});
+      add(line, word, WordRole::comment);
+      return true;
+    case 'G':
+      ++block.words;
+      return read_code_function(word, line, block);
+    default:
+      ++block.words;
+      return read_code_address(word, line, block);
+  }
+}
+
+bool Interpreter::read_code_function(const CodeWord& word, ProgramLine& line, BlockWords& block) {
+  const GFunction* function = dialect_.function(word.value);
+  static constexpr GFunction unknown{
+      .number = 1007, .group = single_move, .meaning = "an unknown function"};
+  if (function == nullptr && state_.setup().copies_unknown_words) function = &unknown;
+  if (function == nullptr) return refuse_code(line, word, Code::nc_unknown_function);
+  const GGroup group = function->group;
+  if (group == refused || group == call)
+    return refuse_code(line, word, Code::nc_unsupported, function->meaning);
+  if (group == turning) return refuse_code(line, word, Code::turning, function->meaning);
+  BlockWords::Function& seen = block.functions[static_cast<std::size_t>(group)];
+  const bool alone = group != technology && group != axis_technology;
+  if (alone && seen.function != nullptr && seen.function != function)
+    return refuse_code(line, word,
+                       group == side ? Code::compensation_side_twice : Code::nc_group_twice);
+  seen = {.function = function, .begin = word.begin};
+  if (function->number == 96) code_.turning = true;
+  // Where there is nothing to end, G40 is a line of the program like any other.
+  const bool ends_nothing = group == side && function->number == 40 && !contour_open();
+  add(line, word, ends_nothing ? WordRole::mode : role_of(group));
+  return true;
+}
+
+bool Interpreter::read_code_axis(const CodeWord& word, ProgramLine& line, BlockWords& block) {
+  const int axis = axis_of_letter_[static_cast<std::size_t>(word.letter - 'A')];
+  if (axis < 0) return refuse_code(line, word, Code::nc_axis_unknown);
+  const auto index = static_cast<std::size_t>(axis);
+  if (index >= 3 && block.move.tracking.size() <= index - 3)
+    block.move.tracking.resize(state_.setup().tracking_axes.size());
+  auto& coordinate = index < 3 ? block.move.end[index] : block.move.tracking[index - 3];
+  if (coordinate) return refuse_code(line, word, Code::nc_word_twice);
+  coordinate = word.value;
+  code_.y_seen |= word.letter == 'Y';
+  if (!block.axis) block.axis = word.begin;
+  add(line, word, WordRole::coordinate);
+  return true;
+}
+
+bool Interpreter::read_code_address(const CodeWord& word, ProgramLine& line, BlockWords& block) {
+  const auto twice = [&] { return refuse_code(line, word, Code::nc_word_twice); };
+  const BlockWords::Value value{.value = word.value, .begin = word.begin};
+  if (word.comma && dialect_.name == DialectName::linuxcnc)
+    return refuse_code(line, word, Code::nc_unsupported, "which LinuxCNC does not have");
+  if (word.comma) {
+    const bool angle = word.letter == 'A';
+    if (word.letter == 'R' || word.letter == 'C') {
+      if (block.corner) return twice();
+      block.corner = word.begin;
+      block.move.corner = {
+          .form = word.letter == 'R' ? CornerCut::Form::round : CornerCut::Form::leg,
+          .size = word.value};
+      add(line, word, WordRole::technology);
+      return true;
+    }
+    if (trc_active())
+      return refuse_code(line, word, Code::nc_unsupported,
+                         angle ? "the angle of a motion while TRC is active"
+                               : "a rounding or a chamfer while TRC is active");
+    if (angle) block.unfollowed_word = word.begin;
+    add(line, word, WordRole::technology);
+    return true;
+  }
+  const char letter = word.letter;
+  if (letter == '$') {
+    if (dialect_.name != DialectName::linuxcnc) return refuse_code(line, word, Code::nc_syntax);
+    add(line, word, WordRole::technology);
+    return true;
+  }
+  if (letter <= 'C' || letter >= 'U') return read_code_axis(word, line, block);
+  switch (letter) {
+    case 'I':
+    case 'J':
+    case 'K':
+    case 'R': {
+      auto& target = letter == 'R' ? block.move.radius
+                                   : block.move.center[static_cast<std::size_t>(letter - 'I')];
+      if (target) return twice();
+      target = word.value;
+      if (!block.center) block.center = word.begin;
+      add(line, word, WordRole::coordinate);
+      return true;
+    }
+    case 'F':
+      if (block.feed) return twice();
+      if (word.value < 0) return refuse_code(line, word, Code::nc_number);
+      block.feed = value;
+      add(line, word, WordRole::feed);
+      return true;
+    case 'D':
+      if (block.tool) return twice();
+      if (word.value >= first_named_tool) return refuse_code(line, word, Code::nc_number);
+      block.tool = value;
+      break;
+    case 'T':
+      if (block.later_tool || (block.tool_number && dialect_.name != DialectName::fanuc))
+        return twice();
+      if (!is_number_of_tool(std::floor(word.value)))
+        return refuse_code(line, word, Code::nc_number);
+      (block.tool_number ? block.later_tool : block.tool_number) = {.value = std::floor(word.value),
+                                                                    .begin = word.begin};
+      code_.turning |= is_turning_tool(line.word({.begin = word.begin, .end = word.end}));
+      break;
+    case 'M':
+      return read_code_machine_function(word, line, block);
+    case 'L':
+      block.tool_data = value;
+      break;
+    case 'P':
+      block.tool_data_number = value;
+      break;
+    case 'Q':
+      block.quantity = value;
+      break;
+    case 'H':
+      block.offset = value;
+      break;
+    default:  // S E
+      break;
+  }
+  add(line, word, WordRole::technology);
+  return true;
+}
+
+bool Interpreter::read_code_machine_function(const CodeWord& word, ProgramLine& line,
+                                             BlockWords& block) {
+  const double m = word.value;
+  if (is_subprogram_call(m))
+    return refuse_code(line, word, Code::nc_unsupported, "a subprogram call");
+  const bool linuxcnc = dialect_.name == DialectName::linuxcnc;
+  if (linuxcnc && m == 72)
+    return refuse_code(line, word, Code::nc_unsupported, "modes as they were at M70");
+  block.names_tool |= linuxcnc && m == 61;
+  const bool ends = m == 2 || m == 30 || m == 99;
+  line.ends_program |= ends;
+  block.changes_tool |= m == 6;
+  block.loads_tool |= m == 6;
+  add(line, word, ends || m == 0 || m == 1 ? WordRole::stop : WordRole::technology);
+  return true;
+}
+
+}  // namespace trc

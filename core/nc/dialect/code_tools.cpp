@@ -1,0 +1,156 @@
+#include <algorithm>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/base/likely_meant.h"
+#include "core/nc/dialect/block_words.h"
+#include "core/nc/text/characters.h"
+
+// Which tool G41 and G42 have, and what a program says of tools: the dialects of Fanuc, LinuxCNC
+// and Sinumerik.
+
+namespace trc {
+namespace {
+
+using enum GGroup;
+
+bool has_length_offset(const ProgramLine& line) {
+  return std::ranges::any_of(line.words, [&](const WordRange& range) {
+    const std::string_view word = line.word(range);
+    return word == "G43" || word == "g43" || word == "G44" || word == "g44";
+  });
+}
+
+}  // namespace
+
+// What G41 and G42 need, and D words.
+bool Interpreter::check_code_selection(ProgramLine& line, BlockWords& block) {
+  const bool selects = block.has(side) && !block.of(side).is(40);
+  const auto wrong = [&](Code code, std::string detail) {
+    return refuse(
+        line, TextFault{.code = code, .begin = block.of(side).begin, .detail = std::move(detail)});
+  };
+  if (selects && code_.unfollowed >= 0)
+    return wrong(Code::nc_unsupported,
+                 "TRC while coordinates are not followed (polar, scaled or tilted)");
+  if (dialect_.name == DialectName::sinumerik && !choose_tool_of_edge(line, block)) return false;
+  // Only lathes work without Y.
+  const bool turns = code_.turning && !code_.y_seen;
+  if (selects && turns) return wrong(Code::turning, "G41, G42 of a lathe");
+  if (trc_active() && !code_.y_seen && state_.mode().plane == Plane::xy && block.move.end[0] &&
+      block.move.end[2])
+    return refuse(line, TextFault{.code = Code::turning,
+                                  .begin = *block.axis,
+                                  .detail = "a contour of X and Z in the plane X Y"});
+  const bool fanuc = dialect_.name == DialectName::fanuc;
+  if (fanuc && selects && block.tool_data_number)
+    return wrong(Code::nc_unsupported, "G41, G42 with a radius in P");
+  // Older controls have one table for lengths and radii, with H words for both.
+  if (fanuc && selects && !block.tool && block.offset && !has_length_offset(line))
+    block.tool = block.offset;
+  if (selects && block.of(side).function->tenth != 0) {
+    if (!block.tool) return wrong(Code::nc_number, "G41.1, G42.1 without D, the diameter");
+    block.tool_radius = {.value = block.tool->value / 2, .begin = block.tool->begin};
+    block.tool.reset();
+  } else if (selects && dialect_.tool_of_spindle && !block.tool &&
+             (code_.spindle_tool != 0 || code_.spindle_empty)) {
+    block.tool = {.value = static_cast<double>(code_.spindle_tool), .begin = block.of(side).begin};
+  }
+  if (selects && !block.tool && !block.tool_radius && code_.missing_tool >= 0)
+    return wrong(Code::tool_unknown, "D" + std::to_string(code_.missing_tool));
+  if (!block.tool && !block.tool_radius) return true;
+  if ((selects || trc_active()) && dialect_.name != DialectName::sinumerik)
+    for (WordRange& word : line.words)
+      if (line.text[word.begin] == 'D' || line.text[word.begin] == 'd') word.role = WordRole::trc;
+  if (!block.tool) return true;
+  const std::int64_t number = whole_number(block.tool->value);
+  code_.missing_tool = -1;
+  if (!is_whole(block.tool->value))
+    return refuse(line,
+                  TextFault{.code = Code::nc_number, .begin = block.tool->begin, .detail = "D"});
+  if (state_.tool().has_tool(number)) return true;
+  const bool one_radius = state_.setup().tools.empty() && state_.setup().mode.tool_radius != 0;
+  if (one_radius && (!selects || code_.only_register.value_or(number) == number)) {
+    // The radius of the setup stands for the one register that the program selects with.
+    if (selects) code_.only_register = number;
+    block.tool.reset();
+    return true;
+  }
+  if (!selects && !trc_active()) {
+    // H and D stand side by side in many programs: it matters only where G41 has no D of its own.
+    code_.missing_tool = number;
+    block.tool.reset();
+    return true;
+  }
+  return refuse(line, TextFault{.code = Code::tool_unknown,
+                                .begin = block.tool->begin,
+                                .detail = "D" + std::to_string(number)});
+}
+
+// Sinumerik: T is the tool, D its edge; D0 is none.
+bool Interpreter::choose_tool_of_edge(ProgramLine& line, BlockWords& block) {
+  // A tool change chooses the first one.
+  if (block.tool || block.tool_number) code_.edge = block.tool ? block.tool->value : 1;
+  block.tool.reset();
+  const bool selects = block.has(side) && !block.of(side).is(40);
+  if (!selects) return true;
+  const std::uint32_t begin = block.of(side).begin;
+  if (code_.edge == 0) {
+    block.tool = {.value = 0, .begin = begin};
+    return true;
+  }
+  const std::int64_t number = code_.changes_by_m6 ? code_.spindle_tool : code_.next_tool;
+  const auto unknown = [&](std::string detail) {
+    return refuse(
+        line, TextFault{.code = Code::tool_unknown, .begin = begin, .detail = std::move(detail)});
+  };
+  const bool table = !state_.setup().tools.empty();
+  const std::int64_t edge = whole_number(code_.edge);
+  const std::int64_t row = row_of_edge(number, edge);
+  if (table && number == no_tool_number) return unknown(name_not_in_table(code_.tool_name));
+  const bool is_plain = edge == 1 && code_.tool_name.empty();
+  if (table && !is_plain && !state_.tool().has_tool(row))
+    return unknown("D" + std::to_string(edge) + " of " +
+                   (code_.tool_name.empty() ? "T" + std::to_string(number) : code_.tool_name));
+  if (number == no_tool_number) {
+    // The radius of the setup stands for the one tool that the program selects with.
+    if (code_.only_tool_name.empty()) code_.only_tool_name = code_.tool_name;
+    return code_.only_tool_name == code_.tool_name || unknown(code_.tool_name);
+  }
+  if (number != 0)
+    block.tool = {.value = static_cast<double>(table ? row : number), .begin = begin};
+  return true;
+}
+
+// With the name of the table that it is a slip of, if there is one.
+std::string Interpreter::name_not_in_table(const std::string& name) const {
+  std::vector<std::string> names;
+  for (const auto& [known, tool] : state_.setup().tool_names) names.push_back(known);
+  const auto meant = likely_meant(in_upper_case(name), names);
+  return meant ? name + ", the table has " + *meant : name;
+}
+
+// G10 L12 P R of Fanuc, G10 L1 P R of LinuxCNC: the program gives a tool its radius.
+bool Interpreter::take_tool_data(ProgramLine& line, BlockWords& block) {
+  // Controls with one table for lengths and radii have no L word.
+  if (!block.has(tool_data) || (!block.tool_data && !block.tool_data_number)) return true;
+  const std::int64_t data = block.tool_data ? whole_number(block.tool_data->value) : 12;
+  const bool linuxcnc = dialect_.name == DialectName::linuxcnc;
+  const bool radius_data =
+      linuxcnc ? data == 1 || data == 10 || data == 11 : data == 12 || data == 13;
+  if (!radius_data || !block.move.radius) return true;
+  if (data == 13 && *block.move.radius == 0) return true;
+  if (data != (linuxcnc ? 1 : 12) || !block.tool_data_number || incremental_)
+    return refuse(line, TextFault{.code = Code::nc_unsupported,
+                                  .begin = block.of(tool_data).begin,
+                                  .detail = "G10 L" + std::to_string(data) +
+                                            ", wear or a sum of a tool radius"});
+  if (!faults_.empty()) return true;
+  const bool inch = block.has(unit) ? counts_in_inch(*block.of(unit).function) : inch_;
+  state_.define_tool(whole_number(block.tool_data_number->value),
+                     *block.move.radius * (inch ? mm_per_inch : 1));
+  return true;
+}
+
+}  // namespace trc

@@ -1,0 +1,230 @@
+#include <algorithm>
+#include <utility>
+
+#include "core/nc/dialect/block_words.h"
+#include "core/nc/dialect/interpreter.h"
+
+// What a block does that has been read: modes, tool and radius, compensation, motion.
+
+namespace trc {
+namespace {
+
+Side side_of(int g_number) {
+  return g_number == 41 ? Side::left : g_number == 42 ? Side::right : Side::off;
+}
+
+Selection selection_of(int g_number) {
+  switch (g_number) {
+    case 138:
+      return Selection::direct;
+    case 236:
+      return Selection::on_path;
+    case 237:
+      return Selection::perpendicular;
+    case 238:
+      return Selection::inside_corner;
+    case 239:
+      return Selection::without_block;
+    default:
+      return Selection::indirect;
+  }
+}
+
+constexpr std::array<MotionKind, 4> motions{MotionKind::rapid, MotionKind::linear,
+                                            MotionKind::clockwise, MotionKind::counter_clockwise};
+
+}  // namespace
+
+bool Interpreter::apply(ProgramLine& line, BlockWords& block) {
+  line.has_trc_words = line.has(WordRole::trc);
+  const auto pass = [&](WordRole role) { return !line.has(role) || pass_words(line, role); };
+  block.motion_before = motion_;
+  block.feed_before = feed_;
+  const bool goes_on = apply_modes(line, block) && apply_trc(line, block) &&
+                       pass(WordRole::technology) && apply_motion(line, block) &&
+                       pass(WordRole::stop);
+  if (!goes_on) return false;
+  if (block.of(GGroup::zero_shift).is(53)) forget_position(line, block);
+  if (!line.ends_program) return true;
+  ended_ = true;
+  state_.place(0);
+  return state_.end(line.source);
+}
+
+bool Interpreter::apply_modes(const ProgramLine& line, const BlockWords& block) {
+  using enum GGroup;
+  if (block.has(motion))
+    motion_ = motions[static_cast<std::size_t>(block.of(motion).function->number)];
+  if (block.has(unit)) {
+    count_in(line, counts_in_inch(*block.of(unit).function));
+    feed_in_mm_ = dialect_.name == DialectName::sinumerik && block.of(unit).function->number < 100;
+  }
+  if (block.has(dimension)) incremental_ = block.of(dimension).is(91);
+  if (block.has(feed_mode)) feed_mode_ = block.of(feed_mode).function->number;
+  if (block.feed) feed_ = block.feed->value * feed_unit(inch_);
+  if (block.has(circle_center)) {
+    const GFunction& function = *block.of(circle_center).function;
+    absolute_center_ = function.number == 161 || function.tenths() == 901;
+    state_.set_absolute_center(absolute_center_);
+  }
+  if (block.has(circle_check)) state_.set_circle_correction(block.of(circle_check).is(165));
+  if (block.has(zero_shift)) forget_position(line, block);
+  if (block.forget != 0) {
+    std::array<bool, 3> axes{};
+    for (std::size_t axis = 0; axis < axes.size(); ++axis)
+      axes[axis] = (block.forget >> axis & 1) != 0;
+    state_.forget_position(axes, line.source);
+  }
+  if (block.sets_position) {
+    std::array<std::optional<double>, 3> place = block.move.end;
+    for (auto& coordinate : place)
+      if (coordinate) *coordinate *= length_unit();
+    state_.set_position(place, line.source);
+  }
+  if (!block.has(plane)) return true;
+  place(line, block.of(plane).begin);
+  const int number = block.of(plane).function->number;
+  return state_.set_plane(number == 17   ? Plane::xy
+                          : number == 18 ? Plane::zx
+                                         : Plane::yz,
+                          line.source);
+}
+
+// G92 shifts the axes it names. Controls differ in whether G53 holds for its own block only, so
+// that the place its motion leads to is known to none of them.
+void Interpreter::forget_position(const ProgramLine& line, const BlockWords& block) {
+  std::array<bool, 3> axes{};
+  for (std::size_t axis = 0; axis < axes.size(); ++axis)
+    axes[axis] = !block.axis || !block.of(GGroup::zero_shift).is(92) || block.move.end[axis];
+  state_.forget_position(axes, line.source);
+}
+
+// Modes and radius before the side, so that G41 begins with all of its block.
+bool Interpreter::apply_trc(const ProgramLine& line, const BlockWords& block) {
+  using enum GGroup;
+  const Source& source = line.source;
+  const auto at = [&](std::uint32_t begin) { return place(line, begin), true; };
+  const auto has = [&](GGroup group) { return block.has(group) && at(block.of(group).begin); };
+
+  if (has(transition) &&
+      !state_.set_transition(block.of(transition).is(25) || block.of(transition).is(451)
+                                 ? Transition::linear
+                                 : Transition::circular,
+                             source))
+    return false;
+  if (has(masking) &&
+      !state_.set_masking(block.of(masking).is(141) ? Masking::on : Masking::off, source))
+    return false;
+  if (has(feed_adaptation) &&
+      !state_.set_feed_adaptation(block.of(feed_adaptation).is(11) ? FeedAdaptation::on
+                                  : block.of(feed_adaptation).is(feed_at_inside)
+                                      ? FeedAdaptation::inside
+                                      : FeedAdaptation::off,
+                                  source))
+    return false;
+  if (block.options && at(block.command) && !state_.set_options(*block.options, source))
+    return false;
+  if (block.tangfeed && at(block.command) &&
+      !state_.set_tangfeed_minimum(*block.tangfeed * length_unit(), source))
+    return false;
+  if (has(selection) &&
+      !state_.set_selection(selection_of(block.of(selection).function->number), source))
+    return false;
+  if (block.tool_radius && at(block.tool_radius->begin)) {
+    const double value = block.tool_radius->value * length_unit();
+    if (!(block.radius_is_change ? state_.change_tool_radius(value, source)
+                                 : state_.set_tool_radius(value, source)))
+      return false;
+  }
+  if (block.allowance && at(block.allowance->begin) &&
+      !state_.set_allowance_of_program(block.allowance->value * length_unit(), source))
+    return false;
+  if (block.tool_number) state_.prepare_tool(static_cast<std::int64_t>(block.tool_number->value));
+  if (block.loads_tool && at(0) && !state_.load_tool(source)) return false;
+  const bool zero = block.tool && block.tool->value == 0 && dialect_.zero_is_a_radius &&
+                    !state_.tool().row_of_tool(0);
+  if (zero && at(block.tool->begin) && !state_.set_tool_radius(0, source)) return false;
+  if (block.tool && !zero && at(block.tool->begin) &&
+      !state_.set_tool(static_cast<std::int64_t>(block.tool->value), source))
+    return false;
+  if (has(tangential) && !state_.set_tangential(source)) return false;
+  // A smooth retraction runs along the contour before it ends TRC.
+  if (!has(side) || (block.leads_softly && block.of(side).is(40))) return true;
+  return state_.select(side_of(block.of(side).function->number), source);
+}
+
+bool Interpreter::apply_motion(ProgramLine& line, BlockWords& block) {
+  if (block.copied) return true;
+  if (dialect_.name == DialectName::sinumerik && (block.axis || block.center) &&
+      !resolve_references(line, block))
+    return false;
+  if (block.leads_softly)
+    return block.of(GGroup::soft_lead).function->number % 10 == 7 ? approach_softly(line, block)
+                                                                  : depart_softly(line, block);
+  const bool axis_is_position = !block.has(GGroup::dwell) && !block.of(GGroup::zero_shift).is(92);
+  if ((!block.axis || !axis_is_position) && !block.center) return true;
+  const std::uint32_t begin = std::min(block.axis.value_or(~0U), block.center.value_or(~0U));
+  place(line, begin);
+  const bool per_minute = feed_mode_ == 94;
+  const bool adapted = state_.mode().feed_adaptation != FeedAdaptation::off;
+  if (!per_minute && state_.contour_open() && (feed_mode_ == 93 || adapted))
+    return refuse(line,
+                  TextFault{.code = Code::nc_unsupported,
+                            .begin = begin,
+                            .detail = std::string("G")
+                                          .append(std::to_string(feed_mode_))
+                                          .append(adapted ? " with G11" : " while TRC is active")});
+  return code_.soft_approach ? begin_contour_of_approach(line, block) : move(line, block.move);
+}
+
+// The words of `request` are those of the line; the rest is in force.
+bool Interpreter::move(ProgramLine& line, MoveRequest& request) {
+  request.source = line.source;
+  request.kind = motion_;
+  request.incremental = incremental_;
+  request.feed = feed_mode_ == 94 ? feed_ : 0;
+  if (inch_) scale(request);
+  // Many post-processors write all three centre words.
+  auto& across = request.center[axes_of(state_.mode().plane).third];
+  if (dialect_.name != DialectName::isg && across == 0.0) across.reset();
+  if (dialect_.arcs_to_the_contour && state_.awaits_approach() &&
+      (motion_ == MotionKind::clockwise || motion_ == MotionKind::counter_clockwise)) {
+    // An arc leads to the contour tangentially, as G05 does it: which arc, the contour says.
+    request.kind = MotionKind::linear;
+    request.center = {};
+    request.radius.reset();
+    state_.approach_tangentially();
+  }
+  line.is_motion = true;
+  return state_.move(request);
+}
+
+// From inch to mm.
+void Interpreter::scale(MoveRequest& request) const {
+  const auto scale = [](std::optional<double>& value) {
+    if (value) *value *= mm_per_inch;
+  };
+  for (auto& coordinate : request.end) scale(coordinate);
+  for (auto& coordinate : request.center) scale(coordinate);
+  scale(request.radius);
+  if (request.corner) request.corner->size *= mm_per_inch;
+  // U V W are linear axes, A B C turn: degrees have no inch.
+  const auto& names = state_.setup().tracking_axes;
+  for (std::size_t axis = 0; axis < request.tracking.size(); ++axis)
+    if (!names[axis].empty() &&
+        std::string_view("UVWXYZ").find(names[axis][0]) != std::string_view::npos)
+      scale(request.tracking[axis]);
+}
+
+// The words of one role as one text, in their order.
+bool Interpreter::pass_words(const ProgramLine& line, WordRole role) {
+  std::string text;
+  for (const WordRange& range : line.words) {
+    if (range.role != role) continue;
+    if (!text.empty()) text += ' ';
+    text += line.word(range);
+  }
+  return state_.pass(line.source, std::move(text));
+}
+
+}  // namespace trc

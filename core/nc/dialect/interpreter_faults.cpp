@@ -1,0 +1,99 @@
+#include <algorithm>
+#include <utility>
+
+#include "core/nc/dialect/interpreter.h"
+#include "core/nc/text/slip.h"
+
+// How what cannot be read is told: its place, what was meant, all of a kind at once.
+
+namespace trc {
+
+// What was mistyped is named as a whole, with what was meant.
+TextFault Interpreter::with_slip(const ProgramLine& line, TextFault fault) {
+  constexpr std::array codes{Code::nc_syntax,   Code::nc_unknown_function, Code::nc_unsupported,
+                             Code::nc_not_text, Code::nc_number,           Code::nc_axis_unknown};
+  if (fault.slip.kind != SlipKind::none || std::ranges::find(codes, fault.code) == codes.end())
+    return fault;
+  auto found = slip_at(line.text, fault.begin);
+  if (!found) return fault;
+  fault.code = found->slip.kind == SlipKind::quotes ? Code::nc_syntax : Code::nc_number;
+  fault.begin = static_cast<std::uint32_t>(found->begin);
+  fault.detail = std::move(found->word);
+  fault.slip = std::move(found->slip);
+  return fault;
+}
+
+// The place of a fault is its physical line, also within a continued block.
+bool Interpreter::refuse(const ProgramLine& line, const TextFault& given) {
+  const TextFault fault = with_slip(line, given);
+  Source source = line.source;
+  std::size_t line_begin = 0;
+  for (std::size_t at = 0; at < fault.begin && at < line.text.size(); ++at) {
+    const bool ends =
+        line.text[at] == '\n' || (line.text[at] == '\r' && line.text.compare(at, 2, "\r\n") != 0);
+    if (!ends) continue;
+    ++source.line;
+    line_begin = at + 1;
+  }
+  Diagnostic refused = diagnostic(fault.code, source, fault.detail);
+  refused.column = static_cast<std::uint32_t>(fault.begin - line_begin + 1);
+  refused.slip = fault.slip;
+  guard_against_other_dialects(line, refused);
+  return collect(std::move(refused));
+}
+
+// What cannot be read as ISG, in a program that has no word of its own, may be of another dialect.
+void Interpreter::guard_against_other_dialects(const ProgramLine& line, Diagnostic& fault) const {
+  constexpr std::array codes{Code::nc_syntax, Code::nc_unknown_function, Code::nc_unsupported,
+                             Code::nc_number, Code::nc_axis_unknown,     Code::nc_word_twice};
+  const bool mistyped =
+      fault.slip.kind != SlipKind::none && fault.slip.kind != SlipKind::unit_of_another;
+  if (dialect_.name != DialectName::isg || isg_word_seen_ || mistyped ||
+      std::ranges::find(codes, fault.code) == codes.end())
+    return;
+  const auto other = looks_like(line.text);
+  if (!other) return;
+  fault.code = Code::other_dialect;
+  fault.detail.append(", as in ").append(dialect_of(*other).spelling);
+}
+
+// Faults of one kind, word and reason alike, are one with the number of its lines.
+bool Interpreter::collect(Diagnostic fault) {
+  if (limits_.most_faults <= 1) return diagnostics_.report(std::move(fault));
+  if (faults_.empty()) scanned_trc_ = state_.contour_open();
+  reads_plain_lines_ = false;
+  const auto alike = std::ranges::find_if(faults_, [&](const Fault& known) {
+    return known.code == fault.code && known.detail == fault.detail;
+  });
+  if (alike != faults_.end()) {
+    if (alike->last_line != fault.source.line) ++alike->lines;
+    alike->last_line = fault.source.line;
+    return false;
+  }
+  faults_.push_back({.code = fault.code,
+                     .source = fault.source,
+                     .column = fault.column,
+                     .detail = std::move(fault.detail),
+                     .slip = std::move(fault.slip),
+                     .last_line = fault.source.line});
+  return faults_.size() >= limits_.most_faults && report_faults();
+}
+
+bool Interpreter::report_faults() {
+  std::vector<Diagnostic> all;
+  for (const Fault& fault : faults_) {
+    Diagnostic found = diagnostic(fault.code, fault.source, fault.detail);
+    found.column = fault.column;
+    found.slip = fault.slip;
+    if (fault.lines > 1) found.values = {{"lines", static_cast<double>(fault.lines)}};
+    all.push_back(std::move(found));
+  }
+  return diagnostics_.report_together(std::move(all));
+}
+
+bool Interpreter::refuse(const ProgramLine& line, const Word& word, Code code, std::string detail) {
+  if (detail.empty()) detail = line.text.substr(word.begin, word.end - word.begin);
+  return refuse(line, TextFault{.code = code, .begin = word.begin, .detail = std::move(detail)});
+}
+
+}  // namespace trc
