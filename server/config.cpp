@@ -562,9 +562,9 @@ CommandLine read_command_line(int argc, const char* const* argv) {
     const auto& listen = result.config.listen;
     result.config.reflection = std::all_of(listen.begin(), listen.end(), is_local_address);
   }
-  if (auto fault = fault_of_empty_guard(argc, argv)) {
-    result.exit = CommandLine::Exit{.code = 2, .text = *fault};
-  } else if ((fault = first_fault(result.config))) {
+  auto fault = fault_of_empty_guard(argc, argv);
+  if (!fault) fault = first_fault(result.config);
+  if (fault) {
     result.exit = CommandLine::Exit{.code = 2, .text = *fault};
   } else if (print) {
     result.exit = CommandLine::Exit{.code = 0, .text = {}};

@@ -50,7 +50,7 @@ class PreparedQuestions final : public Questions {
       : messages_(std::move(messages)) {}
   grpc::ByteBuffer next(bool& last) override {
     last = next_ + 1 == messages_.size();
-    return std::move(messages_[next_++]);
+    return messages_[next_++];
   }
 
  private:

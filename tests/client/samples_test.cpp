@@ -26,7 +26,7 @@ std::uint64_t count_of(const std::string& text, const std::string& word) {
 
 TEST(Shapes, HaveAsManyContourBlocksAsAsked) {
   for (const ShapeRow& row : shapes())
-    for (const std::uint64_t blocks : {1, 2, 61, 2500}) {
+    for (const std::uint64_t blocks : {1U, 2U, 61U, 2500U}) {
       SCOPED_TRACE(std::string(row.name) + " " + std::to_string(blocks));
       const std::string text = program_of({.shape = std::string(row.name), .blocks = blocks});
       // Beside the contour there are approach and retract.
@@ -45,8 +45,8 @@ TEST(Shapes, AreTheSameForTheSameSeed) {
 
 TEST(Shapes, CanBeCompensatedWithoutAViolation) {
   for (const ShapeRow& row : shapes())
-    for (const std::uint64_t seed : {1, 2, 3})
-      for (const std::uint64_t blocks : {1, 5, 40, 1200}) {
+    for (const std::uint64_t seed : {1U, 2U, 3U})
+      for (const std::uint64_t blocks : {1U, 5U, 40U, 1200U}) {
         SCOPED_TRACE(std::string(row.name) + " seed " + std::to_string(seed) + " blocks " +
                      std::to_string(blocks));
         const std::string text =

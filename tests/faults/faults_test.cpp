@@ -106,7 +106,7 @@ TEST(Faults, MemoryOfAKilledClientIsBackWithinSeconds) {
     SCOPED_TRACE(removal);
     Client client(folder, "out.nc", server.address(),
                   folder.write("program.nc", program(blocks, std::string("G141\n") + removal)), 0);
-    ASSERT_TRUE(eventually([&] { return held() > held_bytes; }));
+    ASSERT_TRUE(eventually([&held, least = held_bytes] { return held() > least; }));
     EXPECT_EQ(metric(server.admin(), "trc_streams_active"), 1);
     const double most = server.resident_mib();
     client.process().signal(SIGKILL);

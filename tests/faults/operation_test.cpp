@@ -211,7 +211,7 @@ TEST(Certificates, ThatWouldBreakNewConnectionsLeaveTheOldOne) {
     SCOPED_TRACE(reason);
     pair.put(cert, key);
     server.signal(SIGHUP);
-    EXPECT_TRUE(eventually([&] { return has_line(server, reason); }));
+    EXPECT_TRUE(eventually([&server, &line = reason] { return has_line(server, line); }));
     EXPECT_TRUE(call(secure_channel(server.address(), trusting)).status.ok());
   }
   EXPECT_NE(http_get(server.admin(), "/metrics")

@@ -213,7 +213,7 @@ TEST_P(OfADialect, IsMeasuredClear) {
   if (program.refused != 0) return;
   ProgramSessionSetup measured = program.setup;
   measured.session.verify = Verify::enforce;
-  for (const std::size_t piece : {0, 1}) {
+  for (const std::size_t piece : {0U, 1U}) {
     const Written written = run(program.text, measured, true, piece);
     EXPECT_FALSE(written.stopped) << written.report();
     EXPECT_EQ(written.text, run(program.text, program.setup, true).text);
@@ -227,7 +227,7 @@ TEST_P(OfADialect, IsMeasuredClear) {
 TEST_P(OfADialect, GivesTheSameInPieces) {
   const DialectProgram& program = GetParam();
   const Written whole = run(program.text, program.setup, true);
-  for (const std::size_t piece : {1, 3, 17}) {
+  for (const std::size_t piece : {1U, 3U, 17U}) {
     const Written pieces = run(program.text, program.setup, true, piece);
     EXPECT_EQ(pieces.text, whole.text);
     EXPECT_EQ(pieces.report(), whole.report());
@@ -238,7 +238,7 @@ TEST_P(OfADialect, GivesTheSameInPieces) {
 TEST_P(OfADialect, GivesTheSameResumed) {
   const DialectProgram& program = GetParam();
   const Written whole = run(program.text, program.setup, true);
-  for (const std::size_t piece : {1, 23}) {
+  for (const std::size_t piece : {1U, 23U}) {
     const Written resumed = run_resumed(program.text, program.setup, piece);
     EXPECT_EQ(resumed.text, whole.text);
     EXPECT_EQ(resumed.report(), whole.report());

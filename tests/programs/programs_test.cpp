@@ -144,7 +144,7 @@ TEST_P(GoodProgram, IsConnected) {
 
 TEST_P(GoodProgram, GivesTheSameInPieces) {
   const std::string whole = text_of(run(text_, setup_, text_.size()).blocks);
-  for (const std::size_t piece : {1, 2, 7, 64})
+  for (const std::size_t piece : {1U, 2U, 7U, 64U})
     EXPECT_EQ(text_of(run(text_, setup_, piece).blocks), whole) << piece << " bytes at a time";
 }
 
@@ -191,7 +191,7 @@ TEST_P(BadProgram, RaisesTheDiagnosticOfItsFirstLine) {
   }
   EXPECT_EQ(outcome.stopped, raised->severity == Severity::error) << report_of(outcome.diagnostics);
   EXPECT_EQ(first_gap(outcome.blocks), "");
-  for (const std::size_t piece : {1, 5}) {
+  for (const std::size_t piece : {1U, 5U}) {
     const Outcome pieces = run(text, read_setup(text), piece);
     EXPECT_EQ(report_of(pieces.diagnostics), report_of(outcome.diagnostics));
     EXPECT_EQ(text_of(pieces.blocks), text_of(outcome.blocks));

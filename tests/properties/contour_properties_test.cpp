@@ -348,7 +348,7 @@ TEST_P(EveryContour, IsTheSameInEveryBatching) {
     Feeding feeding = full_feeding();
     const Outcome single = compensate(tested.contour, tested.mode, feeding);
     EXPECT_TRUE(same(compensate(tested.contour, tested.mode, feeding), single)) << "second run";
-    for (const std::size_t batch : {0, 2, 3, 5}) {
+    for (const std::size_t batch : {0U, 2U, 3U, 5U}) {
       feeding.batch = batch;
       const Outcome batched = compensate(tested.contour, tested.mode, feeding);
       EXPECT_TRUE(same(batched, single)) << "batch of " << batch << '\n'
@@ -405,7 +405,7 @@ TEST_P(EveryContour, IsTheSameTheShortWay) {
       feeding.compensator.engine = Engine::passes;
       const Outcome passes = compensate(tested.contour, tested.mode, feeding);
       for (const Engine engine : {Engine::short_way, Engine::automatic})
-        for (const std::size_t batch : {1, 0, 4}) {
+        for (const std::size_t batch : {1U, 0U, 4U}) {
           feeding.compensator.engine = engine;
           feeding.batch = batch;
           const Outcome outcome = compensate(tested.contour, tested.mode, feeding);

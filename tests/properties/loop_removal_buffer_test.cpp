@@ -110,7 +110,7 @@ TEST(BufferOfAFewBlocks, HasTheSameBoundary) {
 // Begun where they are too near by less than the tolerance.
 TEST(BufferOfAFewBlocks, IsNotOneLoopFromSeamToSeam) {
   Geos geos;
-  for (const std::uint64_t seed : {80'021'016, 80'027'087}) {
+  for (const std::uint64_t seed : {80'021'016U, 80'027'087U}) {
     Random random(seed);
     const SmallContour made = small_contour(random, Hardship::rounds);
     SCOPED_TRACE("seed " + std::to_string(seed));

@@ -248,7 +248,7 @@ TEST(EveryClosedContour, IsTheSameInEveryBatching) {
     };
     feeding.tracking = [](std::size_t ordinal) { return static_cast<double>(ordinal) * 1.25; };
     const Outcome single = compensate(tested.contour, tested.mode, feeding);
-    for (const std::size_t batch : {1, 0, 3}) {
+    for (const std::size_t batch : {1U, 0U, 3U}) {
       feeding.batch = batch;
       EXPECT_TRUE(same(compensate(tested.contour, tested.mode, feeding), single)) << batch;
     }
@@ -389,7 +389,7 @@ TEST(EverySplit, IsMirroredAndTurnedAndTheSameInEveryBatching) {
                            motion, 1e-6 * (size_of(tested.contour) + 100)),
                 "");
     }
-    for (const std::size_t batch : {1, 0, 3}) {
+    for (const std::size_t batch : {1U, 0U, 3U}) {
       Feeding feeding;
       feeding.batch = batch;
       EXPECT_TRUE(same(compensate(tested.contour, tested.mode, feeding), here)) << batch;

@@ -163,7 +163,7 @@ TEST(EveryProgram, IsTheSameHoweverItsTextIsCutAndSpelt) {
   for_each_program(6'000'000, [](const Contour& contour, const TrcMode& mode) {
     const std::string text = program_of(contour, mode, {});
     const Outcome whole = run(text, text.size());
-    for (const std::size_t piece : {1, 3, 17}) {
+    for (const std::size_t piece : {1U, 3U, 17U}) {
       const Outcome pieces = run(text, piece);
       EXPECT_EQ(text_of(pieces.blocks), text_of(whole.blocks)) << piece << " bytes at a time";
       EXPECT_EQ(pieces.diagnostics.size(), whole.diagnostics.size());

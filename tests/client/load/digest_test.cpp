@@ -82,7 +82,7 @@ TEST(ResultCheck, DoesNotMindHowTextIsCut) {
   for (int i = 0; i < 100; ++i) text += "N" + std::to_string(i) + " G01 X1\n";
   ExpectedResult expected(64);
   expected.add(std::string_view(text));
-  for (const std::size_t piece : {1, 7, 64, 100, 5000}) {
+  for (const std::size_t piece : {1U, 7U, 64U, 100U, 5000U}) {
     ResultCheck check(expected);
     for (std::string_view rest = text; !rest.empty();
          rest.remove_prefix(std::min(piece, rest.size())))

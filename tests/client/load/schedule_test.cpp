@@ -39,7 +39,7 @@ TEST(Schedule, NeverRunsBackwards) {
 TEST(Sampling, TakesTheShareOfAnyRowOfStreams) {
   for (const double share : {0.02, 0.25, 1.0 / 3, 0.9}) {
     SCOPED_TRACE(share);
-    for (const std::uint64_t begin : {0, 1, 77, 1000}) {
+    for (const std::uint64_t begin : {0U, 1U, 77U, 1000U}) {
       int taken = 0;
       for (std::uint64_t i = begin; i < begin + 600; ++i) taken += is_sampled(i, share) ? 1 : 0;
       EXPECT_NEAR(taken, 600 * share, 1) << begin;
