@@ -77,7 +77,7 @@ TEST(OpenStreams, EvictsTheLargest) {
   const auto large = std::make_shared<Stream>();
   small->holds = 10;
   large->holds = 20;
-  const auto tickets = {streams.admit(small), streams.admit(large)};
+  [[maybe_unused]] const auto tickets = {streams.admit(small), streams.admit(large)};
   EXPECT_TRUE(streams.evict_largest());
   EXPECT_TRUE(large->evicted);
   EXPECT_FALSE(small->evicted);

@@ -127,7 +127,7 @@ TEST(DiagnosticPlaces, AreThoseOfTheLineWhereItWaitsForItsCorner) {
   program += "M30\n";
   const std::vector<Placed> whole = places_of(program, program.size(), setup);
   EXPECT_EQ(whole.size(), 40U);
-  for (const std::size_t cut : {1, 13, 200}) {
+  for (const std::size_t cut : {1U, 13U, 200U}) {
     EXPECT_EQ(places_of(program, cut, setup), whole) << "cut every " << cut << " bytes";
     EXPECT_EQ(places_of(program, cut, setup, true), whole) << "resumed every " << cut << " bytes";
   }

@@ -223,7 +223,7 @@ TEST(EntryHelp, IsTheSameHoweverTheTextIsCut) {
   const std::string program =
       "G0 X0 Y0 F1000\nV.G.WZ_AKT.R=10\nG236\nG41 G1 X5\nX60 Y10\nX70 Y40\nX20 Y60\nG40\nX120 "
       "Y30\nM30\n";
-  for (const std::size_t cut : {0, 1, 7}) {
+  for (const std::size_t cut : {0U, 1U, 7U}) {
     const ProgramRun run = to_text(program, {}, cut);
     ASSERT_FALSE(run.diagnostics.empty());
     ASSERT_TRUE(run.diagnostics.back().entry_help) << cut;

@@ -283,7 +283,7 @@ TEST(ShortBlocks, VanishWhenTheyHaveNoLengthAfterRounding) {
 
 TEST(Refusals, WhatWasCertainIsWrittenAndNothingAfter) {
   const std::string program = "N10 G0 X0 Y0\nN20 G1 X10 F100\nN30 G1 X20\nN40 QQ\nN50 X30\n";
-  for (const std::size_t cut : {0, 1, 2, 5, 11}) {
+  for (const std::size_t cut : {0U, 1U, 2U, 5U, 11U}) {
     const ProgramRun run = to_text(program, {}, cut);
     EXPECT_FALSE(run.completed);
     EXPECT_EQ(run.text, "N10 G0 X0 Y0\nN20 G1 X10 F100\nN30 G1 X20\n") << cut;
@@ -294,7 +294,7 @@ TEST(Refusals, WhatWasCertainIsWrittenAndNothingAfter) {
 
 TEST(Refusals, BinaryBehindTheProgramEnd) {
   const std::string program = "G0 X0\nM30\ntext\nmore \xFF\nlast\n";
-  for (const std::size_t cut : {0, 1, 4, 9}) {
+  for (const std::size_t cut : {0U, 1U, 4U, 9U}) {
     const ProgramRun run = to_text(program, {}, cut);
     EXPECT_FALSE(run.completed);
     EXPECT_EQ(run.text, "G0 X0\nM30\ntext\n") << cut;
@@ -307,7 +307,7 @@ TEST(Refusals, OrderOfDiagnosticsIsThatOfTheProgram) {
   const std::string program =
       "G0 X0 Y0\nV.G.WZ_AKT.R=10\n#TRC[STRETCH_FACTOR=20]\nG41 G1 X0 Y20 F100\nX50\nX55 Y25\n"
       "Y70\nG40 X0\nQQ\n";
-  for (const std::size_t cut : {0, 1, 3, 64})
+  for (const std::size_t cut : {0U, 1U, 3U, 64U})
     EXPECT_EQ(to_text(program, {}, cut).reports(), "22007 at line 3; 90019 at line 6") << cut;
 }
 

@@ -189,7 +189,8 @@ TEST(PathSession, DiagnosticsHaveTheSamePlacesHoweverMuchIsGivenAtOnce) {
   const std::vector<std::string> alone = order_with(1);
   ASSERT_EQ(alone.size(), 3U);
   EXPECT_NE(alone[1].find("of 30 behind 3"), std::string::npos) << alone[1];
-  for (const std::uint64_t group : {2, 5, 9, 16, 40}) EXPECT_EQ(order_with(group), alone) << group;
+  for (const std::uint64_t group : {2U, 5U, 9U, 16U, 40U})
+    EXPECT_EQ(order_with(group), alone) << group;
 }
 
 }  // namespace

@@ -168,7 +168,7 @@ TEST(ReadBack, CutAnywhereGivesTheSameBytes) {
     const std::string program = random_program(seed, true);
     SCOPED_TRACE("seed " + std::to_string(seed));
     const ProgramRun whole = to_text(program);
-    for (const std::size_t cut : {1, 2, 3, 7, 64}) {
+    for (const std::size_t cut : {1U, 2U, 3U, 7U, 64U}) {
       const ProgramRun pieces = to_text(program, {}, cut);
       ASSERT_EQ(pieces.text, whole.text) << "cut " << cut;
       ASSERT_EQ(pieces.reports(), whole.reports()) << "cut " << cut;

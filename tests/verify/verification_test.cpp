@@ -91,7 +91,7 @@ TEST(Verification, IgnoredContourDamageIsAWarning) {
 TEST(Verification, DoesNotDependOnHowTheTextIsCut) {
   for (const char* program : {neck, step}) {
     const Outcome whole = verified(program, 10'000);
-    for (const std::size_t piece : {1, 7, 40}) {
+    for (const std::size_t piece : {1U, 7U, 40U}) {
       const Outcome cut = verified(program, piece);
       ASSERT_EQ(cut.path.size(), whole.path.size()) << "pieces of " << piece;
       EXPECT_EQ(cut.diagnostics.size(), whole.diagnostics.size());
