@@ -20,6 +20,7 @@
 #include <utility>
 
 #include "server/address.h"
+#include "server/resources/round.h"
 
 namespace trc::server {
 namespace {
@@ -244,11 +245,7 @@ void Acceptor::run() {
 }
 
 void Acceptor::look_after_connections() noexcept {
-  try {
-    connections_.look();
-  } catch (const std::bad_alloc&) {
-    // The next round looks again.
-  }
+  do_round([this] { connections_.look(); });
 }
 
 bool Acceptor::accept_from(const Door& door) {

@@ -13,6 +13,8 @@
 
 #include "core/base/version.h"
 #include "server/config.h"
+#include "server/resources/heap_reserve.h"
+#include "server/resources/round.h"
 #include "server/server.h"
 #include "server/service_manager.h"
 
@@ -88,8 +90,8 @@ void serve(int argc, char** argv, const sigset_t& signals, trc::server::Server& 
   for (;;) {
     const int signal = wait_for(signals, interval);
     if (signal == SIGTERM || signal == SIGINT) return;
-    if (signal == SIGHUP) reload(argc, argv, server);
-    server.look_after();
+    if (signal == SIGHUP) trc::server::do_round([&] { reload(argc, argv, server); });
+    trc::server::do_round([&] { server.look_after(); });
     if (server.is_well()) service_manager::alive();
   }
 }
@@ -167,6 +169,7 @@ int main(int argc, char** argv) {
   }
 
   share_heap();
+  trc::server::HeapReserve::install();
   const sigset_t signals = block_signals();
   std::signal(SIGPIPE, SIG_IGN);
   adopt_grpc_log(command_line.config);

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "server/resources/round.h"
+
 namespace trc::server {
 
 OpenStreams::Ticket::Ticket(Ticket&& other) noexcept
@@ -96,19 +98,25 @@ void OpenStreams::leave(Ticket::Place place) {
   changed_.notify_all();
 }
 
+void OpenStreams::look() {
+  std::vector<std::shared_ptr<OpenStream>> open;
+  {
+    const std::lock_guard lock(mutex_);
+    open = held();
+  }
+  for (const auto& stream : open) {
+    stream->end_if_idle(Clock::now() - idle_timeout_);
+    if (beats()) stream->beat_if_silent(Clock::now() - heartbeat_);
+  }
+}
+
 void OpenStreams::watch() {
-  const bool beats = heartbeat_ > heartbeat_.zero();
-  const Clock::duration shortest = beats ? std::min(idle_timeout_, heartbeat_) : idle_timeout_;
+  const Clock::duration shortest = beats() ? std::min(idle_timeout_, heartbeat_) : idle_timeout_;
   const Clock::duration interval = std::min<Clock::duration>(std::chrono::seconds(1), shortest / 4);
   std::unique_lock lock(mutex_);
   while (!changed_.wait_for(lock, interval, [this] { return stopping_; })) {
-    std::vector<std::shared_ptr<OpenStream>> open = held();
     lock.unlock();
-    for (const auto& stream : open) {
-      stream->end_if_idle(Clock::now() - idle_timeout_);
-      if (beats) stream->beat_if_silent(Clock::now() - heartbeat_);
-    }
-    open.clear();
+    do_round([this] { look(); });
     lock.lock();
   }
 }

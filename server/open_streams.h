@@ -80,6 +80,8 @@ class OpenStreams {
   // A stream may end while it is looked at, so each is held; not to be let go under the lock: its
   // end gives a ticket back.
   [[nodiscard]] std::vector<std::shared_ptr<OpenStream>> held() const;
+  [[nodiscard]] bool beats() const { return heartbeat_ > heartbeat_.zero(); }
+  void look();
   void watch();
 
   const std::size_t most_;

@@ -15,10 +15,15 @@ namespace trc {
 namespace {
 
 std::byte* map_piece() {
-  void* memory =
-      mmap(nullptr, PagePiece::bytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
-  if (memory == MAP_FAILED) throw std::bad_alloc();
-  return static_cast<std::byte*>(memory);
+  for (;;) {
+    void* memory =
+        mmap(nullptr, PagePiece::bytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+    if (memory != MAP_FAILED) return static_cast<std::byte*>(memory);
+    // As `operator new` does.
+    const std::new_handler handler = std::get_new_handler();
+    if (handler == nullptr) throw std::bad_alloc();
+    handler();
+  }
 }
 
 thread_local std::int64_t of_thread = 0;  // pieces taken, less those given back

@@ -18,6 +18,7 @@
 #include "server/http/api.h"
 #include "server/http/connection.h"
 #include "server/http/tls.h"
+#include "server/resources/round.h"
 
 namespace trc::server::http {
 namespace {
@@ -49,9 +50,13 @@ struct HttpServer::Parts {
              .offer = std::move(options.offer)}),
         limits{.timeout = std::chrono::seconds(given.config.http_timeout_s)} {
     if (options.certificates) tls = std::make_unique<Tls>(options.certificates);
-    for (unsigned i = 0; i < thread_count; ++i) threads.emplace_back([this] { io.run(); });
+    for (unsigned i = 0; i < thread_count; ++i) threads.emplace_back([this] { run(); });
   }
 
+  // A connection for which there is no memory goes; the others stay.
+  void run() {
+    while (!io.stopped()) do_round([this] { io.run(); });
+  }
   // Makes room by the connection that has waited longest for a request; false when all are at work.
   bool make_room();
   [[nodiscard]] bool any_works();

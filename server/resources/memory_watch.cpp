@@ -1,16 +1,21 @@
 #include "server/resources/memory_watch.h"
 
+#include <fcntl.h>
 #include <malloc.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
+#include <cstdlib>
 #include <fstream>
 #include <limits>
 #include <sstream>
 #include <string_view>
 
 #include "core/base/pages.h"
+#include "server/resources/heap_reserve.h"
+#include "server/resources/round.h"
 
 namespace trc::server {
 namespace {
@@ -77,11 +82,17 @@ std::uint64_t memory_limit_bytes() {
 }
 
 std::uint64_t resident_bytes() {
-  std::ifstream file("/proc/self/statm");
-  std::uint64_t size = 0;
-  std::uint64_t resident = 0;
-  std::uint64_t of_files = 0;
-  file >> size >> resident >> of_files;
+  // Without the heap: it is looked at most of all when there is nothing left to take.
+  std::array<char, 128> text{};
+  const int file = open("/proc/self/statm", O_RDONLY | O_CLOEXEC);
+  if (file < 0) return 0;
+  const ssize_t length = read(file, text.data(), text.size() - 1);
+  close(file);
+  if (length <= 0) return 0;
+  char* rest = text.data();
+  std::strtoull(rest, &rest, 10);  // the address space
+  const std::uint64_t resident = std::strtoull(rest, &rest, 10);
+  const std::uint64_t of_files = std::strtoull(rest, &rest, 10);
   return (resident - std::min(resident, of_files)) *
          static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE));
 }
@@ -102,7 +113,8 @@ void MemoryWatch::run() {
   std::unique_lock lock(mutex_);
   while (!changed_.wait_for(lock, round, [this] { return stopping_; })) {
     lock.unlock();
-    look();
+    HeapReserve::refill();
+    do_round([this] { look(); });
     lock.lock();
   }
 }

@@ -6,6 +6,7 @@
 #include <cstdint>
 
 #include "server/backend.h"
+#include "server/resources/heap_reserve.h"
 #include "server/resources/memory_account.h"
 #include "server/resources/memory_budget.h"
 #include "server/resources/peers.h"
@@ -34,6 +35,7 @@ class StreamAccount {
    private:
     StreamAccount& account_;
     MemoryAccount::Turn memory_;
+    HeapReserve::Turn reserve_;
   };
 
   // To be called in a turn, again and again where much may be taken. Throws Refused.

@@ -39,7 +39,10 @@ TEST(Hostile, StreamForWhichThereIsNoMemoryEndsAlone) {
       requests.push_back(server::text_request(i * text.size(), text, false));
     const Answer answer = server::call_program(channel_to(server.address()), requests);
     EXPECT_FALSE(answer.status.ok());
-    EXPECT_TRUE(eventually([&] { return serves(server.address()); }));
+    EXPECT_TRUE(eventually([&] { return serves(server.address()); }))
+        << server.threads() << " threads, " << server.address_space_mib()
+        << " MiB of address space\n"
+        << server.log() << server.errors();
   }
 }
 #endif

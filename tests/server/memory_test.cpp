@@ -1,14 +1,20 @@
 #include <gtest/gtest.h>
+#include <malloc.h>
+#include <sys/resource.h>
+#include <unistd.h>
 
 #include <atomic>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <memory>
+#include <new>
 #include <string>
 #include <thread>
 #include <vector>
 
 #include "core/base/pages.h"
+#include "server/resources/heap_reserve.h"
 #include "server/resources/memory_account.h"
 #include "server/resources/memory_budget.h"
 #include "server/resources/memory_watch.h"
@@ -176,6 +182,70 @@ TEST(MemoryWatch, EndsTheLargestWhileItIsCritical) {
   EXPECT_TRUE(is(MemoryWatch::State::ample));
   EXPECT_EQ(ended, 3);
 }
+
+TEST(MemoryWatch, GoesOnWhereARoundFindsNoMemory) {
+  std::atomic<int> rounds = 0;
+  std::atomic<std::uint64_t> resident = 10 * mib;
+  const MemoryWatch watch({.limit_bytes = 1000 * mib,
+                           .end_largest = [] {},
+                           .counted_bytes = [] { return std::uint64_t{0}; },
+                           .resident_bytes =
+                               [&] {
+                                 if (++rounds < 4) throw std::bad_alloc();
+                                 return resident.load();
+                               }});
+  resident = 870 * mib;
+  EXPECT_TRUE(eventually([&] { return watch.state() == MemoryWatch::State::scarce; }));
+}
+
+// AddressSanitizer and ThreadSanitizer have an address space of their own.
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+std::uint64_t address_space_bytes() {
+  std::uint64_t pages = 0;
+  std::ifstream("/proc/self/statm") >> pages;
+  return pages * static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE));
+}
+
+// In a process whose heap has an end; the exit code says what did not hold.
+[[noreturn]] void use_up_the_heap() {
+  const auto holds = [](bool held, int what) {
+    if (!held) std::_Exit(what);
+  };
+  mallopt(M_MMAP_THRESHOLD, 4 << 20);
+  const rlim_t most = address_space_bytes() + 200 * mib;
+  const rlimit limit{most, most};
+  holds(setrlimit(RLIMIT_AS, &limit) == 0, 2);
+  HeapReserve::install();
+  std::vector<std::unique_ptr<char[]>> taken;
+  taken.reserve(1000);
+  const auto fails = [&] {
+    try {
+      taken.emplace_back(new char[mib]);
+      return false;
+    } catch (const std::bad_alloc&) {
+      return true;
+    }
+  };
+  for (int round = 0; round < 2; ++round) {
+    {
+      const HeapReserve::Turn turn;
+      while (!fails()) holds(taken.size() < 900, 3);
+    }
+    // The turn has failed and left the reserve to the others.
+    for (int i = 0; i < 8; ++i) holds(!fails(), 4);
+    while (!fails()) holds(taken.size() < 900, 5);
+    HeapReserve::refill();
+    holds(fails(), 6);
+    taken.clear();
+    HeapReserve::refill();
+  }
+  std::_Exit(0);
+}
+
+TEST(HeapReserve, IsLeftToTheOthersWhereATurnFindsTheHeapEmpty) {
+  EXPECT_EXIT(use_up_the_heap(), testing::ExitedWithCode(0), "");
+}
+#endif
 
 TEST(MemoryWatch, KnowsTheProcess) {
   EXPECT_GT(memory_limit_bytes(), mib);

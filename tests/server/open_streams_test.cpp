@@ -4,6 +4,7 @@
 
 #include <atomic>
 #include <chrono>
+#include <new>
 #include <thread>
 
 namespace trc::server {
@@ -69,6 +70,26 @@ TEST(OpenStreams, AsksStreamsWhetherTheyAreIdle) {
     std::this_thread::sleep_for(milliseconds(5));
   ASSERT_NE(stream->asked_until.load(), Clock::time_point::min());
   EXPECT_LE(stream->asked_until.load(), Clock::now() - seconds(1));
+}
+
+class StreamWithoutMemory final : public OpenStream {
+ public:
+  void end_if_idle(Clock::time_point /*since*/) override {
+    if (++asked < 3) throw std::bad_alloc();
+  }
+  void beat_if_silent(Clock::time_point /*since*/) override {}
+  void evict() override {}
+  [[nodiscard]] std::uint64_t held_bytes() const override { return 0; }
+  std::atomic<int> asked = 0;
+};
+
+TEST(OpenStreams, AreAskedAgainWhereARoundFindsNoMemory) {
+  OpenStreams streams(2, seconds(1));
+  const auto stream = std::make_shared<StreamWithoutMemory>();
+  const auto admitted = streams.admit(stream);
+  const auto give_up = Clock::now() + seconds(30);
+  while (stream->asked < 3 && Clock::now() < give_up) std::this_thread::sleep_for(milliseconds(5));
+  EXPECT_GE(stream->asked.load(), 3);
 }
 
 TEST(OpenStreams, EvictsTheLargest) {

@@ -88,6 +88,7 @@ class ServerProcess {
   [[nodiscard]] std::string admin() const { return port_named("admin_port"); }
   [[nodiscard]] std::string health() const { return port_named("health_port"); }
   [[nodiscard]] std::string log() const { return process_.out(); }
+  [[nodiscard]] std::string errors() const { return process_.err(); }
   void signal(int number) const { process_.signal(number); }
   int wait() { return process_.wait(); }
   // Resident memory.
