@@ -131,7 +131,8 @@ Point nearest_point(const Segment& segment, const Point& point) {
   return std::visit([&](const auto& shape) { return nearest_on(shape, point); }, segment);
 }
 
-// Where they do not cross, an end of one of them is nearest.
+// Where they do not cross, an end of one of them is nearest. Of two on one line rounding makes a
+// crossing anywhere: that counts by what is measured there.
 Gap gap_between(const Line& a, const Line& b) {
   const Vector u = a.end - a.start;
   const Vector v = b.end - b.start;
@@ -139,8 +140,6 @@ Gap gap_between(const Line& a, const Line& b) {
   const double area = cross(u, v);
   const double on_a = cross(apart, v) / area;
   const double on_b = cross(apart, u) / area;
-  if (on_a >= 0 && on_a <= 1 && on_b >= 0 && on_b <= 1) return {.on_a = a.start + on_a * u};
-
   Gap gap;
   double least = std::numeric_limits<double>::infinity();
   const auto note = [&](const Point& at, const Point& other) {
@@ -149,6 +148,10 @@ Gap gap_between(const Line& a, const Line& b) {
     least = square;
     gap.on_a = at;
   };
+  if (on_a >= 0 && on_a <= 1 && on_b >= 0 && on_b <= 1) {
+    const Point crossing = a.start + on_a * u;
+    note(crossing, nearest_on(b, crossing));
+  }
   note(a.start, nearest_on(b, a.start));
   note(a.end, nearest_on(b, a.end));
   note(nearest_on(a, b.start), b.start);

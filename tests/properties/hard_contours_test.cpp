@@ -8,19 +8,32 @@
 #include <string>
 #include <vector>
 
+#include "core/trc/corner/bow_tie.h"
 #include "core/verify/clearance.h"
 #include "tests/support/run.h"
 #include "tests/support/slow_shapes.h"
 #include "tests/support/small_contours.h"
 
 // Loop removal together with what else changes the contour or what is seen of it, on the small
-// contours that are as hard as they get. Each has a seed of its own, which a failure prints;
-// TRC_TEST_LONG=1 takes a hundred times as many.
+// contours that are as hard as they get. Each has a seed of its own, which a failure prints and
+// TRC_TEST_SEED takes alone; TRC_TEST_LONG=1 takes a hundred times as many.
 
 namespace trc::support {
 namespace {
 
 double tolerance_of(double radius) { return 1.001e-6 * std::max(radius, 1.0); }  // rule 5.1
+
+// What counts as rounded input may be cut by this much, mm (D-44): a short block that others tie,
+// and the seam of a closed contour, whose point cannot move.
+double rounded_away(const SmallContour& made) {
+  const double largest = largest_bow_tie(Tolerances{}.input_resolution, made.mode.tool_radius);
+  const auto& blocks = made.contour.blocks;
+  const bool is_closed = start_of(blocks.front()) == end_of(blocks.back());
+  const bool has_short = std::any_of(blocks.begin(), blocks.end(), [&](const Segment& block) {
+    return length_of(block) > 0 && length_of(block) <= longest_in_bow_tie(largest);
+  });
+  return is_closed || has_short ? largest : 0;
+}
 
 bool is_between(const CompensatedBlock& block) {
   return block.origin != Origin::approach && block.origin != Origin::retract;
@@ -39,7 +52,11 @@ class HardContour : public ::testing::TestWithParam<Hardship> {
   static void for_each(std::uint64_t first_seed, std::uint64_t count, const Claim& claim) {
     const char* value = std::getenv("TRC_TEST_LONG");
     if (value != nullptr && std::string(value) == "1") count *= 100;
-    const std::uint64_t first = first_seed + 1'000'000 * static_cast<std::uint64_t>(GetParam());
+    std::uint64_t first = first_seed + 1'000'000 * static_cast<std::uint64_t>(GetParam());
+    if (const char* alone = std::getenv("TRC_TEST_SEED")) {
+      first = std::stoull(alone);
+      count = 1;
+    }
     for (std::uint64_t seed = first; seed < first + count && !HasFailure(); ++seed) {
       Random random(seed);
       SmallContour made = small_contour(random, GetParam());
@@ -91,7 +108,8 @@ TEST_P(HardContour, IsConvertedAndRaisedBeforeItsLoopsGo) {  // D-16, D-17, D-18
       const auto path = path_of(outcome);
       if (outcome.stopped || path.empty()) return;
       const double radius = made.mode.tool_radius;
-      EXPECT_GE(least_distance(path, path_of(shown)).distance, radius - tolerance_of(radius))
+      EXPECT_GE(least_distance(path, path_of(shown)).distance,
+                radius - tolerance_of(radius) - rounded_away(made))
           << text_of(outcome.blocks) << "beside\n"
           << text_of(shown.blocks);
     });
@@ -156,7 +174,7 @@ TEST_P(HardContour, IsKeptClearOfAsFarAsTheWindowReaches) {  // D-10
             seen.push_back(made.contour.blocks[k - 1]);
         const double radius = made.mode.tool_radius;
         EXPECT_GE(least_distance(std::vector<Segment>{block.path}, seen).distance,
-                  radius - tolerance_of(radius))
+                  radius - tolerance_of(radius) - rounded_away(made))
             << "window " << window << ": " << text_of(block);
       }
     }

@@ -358,5 +358,28 @@ TEST(Walls, BlocksMayBeCounted) {
   EXPECT_TRUE(contour.walls({.find = LeadSettings::Find::counted, .blocks_in = 9}).are_all());
 }
 
+// Of a block without length both ends are the crossing: there is nothing beyond it.
+TEST(Walls, APointBehindAFullCircleTiesNothing) {  // D-44
+  for (const double shift : {1.0, -1.0}) {
+    const Drawing drawing = Drawing(-30, 0).line(0, 0).arc(4, 16, 2 * pi).line(0, 0).line(3, -20);
+    ContourView view = drawing.view();
+    view.shift = shift;
+    EXPECT_TRUE(find_walls(view, {.find = LeadSettings::Find::none}, 2.5).are_all()) << shift;
+  }
+}
+
+// A circle that is closed crosses at its start and at its end: the tie is where the short block is.
+TEST(Walls, OfAFullCircleInABowTieTheWholeIsAWall) {  // D-44
+  for (const double shift : {1.0, -1.0}) {
+    const Drawing drawing =
+        Drawing(-30, 0).line(0, 0).arc(0, 20, 2 * pi).line(0.0006, -0.0003).line(-10, 10);
+    ContourView view = drawing.view();
+    view.shift = shift;
+    const Walls walls = find_walls(view, {.find = LeadSettings::Find::none}, 2.5);
+    for (const Walls::Part& part : walls.parts)
+      EXPECT_TRUE(part.number != 1 || part.to > 40 * pi - 0.01) << shift;
+  }
+}
+
 }  // namespace
 }  // namespace trc

@@ -150,6 +150,22 @@ TEST(Gap, IsZeroWhereSegmentsCross) {
   EXPECT_GT(gap_between(Line{{-20, 5}, {20, 5}}, Arc{{10, 0}, {-10, 0}, {0, 0}, -pi}).distance, 1);
 }
 
+// By rounding they cross in a place that is on neither of them, or on both.
+TEST(Gap, OfLinesOneBehindTheOtherIsWhatLiesBetweenThem) {
+  Chance random(4711);
+  for (int i = 0; i < 100'000; ++i) {
+    const Point from(random.between(-3000, 3000), random.between(-3000, 3000));
+    const double angle = random.between(0, 2 * pi);
+    const Vector along(std::cos(angle), std::sin(angle));
+    const double between = random.between(1, 1000);
+    const double length = random.between(1, 2000);
+    const Line a{from, from + length * along};
+    const Line b{from + (length + between) * along, from + (2 * length + between) * along};
+    ASSERT_NEAR(gap_between(a, b).distance, between, 1e-9) << i;
+    ASSERT_NEAR(gap_between(b, a).distance, between, 1e-9) << i;
+  }
+}
+
 TEST(Clearance, OfAnEquidistantIsTheToolRadius) {
   const std::vector<Block> programmed{contour(0, Line{{-20, 0}, {0, 0}}),
                                       contour(1, Line{{0, 0}, {50, 0}}),

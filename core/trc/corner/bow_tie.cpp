@@ -22,10 +22,15 @@ std::optional<BowTie> bow_tie_of(const Segment& before, const Segment& between,
     const Vector to_begin = begin - crossing.point;
     const Vector to_end = end - crossing.point;
     if (to_begin.norm() > longest || to_end.norm() > longest) continue;
+    // A circle that is closed comes by once more, at its other end.
+    const double beyond = length_of(before) - crossing.along_first;
+    if (std::max(beyond, crossing.along_second) > 2 * longest) continue;
+    const double turn = cross(to_begin, to_end);
+    if (turn == 0) continue;  // nothing lies between them
     return BowTie{.along_before = crossing.along_first,
                   .along_after = crossing.along_second,
                   .tip_at_end = of_begin <= of_end,
-                  .turns_left = cross(to_begin, to_end) > 0};
+                  .turns_left = turn > 0};
   }
   return std::nullopt;
 }
