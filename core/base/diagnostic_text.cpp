@@ -114,9 +114,11 @@ std::string written(double value, std::chars_format format, int precision) {
   return {digits.data(), end.ptr};
 }
 
-// With the decimals of its unit, or the digits of one that would be 0 by them.
+// With the decimals of its unit, or the digits of one that would be 0 by them and is more than what
+// arithmetic leaves of 0.
 std::string length_text(double length, const Lengths& lengths) {
-  const double value = lengths.in_unit(length);
+  constexpr double least = 1e-9;  // mm
+  const double value = std::abs(length) < least ? 0 : lengths.in_unit(length);
   if (value != 0 && std::abs(value) < (lengths.inch ? 0.00005 : 0.0005))
     return written(value, std::chars_format::general, 3);
   if (std::abs(value) >= 1e9) return written(value, std::chars_format::general, 9);

@@ -64,6 +64,8 @@ TEST(Message, TellsLengthsApartThatDiffer) {
             "(start radius 5.0000 mm, end radius 5.0001 mm)");
   EXPECT_EQ(values_in({{"radius", 5}, {"limit", 5.0001}}), "(radius 5.000 mm, limit 5.0001)");
   EXPECT_EQ(values_in({{"gap", 0.00001234}}), "(gap 1.23e-05 mm)");
+  EXPECT_EQ(values_in({{"gap", 3.47e-18}}), "(gap 0.000 mm)");
+  EXPECT_EQ(values_in({{"gap", -3.47e-18}}), "(gap 0.000 mm)");
   EXPECT_EQ(values_in({{"coordinate", 1e300}, {"largest", 1e7}}),
             "(coordinate 1e+300 mm, largest 10000000.000 mm)");
   EXPECT_EQ(values_in({{"coordinate", std::numeric_limits<double>::quiet_NaN()}}),
