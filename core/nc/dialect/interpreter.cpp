@@ -265,7 +265,8 @@ bool Interpreter::read_line(ProgramLine& line) {
     ended_ |= blocks_read_ > 0;
     return true;
   }
-  if (!ended_ && comment_block_ == 0 && !is_name) return text.empty() || read_block(line);
+  if (!ended_ && comment_block_ == 0 && !is_name && !in_subprogram_)
+    return text.empty() || read_block(line);
 
   const std::size_t bad =
       ended_ ? first_byte_that_is_no_utf8(line.text) : first_byte_that_is_no_text(line.text);
@@ -278,11 +279,22 @@ bool Interpreter::read_line(ProgramLine& line) {
   const auto place_of_name = static_cast<std::uint32_t>(line.text.size() - text.size());
   const bool local =
       text.size() > 2 && (text[1] == 'L' || text[1] == 'l') && (text[2] == ' ' || text[2] == '\t');
-  if (local || blocks_read_ > 0)
+  if (is_name && blocks_read_ > 0)
     return refuse(line, TextFault{.code = Code::nc_unsupported,
                                   .begin = place_of_name,
                                   .detail = local ? "%L, a subprogram" : "%, a second program"});
-  return true;
+  if (is_name) in_subprogram_ = local;
+  return !in_subprogram_ || read_line_of_subprogram(line);
+}
+
+// A subprogram in front of the program passes as text: what calls it is not followed.
+bool Interpreter::read_line_of_subprogram(const ProgramLine& line) {
+  isg_word_seen_ = true;
+  const std::size_t place = place_of_side(line.text);
+  return place == std::string_view::npos ||
+         refuse(line, TextFault{.code = Code::nc_unsupported,
+                                .begin = static_cast<std::uint32_t>(place),
+                                .detail = "G41, G42 in a subprogram"});
 }
 
 bool Interpreter::read_line_behind_end(ProgramLine& line) {
@@ -316,7 +328,8 @@ bool Interpreter::read_block(ProgramLine& line) {
   if (dialect_.name == DialectName::heidenhain) return read_klartext(line);
   BlockWords block;
   const bool is_isg = dialect_.name == DialectName::isg;
-  const bool readable = read_words_of_dialect(line, block);
+  const bool passes = is_isg && !contour_open() && read_passing_line(line, block);
+  const bool readable = passes || read_words_of_dialect(line, block);
   sum_up_words(line);
   if (!faults_.empty() && block.has(GGroup::side)) scanned_trc_ = !block.of(GGroup::side).is(40);
   if (!readable || !faults_.empty()) return false;
@@ -330,8 +343,8 @@ bool Interpreter::read_block(ProgramLine& line) {
 
 // Whether the line can be read in one pass, with nothing to refuse before its motion.
 bool Interpreter::is_plain(ProgramLine& line, PlainMotion& plain) const {
-  return !ended_ && comment_block_ == 0 && feed_mode_ == 94 && reads_plain_lines_ &&
-         plain.read(line.text, line.words) &&
+  return !ended_ && comment_block_ == 0 && !in_subprogram_ && feed_mode_ == 94 &&
+         reads_plain_lines_ && plain.read(line.text, line.words) &&
          (!plain.has_feed() || state_.is_feed(plain.feed() * feed_unit(inch_)));
 }
 

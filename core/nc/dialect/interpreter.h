@@ -68,9 +68,12 @@ struct ReaderLimits {
 //   - The words of a block act together, whatever their order: modes, radius,
 //     G40 … G42, technology, motion, stop. A function excludes all others of its
 //     group in one block, itself included.
-//   - Values are plain decimal numbers. Variables, expressions, jumps,
-//     subprograms and blocks to skip are refused, so are R and I J K outside
-//     circles: R is not modal here.
+//   - Values are plain decimal numbers. Variables, expressions, jumps and blocks
+//     to skip are refused, so are R and I J K outside circles: R is not modal here.
+//   - While TRC is off calls of subprograms (L NAME), assignments to variables
+//     (V.P. = …), coordinate systems and the like pass as they stand. The position
+//     is unknown then; behind a call it is known again once G00 … G03 and G90 or
+//     G91 have been programmed anew.
 //   - G70 counts coordinates, centres, radii and F in inch, also the tool radius
 //     that a program writes; the radii of the tool table are mm.
 //   - Zero shifts and G92 pass while TRC is off. The position is unknown then, with
@@ -120,7 +123,7 @@ class Interpreter {
     archive(partial_, continued_, carriage_return_, lines_read_, blocks_read_, comment_block_,
             ended_, motion_, incremental_, inch_, absolute_center_, feed_mode_, feed_,
             isg_word_seen_, reads_plain_lines_, feed_in_mm_, code_, klartext_, faults_,
-            scanned_trc_);
+            scanned_trc_, called_motion_, called_dimension_, in_subprogram_);
   }
 
  private:
@@ -131,6 +134,7 @@ class Interpreter {
                            std::vector<LinePointer>& lines);
   void enter_modes(ProgramLine& line) const;
   bool read_line(ProgramLine& line);
+  bool read_line_of_subprogram(const ProgramLine& line);
   bool read_line_behind_end(ProgramLine& line);
   bool read_comment_block(ProgramLine& line);
   bool read_block(ProgramLine& line);
@@ -226,7 +230,10 @@ class Interpreter {
   [[nodiscard]] static std::optional<double> height_of(
       const std::optional<SoftClearance>& clearance, double plane, double away);
 
-  bool check_block(ProgramLine& line, const BlockWords& block);
+  bool check_block(ProgramLine& line, BlockWords& block);
+  // Of ISG: isg_call.cpp.
+  bool read_passing_line(ProgramLine& line, BlockWords& block);
+  void restate_modes(ProgramLine& line, BlockWords& block);
 
   bool apply(ProgramLine& line, const PlainMotion& plain);
   bool apply(ProgramLine& line, BlockWords& block);
@@ -374,6 +381,11 @@ class Interpreter {
   double feed_ = 0;  // mm/min
   // A line of a motion and nothing else means what its words say.
   bool reads_plain_lines_ = true;
+  // A subprogram has been called, and the program has not said anew which motion holds and how
+  // dimensions count.
+  bool called_motion_ = false;
+  bool called_dimension_ = false;
+  bool in_subprogram_ = false;  // of a %L in front of the program
   bool isg_word_seen_ = false;  // one that no other dialect has
   CodeModes code_{};
   KlartextModes klartext_{};

@@ -77,9 +77,11 @@ std::string command_name(std::string_view command) {
 struct ForbiddenCommand {
   std::string_view name;
   Code while_active;
+  bool copied_while_off = true;
 };
 
-// Spec 1.11. While TRC is off they are refused as not followed here.
+// Rule 1.11. While TRC is off their lines are copied as those of unfollowed_commands, but for what
+// goes on behind them: motions that are no lines, and loops.
 constexpr auto forbidden_commands = std::to_array<ForbiddenCommand>({
     {"CS ", Code::coordinate_system_while_active},
     {"ACS ", Code::coordinate_system_while_active},
@@ -89,13 +91,19 @@ constexpr auto forbidden_commands = std::to_array<ForbiddenCommand>({
     {"DISABLE AX", Code::axis_link_while_active},
     {"PSET ", Code::preset_while_active},
     {"PRESET ", Code::preset_while_active},
-    {"PTP ", Code::point_to_point_while_active},
-    {"RT WHILE", Code::real_time_loop_while_active},
+    {"PTP ", Code::point_to_point_while_active, false},
+    {"RT WHILE", Code::real_time_loop_while_active, false},
 });
 
 // Commands that say nothing about where the path runs.
-constexpr auto passing_commands =
-    std::to_array<std::string_view>({"MSG ", "FLUSH ", "SLOPE ", "CONTOUR MODE", "HSC "});
+constexpr auto passing_commands = std::to_array<std::string_view>(
+    {"MSG ", "FLUSH ", "SLOPE ", "CONTOUR MODE", "HSC ", "TRANSVELLIM ", "VECTOR ", "FILTER ",
+     "FRICTION ", "OVERRIDE ", "TIMER ", "WAIT ", "SIGNAL ", "ERROR ", "FILE ", "TOOL LIFE"});
+
+// Commands behind which an axis stands, or counts from, where only the control knows.
+constexpr auto unfollowed_commands =
+    std::to_array<std::string_view>({"RTCP ", "TLC ", "KIN ", "WCS ", "ECS ", "BCS ", "CALL AX",
+                                     "PUT AX", "SET AX", "GANTRY ", "CHANNEL ", "HANDWHEEL"});
 
 }  // namespace
 
@@ -294,7 +302,7 @@ bool Interpreter::read_axis(const Word& word, ProgramLine& line, BlockWords& blo
 
 // What the words of a block must be together: which need another, which stand
 // alone, and where axis letters are no positions.
-bool Interpreter::check_block(ProgramLine& line, const BlockWords& block) {
+bool Interpreter::check_block(ProgramLine& line, BlockWords& block) {
   using enum GGroup;
   const auto wrong = [&](Code code, const BlockWords::Function& function, const char* why) {
     return refuse(
@@ -329,6 +337,7 @@ bool Interpreter::check_block(ProgramLine& line, const BlockWords& block) {
                                     .begin = g52->begin,
                                     .detail = "G52 with axis words"});
   }
+  restate_modes(line, block);
   const bool preset = block.of(zero_shift).is(92);
   if (preset && (block.has(motion) || block.center || block.move.radius))
     return wrong(Code::nc_unsupported, block.of(zero_shift), " with a motion");
@@ -398,8 +407,19 @@ bool Interpreter::read_command(const Word& word, ProgramLine& line, BlockWords& 
   }
   const auto forbidden = std::ranges::find_if(
       forbidden_commands, [&](const auto& candidate) { return name.starts_with(candidate.name); });
-  const bool published = forbidden != forbidden_commands.end() && contour_open();
-  return refuse(line, word, published ? forbidden->while_active : Code::nc_unsupported);
+  const bool is_forbidden = forbidden != forbidden_commands.end();
+  const bool is_unfollowed =
+      is_forbidden ? forbidden->copied_while_off
+                   : std::ranges::any_of(unfollowed_commands, [&](std::string_view unfollowed) {
+                       return name.starts_with(unfollowed);
+                     });
+  if (is_unfollowed && !contour_open()) {
+    block.forget = all_axes;
+    add(line, word, WordRole::technology);
+    return true;
+  }
+  const bool is_published = is_forbidden && contour_open();
+  return refuse(line, word, is_published ? forbidden->while_active : Code::nc_unsupported);
 }
 
 // Between #COMMENT BEGIN and #COMMENT END. Whether such blocks nest depends on

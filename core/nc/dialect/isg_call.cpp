@@ -1,0 +1,91 @@
+#include <algorithm>
+#include <string>
+#include <string_view>
+
+#include "core/nc/dialect/block_words.h"
+#include "core/nc/text/characters.h"
+
+// Lines of ISG that pass while TRC is off: calls of subprograms, which are not looked into, and
+// assignments to variables, which nothing that is read here depends on.
+
+namespace trc {
+namespace {
+
+bool is_name_sign(char sign) {
+  const char letter = upper(sign);
+  return (letter >= 'A' && letter <= 'Z') || (letter >= '0' && letter <= '9') || letter == '_';
+}
+
+// L NAME and LL NAME, of a file or in the program; L CYCLE [NAME=...].
+bool calls_subprogram(std::string_view text) {
+  std::size_t letters = 0;
+  while (letters < text.size() && letters < 2 && upper(text[letters]) == 'L') ++letters;
+  if (letters == 0 || blank_at_start(text.substr(letters)) == 0) return false;
+  const std::string_view name = without_blanks_in_front(text.substr(letters));
+  return !name.empty() && (is_name_sign(name.front()) || name.front() == '"');
+}
+
+// V.P.DEPTH = 3; not of the tool in force, V.G., which says the radius.
+bool assigns_variable(std::string_view text) {
+  if (text.size() < 5 || upper(text[0]) != 'V' || text[1] != '.' || text[3] != '.') return false;
+  if (std::string_view("PLSE").find(upper(text[2])) == std::string_view::npos) return false;
+  const std::size_t behind = text.find_first_of("= \t(;", 4);
+  return behind != std::string_view::npos &&
+         without_blanks_in_front(text.substr(behind)).starts_with('=');
+}
+
+}  // namespace
+
+bool Interpreter::read_passing_line(ProgramLine& line, BlockWords& block) {
+  const std::string_view text = line.text;
+  std::size_t begin = 0;
+  const auto skip_blanks = [&] {
+    while (const std::size_t blank = blank_at_start(text.substr(begin))) begin += blank;
+  };
+  skip_blanks();
+  if (begin < text.size() && upper(text[begin]) == 'N') {
+    const std::size_t number = begin + 1;
+    const std::size_t behind = std::min(text.find_first_not_of("0123456789", number), text.size());
+    constexpr std::size_t most_digits = 9;
+    if (behind == number || behind - number > most_digits) return false;
+    line.source.number = std::stoll(std::string(text.substr(number, behind - number)));
+    begin = behind;
+    skip_blanks();
+  }
+  const std::string_view words = text.substr(begin);
+  const bool calls = calls_subprogram(words);
+  const bool passes = (calls || assigns_variable(words)) &&
+                      first_byte_that_is_no_text(text) == std::string_view::npos;
+  if (!passes) {
+    line.source.number = Source::no_number;
+    return false;
+  }
+  isg_word_seen_ = true;
+  line.words.push_back({.begin = static_cast<std::uint32_t>(begin),
+                        .end = static_cast<std::uint32_t>(text.size()),
+                        .role = WordRole::technology});
+  if (!calls) return true;
+  block.forget = all_axes;
+  called_motion_ = called_dimension_ = true;
+  reads_plain_lines_ = false;
+  return true;
+}
+
+// Whether G00 or G01, G90 or G91 holds behind a call, the subprogram has decided: until the program
+// says it anew a motion leads to where only the control knows.
+void Interpreter::restate_modes(ProgramLine& line, BlockWords& block) {
+  if (!called_motion_ && !called_dimension_) return;
+  called_motion_ = called_motion_ && !block.has(GGroup::motion);
+  called_dimension_ = called_dimension_ && !block.has(GGroup::dimension);
+  if (!called_motion_ && !called_dimension_) {
+    reads_plain_lines_ = faults_.empty();
+    return;
+  }
+  if (contour_open() || block.has(GGroup::side) || !(block.axis || block.center)) return;
+  block.copied = true;
+  block.forget = all_axes;
+  for (WordRange& word : line.words)
+    if (word.role == WordRole::coordinate) word.role = WordRole::technology;
+}
+
+}  // namespace trc
