@@ -48,7 +48,7 @@ std::string text_in(const std::string& path) {
 
 bool read_record(const Item& item, v1::JobRecord& record) {
   const std::string text = text_in(item.record);
-  return !text.empty() && record_from(text, record).empty();
+  return !text.empty() && record_from(text, record).empty() && fault_of_seal(text, record).empty();
 }
 
 // Never with jsonl, whose last line tells how long it took.

@@ -225,12 +225,16 @@ Outcome compensate_program(const ServiceOptions& options, const v1::ProgramSetup
   progress.read(bytes, bytes);
   const bool done = open && session.finish(answers);
   reporter.finish();
-  if (done) return {.exit = Exit::done, .summary = session.summary()};
-  // What the server has no room for is told as a diagnostic, too; the program has no fault.
-  if (reporter.refused())
-    return {.exit = session.failure() ? exit_of_refused(*session.failure()) : Exit::refused};
-  if (!session.failure()) return {.exit = Exit::internal};
-  return {.exit = service.explain(*session.failure(), answered)};
+  Outcome outcome{.core_version = session.core_version()};
+  if (done)
+    outcome.summary = session.summary();
+  else if (reporter.refused())
+    // What the server has no room for is told as a diagnostic, too; the program has no fault.
+    outcome.exit = session.failure() ? exit_of_refused(*session.failure()) : Exit::refused;
+  else
+    outcome.exit =
+        session.failure() ? service.explain(*session.failure(), answered) : Exit::internal;
+  return outcome;
 }
 
 Exit survey_program(const ServiceOptions& options, const v1::SurveySetup& setup,

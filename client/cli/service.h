@@ -47,6 +47,8 @@ void add_service_options(CLI::App& command, ServiceOptions& options);
 
 struct Outcome {
   Exit exit = Exit::done;
+  // Of what compensated, as in "0.1.0+0123456789ab"; empty: nobody took the program.
+  std::string core_version{};
   std::optional<wire::ProgramSummary> summary{};  // complete runs only
 };
 

@@ -84,7 +84,8 @@ RecordFormat::RecordFormat(const v1::ProgramSetup& setup, std::string_view text)
   Sha256 given;
   given.add(text);
   fill(given, *record_.mutable_input());
-  record_.mutable_input()->set_name(setup.file_name());
+  record_.mutable_input()->set_name(setup.file_name().empty() ? "-" : setup.file_name());
+  record_.mutable_output()->set_name("-");
   record_.set_server_version(std::string(version()));
   record_.set_server_commit(std::string(commit()));
 }
@@ -102,6 +103,7 @@ void RecordFormat::close(std::string& out) {
   fill(made_, *record_.mutable_output());
   record_.set_seconds(
       std::chrono::duration<double>(std::chrono::steady_clock::now() - began_).count());
+  seal(record_);
   wire::Json().append(record_, out);
   out += '\n';
 }
