@@ -75,7 +75,8 @@ Exit run_folder(const Call& call, const std::vector<std::string>& words) {
                 .directory = call.directory,
                 .arguments = words,
                 .format = call.format,
-                .jobs = call.jobs};
+                .jobs = call.jobs,
+                .quiet = call.program.loudness.quiet};
   if (!setup_for(call, run.setup)) return Exit::wrong_call;
   const ResultText asks_for_output(call.format, run.setup);
   v1::GetServerInfoResponse info;

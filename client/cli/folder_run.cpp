@@ -8,6 +8,9 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
+#include <csignal>
+#include <cstdint>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
@@ -18,6 +21,9 @@
 #include <set>
 
 #include "client/cli/job_record.h"
+#include "client/cli/program_options.h"
+#include "client/cli/progress.h"
+#include "client/cli/signals.h"
 #include "core/base/version.h"
 #include "core/nc/text/number_format.h"
 
@@ -31,12 +37,14 @@ struct CloseFile {
 };
 using FilePointer = std::unique_ptr<std::FILE, CloseFile>;
 
+enum class Result : std::uint8_t { not_begun, unchanged, done, refused, failed, interrupted };
+
 // A program, its result and its record.
 struct Item {
   std::string file{};
   std::string output{};
   std::string record{};
-  bool unchanged = false;
+  Result result = Result::not_begun;
   int code = 0;        // of its process
   FilePointer told{};  // what the process says, while it runs
 };
@@ -88,55 +96,138 @@ pid_t start(const FolderRun& run, Item& item) {
   return fault == 0 ? process : 0;
 }
 
-void end(Item& item, int status) {
-  item.code = WIFEXITED(status) ? WEXITSTATUS(status) : static_cast<int>(Exit::internal);
+Result result_of(int code) {
+  switch (static_cast<Exit>(code)) {
+    case Exit::done:
+      return Result::done;
+    case Exit::refused:
+      return Result::refused;
+    default:
+      return Result::failed;
+  }
+}
+
+void print_told(Item& item) {
   std::rewind(item.told.get());
   std::array<char, 4096> piece{};
   while (const std::size_t size = std::fread(piece.data(), 1, piece.size(), item.told.get()))
     std::cerr.write(piece.data(), static_cast<std::streamsize>(size));
-  if (WIFSIGNALED(status))
-    std::cerr << "trc: " << item.file << ": the process was ended by signal " << WTERMSIG(status)
-              << '\n';
   item.told.reset();
 }
 
-// All programs that are not unchanged, so many at a time.
-void work_through(const FolderRun& run, std::vector<Item>& items) {
-  std::map<pid_t, Item*> running;
-  const auto wait_for_one = [&running] {
-    int status = 0;
-    const pid_t process = ::wait(&status);
-    const auto ended = running.find(process);
-    if (ended == running.end()) return;
-    end(*ended->second, status);
-    running.erase(ended);
-  };
-  for (Item& item : items) {
-    if (item.unchanged) continue;
-    // Of an earlier run, which is not what comes now.
-    std::error_code none;
-    fs::remove(item.record, none);
-    while (running.size() >= run.jobs) wait_for_one();
-    if (const pid_t process = start(run, item); process != 0) {
-      running.emplace(process, &item);
-    } else {
-      std::cerr << "trc: " << item.file << ": no process can be started for it\n";
-      item.code = static_cast<int>(Exit::limit);
+// The programs one after another, so many at a time.
+class Work {
+ public:
+  Work(const FolderRun& run, std::vector<Item>& items)
+      : run_(run), items_(items), progress_(false, run.quiet, language_of(run.setup)) {}
+
+  // Returns the signal that has cut the work short; 0: none.
+  int go_through() {
+    for (Item& item : items_) {
+      while (running_.size() >= run_.jobs) wait_for_one();
+      hear(std::chrono::milliseconds::zero());
+      if (stopped_by_ != 0 || without_server_) break;
+      if (is_unchanged(run_, item))
+        item.result = Result::unchanged;
+      else
+        begin(item);
+      if (item.result != Result::not_begun) progress_.ended(++ended_, items_.size());
+    }
+    while (!running_.empty()) wait_for_one();
+    progress_.clear();
+    return stopped_by_;
+  }
+
+ private:
+  void begin(Item& item) {
+    if (const pid_t process = start(run_, item); process != 0) {
+      running_.emplace(process, &item);
+      return;
+    }
+    progress_.clear();
+    std::cerr << "trc: " << item.file << ": no process can be started for it\n";
+    item.code = static_cast<int>(Exit::limit);
+    item.result = Result::failed;
+  }
+
+  void wait_for_one() {
+    const std::size_t before = running_.size();
+    for (;;) {
+      int status = 0;
+      for (pid_t process = 0; (process = ::waitpid(-1, &status, WNOHANG)) > 0;)
+        end(process, status);
+      if (running_.size() < before) return;
+      constexpr std::chrono::milliseconds until_the_line_is_new{200};
+      hear(until_the_line_is_new);
+      progress_.ended(ended_, items_.size());
     }
   }
-  while (!running.empty()) wait_for_one();
-}
 
-const char* result_of(const Item& item) {
-  if (item.unchanged) return "unchanged";
-  switch (item.code) {
-    case 0:
-      return "done";
-    case 1:
-      return "refused";
-    default:
-      return "failed";
+  // The first signal asks all processes to end, the next one does not ask.
+  void hear(std::chrono::milliseconds longest) {
+    const int asked = signals_.wait(longest);
+    if (asked == 0) return;
+    for (const auto& [process, item] : running_)
+      ::kill(process, stopped_by_ == 0 ? SIGTERM : SIGKILL);
+    if (stopped_by_ == 0) stopped_by_ = asked;
   }
+
+  void end(pid_t process, int status) {
+    const auto found = running_.find(process);
+    if (found == running_.end()) return;
+    Item& item = *found->second;
+    running_.erase(found);
+    progress_.clear();
+    print_told(item);
+    // A terminal tells the whole group: the process may have ended before the word is heard here.
+    constexpr std::chrono::milliseconds until_told{100};
+    if (WIFSIGNALED(status) && stopped_by_ == 0) hear(until_told);
+    if (WIFEXITED(status)) {
+      item.code = WEXITSTATUS(status);
+      item.result = result_of(item.code);
+    } else if (stopped_by_ != 0) {
+      // It may have been done with all but its end.
+      item.result = is_unchanged(run_, item) ? Result::done : Result::interrupted;
+    } else {
+      item.code = static_cast<int>(Exit::internal);
+      item.result = Result::failed;
+      std::cerr << "trc: " << item.file << ": the process was ended by signal " << WTERMSIG(status)
+                << '\n';
+    }
+    // Beside a record that says REFUSED there is no result of an earlier run.
+    std::error_code none;
+    if (item.result == Result::refused) fs::remove(item.output, none);
+    // It was waited for; the others would wait as long, one after another.
+    if (item.code == static_cast<int>(Exit::unreachable)) without_server_ = true;
+    progress_.ended(++ended_, items_.size());
+  }
+
+  const FolderRun& run_;
+  std::vector<Item>& items_;
+  Signals signals_{};
+  Progress progress_;
+  std::map<pid_t, Item*> running_{};
+  std::size_t ended_ = 0;
+  int stopped_by_ = 0;
+  bool without_server_ = false;
+};
+
+const char* text_of(Result result) {
+  switch (result) {
+    case Result::not_begun:
+      return "not begun";
+    case Result::unchanged:
+      return "unchanged";
+    case Result::done:
+      return "done";
+    case Result::refused:
+      return "refused";
+    case Result::failed:
+      return "failed";
+    case Result::interrupted:
+      return "interrupted";
+  }
+  return "";
 }
 
 void print_table(const std::vector<Item>& items) {
@@ -144,13 +235,14 @@ void print_table(const std::vector<Item>& items) {
   for (const Item& item : items) width = std::max(width, item.file.size());
   std::map<std::string, int> counts;
   for (const Item& item : items) {
-    const std::string result = result_of(item);
+    const std::string result = text_of(item.result);
     ++counts[result];
     std::string line = item.file + std::string(width + 2 - item.file.size(), ' ') + result;
     v1::JobRecord record;
-    if (item.code == 0 && read_record(item, record)) {
+    const bool whole = item.result == Result::done || item.result == Result::unchanged;
+    if (whole && read_record(item, record)) {
       const v1::PathSummary& path = record.summary().path();
-      line += std::string(11 - result.size(), ' ') + std::to_string(path.blocks_out()) + " blocks";
+      line += std::string(13 - result.size(), ' ') + std::to_string(path.blocks_out()) + " blocks";
       if (path.has_certificate()) {
         line += ", clearance ";
         append_fixed(line, path.certificate().clearance(), 4);
@@ -190,10 +282,10 @@ Exit compensate_folder(const FolderRun& run) {
       return Exit::wrong_call;
     }
     items.push_back({.file = file, .output = output, .record = output + ".json"});
-    items.back().unchanged = is_unchanged(run, items.back());
   }
-  work_through(run, items);
+  const int stopped_by = Work(run, items).go_through();
   print_table(items);
+  if (stopped_by != 0) end_by(stopped_by);
   int worst = 0;
   for (const Item& item : items) worst = std::max(worst, item.code);
   return static_cast<Exit>(worst);

@@ -19,11 +19,16 @@ struct FolderRun {
   std::string server_version{};          // of what compensates: release and commit
   std::string server_commit{};
   unsigned jobs = 1;  // at a time
+  bool quiet = false;
 };
 
 // Leaves out a program whose record says that the same was made of it before, and whose result is
 // there still. Tells of each program on standard error what the process says, and prints a table
-// of results. Returns the worst ending of all.
+// of results. Returns the worst ending of all. A program that failed or was not begun keeps result
+// and record of an earlier run; a refused one has no result.
+//
+// SIGINT, SIGTERM and SIGHUP end what is on its way, print the table and end this process as they
+// would have. Once a server was waited for in vain nothing more is begun.
 [[nodiscard]] Exit compensate_folder(const FolderRun& run);
 
 }  // namespace trc::cli
