@@ -1,29 +1,24 @@
 #include "client/cli/folder_run.h"
 
-#include <fcntl.h>
 #include <google/protobuf/util/message_differencer.h>
-#include <spawn.h>
-#include <sys/wait.h>
-#include <unistd.h>
+#include <poll.h>
 
 #include <algorithm>
-#include <array>
 #include <chrono>
 #include <csignal>
 #include <cstdint>
-#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <iterator>
 #include <map>
-#include <memory>
 #include <set>
 
 #include "client/cli/job_record.h"
 #include "client/cli/program_options.h"
 #include "client/cli/progress.h"
 #include "client/cli/signals.h"
+#include "client/cli/workers.h"
 #include "core/base/version.h"
 #include "core/nc/text/number_format.h"
 
@@ -31,11 +26,6 @@ namespace trc::cli {
 namespace {
 
 namespace fs = std::filesystem;
-
-struct CloseFile {
-  void operator()(std::FILE* file) const { std::fclose(file); }
-};
-using FilePointer = std::unique_ptr<std::FILE, CloseFile>;
 
 enum class Result : std::uint8_t { not_begun, unchanged, done, refused, failed, interrupted };
 
@@ -45,8 +35,7 @@ struct Item {
   std::string output{};
   std::string record{};
   Result result = Result::not_begun;
-  int code = 0;        // of its process
-  FilePointer told{};  // what the process says, while it runs
+  int code = 0;  // as of a process
 };
 
 std::string text_in(const std::string& path) {
@@ -73,29 +62,6 @@ bool is_unchanged(const FolderRun& run, const Item& item) {
          is_content_of(record.input(), item.file) && is_output_of(record, item.output);
 }
 
-// Starts the process. 0: it cannot be started.
-pid_t start(const FolderRun& run, Item& item) {
-  std::vector<std::string> words{"trc",       "compensate", item.file,  "-o",
-                                 item.output, "--record",   item.record};
-  words.insert(words.end(), run.arguments.begin(), run.arguments.end());
-  std::vector<char*> pointers;
-  pointers.reserve(words.size() + 1);
-  for (std::string& word : words) pointers.push_back(word.data());
-  pointers.push_back(nullptr);
-  item.told.reset(std::tmpfile());
-  if (!item.told) return 0;
-  posix_spawn_file_actions_t actions;
-  posix_spawn_file_actions_init(&actions);
-  posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
-  posix_spawn_file_actions_adddup2(&actions, fileno(item.told.get()), STDOUT_FILENO);
-  posix_spawn_file_actions_adddup2(&actions, fileno(item.told.get()), STDERR_FILENO);
-  pid_t process = 0;
-  const int fault =
-      posix_spawn(&process, "/proc/self/exe", &actions, nullptr, pointers.data(), environ);
-  posix_spawn_file_actions_destroy(&actions);
-  return fault == 0 ? process : 0;
-}
-
 Result result_of(int code) {
   switch (static_cast<Exit>(code)) {
     case Exit::done:
@@ -107,98 +73,95 @@ Result result_of(int code) {
   }
 }
 
-void print_told(Item& item) {
-  std::rewind(item.told.get());
-  std::array<char, 4096> piece{};
-  while (const std::size_t size = std::fread(piece.data(), 1, piece.size(), item.told.get()))
-    std::cerr.write(piece.data(), static_cast<std::streamsize>(size));
-  item.told.reset();
+std::vector<std::string> words_of_worker(const FolderRun& run) {
+  std::vector<std::string> words{"compensate", "-", "--output-dir", run.directory, "--worker"};
+  words.insert(words.end(), run.arguments.begin(), run.arguments.end());
+  return words;
 }
 
 // The programs one after another, so many at a time.
 class Work {
  public:
   Work(const FolderRun& run, std::vector<Item>& items)
-      : run_(run), items_(items), progress_(false, run.quiet, language_of(run.setup)) {}
+      : run_(run),
+        items_(items),
+        progress_(false, run.quiet, language_of(run.setup)),
+        workers_(words_of_worker(run), run.jobs) {}
 
   // Returns the signal that has cut the work short; 0: none.
   int go_through() {
-    for (Item& item : items_) {
-      while (running_.size() >= run_.jobs) wait_for_one();
-      hear(std::chrono::milliseconds::zero());
+    for (std::size_t next = 0; next < items_.size(); ++next) {
+      while (workers_.all_busy()) wait();
+      hear();
       if (stopped_by_ != 0 || without_server_) break;
-      if (is_unchanged(run_, item))
-        item.result = Result::unchanged;
-      else
-        begin(item);
-      if (item.result != Result::not_begun) progress_.ended(++ended_, items_.size());
+      if (is_unchanged(run_, items_[next]))
+        count(items_[next], Result::unchanged);
+      else if (!workers_.give(next, items_[next].file))
+        fail(items_[next], Exit::limit, "no process can be started for it");
     }
-    while (!running_.empty()) wait_for_one();
+    while (workers_.any_busy()) wait();
     progress_.clear();
     return stopped_by_;
   }
 
  private:
-  void begin(Item& item) {
-    if (const pid_t process = start(run_, item); process != 0) {
-      running_.emplace(process, &item);
-      return;
-    }
-    progress_.clear();
-    std::cerr << "trc: " << item.file << ": no process can be started for it\n";
-    item.code = static_cast<int>(Exit::limit);
-    item.result = Result::failed;
-  }
-
-  void wait_for_one() {
-    const std::size_t before = running_.size();
-    for (;;) {
-      int status = 0;
-      for (pid_t process = 0; (process = ::waitpid(-1, &status, WNOHANG)) > 0;)
-        end(process, status);
-      if (running_.size() < before) return;
-      constexpr std::chrono::milliseconds until_the_line_is_new{200};
-      hear(until_the_line_is_new);
-      progress_.ended(ended_, items_.size());
-    }
+  void wait() {
+    constexpr std::chrono::milliseconds until_the_line_is_new{200};
+    for (const Workers::Ended& ended : workers_.wait(until_the_line_is_new, signals_.descriptor()))
+      end(ended);
+    hear();
+    progress_.ended(ended_, items_.size());
   }
 
   // The first signal asks all processes to end, the next one does not ask.
-  void hear(std::chrono::milliseconds longest) {
-    const int asked = signals_.wait(longest);
+  void hear() {
+    const int asked = signals_.take();
     if (asked == 0) return;
-    for (const auto& [process, item] : running_)
-      ::kill(process, stopped_by_ == 0 ? SIGTERM : SIGKILL);
+    workers_.signal(stopped_by_ == 0 ? SIGTERM : SIGKILL);
     if (stopped_by_ == 0) stopped_by_ = asked;
   }
 
-  void end(pid_t process, int status) {
-    const auto found = running_.find(process);
-    if (found == running_.end()) return;
-    Item& item = *found->second;
-    running_.erase(found);
-    progress_.clear();
-    print_told(item);
-    // A terminal tells the whole group: the process may have ended before the word is heard here.
-    constexpr std::chrono::milliseconds until_told{100};
-    if (WIFSIGNALED(status) && stopped_by_ == 0) hear(until_told);
-    if (WIFEXITED(status)) {
-      item.code = WEXITSTATUS(status);
-      item.result = result_of(item.code);
-    } else if (stopped_by_ != 0) {
-      // It may have been done with all but its end.
-      item.result = is_unchanged(run_, item) ? Result::done : Result::interrupted;
-    } else {
-      item.code = static_cast<int>(Exit::internal);
-      item.result = Result::failed;
-      std::cerr << "trc: " << item.file << ": the process was ended by signal " << WTERMSIG(status)
-                << '\n';
+  void end(const Workers::Ended& ended) {
+    Item& item = items_[ended.task];
+    if (!ended.told.empty()) {
+      progress_.clear();
+      std::cerr << ended.told;
     }
-    // Beside a record that says REFUSED there is no result of an earlier run.
-    std::error_code none;
-    if (item.result == Result::refused) fs::remove(item.output, none);
-    // It was waited for; the others would wait as long, one after another.
-    if (item.code == static_cast<int>(Exit::unreachable)) without_server_ = true;
+    if (ended.signal == 0) {
+      item.code = ended.code;
+      count(item, result_of(item.code));
+      // Beside a record that says REFUSED there is no result of an earlier run.
+      std::error_code none;
+      if (item.result == Result::refused) fs::remove(item.output, none);
+      // It was waited for; the others would wait as long, one after another.
+      if (item.code == static_cast<int>(Exit::unreachable)) without_server_ = true;
+      return;
+    }
+    if (stopped_by_ == 0) await_word();
+    if (stopped_by_ != 0)
+      // It may have been done with all but its end.
+      count(item, is_unchanged(run_, item) ? Result::done : Result::interrupted);
+    else
+      fail(item, Exit::internal, "the process was ended by signal " + std::to_string(ended.signal));
+  }
+
+  // A terminal tells the whole group: a process may have ended before the word is heard here.
+  void await_word() {
+    constexpr int longest = 100;
+    pollfd question{.fd = signals_.descriptor(), .events = POLLIN, .revents = 0};
+    static_cast<void>(::poll(&question, 1, longest));
+    hear();
+  }
+
+  void fail(Item& item, Exit exit, const std::string& why) {
+    progress_.clear();
+    std::cerr << "trc: " << item.file << ": " << why << '\n';
+    item.code = static_cast<int>(exit);
+    count(item, Result::failed);
+  }
+
+  void count(Item& item, Result result) {
+    item.result = result;
     progress_.ended(++ended_, items_.size());
   }
 
@@ -206,7 +169,7 @@ class Work {
   std::vector<Item>& items_;
   Signals signals_{};
   Progress progress_;
-  std::map<pid_t, Item*> running_{};
+  Workers workers_;
   std::size_t ended_ = 0;
   int stopped_by_ = 0;
   bool without_server_ = false;
@@ -276,12 +239,12 @@ Exit compensate_folder(const FolderRun& run) {
       std::cerr << "trc: " << name << " is given twice; its results would have one name\n";
       return Exit::wrong_call;
     }
-    const std::string output = (fs::path(run.directory) / name).string();
+    const std::string output = result_in(run.directory, file);
     if (fs::equivalent(file, output, fault)) {
       std::cerr << "trc: " << output << " would be written over the program itself\n";
       return Exit::wrong_call;
     }
-    items.push_back({.file = file, .output = output, .record = output + ".json"});
+    items.push_back({.file = file, .output = output, .record = record_in(run.directory, file)});
   }
   const int stopped_by = Work(run, items).go_through();
   print_table(items);
@@ -289,6 +252,25 @@ Exit compensate_folder(const FolderRun& run) {
   int worst = 0;
   for (const Item& item : items) worst = std::max(worst, item.code);
   return static_cast<Exit>(worst);
+}
+
+std::string result_in(const std::string& directory, const std::string& file) {
+  return (fs::path(directory) / fs::path(file).filename()).string();
+}
+
+std::string record_in(const std::string& directory, const std::string& file) {
+  return result_in(directory, file) + ".json";
+}
+
+Exit work_for_folder(const std::function<Exit(const std::string& file)>& compensate) {
+  for (std::string file; Workers::next_task(file);) {
+    const Exit exit = compensate(file);
+    std::cerr.flush();
+    // What a limit or a fault has left is for no other program.
+    if (exit != Exit::done && exit != Exit::refused) return exit;
+    Workers::tell_code(static_cast<int>(exit));
+  }
+  return Exit::done;
 }
 
 }  // namespace trc::cli

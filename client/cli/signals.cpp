@@ -1,7 +1,6 @@
 #include "client/cli/signals.h"
 
 #include <fcntl.h>
-#include <poll.h>
 #include <unistd.h>
 
 #include <array>
@@ -32,10 +31,10 @@ Signals::Signals() {
   struct sigaction action {};
   action.sa_handler = tell;
   action.sa_flags = SA_RESTART;
-  for (const int number : {SIGCHLD, SIGINT, SIGTERM, SIGHUP}) {
+  for (const int number : {SIGINT, SIGTERM, SIGHUP}) {
     Former former{.number = number};
     ::sigaction(number, nullptr, &former.action);
-    if (number != SIGCHLD && former.action.sa_handler == SIG_IGN) continue;
+    if (former.action.sa_handler == SIG_IGN) continue;
     ::sigaction(number, &action, nullptr);
     former_.push_back(former);
   }
@@ -49,14 +48,13 @@ Signals::~Signals() {
   }
 }
 
-int Signals::wait(std::chrono::milliseconds longest) {
-  pollfd question{.fd = ends[0], .events = POLLIN, .revents = 0};
-  static_cast<void>(::poll(&question, 1, static_cast<int>(longest.count())));
+int Signals::descriptor() const { return ends[0]; }
+
+int Signals::take() {
   int asked = 0;
   std::array<unsigned char, 256> told{};
   for (ssize_t size = 0; (size = ::read(ends[0], told.data(), told.size())) > 0;)
-    for (ssize_t i = 0; i < size; ++i)
-      if (const int number = told[static_cast<std::size_t>(i)]; number != SIGCHLD) asked = number;
+    asked = told[static_cast<std::size_t>(size) - 1];
   return asked;
 }
 

@@ -1,14 +1,13 @@
 #pragma once
 
-#include <chrono>
 #include <csignal>
 #include <vector>
 
 namespace trc::cli {
 
-// As long as there is one, and there may be one at a time, ends of child processes and the wish to
-// end (SIGINT, SIGTERM, SIGHUP) are told here in place of what they do else, whichever thread they
-// reach. What is ignored stays so.
+// As long as there is one, and there may be one at a time, the wish to end (SIGINT, SIGTERM,
+// SIGHUP) is told here in place of what it does else, whichever thread it reaches. What is ignored
+// stays so.
 class Signals {
  public:
   Signals();
@@ -16,8 +15,10 @@ class Signals {
   Signals(const Signals&) = delete;
   Signals& operator=(const Signals&) = delete;
 
-  // What came since the last call, or comes within that time; 0: none, or of child processes.
-  [[nodiscard]] int wait(std::chrono::milliseconds longest);
+  // Can be read from, for poll, when there is something to take.
+  [[nodiscard]] int descriptor() const;
+  // The last one that came since the last call; 0: none.
+  [[nodiscard]] int take();
 
  private:
   struct Former {

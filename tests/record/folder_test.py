@@ -1,6 +1,5 @@
 """Folders of programs under interrupts, and with servers that die: what is there is whole, what was
 done is told, and a second run does what is left."""
-import contextlib
 import json
 import os
 import random
@@ -189,17 +188,13 @@ class Folders(unittest.TestCase):
         os.mkfifo(pipe)
         out = os.path.join(self.out.name, "out")
         process = self.begin(names=[pipe, *self.names], out=out)
-        end = time.monotonic() + 30
-        child = None
-        while child is None:
-            self.assertLess(time.monotonic(), end)
+        with open(pipe, "wb"):  # as soon as it is read
             with open(f"/proc/{process.pid}/task/{process.pid}/children", encoding="ascii") as file:
-                for number in file.read().split():
-                    with contextlib.suppress(OSError), \
-                            open(f"/proc/{number}/cmdline", "rb") as command:
-                        if command.read().split(b"\0")[2:4] == [pipe.encode(), b"-o"]:
-                            child = int(number)
-        os.kill(child, signal.SIGKILL)
+                children = file.read().split()
+            reader, = (child for child in children
+                       if pipe in (os.path.realpath(f"/proc/{child}/fd/{number}")
+                                   for number in os.listdir(f"/proc/{child}/fd")))
+            os.kill(int(reader), signal.SIGKILL)
         code, told, said = self.end(process)
         self.assertEqual(code, 5)
         self.assertIn("pipe.nc: the process was ended by signal 9", said)
