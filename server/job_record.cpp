@@ -33,6 +33,21 @@ void fill(Sha256& content, v1::JobFile& file) {
   file.set_sha256(content.digits());
 }
 
+void ToldInRecord::add(const v1::Diagnostic& told, v1::JobRecord& record) {
+  *item_.mutable_diagnostic() = told;
+  line_.clear();
+  lines_.append(item_, line_);
+  content_.add(line_);
+  ++count_;
+  if (record.diagnostics_size() < most || told.severity() == v1::Diagnostic::ERROR)
+    *record.add_diagnostics() = told;
+}
+
+void ToldInRecord::fill(v1::JobRecord& record) {
+  record.mutable_all_diagnostics()->set_count(count_);
+  record.mutable_all_diagnostics()->set_sha256(content_.digits());
+}
+
 void seal(v1::JobRecord& record) {
   record.clear_sha256();
   record.set_sha256(digest_of_record(wire::json_of(record)));

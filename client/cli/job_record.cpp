@@ -101,7 +101,9 @@ std::vector<std::string> differences(const v1::JobRecord& filed, const v1::JobRe
   v1::JobRecord told_then;
   v1::JobRecord told_now;
   *told_then.mutable_diagnostics() = filed.diagnostics();
+  *told_then.mutable_all_diagnostics() = filed.all_diagnostics();
   *told_now.mutable_diagnostics() = again.diagnostics();
+  *told_now.mutable_all_diagnostics() = again.all_diagnostics();
   compare("diagnostics", told_then, told_now);
   for (std::string& sentence : found)
     while (!sentence.empty() && sentence.back() == '\n') sentence.pop_back();

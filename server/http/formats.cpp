@@ -94,13 +94,14 @@ bool RecordFormat::take(const grpc::ByteBuffer& answer, std::string& /*out*/) {
   if (!RpcCall::read_message(answer, answer_)) return false;
   remember(answer_.diagnostics());
   made_.add(answer_.nc_text());
-  record_.mutable_diagnostics()->MergeFrom(answer_.diagnostics());
+  for (const v1::Diagnostic& told : answer_.diagnostics()) told_.add(told, record_);
   if (answer_.has_summary()) *record_.mutable_summary() = answer_.summary();
   return true;
 }
 
 void RecordFormat::close(std::string& out) {
   fill(made_, *record_.mutable_output());
+  told_.fill(record_);
   record_.set_seconds(
       std::chrono::duration<double>(std::chrono::steady_clock::now() - began_).count());
   seal(record_);

@@ -215,6 +215,26 @@ class Records(unittest.TestCase):
         self.assertNotIn("summary", record)
         self.assertEqual(self.trc("verify", "--record", "record.json")[0], 0)
 
+    def test_of_very_many_messages(self):
+        warnings = 5000
+        self.write("many.nc", "N10 G00 X-20 Y-20\n" + "#TRC [STRETCH_FACTOR=30]\n" * warnings +
+                   "G999\n")
+        record = self.compensated("-q", "--format", "jsonl", name="many.nc", expected=1)
+        _, made, _ = self.trc("compensate", "-q", "many.nc", "--format", "jsonl")
+        told = [line for line in made.splitlines() if line.startswith('{"diagnostic"')]
+        self.assertEqual(len(told), warnings + 1)
+        self.assertEqual(record["allDiagnostics"], {
+            "count": str(warnings + 1),
+            "sha256": hashlib.sha256("".join(line + "\n" for line in told).encode()).hexdigest()})
+        self.assertEqual([json.loads(line)["diagnostic"] for line in [*told[:1000], told[-1]]],
+                         record["diagnostics"])
+        self.assertEqual(self.trc("verify", "-q", "--record", "record.json")[0], 0)
+        record["allDiagnostics"]["count"] = str(warnings)
+        record["sha256"] = digest(record)
+        code, _, said = self.verified(record, "-q")
+        self.assertEqual(code, 1)
+        self.assertIn("diagnostics: ", said)
+
     def test_of_servers(self):
         here = self.compensated("--tools", "tools.csv")
         with Server() as first, Server() as second:

@@ -20,6 +20,7 @@ SHA256 = {"pattern": "^[0-9a-f]{64}$"}
 # What the messages do not say: by message and field.
 BESIDES = {
     ("JobFile", "sha256"): SHA256,
+    ("JobDiagnostics", "sha256"): SHA256,
     ("JobRecord", "format"): {"const": "trc-job-record-1"},
     ("JobRecord", "outputFormat"): {"enum": ["nc", "jsonl", "listing"]},
     ("JobRecord", "outcome"): {"enum": ["DONE", "REFUSED"]},
@@ -33,8 +34,10 @@ BESIDES = {
 }
 REQUIRED = {
     "JobFile": ["name", "sha256"],
+    "JobDiagnostics": ["sha256"],
     "JobRecord": ["format", "input", "output", "outputFormat", "outcome", "setup", "clientVersion",
-                  "clientCommit", "serverVersion", "serverCommit", "started", "seconds", "sha256"],
+                  "clientCommit", "serverVersion", "serverCommit", "started", "seconds", "sha256",
+                  "allDiagnostics"],
 }
 
 
