@@ -166,8 +166,10 @@ Exit run(const Call& call) {
 }
 
 Exit work(const Call& call) {
+  const auto kept = keep_service();
   return work_for_folder([&](const std::string& file) {
     Call one = call;
+    one.program.service.kept = kept;
     one.program.file = file;
     one.output = result_in(call.directory, file);
     one.record = record_in(call.directory, file);

@@ -35,7 +35,8 @@ struct Item {
   std::string output{};
   std::string record{};
   Result result = Result::not_begun;
-  int code = 0;  // as of a process
+  int code = 0;         // as of a process
+  std::string about{};  // what came out
 };
 
 std::string text_in(const std::string& path) {
@@ -48,18 +49,34 @@ bool read_record(const Item& item, v1::JobRecord& record) {
   return !text.empty() && record_from(text, record).empty() && fault_of_seal(text, record).empty();
 }
 
+std::string about(const v1::PathSummary& path) {
+  std::string text = std::to_string(path.blocks_out()) + " blocks";
+  if (path.has_certificate()) {
+    text += ", clearance ";
+    append_fixed(text, path.certificate().clearance(), 4);
+    text += " of ";
+    append_fixed(text, path.certificate().tool_radius(), 4);
+    text += " mm";
+  }
+  if (path.warnings() > 0) text += ", " + std::to_string(path.warnings()) + " warnings";
+  return text;
+}
+
 // Never with jsonl, whose last line tells how long it took.
-bool is_unchanged(const FolderRun& run, const Item& item) {
+bool is_unchanged(const FolderRun& run, Item& item) {
   v1::JobRecord record;
   if (run.format == "jsonl" || !read_record(item, record) || record.outcome() != "DONE")
     return false;
   v1::ProgramSetup setup = run.setup;
   setup.set_file_name(record.setup().file_name());
-  return record.output_format() == run.format && record.client_commit() == commit() &&
-         record.client_version() == version() && record.server_version() == run.server_version &&
-         record.server_commit() == run.server_commit &&
-         google::protobuf::util::MessageDifferencer::Equals(setup, record.setup()) &&
-         is_content_of(record.input(), item.file) && is_output_of(record, item.output);
+  const bool unchanged =
+      record.output_format() == run.format && record.client_commit() == commit() &&
+      record.client_version() == version() && record.server_version() == run.server_version &&
+      record.server_commit() == run.server_commit &&
+      google::protobuf::util::MessageDifferencer::Equals(setup, record.setup()) &&
+      is_content_of(record.input(), item.file) && is_output_of(record, item.output);
+  if (unchanged) item.about = about(record.summary().path());
+  return unchanged;
 }
 
 Result result_of(int code) {
@@ -130,6 +147,9 @@ class Work {
     if (ended.signal == 0) {
       item.code = ended.code;
       count(item, result_of(item.code));
+      v1::JobRecord record;
+      if (item.result == Result::done && read_record(item, record))
+        item.about = about(record.summary().path());
       // Beside a record that says REFUSED there is no result of an earlier run.
       std::error_code none;
       if (item.result == Result::refused) fs::remove(item.output, none);
@@ -200,22 +220,11 @@ void print_table(const std::vector<Item>& items) {
   for (const Item& item : items) {
     const std::string result = text_of(item.result);
     ++counts[result];
-    std::string line = item.file + std::string(width + 2 - item.file.size(), ' ') + result;
-    v1::JobRecord record;
-    const bool whole = item.result == Result::done || item.result == Result::unchanged;
-    if (whole && read_record(item, record)) {
-      const v1::PathSummary& path = record.summary().path();
-      line += std::string(13 - result.size(), ' ') + std::to_string(path.blocks_out()) + " blocks";
-      if (path.has_certificate()) {
-        line += ", clearance ";
-        append_fixed(line, path.certificate().clearance(), 4);
-        line += " of ";
-        append_fixed(line, path.certificate().tool_radius(), 4);
-        line += " mm";
-      }
-      if (path.warnings() > 0) line += ", " + std::to_string(path.warnings()) + " warnings";
-    }
-    std::cout << line << '\n';
+    std::cout << item.file << std::string(width + 2 - item.file.size(), ' ') << result;
+    constexpr std::size_t widest_result = 13;
+    if (!item.about.empty())
+      std::cout << std::string(widest_result - result.size(), ' ') << item.about;
+    std::cout << '\n';
   }
   std::cout << items.size() << " programs";
   for (const auto& [result, count] : counts) std::cout << ", " << count << ' ' << result;
