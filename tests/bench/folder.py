@@ -137,7 +137,8 @@ def main():
                 used, peak = servers.used()
                 of_servers = f"{used - before:.1f} s | {peak:.0f} MiB"
             print(f"| {what} | {seconds:.1f} s | {len(names) / seconds:.0f} | "
-                  f"{blocks / seconds:.0f} | {cpu:.1f} s | {memory:.0f} MiB | {of_servers} |", flush=True)
+                  f"{blocks / seconds:.0f} | {cpu:.1f} s | {memory:.0f} MiB | "
+                  f"{of_servers} |", flush=True)
 
         measure("in its own processes", "own", -0.01)
         measure("again, nothing changed", "own", -0.01)
