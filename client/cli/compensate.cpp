@@ -37,6 +37,7 @@ struct Call {
   std::string record;
   std::string to;
   bool force = false;
+  bool worker = false;  // of a folder
 };
 
 // The program a path came from is worth more than the path.
@@ -57,7 +58,8 @@ bool setup_for(const Call& call, v1::ProgramSetup& setup) {
 
 // The words of the call that hold for every program.
 std::vector<std::string> words_for_all(const CLI::App& command) {
-  const std::set<std::string> own{"file", "--output-dir", "--jobs", "--output", "--record"};
+  const std::set<std::string> own{"file",     "--output-dir", "--jobs",
+                                  "--output", "--record",     "--worker"};
   std::vector<std::string> words;
   for (const CLI::Option* option : command.get_options()) {
     const std::string name = option->get_name();
@@ -75,7 +77,8 @@ Exit run_folder(const Call& call, const std::vector<std::string>& words) {
                 .directory = call.directory,
                 .arguments = words,
                 .format = call.format,
-                .jobs = call.jobs};
+                .jobs = call.jobs,
+                .quiet = call.program.loudness.quiet};
   if (!setup_for(call, run.setup)) return Exit::wrong_call;
   const ResultText asks_for_output(call.format, run.setup);
   v1::GetServerInfoResponse info;
@@ -162,6 +165,18 @@ Exit run(const Call& call) {
                                                                                : Exit::wrong_call;
 }
 
+Exit work(const Call& call) {
+  const auto kept = keep_service();
+  return work_for_folder([&](const std::string& file) {
+    Call one = call;
+    one.program.service.kept = kept;
+    one.program.file = file;
+    one.output = result_in(call.directory, file);
+    one.record = record_in(call.directory, file);
+    return run(one);
+  });
+}
+
 }  // namespace
 
 void add_compensate(CLI::App& app, Action& action) {
@@ -196,6 +211,8 @@ void add_compensate(CLI::App& app, Action& action) {
       ->check(CLI::Range(1, 256))
       ->capture_default_str()
       ->needs(directory);
+  // How --output-dir calls the processes beside it; for nobody else.
+  command->add_flag("--worker", call->worker)->group("")->needs(directory);
   command
       ->add_option("--record", call->record,
                    "File to write a record of the job to: what was made of which bytes with which "
@@ -217,6 +234,10 @@ void add_compensate(CLI::App& app, Action& action) {
       "verify=off measures nothing.\n\n" +
       settings_help());
   command->callback([call, command, directory, &action] {
+    if (call->worker) {
+      action = [call] { return work(*call); };
+      return;
+    }
     if (!directory->empty()) {
       action = [call, words = words_for_all(*command)] { return run_folder(*call, words); };
       return;

@@ -10,6 +10,7 @@
 #include <cstring>
 #include <filesystem>
 #include <iostream>
+#include <random>
 #include <utility>
 
 #include "client/cli/file_name.h"
@@ -29,9 +30,39 @@ extern "C" void remove_unfinished(int signal_number) {
 }
 
 void guard_unfinished(const std::string& path) {
+  unfinished[0] = '\0';
   if (path.size() >= unfinished.size()) return;
-  std::memcpy(unfinished.data(), path.c_str(), path.size() + 1);
-  for (const int number : {SIGINT, SIGTERM, SIGHUP}) ::signal(number, remove_unfinished);
+  std::memcpy(unfinished.data() + 1, path.c_str() + 1, path.size());
+  unfinished[0] = path[0];
+  for (const int number : {SIGINT, SIGTERM, SIGHUP}) {
+    struct sigaction former {};
+    ::sigaction(number, nullptr, &former);
+    // What nohup has this process ignore does not end it.
+    if (former.sa_handler != SIG_IGN) ::signal(number, remove_unfinished);
+  }
+}
+
+// Makes a file `path`.XXXXXX, which the handler knows before it is there: nothing is left by a
+// signal in between. Below 0: it cannot be made.
+int make_unfinished(const std::string& path, std::string& made) {
+  constexpr std::string_view letters = "abcdefghijklmnopqrstuvwxyz0123456789";
+  constexpr int most_tries = 100;
+  constexpr int added = 6;
+  std::random_device random;
+  std::uniform_int_distribution<std::size_t> any(0, letters.size() - 1);
+  for (int tried = 0; tried < most_tries; ++tried) {
+    made = path + '.';
+    for (int i = 0; i < added; ++i) made += letters[any(random)];
+    struct stat existing {};
+    // Not removed, if it is somebody else's.
+    if (::lstat(made.c_str(), &existing) == 0) continue;
+    guard_unfinished(made);
+    const int descriptor = ::open(made.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0600);
+    if (descriptor >= 0) return descriptor;
+    unfinished[0] = '\0';
+    if (errno != EEXIST) return -1;
+  }
+  return -1;
 }
 
 bool write_all(int descriptor, std::string_view text) {
@@ -130,11 +161,10 @@ bool Output::open() {
     descriptor_ = ::open(path_.c_str(), O_WRONLY | O_CLOEXEC);
     return descriptor_ >= 0 || complain("write");
   }
-  std::string pattern = path_ + ".XXXXXX";
-  descriptor_ = ::mkstemp(pattern.data());
+  std::string made;
+  descriptor_ = make_unfinished(path_, made);
   if (descriptor_ < 0) return complain("write");
-  temporary_ = pattern;
-  guard_unfinished(temporary_);
+  temporary_ = made;
   return ::fchmod(descriptor_, exists ? existing.st_mode & 07777 : mode_of_new_files()) == 0 ||
          complain("write");
 }

@@ -1,23 +1,24 @@
 #include "client/cli/folder_run.h"
 
-#include <fcntl.h>
 #include <google/protobuf/util/message_differencer.h>
-#include <spawn.h>
-#include <sys/wait.h>
-#include <unistd.h>
+#include <poll.h>
 
 #include <algorithm>
-#include <array>
-#include <cstdio>
+#include <chrono>
+#include <csignal>
+#include <cstdint>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <iterator>
 #include <map>
-#include <memory>
 #include <set>
 
 #include "client/cli/job_record.h"
+#include "client/cli/program_options.h"
+#include "client/cli/progress.h"
+#include "client/cli/signals.h"
+#include "client/cli/workers.h"
 #include "core/base/version.h"
 #include "core/nc/text/number_format.h"
 
@@ -26,19 +27,16 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct CloseFile {
-  void operator()(std::FILE* file) const { std::fclose(file); }
-};
-using FilePointer = std::unique_ptr<std::FILE, CloseFile>;
+enum class Result : std::uint8_t { not_begun, unchanged, done, refused, failed, interrupted };
 
 // A program, its result and its record.
 struct Item {
   std::string file{};
   std::string output{};
   std::string record{};
-  bool unchanged = false;
-  int code = 0;        // of its process
-  FilePointer told{};  // what the process says, while it runs
+  Result result = Result::not_begun;
+  int code = 0;         // as of a process
+  std::string about{};  // what came out
 };
 
 std::string text_in(const std::string& path) {
@@ -48,95 +46,171 @@ std::string text_in(const std::string& path) {
 
 bool read_record(const Item& item, v1::JobRecord& record) {
   const std::string text = text_in(item.record);
-  return !text.empty() && record_from(text, record).empty();
+  return !text.empty() && record_from(text, record).empty() && fault_of_seal(text, record).empty();
+}
+
+std::string about(const v1::PathSummary& path) {
+  std::string text = std::to_string(path.blocks_out()) + " blocks";
+  if (path.has_certificate()) {
+    text += ", clearance ";
+    append_fixed(text, path.certificate().clearance(), 4);
+    text += " of ";
+    append_fixed(text, path.certificate().tool_radius(), 4);
+    text += " mm";
+  }
+  if (path.warnings() > 0) text += ", " + std::to_string(path.warnings()) + " warnings";
+  return text;
 }
 
 // Never with jsonl, whose last line tells how long it took.
-bool is_unchanged(const FolderRun& run, const Item& item) {
+bool is_unchanged(const FolderRun& run, Item& item) {
   v1::JobRecord record;
   if (run.format == "jsonl" || !read_record(item, record) || record.outcome() != "DONE")
     return false;
   v1::ProgramSetup setup = run.setup;
   setup.set_file_name(record.setup().file_name());
-  return record.output_format() == run.format && record.client_commit() == commit() &&
-         record.client_version() == version() && record.server_version() == run.server_version &&
-         record.server_commit() == run.server_commit &&
-         google::protobuf::util::MessageDifferencer::Equals(setup, record.setup()) &&
-         is_content_of(record.input(), item.file) && is_output_of(record, item.output);
+  const bool unchanged =
+      record.output_format() == run.format && record.client_commit() == commit() &&
+      record.client_version() == version() && record.server_version() == run.server_version &&
+      record.server_commit() == run.server_commit &&
+      google::protobuf::util::MessageDifferencer::Equals(setup, record.setup()) &&
+      is_content_of(record.input(), item.file) && is_output_of(record, item.output);
+  if (unchanged) item.about = about(record.summary().path());
+  return unchanged;
 }
 
-// Starts the process. 0: it cannot be started.
-pid_t start(const FolderRun& run, Item& item) {
-  std::vector<std::string> words{"trc",       "compensate", item.file,  "-o",
-                                 item.output, "--record",   item.record};
-  words.insert(words.end(), run.arguments.begin(), run.arguments.end());
-  std::vector<char*> pointers;
-  pointers.reserve(words.size() + 1);
-  for (std::string& word : words) pointers.push_back(word.data());
-  pointers.push_back(nullptr);
-  item.told.reset(std::tmpfile());
-  if (!item.told) return 0;
-  posix_spawn_file_actions_t actions;
-  posix_spawn_file_actions_init(&actions);
-  posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
-  posix_spawn_file_actions_adddup2(&actions, fileno(item.told.get()), STDOUT_FILENO);
-  posix_spawn_file_actions_adddup2(&actions, fileno(item.told.get()), STDERR_FILENO);
-  pid_t process = 0;
-  const int fault =
-      posix_spawn(&process, "/proc/self/exe", &actions, nullptr, pointers.data(), environ);
-  posix_spawn_file_actions_destroy(&actions);
-  return fault == 0 ? process : 0;
-}
-
-void end(Item& item, int status) {
-  item.code = WIFEXITED(status) ? WEXITSTATUS(status) : static_cast<int>(Exit::internal);
-  std::rewind(item.told.get());
-  std::array<char, 4096> piece{};
-  while (const std::size_t size = std::fread(piece.data(), 1, piece.size(), item.told.get()))
-    std::cerr.write(piece.data(), static_cast<std::streamsize>(size));
-  if (WIFSIGNALED(status))
-    std::cerr << "trc: " << item.file << ": the process was ended by signal " << WTERMSIG(status)
-              << '\n';
-  item.told.reset();
-}
-
-// All programs that are not unchanged, so many at a time.
-void work_through(const FolderRun& run, std::vector<Item>& items) {
-  std::map<pid_t, Item*> running;
-  const auto wait_for_one = [&running] {
-    int status = 0;
-    const pid_t process = ::wait(&status);
-    const auto ended = running.find(process);
-    if (ended == running.end()) return;
-    end(*ended->second, status);
-    running.erase(ended);
-  };
-  for (Item& item : items) {
-    if (item.unchanged) continue;
-    // Of an earlier run, which is not what comes now.
-    std::error_code none;
-    fs::remove(item.record, none);
-    while (running.size() >= run.jobs) wait_for_one();
-    if (const pid_t process = start(run, item); process != 0) {
-      running.emplace(process, &item);
-    } else {
-      std::cerr << "trc: " << item.file << ": no process can be started for it\n";
-      item.code = static_cast<int>(Exit::limit);
-    }
-  }
-  while (!running.empty()) wait_for_one();
-}
-
-const char* result_of(const Item& item) {
-  if (item.unchanged) return "unchanged";
-  switch (item.code) {
-    case 0:
-      return "done";
-    case 1:
-      return "refused";
+Result result_of(int code) {
+  switch (static_cast<Exit>(code)) {
+    case Exit::done:
+      return Result::done;
+    case Exit::refused:
+      return Result::refused;
     default:
-      return "failed";
+      return Result::failed;
   }
+}
+
+std::vector<std::string> words_of_worker(const FolderRun& run) {
+  std::vector<std::string> words{"compensate", "-", "--output-dir", run.directory, "--worker"};
+  words.insert(words.end(), run.arguments.begin(), run.arguments.end());
+  return words;
+}
+
+// The programs one after another, so many at a time.
+class Work {
+ public:
+  Work(const FolderRun& run, std::vector<Item>& items)
+      : run_(run),
+        items_(items),
+        progress_(false, run.quiet, language_of(run.setup)),
+        workers_(words_of_worker(run), run.jobs) {}
+
+  // Returns the signal that has cut the work short; 0: none.
+  int go_through() {
+    for (std::size_t next = 0; next < items_.size(); ++next) {
+      while (workers_.all_busy()) wait();
+      hear();
+      if (stopped_by_ != 0 || without_server_) break;
+      if (is_unchanged(run_, items_[next]))
+        count(items_[next], Result::unchanged);
+      else if (!workers_.give(next, items_[next].file))
+        fail(items_[next], Exit::limit, "no process can be started for it");
+    }
+    while (workers_.any_busy()) wait();
+    progress_.clear();
+    return stopped_by_;
+  }
+
+ private:
+  void wait() {
+    constexpr std::chrono::milliseconds until_the_line_is_new{200};
+    for (const Workers::Ended& ended : workers_.wait(until_the_line_is_new, signals_.descriptor()))
+      end(ended);
+    hear();
+    progress_.ended(ended_, items_.size());
+  }
+
+  // The first signal asks all processes to end, the next one does not ask.
+  void hear() {
+    const int asked = signals_.take();
+    if (asked == 0) return;
+    workers_.signal(stopped_by_ == 0 ? SIGTERM : SIGKILL);
+    if (stopped_by_ == 0) stopped_by_ = asked;
+  }
+
+  void end(const Workers::Ended& ended) {
+    Item& item = items_[ended.task];
+    if (!ended.told.empty()) {
+      progress_.clear();
+      std::cerr << ended.told;
+    }
+    if (ended.signal == 0) {
+      item.code = ended.code;
+      count(item, result_of(item.code));
+      v1::JobRecord record;
+      if (item.result == Result::done && read_record(item, record))
+        item.about = about(record.summary().path());
+      // Beside a record that says REFUSED there is no result of an earlier run.
+      std::error_code none;
+      if (item.result == Result::refused) fs::remove(item.output, none);
+      // It was waited for; the others would wait as long, one after another.
+      if (item.code == static_cast<int>(Exit::unreachable)) without_server_ = true;
+      return;
+    }
+    if (stopped_by_ == 0) await_word();
+    if (stopped_by_ != 0)
+      // It may have been done with all but its end.
+      count(item, is_unchanged(run_, item) ? Result::done : Result::interrupted);
+    else
+      fail(item, Exit::internal, "the process was ended by signal " + std::to_string(ended.signal));
+  }
+
+  // A terminal tells the whole group: a process may have ended before the word is heard here.
+  void await_word() {
+    constexpr int longest = 100;
+    pollfd question{.fd = signals_.descriptor(), .events = POLLIN, .revents = 0};
+    static_cast<void>(::poll(&question, 1, longest));
+    hear();
+  }
+
+  void fail(Item& item, Exit exit, const std::string& why) {
+    progress_.clear();
+    std::cerr << "trc: " << item.file << ": " << why << '\n';
+    item.code = static_cast<int>(exit);
+    count(item, Result::failed);
+  }
+
+  void count(Item& item, Result result) {
+    item.result = result;
+    progress_.ended(++ended_, items_.size());
+  }
+
+  const FolderRun& run_;
+  std::vector<Item>& items_;
+  Signals signals_{};
+  Progress progress_;
+  Workers workers_;
+  std::size_t ended_ = 0;
+  int stopped_by_ = 0;
+  bool without_server_ = false;
+};
+
+const char* text_of(Result result) {
+  switch (result) {
+    case Result::not_begun:
+      return "not begun";
+    case Result::unchanged:
+      return "unchanged";
+    case Result::done:
+      return "done";
+    case Result::refused:
+      return "refused";
+    case Result::failed:
+      return "failed";
+    case Result::interrupted:
+      return "interrupted";
+  }
+  return "";
 }
 
 void print_table(const std::vector<Item>& items) {
@@ -144,23 +218,13 @@ void print_table(const std::vector<Item>& items) {
   for (const Item& item : items) width = std::max(width, item.file.size());
   std::map<std::string, int> counts;
   for (const Item& item : items) {
-    const std::string result = result_of(item);
+    const std::string result = text_of(item.result);
     ++counts[result];
-    std::string line = item.file + std::string(width + 2 - item.file.size(), ' ') + result;
-    v1::JobRecord record;
-    if (item.code == 0 && read_record(item, record)) {
-      const v1::PathSummary& path = record.summary().path();
-      line += std::string(11 - result.size(), ' ') + std::to_string(path.blocks_out()) + " blocks";
-      if (path.has_certificate()) {
-        line += ", clearance ";
-        append_fixed(line, path.certificate().clearance(), 4);
-        line += " of ";
-        append_fixed(line, path.certificate().tool_radius(), 4);
-        line += " mm";
-      }
-      if (path.warnings() > 0) line += ", " + std::to_string(path.warnings()) + " warnings";
-    }
-    std::cout << line << '\n';
+    std::cout << item.file << std::string(width + 2 - item.file.size(), ' ') << result;
+    constexpr std::size_t widest_result = 13;
+    if (!item.about.empty())
+      std::cout << std::string(widest_result - result.size(), ' ') << item.about;
+    std::cout << '\n';
   }
   std::cout << items.size() << " programs";
   for (const auto& [result, count] : counts) std::cout << ", " << count << ' ' << result;
@@ -184,19 +248,38 @@ Exit compensate_folder(const FolderRun& run) {
       std::cerr << "trc: " << name << " is given twice; its results would have one name\n";
       return Exit::wrong_call;
     }
-    const std::string output = (fs::path(run.directory) / name).string();
+    const std::string output = result_in(run.directory, file);
     if (fs::equivalent(file, output, fault)) {
       std::cerr << "trc: " << output << " would be written over the program itself\n";
       return Exit::wrong_call;
     }
-    items.push_back({.file = file, .output = output, .record = output + ".json"});
-    items.back().unchanged = is_unchanged(run, items.back());
+    items.push_back({.file = file, .output = output, .record = record_in(run.directory, file)});
   }
-  work_through(run, items);
+  const int stopped_by = Work(run, items).go_through();
   print_table(items);
+  if (stopped_by != 0) end_by(stopped_by);
   int worst = 0;
   for (const Item& item : items) worst = std::max(worst, item.code);
   return static_cast<Exit>(worst);
+}
+
+std::string result_in(const std::string& directory, const std::string& file) {
+  return (fs::path(directory) / fs::path(file).filename()).string();
+}
+
+std::string record_in(const std::string& directory, const std::string& file) {
+  return result_in(directory, file) + ".json";
+}
+
+Exit work_for_folder(const std::function<Exit(const std::string& file)>& compensate) {
+  for (std::string file; Workers::next_task(file);) {
+    const Exit exit = compensate(file);
+    std::cerr.flush();
+    // What a limit or a fault has left is for no other program.
+    if (exit != Exit::done && exit != Exit::refused) return exit;
+    Workers::tell_code(static_cast<int>(exit));
+  }
+  return Exit::done;
 }
 
 }  // namespace trc::cli

@@ -27,17 +27,17 @@ Exit do_job(Job& job, Input& input, Reporter& reporter, const TextSink& sink) {
   ResultText result(job.format, job.setup);
   server::Sha256 given;
   server::Sha256 made;
-  v1::GetServerInfoResponse info;
-  if (job.recorded) {
-    input.watch([&](std::string_view text) { given.add(text); });
-    if (const Exit exit = server_info(job.service, info); exit != Exit::done) return exit;
-  }
+  server::ToldInRecord told;
+  if (job.recorded) input.watch([&](std::string_view text) { given.add(text); });
   const Outcome outcome =
       compensate_program(job.service, job.setup, input, reporter, [&](const Answer& answer) {
         const std::string& text = result.of(answer);
         if (job.recorded) {
-          for (const Diagnostic& told : answer.diagnostics)
-            wire::to_proto(told, *record.add_diagnostics());
+          for (const Diagnostic& found : answer.diagnostics) {
+            v1::Diagnostic message;
+            wire::to_proto(found, message);
+            told.add(message, record);
+          }
           made.add(text);
         }
         return sink(text);
@@ -50,14 +50,18 @@ Exit do_job(Job& job, Input& input, Reporter& reporter, const TextSink& sink) {
   if (!job.recorded) return outcome.exit;
   *record.mutable_input() = file_of(job.input_name, given);
   *record.mutable_output() = file_of(job.output_name, made);
+  told.fill(record);
   record.set_output_format(job.format);
   record.set_outcome(outcome.exit == Exit::done ? "DONE" : "REFUSED");
   *record.mutable_setup() = job.setup;
-  record.set_server_version(info.version());
-  record.set_server_commit(info.commit());
+  const std::size_t release = outcome.core_version.find('+');
+  record.set_server_version(outcome.core_version.substr(0, release));
+  if (release != std::string::npos)
+    record.set_server_commit(outcome.core_version.substr(release + 1));
   record.set_server(job.service.server);
   record.set_seconds(
       std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count());
+  server::seal(record);
   return outcome.exit;
 }
 

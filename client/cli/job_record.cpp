@@ -76,6 +76,14 @@ std::string record_from(const std::string& text, v1::JobRecord& record) {
   return {};
 }
 
+std::string fault_of_seal(const std::string& text, const v1::JobRecord& record) {
+  const std::string now = server::digest_of_record(text);
+  if (record.sha256() == now) return {};
+  if (record.sha256().empty()) return "it has been changed: its own SHA-256 is not there";
+  return "it has been changed since it was written: its SHA-256 is " + now +
+         ", the one in it says " + record.sha256();
+}
+
 std::vector<std::string> differences(const v1::JobRecord& filed, const v1::JobRecord& again) {
   std::vector<std::string> found;
   compare_files("input", filed.input(), again.input(), found);
@@ -93,7 +101,9 @@ std::vector<std::string> differences(const v1::JobRecord& filed, const v1::JobRe
   v1::JobRecord told_then;
   v1::JobRecord told_now;
   *told_then.mutable_diagnostics() = filed.diagnostics();
+  *told_then.mutable_all_diagnostics() = filed.all_diagnostics();
   *told_now.mutable_diagnostics() = again.diagnostics();
+  *told_now.mutable_all_diagnostics() = again.all_diagnostics();
   compare("diagnostics", told_then, told_now);
   for (std::string& sentence : found)
     while (!sentence.empty() && sentence.back() == '\n') sentence.pop_back();

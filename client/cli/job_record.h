@@ -13,6 +13,10 @@ namespace trc::cli {
 // Returns what is wrong with the text, as a sentence; empty: it is in `record`.
 [[nodiscard]] std::string record_from(const std::string& text, v1::JobRecord& record);
 
+// Whether the text of a record that could be read is as it was written, its layout apart: a
+// sentence about what is not, or empty.
+[[nodiscard]] std::string fault_of_seal(const std::string& text, const v1::JobRecord& record);
+
 // Whether the file holds these bytes and no others.
 [[nodiscard]] bool is_content_of(const v1::JobFile& filed, const std::string& path);
 // Whether it holds what came out. The summary line of `jsonl`, which the record leaves out, may be

@@ -26,6 +26,11 @@ std::string span(double seconds) {
   return whole < 120 ? fixed(whole, 0) + " s" : fixed(std::ceil(whole / 60), 0) + " min";
 }
 
+// "74 s left"
+std::string left(double seconds, bool german) {
+  return german ? "noch " + span(seconds) : span(seconds) + " left";
+}
+
 std::string rate(const Advance& advance) {
   const double each = static_cast<double>(advance.done) / std::max(advance.seconds, 1e-3);
   return advance.of == Advance::Of::reading ? fixed(each / bytes_per_mb, 1) + " MB/s"
@@ -41,6 +46,14 @@ std::string text_of(const Advance& advance, Language language) {
   if (reading && advance.whole > 0 && advance.done >= advance.whole)
     return (german ? "alles gelesen, die Bahn entsteht, " : "all read, the path is on its way, ") +
            span(advance.seconds);
+  if (advance.of == Advance::Of::programs) {
+    std::string text = fixed(done, 0) + (german ? " von " : " of ") +
+                       std::to_string(advance.whole) + (german ? " Programmen" : " programs");
+    if (advance.done == 0) return text;
+    const double seconds_each = advance.seconds / done;
+    return text + ", " + rate(advance) + "/s, " +
+           left(seconds_each * static_cast<double>(advance.whole - advance.done), german);
+  }
   std::string text = rate(advance);
   if (!reading) text += german ? " Sätze/s" : " blocks/s";
   if (advance.whole == 0)
@@ -51,8 +64,7 @@ std::string text_of(const Advance& advance, Language language) {
                                    : (german ? " % gemessen, " : " % measured, ");
   text = fixed(std::floor(100 * done / whole), 0) + verb + text;
   if (advance.done == 0) return text;
-  const std::string left = span(advance.seconds * (whole - done) / done);
-  return text + (german ? ", noch " + left : ", " + left + " left");
+  return text + ", " + left(advance.seconds * (whole - done) / done, german);
 }
 
 Progress::Progress(bool result_on_screen, bool quiet, Language language, Clock::duration silence)
@@ -67,6 +79,10 @@ void Progress::read(std::uint64_t bytes, std::uint64_t whole) {
 
 void Progress::measured(std::uint64_t blocks, std::uint64_t whole) {
   update({.of = Advance::Of::measuring, .done = blocks, .whole = whole});
+}
+
+void Progress::ended(std::uint64_t programs, std::uint64_t whole) {
+  update({.of = Advance::Of::programs, .done = programs, .whole = whole});
 }
 
 void Progress::update(Advance advance) {

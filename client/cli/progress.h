@@ -13,6 +13,7 @@ struct Advance {
   enum class Of : std::uint8_t {
     reading,    // and compensating; counted in bytes of text
     measuring,  // counted in blocks of the path
+    programs,   // of a folder
   };
   Of of = Of::reading;
   std::uint64_t done = 0;
@@ -21,7 +22,8 @@ struct Advance {
 };
 
 // "42 % read, 12.3 MB/s, 7 s left"; without the whole "12.3 MB read, 4.1 MB/s, 3 s"; and where all
-// is read "all read, the path is on its way, 12 s".
+// is read "all read, the path is on its way, 12 s"; of a folder "420 of 10000 programs, 130/s, 74 s
+// left".
 [[nodiscard]] std::string text_of(const Advance& advance, Language language);
 
 // A line on the terminal that says how far the work is, once it takes longer
@@ -40,6 +42,7 @@ class Progress {
   // `whole`: 0 where it is not known.
   void read(std::uint64_t bytes, std::uint64_t whole);
   void measured(std::uint64_t blocks, std::uint64_t whole);
+  void ended(std::uint64_t programs, std::uint64_t whole);
   // Takes the line away, so that another can be written.
   void clear();
 

@@ -18,6 +18,12 @@
 #include "server/resources/memory_watch.h"
 
 namespace trc::cli {
+
+struct KeptService {
+  std::shared_ptr<server::InProcessServer> own{};
+  std::optional<client::Connection> connection{};
+};
+
 namespace {
 
 constexpr std::chrono::seconds longest_question{10};
@@ -34,6 +40,33 @@ class Service {
  public:
   explicit Service(const ServiceOptions& options, const client::ConnectionOptions& how = {})
       : name_(options.server) {
+    if (options.kept && options.kept->connection) {
+      own_ = options.kept->own;
+      connection_ = own_ ? options.kept->connection : options.kept->connection->with(how.resume);
+      return;
+    }
+    open(options, how);
+    if (options.kept && !failure_) *options.kept = {.own = own_, .connection = connection_};
+  }
+
+  [[nodiscard]] const std::optional<client::Failure>& failure() const { return failure_; }
+  [[nodiscard]] const client::Connection& connection() const { return *connection_; }
+  [[nodiscard]] const std::shared_ptr<server::InProcessServer>& own_server() const { return own_; }
+
+  // Says what went wrong and returns how the program ends.
+  [[nodiscard]] Exit explain(const client::Failure& failure, bool answered) const {
+    if (failure.reason == "CALLER_STOPPED") return Exit::wrong_call;
+    for (const wire::FieldFault& field : failure.fields)
+      std::cerr << "trc: " << as_setting(field.field) << ": " << field.description << '\n';
+    if (failure.unreachable())
+      explain_unreachable(failure, answered);
+    else if (failure.fields.empty())
+      std::cerr << "trc: " << failure.message << '\n';
+    return exit_of(failure, name_.empty());
+  }
+
+ private:
+  void open(const ServiceOptions& options, const client::ConnectionOptions& how) {
     if (!options.server.empty()) {
       if (options.has_own_limits()) {
         failure_ = wrong_limits(
@@ -62,23 +95,6 @@ class Service {
                         client::ResumePolicy{.patience = std::chrono::milliseconds::zero()});
   }
 
-  [[nodiscard]] const std::optional<client::Failure>& failure() const { return failure_; }
-  [[nodiscard]] const client::Connection& connection() const { return *connection_; }
-  [[nodiscard]] const std::shared_ptr<server::InProcessServer>& own_server() const { return own_; }
-
-  // Says what went wrong and returns how the program ends.
-  [[nodiscard]] Exit explain(const client::Failure& failure, bool answered) const {
-    if (failure.reason == "CALLER_STOPPED") return Exit::wrong_call;
-    for (const wire::FieldFault& field : failure.fields)
-      std::cerr << "trc: " << as_setting(field.field) << ": " << field.description << '\n';
-    if (failure.unreachable())
-      explain_unreachable(failure, answered);
-    else if (failure.fields.empty())
-      std::cerr << "trc: " << failure.message << '\n';
-    return exit_of(failure, name_.empty());
-  }
-
- private:
   static client::Failure wrong_limits(std::string fault) {
     return {.status = "INVALID_ARGUMENT", .message = std::move(fault), .reason = "LIMITS_WRONG"};
   }
@@ -157,6 +173,8 @@ Exit exit_of(const client::Failure& failure, bool in_this_process) {
   return failure.status == "RESOURCE_EXHAUSTED" ? Exit::limit : Exit::wrong_call;
 }
 
+std::shared_ptr<KeptService> keep_service() { return std::make_shared<KeptService>(); }
+
 void add_service_options(CLI::App& command, ServiceOptions& options) {
   auto* server =
       command.add_option("--server", options.server,
@@ -225,12 +243,16 @@ Outcome compensate_program(const ServiceOptions& options, const v1::ProgramSetup
   progress.read(bytes, bytes);
   const bool done = open && session.finish(answers);
   reporter.finish();
-  if (done) return {.exit = Exit::done, .summary = session.summary()};
-  // What the server has no room for is told as a diagnostic, too; the program has no fault.
-  if (reporter.refused())
-    return {.exit = session.failure() ? exit_of_refused(*session.failure()) : Exit::refused};
-  if (!session.failure()) return {.exit = Exit::internal};
-  return {.exit = service.explain(*session.failure(), answered)};
+  Outcome outcome{.core_version = session.core_version()};
+  if (done)
+    outcome.summary = session.summary();
+  else if (reporter.refused())
+    // What the server has no room for is told as a diagnostic, too; the program has no fault.
+    outcome.exit = session.failure() ? exit_of_refused(*session.failure()) : Exit::refused;
+  else
+    outcome.exit =
+        session.failure() ? service.explain(*session.failure(), answered) : Exit::internal;
+  return outcome;
 }
 
 Exit survey_program(const ServiceOptions& options, const v1::SurveySetup& setup,

@@ -26,6 +26,9 @@ class Channel;
 
 namespace trc::cli {
 
+// What programs one after another go through: made by the first of them.
+struct KeptService;
+
 // Where the service is. Without an address it runs inside this process.
 struct ServiceOptions {
   std::string server{};  // as Connection::open takes it
@@ -38,15 +41,21 @@ struct ServiceOptions {
   std::uint32_t memory_limit_mib = 0;
   std::uint32_t max_session_memory_mib = 0;
   std::uint64_t max_blocks_per_selection = 0;
+  // Where given, the connection, or the service in this process, stays between calls with the same
+  // options.
+  std::shared_ptr<KeptService> kept{};
 
   [[nodiscard]] bool has_own_limits() const {
     return memory_limit_mib > 0 || max_session_memory_mib > 0 || max_blocks_per_selection > 0;
   }
 };
+[[nodiscard]] std::shared_ptr<KeptService> keep_service();
 void add_service_options(CLI::App& command, ServiceOptions& options);
 
 struct Outcome {
   Exit exit = Exit::done;
+  // Of what compensated, as in "0.1.0+0123456789ab"; empty: nobody took the program.
+  std::string core_version{};
   std::optional<wire::ProgramSummary> summary{};  // complete runs only
 };
 

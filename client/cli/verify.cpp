@@ -78,6 +78,9 @@ Exit check_record(const Call& call) {
     if (!fault.empty()) std::cerr << "trc: " << call.record << ": " << fault << '\n';
     return Exit::wrong_call;
   }
+  // Told first: what it names may have been changed, too.
+  const std::string changed = fault_of_seal(text, filed);
+  if (!changed.empty()) std::cerr << "trc: " << call.record << ": " << changed << '\n';
   const std::string name =
       call.program.file.empty() ? name_of_text(filed.input().name()) : call.program.file;
   Input input(name);
@@ -105,7 +108,7 @@ Exit check_record(const Call& call) {
     std::cerr << "trc: " << call.record << ": it was made by version " << filed.server_version()
               << " (" << filed.server_commit() << "), this is " << job.record.server_version()
               << " (" << job.record.server_commit() << ")\n";
-  if (!found.empty()) return Exit::refused;
+  if (!found.empty() || !changed.empty()) return Exit::refused;
   std::cout << "the record holds: " << filed.output().bytes() << " bytes, SHA-256 "
             << filed.output().sha256() << ", " << filed.outcome() << '\n';
   return Exit::done;

@@ -64,6 +64,13 @@ class Connection {
   explicit Connection(std::shared_ptr<grpc::Channel> channel, const ResumePolicy& resume = {})
       : channel_(std::move(channel)), resume_(resume) {}
 
+  // The same way, for sessions of another policy.
+  [[nodiscard]] Connection with(const ResumePolicy& resume) const {
+    Connection other = *this;
+    other.resume_ = resume;
+    return other;
+  }
+
   [[nodiscard]] const std::shared_ptr<grpc::Channel>& channel() const { return channel_; }
   [[nodiscard]] const ResumePolicy& resume_policy() const { return resume_; }
 

@@ -78,6 +78,10 @@ const std::optional<Failure>& RemoteProgramSession::failure() const {
 
 std::uint64_t RemoteProgramSession::resumed() const { return parts_->session.resumed(); }
 
+const std::string& RemoteProgramSession::core_version() const {
+  return parts_->session.limits().core_version();
+}
+
 const std::optional<wire::ProgramSummary>& RemoteProgramSession::summary() const {
   return parts_->session.summary();
 }

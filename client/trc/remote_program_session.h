@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <string>
 #include <string_view>
 
 #include "client/trc/connection.h"
@@ -37,6 +38,9 @@ class RemoteProgramSession {
   [[nodiscard]] const std::optional<Failure>& failure() const;
   // How often the stream was lost and another one has gone on.
   [[nodiscard]] std::uint64_t resumed() const;
+  // Release and commit of the server, as in "0.1.0+0123456789ab"; empty before it has accepted the
+  // stream.
+  [[nodiscard]] const std::string& core_version() const;
   // Of a complete run only.
   [[nodiscard]] const std::optional<wire::ProgramSummary>& summary() const;
 

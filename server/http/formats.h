@@ -10,6 +10,7 @@
 #include "proto/wire/json_lines.h"
 #include "server/http/problem.h"
 #include "server/http/run.h"
+#include "server/job_record.h"
 #include "server/sha256.h"
 #include "trc/v1/http.pb.h"
 #include "trc/v1/job_record.pb.h"
@@ -98,6 +99,7 @@ class RecordFormat final : public ProblemFormat {
  private:
   const std::chrono::steady_clock::time_point began_ = std::chrono::steady_clock::now();
   Sha256 made_;
+  ToldInRecord told_;
   v1::CompensateProgramResponse answer_;
   v1::JobRecord record_;
 };

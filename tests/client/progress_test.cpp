@@ -25,6 +25,16 @@ TEST(ProgressText, SaysHowMuchHowFastAndHowLongStill) {
       "75 % gemessen, 25 Sätze/s, noch 10 s");
 }
 
+TEST(ProgressText, CountsProgramsOfAFolder) {
+  EXPECT_EQ(
+      text_of({.of = Of::programs, .done = 420, .whole = 10'000, .seconds = 3}, Language::english),
+      "420 of 10000 programs, 140/s, 69 s left");
+  EXPECT_EQ(text_of({.of = Of::programs, .done = 4, .whole = 8, .seconds = 2}, Language::german),
+            "4 von 8 Programmen, 2/s, noch 2 s");
+  EXPECT_EQ(text_of({.of = Of::programs, .done = 0, .whole = 2, .seconds = 2}, Language::english),
+            "0 of 2 programs");
+}
+
 TEST(ProgressText, SaysNothingThatIsNotKnown) {
   EXPECT_EQ(text_of({.done = 12'300'000, .whole = 0, .seconds = 3}, Language::english),
             "12.3 MB read, 4.1 MB/s, 3 s");

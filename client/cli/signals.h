@@ -1,0 +1,34 @@
+#pragma once
+
+#include <csignal>
+#include <vector>
+
+namespace trc::cli {
+
+// As long as there is one, and there may be one at a time, the wish to end (SIGINT, SIGTERM,
+// SIGHUP) is told here in place of what it does else, whichever thread it reaches. What is ignored
+// stays so.
+class Signals {
+ public:
+  Signals();
+  ~Signals();
+  Signals(const Signals&) = delete;
+  Signals& operator=(const Signals&) = delete;
+
+  // Can be read from, for poll, when there is something to take.
+  [[nodiscard]] int descriptor() const;
+  // The last one that came since the last call; 0: none.
+  [[nodiscard]] int take();
+
+ private:
+  struct Former {
+    int number = 0;
+    struct sigaction action {};
+  };
+  std::vector<Former> former_{};
+};
+
+// Ends this process as the signal would have, so that a shell sees it.
+[[noreturn]] void end_by(int signal_number);
+
+}  // namespace trc::cli
