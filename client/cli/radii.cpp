@@ -73,17 +73,27 @@ Segment segment_of(Plane plane, const v1::UncutWall& wall) {
       .start = start, .end = end, .center = to_point(plane, wall.center()), .sweep = wall.sweep()};
 }
 
-// The contour is read here: its blocks are not sent back.
-plot::SurveyPicture picture_of(const std::string& name, const std::string& text,
-                               const v1::SurveySetup& setup, const v1::SurveyAnswer& answer,
-                               const ToolNames& names) {
-  plot::SurveyPicture picture{.title = name};
+// The program is read here as well: blocks and units are not sent back.
+survey::Reading reading_of(const v1::SurveySetup& setup, const std::string& text) {
   wire::FieldFaults faults;
   const wire::SurveySettings settings = wire::from_proto(setup, wire::FieldPath("setup"), faults);
   const SessionSetup& session = settings.program.path.session;
   const double radius = session.program.nominal_radius > 0 ? 0 : 1;
-  const survey::Reading reading =
-      survey::read_with(radius, session, survey::text_reader(text, {}, {}));
+  return survey::read_with(radius, session, survey::text_reader(text, {}, {}));
+}
+
+// At its first contour.
+bool counts_in_inch(const survey::Reading& reading) {
+  for (const Block& block : reading.blocks)
+    if (const auto* motion = std::get_if<MotionBlock>(&block); motion && motion->mode->active())
+      return reading.units.is_inch(motion->source.index);
+  return false;
+}
+
+plot::SurveyPicture picture_of(const std::string& name, const survey::Reading& reading,
+                               const v1::SurveyAnswer& answer, Language language, bool inch,
+                               const SurveyText& words) {
+  plot::SurveyPicture picture{.language = language, .inch = inch, .title = name};
   const auto& limits = answer.summary().largest().limits();
   bool begun = false;
   for (const Block& block : reading.blocks) {
@@ -98,14 +108,15 @@ plot::SurveyPicture picture_of(const std::string& name, const std::string& text,
       picture.limits.push_back(motion->path);
   }
   for (const v1::SurveyedRadius& found : answer.radii()) {
-    plot::SurveyPicture::Radius drawn{.radius = found.radius(), .text = legend_of(found, names)};
+    plot::SurveyPicture::Radius drawn{.radius = found.radius(), .text = words.legend_of(found)};
     for (const v1::UncutWall& wall : found.uncut())
       drawn.uncut.push_back(segment_of(picture.plane, wall));
     if (found.refusal().has_point())
       drawn.refused_at = to_point(picture.plane, found.refusal().point());
     picture.radii.push_back(std::move(drawn));
   }
-  if (answer.summary().has_largest()) picture.largest = sentence_of(answer.summary().largest());
+  if (answer.summary().has_largest())
+    picture.largest = words.sentence_of(answer.summary().largest());
   return picture;
 }
 
@@ -134,14 +145,18 @@ Exit run(const Call& call) {
   v1::SurveyAnswer answer;
   const Exit exit = survey_program(call.program.service, setup, text, reporter, answer);
   if (exit != Exit::done) return exit;
-  if (call.json)
-    std::cout << wire::json_of(answer) << '\n';
-  else
-    std::cout << table_of(answer, names);
+  if (call.json) std::cout << wire::json_of(answer) << '\n';
+  if (call.json && call.picture.empty()) return Exit::done;
+  const survey::Reading reading = reading_of(setup, text);
+  const bool inch = counts_in_inch(reading);
+  const Language language = language_of(setup.program());
+  const SurveyText words(language, inch, names);
+  if (!call.json) std::cout << words.table_of(answer);
   if (call.picture.empty()) return Exit::done;
   Output output(call.picture);
   const std::string name = std::filesystem::path(input.name()).filename().string();
-  return output.open() && output.write(to_svg(picture_of(name, text, setup, answer, names))) &&
+  return output.open() &&
+                 output.write(to_svg(picture_of(name, reading, answer, language, inch, words))) &&
                  output.commit()
              ? Exit::done
              : Exit::wrong_call;

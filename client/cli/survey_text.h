@@ -1,9 +1,12 @@
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <map>
 #include <string>
 
+#include "core/base/language.h"
 #include "trc/v1/http.pb.h"
 #include "trc/v1/survey.pb.h"
 
@@ -21,13 +24,39 @@ class ToolNames {
   std::map<double, std::string> names_;
 };
 
-// What was found, a line for each radius, and the largest one.
-[[nodiscard]] std::string table_of(const v1::SurveyAnswer& answer, const ToolNames& names);
+// Says what was found, in a language and in the unit that the program counts in.
+class SurveyText {
+ public:
+  SurveyText(Language language, bool inch, const ToolNames& names);
 
-// One radius in a few words, for the legend of a picture.
-[[nodiscard]] std::string legend_of(const v1::SurveyedRadius& found, const ToolNames& names);
+  // A line for each radius, and the largest one.
+  [[nodiscard]] std::string table_of(const v1::SurveyAnswer& answer) const;
 
-// "5.25 mm is the largest radius that reaches every wall, limited by line 7 (N70) and line 9".
-[[nodiscard]] std::string sentence_of(const v1::LargestRadius& largest);
+  // One radius in a few words, for the legend of a picture.
+  [[nodiscard]] std::string legend_of(const v1::SurveyedRadius& found) const;
+
+  // "5.250 mm is the largest radius that reaches every wall, limited by line 7 (N70) and line 9".
+  [[nodiscard]] std::string sentence_of(const v1::LargestRadius& largest) const;
+
+ private:
+  struct Words;
+  static const Words english;
+  static const Words german;
+  static constexpr std::size_t column_count = 8;
+  using Row = std::array<std::string, column_count>;
+
+  // In the unit of the program, with three decimals of mm or four of inch.
+  [[nodiscard]] std::string length(double mm) const;
+  [[nodiscard]] std::string with_unit(double mm) const;
+  [[nodiscard]] std::string name_of(const v1::SurveyPlace& place) const;
+  template <class Places>
+  [[nodiscard]] std::string names_of(const Places& places) const;
+  [[nodiscard]] std::string outcome_of(const v1::SurveyedRadius& found) const;
+  [[nodiscard]] Row row_of(const v1::SurveyedRadius& found) const;
+
+  const Words& words_;
+  const bool inch_;
+  const ToolNames& names_;
+};
 
 }  // namespace trc::cli

@@ -38,7 +38,7 @@ const names = {
   'options.suppress_trc': ['#TRC SUPPRESS_TRC', '#TRC SUPPRESS_TRC'],
   'options.split.measure': ['#TRC SPLIT: by', '#TRC SPLIT: nach'],
   'options.split.place': ['#TRC SPLIT: where', '#TRC SPLIT: wo'],
-  'options.split.axis': ['#TRC SPLIT: axis, 1 to 3', '#TRC SPLIT: Achse, 1 bis 3'],
+  'options.split.axis': ['#TRC SPLIT: axis, 0 X, 1 Y, 2 Z', '#TRC SPLIT: Achse, 0 X, 1 Y, 2 Z'],
   'options.split.dist_seg1': ['#TRC SPLIT: first length, mm', '#TRC SPLIT: erste Länge, mm'],
   'options.split.feed_seg1': ['#TRC SPLIT: first feed, mm/min', '#TRC SPLIT: erster Vorschub, mm/min'],
   'options.split.dist_seg2': ['#TRC SPLIT: second length, mm', '#TRC SPLIT: zweite Länge, mm'],

@@ -8,6 +8,7 @@
 
 #include "client/plot/frame.h"
 #include "client/plot/svg.h"
+#include "client/plot/words.h"
 
 namespace trc::plot {
 namespace {
@@ -92,9 +93,13 @@ class Drawing {
     const auto [first, second] = axis_names(picture_.plane);
     const Point low = frame_.world.low;
     const Point high = frame_.world.high;
-    const std::string reach = std::string(first) + " " + decimal(low.x(), 2) + " … " +
-                              decimal(high.x(), 2) + ", " + second + " " + decimal(low.y(), 2) +
-                              " … " + decimal(high.y(), 2) + " mm";
+    constexpr double mm_per_inch = 25.4;
+    const auto length = [&](double mm) {
+      return picture_.inch ? decimal(mm / mm_per_inch, 3) : decimal(mm, 2);
+    };
+    const std::string reach = std::string(first) + " " + length(low.x()) + " … " +
+                              length(high.x()) + ", " + second + " " + length(low.y()) + " … " +
+                              length(high.y()) + (picture_.inch ? " in" : " mm");
     draw_text({edge, frame_.top + frame_.height + 15}, reach, " fill=\"#444\"");
   }
 
@@ -127,7 +132,8 @@ class Drawing {
       draw_text({edge + 42, y + 4}, text, "");
       y += line_height;
     };
-    entry("black", 1.6, "programmed contour");
+    entry("black", 1.6,
+          words_in(picture_.language).layers[static_cast<std::size_t>(Layer::programmed)]);
     for (std::size_t rank = 0; rank < by_size_.size(); ++rank)
       entry(color_of(rank), width_of(rank), picture_.radii[by_size_[rank]].text);
     if (!picture_.largest.empty()) entry("black", 4, picture_.largest);

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "core/base/language.h"
 #include "core/geometry/plane.h"
 #include "core/geometry/segment.h"
 
@@ -18,6 +19,8 @@ struct SurveyPicture {
     std::optional<Point> refused_at{};
   };
 
+  Language language = Language::english;
+  bool inch = false;  // the program counts in inch
   Plane plane = Plane::xy;
   std::string title{};
   std::vector<Segment> contour{};

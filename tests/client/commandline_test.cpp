@@ -1145,13 +1145,32 @@ TEST(Radii, AreATable) {
   const auto lines = lines_of(ended.out);
   ASSERT_EQ(lines.size(), 4U) << ended.out;
   EXPECT_NE(lines[0].find("radius"), std::string::npos);
-  const std::regex fits(R"( 3\.000  reaches all +0\.0 % +3\.000 +12\.000 +\d+\.\d{3})");
+  const std::regex fits(R"( +3\.000  reaches all +0\.0 % +3\.000 +12\.000 +\d+\.\d{3})");
   EXPECT_TRUE(std::regex_match(lines[1], fits)) << ended.out;
   EXPECT_NE(lines[2].find("5.000  refused 9"), std::string::npos) << ended.out;
   EXPECT_EQ(lines[3].find("4.000 mm is the largest radius that reaches every wall, limited by line "
                           "3 (N30) and line 5 (N50)"),
             0U)
       << ended.out;
+}
+
+// In inch the slot is 8/25.4 wide.
+TEST(Radii, AreToldInTheUnitAndLanguageAskedFor) {
+  const std::string inch =
+      "G70\nN10 G00 X-0.4 Y0.4\nN20 G138 G41 G01 X0 Y0 F10\nN30 Y1\nN40 X1\nN50 Y0.8\n"
+      "N60 X2\nN70 Y-1\nN80 G40 X3\nN90 M30\n";
+  const Folder folder;
+  const std::string file = folder.write("inch.nc", inch);
+  const std::string picture = folder.path("inch.svg");
+  const Ended ended =
+      trc({"radii", file, "--radii", "2.54", "--lang", "de", "--picture", picture});
+  ASSERT_EQ(ended.code, 0) << ended.err;
+  EXPECT_NE(ended.out.find("Radius, in"), std::string::npos) << ended.out;
+  EXPECT_NE(ended.out.find("0.1000  erreicht alles"), std::string::npos) << ended.out;
+  EXPECT_NE(ended.out.find("jeder Radius bis 31.2410 in passt"), std::string::npos) << ended.out;
+  const std::string drawn = testing_support::content_of(picture);
+  EXPECT_NE(drawn.find("programmierte Kontur"), std::string::npos);
+  EXPECT_NE(drawn.find("X -0.544 … 2.144, Y -1.144 … 1.144 in"), std::string::npos) << drawn;
 }
 
 TEST(Radii, AreThoseOfTheTools) {
