@@ -1162,8 +1162,7 @@ TEST(Radii, AreToldInTheUnitAndLanguageAskedFor) {
   const Folder folder;
   const std::string file = folder.write("inch.nc", inch);
   const std::string picture = folder.path("inch.svg");
-  const Ended ended =
-      trc({"radii", file, "--radii", "2.54", "--lang", "de", "--picture", picture});
+  const Ended ended = trc({"radii", file, "--radii", "2.54", "--lang", "de", "--picture", picture});
   ASSERT_EQ(ended.code, 0) << ended.err;
   EXPECT_NE(ended.out.find("Radius, in"), std::string::npos) << ended.out;
   EXPECT_NE(ended.out.find("0.1000  erreicht alles"), std::string::npos) << ended.out;

@@ -11,18 +11,26 @@
 namespace trc {
 namespace {
 
-bool is_name_sign(char sign) {
-  const char letter = upper(sign);
-  return (letter >= 'A' && letter <= 'Z') || (letter >= '0' && letter <= '9') || letter == '_';
+constexpr std::string_view digits = "0123456789";
+
+// A line of another dialect that moves: L X+10, L Z100.
+bool is_axis_word(std::string_view name) {
+  const std::size_t number = name.find_first_of("+-0123456789", 1);
+  return number == 1 && name.find_first_not_of("+-.0123456789", 1) == std::string_view::npos;
 }
 
-// L NAME and LL NAME, of a file or in the program; L CYCLE [NAME=...].
+// L NAME and LL NAME, of a file or in the program; L CYCLE [NAME=...]. Nothing stands behind it but
+// a comment.
 bool calls_subprogram(std::string_view text) {
   std::size_t letters = 0;
   while (letters < text.size() && letters < 2 && upper(text[letters]) == 'L') ++letters;
   if (letters == 0 || blank_at_start(text.substr(letters)) == 0) return false;
-  const std::string_view name = without_blanks_in_front(text.substr(letters));
-  return !name.empty() && (is_name_sign(name.front()) || name.front() == '"');
+  const std::string_view rest = without_blanks_in_front(text.substr(letters));
+  const std::size_t end = std::min(rest.find_first_of(" \t[(;"), rest.size());
+  const std::string_view name = rest.substr(0, end);
+  const std::string_view behind = without_blanks_in_front(rest.substr(end));
+  return !name.empty() && !is_axis_word(name) &&
+         (behind.empty() || std::string_view("[(;").find(behind.front()) != std::string_view::npos);
 }
 
 // V.P.DEPTH = 3; not of the tool in force, V.G., which says the radius.
@@ -45,7 +53,7 @@ bool Interpreter::read_passing_line(ProgramLine& line, BlockWords& block) {
   skip_blanks();
   if (begin < text.size() && upper(text[begin]) == 'N') {
     const std::size_t number = begin + 1;
-    const std::size_t behind = std::min(text.find_first_not_of("0123456789", number), text.size());
+    const std::size_t behind = std::min(text.find_first_not_of(digits, number), text.size());
     constexpr std::size_t most_digits = 9;
     if (behind == number || behind - number > most_digits) return false;
     line.source.number = std::stoll(std::string(text.substr(number, behind - number)));
