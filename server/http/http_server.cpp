@@ -24,12 +24,12 @@ namespace trc::server::http {
 namespace {
 
 namespace asio = boost::asio;
-using tcp = asio::ip::tcp;
+using Tcp = asio::ip::tcp;
 
 // They move bytes; computing is done elsewhere.
 constexpr unsigned thread_count = 2;
 
-std::string peer_of(const tcp::socket& socket) {
+std::string peer_of(const Tcp::socket& socket) {
   boost::system::error_code fault;
   const auto peer = socket.remote_endpoint(fault);
   if (fault) return {};
@@ -141,9 +141,9 @@ void HttpServer::take(Descriptor connection) {
   // Else the system keeps megabytes of an answer that nobody reads.
   const int send_buffer = 256 << 10;
   ::setsockopt(connection.number(), SOL_SOCKET, SO_SNDBUF, &send_buffer, sizeof send_buffer);
-  tcp::socket socket(asio::make_strand(parts.io));
+  Tcp::socket socket(asio::make_strand(parts.io));
   boost::system::error_code fault;
-  socket.assign(address.ss_family == AF_INET6 ? tcp::v6() : tcp::v4(), connection.number(), fault);
+  socket.assign(address.ss_family == AF_INET6 ? Tcp::v6() : Tcp::v4(), connection.number(), fault);
   if (fault) return;
   connection.release();
   NewConnection given{.socket = std::move(socket),
