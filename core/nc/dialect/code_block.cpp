@@ -186,7 +186,7 @@ bool Interpreter::copy_code_block(ProgramLine& line, BlockWords& block) {
   } else if (block.axis) {
     copy(axis_technology, AxisBits{0});
   }
-  if (block.unfollowed_word) copy_motion("CT, TURN=, AP=, RP=, ANG= or ,A", all_axes);
+  if (block.unfollowed_word) copy_motion("CT, TURN=, AP=, RP=, ANG=, ,A or a variable", all_axes);
   if (code_.tangent_arcs) copy_motion("CT", named);
   const bool fanuc = dialect_.name == DialectName::fanuc;
   if (fanuc && block.tool_data) copy_motion("a motion with L, which is repeated", all_axes);

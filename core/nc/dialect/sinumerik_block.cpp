@@ -230,6 +230,13 @@ bool Interpreter::read_named_address(const NamedWord& word, ProgramLine& line, B
     add(line, word, WordRole::coordinate);
     return true;
   }
+  if (word.is_variable) {
+    if (contour_open())
+      return refuse_code(line, code, Code::nc_unsupported, "a variable or an expression");
+    block.unfollowed_word = word.begin;
+    add(line, word, WordRole::technology);
+    return true;
+  }
   const bool axis = letter <= 'C' || letter >= 'U';
   if (word.index >= 0 && (axis || center)) {
     // X1=0 of G74 and G75; an axis with such a name is not followed.

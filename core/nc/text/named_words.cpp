@@ -154,9 +154,27 @@ NamedWord NamedWordReader::address() {
     return fail(Code::nc_unsupported, word.begin, "R, a variable");
   if (peek() != '=') return fail(Code::nc_number, word.begin, std::string(1, word.letter));
   ++at_;
-  if (!read_value(word)) return failed();
+  const bool is_main_axis = word.letter >= 'X' && word.letter <= 'Z' && word.index < 0;
+  word.is_variable = is_main_axis && read_variable();
+  if (!word.is_variable && !read_value(word)) return failed();
   word.end = static_cast<std::uint32_t>(at_);
   return word;
+}
+
+// A variable alone, behind `=`; the place is unchanged where there is none, or more than that.
+bool NamedWordReader::read_variable() {
+  const std::size_t begin = at_;
+  skip_blanks();
+  if (is_letter(peek()) || peek() == '_') {
+    while (is_letter(peek()) || is_digit(peek()) || peek() == '_') ++at_;
+    const std::size_t end = at_;
+    skip_blanks();
+    const bool goes_on = std::string_view("+-*/([<>=.").find(peek()) != std::string_view::npos;
+    at_ = goes_on ? begin : end;
+    return !goes_on;
+  }
+  at_ = begin;
+  return false;
 }
 
 std::size_t NamedWordReader::end_of_call(std::size_t begin) const {

@@ -26,10 +26,11 @@ struct NamedWord {
   enum class Reference : std::uint8_t { modal, absolute, incremental };
 
   Kind kind = Kind::end;
-  char letter = 0;       // address: upper case
-  int index = -1;        // address: 1 of S1=500
-  std::string name{};    // upper case
-  bool is_text = false;  // the value is a text in quotes
+  char letter = 0;           // address: upper case
+  int index = -1;            // address: 1 of S1=500
+  std::string name{};        // upper case
+  bool is_text = false;      // the value is a text in quotes
+  bool is_variable = false;  // the value is a variable: Z=_HOME, X=R5
   bool whole = false;
   double value = 0;
   Reference reference = Reference::modal;
@@ -53,6 +54,7 @@ class NamedWordReader {
   [[nodiscard]] NamedWord address();
   [[nodiscard]] NamedWord name();
   [[nodiscard]] bool read_value(NamedWord& word);
+  [[nodiscard]] bool read_variable();
   [[nodiscard]] bool read_plain_number(NamedWord& word);
   [[nodiscard]] std::size_t end_of_call(std::size_t begin) const;
   [[nodiscard]] NamedWord fail(Code code, std::size_t begin, std::string detail);
