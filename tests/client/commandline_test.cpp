@@ -54,7 +54,7 @@ const std::string violating =
 const int in_english = setenv("LC_ALL", "C", 1);
 
 Ended trc(std::vector<std::string> arguments, const std::string& input = "") {
-  arguments.insert(arguments.begin(), TRC_PROGRAM);
+  arguments.insert(arguments.begin(), trc_program());
   return run(arguments, input);
 }
 
@@ -223,7 +223,7 @@ TEST(Compensate, CountsMessagesThatAreEqual) {
 // Standard error is a terminal there, and both outputs are one.
 std::string on_a_terminal(const std::string& call, const std::string& environment) {
   const Ended ended =
-      run({"/usr/bin/script", "-qec", environment + " " TRC_PROGRAM " " + call, "/dev/null"});
+      run({"/usr/bin/script", "-qec", environment + " " + trc_program() + " " + call, "/dev/null"});
   return ended.out;
 }
 
@@ -608,7 +608,7 @@ class Endless {
  public:
   explicit Endless(const std::string& server)
       : path_(made(folder_)),
-        client_({TRC_PROGRAM, "compensate", path_, "--server", server}),
+        client_({trc_program(), "compensate", path_, "--server", server}),
         // No other program may hold it open.
         text_(::open(path_.c_str(), O_WRONLY | O_CLOEXEC)) {
     const std::string begin = demo.substr(0, demo.size() / 2);
@@ -665,7 +665,7 @@ TEST(Wait, ForAServerThatIsFullIsSaidAndEnds) {
   EXPECT_NE(later.err.find("; waiting for up to 2.5 s (--wait)\n"), std::string::npos) << later.err;
 
   // Who has waited gets the place that becomes free.
-  Process patient({TRC_PROGRAM, "compensate", file, "--server", server.address()});
+  Process patient({trc_program(), "compensate", file, "--server", server.address()});
   ASSERT_TRUE(within_seconds(20, [&] { return patient.err().find(said) != std::string::npos; }));
   EXPECT_EQ(first.end(), 0);
   EXPECT_EQ(patient.wait(), 0) << patient.err();
@@ -701,7 +701,7 @@ TEST(Server, IsThatOfTheEnvironmentUnlessAnotherIsNamed) {
   const Folder folder;
   const std::string program = folder.write("part.nc", demo);
   const auto with_variable = [&](const std::string& value, std::vector<std::string> call) {
-    call.insert(call.begin(), TRC_PROGRAM);
+    call.insert(call.begin(), trc_program());
     Process process(call, 0, {"TRC_SERVER=" + value});
     const int code = process.wait();
     return std::pair(code, process.err());
@@ -765,7 +765,7 @@ TEST(Health, TellsAServerThatIsAboutToStopFromOneThatServes) {
   const Folder folder;
   const std::string endless = folder.path("endless.nc");
   ASSERT_EQ(::mkfifo(endless.c_str(), 0600), 0);
-  Process client({TRC_PROGRAM, "compensate", endless, "--server", server.address()});
+  Process client({trc_program(), "compensate", endless, "--server", server.address()});
   std::ofstream text(endless);
   text << demo.substr(0, demo.size() / 2) << std::flush;
   const auto one_stream = [&] {

@@ -95,8 +95,9 @@ grpc::Status with_reason(grpc::StatusCode code, const std::string& reason) {
 
 testing_support::Ended ended_with(const grpc::Status& status) {
   const Failing server(status);
-  return testing_support::run({TRC_PROGRAM, "compensate", "-", "--server", server.address()},
-                              "G0 X1\nM30\n");
+  return testing_support::run(
+      {testing_support::trc_program(), "compensate", "-", "--server", server.address()},
+      "G0 X1\nM30\n");
 }
 
 TEST(ExitCode, IsFiveForAFaultOfTheServer) {

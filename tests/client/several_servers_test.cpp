@@ -18,6 +18,7 @@
 #include "google/rpc/status.pb.h"
 #include "server/in_process.h"
 #include "server/server.h"
+#include "tests/support/places.h"
 #include "tests/support/process.h"
 
 namespace trc::client::several_servers {
@@ -255,7 +256,8 @@ TEST(SeveralServers, ListsThatCannotBeFollowedAreRefused) {
     std::string address;
     TlsFiles tls{};
   };
-  const std::string certificate = TRC_SOURCE_DIR "/tests/server/certificates/ca_cert.pem";
+  const std::string certificate =
+      testing_support::source_dir() + "/tests/server/certificates/ca_cert.pem";
   for (const Case& tested : std::array<Case, 6>{
            Case{.address = "127.0.0.1:1,[::1]:2"}, Case{.address = "127.0.0.1:1,box:2"},
            Case{.address = "127.0.0.1:1,,127.0.0.1:2"}, Case{.address = "127.0.0.1:1,127.0.0.1"},

@@ -158,7 +158,8 @@ TEST(Faults, SecondSignalEndsAtOnce) {
 
 TEST(Faults, TakenPortIsAnError) {
   ServerProcess server;
-  const auto second = testing_support::run({TRCD_PROGRAM, "--listen", server.address()});
+  const auto second =
+      testing_support::run({testing_support::trcd_program(), "--listen", server.address()});
   EXPECT_EQ(second.code, 1);
   EXPECT_EQ(second.err,
             "trcd: error: cannot listen on " + server.address() + ": the address is in use\n");

@@ -128,7 +128,7 @@ class UnreadServer {
   explicit UnreadServer(const std::string& flags)
       : pipe_(made_pipe()),
         process_({"/bin/sh", "-c",
-                  std::string("exec ") + TRCD_PROGRAM +
+                  std::string("exec ") + testing_support::trcd_program() +
                       " --listen 127.0.0.1:0 --admin-listen 127.0.0.1:0 " + flags + " >" +
                       folder_.path("log")}) {
     eventually([&] {
@@ -367,7 +367,8 @@ TEST(Hostile, ConnectionsThatCarryMuchAreLeftAlone) {
 TEST(Hostile, FileThatIsNoSocketIsNotDeleted) {
   const Folder folder;
   const std::string file = folder.write("part.nc", "N5 G1 X0\n");
-  const auto ended = testing_support::run({TRCD_PROGRAM, "--listen", "unix:" + file});
+  const auto ended =
+      testing_support::run({testing_support::trcd_program(), "--listen", "unix:" + file});
   EXPECT_EQ(ended.code, 1);
   EXPECT_EQ(ended.err, "trcd: error: cannot listen on unix:" + file +
                            ": there is a file which is no socket\n");
@@ -380,8 +381,8 @@ TEST(Hostile, KeyFileThatIsNoneIsSaidInOneLine) {
   ASSERT_EQ(mkdir(folder.path("directory").c_str(), 0700), 0);
   for (const std::string& path : {folder.path("dangling"), folder.path("directory"),
                                   folder.write("zeros", std::string(32, '\0'))}) {
-    const auto ended =
-        testing_support::run({TRCD_PROGRAM, "--listen", "127.0.0.1:0", "--resume-key-file", path});
+    const auto ended = testing_support::run(
+        {testing_support::trcd_program(), "--listen", "127.0.0.1:0", "--resume-key-file", path});
     EXPECT_EQ(ended.code, 2) << path;
     EXPECT_TRUE(ended.err.starts_with("trcd: error: resume-key-file: '" + path + "' "))
         << ended.err;

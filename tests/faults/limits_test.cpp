@@ -155,13 +155,13 @@ TEST(Limits, TheLimitOfTheGroupIsFound) {
 
 TEST(Limits, SumsThatDoNotFitAreRefusedBeforeAPortOpens) {
   const auto buffers =
-      testing_support::run({TRCD_PROGRAM, "--listen", "127.0.0.1:0", "--max-streams", "1000",
-                            "--max-grpc-buffer-mib", "96"});
+      testing_support::run({testing_support::trcd_program(), "--listen", "127.0.0.1:0",
+                            "--max-streams", "1000", "--max-grpc-buffer-mib", "96"});
   EXPECT_EQ(buffers.code, 2);
   EXPECT_NE(buffers.err.find("max-grpc-buffer-mib"), std::string::npos) << buffers.err;
   const auto memory =
-      testing_support::run({TRCD_PROGRAM, "--listen", "127.0.0.1:0", "--memory-limit-mib", "512",
-                            "--max-session-memory-mib", "500"});
+      testing_support::run({testing_support::trcd_program(), "--listen", "127.0.0.1:0",
+                            "--memory-limit-mib", "512", "--max-session-memory-mib", "500"});
   EXPECT_EQ(memory.code, 2);
   EXPECT_NE(memory.err.find("memory-limit-mib"), std::string::npos) << memory.err;
 }

@@ -228,7 +228,7 @@ TEST(Certificates, AuthoritiesAreReadToTheLastOne) {
   const MadeCertificate own(folder, "own");
   const Pair pair(folder);
   pair.put(own.cert, own.key);
-  std::vector<std::string> command{TRCD_PROGRAM};
+  std::vector<std::string> command{testing_support::trcd_program()};
   for (const std::string& flag : pair.flags()) command.push_back(flag);
   command.insert(command.end(),
                  {"--tls-client-ca-file",
@@ -319,7 +319,7 @@ TEST(Certificates, ThatCannotBeUsedIsSaidBeforeAPortOpens) {
   const MadeCertificate second(folder, "second");
   const Pair pair(folder);
   pair.put(first.cert, second.key);
-  std::vector<std::string> command{TRCD_PROGRAM};
+  std::vector<std::string> command{testing_support::trcd_program()};
   for (const std::string& flag : pair.flags()) command.push_back(flag);
   const auto ended = testing_support::run(command);
   EXPECT_EQ(ended.code, 2);

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "tests/nc/reading.h"
+#include "tests/support/places.h"
 
 namespace trc::testing {
 namespace {
@@ -42,7 +43,7 @@ bool is_of_compensation(int code) {
 TEST(BadPrograms, EveryCodeOfTextAndProgramIsRaisedByOne) {
   std::set<int> raised;
   for (const auto& entry :
-       fs::directory_iterator(fs::path(TRC_SOURCE_DIR) / "tests/programs/bad")) {
+       fs::directory_iterator(fs::path(testing_support::source_dir()) / "tests/programs/bad")) {
     if (entry.path().extension() != ".nc") continue;
     std::ifstream file(entry.path(), std::ios::binary);
     const std::string text{std::istreambuf_iterator<char>(file), {}};

@@ -18,6 +18,7 @@
 #include "core/session/conversion.h"
 #include "core/session/program_session.h"
 #include "tests/support/contours.h"
+#include "tests/support/places.h"
 #include "tests/support/run.h"
 
 // Programs in the manner of each control. The first line of each says with which tools it runs, or
@@ -30,7 +31,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const fs::path folder = fs::path(TRC_SOURCE_DIR) / "tests" / "programs" / "dialects";
+const fs::path folder = fs::path(testing_support::source_dir()) / "tests" / "programs" / "dialects";
 
 struct DialectProgram {
   std::string name{};

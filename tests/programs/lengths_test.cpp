@@ -6,6 +6,7 @@
 #include <string>
 
 #include "core/session/program_session.h"
+#include "tests/support/places.h"
 
 // Programs of whose path the length tells what matters: that all of it is there (D-44, D-45).
 
@@ -13,7 +14,7 @@ namespace trc {
 namespace {
 
 const std::filesystem::path folder =
-    std::filesystem::path(TRC_SOURCE_DIR) / "tests" / "programs" / "lengths";
+    std::filesystem::path(testing_support::source_dir()) / "tests" / "programs" / "lengths";
 
 std::string text_of_file(const std::filesystem::path& path) {
   std::ifstream stream(path, std::ios::binary);

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "tests/support/expectation.h"
+#include "tests/support/places.h"
 #include "tests/support/run.h"
 
 // NC programs as tests. `good`: the path beside the program, worked out from the
@@ -22,7 +23,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const fs::path folder = fs::path(TRC_SOURCE_DIR) / "tests" / "programs";
+const fs::path folder = fs::path(testing_support::source_dir()) / "tests" / "programs";
 
 std::string read_file(const fs::path& path) {
   std::ifstream stream(path, std::ios::binary);

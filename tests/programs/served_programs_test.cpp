@@ -19,13 +19,14 @@
 #include "proto/wire/setup.h"
 #include "server/server.h"
 #include "tests/support/expectation.h"
+#include "tests/support/places.h"
 
 namespace trc::support {
 namespace {
 
 namespace fs = std::filesystem;
 
-const fs::path folder = fs::path(TRC_SOURCE_DIR) / "tests" / "programs";
+const fs::path folder = fs::path(testing_support::source_dir()) / "tests" / "programs";
 
 std::string read_file(const fs::path& path) {
   std::ifstream stream(path, std::ios::binary);

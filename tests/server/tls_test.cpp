@@ -7,13 +7,14 @@
 
 #include "server/server.h"
 #include "tests/server/calls.h"
+#include "tests/support/places.h"
 
 namespace trc::server {
 namespace {
 
 // Certificates of an authority that exists for these tests only.
 std::string file(const std::string& name) {
-  return std::string(TRC_SOURCE_DIR) + "/tests/server/certificates/" + name;
+  return testing_support::source_dir() + "/tests/server/certificates/" + name;
 }
 
 std::string content(const std::string& name) {

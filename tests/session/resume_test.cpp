@@ -16,6 +16,7 @@
 #include "core/session/program_session.h"
 #include "tests/session/random_program.h"
 #include "tests/support/expectation.h"
+#include "tests/support/places.h"
 
 namespace trc::testing {
 namespace {
@@ -111,8 +112,8 @@ std::string read_file(const fs::path& path) {
 TEST(ResumedSession, GivesThePathOfTheWorkedExamples) {
   std::size_t programs = 0;
   for (const char* folder : {"good", "bad"}) {
-    for (const auto& entry :
-         fs::directory_iterator(fs::path(TRC_SOURCE_DIR) / "tests" / "programs" / folder)) {
+    for (const auto& entry : fs::directory_iterator(fs::path(testing_support::source_dir()) /
+                                                    "tests" / "programs" / folder)) {
       if (entry.path().extension() != ".nc") continue;
       SCOPED_TRACE(entry.path().filename().string());
       const std::string text = read_file(entry.path());

@@ -159,7 +159,7 @@ namespace {
 std::vector<std::string> server_command(const std::vector<std::string>& flags,
                                         const std::string& listen,
                                         std::vector<std::string> command) {
-  command.insert(command.end(), {TRCD_PROGRAM, "--listen", listen});
+  command.insert(command.end(), {trcd_program(), "--listen", listen});
   command.insert(command.end(), flags.begin(), flags.end());
   return command;
 }

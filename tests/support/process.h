@@ -15,6 +15,10 @@ inline constexpr bool memory_tells = false;
 inline constexpr bool memory_tells = true;
 #endif
 
+// The built programs, as absolute paths.
+std::string trc_program();
+std::string trcd_program();
+
 // What a program that has ended leaves.
 struct Ended {
   int code = -1;  // exit code; -1: killed after a minute or by a signal

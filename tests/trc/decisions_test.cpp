@@ -7,6 +7,7 @@
 #include <string>
 
 #include "core/base/diagnostic.h"
+#include "tests/support/places.h"
 
 // Each decision of the rule book is pinned by a test that names it.
 
@@ -23,7 +24,8 @@ std::string name_of(int decision) {
 
 std::set<std::string> decisions_named_in_tests() {
   std::set<std::string> named;
-  for (const auto& entry : fs::recursive_directory_iterator(fs::path(TRC_SOURCE_DIR) / "tests")) {
+  for (const auto& entry :
+       fs::recursive_directory_iterator(fs::path(testing_support::source_dir()) / "tests")) {
     if (!entry.is_regular_file() || entry.path().filename() == "decisions_test.cpp") continue;
     const std::string extension = entry.path().extension().string();
     if (extension != ".cpp" && extension != ".nc" && extension != ".expected") continue;

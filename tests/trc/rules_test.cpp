@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/base/diagnostic.h"
+#include "tests/support/places.h"
 
 // rules.txt says which tests pin each row of the tables of the rules down.
 
@@ -18,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const fs::path tests = fs::path(TRC_SOURCE_DIR) / "tests";
+const fs::path tests = fs::path(testing_support::source_dir()) / "tests";
 
 struct Row {
   std::string label;

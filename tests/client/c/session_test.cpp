@@ -13,6 +13,7 @@
 
 #include "client/c/trc.h"
 #include "core/session/program_session.h"
+#include "tests/support/places.h"
 #include "tests/support/process.h"
 #include "tests/support/random.h"
 
@@ -204,10 +205,10 @@ TEST(CApi, BlocksMayBeGivenAllAtOnce) {
 }
 
 TEST(CApi, TextInPiecesGivesTheBytesOfTheCommandLine) {
-  const std::string samples = TRC_SOURCE_DIR "/client/samples/";
+  const std::string samples = source_dir() + "/client/samples/";
   for (const std::string name : {"bracket.nc", "g239_demo.nc"}) {
     const std::string text = content_of(samples + name);
-    const Ended ended = run({TRC_PROGRAM, "compensate", samples + name, "--server", ""});
+    const Ended ended = run({trc_program(), "compensate", samples + name, "--server", ""});
     ASSERT_EQ(ended.code, 0) << ended.err;
     for (const std::size_t size : {1UL, 7UL, 64UL, text.size()}) {
       const Session session = create(TRC_INPUT_TEXT, {});
@@ -533,7 +534,7 @@ TEST(CApi, StructuresKeepTheirLayout) {
 }
 
 TEST(CApi, SessionsWorkSideBySide) {
-  const std::string text = content_of(TRC_SOURCE_DIR "/client/samples/bracket.nc");
+  const std::string text = content_of(source_dir() + "/client/samples/bracket.nc");
   const auto compensated = [&text] {
     std::string last;
     for (int i = 0; i < 20; ++i) {

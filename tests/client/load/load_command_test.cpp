@@ -19,7 +19,7 @@ namespace {
 using Words = std::vector<std::string>;
 
 Words command(Words options) {
-  options.insert(options.begin(), {TRC_PROGRAM, "load"});
+  options.insert(options.begin(), {trc_program(), "load"});
   return options;
 }
 

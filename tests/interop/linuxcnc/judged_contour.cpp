@@ -6,6 +6,8 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "tests/support/places.h"
+
 namespace trc::linuxcnc {
 namespace {
 
@@ -118,7 +120,7 @@ class Reader {
 }  // namespace
 
 std::vector<JudgedContour> read_judged_contours(const std::string& file_name) {
-  return Reader(TRC_SOURCE_DIR "/tests/interop/linuxcnc/" + file_name).all();
+  return Reader(testing_support::source_dir() + "/tests/interop/linuxcnc/" + file_name).all();
 }
 
 }  // namespace trc::linuxcnc
