@@ -8,7 +8,7 @@
 namespace trc {
 
 // Which unit the lengths of a program count in, block by block, as far as it has been read. mm
-// before anything is said.
+// before anything is said. Messages use it (D-46).
 class ProgramUnits {
  public:
   // From this block (Source::index) on; blocks rise.

@@ -125,7 +125,7 @@ std::vector<SlowBlock> inside_corner_path(const Contour& contour, const SlowOutc
   return expected;
 }
 
-// Spec section 3.5.
+// Rule 3.5.
 TEST(EveryClosedContour, BeginsAndEndsInTheInsideCorner) {
   std::size_t inside = 0;
   std::size_t outside = 0;
@@ -293,7 +293,7 @@ struct Part {
   double feed = 0;  // 0: as programmed
 };
 
-// Spec section 7.2 and D-19: from the contour outwards.
+// Rule 7.2 and D-19: from the contour outwards.
 std::vector<Part> parts_of(const SplitOption& split, double length) {
   if (split.distance_2 == 0) {
     if (split.distance_1 > length) return {{length, 0}};

@@ -65,7 +65,7 @@ TEST(Protocol, LayoutsMayBeMixedInOneStream) {
   EXPECT_EQ(mixed.bytes(), whole.bytes());
 }
 
-// Spec section 1.5.
+// Rule 1.5.
 TEST(Protocol, NegativeRadiusInTheSetupSwapsTheSide) {
   const InProcessServer server;
   const Answer right =

@@ -179,7 +179,7 @@ class Masking {
   }
 
   // D-45. G25 in place of the arc: lines go on as themselves, arcs in tangents, up to where they
-  // meet or STRETCH_FACTOR ends them (spec 4.2, 4.3); where that keeps clear.
+  // meet or STRETCH_FACTOR ends them (rules 4.2 and 4.3); where that keeps clear.
   [[nodiscard]] bool add_mitre(std::size_t at, SlowMasking& found) {
     const Element& arc = elements_[pieces_[way_[at]].element];
     const std::size_t k = arc.block;

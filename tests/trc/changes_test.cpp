@@ -59,7 +59,7 @@ double tolerance_for(const Contour& contour, const TrcMode& mode) {
   return 1e-6 * size;
 }
 
-// Spec section 9: leaving by the retract rule of the old side, coming by the
+// Rule 9.0: leaving by the retract rule of the old side, coming by the
 // approach rule of the new one, and a straight line between.
 TEST(SideChange, IsADeselectionAndASelectionOnOneLine) {
   std::size_t judged = 0;
@@ -307,7 +307,7 @@ TEST(RadiusChange, PerpendicularInsertsOneLineAcrossTheContour) {  // D-21
   EXPECT_GT(judged, contours / 2);
 }
 
-// Spec section 3.4: the block programmed with G41 is the first contour block.
+// Rule 3.4: the block programmed with G41 is the first contour block.
 TEST(Perpendicular, StepsSidewaysAtBothEnds) {
   for_each_sample(5'000'000, [](const Sample& tested) {
     Contour contour = tested.contour;
@@ -347,7 +347,7 @@ double transition_angle(const Vector& before, const Vector& after, Side side) {
   return pi - (side == Side::left ? turn : -turn);
 }
 
-// Spec section 3.3 and D-02, for 90 degrees and more; sharper ones are T-19.
+// Rule 3.3 and D-02, for 90 degrees and more; sharper ones are T-19.
 TEST(OnThePath, TurnsAboutTheCornersFromThePathAndBackToIt) {
   std::size_t judged = 0;
   for_each_sample(6'000'000, [&](const Sample& tested) {
@@ -401,7 +401,7 @@ TEST(OnThePath, TurnsAboutTheCornersFromThePathAndBackToIt) {
   EXPECT_GT(judged, contours / 4);
 }
 
-// Spec section 3.7: the arc comes from the start and runs into the direct
+// Rule 3.7: the arc comes from the start and runs into the direct
 // selection point along the contour; the exit likewise.
 TEST(Tangential, RunsIntoAndOutOfTheContourWithoutAKink) {
   for_each_sample(7'000'000, [](const Sample& tested) {

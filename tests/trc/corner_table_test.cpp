@@ -257,7 +257,7 @@ INSTANTIATE_TEST_SUITE_P(
                        ::testing::Values(Transition::linear, Transition::circular)),
     name_of_case);
 
-// The tables of section 3: at the corner between the selection block and the contour, and
+// The tables of rule 3: at the corner between the selection block and the contour, and
 // mirrored between the contour and the block of G40, the selection block counts as a line.
 class SelectionTable : public ::testing::TestWithParam<std::tuple<double, Bend, Transition>> {
  protected:
@@ -374,7 +374,7 @@ INSTANTIATE_TEST_SUITE_P(
                        ::testing::Values(Transition::linear, Transition::circular)),
     name_of_selection);
 
-// Spec section 4.4 and D-08.
+// Rule 4.4 and D-08.
 TEST(ExtAngleBlockIntersection, JoinsWithoutInsertionUpTo181Degrees) {
   for (const Sequence& sequence : sequences)
     for (const Transition transition : {Transition::linear, Transition::circular})
@@ -407,7 +407,7 @@ TEST(ExtAngleBlockIntersection, LinesMeetInTheCornerPointWithG26Too) {
   expect_at(end(programmed[0]), at.q + at.extension * at.d1, "X");
 }
 
-// Spec section 4.3. At 318.37 degrees the corner point is 2.630 radii away.
+// Rule 4.3. At 318.37 degrees the corner point is 2.630 radii away.
 class StretchFactor : public ::testing::TestWithParam<double> {};
 
 TEST_P(StretchFactor, SetsTheLongestStretch) {

@@ -5,8 +5,8 @@
 #include "core/nc/dialect/block_words.h"
 #include "core/nc/text/characters.h"
 
-// Lines of ISG that pass while TRC is off: calls of subprograms, which are not looked into, and
-// assignments to variables, which nothing that is read here depends on.
+// Lines of ISG that pass while TRC is off (D-47): calls of subprograms, which are not looked into,
+// and assignments to variables, which nothing that is read here depends on.
 
 namespace trc {
 namespace {

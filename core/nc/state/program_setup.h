@@ -44,7 +44,7 @@ struct ProgramSetup {
   // Takes the place of every radius that setup, tools and program give, mm, with their sign; in
   // wear mode the difference. Tools have the wear of the setup then, and every D but D0 is one.
   std::optional<double> every_radius{};
-  // P-CHAN-00284 = 0: G141 and G140 switch KERF_MASKING, the last writer wins (rule 7.1).
+  // P-CHAN-00284 = 0: G141 and G140 switch KERF_MASKING, the last writer wins (D-33).
   bool masking_switches_kerf = false;
   DialectName dialect = DialectName::isg;  // of NC text
   bool inch = false;                       // NC text counts in inch before it says

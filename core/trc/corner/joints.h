@@ -39,8 +39,8 @@ using JointResult = std::variant<JoinedBlocks, JointRefusal>;
 [[nodiscard]] JointResult joint_between(const PathBlock& before, const PathBlock& after,
                                         const Corner& corner, const Tolerances& tolerances);
 
-// What goes round an outside corner: the table of spec section 4.2 with STRETCH_FACTOR, up to 181
-// degrees EXT_ANGLE_BLOCK_INTERSECTION.
+// What goes round an outside corner: the table of rule 4.2 with STRETCH_FACTOR, up to 181 degrees
+// EXT_ANGLE_BLOCK_INTERSECTION.
 [[nodiscard]] Joint transition_joint(const Corner& corner, const TrcMode& mode,
                                      const Tolerances& tolerances);
 

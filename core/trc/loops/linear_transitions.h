@@ -12,8 +12,8 @@
 namespace trc {
 
 // Which loops go is decided with an arc at every outside corner (D-45). Behind that, where such an
-// arc is travelled whole, it gives way to what G25 (spec 4.2, 4.3) or
-// EXT_ANGLE_BLOCK_INTERSECTION (4.4) asks for:
+// arc is travelled whole, it gives way to what G25 (rules 4.2 and 4.3) or
+// EXT_ANGLE_BLOCK_INTERSECTION (rule 4.4) asks for:
 //
 //      -----.            -----X      X reaches out of the arc, but not to any contour
 //            `.               |      block, nor over an end of the path. Elsewhere the

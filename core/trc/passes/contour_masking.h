@@ -23,7 +23,7 @@ namespace trc {
 //              |
 //
 // A block is masked when its own violation criterion holds (90017, 90019, 90038),
-// which may leave its neighbours to the same fate, until none is left. The first
+// which may leave its neighbours to the same fate, until none is left (D-09). The first
 // and the last contour block of a selection stay: where they violate, the contour
 // cannot be machined with this radius and the stream stops.
 //

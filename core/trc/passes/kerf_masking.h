@@ -17,8 +17,8 @@ namespace trc {
 //          B             centre moves as little as it must.
 //
 // The programmed contour itself is changed, before it is offset and also where it is
-// not (SUPPRESS_TRC, D-17). P-CHAN-00284 = 0 is the older method: between two lines,
-// up to 90 degrees; that G141 and G140 switch it then is a matter of the program.
+// not (SUPPRESS_TRC, D-17). P-CHAN-00284 = 0 is the older method (D-33): between two
+// lines, up to 90 degrees; that G141 and G140 switch it then is a matter of the program.
 class KerfMasking {
  public:
   KerfMasking(bool circular, const Tolerances& tolerances)

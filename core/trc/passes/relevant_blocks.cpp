@@ -211,6 +211,7 @@ void RelevantBlocks::count_for_window(const PathBlock& block) {
   diagnostics_.report(std::move(warning));
 }
 
+// A retract may be an arc under G236 alone, or become one by G05 (D-01).
 bool RelevantBlocks::end_selection(PathBlock& block) {
   if (!last_.active) return true;
   const TrcMode& mode = block.mode();

@@ -17,7 +17,7 @@
 
 namespace trc {
 
-// Turns path blocks into the result: puts passive blocks behind their block,
+// Turns path blocks into the result: puts passive blocks behind their block (D-25),
 // sets the feed at the tool centre (G10, G11) and counts. Checks the one promise
 // everybody relies on: each block starts where the one before ended.
 class Reporting {
@@ -71,7 +71,8 @@ class Reporting {
   [[nodiscard]] Position position() const { return from_plane(plane_, place_, height_); }
   void stand_at(Plane plane, const Position& position);
   void put_out_passive(std::vector<PassiveBlock>& blocks, std::vector<CompensatedBlock>& out);
-  // F' / F: what the feed of the tool centre is multiplied by under G11.
+  // F' / F: what the feed of the tool centre is multiplied by under G11; 1 on inserted blocks
+  // (D-30).
   double feed_factor(const PathBlock& block);
   [[nodiscard]] bool goes_straight_on(const Vector& direction, const TrcMode& mode);
   void limit_turn(double degrees);

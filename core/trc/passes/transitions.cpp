@@ -70,7 +70,7 @@ void insert(const Segment& segment, Origin origin, PathBlockPtr inserted, PathBl
   out.push_back(std::move(inserted));
 }
 
-// Spec 7.2: lines only, below 180 degrees, G236 up to 90 degrees.
+// Rule 7.2: lines only, below 180 degrees, G236 up to 90 degrees.
 bool may_split(const Corner& corner, const PathBlock& block, Selection selection,
                const Tolerances& tolerances) {
   const TrcMode& mode = block.mode();
