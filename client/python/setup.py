@@ -1,7 +1,9 @@
-"""Generates the modules of the protocol, where the protos are: in a checkout, not in an sdist."""
+"""Generates the modules of the protocol and the page of the interface, where their sources are: in
+a checkout, not in an sdist."""
 
 import shutil
 import subprocess
+import sys
 from pathlib import Path
 
 from setuptools import setup
@@ -26,6 +28,8 @@ def generate():
          f"--grpc_python_out={GENERATED.parents[1]}", f"--pyi_out={GENERATED.parents[1]}",
          f"--plugin=protoc-gen-grpc_python={plugin}", *map(str, sources)],
         check=True)
+    subprocess.run([sys.executable, HERE / "api_page.py", HERE / "src" / "trc" / "API.md"],
+                   check=True)
 
 
 # Before setuptools looks for the packages.

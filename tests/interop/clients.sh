@@ -34,13 +34,32 @@ without_modules() {
   [ "${CI:-}" = true ] && exit 1 || exit 77
 }
 
+# example LANGUAGE: what README.md says in it, with the server that is here.
+example() {
+  awk -v mark="\`\`\`$1" '$0 == mark {inside=1; next} /^```$/ {if (inside) exit} inside' README.md |
+    sed "s/box:50051/$address/"
+}
+cp client/samples/bracket.nc "$work/part.nc"
+
 case $kind in
   library)
     cmake --install "$build" --component client --prefix "$work/prefix" >"$work/install.log"
     cp -r client/examples/cpp "$work/outside"
+    {
+      printf '#include <%s>\n' iostream string
+      echo '#include "core/session/program_session.h"'
+      echo 'int main() { const std::string text = "N10 G01 X10 F100\n";'
+      example cpp
+      echo 'return done ? 0 : 1; }'
+    } >"$work/outside/readme.cpp"
+    cat >>"$work/outside/CMakeLists.txt" <<'LIST'
+add_executable(readme readme.cpp)
+target_link_libraries(readme PRIVATE trc::core)
+LIST
     cmake -S "$work/outside" -B "$work/outside/build" "-DCMAKE_PREFIX_PATH=$work/prefix" \
       >"$work/configure.log" || { cat "$work/configure.log" >&2; exit 1; }
     cmake --build "$work/outside/build" >"$work/build.log" || { cat "$work/build.log" >&2; exit 1; }
+    [ "$("$work/outside/build/readme")" = "N10 G01 X10 F100" ]
     # Nothing in it refers to the tree it came from.
     if grep -rlF "$top" "$work/prefix" --include='*.cmake'; then
       echo "the installed package names the source tree" >&2
@@ -55,8 +74,12 @@ case $kind in
       >"$work/build.log" 2>&1 || { cat "$work/build.log" >&2; exit 1; }
     /usr/bin/python3 -m venv --system-site-packages "$work/venv"
     "$work/venv/bin/pip" install --no-index --no-deps -q "$work"/dist/*.whl
-    TRC_PYTHON_README=$top/client/python/README.md TRC_TRCD=$build/bin/trcd TRC_CLI=$build/bin/trc \
-      "$work/venv/bin/python" client/python/tests/test_client.py
+    for test in client hostile; do
+      TRC_PYTHON_README=$top/client/python/README.md TRC_TRCD=$build/bin/trcd TRC_CLI=$build/bin/trc \
+        "$work/venv/bin/python" client/python/tests/test_$test.py
+    done
+    { echo 'import trc'; example python; } >"$work/readme.py"
+    (cd "$work" && venv/bin/python readme.py) | grep -q M30
     client=("$work/venv/bin/python" client/examples/python/compensate.py) ;;
   node)
     # The package from its tarball, beside the modules it needs.
@@ -68,10 +91,16 @@ case $kind in
     for module in "$modules"/*; do ln -s "$module" "$work/project/node_modules/"; done
     mkdir "$work/project/node_modules/trc-client"
     tar -C "$work/project/node_modules/trc-client" --strip-components=1 -xzf "$work"/trc-client-*.tgz
-    cp client/node/test/client.test.js client/examples/node/compensate.mjs "$work/project/"
+    cp client/node/test/*.test.js client/examples/node/compensate.mjs "$work/project/"
     TRC_NODE_README=$top/client/node/README.md TRC_TRCD=$build/bin/trcd TRC_CLI=$build/bin/trc \
-      TRC_TEST_PORT=${address##*:} node --test "$work/project/client.test.js" >"$work/tests.log" ||
+      TRC_TEST_PORT=${address##*:} node --test "$work"/project/*.test.js >"$work/tests.log" ||
       { cat "$work/tests.log" >&2; exit 1; }
+    {
+      echo 'import { readFileSync } from "node:fs"; import { compensate } from "trc-client";'
+      echo 'const text = readFileSync("../part.nc");'
+      example js
+    } >"$work/project/readme.mjs"
+    (cd "$work/project" && node readme.mjs) | grep -q M30
     client=(node "$work/project/compensate.mjs") ;;
   buf)
     buf=$modules/@bufbuild/buf-linux-$(uname -m | sed 's/x86_64/x64/')/bin/buf

@@ -295,7 +295,14 @@ class Package(unittest.TestCase):
         with trc.Client() as client:
             self.assertEqual(client.info().version, trc.__version__)
 
-    def test_first_example_of_the_readme_runs(self):
+    def test_page_of_the_interface_has_all_of_it(self):
+        page = File(trc.__file__).with_name("API.md").read_text()
+        for name in set(trc.__all__) - {"__version__"}:
+            self.assertIn(f"\n### {name}\n", page)
+        for said in ("Client.stream(", "await Client.compensate(", "`radius: float`: Of the tool, mm."):
+            self.assertIn(said, page)
+
+    def test_examples_of_the_readme_run(self):
         readme = File(os.environ["TRC_PYTHON_README"]).read_text()
         blocks = readme.split("```python\n")[1:]
         self.assertGreaterEqual(len(blocks), 3)

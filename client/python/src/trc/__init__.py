@@ -10,21 +10,26 @@ result that was not returned may be machined.
 
 from .client import Client, compensate, compensate_path, survey_radii
 from .errors import ServerError, TrcError
-from .path import CompensatedPath, Path
-from .result import Diagnostic, PathResult, Place, RelatedPlace, Result, Severity
+from .path import Block, CompensatedPath, Kind, Path
+from .result import (
+    Diagnostic, PathPart, PathResult, Place, ProgramPart, RelatedPlace, Result, Severity)
 from .survey import Clearance, LargestRadius, Survey, SurveyedRadius, SurveyPlace, UncutWall
 from .tls import Tls
 from .version import __version__
 
 __all__ = [
+    "Block",
     "Clearance",
     "Client",
     "CompensatedPath",
     "Diagnostic",
+    "Kind",
     "LargestRadius",
     "Path",
+    "PathPart",
     "PathResult",
     "Place",
+    "ProgramPart",
     "RelatedPlace",
     "Result",
     "ServerError",

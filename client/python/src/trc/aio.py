@@ -3,31 +3,36 @@
 from __future__ import annotations
 
 import asyncio
-from typing import Any, Iterable, Optional, Union
+from typing import Any, AsyncIterator, Iterable, Optional, Union
 
 import grpc
 import grpc.aio
 
 from . import local, settings
-from .client import bytes_of, identity, survey_of, target_of
-from .errors import raised_by
-from .exchange import Exchange, PathExchange, ProgramExchange
+from .client import bytes_of, identity, path_of, survey_of
+from .errors import TrcError, no_summary, raised_by
+from .exchange import Exchange, PartExchange, PathExchange, ProgramExchange
 from .path import Path
-from .result import PathResult, Result
+from .result import PathPart, PathResult, ProgramPart, Result
 from .survey import Survey
+from .target import seconds_of, target_of
 from .tls import Tls
+from .v1 import trc_service_pb2, trc_service_pb2_grpc
 from .waiting import Waiting
 
 
 class Client:
-    """As trc.Client; close it, or use it in an `async with` statement."""
+    """As trc.Client; close it, or use it in an `async with` statement.
+
+    A task that is cancelled ends its stream on the server.
+    """
 
     def __init__(self, server: Optional[str] = None, *, tls: Optional[Tls] = None,
                  timeout: Optional[float] = None) -> None:
-        self._timeout = timeout
-        target = target_of(server or local.address())
-        self._channel = (grpc.aio.insecure_channel(target) if tls is None
-                         else grpc.aio.secure_channel(target, tls.credentials()))
+        self._timeout = seconds_of(timeout)
+        target, options = target_of(server or local.address())
+        self._channel = (grpc.aio.insecure_channel(target, options) if tls is None
+                         else grpc.aio.secure_channel(target, tls.credentials(), options))
 
     async def __aenter__(self) -> "Client":
         return self
@@ -48,9 +53,18 @@ class Client:
 
     async def compensate_path(self, path: Path, **setup: Any) -> PathResult:
         """As trc.Client.compensate_path()."""
-        exchange = PathExchange(path, settings.path_setup(setup))
+        exchange = PathExchange(path_of(path), settings.path_setup(setup))
         await self._run(exchange)
         return exchange.result()
+
+    def stream(self, text: Union[str, bytes], *, tools: settings.Tools = (),
+               **setup: Any) -> AsyncIterator[ProgramPart]:
+        """As trc.Client.stream(), with `async for`."""
+        return self._parts(ProgramExchange(bytes_of(text), settings.program_setup(setup, tools)))
+
+    def stream_path(self, path: Path, **setup: Any) -> AsyncIterator[PathPart]:
+        """As trc.Client.stream_path(), with `async for`."""
+        return self._parts(PathExchange(path_of(path), settings.path_setup(setup)))
 
     async def survey_radii(self, program: Union[str, bytes, Path], radii: Iterable[float] = (), *,
                            uncut: bool = False, largest: bool = True, **setup: Any) -> Survey:
@@ -59,21 +73,48 @@ class Client:
         await self._run(exchange)
         return exchange.result()
 
+    async def info(self) -> Any:
+        """As trc.Client.info()."""
+        stub = trc_service_pb2_grpc.TrcServiceStub(self._channel)
+        try:
+            return await stub.GetServerInfo(trc_service_pb2.GetServerInfoRequest(),
+                                            timeout=self._timeout)
+        except grpc.RpcError as error:
+            raise raised_by(error, ()) from error
+
     async def _run(self, exchange: Exchange) -> None:
+        async for _ in self._messages(exchange):
+            pass
+
+    async def _parts(self, exchange: PartExchange) -> AsyncIterator[Any]:
+        async for _ in self._messages(exchange):
+            part = exchange.take()
+            if part is not None:
+                yield part
+        if exchange.summary is None:
+            raise no_summary()
+
+    async def _messages(self, exchange: Exchange) -> AsyncIterator[None]:
         open_stream = self._channel.stream_stream(exchange.METHOD, identity, identity)
         waiting = Waiting(self._timeout)
         while True:
+            call = open_stream(exchange.requests(), timeout=waiting.left())
             try:
-                async for message in open_stream(exchange.requests(), timeout=waiting.left()):
+                async for message in call:
                     exchange.absorb(message)
                     waiting.has_answered()
+                    yield
                 return
             except grpc.RpcError as error:
-                wait = waiting.before_next_try(error)
+                raised = raised_by(error, exchange.diagnostics)
+                wait = (None if isinstance(raised, TrcError)
+                        else waiting.before_next_try(raised))
                 if wait is None:
-                    raise raised_by(error, exchange.diagnostics) from error
+                    raise raised from error
                 await asyncio.sleep(wait)
                 exchange.go_on()
+            finally:
+                call.cancel()
 
 
 async def compensate(text: Union[str, bytes], *, server: Optional[str] = None,
@@ -82,3 +123,19 @@ async def compensate(text: Union[str, bytes], *, server: Optional[str] = None,
     """trc.compensate(), awaited."""
     async with Client(server, tls=tls, timeout=timeout) as client:
         return await client.compensate(text, tools=tools, **setup)
+
+
+async def compensate_path(path: Path, *, server: Optional[str] = None, tls: Optional[Tls] = None,
+                          timeout: Optional[float] = None, **setup: Any) -> PathResult:
+    """trc.compensate_path(), awaited."""
+    async with Client(server, tls=tls, timeout=timeout) as client:
+        return await client.compensate_path(path, **setup)
+
+
+async def survey_radii(program: Union[str, bytes, Path], radii: Iterable[float] = (), *,
+                       server: Optional[str] = None, tls: Optional[Tls] = None,
+                       timeout: Optional[float] = None, uncut: bool = False, largest: bool = True,
+                       **setup: Any) -> Survey:
+    """trc.survey_radii(), awaited."""
+    async with Client(server, tls=tls, timeout=timeout) as client:
+        return await client.survey_radii(program, radii, uncut=uncut, largest=largest, **setup)

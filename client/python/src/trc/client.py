@@ -2,17 +2,19 @@
 
 from __future__ import annotations
 
+import threading
 import time
-from typing import Any, Iterable, Optional, Union
+from typing import Any, Iterable, Iterator, Optional, Union
 
 import grpc
 
 from . import local, settings
-from .errors import raised_by
-from .exchange import Exchange, PathExchange, ProgramExchange, SurveyExchange
+from .errors import TrcError, no_summary, raised_by
+from .exchange import Exchange, PartExchange, PathExchange, ProgramExchange, SurveyExchange
 from .path import Path
-from .result import PathResult, Result
+from .result import PathPart, PathResult, ProgramPart, Result
 from .survey import Survey
+from .target import seconds_of, target_of
 from .tls import Tls
 from .v1 import trc_service_pb2, trc_service_pb2_grpc
 from .waiting import Waiting
@@ -28,15 +30,17 @@ class Client:
 
     server: "HOST:PORT", several of one key with commas between, or "unix:/path"; none: a trcd of
     this machine is started. tls: for an encrypted connection. timeout: seconds of each call; none:
-    no end. Close it, or use it in a `with` statement.
+    no end. A server that is lost, or has no room, is waited for up to a minute. Close it, or use it
+    in a `with` statement. A process that is forked makes clients of its own.
     """
 
     def __init__(self, server: Optional[str] = None, *, tls: Optional[Tls] = None,
                  timeout: Optional[float] = None) -> None:
-        self._timeout = timeout
-        target = target_of(server or local.address())
-        self._channel = (grpc.insecure_channel(target) if tls is None
-                         else grpc.secure_channel(target, tls.credentials()))
+        self._timeout = seconds_of(timeout)
+        self._lock = threading.Lock()
+        self._is_closed = False
+        self._local = None if server else local.address()
+        self._channel = _channel_to(server or local.address(), tls)
 
     def __enter__(self) -> "Client":
         return self
@@ -45,8 +49,10 @@ class Client:
         self.close()
 
     def close(self) -> None:
-        """Ends the connection."""
-        self._channel.close()
+        """Ends the connection, and calls of other threads with a ServerError."""
+        with self._lock:
+            self._is_closed = True
+            self._channel.close()
 
     def compensate(self, text: Union[str, bytes], *, tools: settings.Tools = (),
                    **setup: Any) -> Result:
@@ -55,7 +61,7 @@ class Client:
         tools: D number → radius in mm, or Tool messages as dictionaries. setup: fields of
         ProgramSetup, PathSetup and TrcOptions by name (radius=5, transition="G26",
         remove_masked_blocks=True). Raises TrcError where the program is refused, ServerError where
-        there is no answer.
+        there is no answer, TypeError or ValueError where an argument is wrong by itself.
         """
         exchange = ProgramExchange(bytes_of(text), settings.program_setup(setup, tools))
         self._run(exchange)
@@ -66,9 +72,23 @@ class Client:
 
         Raises TrcError where the path is refused, ServerError where there is no answer.
         """
-        exchange = PathExchange(path, settings.path_setup(setup))
+        exchange = PathExchange(path_of(path), settings.path_setup(setup))
         self._run(exchange)
         return exchange.result()
+
+    def stream(self, text: Union[str, bytes], *, tools: settings.Tools = (),
+               **setup: Any) -> Iterator[ProgramPart]:
+        """As compensate(), in parts as they become certain; the last one has the summary.
+
+        The parts together are the text of compensate(). Nothing may be machined before the summary:
+        TrcError and ServerError come out of the iteration. A stream that is not read to its end is
+        given up when the iterator is closed or dropped.
+        """
+        return self._parts(ProgramExchange(bytes_of(text), settings.program_setup(setup, tools)))
+
+    def stream_path(self, path: Path, **setup: Any) -> Iterator[PathPart]:
+        """As compensate_path(), in parts: see stream()."""
+        return self._parts(PathExchange(path_of(path), settings.path_setup(setup)))
 
     def survey_radii(self, program: Union[str, bytes, Path], radii: Iterable[float] = (), *,
                      uncut: bool = False, largest: bool = True, **setup: Any) -> Survey:
@@ -87,33 +107,89 @@ class Client:
 
     def info(self) -> Any:
         """GetServerInfoResponse: version, limits, options, functions and diagnostics."""
-        stub = trc_service_pb2_grpc.TrcServiceStub(self._channel)
+        stub = trc_service_pb2_grpc.TrcServiceStub(self._ready())
         try:
             return stub.GetServerInfo(trc_service_pb2.GetServerInfoRequest(),
                                       timeout=self._timeout)
         except grpc.RpcError as error:
             raise raised_by(error, ()) from error
 
+    def _ready(self) -> grpc.Channel:
+        """The channel; to another server of this machine where the one there was has ended."""
+        with self._lock:
+            if self._is_closed:
+                raise ValueError("this client is closed")
+            if self._local is not None and not local.is_alive(self._local):
+                self._channel.close()
+                self._local = local.address()
+                self._channel = _channel_to(self._local, None)
+            return self._channel
+
     def _run(self, exchange: Exchange) -> None:
-        open_stream = self._channel.stream_stream(exchange.METHOD, identity, identity)
+        for _ in self._messages(exchange):
+            pass
+
+    def _parts(self, exchange: PartExchange) -> Iterator[Any]:
+        for _ in self._messages(exchange):
+            part = exchange.take()
+            if part is not None:
+                yield part
+        if exchange.summary is None:
+            raise no_summary()
+
+    def _messages(self, exchange: Exchange) -> Iterator[None]:
+        """Drives an exchange to its end, and stops behind each message it has absorbed."""
         waiting = Waiting(self._timeout)
         while True:
+            call = self._ready().stream_stream(exchange.METHOD, identity, identity)(
+                exchange.requests(), timeout=waiting.left())
             try:
-                for message in open_stream(exchange.requests(), timeout=waiting.left()):
+                for message in call:
                     exchange.absorb(message)
                     waiting.has_answered()
+                    yield
                 return
             except grpc.RpcError as error:
-                wait = waiting.before_next_try(error)
-                if wait is None:
-                    raise raised_by(error, exchange.diagnostics) from error
-                time.sleep(wait)
+                raised = raised_by(error, exchange.diagnostics)
+                wait = None
+                if not isinstance(raised, TrcError) and not self._is_closed:
+                    wait = waiting.before_next_try(raised)
+                if wait is not None:
+                    time.sleep(wait)
+                # Another server of this machine does not take the streams of the one there was.
+                if wait is None or waiting.answered and self._has_lost_its_own():
+                    raise raised from error
                 exchange.go_on()
+            finally:
+                call.cancel()
+
+    def _has_lost_its_own(self) -> bool:
+        """The server that was started on this machine has ended."""
+        return self._local is not None and not local.is_alive(self._local)
+
+
+def _channel_to(server: str, tls: Optional[Tls]) -> grpc.Channel:
+    target, options = target_of(server)
+    if tls is None:
+        return grpc.insecure_channel(target, options)
+    return grpc.secure_channel(target, tls.credentials(), options)
 
 
 def bytes_of(text: Union[str, bytes]) -> bytes:
     """NC text as it is sent; bytes that are no UTF-8 reach the server, which names their place."""
-    return text.encode("utf-8", "surrogateescape") if isinstance(text, str) else text
+    if isinstance(text, str):
+        return text.encode("utf-8", "surrogateescape")
+    if isinstance(text, (bytes, bytearray, memoryview)):
+        return bytes(text)
+    raise TypeError(f"an NC program is text or bytes, not {type(text).__name__}; of a file: "
+                    "Path(\"part.nc\").read_bytes()")
+
+
+def path_of(path: Path) -> Path:
+    """A path, checked."""
+    if not isinstance(path, Path):
+        raise TypeError(f"a path is a trc.Path, not {type(path).__name__}")
+    return path
 
 
 def survey_of(program: Union[str, bytes, Path], radii: Iterable[float], uncut: bool, largest: bool,
@@ -122,11 +198,6 @@ def survey_of(program: Union[str, bytes, Path], radii: Iterable[float], uncut: b
     is_path = isinstance(program, Path)
     return SurveyExchange(program if isinstance(program, Path) else bytes_of(program),
                           settings.survey_setup(radii, is_path, uncut, largest, setup))
-
-
-def target_of(server: str) -> str:
-    """The target of gRPC for a server, or for several with commas between."""
-    return f"ipv4:{server}" if "," in server and "://" not in server else server
 
 
 def compensate(text: Union[str, bytes], *, server: Optional[str] = None, tls: Optional[Tls] = None,

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
-from typing import Sequence
+import struct
+from typing import Optional, Sequence, Union
 
 import grpc
 
+from . import wire
 from .result import Diagnostic, Severity
 
 
@@ -28,11 +30,19 @@ class TrcError(Exception):
 
 
 class ServerError(Exception):
-    """No answer: the server is not reachable or lost, a limit or the deadline has passed."""
+    """No answer: the server is not reachable or lost, a limit or the deadline has passed.
 
-    def __init__(self, status: grpc.StatusCode, message: str):
+    status: the code of gRPC. reason: the server's own word for it, UPPER_SNAKE and stable; empty
+    where it gave none. retry_after: seconds after which it may have room; none: waiting does not
+    help by itself. Calls without a deadline have waited for up to a minute before they raise it.
+    """
+
+    def __init__(self, status: grpc.StatusCode, message: str, reason: str = "",
+                 retry_after: Optional[float] = None):
         super().__init__(f"{status.name}: {message}")
         self.status = status
+        self.reason = reason
+        self.retry_after = retry_after
 
 
 REFUSALS = (
@@ -42,9 +52,38 @@ REFUSALS = (
 )
 
 
-def raised_by(error: grpc.RpcError, diagnostics: Sequence[Diagnostic]) -> Exception:
+def raised_by(error: grpc.RpcError, diagnostics: Sequence[Diagnostic]
+              ) -> Union[TrcError, ServerError]:
     """The exception a caller gets for a call that failed."""
-    status, details = error.code(), error.details() or ""
+    status, text = error.code(), error.details() or ""
     if status in REFUSALS:
-        return TrcError(details, diagnostics)
-    return ServerError(status, details)
+        return TrcError(text, diagnostics)
+    reason, retry_after = _details_of(error)
+    return ServerError(status, text, reason, retry_after)
+
+
+def _details_of(error: grpc.RpcError) -> tuple[str, Optional[float]]:
+    """Reason and wait of the google.rpc.Status that travels with a status."""
+    reason, retry_after = "", None
+    for name, value in error.trailing_metadata() or ():
+        if name != "grpc-status-details-bin":
+            continue
+        try:
+            for detail in wire.contents(value, 3):
+                kind = b"".join(wire.contents(detail, 1)).rpartition(b".")[2]
+                content = b"".join(wire.contents(detail, 2))
+                if kind == b"ErrorInfo":
+                    reason = b"".join(wire.contents(content, 1)).decode()
+                elif kind == b"RetryInfo":
+                    delay = dict(wire.numbers(b"".join(wire.contents(content, 1))))
+                    retry_after = delay.get(1, 0) + delay.get(2, 0) * 1e-9
+        except (IndexError, struct.error, UnicodeDecodeError):
+            continue  # what cannot be read takes nothing from code and message
+    return reason, retry_after
+
+
+def no_summary() -> ServerError:
+    """The stream ended with OK, but what came may be half of it."""
+    return ServerError(grpc.StatusCode.INTERNAL,
+                       "the server ended the stream without a summary, the path may be incomplete",
+                       "SUMMARY_MISSING")

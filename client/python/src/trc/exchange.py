@@ -7,11 +7,13 @@ the token comes again and is dropped here, so that the joined answer is that of 
 
 from __future__ import annotations
 
+import codecs
 from typing import Any, Iterator, Optional, Type, Union
 
 from . import wire
+from .errors import no_summary
 from .path import CompensatedPath, Path
-from .result import Diagnostic, PathResult, Result
+from .result import Diagnostic, PathPart, PathResult, ProgramPart, Result
 from .survey import LargestRadius, Survey, SurveyedRadius
 from .v1 import setup_pb2, survey_pb2, trc_service_pb2
 
@@ -70,6 +72,16 @@ class _Exchange:
         if response.HasField("summary"):
             self.summary = response.summary
 
+    def _take(self) -> tuple[list[Any], list[Diagnostic]]:
+        """What has come since it was asked last and will not come again."""
+        if self.summary is not None:
+            self._certain, self._diagnostics_certain = len(self._parts), len(self.diagnostics)
+        parts, told = self._parts[:self._certain], self.diagnostics[:self._diagnostics_certain]
+        del self._parts[:self._certain]
+        del self.diagnostics[:self._diagnostics_certain]
+        self._certain = self._diagnostics_certain = 0
+        return parts, told
+
 
 class ProgramExchange(_Exchange):
     """NC text to NC text."""
@@ -80,6 +92,7 @@ class ProgramExchange(_Exchange):
         self._setup = setup
         super().__init__(setup.path)
         self._text = text
+        self._decoder = codecs.getincrementaldecoder("utf-8")("surrogateescape")
 
     def requests(self) -> Iterator[bytes]:
         """The setup and all text, without waiting for an answer between."""
@@ -92,8 +105,18 @@ class ProgramExchange(_Exchange):
         response = trc_service_pb2.CompensateProgramResponse.FromString(message)
         self._absorb(response.nc_text or None, response, response.consumed_bytes)
 
+    def take(self) -> Optional[ProgramPart]:
+        """The next part that is certain; none: not yet."""
+        parts, told = self._take()
+        if not parts and not told and self.summary is None:
+            return None
+        return ProgramPart(text=self._decoder.decode(b"".join(parts), self.summary is not None),
+                           diagnostics=told, summary=self.summary)
+
     def result(self) -> Result:
         """All of it; the stream has ended with OK."""
+        if self.summary is None:
+            raise no_summary()
         return Result(text=b"".join(self._parts).decode("utf-8", "surrogateescape"),
                       diagnostics=self.diagnostics, summary=self.summary)
 
@@ -125,8 +148,17 @@ class PathExchange(_Exchange):
                     if response.HasField("consumed_through_block") else 0)
         self._absorb(part, response, consumed)
 
+    def take(self) -> Optional[PathPart]:
+        """The next part that is certain; none: not yet."""
+        parts, told = self._take()
+        if not parts and not told and self.summary is None:
+            return None
+        return PathPart(path=CompensatedPath(parts), diagnostics=told, summary=self.summary)
+
     def result(self) -> PathResult:
         """All of it; the stream has ended with OK."""
+        if self.summary is None:
+            raise no_summary()
         return PathResult(path=CompensatedPath(self._parts), diagnostics=self.diagnostics,
                           summary=self.summary)
 
@@ -170,9 +202,12 @@ class SurveyExchange:
     def result(self) -> Survey:
         """All of it; the stream has ended with OK."""
         summary = self._summary
+        if summary is None:
+            raise no_summary()
         largest = LargestRadius.of(summary.largest) if summary.HasField("largest") else None
         return Survey(radii=self._radii, largest=largest, diagnostics=self.diagnostics,
                       summary=summary)
 
 
+PartExchange = Union[ProgramExchange, PathExchange]
 Exchange = Union[ProgramExchange, PathExchange, SurveyExchange]

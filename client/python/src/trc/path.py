@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import enum
+import math
+import numbers
 from dataclasses import dataclass
 from typing import Any, Iterator, Mapping, Optional, Sequence
 
 import numpy as np
 
-from . import wire
+from . import settings, wire
 from .v1 import block_pb2, compensated_block_pb2, setup_pb2
 
 
@@ -61,25 +63,23 @@ class Path:
 
         kinds: a Kind for each block. commands: block number → TrcCommand of the protocol, or
         "left", "right", "off". texts: block number → text. columns: x y z, i j k (centres of arcs)
-        and feed.
+        and feed, each of one dimension; a value that is masked (numpy.ma) is one that the block does
+        not have. 32-bit floats hold about seven digits, and that is what is compensated.
         """
         path = cls()
-        path._kinds = np.asarray(kinds, np.uint8)
+        path._kinds = _kind_column(kinds)
         count = len(path._kinds)
         for name in columns:
             if name not in _COORDINATES:
                 raise TypeError(f"{name!r} is no column; there are {', '.join(_COORDINATES)}")
-        path._values = {
-            name: np.asarray(columns[name], np.float64) if name in columns else None
-            for name in _COORDINATES}
-        for name, column in path._values.items():
-            if column is not None and len(column) != count:
-                raise ValueError(f"column {name} has {len(column)} values for {count} blocks")
-        path._commands = {at: _command(given) for at, given in commands.items()}
-        path._texts = dict(texts)
+        path._values = {name: _column(name, columns[name], count) if name in columns else None
+                        for name in _COORDINATES}
+        path._commands = {at: _command(at, given) for at, given in commands.items()}
+        path._texts = {at: _text(text) for at, text in texts.items()}
         for kind, at in ((Kind.COMMAND, path._commands), (Kind.TEXT, path._texts)):
             if sorted(at) != np.flatnonzero(path._kinds == kind).tolist():
-                raise ValueError(f"the blocks of kind {kind.name} are not those that have one")
+                raise ValueError(f"the blocks of kind {kind.name} are {_few(path._kinds, kind)}, given "
+                                 f"are {sorted(at)}")
         return path
 
     def __len__(self) -> int:
@@ -116,21 +116,25 @@ class Path:
 
     def command(self, **fields: Any) -> "Path":
         """A TrcCommand of the protocol by its fields."""
-        self._commands[len(self)] = block_pb2.TrcCommand(**fields)
-        return self._append(Kind.COMMAND)
+        made = settings.command(**fields)
+        self._append(Kind.COMMAND)
+        self._commands[len(self) - 1] = made
+        return self
 
     def text(self, text: str) -> "Path":
         """Comes out in its place, never interpreted: M8."""
-        self._texts[len(self)] = text
-        return self._append(Kind.TEXT)
+        checked = _text(text)
+        self._append(Kind.TEXT)
+        self._texts[len(self) - 1] = checked
+        return self
 
     def _append(self, kind: Kind, **values: Optional[float]) -> "Path":
         if not isinstance(self._kinds, list):
             raise TypeError("a path of columns does not grow")
+        row = [_coordinate(name, values.get(name)) for name in _COORDINATES]
         self._kinds.append(kind)
-        for name in _COORDINATES:
-            value = values.get(name)
-            self._values[name].append(np.nan if value is None else value)
+        for name, value in zip(_COORDINATES, row):
+            self._values[name].append(value)
         return self
 
     def request(self, first: int, most: int) -> bytes:
@@ -167,8 +171,64 @@ class Path:
             wire.doubles(_COLUMNS[name].number, column) for name, column in columns.items())
 
 
-def _command(given: Any) -> Any:
-    return block_pb2.TrcCommand(side=_SIDES[given]) if isinstance(given, str) else given
+def _coordinate(name: str, value: Optional[float]) -> float:
+    """NaN for none; a NaN that was computed must not become a coordinate that keeps its value."""
+    if value is None:
+        return math.nan
+    if isinstance(value, (bool, np.bool_)) or not isinstance(value, numbers.Real):
+        raise TypeError(f"{name} takes a number, not {value!r}")
+    if not math.isfinite(value):
+        raise ValueError(f"{name} is {value}; it takes a finite number")
+    return float(value)
+
+
+def _text(text: str) -> str:
+    if not isinstance(text, str):
+        raise TypeError(f"a text block takes text, not {text!r}")
+    return text
+
+
+def _column(name: str, values: Any, count: int) -> np.ndarray:
+    """Of one dimension, in 64-bit floats; not copied where it holds them."""
+    column = np.asanyarray(values)
+    if column.ndim != 1:
+        raise ValueError(f"column {name} has {column.ndim} dimensions; it takes one")
+    if len(column) != count:
+        raise ValueError(f"column {name} has {len(column)} values for {count} blocks")
+    if count > 0 and column.dtype.kind not in "fiuO":
+        raise TypeError(f"column {name} takes numbers, not {column.dtype}")
+    if isinstance(column, np.ma.MaskedArray):
+        column = column.astype(np.float64).filled(np.nan)
+    return np.asarray(column, np.float64)
+
+
+def _kind_column(values: Any) -> np.ndarray:
+    kinds = np.asarray(values)
+    if kinds.ndim != 1:
+        raise ValueError(f"kinds has {kinds.ndim} dimensions; it takes one")
+    if len(kinds) == 0:
+        return np.empty(0, np.uint8)
+    if kinds.dtype.kind not in "iu":
+        raise TypeError(f"kinds takes whole numbers, a Kind for each block, not {kinds.dtype}")
+    wrong = np.flatnonzero((kinds < min(Kind)) | (kinds > max(Kind)))
+    if len(wrong) > 0:
+        raise ValueError(f"kinds[{wrong[0]}] is {kinds[wrong[0]]}, which Kind has not")
+    return kinds.astype(np.uint8)
+
+
+def _few(kinds: np.ndarray, kind: Kind) -> str:
+    at = np.flatnonzero(kinds == kind).tolist()
+    return str(at) if len(at) <= 10 else f"{at[:10]} and {len(at) - 10} others"
+
+
+def _command(at: int, given: Any) -> Any:
+    if isinstance(given, str):
+        if given not in _SIDES:
+            raise ValueError(f"commands[{at}] takes {', '.join(_SIDES)}, not {given!r}")
+        return block_pb2.TrcCommand(side=_SIDES[given])
+    if not isinstance(given, block_pb2.TrcCommand):
+        raise TypeError(f"commands[{at}] takes a TrcCommand or a word, not {given!r}")
+    return given
 
 
 @dataclass(frozen=True)

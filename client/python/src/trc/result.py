@@ -149,3 +149,27 @@ class PathResult:
     """Notes and warnings, in the order they were raised."""
     summary: Any
     """The PathSummary of the protocol."""
+
+
+@dataclass(frozen=True)
+class ProgramPart:
+    """A part of a compensated program, in the order of the program."""
+
+    text: str
+    """The next lines, or a piece of one; may be empty."""
+    diagnostics: list[Diagnostic]
+    """What was told since the part before."""
+    summary: Optional[Any] = None
+    """Of the last part: the ProgramSummary of the protocol. Nothing may be machined before."""
+
+
+@dataclass(frozen=True)
+class PathPart:
+    """A part of a compensated path, in path order."""
+
+    path: "CompensatedPath"
+    """The next blocks; may be empty."""
+    diagnostics: list[Diagnostic]
+    """What was told since the part before."""
+    summary: Optional[Any] = None
+    """Of the last part: the PathSummary of the protocol. Nothing may be machined before."""

@@ -27,5 +27,7 @@ class Tls:
         def content(file: Optional[File]) -> Optional[bytes]:
             return None if file is None else Path(file).read_bytes()
 
+        if (self.certificate is None) != (self.key is None):
+            raise ValueError("a client certificate and its key belong together")
         return grpc.ssl_channel_credentials(
             content(self.ca), content(self.key), content(self.certificate))

@@ -78,3 +78,16 @@ def take(message: memoryview, wanted: set[int]) -> tuple[dict[int, memoryview], 
         else:
             rest += message[begin:end]
     return found, bytes(rest)
+
+
+def contents(message: bytes, wanted: int) -> list[bytes]:
+    """The contents of a length-delimited field, each time it is there."""
+    view = memoryview(message)
+    return [bytes(view[start:end]) for number, _, start, end in fields(view) if number == wanted]
+
+
+def numbers(message: bytes) -> Iterator[tuple[int, int]]:
+    """The fields of a message that has varints alone."""
+    view = memoryview(message)
+    for number, _, start, _ in fields(view):
+        yield number, _read_varint(view, start)[0]
