@@ -1,4 +1,5 @@
 import { status } from "@grpc/grpc-js";
+import protobuf from "protobufjs/minimal.js";
 
 const refusals = new Set([
   status.INVALID_ARGUMENT,
@@ -21,16 +22,63 @@ export class TrcError extends Error {
 
 /** No answer: the server is not reachable or lost, a limit or the deadline has passed. */
 export class ServerError extends Error {
-  constructor(code, details) {
+  constructor(code, details, { reason = "", retryAfter } = {}) {
     super(`${status[code]}: ${details}`);
     this.name = "ServerError";
     this.code = code;
+    this.reason = reason;
+    this.retryAfter = retryAfter;
   }
+}
+
+/** The stream ended with OK, but what came may be half of it. */
+export function noSummary() {
+  return new ServerError(status.INTERNAL,
+    "the server ended the stream without a summary, the path may be incomplete",
+    { reason: "SUMMARY_MISSING" });
 }
 
 /** What a caller gets for a call that failed. */
 export function raisedBy(error, diagnostics) {
   return refusals.has(error.code)
     ? new TrcError(error.details, diagnostics)
-    : new ServerError(error.code ?? status.UNKNOWN, error.details ?? error.message);
+    : new ServerError(error.code ?? status.UNKNOWN, error.details ?? error.message, detailsOf(error));
+}
+
+/** Reason and wait of the google.rpc.Status that travels with a status. */
+function detailsOf(error) {
+  const found = { reason: "" };
+  try {
+    for (const packed of error.metadata?.get("grpc-status-details-bin") ?? []) {
+      for (const any of fields(packed).get(3) ?? []) {
+        const [kind, content] = [fields(any).get(1)?.[0], fields(any).get(2)?.[0]];
+        if (String(kind).endsWith(".ErrorInfo"))
+          found.reason = String(fields(content).get(1)?.[0] ?? "");
+        if (String(kind).endsWith(".RetryInfo")) {
+          const delay = fields(fields(content).get(1)?.[0] ?? Buffer.alloc(0));
+          found.retryAfter = (delay.get(1)?.[0] ?? 0) + (delay.get(2)?.[0] ?? 0) * 1e-9;
+        }
+      }
+    }
+  } catch {
+    // What cannot be read takes nothing from code and message.
+  }
+  return found;
+}
+
+/** The fields of a message without its type: numbers, and bytes of what has a length. */
+function fields(message) {
+  const reader = protobuf.Reader.create(message);
+  const found = new Map();
+  while (reader.pos < reader.len) {
+    const tag = reader.uint32();
+    const kind = tag & 7;
+    if (kind !== 0 && kind !== 2) {
+      reader.skipType(kind);
+      continue;
+    }
+    const value = kind === 0 ? Number(reader.uint64()) : Buffer.from(reader.bytes());
+    found.set(tag >>> 3, [...(found.get(tag >>> 3) ?? []), value]);
+  }
+  return found;
 }

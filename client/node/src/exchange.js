@@ -2,6 +2,9 @@
 // that is lost goes on from the last resume token, on any server of the same version and key; what
 // came behind the token comes again and is dropped here, so that the joined answer is that of an
 // unbroken stream.
+import { StringDecoder } from "node:string_decoder";
+
+import { noSummary } from "./errors.js";
 
 const textBytes = 64 * 1024;
 const batchBlocks = 1024;
@@ -57,11 +60,32 @@ class Exchange {
     }
     if (response.summary) this.summary = response.summary;
   }
+
+  /** What has come since it was asked last and will not come again; none: nothing. */
+  take() {
+    const isLast = this.summary !== undefined;
+    const count = isLast ? this.parts.length : this.#certain.parts;
+    const told = isLast ? this.diagnostics.length : this.#certain.diagnostics;
+    if (count === 0 && told === 0 && !isLast) return undefined;
+    this.#certain = { parts: 0, diagnostics: 0 };
+    return {
+      ...this.joined(this.parts.splice(0, count)),
+      diagnostics: this.diagnostics.splice(0, told),
+      summary: this.summary,
+    };
+  }
+
+  result() {
+    if (this.summary === undefined) throw noSummary();
+    return this.take();
+  }
 }
 
 /** NC text to NC text. */
 export class ProgramExchange extends Exchange {
   static method = "compensateProgram";
+  // A character may lie across two parts.
+  #decoder = new StringDecoder("utf8");
 
   constructor(text, setup) {
     super(setup.path);
@@ -79,9 +103,8 @@ export class ProgramExchange extends Exchange {
     this.absorbPart(part, response, Number(response.consumedBytes ?? 0));
   }
 
-  result() {
-    const { diagnostics, summary } = this;
-    return { text: Buffer.concat(this.parts).toString(), diagnostics, summary };
+  joined(parts) {
+    return { text: this.#decoder.write(Buffer.concat(parts)) };
   }
 }
 
@@ -105,9 +128,8 @@ export class PathExchange extends Exchange {
       consumed === undefined ? 0 : Number(consumed) + 1);
   }
 
-  result() {
-    const { diagnostics, summary } = this;
-    return { blocks: this.parts.flat(), diagnostics, summary };
+  joined(parts) {
+    return { blocks: parts.flat() };
   }
 }
 
@@ -142,6 +164,7 @@ export class SurveyExchange {
   }
 
   result() {
+    if (this.#summary === undefined) throw noSummary();
     const { largest, ...summary } = this.#summary;
     return {
       radii: this.#radii,

@@ -7,8 +7,14 @@ export interface Connection {
   server?: string;
   /** Certificates, as names of PEM files; none: plain text. */
   tls?: { ca?: string; certificate?: string; key?: string };
-  /** Seconds of each call; none: no end. */
+  /** Seconds of each call, more than 0; none: no end. A server that is lost, or has no room, is
+   * waited for up to a minute. */
   timeout?: number;
+}
+
+/** What ends a call before its time: the promise is rejected with the reason of the signal. */
+export interface Abortable {
+  signal?: AbortSignal;
 }
 
 /** Fields of PathSetup and TrcOptions in camel case, enums also by the word of the control. */
@@ -104,6 +110,26 @@ export interface PathResult {
   diagnostics: Diagnostic[];
   /** The PathSummary of the protocol. */
   summary: object;
+}
+
+/** A part of a compensated program, in the order of the program. */
+export interface ProgramPart {
+  /** The next lines, or a piece of one; may be empty. */
+  text: string;
+  /** What was told since the part before. */
+  diagnostics: Diagnostic[];
+  /** Of the last part: the ProgramSummary of the protocol. */
+  summary?: object;
+}
+
+/** A part of a compensated path, in path order. */
+export interface PathPart {
+  /** The next CompensatedBlock messages; may be empty. */
+  blocks: object[];
+  /** What was told since the part before. */
+  diagnostics: Diagnostic[];
+  /** Of the last part: the PathSummary of the protocol. */
+  summary?: object;
 }
 
 /** What is asked of a survey, besides the settings of the program or the path. */
@@ -209,32 +235,47 @@ export class TrcError extends Error {
 export class ServerError extends Error {
   /** A status code of gRPC. */
   code: number;
+  /** The server's own word for it, UPPER_SNAKE and stable; empty where it gave none. */
+  reason: string;
+  /** Seconds after which it may have room; none: waiting does not help by itself. */
+  retryAfter?: number;
 }
 
 /** A connection to a server, for many calls. */
 export class Client {
   constructor(connection?: Connection);
-  compensate(text: string | Uint8Array, settings?: ProgramSettings): Promise<ProgramResult>;
+  /** The NC program with tool radius compensation resolved. Rejects with TrcError where the program
+   * is refused, ServerError where there is no answer, TypeError or RangeError where an argument is
+   * wrong by itself. */
+  compensate(text: string | Uint8Array,
+    settings?: ProgramSettings & Abortable): Promise<ProgramResult>;
   /** `blocks`: Block messages of the protocol, as { linear: { end: { x: 10 } } }. */
-  compensatePath(blocks: object[], settings?: PathSettings): Promise<PathResult>;
+  compensatePath(blocks: object[], settings?: PathSettings & Abortable): Promise<PathResult>;
+  /** As compensate(), in parts as they become certain, for `for await`; the last one has the
+   * summary, and nothing may be machined before. A loop that is left gives the stream up. */
+  stream(text: string | Uint8Array,
+    settings?: ProgramSettings & Abortable): AsyncGenerator<ProgramPart, void, void>;
+  /** As compensatePath(), in parts: see stream(). */
+  streamPath(blocks: object[],
+    settings?: PathSettings & Abortable): AsyncGenerator<PathPart, void, void>;
   /** What tools of many radii make of an NC program, or of Block messages. A radius that does not
    * fit is told; TrcError says that the program is wrong with every radius. */
   surveyRadii(program: string | Uint8Array | object[],
-    questions?: SurveyQuestions): Promise<SurveyResult>;
+    questions?: SurveyQuestions & Abortable): Promise<SurveyResult>;
   /** GetServerInfoResponse: version, limits, options, functions and diagnostics. */
   info(): Promise<object>;
-  /** Ends the connection. */
+  /** Ends the connection when the calls that run have ended; takes no other ones. */
   close(): void;
 }
 
 /** Client.compensate() over a connection of its own. */
 export function compensate(text: string | Uint8Array,
-  options?: Connection & ProgramSettings): Promise<ProgramResult>;
+  options?: Connection & ProgramSettings & Abortable): Promise<ProgramResult>;
 
 /** Client.compensatePath() over a connection of its own. */
 export function compensatePath(blocks: object[],
-  options?: Connection & PathSettings): Promise<PathResult>;
+  options?: Connection & PathSettings & Abortable): Promise<PathResult>;
 
 /** Client.surveyRadii() over a connection of its own. */
 export function surveyRadii(program: string | Uint8Array | object[],
-  options?: Connection & SurveyQuestions): Promise<SurveyResult>;
+  options?: Connection & SurveyQuestions & Abortable): Promise<SurveyResult>;

@@ -4,10 +4,13 @@ import { existsSync, readFileSync } from "node:fs";
 import grpc from "@grpc/grpc-js";
 import loader from "@grpc/proto-loader";
 
-import { raisedBy, ServerError, TrcError } from "./errors.js";
+import { noSummary, raisedBy, ServerError, TrcError } from "./errors.js";
 import { PathExchange, ProgramExchange, SurveyExchange } from "./exchange.js";
 import { localAddress } from "./local.js";
+import { Schema } from "./schema.js";
 import { Settings } from "./settings.js";
+import { channelOptions, targetOf } from "./target.js";
+import { Waiting } from "./waiting.js";
 
 export { ServerError, TrcError };
 
@@ -21,111 +24,164 @@ const definition = loader.loadSync("trc/v1/trc_service.proto", {
   includeDirs: [protos], longs: Number, enums: String,
 });
 const { TrcService } = grpc.loadPackageDefinition(definition).trc.v1;
-const settings = new Settings(definition);
-
-const mostTries = 8;
-const firstWait = 100;
-const longestWait = 5_000;
+const settings = new Settings(new Schema(definition));
 
 export class Client {
-  #target;
+  #server;
   #credentials;
   #timeout;
   #stub;
+  #address;
+  #isClosed = false;
 
   constructor({ server, tls, timeout } = {}) {
-    this.#target = server;
-    this.#timeout = timeout;
+    if (server) this.#address = targetOf(server);
+    this.#server = server;
+    this.#timeout = secondsOf(timeout);
     this.#credentials = tls ? credentialsOf(tls) : grpc.credentials.createInsecure();
   }
 
   close() {
+    this.#isClosed = true;
     this.#stub?.close();
-    this.#stub = undefined;
   }
 
-  async compensate(text, setup = {}) {
-    return this.#run(new ProgramExchange(bytesOf(text), settings.programSetup(setup)));
+  async compensate(text, { signal, ...setup } = {}) {
+    return this.#run(programExchange(text, setup), signal);
   }
 
-  async compensatePath(blocks, setup = {}) {
-    return this.#run(new PathExchange(blocks, settings.pathSetup(setup)));
+  async compensatePath(blocks, { signal, ...setup } = {}) {
+    return this.#run(pathExchange(blocks, setup), signal);
   }
 
-  async surveyRadii(program, questions = {}) {
+  stream(text, { signal, ...setup } = {}) {
+    return this.#parts(programExchange(text, setup), signal);
+  }
+
+  streamPath(blocks, { signal, ...setup } = {}) {
+    return this.#parts(pathExchange(blocks, setup), signal);
+  }
+
+  async surveyRadii(program, { signal, ...questions } = {}) {
     const isPath = Array.isArray(program);
-    return this.#run(new SurveyExchange(isPath ? program : bytesOf(program),
-      settings.surveySetup(questions, isPath)));
+    const source = isPath ? settings.blocks(program) : bytesOf(program);
+    return this.#run(new SurveyExchange(source, settings.surveySetup(questions, isPath)), signal);
   }
 
   async info() {
     const stub = await this.#service();
+    const { deadline } = new Waiting(this.#timeout);
     return new Promise((resolve, reject) => {
-      stub.getServerInfo({}, (error, answer) => (
+      stub.getServerInfo({}, { deadline }, (error, answer) => (
         error ? reject(raisedBy(error, [])) : resolve(answer)));
     });
   }
 
+  // Without a server that of this machine, which is another one where the one there was has ended.
   async #service() {
-    this.#stub ??= new TrcService(target(this.#target ?? await localAddress()), this.#credentials);
+    if (this.#isClosed) throw new Error("this client is closed");
+    const address = this.#server ? this.#address : await localAddress();
+    if (!this.#stub || address !== this.#address) {
+      this.#stub?.close();
+      this.#address = address;
+      this.#stub = new TrcService(address, this.#credentials, channelOptions);
+    }
     return this.#stub;
   }
 
-  async #run(exchange) {
-    const stub = await this.#service();
-    const deadline = this.#timeout === undefined ? undefined : Date.now() + this.#timeout * 1000;
-    for (let tries = 1; ; ++tries) {
+  async #run(exchange, signal) {
+    const messages = this.#messages(exchange, signal);
+    while (!(await messages.next()).done);
+    return exchange.result();
+  }
+
+  async *#parts(exchange, signal) {
+    for await (const _ of this.#messages(exchange, signal)) {
+      const part = exchange.take();
+      if (part !== undefined) yield part;
+    }
+    if (exchange.summary === undefined) throw noSummary();
+  }
+
+  /** Drives an exchange to its end, and stops behind each message it has absorbed. */
+  async *#messages(exchange, signal) {
+    const waiting = new Waiting(this.#timeout);
+    for (;;) {
+      signal?.throwIfAborted();
+      const stub = await this.#service();
+      const address = this.#address;
+      const stream = stub[exchange.constructor.method]({ deadline: waiting.deadline });
+      const cancel = () => stream.cancel();
+      signal?.addEventListener("abort", cancel);
       try {
-        await converse(stub, exchange, deadline, () => { tries = 1; });
-        return exchange.result();
+        send(stream, exchange.requests());
+        for await (const response of stream) {
+          waiting.hasAnswered();
+          exchange.absorb(response);
+          yield;
+        }
+        return;
       } catch (error) {
-        const wait = Math.min(firstWait * 2 ** (tries - 1), longestWait) * (1 + Math.random()) / 2;
-        const isLost = error.code === grpc.status.UNAVAILABLE && tries < mostTries &&
-          (deadline === undefined || Date.now() + wait < deadline);
-        if (!isLost) throw "code" in error ? raisedBy(error, exchange.diagnostics) : error;
+        signal?.throwIfAborted();
+        if (typeof error.code !== "number") throw error;
+        const raised = raisedBy(error, exchange.diagnostics);
+        const wait = this.#isClosed || raised instanceof TrcError
+          ? undefined : waiting.beforeNextTry(raised);
+        if (wait === undefined) throw raised;
         await new Promise((resolve) => setTimeout(resolve, wait));
+        // Another server of this machine does not take the streams of the one there was.
+        if (waiting.answered && !this.#server && await localAddress() !== address) throw raised;
         exchange.goOn();
+      } finally {
+        signal?.removeEventListener("abort", cancel);
+        stream.cancel();
       }
     }
   }
 }
 
-/** One stream to its end. */
-function converse(stub, exchange, deadline, hasAnswered) {
-  return new Promise((resolve, reject) => {
-    const stream = stub[exchange.constructor.method]({ deadline: deadline ?? Infinity });
-    const requests = exchange.requests();
-    let isOver = false;
-    stream.on("data", (response) => {
-      hasAnswered();
-      exchange.absorb(response);
-    });
-    stream.on("error", (error) => { isOver = true; reject(error); });
-    stream.on("end", () => { isOver = true; resolve(); });
-    // Waits where the server does not take more for now.
-    const send = () => {
-      while (!isOver) {
-        const { value, done } = requests.next();
-        if (done) return stream.end();
-        if (!stream.write(value)) return stream.once("drain", send);
-      }
-      return undefined;
-    };
-    send();
-  });
+/** Waits where the server does not take more for now. */
+function send(stream, requests) {
+  // Who reads the stream is told as well.
+  stream.on("error", () => {});
+  const more = () => {
+    while (!stream.destroyed) {
+      const { value, done } = requests.next();
+      if (done) return stream.end();
+      if (!stream.write(value)) return stream.once("drain", more);
+    }
+    return undefined;
+  };
+  more();
+}
+
+function programExchange(text, setup) {
+  return new ProgramExchange(bytesOf(text), settings.programSetup(setup));
+}
+
+function pathExchange(blocks, setup) {
+  return new PathExchange(settings.blocks(blocks), settings.pathSetup(setup));
 }
 
 function bytesOf(text) {
-  return typeof text === "string" ? Buffer.from(text) : text;
+  if (typeof text === "string") return Buffer.from(text);
+  if (text instanceof Uint8Array) return text;
+  throw new TypeError("an NC program is text or bytes, not " +
+    `${text?.constructor?.name ?? text}; of a file: readFileSync("part.nc")`);
+}
+
+function secondsOf(timeout) {
+  if (timeout === undefined || timeout === Infinity) return undefined;
+  if (typeof timeout !== "number" || !(timeout > 0))
+    throw new TypeError(`timeout takes seconds, more than 0, not ${timeout}`);
+  return timeout;
 }
 
 function credentialsOf({ ca, certificate, key }) {
+  if ((certificate === undefined) !== (key === undefined))
+    throw new TypeError("a client certificate and its key belong together");
   const content = (file) => (file === undefined ? null : readFileSync(file));
   return grpc.credentials.createSsl(content(ca), content(key), content(certificate));
-}
-
-function target(server) {
-  return server.includes(",") && !server.includes("://") ? `ipv4:${server}` : server;
 }
 
 async function withClient({ server, tls, timeout, ...setup }, call) {

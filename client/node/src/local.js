@@ -1,6 +1,6 @@
 // A `trcd` of this machine, for who names no server.
 import { spawn } from "node:child_process";
-import { existsSync, mkdtempSync, rmSync } from "node:fs";
+import { accessSync, constants, existsSync, mkdtempSync, rmSync, statSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { delimiter, join } from "node:path";
 
@@ -21,11 +21,21 @@ export function localAddress() {
   return running;
 }
 
+function inPath(name) {
+  return (process.env.PATH ?? "").split(delimiter).filter(Boolean)
+    .map((folder) => join(folder, name)).find((file) => {
+      try {
+        accessSync(file, constants.X_OK);
+        return statSync(file).isFile();
+      } catch {
+        return false;
+      }
+    });
+}
+
 function program() {
-  if (process.env.TRC_TRCD) return process.env.TRC_TRCD;
-  const folder = (process.env.PATH ?? "").split(delimiter)
-    .find((each) => existsSync(join(each, "trcd")));
-  if (folder) return join(folder, "trcd");
+  const trcd = process.env.TRC_TRCD || inPath("trcd");
+  if (trcd) return trcd;
   throw new ServerError(status.UNAVAILABLE,
     "no server was given and there is no trcd here: pass { server: \"HOST:PORT\" }, install the " +
     "package trcd, or name the program in TRC_TRCD");
@@ -35,24 +45,31 @@ async function start() {
   const trcd = program();
   const folder = mkdtempSync(join(tmpdir(), "trc-"));
   const socket = join(folder, "trcd.sock");
-  const child = spawn(trcd, ["--listen", `unix:${socket}`], {
-    stdio: ["ignore", "ignore", "pipe"],
-  });
+  // The kernel ends the server with this process, however that ends.
+  const setpriv = inPath("setpriv");
+  const command = [...(setpriv ? [setpriv, "--pdeathsig", "TERM"] : []), trcd,
+    "--listen", `unix:${socket}`];
+  const child = spawn(command[0], command.slice(1), { stdio: ["ignore", "ignore", "pipe"] });
   let said = "";
   child.stderr.on("data", (data) => { said = (said + data).slice(-4096); });
   child.on("error", (error) => { said += error.message; });
   let ended = false;
-  child.on("exit", () => { ended = true; running = undefined; });
-  process.once("exit", () => {
-    child.kill();
-    rmSync(folder, { recursive: true, force: true });
+  const remove = () => rmSync(folder, { recursive: true, force: true });
+  const stop = () => { child.kill(); remove(); };
+  child.on("error", () => { ended = true; });
+  child.on("exit", () => {
+    ended = true;
+    running = undefined;
+    process.off("exit", stop);
+    remove();
   });
+  process.once("exit", stop);
   // Neither keeps the process alive.
   child.unref();
   child.stderr.unref();
   for (const begin = Date.now(); !existsSync(socket);) {
     if (ended || Date.now() - begin > startMilliseconds) {
-      child.kill();
+      stop();
       throw new ServerError(status.UNAVAILABLE, `${trcd} did not start: ${said.trim()}`);
     }
     await new Promise((resolve) => setTimeout(resolve, 20));

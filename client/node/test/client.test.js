@@ -186,6 +186,16 @@ test("the version is that of the server", async () => {
   client.close();
 });
 
+test("the page of the interface has all of it", () => {
+  const file = (name) => readFileSync(
+    new URL(`../${name}`, import.meta.resolve("trc-client")), "utf8");
+  const names = [...file("src/index.d.ts").matchAll(/^export \w+ (\w+)/gm)].map(([, name]) => name);
+  const page = file("API.md");
+  assert.deepEqual([...page.matchAll(/^## (\w+)$/gm)].map(([, name]) => name), names);
+  assert.equal(page.match(/[};]\n```$/gm).length, names.length);
+  assert.match(page, /summary, and nothing may be machined before/);
+});
+
 test("the examples of the README run", () => {
   const folder = mkdtempSync(join(tmpdir(), "trc-test-"));
   writeFileSync(join(folder, "part.nc"), pocket);
