@@ -40,6 +40,8 @@ lrwxrwxrwx root/root $folder/libtrc.so.0 -> libtrc.so.0.1.0
 LIST
 diff - <(contents "$development") <<LIST || fail "libtrc-dev holds other files"
 -rw-r--r-- root/root ./usr/include/trc.h
+-rw-r--r-- root/root $folder/cmake/libtrc/libtrcConfig.cmake
+-rw-r--r-- root/root $folder/cmake/libtrc/libtrcConfigVersion.cmake
 lrwxrwxrwx root/root $folder/libtrc.so -> libtrc.so.0
 -rw-r--r-- root/root $folder/pkgconfig/trc.pc
 -rw-r--r-- root/root ./usr/share/doc/libtrc-dev/changelog.Debian.gz

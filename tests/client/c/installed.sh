@@ -14,12 +14,13 @@ fail() { echo "error: $*" >&2; exit 1; }
 # block LANGUAGE: the first such block of the README.
 block() { awk -v mark="\`\`\`$1" '$0 == mark {inside=1; next} /^```$/ {if (inside) exit} inside' client/c/README.md; }
 block c >"$work/contour.c"
+block cmake >"$work/CMakeLists.txt"
 block text >"$work/expected"
 cp client/examples/c/compensate.c "$work/"
 cp client/samples/bracket.nc "$work/"
 
 folder=$(dirname "$(find "$prefix" -name trc.pc)")
-! grep -rlF -e "$top" -e "$(dirname "$trc")" "$folder" || fail "the installed files name the tree they came from"
+! grep -rlF -e "$top" -e "$(dirname "$trc")" "$folder" "$folder/../cmake/libtrc" || fail "the installed files name the tree they came from"
 export PKG_CONFIG_PATH=$folder
 LD_LIBRARY_PATH=$(pkg-config --variable=libdir trc)
 export LD_LIBRARY_PATH
@@ -33,6 +34,9 @@ done
 readelf -d contour | grep -F '[libtrc.so.0]' >/dev/null || fail "not linked by its soname"
 
 ./contour | diff expected - || fail "the README says something else"
+cmake -S . -B build "-DCMAKE_PREFIX_PATH=$prefix" >messages && cmake --build build >>messages ||
+  fail "not found by CMake: $(cat messages)"
+./build/contour | diff expected - || fail "another answer when built by CMake"
 ./compensate bracket.nc >text
 "$trc" compensate bracket.nc --server "" >by_trc 2>messages
 cmp by_trc text
