@@ -329,6 +329,16 @@ std::string set_tools(std::string_view text, v1::ProgramSetup& setup) {
   return {};
 }
 
+// By its whole key, or by its last part: more than one then where several end so.
+std::vector<const Route*> routes_named(const std::string& key) {
+  std::vector<const Route*> found;
+  for (const Route& route : all_routes()) {
+    if (key_of(route) == key) return {&route};
+    if (route.back()->name() == key) found.push_back(&route);
+  }
+  return found;
+}
+
 std::string unknown_key(const std::string& key) {
   std::vector<std::pair<std::size_t, std::string>> near;
   const auto consider = [&](const std::string& full) {
@@ -346,6 +356,12 @@ std::string unknown_key(const std::string& key) {
 
 }  // namespace
 
+std::string whole_key(std::string_view key) {
+  const std::string name = lower(trimmed(key));
+  const std::vector<const Route*> found = routes_named(name);
+  return found.size() == 1 ? key_of(*found.front()) : name;
+}
+
 std::string apply_setting(std::string_view assignment, v1::ProgramSetup& setup) {
   const auto equals = assignment.find('=');
   if (equals == std::string_view::npos)
@@ -354,14 +370,7 @@ std::string apply_setting(std::string_view assignment, v1::ProgramSetup& setup) 
   const std::string_view value = trimmed(assignment.substr(equals + 1));
   if (key == "tools") return set_tools(value, setup);
 
-  std::vector<const Route*> found;
-  for (const Route& route : all_routes()) {
-    if (key_of(route) == key) {
-      found = {&route};
-      break;
-    }
-    if (route.back()->name() == key) found.push_back(&route);
-  }
+  const std::vector<const Route*> found = routes_named(key);
   if (found.empty()) return unknown_key(key);
   if (found.size() > 1)
     return "\"" + key + "\" may be " + key_of(*found[0]) + " or " + key_of(*found[1]) +

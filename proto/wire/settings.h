@@ -21,6 +21,10 @@ namespace trc::wire {
 // value lies in its range is the service's business.
 [[nodiscard]] std::string apply_setting(std::string_view assignment, v1::ProgramSetup& setup);
 
+// The whole key of a setting, where it is one of PathSetup: `options.stretch_factor` of
+// `stretch_factor`. Other keys are given back as they are, in lower case.
+[[nodiscard]] std::string whole_key(std::string_view key);
+
 // What the setup holds, as apply_setting takes it, in the order of the fields: "tool_radius=5". The
 // tool table is the last.
 [[nodiscard]] std::vector<std::string> assignments_of(const v1::ProgramSetup& setup);

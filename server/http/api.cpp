@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <utility>
 #include <vector>
 
@@ -10,10 +9,30 @@
 #include "server/http/connect.h"
 #include "server/http/handlers.h"
 #include "server/http/problem.h"
+#include "server/http/questions.h"
 #include "server/worker_pool.h"
 
 namespace trc::server::http {
 namespace {
+
+constexpr auto survey_questions = std::to_array<Question>(
+    {{"radii", Question::Kind::text, "mm: 3,5,8 or 3:8:0.5, from, to and step; 64 at most"},
+     {"uncut", Question::Kind::text, "true: what each radius leaves uncut"},
+     {"largest", Question::Kind::text, "false: without the largest radius that fits"}});
+constexpr auto view_questions = std::to_array<Question>(
+    {{"shown_plane", Question::Kind::text,
+      "xy, zx, yz: seen across that plane; by default that of the first compensated block"}});
+constexpr auto tile_questions = std::to_array<Question>(
+    {{"segments", Question::Kind::number, "at most, 256 to 16384; 2048 without it"}});
+constexpr auto lines_questions =
+    std::to_array<Question>({{"from", Question::Kind::number, "the first line, from 1"},
+                             {"count", Question::Kind::number, "of lines, 200 without it"}});
+constexpr auto blocks_questions =
+    std::to_array<Question>({{"line", Question::Kind::number, "of the program, from 1"}});
+constexpr auto place_questions =
+    std::to_array<Question>({{"share", Question::Kind::share, "of the way, 0 to 1"}});
+constexpr auto page_questions =
+    std::to_array<Question>({{"offer", Question::Kind::text, "the program that `trc view` shows"}});
 
 constexpr std::array<Route, 20> table{{
     {"POST", "/v1/programs:compensate", Body::program, true, "text/plain,application/x-ndjson",
@@ -29,7 +48,7 @@ constexpr std::array<Route, 20> table{{
     {"POST", "/v1/programs:surveyRadii", Body::program, true, "application/json",
      "Says what tools of many radii make of an NC program: `radii` (3,5,8 or 3:8:0.5), `uncut`, "
      "`largest`; a SurveyAnswer",
-     survey_program},
+     survey_program, survey_questions},
     {"POST", "/v1/paths:compensate", Body::message, false, "application/json,application/x-ndjson",
      "Compensates a path of motion blocks: a PreviewPathRequest in, a PathAnswer out, or JSON "
      "lines",
@@ -40,22 +59,22 @@ constexpr std::array<Route, 20> table{{
      "Says what tools of many radii make of a path: a SurveyPathRequest in, a SurveyAnswer out",
      survey_path},
     {"POST", "/v1/views", Body::program, true, "application/json",
-     "Keeps a program and its path to be looked at: a View", make_view},
+     "Keeps a program and its path to be looked at: a View", make_view, view_questions},
     {"GET", "/v1/views/{id}", Body::none, false, "application/json", "The View again", view_said},
     {"DELETE", "/v1/views/{id}", Body::none, false, "", "Gives a view up", remove_view},
     {"GET", "/v1/views/{id}/tiles/{level}/{x}/{y}", Body::none, false, "application/octet-stream",
-     "A square of the picture as segments", view_tile},
+     "A square of the picture as segments", view_tile, tile_questions},
     {"GET", "/v1/views/{id}/lines", Body::none, false, "application/json",
-     "Lines of the program, `from` and `count`: ViewLines", view_lines},
+     "Lines of the program, `from` and `count`: ViewLines", view_lines, lines_questions},
     {"GET", "/v1/views/{id}/output", Body::none, false, "application/json",
-     "Lines of the compensated program: ViewLines", view_output},
+     "Lines of the compensated program: ViewLines", view_output, lines_questions},
     {"GET", "/v1/views/{id}/blocks", Body::none, false, "application/json",
-     "The blocks of the line `line`: ViewBlocks", view_blocks},
+     "The blocks of the line `line`: ViewBlocks", view_blocks, blocks_questions},
     {"GET", "/v1/views/{id}/place", Body::none, false, "application/json",
-     "Where the tool is after `share` of its way: ViewPlace", view_place},
+     "Where the tool is after `share` of its way: ViewPlace", view_place, place_questions},
     {"GET", "/v1/offers/{token}", Body::none, false, "application/octet-stream",
      "The program that `trc view` shows, with its name and settings as headers", offered_program},
-    {"GET", "/", Body::none, false, "text/html", "The page", page_start},
+    {"GET", "/", Body::none, false, "text/html", "The page", page_start, page_questions},
     {"GET", "/page/{file}", Body::none, false, "text/javascript,text/css", "Its parts", page_file},
     {"GET", "/v1/info", Body::none, false, "application/json",
      "Version, limits, options, functions and diagnostics: GetServerInfoResponse", server_info},
@@ -148,6 +167,10 @@ Service::Admission Api::admit(const Request& head) {
   if (!head.header("content-encoding").empty() && head.header("content-encoding") != "identity")
     return {.refused = problem(415, "CONTENT_ENCODING", "Compressed bodies are not taken",
                                "send the body without Content-Encoding")};
+  const std::string charset = head.charset();
+  if (!charset.empty() && charset != "utf-8" && charset != "us-ascii")
+    return {.refused = problem(415, "CHARSET", "Bodies are taken in UTF-8",
+                               "send the body with charset=utf-8")};
   // JSON is about four times what it says.
   constexpr std::size_t json_overhead = 4;
   const std::size_t most_message = json_overhead * most_message_bytes();
@@ -179,7 +202,17 @@ void Api::handle(const ExchangePointer& exchange) {
   if (request.method == "OPTIONS")
     return exchange->answer(
         {.status = 204, .headers = {{"Allow", methods_at(request.path) + ", OPTIONS"}}}, {});
-  if (const Route* route = route_of(request)) return route->handle(*this, exchange);
+  if (const Route* route = route_of(request)) {
+    if (const auto refused = refuse_query(*route, request.query))
+      return answer_problem(*exchange, *refused);
+    std::optional<std::chrono::milliseconds> timeout;
+    if (!read_timeout(request.header("connect-timeout-ms"), timeout))
+      return answer_problem(*exchange,
+                            problem(400, "TIMEOUT_INVALID", "The timeout cannot be taken",
+                                    "Connect-Timeout-Ms must be a whole number of at most ten "
+                                    "digits"));
+    return route->handle(*this, exchange);
+  }
   answer_connect(*this, exchange);
 }
 
@@ -245,11 +278,7 @@ void Api::log(const Request& request, unsigned status, std::uint64_t bytes, doub
 std::shared_ptr<RpcCall> Api::call(std::string method, const Request& request, RpcCall::Done done) {
   RpcCall::Options options{.method = std::move(method),
                            .traceparent = std::string(request.header("traceparent"))};
-  const std::string_view timeout = request.header("connect-timeout-ms");
-  std::uint32_t ms = 0;
-  if (std::from_chars(timeout.data(), timeout.data() + timeout.size(), ms).ec == std::errc() &&
-      !timeout.empty())
-    options.timeout = std::chrono::milliseconds(ms);
+  (void)read_timeout(request.header("connect-timeout-ms"), options.timeout);
   begin();
   auto call = RpcCall::start(channel_, options,
                              [this, done = std::move(done)](const grpc::Status& status) mutable {

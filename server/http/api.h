@@ -3,6 +3,7 @@
 #include <grpcpp/channel.h>
 
 #include <condition_variable>
+#include <cstdint>
 #include <functional>
 #include <list>
 #include <memory>
@@ -30,6 +31,14 @@ enum class Body {
   message,  // JSON or Protobuf
 };
 
+// A query parameter that is no setting.
+struct Question {
+  enum class Kind : std::uint8_t { text, number, share };
+  std::string_view name;
+  Kind kind;
+  std::string_view meaning;
+};
+
 // One way to ask something.
 struct Route {
   std::string_view method;
@@ -39,6 +48,7 @@ struct Route {
   std::string_view answers;  // content types, with commas between
   std::string_view meaning;
   void (*handle)(Api& api, const ExchangePointer& exchange);
+  std::span<const Question> questions{};  // may be asked too
 };
 [[nodiscard]] std::span<const Route> routes();
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cstdint>
 #include <string_view>
 #include <utility>
@@ -221,6 +222,17 @@ void answer_unsupported(Exchange& exchange, std::string_view types) {
                                    "this RPC takes " + std::string(types) + ", not compressed"));
 }
 
+// What is wrong with a call before its message is looked at; empty: nothing.
+std::string fault_of(const Request& request) {
+  if (!request.query.empty()) return "the call takes no query parameters, but a message";
+  const std::string_view version = request.header("connect-protocol-version");
+  if (!version.empty() && version != "1") return "Connect-Protocol-Version must be 1";
+  std::optional<std::chrono::milliseconds> timeout;
+  if (!read_timeout(request.header("connect-timeout-ms"), timeout))
+    return "Connect-Timeout-Ms must be a whole number of at most ten digits";
+  return {};
+}
+
 // Reading JSON is work, and done by those who compute.
 void start(Api& api, const ExchangePointer& exchange, const Call& call) {
   api.compute([&api, exchange, call] {
@@ -246,10 +258,21 @@ const MethodDescriptor* rpc_at(const std::string& path) {
   return service == nullptr ? nullptr : service->FindMethodByName(path.substr(services.size()));
 }
 
+bool read_timeout(std::string_view header, std::optional<std::chrono::milliseconds>& timeout) {
+  constexpr std::size_t most_digits = 10;
+  if (header.empty()) return true;
+  std::uint64_t ms = 0;
+  const auto [end, fault] = std::from_chars(header.data(), header.data() + header.size(), ms);
+  const bool is_whole = fault == std::errc() && end == header.data() + header.size();
+  if (!is_whole || header.size() > most_digits) return false;
+  timeout = std::chrono::milliseconds(ms);
+  return true;
+}
+
 void answer_connect(Api& api, const ExchangePointer& exchange) {
   const Request& request = exchange->request();
   const MethodDescriptor& method = *rpc_at(request.path);
-  const std::string_view type = request.content_type();
+  const std::string type = request.content_type();
   const std::string_view accept_language = request.header("accept-language");
   std::string_view body = request.body;
   if (method.client_streaming())
@@ -260,17 +283,19 @@ void answer_connect(Api& api, const ExchangePointer& exchange) {
     const bool is_json = type == "application/json";
     if (!is_json && type != "application/proto")
       return answer_unsupported(*exchange, "application/json or application/proto");
-    return start(
-        api, exchange,
-        {method, body, is_json, accept_language, std::make_shared<UnaryFormat>(method, is_json)});
+    auto format = std::make_shared<UnaryFormat>(method, is_json);
+    if (const std::string fault = fault_of(request); !fault.empty())
+      return format->refuse(exchange, {StatusCode::INVALID_ARGUMENT, fault});
+    return start(api, exchange, {method, body, is_json, accept_language, std::move(format)});
   }
   const bool is_json = type == "application/connect+json";
   if (!is_json && type != "application/connect+proto")
     return answer_unsupported(*exchange, "application/connect+json or application/connect+proto");
   auto format = std::make_shared<StreamFormat>(method, is_json);
-  if (!open_envelope(body))
-    return format->refuse(exchange, {StatusCode::INVALID_ARGUMENT,
-                                     "the body must be one envelope without compression"});
+  std::string fault = fault_of(request);
+  if (fault.empty() && !open_envelope(body))
+    fault = "the body must be one envelope without compression";
+  if (!fault.empty()) return format->refuse(exchange, {StatusCode::INVALID_ARGUMENT, fault});
   start(api, exchange, {method, body, is_json, accept_language, std::move(format)});
 }
 

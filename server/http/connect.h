@@ -2,8 +2,11 @@
 
 #include <google/protobuf/descriptor.h>
 
+#include <chrono>
 #include <memory>
+#include <optional>
 #include <string>
+#include <string_view>
 
 #include "server/http/run.h"
 
@@ -18,5 +21,10 @@ void answer_connect(Api& api, const ExchangePointer& exchange);
 
 // The RPC a path names; null when there is none.
 [[nodiscard]] const google::protobuf::MethodDescriptor* rpc_at(const std::string& path);
+
+// The header Connect-Timeout-Ms, which every request may have; false: it is no number of at most
+// ten digits.
+[[nodiscard]] bool read_timeout(std::string_view header,
+                                std::optional<std::chrono::milliseconds>& timeout);
 
 }  // namespace trc::server::http

@@ -160,6 +160,11 @@ class Connection final : public Exchange,
     const auto& head = parser_->get();
     // Without chunks the end of the connection would be the end of an answer.
     if (head.version() != 11) return refuse(505, "HTTP_VERSION", "The server speaks HTTP/1.1");
+    if (const auto fault_of_head = fault_of(request_)) {
+      // Where its body ends is not certain.
+      keep_alive_ = false;
+      return refuse(*fault_of_head);
+    }
     auto target = read_target({head.target().data(), head.target().size()});
     if (!target) return refuse(400, "TARGET_MALFORMED", "The target of the request is not one");
     request_.path = std::move(target->path);

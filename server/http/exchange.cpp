@@ -11,8 +11,30 @@ std::string_view trimmed(std::string_view text) {
   return text;
 }
 
-std::string_view without_parameters(std::string_view type) {
-  return trimmed(type.substr(0, type.find(';')));
+std::string lower(std::string_view text) {
+  std::string result(text);
+  for (char& c : result)
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  return result;
+}
+
+// Of a type as in "text/plain; charset=utf-8", in lower case.
+std::string without_parameters(std::string_view type) {
+  return lower(trimmed(type.substr(0, type.find(';'))));
+}
+
+std::string parameter_of(std::string_view type, std::string_view name) {
+  while (type.find(';') != std::string_view::npos) {
+    type.remove_prefix(type.find(';') + 1);
+    const std::string_view one = type.substr(0, type.find(';'));
+    const std::size_t equals = std::min(one.find('='), one.size());
+    if (lower(trimmed(one.substr(0, equals))) != name || equals == one.size()) continue;
+    std::string_view value = trimmed(one.substr(equals + 1));
+    if (value.size() >= 2 && value.front() == '"' && value.back() == '"')
+      value = value.substr(1, value.size() - 2);
+    return lower(value);
+  }
+  return {};
 }
 
 }  // namespace
@@ -27,14 +49,17 @@ bool Request::accepts(std::string_view type) const {
   std::string_view left = header("accept");
   while (!left.empty()) {
     const std::string_view one = left.substr(0, left.find(','));
-    if (without_parameters(one) == type) return true;
+    const std::string quality = parameter_of(one, "q");
+    const bool is_refused =
+        !quality.empty() && quality.find_first_not_of("0.") == std::string::npos;
+    if (!is_refused && without_parameters(one) == type) return true;
     left.remove_prefix(std::min(left.size(), one.size() + 1));
   }
   return false;
 }
 
-std::string_view Request::content_type() const {
-  return without_parameters(header("content-type"));
-}
+std::string Request::content_type() const { return without_parameters(header("content-type")); }
+
+std::string Request::charset() const { return parameter_of(header("content-type"), "charset"); }
 
 }  // namespace trc::server::http

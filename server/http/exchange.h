@@ -25,10 +25,12 @@ struct Request {
 
   // Empty when there is none.
   [[nodiscard]] std::string_view header(std::string_view name) const;
-  // Whether the Accept header names this type itself.
+  // Whether the Accept header names this type itself, and does not refuse it (q=0).
   [[nodiscard]] bool accepts(std::string_view type) const;
-  // The Content-Type without parameters.
-  [[nodiscard]] std::string_view content_type() const;
+  // The Content-Type without parameters, in lower case.
+  [[nodiscard]] std::string content_type() const;
+  // What its parameter charset says, in lower case; empty when there is none.
+  [[nodiscard]] std::string charset() const;
 };
 
 // The head of an answer.

@@ -1,5 +1,6 @@
 #include "server/http/head.h"
 
+#include <algorithm>
 #include <array>
 #include <boost/beast/core/string.hpp>
 #include <boost/beast/http/empty_body.hpp>
@@ -37,6 +38,31 @@ Request request_of(const RequestHead& head, std::string peer) {
   return request;
 }
 
+std::optional<v1::Problem> fault_of(const Request& request) {
+  constexpr std::array<std::string_view, 8> single{
+      "host",         "content-length",   "transfer-encoding",        "expect",
+      "content-type", "content-encoding", "connect-protocol-version", "connect-timeout-ms"};
+  for (const std::string_view name : single)
+    if (std::ranges::count(request.headers, name, &Pairs::value_type::first) > 1)
+      return problem(400, "HEADER_REPEATED", "A header that may come once comes twice",
+                     std::string(name) + " is given more than once");
+  if (request.header("host").empty())
+    return problem(400, "HOST_MISSING", "The request has no Host header", "HTTP/1.1 asks for one");
+  const std::string_view length = request.header("content-length");
+  if (length.find_first_not_of("0123456789") != std::string_view::npos)
+    return problem(400, "REQUEST_MALFORMED", "This is not HTTP",
+                   "Content-Length must be one whole number");
+  const std::string_view coding = request.header("transfer-encoding");
+  if (!coding.empty() && lower({coding.data(), coding.size()}) != "chunked")
+    return problem(501, "TRANSFER_ENCODING", "The transfer encoding is not known",
+                   "a body comes with Content-Length or with Transfer-Encoding: chunked");
+  const std::string_view expected = request.header("expect");
+  if (!expected.empty() && lower({expected.data(), expected.size()}) != "100-continue")
+    return problem(417, "EXPECTATION_FAILED", "The expectation is not known",
+                   "only 100-continue is met");
+  return std::nullopt;
+}
+
 bool expects_continue(const RequestHead& head) {
   return lower(head[bhttp::field::expect]) == "100-continue";
 }
@@ -45,9 +71,10 @@ std::string bytes_of(const Head& head, std::optional<std::size_t> length, bool k
   bhttp::response<bhttp::empty_body> response(bhttp::int_to_status(head.status), 11);
   for (const auto& [name, value] : head.headers) response.insert(name, value);
   if (!head.content_type.empty()) response.set(bhttp::field::content_type, head.content_type);
-  if (length)
+  const bool has_body = head.status != 204;
+  if (has_body && length)
     response.set(bhttp::field::content_length, std::to_string(*length));
-  else
+  else if (has_body)
     response.set(bhttp::field::transfer_encoding, "chunked");
   response.keep_alive(keep_alive);
   std::ostringstream bytes;

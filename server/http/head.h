@@ -17,6 +17,10 @@ using RequestHead = boost::beast::http::request_header<boost::beast::http::field
 // Method and headers, these in lower case; path, query and body are not read yet.
 [[nodiscard]] Request request_of(const RequestHead& head, std::string peer);
 
+// Why a request is refused by its head alone: two readers of it might see two requests in it, or
+// one that is not meant.
+[[nodiscard]] std::optional<v1::Problem> fault_of(const Request& request);
+
 // Whether the client waits until it is told to send the body.
 [[nodiscard]] bool expects_continue(const RequestHead& head);
 

@@ -1,12 +1,16 @@
 #include <google/protobuf/descriptor.h>
 #include <google/protobuf/struct.pb.h>
 
+#include <algorithm>
+#include <cmath>
 #include <set>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "core/base/version.h"
 #include "proto/wire/json.h"
+#include "proto/wire/setting_meanings.h"
 #include "proto/wire/settings.h"
 #include "server/http/api.h"
 #include "server/http/handlers.h"
@@ -115,20 +119,88 @@ void add_parameters_in_path(std::string_view path, Struct& operation) {
   }
 }
 
-void add_settings(Struct& operation) {
-  for (const wire::SettingRow& row : wire::settings())
-    add_parameter(operation, row.key, "query", row.values);
-  add_parameter(operation, "dialect", "query", dialects());
-  add_parameter(operation, "unit", "query", "mm, inch");
-  add_parameter(operation, "unknown_words", "query", "refuse, copy");
-  add_parameter(operation, "decimals", "query", "decimal places of coordinates, 1 to 8");
-  add_parameter(operation, "name", "query", "name of the program in diagnostics");
+void number(Struct& owner, const std::string& name, double value) {
+  if (std::isfinite(value)) (*owner.mutable_fields())[name].set_number_value(value);
 }
 
-void add_survey(Struct& operation) {
-  add_parameter(operation, "radii", "query", "mm: 3,5,8 or 3:8:0.5, from, to and step; 64 at most");
-  add_parameter(operation, "uncut", "query", "true: what each radius leaves uncut");
-  add_parameter(operation, "largest", "query", "false: without the largest radius that fits");
+// "direct (G138), indirect (G139)": the words alone. Empty: it is no choice of words.
+std::vector<std::string> words_in(std::string_view values) {
+  std::vector<std::string> words;
+  while (!values.empty()) {
+    const std::string_view one = values.substr(0, values.find(", "));
+    values.remove_prefix(std::min(values.size(), one.size() + 2));
+    const std::string_view word = one.substr(0, one.find(" ("));
+    if (word.find_first_not_of("abcdefghijklmnopqrstuvwxyz_0123456789") != std::string_view::npos)
+      return {};
+    words.emplace_back(word);
+  }
+  return words.size() > 1 ? words : std::vector<std::string>();
+}
+
+void add_kind(const wire::SettingMeaning& meaning, std::string_view values, Struct& schema) {
+  const std::string initial(meaning.initial);
+  google::protobuf::Value fallback;
+  if (values == "true or false") {
+    text(schema, "type", "boolean");
+    fallback.set_bool_value(initial == "true");
+  } else if (values == "a number" || values == "a whole number") {
+    text(schema, "type", values == "a number" ? "number" : "integer");
+    number(schema, "minimum", meaning.least);
+    number(schema, "maximum", meaning.most);
+    if (!initial.empty()) fallback.set_number_value(std::stod(initial));
+  } else {
+    text(schema, "type", "string");
+    for (const std::string& word : words_in(values))
+      (*schema.mutable_fields())["enum"].mutable_list_value()->add_values()->set_string_value(word);
+    if (!initial.empty()) fallback.set_string_value(initial);
+  }
+  if (!initial.empty()) (*schema.mutable_fields())["default"] = fallback;
+}
+
+// What the page asks people comes from here: `x-values` in words, `x-meaning`, `x-unit`.
+void add_setting(Struct& operation, const wire::SettingMeaning& meaning, std::string_view values) {
+  Struct& parameter = item(operation, "parameters");
+  text(parameter, "name", meaning.key);
+  text(parameter, "in", "query");
+  text(parameter, "description",
+       std::string(meaning.meaning) + (meaning.meaning.empty() ? "" : ": ") + std::string(values));
+  text(parameter, "x-meaning", meaning.meaning);
+  text(parameter, "x-values", values);
+  if (!meaning.unit.empty()) text(parameter, "x-unit", meaning.unit);
+  add_kind(meaning, values, object(parameter, "schema"));
+}
+
+// How the path is measured where `verify` is not given.
+std::string_view measured_by(const Route& route) {
+  if (route.handle == make_view || route.handle == record_program) return "report";
+  return route.handle == verify_program ? "enforce" : "off";
+}
+
+void add_settings(const Route& route, Struct& operation) {
+  for (const wire::SettingRow& row : wire::settings()) {
+    wire::SettingMeaning meaning = wire::meaning_of(row.key);
+    meaning.key = row.key;
+    if (row.key == "verify") meaning.initial = measured_by(route);
+    add_setting(operation, meaning, row.values);
+  }
+  add_setting(operation,
+              {.key = "dialect", .meaning = "the control the program is for", .initial = "isg"},
+              dialects());
+  add_setting(operation,
+              {.key = "unit",
+               .meaning = "what the program counts in where it does not say so itself",
+               .initial = "mm"},
+              "mm, inch");
+  add_setting(operation,
+              {.key = "unknown_words",
+               .meaning = "words nobody knows: refuse stops there, copy leaves them in the program",
+               .initial = "refuse"},
+              "refuse, copy");
+  add_setting(
+      operation,
+      {.key = "decimals", .meaning = "decimal places of coordinates", .least = 1, .most = 8},
+      "a whole number");
+  add_setting(operation, {.key = "name", .meaning = "name of the program in diagnostics"}, "text");
 }
 
 void add_body(const Route& route, Struct& operation, Schemas& known) {
@@ -164,31 +236,14 @@ std::string lower(std::string_view word) {
   return result;
 }
 
-// What is asked of a view.
-void add_questions(const Route& route, Struct& operation) {
-  const auto add = [&](std::string_view name, std::string_view meaning) {
-    add_parameter(operation, name, "query", meaning);
-  };
-  if (route.handle == make_view)
-    add("shown_plane",
-        "xy, zx, yz: seen across that plane; by default that of the first compensated block");
-  if (route.handle == view_tile) add("segments", "at most, 256 to 16384; 2048 without it");
-  if (route.handle == view_lines || route.handle == view_output) {
-    add("from", "the first line, from 1");
-    add("count", "of lines, 200 without it");
-  }
-  if (route.handle == view_blocks) add("line", "of the program, from 1");
-  if (route.handle == view_place) add("share", "of the way, 0 to 1");
-}
-
 void add_routes(Struct& paths, Schemas& known) {
   for (const Route& route : routes()) {
     Struct& operation = object(object(paths, std::string(route.path)), lower(route.method));
     text(operation, "summary", route.meaning);
     add_parameters_in_path(route.path, operation);
-    if (route.takes_settings) add_settings(operation);
-    if (route.handle == survey_program) add_survey(operation);
-    add_questions(route, operation);
+    if (route.takes_settings) add_settings(route, operation);
+    for (const Question& question : route.questions)
+      add_parameter(operation, question.name, "query", question.meaning);
     add_body(route, operation, known);
     add_answers(route, operation, known);
   }

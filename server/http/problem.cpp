@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "core/base/language.h"
 #include "google/rpc/error_details.pb.h"
 #include "google/rpc/status.pb.h"
 #include "proto/wire/json.h"
@@ -85,6 +86,12 @@ v1::Problem problem_of(const grpc::Status& status) {
       problem.set_title("The program cannot be compensated");
     }
     if (is_about_size(info.reason())) problem.set_status(413);
+  });
+  for_each<google::rpc::LocalizedMessage>(rich, [&](const auto& localized) {
+    constexpr std::size_t longest = 1000;
+    problem.set_detail(presentable(localized.message(), longest));
+    if (problem.status() == 422 && language_of_tag(localized.locale()) == Language::german)
+      problem.set_title("Das Programm kann nicht korrigiert werden");
   });
   for_each<google::rpc::BadRequest>(rich, [&](const auto& request) {
     for (const auto& violation : request.field_violations()) {

@@ -97,6 +97,7 @@ constexpr std::string_view domain = "trc.v1";
 
 // A peer drops a status whose trailers pass 8 KB, and the details travel in base64.
 constexpr std::size_t longest_in_list = 80;
+constexpr std::size_t longest_localized = 1000;
 
 // Digits that read back to the same double.
 std::string number_text(double value) {
@@ -105,19 +106,11 @@ std::string number_text(double value) {
   return {digits.data(), end};
 }
 
+// `rich` has the details already.
 Ending finished(StatusCode code, std::string_view reason, std::string_view message,
-                const google::rpc::ErrorInfo& info, const google::rpc::BadRequest& fields,
-                int retry_after_s) {
-  google::rpc::Status rich;
+                google::rpc::Status rich) {
   rich.set_code(static_cast<int>(code));
   rich.set_message(std::string(message));
-  rich.add_details()->PackFrom(info);
-  if (fields.field_violations_size() > 0) rich.add_details()->PackFrom(fields);
-  if (retry_after_s > 0) {
-    google::rpc::RetryInfo retry;
-    retry.mutable_retry_delay()->set_seconds(retry_after_s);
-    rich.add_details()->PackFrom(retry);
-  }
   return {.status = grpc::Status(code, rich.message(), rich.SerializeAsString()),
           .reason = std::string(reason)};
 }
@@ -134,6 +127,18 @@ google::rpc::ErrorInfo error_info(std::string_view reason) {
   return info;
 }
 
+// What happened and what helps, for people who read another language than English.
+void add_localized(const Diagnostic& diagnostic, google::rpc::Status& rich) {
+  if (diagnostic.language == Language::english) return;
+  google::rpc::LocalizedMessage localized;
+  localized.set_locale("de");
+  const std::string text = place_of(diagnostic.source, diagnostic.language) + ": " +
+                           message_of(diagnostic, diagnostic.language) + ". " +
+                           help_of(diagnostic, diagnostic.language);
+  localized.set_message(presentable(text, longest_localized));
+  rich.add_details()->PackFrom(localized);
+}
+
 }  // namespace
 
 Ending refuse(Refusal refusal, std::string_view detail, const Values& values) {
@@ -142,7 +147,14 @@ Ending refuse(Refusal refusal, std::string_view detail, const Values& values) {
   if (!detail.empty()) message += ": " + presentable(detail);
   google::rpc::ErrorInfo info = error_info(row.reason);
   for (const auto& [name, value] : values) set_value(info, name, presentable(value));
-  return finished(row.code, row.reason, message, info, {}, row.retry_after_s);
+  google::rpc::Status rich;
+  rich.add_details()->PackFrom(info);
+  if (row.retry_after_s > 0) {
+    google::rpc::RetryInfo retry;
+    retry.mutable_retry_delay()->set_seconds(row.retry_after_s);
+    rich.add_details()->PackFrom(retry);
+  }
+  return finished(row.code, row.reason, message, std::move(rich));
 }
 
 Ending refuse(const wire::FieldFaults& faults) {
@@ -160,7 +172,10 @@ Ending refuse(const wire::FieldFaults& faults) {
   set_value(info, "field", fields.field_violations(0).field());
   const std::string message =
       fields.field_violations(0).field() + " " + fields.field_violations(0).description();
-  return finished(row.code, row.reason, message, info, fields, 0);
+  google::rpc::Status rich;
+  rich.add_details()->PackFrom(info);
+  rich.add_details()->PackFrom(fields);
+  return finished(row.code, row.reason, message, std::move(rich));
 }
 
 Ending refuse(const Diagnostic& diagnostic) {
@@ -186,7 +201,10 @@ Ending refuse(const Diagnostic& diagnostic) {
   const StatusCode status = diagnostic.code == Code::selection_too_long
                                 ? StatusCode::RESOURCE_EXHAUSTED
                                 : StatusCode::INVALID_ARGUMENT;
-  return finished(status, row.reason, message, info, {}, 0);
+  google::rpc::Status rich;
+  rich.add_details()->PackFrom(info);
+  add_localized(diagnostic, rich);
+  return finished(status, row.reason, message, std::move(rich));
 }
 
 std::string_view name_of(StatusCode code) {

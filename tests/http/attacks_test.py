@@ -2,6 +2,7 @@
 import json
 import math
 import os
+import random
 import socket
 import ssl
 import subprocess
@@ -33,6 +34,31 @@ def answer_to(server, request, timeout=20):
 
 def status_of(answer):
     return int(answer.split(b" ")[1]) if answer.startswith(b"HTTP/1.1 ") else 0
+
+
+def mutated(request, dice):
+    """The request with one to four changes somewhere."""
+    changed = bytearray(request)
+    for _ in range(dice.randint(1, 4)):
+        at = dice.randrange(len(changed) + 1)
+        piece = slice(at, at + dice.choice((1, 1, 2, 8, 64)))
+        kind = dice.randrange(6)
+        if kind == 0:
+            changed[piece] = bytes(dice.randrange(256) for _ in range(dice.randint(1, 4)))
+        elif kind == 1:
+            del changed[piece]
+        elif kind == 2:
+            changed[at:at] = changed[piece] * dice.choice((1, 2, 50))
+        elif kind == 3:
+            changed[at:at] = dice.choice((b"\r\n", b"\n", b"\0", b" ", b":", b"%", b"&", b"18446744073709551616",
+                                          b"-1", b"Transfer-Encoding: chunked\r\n", b"Content-Length: 7\r\n"))
+        elif kind == 4:
+            lines = bytes(changed).split(b"\r\n")
+            dice.shuffle(lines)
+            changed = bytearray(b"\r\n".join(lines))
+        else:
+            del changed[at:]
+    return bytes(changed)
 
 
 class Attacks(unittest.TestCase):
@@ -71,6 +97,74 @@ class Attacks(unittest.TestCase):
                         b"Content-Length: -1\r\n", b"Content-Length: 99999999999999999999\r\n"):
             answer = answer_to(self.server, HEAD + lengths + b"\r\nabc")
             self.assertIn(status_of(answer), (0, 400, 413), lengths)
+
+    def test_no_request_hides_in_the_body_of_another(self):
+        # What follows would be answered as a request of its own: 404.
+        hidden = b"GET /hidden HTTP/1.1\r\nHost: localhost\r\n\r\n"
+        chunks = b"%x\r\n%s\r\n0\r\n\r\n" % (len(hidden), hidden)
+        length = b"Content-Length: %d\r\n" % len(chunks)
+        for headers in (b"Transfer-Encoding: xchunked\r\n", b"Transfer-Encoding: identity\r\n",
+                        b"Transfer-Encoding: chunked, chunked\r\n",
+                        b"Transfer-Encoding: gzip, chunked\r\n",
+                        b"Transfer-Encoding: chunked\r\nTransfer-Encoding: identity\r\n",
+                        b"Transfer-Encoding: chunked\r\n" + length,
+                        length + b"Transfer-Encoding: chunked\r\n",
+                        b"Transfer-Encoding : chunked\r\n", length + length,
+                        b"Content-Length: %d, %d\r\n" % (len(chunks), len(chunks)),
+                        b"X: y\nTransfer-Encoding: chunked\r\n"):
+            answer = answer_to(self.server, HEAD + TEXT_HEAD + headers + b"\r\n" + chunks)
+            self.assertIn(status_of(answer), (400, 501), headers)
+            self.assertEqual(answer.count(b"HTTP/1.1 "), 1, headers)
+
+    def test_a_head_says_one_thing(self):
+        get = b"GET /v1/info HTTP/1.1\r\n"
+        for head, status in ((get, 400), (get + b"Host:\r\n", 400),
+                             (get + b"Host: localhost\r\nHost: evil.example\r\n", 400),
+                             (get + b"Host: evil.example\r\nHost: localhost\r\n", 400),
+                             (HEAD + TEXT_HEAD + b"Content-Type: application/json\r\n", 400),
+                             (HEAD + TEXT_HEAD + b"Expect: miracles\r\n", 417)):
+            self.assertEqual(status_of(answer_to(self.server, head + b"\r\n")), status, head)
+
+    def test_requests_one_behind_the_other_are_answered_in_their_order(self):
+        body = SQUARE.encode()
+        post = HEAD + TEXT_HEAD + b"Content-Length: %d\r\n\r\n" % len(body) + body
+        get = b"GET /nothing HTTP/1.1\r\nHost: localhost\r\nConnection: %s\r\n\r\n"
+        answer = answer_to(self.server, post + get % b"keep-alive" + post + get % b"close")
+        statuses = [part[:3] for part in answer.split(b"HTTP/1.1 ")[1:]]
+        self.assertEqual(statuses, [b"200", b"404", b"200", b"404"])
+
+    def test_changed_requests_never_make_the_server_fail(self):
+        body = SQUARE.encode()
+        path = json.dumps({"setup": {"toolRadius": 5}, "batch": {"blocks": [
+            {"linear": {"end": {"x": 10, "y": 0}}}]}}).encode()
+        sized = b"Content-Length: %d\r\n\r\n%s"
+        where = b" HTTP/1.1\r\nHost: localhost\r\n"
+        requests = [
+            HEAD + TEXT_HEAD + sized % (len(body), body),
+            HEAD + TEXT_HEAD + b"Transfer-Encoding: chunked\r\n\r\n%x\r\n%s\r\n0\r\n\r\n" % (len(body), body),
+            b"POST /v1/views?tool_radius=5&name=a%20b&shown_plane=zx" + where + TEXT_HEAD +
+            sized % (len(body), body),
+            b"POST /v1/paths:compensate" + where + b"Accept: application/x-ndjson;q=0.5\r\n"
+            b"Content-Type: application/json; charset=utf-8\r\n" + sized % (len(path), path),
+            b"POST /trc.v1.TrcService/PreviewPath" + where + b"Connect-Timeout-Ms: 1000\r\n"
+            b"Content-Type: application/connect+json\r\n" +
+            sized % (len(path) + 5, b"\0" + len(path).to_bytes(4, "big") + path),
+            b"GET /v1/views/0/lines?from=1&count=7" + where + b"Origin: null\r\n\r\n"]
+        seed = int(os.environ.get("TRC_SEED", "20260"))
+        dice = random.Random(seed)
+        for i in range(3000 if os.environ.get("TRC_TEST_LONG") else 300):
+            request = mutated(dice.choice(requests), dice)
+            with self.server.connect(10) as connection:
+                got = b""
+                try:
+                    connection.sendall(request)
+                    connection.shutdown(socket.SHUT_WR)
+                    while piece := connection.recv(65536):
+                        got += piece
+                except ConnectionError:
+                    pass
+            failed = [part[:3] for part in got.split(b"HTTP/1.1 ")[1:] if part.startswith(b"500")]
+            self.assertEqual(failed, [], f"seed {seed}, request {i}: {request}")
 
     def test_a_flood_of_header_is_refused(self):
         self.assertEqual(status_of(answer_to(self.server, HEAD + b"X: " + b"a" * 40000)), 431)
