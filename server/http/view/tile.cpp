@@ -18,8 +18,9 @@ struct DrawnSegment {
   std::uint32_t element = 0;
   std::uint32_t line = 0;
   std::uint32_t style = 0;
+  float tool_radius = 0;  // mm; 0: not compensated
 };
-static_assert(sizeof(DrawnSegment) == 28);
+static_assert(sizeof(DrawnSegment) == 32);
 
 // Directions from a point such that a straight line there passes every point left out so far.
 class Sleeve {
@@ -86,6 +87,7 @@ class Drawing {
     std::size_t element = 0;
     std::uint32_t line = 0;
     std::uint32_t style = 0;
+    float tool_radius = 0;
   };
 
   [[nodiscard]] bool sees(const verify::Bounds& box) const {
@@ -154,7 +156,8 @@ void Drawing::draw_element(const Elements& elements, std::size_t index, std::uin
                 .line = element.line,
                 .style = static_cast<std::uint32_t>(element.style) | flags |
                          (element.rapid ? rapid_flag : 0U) |
-                         (element.plane == plane_ ? 0U : aside_flag)};
+                         (element.plane == plane_ ? 0U : aside_flag),
+                .tool_radius = element.tool_radius};
   const bool small = box.size().maxCoeff() <= 2 * tolerance_;
   if (element.is_special() && small) draw_dot(element.start, pen);
   // Something small keeps the pen of the stroke it is part of.
@@ -252,7 +255,8 @@ void Drawing::add(const Point& from, const Point& to, const Pen& pen) {
                                 static_cast<float>(b.x()), static_cast<float>(b.y())},
                        .element = static_cast<std::uint32_t>(pen.element),
                        .line = pen.line,
-                       .style = pen.style});
+                       .style = pen.style,
+                       .tool_radius = pen.tool_radius});
 }
 
 void append(std::string& out, std::uint32_t number) {

@@ -12,7 +12,8 @@ namespace trc::server::http {
 // left out lies within `tolerance` of what is drawn, and an element that must be seen is at least a
 // dot. Bytes, little endian: "TRCT", the number of segments (u32), the tolerance (f32, mm), 0
 // (u32), and for each segment x0 y0 x1 y1 (f32, mm from the square's lowest corner), the index of
-// its element, its line, its style with flags (u32). `plane` is the one that is shown.
+// its element, its line, its style with flags (u32) and the radius of the tool (f32, mm; 0: not
+// compensated). `plane` is the one that is shown.
 struct Square {
   Point low = Point::Zero();
   double side = 0;  // mm

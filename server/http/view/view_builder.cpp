@@ -131,11 +131,9 @@ bool ViewBuilder::add(const std::vector<CompensatedBlock>& blocks) {
   settle_plane();
   for (const CompensatedBlock& block : blocks) {
     if (block.origin == Origin::passthrough) continue;
-    const bool has_tool =
-        block.origin != Origin::uncompensated && block.source.line < radius_of_line_.size();
     const Element element{.feed = block.rapid ? 0 : static_cast<float>(block.feed),
                           .line = block.source.line,
-                          .tool_radius = has_tool ? radius_of_line_[block.source.line] : 0,
+                          .tool_radius = tool_radius_of(block),
                           .style = style_of(block.origin),
                           .origin = static_cast<std::uint8_t>(wire::to_proto(block.origin)),
                           .rapid = block.rapid};
@@ -143,6 +141,15 @@ bool ViewBuilder::add(const std::vector<CompensatedBlock>& blocks) {
              *plane_);
   }
   return account();
+}
+
+// The line of a retract is programmed without compensation: it has the tool of the block before.
+float ViewBuilder::tool_radius_of(const CompensatedBlock& block) {
+  if (block.origin == Origin::uncompensated) return 0;
+  const bool is_known =
+      block.source.line < radius_of_line_.size() && radius_of_line_[block.source.line] > 0;
+  if (is_known) path_radius_ = radius_of_line_[block.source.line];
+  return path_radius_;
 }
 
 void ViewBuilder::add(const v1::Diagnostic& diagnostic) {
@@ -226,8 +233,16 @@ void ViewBuilder::add_contour(const Block& block) {
   contour_blocks_.resize(contour_.size(), static_cast<std::uint32_t>(motion.source.index));
   if (element.line >= radius_of_line_.size()) radius_of_line_.resize(element.line + 1);
   radius_of_line_[element.line] = element.tool_radius;
-  if (said_.tool_radius() == 0 && element.tool_radius > 0)
-    said_.set_tool_radius(motion.mode->tool_radius);
+  if (active) add_tool_radius(motion.mode->tool_radius);
+}
+
+void ViewBuilder::add_tool_radius(double radius) {
+  constexpr int most_radii = 16;
+  const auto& radii = said_.tool_radii();
+  if (radius <= 0 || radii.size() >= most_radii) return;
+  if (std::find(radii.begin(), radii.end(), radius) != radii.end()) return;
+  said_.add_tool_radii(radius);
+  if (radii.size() == 1) said_.set_tool_radius(radius);
 }
 
 void ViewBuilder::mark_masked() {

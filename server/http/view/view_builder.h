@@ -53,6 +53,8 @@ class ViewBuilder {
   // Where nothing is compensated the first motion says which plane is shown.
   void settle_plane();
   void settle_plane(std::optional<Plane> own);
+  void add_tool_radius(double radius);
+  [[nodiscard]] float tool_radius_of(const CompensatedBlock& block);
   void mark_masked();
   void describe(const Lines& program);
   // Takes the memory for what there is by now.
@@ -81,6 +83,7 @@ class ViewBuilder {
   std::vector<std::uint32_t> contour_blocks_;
   // Of each line; of one that is read again and again, as in subprograms, what it had last.
   std::vector<float> radius_of_line_;
+  float path_radius_ = 0;  // of the compensated block before
   Elements path_;
 };
 
