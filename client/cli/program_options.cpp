@@ -42,6 +42,11 @@ void add_program_options(CLI::App& command, ProgramOptions& options) {
 }
 
 void add_setup_options(CLI::App& command, ProgramOptions& options) {
+  add_settings_options(command, options);
+  add_service_options(command, options.service);
+}
+
+void add_settings_options(CLI::App& command, ProgramOptions& options) {
   command
       .add_option("--set", options.assignments,
                   "What holds before the first line, as in tool_radius=5; may be repeated")
@@ -79,7 +84,6 @@ void add_setup_options(CLI::App& command, ProgramOptions& options) {
                   "What that tool is larger by, mm; negative: worn off: --set wear")
       ->type_name("MM");
   add_language_option(command, options.language);
-  add_service_options(command, options.service);
 }
 
 void add_loudness_options(CLI::App& command, Loudness& loudness) {

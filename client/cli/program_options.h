@@ -29,6 +29,8 @@ struct ProgramOptions {
 void add_program_options(CLI::App& command, ProgramOptions& options);
 // The same but for the file.
 void add_setup_options(CLI::App& command, ProgramOptions& options);
+// Those alone that say what the setup is, not where the service is.
+void add_settings_options(CLI::App& command, ProgramOptions& options);
 
 // Adds -q and -v.
 void add_loudness_options(CLI::App& command, Loudness& loudness);

@@ -1,6 +1,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cctype>
 #include <csignal>
 #include <cstdlib>
@@ -8,6 +9,7 @@
 #include <iostream>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include "client/cli/command.h"
@@ -42,15 +44,28 @@ std::string percent_encoded(std::string_view text) {
   return encoded;
 }
 
-std::string query_of(const std::vector<std::string>& assignments) {
+void append(std::string& query, std::string_view name, std::string_view value) {
+  if (!query.empty()) query += '&';
+  query += percent_encoded(name) + '=' + percent_encoded(value);
+}
+
+// The settings as the page takes them.
+std::string query_of(const v1::ProgramSetup& setup, const ProgramOptions& options) {
   std::string query;
-  for (const std::string& assignment : assignments) {
+  for (const std::string& assignment : wire::assignments_of(setup)) {
     const std::size_t equals = assignment.find('=');
-    if (!query.empty()) query += '&';
-    query += percent_encoded(assignment.substr(0, equals)) + '=' +
-             percent_encoded(assignment.substr(equals + 1));
+    append(query, assignment.substr(0, equals), assignment.substr(equals + 1));
   }
+  if (!options.dialect.empty()) append(query, "dialect", options.dialect);
+  if (!options.unit.empty()) append(query, "unit", options.unit);
+  if (!options.unknown_words.empty()) append(query, "unknown_words", options.unknown_words);
   return query;
+}
+
+// The page has a line for tools by number.
+bool are_numbered(const v1::ProgramSetup& setup) {
+  return std::none_of(setup.tools().begin(), setup.tools().end(),
+                      [](const v1::Tool& tool) { return !tool.name().empty() || tool.edge() > 1; });
 }
 
 // Not waited for; a desk without xdg-open has the address.
@@ -68,6 +83,11 @@ void open_browser(const std::string& address) {
 Exit run(const Call& call) {
   v1::ProgramSetup setup;
   if (!setup_of(call.program, setup)) return Exit::wrong_call;
+  if (!are_numbered(setup)) {
+    std::cerr << "trc: --tools: the page takes tools by number, none with a name or an edge; trc "
+                 "plot -o part.html takes them all\n";
+    return Exit::wrong_call;
+  }
   Input input(call.program.file);
   if (!input.open()) return Exit::wrong_call;
   std::string text;
@@ -93,7 +113,7 @@ Exit run(const Call& call) {
   auto [server, fault, misconfigured] =
       server::Server::start_http(config, {.token = token,
                                           .name = percent_encoded(name),
-                                          .settings = query_of(call.program.assignments),
+                                          .settings = query_of(setup, call.program),
                                           .text = std::move(text)});
   if (server == nullptr) {
     std::cerr << "trc: " << fault << '\n';
@@ -122,11 +142,7 @@ void add_view(CLI::App& app, Action& action) {
   command->add_option("file", call->program.file, "NC program; - reads standard input")
       ->type_name("FILE")
       ->required();
-  command
-      ->add_option("--set", call->program.assignments,
-                   "What holds before the first line, as in tool_radius=5; may be repeated")
-      ->type_name("KEY=VALUE")
-      ->allow_extra_args(false);
+  add_settings_options(*command, call->program);
   command->add_option("--listen", call->listen, "Address of the page; port 0 takes a free one")
       ->type_name("HOST:PORT")
       ->capture_default_str();
