@@ -25,8 +25,8 @@ const server = {
   info: () => json('v1/info'),
   openApi: () => json('v1/openapi.json'),
   // `plane`: xy, zx or yz is shown; else that of the first compensated block.
-  makeView: (program, settings, plane) =>
-    json(`v1/views?${query({...settings, name: program.name, ...(plane && {shown_plane: plane})})}`, {method: 'POST', headers: text, body: program.text}),
+  makeView: (program, settings, plane, signal) =>
+    json(`v1/views?${query({...settings, name: program.name, ...(plane && {shown_plane: plane})})}`, {method: 'POST', headers: text, body: program.text, signal}),
   view: id => json(`v1/views/${id}`),
   dropView: id => ask(`v1/views/${id}`, {method: 'DELETE'}).catch(() => {}),
   tile: async (id, {level, x, y, segments}, signal) =>

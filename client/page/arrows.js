@@ -1,4 +1,4 @@
-import {pathFlag, rapidFlag} from './styles.js';
+import {pathFlag, rapidFlag, segmentSize} from './styles.js';
 
 // Pixels: of way between two arrows at least, of a segment that carries one in its middle, and of
 // short pieces that carry one together.
@@ -22,14 +22,14 @@ export function arrowsOf(camera, tiles, shown) {
   // Where much of the path is seen they lie farther apart, over all of it.
   let whole = 0;
   for (const tile of tiles)
-    for (let k = 0; k < tile.count * 7; k += 7)
+    for (let k = 0; k < tile.count * segmentSize; k += segmentSize)
       if (tile.words[k + 6] & pathFlag)
         whole += camera.scale * Math.hypot(tile.numbers[k + 2] - tile.numbers[k], tile.numbers[k + 3] - tile.numbers[k + 1]);
   const apart = Math.max(nearest, whole / mostArrows);
   for (const tile of tiles) {
     let since = apart / 2, way = 0, from = null, at = null;
     for (let i = 0; i < tile.count; ++i) {
-      const word = tile.words[i * 7 + 6], n = tile.numbers, k = i * 7;
+      const word = tile.words[i * segmentSize + 6], n = tile.numbers, k = i * segmentSize;
       if (!(word & pathFlag) || !shown(word & 0xff, (word & rapidFlag) !== 0)) { at = null; continue; }
       const [ax, ay] = camera.toScreen({x: tile.x + n[k], y: tile.y + n[k + 1]});
       const [bx, by] = camera.toScreen({x: tile.x + n[k + 2], y: tile.y + n[k + 3]});

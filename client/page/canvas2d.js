@@ -1,4 +1,4 @@
-import {asideFlag, palette, pathFlag, rapidFlag, special, widths} from './styles.js';
+import {asideFlag, palette, pathFlag, rapidFlag, segmentSize, special, widths} from './styles.js';
 
 // Draws the same without a graphics processor.
 export class Canvas2d {
@@ -21,25 +21,26 @@ export class Canvas2d {
     const paths = new Map();
     for (const tile of tiles)
       for (let i = 0; i < tile.count; ++i) {
-        const word = tile.words[i * 7 + 6], style = word & 255, isPath = (word & pathFlag) !== 0;
-        const rapid = (word & rapidFlag) !== 0;
-        const marked = how.line && tile.words[i * 7 + 5] === how.line;
+        const k = i * segmentSize, n = tile.numbers;
+        const word = tile.words[k + 6], style = word & 255, isPath = (word & pathFlag) !== 0;
+        const radius = how.band ? n[k + 7] : 0, rapid = (word & rapidFlag) !== 0;
+        const marked = how.line && tile.words[k + 5] === how.line;
         if (how.band) {
-          if (!isPath || rapid || (word & asideFlag) || style < 2 || style > 4) continue;
+          if (!isPath || rapid || (word & asideFlag) || style < 2 || style > 4 || radius <= 0) continue;
         } else if (how.compare ? !isPath : !(how.layers >> style & 1) || (rapid && !(how.layers >> 6 & 1))) {
           continue;
         }
-        const key = `${style}/${rapid}/${marked}`;
-        if (!paths.has(key)) paths.set(key, {style, rapid, marked, path: new Path2D()});
-        const [ax, ay] = this.toPixels(tile.x + tile.numbers[i * 7], tile.y + tile.numbers[i * 7 + 1]);
-        const [bx, by] = this.toPixels(tile.x + tile.numbers[i * 7 + 2], tile.y + tile.numbers[i * 7 + 3]);
+        const key = `${style}/${rapid}/${marked}/${radius}`;
+        if (!paths.has(key)) paths.set(key, {style, rapid, marked, radius, path: new Path2D()});
+        const [ax, ay] = this.toPixels(tile.x + n[k], tile.y + n[k + 1]);
+        const [bx, by] = this.toPixels(tile.x + n[k + 2], tile.y + n[k + 3]);
         paths.get(key).path.moveTo(ax, ay);
         paths.get(key).path.lineTo(bx, by + (ax === bx && ay === by ? 0.01 : 0));
       }
     const c = this.context;
-    for (const {style, rapid, marked, path} of paths.values()) {
+    for (const {style, rapid, marked, radius, path} of paths.values()) {
       c.strokeStyle = marked ? special().marked : how.color ?? palette()[style];
-      c.lineWidth = how.band ? how.band * this.camera.scale * this.ratio : widths[style] * this.ratio * (marked ? 2.4 : 1);
+      c.lineWidth = how.band ? 2 * radius * this.camera.scale * this.ratio : widths[style] * this.ratio * (marked ? 2.4 : 1);
       c.setLineDash(rapid ? [5, 5] : []);
       c.stroke(path);
     }

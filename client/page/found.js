@@ -12,15 +12,18 @@ export function say(text, kind = '') {
   $('state').className = kind;
 }
 
+// A file that is no longer what was opened.
+export class Unreadable extends Error {}
+
 export function fail(error) {
   const problem = error.problem;
-  say(problem ? t('failed') + error.message : t('offline'), 'error');
-  if (problem?.fields) shown.options.refuse(problem.fields);
+  const setting = problem?.fields && shown.options.refuse(problem.fields);
+  say(setting || (problem ? t('failed') + error.message : t(error instanceof Unreadable ? 'unreadable' : 'offline')), 'error');
 }
 
 export function showSaid(view) {
   const found = view.diagnostics ?? [];
-  say(t(view.refused ? 'refused' : found.length ? 'notes' : 'done'), view.refused ? 'error' : '');
+  sayWhatBecame(view);
   const order = {ERROR: 0, WARNING: 1, NOTE: 2};
   const items = [...found].sort((a, b) => order[a.severity] - order[b.severity]).map(item);
   shown.current.proposals = !isOwnPlane(view) ? [] : found.flatMap(d => (d.entryHelp?.proposals ?? []).map(p => motionsOf(p, at => inPlane(view.plane, at))));
@@ -31,6 +34,23 @@ export function showSaid(view) {
   }
   $('diagnostics').replaceChildren(...items);
   showCertificate(view);
+}
+
+// In a word; what is worst.
+export function sayWhatBecame(view) {
+  const found = view.diagnostics ?? [];
+  if (view.refused) return say(t('refused'), 'error');
+  if (view.summary?.path?.minClearance?.blocksGouging) return say(t('gouges'), 'error');
+  if (found.some(d => d.severity === 'WARNING')) return say(t('warnings'), 'warning');
+  if (!view.toolRadius) return say(t('uncompensated'), 'warning');
+  say(t(view.measuring ? 'doneSoFar' : found.length ? 'notes' : 'done'));
+}
+
+// The radius that was set is none of those the program compensates with.
+export function hasOwnRadius(view, settings) {
+  const given = Math.abs(Number(settings?.tool_radius));
+  if (!(given > 0) || !view.toolRadii || ['wear', 'allowance', 'nominal_radius', 'tools'].some(name => name in {...shown.current.settings, ...settings})) return false;
+  return !view.toolRadii.some(radius => Math.abs(radius - given) < 1e-6);
 }
 
 function item(diagnostic) {
@@ -89,6 +109,12 @@ function helpWithEntry(help) {
   return [list];
 }
 
+function radiiText(radii) {
+  const few = 4, sorted = [...radii].sort((a, b) => a - b);
+  if (sorted.length > few) return `${inUnit(sorted[0])} … ${withUnit(sorted.at(-1))}`;
+  return [...sorted.slice(0, -1).map(inUnit), withUnit(sorted.at(-1))].join(', ');
+}
+
 function showCertificate(view) {
   const rows = [];
   const add = (name, value) => {
@@ -99,14 +125,16 @@ function showCertificate(view) {
   };
   const c = view.summary?.path?.minClearance;
   if (c) {
-    add(t('smallest'), `${inUnit(c.distance)} ${t('required')} ${withUnit(c.toolRadius)}`);
+    add(t('smallest'), `${withUnit(c.distance)}, ${t('required')} ${withUnit(c.toolRadius)}`);
     if (c.point) add(t('at'), positionText(c.point));
     add(t('checked'), `${c.blocksChecked ?? 0}`);
     if (c.blocksGouging) add(t('tooNear'), `${c.blocksGouging}`);
   } else {
-    add(t('certificate'), t(view.measuring ? 'measuring' : view.toolRadius && !view.refused ? 'notMeasured' : 'none'));
+    add(t('smallest'), t(view.measuring ? 'measuring' : view.refused ? 'notMeasuredRefused' : view.toolRadius ? 'notMeasured' : 'none'));
   }
-  add(t('tool'), withUnit(view.toolRadius));
+  if (view.toolRadii) add(t('tool'), radiiText(view.toolRadii));
+  if (hasOwnRadius(view, shown.current.settings)) add('', t('ownRadius', {radius: withUnit(view.toolRadius)}));
+  if (!view.pathBlocks) return $('certificate').replaceChildren(...rows);
   add(t('plane'), axesOf(view.plane).slice(0, 2).join('').toUpperCase());
   add(t('length'), `${withUnit(view.pathLength)}, ${view.pathBlocks ?? 0} ${t('blocks')}`);
   add(t('height'), `${axesOf(view.plane)[2].toUpperCase()} ${inUnit(view.lowest)} … ${withUnit(view.highest)}`);

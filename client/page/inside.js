@@ -1,4 +1,5 @@
 import {axesOf, inPlane, planeNames, positionOf} from './planes.js';
+import {asideFlag, pathFlag, rapidFlag, segmentSize} from './styles.js';
 
 // A program that lies in this file itself, as `trc plot -o part.html` writes it: it is asked as the
 // server is.
@@ -10,7 +11,7 @@ const linesOf = bytes => {
 };
 
 const groupSize = 64;
-const styleBits = 0xff, rapidFlag = 0x100, pathFlag = 0x200, asideFlag = 0x400, planeShift = 12;
+const styleBits = 0xff, planeShift = 12;
 const contourMasked = 1, transition = 3;
 
 // The elements of the contour, or of the path, in columns.
@@ -148,7 +149,7 @@ class Drawing {
       const word = elements.style(i) | flags | (elements.isRapid(i) ? rapidFlag : 0) |
         (elements.planeOf(i) === elements.plane ? 0 : asideFlag);
       const small = Math.max(box[2] - box[0], box[3] - box[1]) <= 2 * this.tolerance;
-      const about = {element: i, line: elements.line(i), word};
+      const about = {element: i, line: elements.line(i), word, radius: elements.values[4 * i + 3]};
       if (elements.isSpecial(i) && small) this.dot(ax, ay, about);
       if (!small || !pen || pen.atX !== ax || pen.atY !== ay) {
         lift();
@@ -192,7 +193,7 @@ class Drawing {
     }
     if (first > last) return;
     this.segments.push(ax + first * (bx - ax) - low.x, ay + first * (by - ay) - low.y,
-      ax + last * (bx - ax) - low.x, ay + last * (by - ay) - low.y, about.element, about.line, about.word);
+      ax + last * (bx - ax) - low.x, ay + last * (by - ay) - low.y, about.element, about.line, about.word, about.radius);
   }
 }
 
@@ -245,12 +246,15 @@ class Inside {
       const drawing = new Drawing(low, side, tolerance);
       drawing.draw(this.contour, 0);
       drawing.draw(this.path, pathFlag);
-      const count = drawing.segments.length / 7;
+      const count = drawing.segments.length / segmentSize;
       if (count > segments && tolerance < side) continue;
-      const bytes = new ArrayBuffer(16 + 28 * count);
+      const bytes = new ArrayBuffer(16 + 4 * segmentSize * count);
       new DataView(bytes).setUint32(4, count, true);
       const numbers = new Float32Array(bytes, 16), words = new Uint32Array(bytes, 16);
-      for (let i = 0; i < 7 * count; ++i) (i % 7 < 4 ? numbers : words)[i] = drawing.segments[i];
+      for (let i = 0; i < segmentSize * count; ++i) {
+        const at = i % segmentSize, isWord = at >= 4 && at < 7;
+        (isWord ? words : numbers)[i] = drawing.segments[i];
+      }
       return bytes;
     }
   }

@@ -3,17 +3,22 @@ import './survey.js';
 import './stage.js';
 import {api, inside} from './api.js';
 import {arrowsOf} from './arrows.js';
-import {fail, showSaid} from './found.js';
+import {fail, say, sayWhatBecame, showSaid} from './found.js';
 import {Options} from './options.js';
 import {camera, isShown, redraw} from './picture.js';
-import {inPlane, planeNames} from './planes.js';
-import {add, choose, compared, compute, listPrograms} from './results.js';
-import {$, shown} from './shown.js';
+import {axesOf, inPlane, planeNames} from './planes.js';
+import {add, choose, compute, listPrograms} from './results.js';
+import {$, shown, unitOf} from './shown.js';
 import {palette, special, styleNames, widths} from './styles.js';
 import {svgOf} from './svg.js';
 import {currentLanguage, t, translate} from './texts.js';
 
-$('file').addEventListener('change', () => add([...$('file').files]));
+$('file').addEventListener('change', () => {
+  const files = [...$('file').files];
+  // The same file again, as it is by now, is a change too.
+  $('file').value = '';
+  add(files);
+});
 $('programs').addEventListener('change', () => choose(shown.programs[Number($('programs').value)]));
 addEventListener('dragover', event => { event.preventDefault(); $('stage').classList.add('dropping'); });
 addEventListener('dragleave', () => $('stage').classList.remove('dropping'));
@@ -41,7 +46,7 @@ $('save-svg').addEventListener('click', () => {
   const {view, tiles, compare, name} = shown.current;
   const found = shown.also.marks ? (view.diagnostics ?? []).filter(d => d.point && d.severity !== 'NOTE').map(d => ({...d, at: inPlane(view.plane, d.point)})) : [];
   const svg = svgOf(camera, {tiles: tiles.visible(camera), compared: compare && shown.also.compare ? compare.tiles.visible(camera) : [],
-    arrows: shown.also.arrows ? arrowsOf(camera, tiles.visible(camera), isShown) : [], found, isShown, title: name});
+    arrows: shown.also.arrows ? arrowsOf(camera, tiles.visible(camera), isShown) : [], found, isShown, title: name, unit: unitOf(view), axes: axesOf(view.plane)});
   save(new Blob([svg], {type: 'image/svg+xml'}), `${stem(name)}.svg`);
 });
 $('save-record').addEventListener('click', async () => {
@@ -51,7 +56,16 @@ $('save-record').addEventListener('click', async () => {
 });
 
 $('form').addEventListener('submit', event => { event.preventDefault(); compute(false); });
-$('form').addEventListener('input', event => event.target.setCustomValidity(''));
+$('form').addEventListener('input', event => {
+  event.target.setCustomValidity('');
+  const {view, settings} = shown.current ?? {};
+  if (!view) return;
+  // The picture is that of other settings now.
+  const sorted = values => JSON.stringify(Object.entries(values).sort());
+  const isChanged = sorted(shown.options.values) !== sorted(settings);
+  document.body.dataset.changed = isChanged;
+  if (isChanged) say(t('changed'), 'warning'); else sayWhatBecame(view);
+});
 
 function makeLayers() {
   // `kind`: how it is drawn, as a class of the sample.
@@ -85,8 +99,8 @@ function makeLayers() {
 $('language').addEventListener('change', () => {
   translate($('language').value);
   shown.options?.translate();
-  if (shown.current?.view) showSaid(shown.current.view);
-  if (shown.current?.compare) $('compared').textContent = compared(shown.current);
+  // Messages come in the language they were asked for in.
+  if (shown.current?.view) { if (inside) showSaid(shown.current.view); else compute(false); }
 });
 
 async function begin() {
@@ -104,12 +118,16 @@ async function begin() {
     document.body.dataset.ready = 'true';
     return choose(shown.programs[0]);
   }
-  shown.options = new Options($('form'), await api.openApi(), await api.info());
+  shown.options = new Options($('form'), await api.openApi());
   shown.options.offerOther($('compare-setting'), $('compare-value'));
   document.body.dataset.ready = 'true';
   const token = new URLSearchParams(location.search).get('offer');
   if (!token) return;
-  const {program, settings} = await api.offer(token);
+  const {program, settings: {language, ...settings}} = await api.offer(token);
+  if (language) {
+    $('language').value = language;
+    $('language').dispatchEvent(new Event('change'));
+  }
   shown.programs.push({...program, settings});
   listPrograms();
   await choose(shown.programs[0]);

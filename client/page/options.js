@@ -1,61 +1,81 @@
 import {settingMeaning, settingName, settingWord} from './settings_texts.js';
 import {currentLanguage, t} from './texts.js';
 
-// The settings of the server as a form: what there is comes from its OpenAPI document, what #TRC
-// options mean from its info.
+// The settings of the server as a form: what there is, and what it means, comes from its OpenAPI
+// document.
 const mainSettings = ['tool_radius', 'dialect', 'unit', 'wear', 'tools', 'selection_mode', 'transition', 'contour_masking'];
 export const notForPeople = ['language', 'response_layout', 'client_tag', 'want_resume_tokens', 'name', 'decimals', 'shown_plane'];
 
+const unitOf = parameter => (parameter['x-unit'] ? `, ${settingWord(parameter['x-unit'], currentLanguage())}` : '');
+const titleOf = (name, parameter) => settingName(name, currentLanguage()) + unitOf(parameter);
+
+const isNumber = ({schema}) => schema.type === 'number' || schema.type === 'integer';
+// Empty where there is none that matters.
+const rangeOf = ({schema: {minimum, maximum}}) => (minimum !== undefined && maximum < 1e5 ? `${minimum} … ${maximum}` : '');
+const takenBy = parameter => rangeOf(parameter) || settingWord(parameter['x-values'], currentLanguage());
+
+// What is said below a setting: its meaning, what it takes, and what holds where it is not set.
+function noteOf(parameter, isChoice) {
+  const language = currentLanguage(), {default: initial} = parameter.schema;
+  const takes = parameter['x-values'];
+  return [
+    settingMeaning(parameter['x-meaning'], language),
+    rangeOf(parameter),
+    isChoice || isNumber(parameter) ? '' : settingWord(takes, language),
+    initial === undefined ? '' : t('initially', {value: settingWord(String(initial), language)}),
+  ].filter(Boolean).join('; ');
+}
+
 export class Options {
-  constructor(form, openApi, info) {
+  constructor(form, openApi) {
     const parameters = openApi.paths['/v1/views'].post.parameters
       .filter(p => p.in === 'query' && !notForPeople.includes(p.name));
-    const meanings = new Map((info.trcKeywords ?? []).map(k => [k.name.toLowerCase(), k.meaning]));
+    this.others = {};
     this.inputs = new Map();
-    this.descriptions = new Map();
+    this.parameters = new Map();
     this.translations = [];
     const orderOf = ({name}) => (mainSettings.indexOf(name) + 1) || mainSettings.length + 1;
     for (const parameter of [...parameters].sort((a, b) => orderOf(a) - orderOf(b))) {
       const place = form.querySelector(mainSettings.includes(parameter.name) ? '#main-settings' : '#more-settings');
-      place.append(this.label(parameter, meanings.get(parameter.name.replace('options.', ''))));
+      place.append(this.label(parameter));
     }
     this.translate();
   }
 
-  label({name, description}, meaning) {
+  label(parameter) {
+    const {name} = parameter;
     const label = document.createElement('label');
     const title = document.createElement('span');
-    const input = this.input(description);
+    const note = document.createElement('small');
+    const input = this.input(parameter);
     input.name = name;
     input.autocomplete = 'off';
     this.inputs.set(name, input);
-    this.descriptions.set(name, description);
-    label.append(title, input);
-    this.translations.push(language => { title.textContent = settingName(name, language); });
-    const kind = input.tagName === 'INPUT' && description !== 'a number' ? description : '';
-    if (description.includes('number')) input.inputMode = 'decimal';
-    if (meaning || kind) {
-      const small = document.createElement('small');
-      label.append(small);
-      this.translations.push(language => {
-        small.textContent = [settingMeaning(name, meaning, language), kind && settingWord(kind, language)].filter(Boolean).join('; ');
-      });
-    }
+    this.parameters.set(name, parameter);
+    label.append(title, input, note);
+    this.translations.push(() => {
+      title.textContent = titleOf(name, parameter);
+      label.title = note.textContent = noteOf(parameter, input.tagName === 'SELECT');
+    });
     return label;
   }
 
-  input(description) {
-    const words = description === 'true or false' ? ['true', 'false']
-      : /^[a-z_0-9]+( \([^)]*\))?(, [a-z_0-9]+( \([^)]*\))?)+$/.test(description) ? description.split(', ') : null;
-    if (!words) return document.createElement('input');
+  input(parameter) {
+    const values = parameter['x-values'];
+    const words = values === 'true or false' ? ['true', 'false'] : parameter.schema.enum ? values.split(', ') : null;
+    if (!words) {
+      const input = document.createElement('input');
+      if (isNumber(parameter)) input.inputMode = 'decimal';
+      return input;
+    }
     const select = document.createElement('select');
-    const all = new Option('', '');
-    select.append(all);
-    this.translations.push(() => { all.text = t('all'); });
+    const unset = new Option('', '');
+    select.append(unset);
+    this.translations.push(() => { unset.text = t('unset'); });
     for (const word of words) {
       const option = new Option(word, word.replace(/ \(.*/, ''));
       select.append(option);
-      this.translations.push(language => { option.text = settingWord(word, language); });
+      this.translations.push(() => { option.text = settingWord(word, currentLanguage()); });
     }
     return select;
   }
@@ -64,16 +84,16 @@ export class Options {
   offerOther(which, place) {
     which.replaceChildren(...[...this.inputs.keys()].map(name => new Option(name, name)));
     const name = () => {
-      for (const option of which.options) option.text = settingName(option.value, currentLanguage());
+      for (const option of which.options) option.text = titleOf(option.value, this.parameters.get(option.value));
     };
     const show = () => {
-      const input = this.input(this.descriptions.get(which.value));
+      const input = this.input(this.parameters.get(which.value));
       input.id = place.id;
       input.autocomplete = 'off';
       input.setAttribute('aria-labelledby', place.getAttribute('aria-labelledby'));
       place.replaceWith(input);
       place = input;
-      for (const say of this.translations) say(currentLanguage());
+      this.translate();
     };
     this.translations.push(name);
     which.addEventListener('change', show);
@@ -81,26 +101,37 @@ export class Options {
   }
 
   get values() {
-    const values = {};
+    const values = {...this.others};
     for (const [name, input] of this.inputs)
       if (input.value.trim() !== '') values[name] = input.value.trim();
     return values;
   }
 
+  // What there is no input for, or no word to choose, stays as it was given.
   set values(values) {
-    for (const [name, input] of this.inputs) input.value = values[name] ?? '';
+    this.others = Object.fromEntries(Object.entries(values).filter(([name]) => !this.inputs.has(name)));
+    for (const [name, input] of this.inputs) {
+      const value = values[name] ?? '';
+      input.value = value;
+      if (input.value !== value) input.append(new Option(value, value, true, true));
+    }
   }
 
   translate() {
-    for (const say of this.translations) say(currentLanguage());
+    for (const say of this.translations) say();
   }
 
-  // Marks what the server does not take.
+  // Marks what the server does not take, and says of the first one what it takes.
   refuse(fields) {
+    let said = '';
     for (const [name, input] of this.inputs) {
-      const field = fields.find(f => f.field.endsWith(name));
-      input.setCustomValidity(field?.description ?? '');
+      const field = fields.find(f => f.field === name || f.field.endsWith(`.${name}`));
+      const parameter = this.parameters.get(name);
+      const text = field ? t('impossible', {name: titleOf(name, parameter), value: input.value, takes: takenBy(parameter)}) : '';
+      input.setCustomValidity(text);
       if (field) { input.closest('details')?.setAttribute('open', ''); input.reportValidity(); }
+      said ||= text;
     }
+    return said;
   }
 }

@@ -15,7 +15,7 @@ export class Overlay {
     if (!view) return;
     this.colors = special();
     c.font = '12px system-ui, sans-serif';
-    this.axes(camera, unit.size);
+    if (view.pathBlocks || view.contourBlocks) this.axes(camera, unit, axesOf(view.plane));
     this.arrows(arrows);
     for (const stretch of uncut ?? []) this.way(camera, [stretch], {color: this.colors.uncut, width: 5, dash: [2, 4]});
     for (const proposal of proposals ?? []) this.proposal(camera, proposal);
@@ -26,31 +26,32 @@ export class Overlay {
   }
 
   // Scales count in the unit of the program, which has so many mm.
-  axes(camera, size) {
+  axes(camera, {size, name}, [first, second]) {
     const c = this.context;
-    const unitStep = niceStep(90 / camera.scale / size), step = unitStep * size;
     c.fillStyle = c.strokeStyle = this.colors.text;
     c.lineWidth = 3;
-    const low = camera.toPlane(0, camera.height), high = camera.toPlane(camera.width, 0);
-    const digits = Math.max(0, -Math.floor(Math.log10(unitStep) + 1e-9));
-    const label = (value, x, y) => {
+    const write = (text, x, y) => {
       c.strokeStyle = this.colors.back;
-      const text = (Math.round(value / step) * unitStep).toFixed(digits);
       c.strokeText(text, x, y);
       c.fillText(text, x, y);
     };
     c.textBaseline = 'bottom';
-    for (let x = Math.ceil(low.x / step) * step; x <= high.x; x += step) {
-      const [sx] = camera.toScreen({x, y: 0});
-      c.fillRect(sx, camera.height - 5, 1, 5);
-      label(x, sx + 3, camera.height - 2);
+    const {across, up} = ticksOf(camera, size);
+    for (const {at, text} of across) {
+      c.fillRect(at, camera.height - 5, 1, 5);
+      write(text, at + 3, camera.height - 2);
     }
     c.textBaseline = 'middle';
-    for (let y = Math.ceil(low.y / step) * step; y <= high.y; y += step) {
-      const [, sy] = camera.toScreen({x: 0, y});
-      c.fillRect(0, sy, 5, 1);
-      label(y, 8, sy);
+    for (const {at, text} of up) {
+      c.fillRect(0, at, 5, 1);
+      if (text) write(text, 8, at);
     }
+    c.font = 'italic 13px system-ui, sans-serif';
+    write(`${second.toUpperCase()} / ${name}`, 8, 12);
+    c.textAlign = 'right';
+    write(`${first.toUpperCase()} / ${name}`, camera.width - 8, camera.height - 26);
+    c.textAlign = 'left';
+    c.font = '12px system-ui, sans-serif';
   }
 
   arrows(arrows) {
@@ -158,8 +159,25 @@ export class Overlay {
   }
 }
 
+// Where the scales have their marks, in pixels, and what stands there, in units of so many mm.
+export function ticksOf(camera, size) {
+  const unitStep = niceStep(90 / camera.scale / size), step = unitStep * size;
+  const digits = Math.max(0, -Math.floor(Math.log10(unitStep) + 1e-9));
+  const textOf = index => (index * unitStep).toFixed(digits);
+  const low = camera.toPlane(0, camera.height), high = camera.toPlane(camera.width, 0);
+  const across = [], up = [];
+  for (let i = Math.ceil(low.x / step); i * step <= high.x; ++i)
+    across.push({at: camera.toScreen({x: i * step, y: 0})[0], text: textOf(i)});
+  for (let i = Math.ceil(low.y / step); i * step <= high.y; ++i) {
+    const [, at] = camera.toScreen({x: 0, y: i * step});
+    // Above and below stand the names of the axes and the other scale.
+    up.push({at, text: at > 26 && at < camera.height - 20 ? textOf(i) : ''});
+  }
+  return {across, up};
+}
+
 // 1, 2 or 5 times a power of ten, not below.
-export function niceStep(least) {
+function niceStep(least) {
   const power = 10 ** Math.floor(Math.log10(least));
   return [1, 2, 5, 10].map(f => f * power).find(step => step >= least * 0.999);
 }

@@ -33,14 +33,21 @@ function draw() {
   const start = performance.now();
   renderer.begin(camera, ratio);
   if (shown.current?.tiles) {
-    const tiles = shown.current.tiles.visible(camera);
-    if (shown.also.band) renderer.draw(tiles, {layers: shown.layers, band: 2 * (shown.current.view.toolRadius ?? 0), color: special().band});
-    if (shown.current.compare && shown.also.compare)
-      renderer.draw(shown.current.compare.tiles.visible(camera), {layers: shown.layers, compare: true, color: special().compare});
+    const {view, compare} = shown.current, own = shown.current.tiles;
+    own.begin();
+    const tiles = own.visible(camera);
+    if (shown.also.band && view.toolRadii)
+      renderer.draw(own.swept(camera, Math.max(...view.toolRadii)), {layers: shown.layers, band: true, color: special().band});
+    own.end();
+    if (compare && shown.also.compare) {
+      compare.tiles.begin();
+      renderer.draw(compare.tiles.visible(camera), {layers: shown.layers, compare: true, color: special().compare});
+      compare.tiles.end();
+    }
     renderer.draw(tiles, {layers: shown.layers, line: shown.line});
     document.body.dataset.segments = tiles.reduce((sum, tile) => sum + tile.count, 0);
-    document.body.dataset.complete = shown.current.tiles.complete;
-    if (shown.current.tiles.complete) document.body.dataset.pictureMs ??= (performance.now() - shown.current.began).toFixed(1);
+    document.body.dataset.complete = own.complete;
+    if (own.complete) document.body.dataset.pictureMs ??= (performance.now() - shown.current.began).toFixed(1);
   }
   const arrows = shown.current?.tiles && shown.also.arrows ? arrowsOf(camera, shown.current.tiles.visible(camera), isShown) : [];
   document.body.dataset.arrows = arrows.length;
@@ -58,7 +65,9 @@ export function showAll() {
   if (!shown.current?.view) return;
   camera.width = $('over').clientWidth;
   camera.height = $('over').clientHeight;
-  camera.show(corner(shown.current.view.low), corner(shown.current.view.high));
+  // What may be put in place of an approach lies beside it.
+  const proposed = (shown.current.proposals ?? []).flat().flatMap(({from, to}) => [from, to]);
+  camera.show(...cornersOf([corner(shown.current.view.low), corner(shown.current.view.high), ...proposed]));
   redraw();
 }
 

@@ -1,10 +1,10 @@
 // Programs, and what the service makes of them: views, compared two at a time.
 import {api, inside} from './api.js';
-import {fail, input, output, say, showSaid} from './found.js';
+import {fail, hasOwnRadius, input, output, say, showSaid, Unreadable} from './found.js';
 import {redraw, showAll} from './picture.js';
 import {Tiles} from './scene.js';
 import {settingName, settingWord} from './settings_texts.js';
-import {$, inUnit, shown, withUnit} from './shown.js';
+import {$, shown, withUnit} from './shown.js';
 import {currentLanguage, t} from './texts.js';
 
 export async function add(files) {
@@ -18,33 +18,55 @@ export function listPrograms() {
 }
 
 export async function choose(program) {
+  if (shown.current && shown.current !== program) forget(shown.current);
   shown.current = program;
   $('programs').value = shown.programs.indexOf(program);
   if (program.settings && shown.options) shown.options.values = program.settings;
   await compute(true);
 }
 
+let latest = null;
 export async function compute(fit) {
   const program = shown.current;
   if (!program) return;
+  latest?.abort();
+  const own = latest = new AbortController();
   $('hint').hidden = true;
   say(t('working'));
-  program.settings = shown.options?.values ?? {};
+  const settings = shown.options?.values ?? {};
   shown.options?.refuse([]);
   try {
     const began = performance.now();
-    const view = await api.makeView(program, program.settings, program.plane);
+    const view = await api.makeView(program, settings, program.plane, own.signal);
+    // Somebody has asked for something else in the meantime.
+    if (own !== latest) { api.dropView(view.id); return; }
     forget(program);
-    program.view = view;
-    program.tiles = tilesOf(view);
-    program.began = began;
+    Object.assign(program, {view, settings, began, tiles: tilesOf(view)});
+    document.body.dataset.changed = false;
     delete document.body.dataset.pictureMs;
     document.body.dataset.viewMs = (performance.now() - began).toFixed(1);
   } catch (error) {
-    return fail(error);
+    if (own !== latest || error.name === 'AbortError') return;
+    // What was there before would be taken for the answer.
+    forget(program);
+    program.settings = settings;
+    showNothing();
+    return fail(error.problem || await isReadable(program) ? error : new Unreadable());
   }
-  if (shown.current !== program) return;
   await Promise.all([show(program, fit), learn(program, program.view), program.compareWith && compare(program)]);
+}
+
+const isReadable = ({text}) => !(text instanceof Blob) || text.slice(0, 1).arrayBuffer().then(() => true, () => false);
+
+function showNothing() {
+  for (const name of ['save-nc', 'save-svg', 'save-record', 'survey', 'way', 'play', 'plane']) $(name).disabled = true;
+  for (const name of ['diagnostics', 'certificate', 'largest', 'place']) $(name).replaceChildren();
+  shown.line = 0;
+  shown.place = null;
+  shown.measured = [];
+  input.clear();
+  output.clear();
+  redraw();
 }
 
 // What is measured behind the first picture.
@@ -72,13 +94,19 @@ function forget(program) {
   if (!program.view) return;
   program.tiles.release();
   api.dropView(program.view.id);
+  program.view = program.tiles = null;
 }
 
 async function show(program, fit) {
   const {view} = program;
   shown.line = 0;
   shown.place = null;
-  $('way').disabled = false;
+  shown.measured = [];
+  $('place').textContent = '';
+  const isEmpty = !view.pathBlocks && !view.contourBlocks;
+  $('hint').hidden = !isEmpty;
+  if (isEmpty) { $('hint').dataset.text = 'noMotion'; $('hint').textContent = t('noMotion'); }
+  $('way').disabled = $('play').disabled = !view.pathBlocks;
   $('way').value = 0;
   $('save-nc').disabled = view.refused === true;
   $('save-svg').disabled = false;
@@ -88,16 +116,29 @@ async function show(program, fit) {
   program.uncut = [];
   $('survey').disabled = inside !== null;
   $('largest').replaceChildren();
-  if (fit) showAll();
   showSaid(view);
+  if (fit) showAll();
   redraw();
   document.body.dataset.view = view.id;
   await Promise.all([input.show(view), output.show(view)]);
 }
 
+// A radius that the program itself gives, or its only tool, outlives the setting: then another one
+// is so much more or less of that.
+function settingsToCompare({compareWith, settings, view}) {
+  const radius = Number(compareWith.tool_radius), [own, ...others] = view.toolRadii ?? [];
+  if (!(radius > 0) || !own || others.length || settings.tool_radius || settings.nominal_radius) return compareWith;
+  const tool = /^\s*(\d+)\s*:[^,]*$/.exec(settings.tools ?? '');
+  if (tool) return {tools: `${tool[1]}:${radius}`};
+  const wear = radius - own + Number(settings.wear ?? 0);
+  return {...compareWith, wear, max_wear: Math.max(1, Math.abs(wear))};
+}
+
 async function compare(program) {
   try {
-    const view = await api.makeView(program, {...program.settings, ...program.compareWith}, program.plane);
+    const {view: own} = program;
+    const view = await api.makeView(program, {...program.settings, ...settingsToCompare(program)}, program.plane);
+    if (program.view !== own) { api.dropView(view.id); return; }
     forgetCompared(program);
     program.compare = {view, tiles: tilesOf(view)};
     if (shown.current !== program) return;
@@ -107,14 +148,20 @@ async function compare(program) {
   } catch (error) { fail(error); }
 }
 
-export function compared({compareWith, compare: {view}}) {
+// The lengths of two paths that differ anywhere hardly agree in every digit.
+const isSamePath = (a, b) => a.pathLength === b.pathLength && a.pathBlocks === b.pathBlocks && a.refused === b.refused;
+
+function compared({compareWith, compare: {view}, view: own}) {
   const [[name, value]] = Object.entries(compareWith);
   const error = (view.diagnostics ?? []).find(d => d.severity === 'ERROR');
   const smallest = view.summary?.path?.minClearance;
-  return `${settingName(name, currentLanguage())} ${settingWord(value, currentLanguage())}: ` + [
+  const unit = shown.options.parameters.get(name)?.['x-unit'];
+  return `${settingName(name, currentLanguage())} ${settingWord(value, currentLanguage())}${unit ? ` ${unit}` : ''}: ` + [
     view.refused ? `${t('refusedShort')} ${error?.code ?? ''}` + (error?.line ? `, ${t('line')} ${error.line}` : '') : '',
     `${t('length')} ${withUnit(view.pathLength)}`,
-    smallest ? `${t('smallest')} ${inUnit(smallest.distance)} ${t('required')} ${withUnit(smallest.toolRadius)}` : '',
+    smallest ? `${t('smallest')} ${withUnit(smallest.distance)}, ${t('required')} ${withUnit(smallest.toolRadius)}` : '',
+    isSamePath(view, own) ? t('noDifference') : '',
+    hasOwnRadius(view, compareWith) ? t('ownRadius', {radius: withUnit(view.toolRadius)}) : '',
   ].filter(Boolean).join('; ');
 }
 

@@ -1,4 +1,5 @@
 import {api} from './api.js';
+import {segmentSize} from './styles.js';
 
 // The part of the plane that is seen, and the tiles of a view that cover it.
 export class Camera {
@@ -15,13 +16,15 @@ export class Camera {
   show(low, high) {
     this.x = (low.x + high.x) / 2;
     this.y = (low.y + high.y) / 2;
-    this.scale = 0.9 * Math.min(this.width / Math.max(high.x - low.x, 1e-3), this.height / Math.max(high.y - low.y, 1e-3));
+    // What is a point is shown in its surroundings.
+    const least = Math.max(high.x - low.x, high.y - low.y) > 0 ? 1e-3 : 10;
+    this.scale = 0.9 * Math.min(this.width / Math.max(high.x - low.x, least), this.height / Math.max(high.y - low.y, least));
   }
 }
 
 const tilePixels = 512;
-// Of all tiles that are seen together.
-const mostSegments = 50_000, mostOfTile = 8192;
+// Of all tiles that are seen together: lines, and the band that reaches in from beside the picture.
+const mostSegments = 40_000, mostOfBand = 10_000, mostOfTile = 8192;
 const mostTiles = 160;
 
 export class Tiles {
@@ -30,10 +33,18 @@ export class Tiles {
     this.changed = changed;
     this.loaded = new Map();  // "level/x/y" → tile, the one used longest ago first
     this.asked = new Map();
+    this.wanted = new Set();
+  }
+
+  // Around what draws one picture: tiles that were asked for and nobody wants are given up.
+  begin() { this.wanted = new Set(); }
+  end() {
+    for (const [key, abort] of this.asked)
+      if (!this.wanted.has(key)) { abort.abort(); this.asked.delete(key); }
   }
 
   // Tiles to draw, coarse ones first where fine ones are still on their way.
-  visible(camera) {
+  visible(camera, kind = '') {
     const {view} = this;
     const size = view.tileSize;
     const level = Math.max(0, Math.min(view.mostLevel, Math.round(Math.log2(size * camera.scale / tilePixels))));
@@ -46,25 +57,32 @@ export class Tiles {
     if (high.x < lowX || high.y < lowY || low.x > lowX + size || low.y > lowY + size) return [];
     // A tile is seen at least that large, one more begins at each edge.
     const across = pixels => Math.ceil(pixels / (tilePixels * Math.SQRT1_2)) + 1;
-    const segments = Math.floor(Math.min(mostOfTile, mostSegments / (across(camera.width) * across(camera.height))));
-    const wanted = new Set();
+    const segments = Math.floor(Math.min(mostOfTile, (kind ? mostOfBand : mostSegments) / (across(camera.width) * across(camera.height))));
     const draw = new Map();
     for (let y = clamp(index(low.y, lowY)); y <= clamp(index(high.y, lowY)); ++y)
       for (let x = clamp(index(low.x, lowX)); x <= clamp(index(high.x, lowX)); ++x) {
-        const key = `${level}/${x}/${y}`;
-        wanted.add(key);
+        const key = `${kind}${level}/${x}/${y}`;
+        this.wanted.add(key);
         if (!this.loaded.has(key)) this.ask(key, {level, x, y, segments});
-        const found = this.nearest(level, x, y);
+        const found = this.nearest(kind, level, x, y);
         if (found) draw.set(found.key, found);
       }
-    for (const [key, abort] of this.asked)
-      if (!wanted.has(key)) { abort.abort(); this.asked.delete(key); }
     return [...draw.values()].sort((a, b) => a.level - b.level);
   }
 
-  nearest(level, x, y) {
+  // The tiles whose swept band may be seen: the tool reaches in from beside the picture.
+  swept(camera, radius) {
+    const reach = 2 * radius * camera.scale;
+    const share = Math.min(camera.width / (camera.width + reach), camera.height / (camera.height + reach));
+    if (share > 0.9) return this.visible(camera);
+    const wide = Object.assign(new Camera(), camera);
+    wide.scale *= share;
+    return this.visible(wide, 'band/');
+  }
+
+  nearest(kind, level, x, y) {
     for (; level >= 0; --level, x >>= 1, y >>= 1) {
-      const key = `${level}/${x}/${y}`;
+      const key = `${kind}${level}/${x}/${y}`;
       const found = this.loaded.get(key);
       if (!found) continue;
       this.loaded.delete(key);
@@ -85,7 +103,7 @@ export class Tiles {
       const side = this.view.tileSize / 2 ** level;
       this.loaded.set(key, {key, level, count, side, bytes,
         x: (this.view.tileLow?.x ?? 0) + x * side, y: (this.view.tileLow?.y ?? 0) + y * side,
-        numbers: new Float32Array(bytes, 16, count * 7), words: new Uint32Array(bytes, 16, count * 7)});
+        numbers: new Float32Array(bytes, 16, count * segmentSize), words: new Uint32Array(bytes, 16, count * segmentSize)});
       while (this.loaded.size > mostTiles) {
         const [oldest, tile] = this.loaded.entries().next().value;
         tile.release?.();
@@ -112,7 +130,7 @@ export class Tiles {
     let best = null;
     for (const tile of this.visible(camera))
       for (let i = 0; i < tile.count; ++i) {
-        const n = tile.numbers, k = i * 7;
+        const n = tile.numbers, k = i * segmentSize;
         const x = at.x - tile.x - n[k], y = at.y - tile.y - n[k + 1];
         const dx = n[k + 2] - n[k], dy = n[k + 3] - n[k + 1];
         const square = dx * dx + dy * dy;

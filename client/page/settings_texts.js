@@ -1,13 +1,14 @@
-// What the settings are called. Their meaning comes from the server in English; other languages say
-// it here.
+// What the settings are called, and their words and meanings in German. Meanings, units, ranges and
+// initial values come from the server: a meaning is looked up by its English text, so that one that
+// has changed is not shown with an old translation.
 const names = {
   plane: ['Plane', 'Ebene'],
   start_position: ['Start position', 'Startposition'],
-  'start_position.x': ['Start position X, mm', 'Startposition X, mm'],
-  'start_position.y': ['Start position Y, mm', 'Startposition Y, mm'],
-  'start_position.z': ['Start position Z, mm', 'Startposition Z, mm'],
-  tool_radius: ['Tool radius, mm', 'Werkzeugradius, mm'],
-  wear: ['Wear, mm', 'Verschleiß, mm'],
+  'start_position.x': ['Start position X', 'Startposition X'],
+  'start_position.y': ['Start position Y', 'Startposition Y'],
+  'start_position.z': ['Start position Z', 'Startposition Z'],
+  tool_radius: ['Tool radius', 'Werkzeugradius'],
+  wear: ['Wear', 'Verschleiß'],
   tools: ['Tool table', 'Werkzeugtabelle'],
   dialect: ['Dialect', 'Dialekt'],
   unit: ['Unit', 'Maßeinheit'],
@@ -15,15 +16,15 @@ const names = {
   transition: ['Outside corners', 'Außenecken'],
   contour_masking: ['Contour masking', 'Konturausblendung'],
   feed_adaptation: ['Feed adaptation', 'Vorschubanpassung'],
-  tangfeed_min_radius: ['Smallest radius of the feed adaptation, mm', 'Kleinster Radius der Vorschubanpassung, mm'],
+  tangfeed_min_radius: ['Smallest radius of the feed adaptation', 'Kleinster Radius der Vorschubanpassung'],
   min_feed_factor: ['Smallest feed factor', 'Kleinster Vorschubfaktor'],
   'circle_center_mode.reference': ['Circle centre counts from', 'Kreismittelpunkt zählt ab'],
   'circle_center_mode.correction': ['Correction of the circle centre', 'Korrektur des Kreismittelpunkts'],
-  'circle_center_mode.max_shift': ['Largest shift of the centre, mm', 'Größte Verschiebung des Mittelpunkts, mm'],
+  'circle_center_mode.max_shift': ['Largest shift of the centre', 'Größte Verschiebung des Mittelpunkts'],
   'circle_center_mode.max_shift_factor': ['Largest shift of the centre, share of the radius', 'Größte Verschiebung des Mittelpunkts, Anteil des Radius'],
-  'circle_center_mode.max_radius_difference': ['Largest difference of the radii, mm', 'Größter Unterschied der Radien, mm'],
+  'circle_center_mode.max_radius_difference': ['Largest difference of the radii', 'Größter Unterschied der Radien'],
   'circle_center_mode.max_radius_difference_factor': ['Largest difference of the radii, share', 'Größter Unterschied der Radien, Anteil'],
-  'circle_center_mode.warn_shift': ['Warn from this shift of the centre, mm', 'Warnen ab dieser Verschiebung, mm'],
+  'circle_center_mode.warn_shift': ['Warn from this shift of the centre', 'Warnen ab dieser Verschiebung'],
   'options.conv_cir_to_lin': ['#TRC CONV_CIR_TO_LIN', '#TRC CONV_CIR_TO_LIN'],
   'options.kerf_masking': ['#TRC KERF_MASKING', '#TRC KERF_MASKING'],
   'options.reverse': ['#TRC REVERSE', '#TRC REVERSE'],
@@ -32,21 +33,21 @@ const names = {
   'options.ext_angle_block_intersection': ['#TRC EXT_ANGLE_BLOCK_INTERSECTION', '#TRC EXT_ANGLE_BLOCK_INTERSECTION'],
   'options.g236_lin': ['#TRC G236_LIN', '#TRC G236_LIN'],
   'options.stretch_factor': ['#TRC STRETCH_FACTOR', '#TRC STRETCH_FACTOR'],
-  'options.tangential_limit': ['#TRC TANGENTIAL_LIMIT, degrees', '#TRC TANGENTIAL_LIMIT, Grad'],
+  'options.tangential_limit': ['#TRC TANGENTIAL_LIMIT', '#TRC TANGENTIAL_LIMIT'],
   'options.perpendicular_radius_change': ['#TRC PERPENDICULAR_RADIUS_CHANGE', '#TRC PERPENDICULAR_RADIUS_CHANGE'],
   'options.gen_cir_block_in_corner': ['#TRC GEN_CIR_BLOCK_IN_CORNER', '#TRC GEN_CIR_BLOCK_IN_CORNER'],
   'options.suppress_trc': ['#TRC SUPPRESS_TRC', '#TRC SUPPRESS_TRC'],
   'options.split.measure': ['#TRC SPLIT: by', '#TRC SPLIT: nach'],
   'options.split.place': ['#TRC SPLIT: where', '#TRC SPLIT: wo'],
-  'options.split.axis': ['#TRC SPLIT: axis, 0 X, 1 Y, 2 Z', '#TRC SPLIT: Achse, 0 X, 1 Y, 2 Z'],
-  'options.split.dist_seg1': ['#TRC SPLIT: first length, mm', '#TRC SPLIT: erste Länge, mm'],
-  'options.split.feed_seg1': ['#TRC SPLIT: first feed, mm/min', '#TRC SPLIT: erster Vorschub, mm/min'],
-  'options.split.dist_seg2': ['#TRC SPLIT: second length, mm', '#TRC SPLIT: zweite Länge, mm'],
-  'options.split.feed_seg2': ['#TRC SPLIT: second feed, mm/min', '#TRC SPLIT: zweiter Vorschub, mm/min'],
+  'options.split.axis': ['#TRC SPLIT: axis', '#TRC SPLIT: Achse'],
+  'options.split.dist_seg1': ['#TRC SPLIT: first length', '#TRC SPLIT: erste Länge'],
+  'options.split.feed_seg1': ['#TRC SPLIT: first feed', '#TRC SPLIT: erster Vorschub'],
+  'options.split.dist_seg2': ['#TRC SPLIT: second length', '#TRC SPLIT: zweite Länge'],
+  'options.split.feed_seg2': ['#TRC SPLIT: second feed', '#TRC SPLIT: zweiter Vorschub'],
   'options.inverse': ['#TRC INVERSE', '#TRC INVERSE'],
   'options.online': ['#TRC ONLINE', '#TRC ONLINE'],
   'options.online_by_vector': ['#TRC ONLINE_BY_VECTOR', '#TRC ONLINE_BY_VECTOR'],
-  look_ahead_blocks: ['Look-ahead, blocks', 'Vorausschau, Sätze'],
+  look_ahead_blocks: ['Look-ahead in blocks', 'Vorausschau in Sätzen'],
   implicit_contour_masking: ['Implicit contour masking', 'Implizite Konturausblendung'],
   kerf_method: ['Method of KERF_MASKING', 'Verfahren von KERF_MASKING'],
   axis_names: ['Names of tracking axes', 'Namen der Mitschleppachsen'],
@@ -57,16 +58,17 @@ const names = {
   'leads.find': ['Approach and retract blocks: find', 'An- und Abfahrsätze: suchen'],
   'leads.blocks_in': ['Approach blocks', 'Anfahrsätze'],
   'leads.blocks_out': ['Retract blocks', 'Abfahrsätze'],
-  closing_tolerance: ['Gap that still closes a contour, mm', 'Lücke, die eine Kontur noch schließt, mm'],
+  closing_tolerance: ['Gap that still closes a contour', 'Lücke, die eine Kontur noch schließt'],
   max_masked_share: ['Largest share left out', 'Größter ausgelassener Anteil'],
-  input_resolution: ['Resolution of the program, mm', 'Auflösung des Programms, mm'],
-  allowance: ['Allowance, mm', 'Aufmaß, mm'],
-  nominal_radius: ['Radius of the centre path, mm', 'Radius der Mittelpunktsbahn, mm'],
-  max_wear: ['Largest wear, mm', 'Größter Verschleiß, mm'],
+  input_resolution: ['Resolution of the program', 'Auflösung des Programms'],
+  allowance: ['Allowance', 'Aufmaß'],
+  nominal_radius: ['Radius of the centre path', 'Radius der Mittelpunktsbahn'],
+  max_wear: ['Largest wear', 'Größter Verschleiß'],
   unknown_words: ['Unknown words', 'Unbekannte Wörter'],
 };
 
-const german = {
+// Words of a choice, and what a setting takes.
+const germanWords = {
   'a number': 'eine Zahl', 'a whole number': 'eine ganze Zahl', text: 'Text', 'x,y,z in mm': 'x,y,z in mm',
   'names with commas between': 'Namen, mit Kommas dazwischen',
   'auto, none or blocks:IN,OUT': 'auto, none oder blocks:EIN,AUS',
@@ -77,32 +79,94 @@ const german = {
   inside_corner: 'in der Innenecke', without_block: 'ohne Satz', linear: 'linear', circular: 'zirkular',
   absolute: 'absolut', start: 'Startpunkt', axis: 'Achse', path: 'Bahn', pre: 'Anwahl', post: 'Abwahl',
   combined: 'beide', enforce: 'und ablehnen, was zu nah kommt', report: 'und melden', refuse: 'ablehnen', copy: 'übernehmen',
-  inch: 'Zoll',
-  conv_cir_to_lin: 'Bögen, für die das Werkzeug zu groß ist, werden Strecken (mit G141)',
-  kerf_masking: 'Punkte in Kerben, in die das Werkzeug nicht kommt, werden verschoben',
-  reverse: 'die Seite wechselt an Umkehrpunkten ohne Zwischensatz',
-  ignore_cont_damage: 'Konturverletzungen halten nicht an',
-  remove_masked_blocks: 'Konturschleifen werden entfernt (mit G141)',
-  ext_angle_block_intersection: 'bis 181 Grad wird nichts eingefügt',
-  g236_lin: 'G236 fügt zwischen 90 und 180 Grad eine Strecke statt eines Bogens ein',
-  stretch_factor: 'größte Verlängerung eines Satzes, in Werkzeugradien',
-  tangential_limit: 'Knicke bis dahin gelten als tangential',
-  perpendicular_radius_change: 'ein neuer Radius wirkt sofort, quer zur Kontur',
-  gen_cir_block_in_corner: 'Innenecken erhalten einen Kreis mit Radius 0',
-  suppress_trc: 'nur KERF_MASKING wirkt, nichts wird versetzt',
-  inverse: 'verlangt ONLINE, ohne es 22125',
-  online: 'Korrektur eines Radius, der sich beim Bearbeiten ändert',
-  online_by_vector: 'ONLINE für einen geneigten Draht',
+  inch: 'Zoll', degrees: 'Grad',
+};
+const englishWords = {true: 'yes', false: 'no', on_path: 'on the path', inside_corner: 'inside corner', without_block: 'without block'};
+// Of the controls, the same in both.
+const controls = {isg: 'ISG, Beckhoff', fanuc: 'Fanuc, Haas, ISO', linuxcnc: 'LinuxCNC', sinumerik: 'Sinumerik', heidenhain: 'Heidenhain'};
+
+const germanMeanings = {
+  'the plane of the contour': 'Ebene der Kontur',
+  'where the tool stands; coordinates that are left out are 0': 'wo das Werkzeug steht; fehlende Koordinaten sind 0',
+  'where the tool stands in X': 'wo das Werkzeug in X steht',
+  'where the tool stands in Y': 'wo das Werkzeug in Y steht',
+  'where the tool stands in Z': 'wo das Werkzeug in Z steht',
+  'the size of the tool; negative: on the other side; with nominal_radius what the tool differs from that; without it a selection needs a D or T word':
+    'Größe des Werkzeugs; negativ: auf der anderen Seite; mit nominal_radius der Unterschied zu diesem; ohne ihn braucht eine Anwahl ein D- oder T-Wort',
+  'how the tool reaches and leaves the path; fanuc, linuxcnc and sinumerik begin with direct':
+    'wie das Werkzeug auf die Bahn kommt und sie verlässt; fanuc, linuxcnc und sinumerik beginnen mit direct',
+  'what is inserted at outside corners; linuxcnc and sinumerik begin with circular':
+    'was an Außenecken eingefügt wird; linuxcnc und sinumerik beginnen mit circular',
+  'what becomes of contour that the tool cannot cut: off stops there, on leaves it out':
+    'was mit Kontur geschieht, die das Werkzeug nicht schneiden kann: off hält dort an, on lässt sie aus',
+  'where the programmed feed holds: off at the tool centre, on at the contour':
+    'wo der programmierte Vorschub gilt: off im Werkzeugmittelpunkt, on an der Kontur',
+  'smallest radius of arcs on which G11 adapts the feed; 0: all': 'kleinster Radius von Bögen, auf denen G11 den Vorschub anpasst; 0: alle',
+  'smallest factor that G11 puts on a feed': 'kleinster Faktor, mit dem G11 einen Vorschub ändert',
+  'what circle centres I, J, K count from': 'ab wo Kreismittelpunkte I, J, K zählen',
+  'whether the centre is moved where it does not fit the end point': 'ob der Mittelpunkt verschoben wird, wo er nicht zum Endpunkt passt',
+  'G165: largest shift of a centre, else 20035': 'G165: größte Verschiebung eines Mittelpunkts, sonst 20035',
+  'G165: largest shift of a centre as a share of the radius': 'G165: größte Verschiebung eines Mittelpunkts als Anteil des Radius',
+  'G164: largest difference of start and end radius, else 21758': 'G164: größter Unterschied von Start- und Endradius, sonst 21758',
+  'G164: largest difference of both radii as a share of the radius': 'G164: größter Unterschied beider Radien als Anteil des Radius',
+  'G165: a larger shift of a centre is told (900221)': 'G165: eine größere Verschiebung eines Mittelpunkts wird gemeldet (900221)',
+  'SPLIT: by the travel of an axis, by the path, or not at all': 'SPLIT: nach dem Weg einer Achse, nach der Bahn oder gar nicht',
+  'SPLIT: at selection, at deselection, or at both': 'SPLIT: bei der Anwahl, bei der Abwahl oder bei beiden',
+  'SPLIT: the axis, 0 for X, 1 for Y, 2 for Z': 'SPLIT: die Achse, 0 für X, 1 für Y, 2 für Z',
+  'window of contour masking in blocks; 0: the whole selection': 'Fenster der Konturausblendung in Sätzen; 0: die ganze Anwahl',
+  'look for contour violations as G141 does, and stop at the first one': 'sucht Konturverletzungen wie G141 und hält bei der ersten an',
+  'how KERF_MASKING finds the points it moves: lines alone, or arcs as well': 'wie KERF_MASKING die Punkte findet, die es verschiebt: nur Strecken oder auch Bögen',
+  'the axes beside X, Y and Z, at most 32': 'die Achsen neben X, Y und Z, höchstens 32',
+  'most blocks without motion in a row (90011); not isg: 10000': 'höchstens so viele Sätze ohne Bewegung in Folge (90011); nicht isg: 10000',
+  'also the contour that is recovered from the path': 'auch die Kontur, die aus der Bahn zurückgerechnet ist',
+  'measure the path: report warns of what comes too near (900216), enforce refuses it; compensate and plot report':
+    'misst die Bahn nach: report warnt vor dem, was zu nah kommt (900216), enforce lehnt es ab',
+  'which blocks of a contour are leads and bound no material': 'welche Sätze einer Kontur an- und abfahren und kein Material begrenzen',
+  'how leads are found': 'wie An- und Abfahrsätze gefunden werden',
+  'leads behind the approach block, with leads.find=blocks': 'Anfahrsätze hinter dem Anwahlsatz, mit leads.find=blocks',
+  'leads before the retract block, with leads.find=blocks': 'Abfahrsätze vor dem Abwahlsatz, mit leads.find=blocks',
+  'up to here the end of a contour meets its begin': 'bis dahin trifft das Ende einer Kontur ihren Anfang',
+  'largest share of the wall of a selection that may be left out in one stretch (900218)':
+    'größter Anteil der Wand einer Anwahl, der am Stück ausgelassen werden darf (900218)',
+  'how finely the program is written; less counts as touching': 'wie fein das Programm geschrieben ist; weniger gilt als Berührung',
+  'stock that is left on the part; negative: cuts deeper': 'was am Teil stehen bleibt; negativ: schneidet tiefer',
+  'the tool whose centre path the program is; without it the program is the contour':
+    'das Werkzeug, dessen Mittelpunktsbahn das Programm ist; ohne ihn ist das Programm die Kontur',
+  'a larger wear is refused (900222)': 'ein größerer Verschleiß wird abgelehnt (900222)',
+  'what the tool is larger by; negative: worn off; max_wear allows more than 1':
+    'um so viel ist das Werkzeug größer; negativ: abgenutzt; max_wear erlaubt mehr als 1',
+  'the tools of D words, and of T words in a program without D': 'die Werkzeuge der D-Wörter, ohne D im Programm der T-Wörter',
+  'the control the program is for': 'die Steuerung, für die das Programm ist',
+  'what the program counts in where it does not say so itself': 'worin das Programm zählt, wo es das nicht selbst sagt',
+  'words nobody knows: refuse stops there, copy leaves them in the program':
+    'unbekannte Wörter: refuse hält dort an, copy lässt sie im Programm',
+  'arcs too small for the tool become lines (with G141)': 'Bögen, für die das Werkzeug zu groß ist, werden Strecken (mit G141)',
+  'points in kerfs the tool cannot enter are moved': 'Punkte in Kerben, in die das Werkzeug nicht kommt, werden verschoben',
+  'the side changes at points of reversal without a block': 'die Seite wechselt an Umkehrpunkten ohne Zwischensatz',
+  'contour violations do not stop': 'Konturverletzungen halten nicht an',
+  'contour loops are removed (with G141)': 'Konturschleifen werden entfernt (mit G141)',
+  'nothing is inserted up to 181 degrees': 'bis 181 Grad wird nichts eingefügt',
+  'G236 inserts a line in place of an arc, 90 to 180 degrees': 'G236 fügt zwischen 90 und 180 Grad eine Strecke statt eines Bogens ein',
+  'longest stretch of a block, in tool radii': 'größte Verlängerung eines Satzes, in Werkzeugradien',
+  'turns up to this count as tangential': 'Knicke bis dahin gelten als tangential',
+  'a new radius acts at once, across the contour': 'ein neuer Radius wirkt sofort, quer zur Kontur',
+  'inside corners get a circle of radius 0': 'Innenecken erhalten einen Kreis mit Radius 0',
+  'only KERF_MASKING acts, nothing is offset': 'nur KERF_MASKING wirkt, nichts wird versetzt',
+  'needs ONLINE, 22125 without it': 'verlangt ONLINE, ohne es 22125',
+  'compensation of a radius that changes while machining': 'Korrektur eines Radius, der sich beim Bearbeiten ändert',
+  'ONLINE for a wire that is inclined': 'ONLINE für einen geneigten Draht',
+  'SPLIT: length of the first segment': 'SPLIT: Länge des ersten Abschnitts',
+  'SPLIT: feed of the first segment': 'SPLIT: Vorschub im ersten Abschnitt',
+  'SPLIT: length of the second segment': 'SPLIT: Länge des zweiten Abschnitts',
+  'SPLIT: feed of the second segment': 'SPLIT: Vorschub im zweiten Abschnitt',
 };
 
 export const settingName = (name, language) => names[name]?.[language === 'de' ? 1 : 0] ?? name;
-// A description, or a word of a choice, as the server gives it: "direct (G138)".
+// What a setting takes, or a word of a choice, as the server gives it: "direct (G138)".
 export function settingWord(word, language) {
-  if (language !== 'de') return {true: 'yes', false: 'no'}[word] ?? word;
   const [, name, rest] = /^([a-z_0-9]+)( \(.*\))?$/.exec(word) ?? [null, word, ''];
-  return (german[name] ?? name) + (rest ?? '');
+  const known = controls[name] ?? (language === 'de' ? germanWords : englishWords)[name] ?? name;
+  return known + (rest ?? '');
 }
-// Of an option, whose English meaning the server gives.
-export const settingMeaning = (name, meaning, language) =>
-  meaning && language === 'de' ? german[name.replace('options.', '')] ?? meaning : meaning;
+export const settingMeaning = (meaning, language) => (language === 'de' ? germanMeanings[meaning] : null) ?? meaning;
 export const hasName = name => name in names;

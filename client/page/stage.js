@@ -10,11 +10,15 @@ import {t} from './texts.js';
 let asked = null;
 async function move() {
   const {view} = shown.current;
+  if (!view) return;
   asked?.abort();
   asked = new AbortController();
+  let place = null;
   try {
-    shown.place = await api.place(view.id, Number($('way').value) / Number($('way').max), asked.signal);
+    place = await api.place(view.id, Number($('way').value) / Number($('way').max), asked.signal);
   } catch { return; }
+  if (shown.current?.view !== view) return;
+  shown.place = place;
   $('place').textContent = positionText(shown.place.position ?? {}) + (shown.place.block?.line ? `, ${t('line')} ${shown.place.block.line}` : '');
   shown.line = shown.place.block?.line ?? 0;
   input.select(shown.line);
@@ -75,6 +79,7 @@ function click(x, y) {
     }
     return redraw();
   }
+  stop();
   mark(found?.line ?? 0, false);
 }
 
@@ -102,7 +107,32 @@ $('measure').addEventListener('click', () => {
   $('measure').setAttribute('aria-pressed', shown.isMeasuring);
   redraw();
 });
-$('way').addEventListener('input', move);
+let running = null;
+function stop() {
+  running = null;
+  $('play').setAttribute('aria-pressed', 'false');
+}
+
+// Runs the tool along its whole path, from where it is; from the start where it is at the end.
+async function run() {
+  const own = running = {}, {view} = shown.current, most = Number($('way').max);
+  const msForAll = 20_000;
+  $('play').setAttribute('aria-pressed', 'true');
+  let way = Number($('way').value) % most, before = performance.now();
+  while (running === own && shown.current?.view === view && way < most) {
+    await new Promise(requestAnimationFrame);
+    if (running !== own) return;
+    const now = performance.now();
+    way = Math.min(most, way + (now - before) / msForAll * most);
+    before = now;
+    $('way').value = way;
+    await move();
+  }
+  if (running === own) stop();
+}
+
+$('play').addEventListener('click', () => { if (running) stop(); else if (shown.current?.view) run(); });
+$('way').addEventListener('input', () => { stop(); move(); });
 stage.addEventListener('focus', redraw);
 stage.addEventListener('blur', redraw);
 $('plane').addEventListener('change', () => {

@@ -1,7 +1,12 @@
+// Numbers a segment has in a tile: its ends, element, line, style with flags, radius of the tool.
+export const segmentSize = 8;
+
 // Colours that differ for every kind of colour vision (Okabe and Ito), by the style of an element.
 export const styleNames = ['layerContour', 'layerMasked', 'layerPath', 'layerTransition', 'layerLead', 'layerPlain'];
 // Aside: another plane holds there than the one that is shown.
-export const rapidFlag = 0x100, pathFlag = 0x200, asideFlag = 0x400;
+export const rapidFlag = 0x100;
+export const pathFlag = 0x200;
+export const asideFlag = 0x400;
 
 const light = ['#1a1d21', '#d55e00', '#0072b2', '#1c9be0', '#007a5a', '#7a7a7a'];
 const dark = ['#f0f2f4', '#ff8a3c', '#4db5f0', '#9bdcff', '#3fd0a4', '#9a9a9a'];

@@ -1,4 +1,5 @@
-import {palette, pathFlag, rapidFlag, special, widths} from './styles.js';
+import {ticksOf} from './overlay.js';
+import {palette, pathFlag, rapidFlag, segmentSize, special, widths} from './styles.js';
 
 const escaped = text => text.replace(/[&<>"]/g, c => `&#${c.charCodeAt(0)};`);
 const px = value => value.toFixed(2);
@@ -8,18 +9,32 @@ function pathsOf(camera, tiles, keyOf) {
   const paths = new Map();
   for (const tile of tiles)
     for (let i = 0; i < tile.count; ++i) {
-      const key = keyOf(tile.words[i * 7 + 6]);
+      const k = i * segmentSize, n = tile.numbers;
+      const key = keyOf(tile.words[k + 6]);
       if (key === null) continue;
-      const [ax, ay] = camera.toScreen({x: tile.x + tile.numbers[i * 7], y: tile.y + tile.numbers[i * 7 + 1]});
-      const [bx, by] = camera.toScreen({x: tile.x + tile.numbers[i * 7 + 2], y: tile.y + tile.numbers[i * 7 + 3]});
+      const [ax, ay] = camera.toScreen({x: tile.x + n[k], y: tile.y + n[k + 1]});
+      const [bx, by] = camera.toScreen({x: tile.x + n[k + 2], y: tile.y + n[k + 3]});
       if (!paths.has(key)) paths.set(key, []);
       paths.get(key).push(`M${px(ax)} ${px(ay)}L${px(bx)} ${px(by)}`);
     }
   return [...paths].sort(([a], [b]) => a - b).map(([key, parts]) => [key, parts.join('')]);
 }
 
-// What is seen, as SVG. `found` has the place of each finding in the plane as `at`.
-export function svgOf(camera, {tiles, compared, arrows, found, isShown, title}) {
+function scales(camera, {size, name}, [first, second]) {
+  const {across, up} = ticksOf(camera, size), {width, height} = camera;
+  const label = (text, x, y, more = '') => `<text x="${px(x)}" y="${px(y)}"${more}>${text}</text>`;
+  const names = ' font-size="13" font-style="italic"';
+  return `<g font-family="sans-serif" font-size="12" fill="${special().text}">` +
+    `<path d="${across.map(({at}) => `M${px(at)} ${height}v-5`).join('')}${up.map(({at}) => `M0 ${px(at)}h5`).join('')}" stroke="${special().text}"/>` +
+    across.map(({at, text}) => label(text, at + 3, height - 4)).join('') +
+    up.filter(({text}) => text).map(({at, text}) => label(text, 8, at + 4)).join('') +
+    label(`${second.toUpperCase()} / ${name}`, 8, 16, names) +
+    label(`${first.toUpperCase()} / ${name}`, width - 8, height - 22, `${names} text-anchor="end"`) + '</g>';
+}
+
+// What is seen, as SVG. `found` has the place of each finding in the plane as `at`; `unit` is that
+// of the scales, `axes` are their names.
+export function svgOf(camera, {tiles, compared, arrows, found, isShown, title, unit, axes}) {
   const {width, height} = camera;
   const dashes = key => (key & rapidFlag ? ' stroke-dasharray="5 5"' : '');
   const drawn = pathsOf(camera, compared, word => (word & pathFlag ? word & rapidFlag : null))
@@ -38,5 +53,5 @@ export function svgOf(camera, {tiles, compared, arrows, found, isShown, title}) 
   }
   return `<?xml version="1.0" encoding="UTF-8"?>\n<svg xmlns="http://www.w3.org/2000/svg" width="${width}" height="${height}">` +
     `<title>${escaped(title)}</title><rect width="100%" height="100%" fill="${special().back}"/>\n` +
-    `<g fill="none" stroke-linecap="round">${drawn.join('\n')}</g></svg>\n`;
+    `<g fill="none" stroke-linecap="round">${drawn.join('\n')}</g>\n${scales(camera, unit, axes)}</svg>\n`;
 }

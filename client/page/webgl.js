@@ -1,9 +1,12 @@
-import {palette, rgb, special, widths} from './styles.js';
+import {palette, rgb, segmentSize, special, widths} from './styles.js';
+
+const segmentBytes = 4 * segmentSize;
 
 // Draws tiles with WebGL 2: one quad for each segment, its width in pixels.
 const vertexSource = `#version 300 es
 in vec4 ends;
 in uvec3 about;
+in float tool;
 uniform vec2 origin, half_size;
 uniform float scale, band;
 uniform uint line, layers;
@@ -20,12 +23,12 @@ void main() {
   bool rapid = (about.z & 256u) != 0u, path = (about.z & 512u) != 0u;
   bool shown = (layers >> style & 1u) != 0u && (!rapid || (layers >> 6 & 1u) != 0u);
   bool is_marked = line != 0u && about.y == line;
-  if (band > 0.0) shown = path && !rapid && (about.z & 1024u) == 0u && style >= 2u && style <= 4u;
+  if (band > 0.0) shown = path && tool > 0.0 && !rapid && (about.z & 1024u) == 0u && style >= 2u && style <= 4u;
   else if (is_compare) shown = path;
   vec2 a = origin + ends.xy * scale, b = origin + ends.zw * scale;
   span = distance(a, b);
   vec2 along = span > 0.0 ? (b - a) / span : vec2(1.0, 0.0);
-  radius = (band > 0.0 ? band : widths[style] * (is_marked ? 2.4 : 1.0)) * 0.5;
+  radius = band > 0.0 ? tool * band : widths[style] * (is_marked ? 2.4 : 1.0) * 0.5;
   float reach = radius + 1.0;
   vec2 corner = vec2(gl_VertexID & 1, gl_VertexID >> 1);
   local = vec2(mix(-reach, span + reach, corner.x), mix(-reach, reach, corner.y));
@@ -68,6 +71,7 @@ export class WebGl {
     }
     gl.bindAttribLocation(program, 0, 'ends');
     gl.bindAttribLocation(program, 1, 'about');
+    gl.bindAttribLocation(program, 2, 'tool');
     gl.linkProgram(program);
     if (!gl.getProgramParameter(program, gl.LINK_STATUS)) throw new Error(gl.getProgramInfoLog(program));
     this.program = program;
@@ -91,12 +95,12 @@ export class WebGl {
     gl.uniform3fv(this.at('marked'), rgb(special().marked));
   }
 
-  // `how`: layers as bits, the marked line, the width of a band in mm, a colour of its own.
+  // `how`: layers as bits, the marked line, whether the band of the tool is drawn, a colour of its own.
   draw(tiles, how) {
     const {gl, camera, ratio} = this;
     gl.uniform1ui(this.at('layers'), how.layers);
     gl.uniform1ui(this.at('line'), how.line ?? 0);
-    gl.uniform1f(this.at('band'), (how.band ?? 0) * camera.scale * ratio);
+    gl.uniform1f(this.at('band'), how.band ? camera.scale * ratio : 0);
     gl.uniform1i(this.at('is_compare'), how.compare ? 1 : 0);
     gl.uniform3fv(this.at('own_color'), rgb(how.color ?? '#000000'));
     // Strokes reach from tile to tile: each draws its own pixels, so that no seam is seen.
@@ -129,11 +133,14 @@ export class WebGl {
     gl.bindBuffer(gl.ARRAY_BUFFER, buffer);
     gl.bufferData(gl.ARRAY_BUFFER, tile.numbers, gl.STATIC_DRAW);
     gl.enableVertexAttribArray(0);
-    gl.vertexAttribPointer(0, 4, gl.FLOAT, false, 28, 0);
+    gl.vertexAttribPointer(0, 4, gl.FLOAT, false, segmentBytes, 0);
     gl.vertexAttribDivisor(0, 1);
     gl.enableVertexAttribArray(1);
-    gl.vertexAttribIPointer(1, 3, gl.UNSIGNED_INT, 28, 16);
+    gl.vertexAttribIPointer(1, 3, gl.UNSIGNED_INT, segmentBytes, 16);
     gl.vertexAttribDivisor(1, 1);
+    gl.enableVertexAttribArray(2);
+    gl.vertexAttribPointer(2, 1, gl.FLOAT, false, segmentBytes, 28);
+    gl.vertexAttribDivisor(2, 1);
     tile.array = array;
     tile.release = () => { gl.deleteVertexArray(array); gl.deleteBuffer(buffer); };
     return array;

@@ -55,7 +55,7 @@ async function open(options = {}) {
   page.on('console', message => { if (message.type() === 'error') page.problems.push(message.text()); });
   page.on('request', request => {
     const url = new URL(request.url());
-    if (url.protocol === 'http:' && url.host !== `127.0.0.1:${port}`) page.problems.push(`outside: ${url}`);
+    if (url.protocol === 'http:' && ![`127.0.0.1:${port}`, page.own].includes(url.host)) page.problems.push(`outside: ${url}`);
   });
   if (options.no2) await page.addInitScript(() => {
     const get = HTMLCanvasElement.prototype.getContext;
@@ -79,8 +79,19 @@ async function show(page, path, settings = {tool_radius: '5'}) {
   await page.setInputFiles('#file', path);
   await page.waitForSelector('body[data-view]');
   await page.waitForSelector('body[data-complete=true]');
-  await page.waitForFunction(() => document.querySelectorAll('#input [role=option]').length > 0);
+  await page.waitForFunction(() => document.querySelectorAll('#input [role=option]').length > 0 || document.getElementById('hint').hidden === false);
 }
+
+// The colour of the picture at a point of the plane, mm, as #rrggbb.
+const colourAt = (page, x, y) => page.evaluate(async ({x, y}) => {
+  const {camera} = await import('/page/picture.js');
+  const [sx, sy] = camera.toScreen({x, y}), lines = document.getElementById('lines');
+  const copy = Object.assign(document.createElement('canvas'), {width: lines.width, height: lines.height});
+  copy.getContext('2d').drawImage(lines, 0, 0);
+  const {data} = copy.getContext('2d').getImageData(sx * lines.width / camera.width, sy * lines.height / camera.height, 1, 1);
+  return '#' + [...data].slice(0, 3).map(value => value.toString(16).padStart(2, '0')).join('');
+}, {x, y});
+const sweptColour = '#dcecf7', emptyColour = '#ffffff';
 
 const trc = (...args) => spawnSync(`${build}/bin/trc`, args, {encoding: 'utf8'});
 const tests = {
@@ -106,14 +117,14 @@ const tests = {
     const said = trc('verify', path).stdout;
     const [, distance] = /smallest clearance ([\d.]+) mm/.exec(said);
     const certificate = await page.textContent('#certificate');
-    assert.ok(Math.abs(Number(/smallest\s*([\d.]+)/.exec(certificate)[1]) - Number(distance)) < 1e-3, certificate + said);
+    assert.ok(Math.abs(Number(/smallest distance\s*([\d.]+)/.exec(certificate)[1]) - Number(distance)) < 1e-3, certificate + said);
     const expected = trc('compensate', path).stdout.split('\n')[0];
     await page.waitForFunction(() => document.querySelectorAll('#output [role=option]').length > 0);
     assert.ok((await page.locator('#output [role=option]').first().textContent()).endsWith(expected));
     const [download] = await Promise.all([page.waitForEvent('download'), page.click('#save-nc')]);
     assert.equal(readFileSync(await download.path(), 'utf8'), trc('compensate', path).stdout);
     const [svg] = await Promise.all([page.waitForEvent('download'), page.click('#save-svg')]);
-    assert.match(readFileSync(await svg.path(), 'utf8'), /^<\?xml[^]*<path d="M/);
+    assert.match(readFileSync(await svg.path(), 'utf8'), /^<\?xml[^]*<path d="M[^]*>20<\/text>[^]*>X \/ mm<\/text>/);
   },
 
   async 'a dropped file, a click on the path, the tool on its way, a second radius'(page) {
@@ -140,7 +151,7 @@ const tests = {
     await page.fill('#compare-value', '3');
     await page.click('#compare-form button[type=submit]');
     await page.waitForSelector('body[data-compared]');
-    assert.match(await page.textContent('#compared'), /Tool radius, mm 3: way 1\d\d[.\d]* mm; smallest 3 of 3 mm/);
+    assert.match(await page.textContent('#compared'), /^Tool radius 3 mm: path length 1\d\d[.\d]* mm; smallest distance 3 mm, needed 3 mm$/);
     // Another option, whose values are offered; it stays when the program is computed again.
     await page.selectOption('#compare-setting', 'transition');
     const [before, offered] = await page.evaluate(() => [document.body.dataset.compared,
@@ -173,7 +184,7 @@ const tests = {
     const path = file('inch.nc', 'O1\nG20 G17 G90\nG00 X-1. Y-1. Z.2\nG41 D1 G01 X0. Y0. F20.\nY2.\nX4.\nY0.\nX0.\nG40 X-1. Y-1.\nM30\n');
     await page.selectOption('[name=dialect]', 'fanuc');
     await show(page, path, {tool_radius: '6.35'});
-    assert.match(await page.textContent('#certificate'), /smallest0\.25 of 0\.25 inch.*tool radius0\.25 inch/);
+    assert.match(await page.textContent('#certificate'), /smallest distance0\.25 inch, needed 0\.25 inch.*tool radius0\.25 inch/);
     await page.locator('#way').focus();
     await page.keyboard.press('End');
     await page.waitForFunction(() => document.getElementById('place').textContent.startsWith('X-1 Y-1 Z0.2'));
@@ -208,7 +219,7 @@ const tests = {
       await page.waitForFunction(() => /planeYZ/.test(document.getElementById('certificate').textContent));
       await page.waitForSelector('body[data-complete=true]');
       assert.ok(Number(await page.evaluate(() => document.body.dataset.segments)) > 20);
-      assert.match(await page.textContent('#certificate'), /way449\.\d+ mm, 10 blocks.*heightX -20 … 105 mm/);
+      assert.match(await page.textContent('#certificate'), /path length449\.\d+ mm, 10 blocks.*heightX -20 … 105 mm/);
       // Upwards lies Z.
       const box = await page.locator('#over').boundingBox();
       const cursor = async y => {
@@ -254,7 +265,7 @@ const tests = {
     await page.fill('[name=tool_radius]', 'five');
     await page.setInputFiles('#file', file('square.nc', notch));
     await page.waitForFunction(() => document.getElementById('state').classList.contains('error'));
-    assert.match(await page.textContent('#state'), /tool_radius/);
+    assert.match(await page.textContent('#state'), /^Tool radius, mm: “five” is not possible; it takes: a number$/);
     assert.ok(await page.evaluate(() => !document.querySelector('[name=tool_radius]').validity.valid));
   },
 
@@ -299,32 +310,152 @@ const tests = {
     assert.equal(`line ${await page.locator('#input [aria-selected=true] .number').textContent()}`, lines[0]);
   },
 
-  async 'every word is there in German too'(page) {
+  async 'settings are called and explained as the server has them, in German too'(page) {
     const found = await page.evaluate(async () => {
       const {words} = await import('/page/texts.js');
-      const {hasName, settingMeaning, settingWord} = await import('/page/settings_texts.js');
+      const {hasName, settingMeaning, settingName, settingWord} = await import('/page/settings_texts.js');
       const {notForPeople} = await import('/page/options.js');
-      const get = async path => (await fetch(path)).json();
-      const parameters = (await get('v1/openapi.json')).paths['/v1/views'].post.parameters
+      const parameters = (await (await fetch('v1/openapi.json')).json()).paths['/v1/views'].post.parameters
         .filter(p => p.in === 'query' && !notForPeople.includes(p.name));
-      const keywords = (await get('v1/info')).trcKeywords.map(k => [`options.${k.name.toLowerCase()}`, k.meaning])
-        .filter(([name]) => parameters.some(p => p.name === name));
+      const digits = text => (text.match(/[0-9.]*[0-9]/g) ?? []).sort().join(' ');
+      const meaning = p => settingMeaning(p['x-meaning'], 'de');
+      // A label says neither unit nor range: these come from the server.
+      const names = parameters.flatMap(p => ['en', 'de'].map(language => settingName(p.name, language)));
       return {
         missing: Object.keys(words.en).filter(key => !(key in words.de)).concat(Object.keys(words.de).filter(key => !(key in words.en))),
-        unnamed: parameters.map(p => p.name).filter(name => !hasName(name)),
-        unmeant: keywords.filter(([name, meaning]) => settingMeaning(name, meaning, 'de') === meaning).map(([name]) => name),
-        unsaid: parameters.map(p => p.description).filter(text => / /.test(text) && !/, |in mm/.test(text) && text !== 'true or false' && settingWord(text, 'de') === text),
         unused: Object.keys(words.en).filter(key => words.en[key] === ''),
+        unnamed: parameters.map(p => p.name).filter(name => !hasName(name)),
+        saidTwice: names.filter(name => /\bmm\b|degrees|Grad\b|\b[0-9]+\b/.test(name)),
+        withoutMeaning: parameters.filter(p => !p['x-meaning']).map(p => p.name),
+        unmeant: parameters.filter(p => meaning(p) === p['x-meaning']).map(p => p.name),
+        otherNumbers: parameters.filter(p => digits(meaning(p)) !== digits(p['x-meaning'])).map(p => p.name),
+        unsaid: parameters.map(p => p['x-values']).filter(text => / /.test(text) && !/, |in mm/.test(text) && text !== 'true or false' && settingWord(text, 'de') === text),
       };
     });
-    assert.deepEqual(found, {missing: [], unnamed: [], unmeant: [], unsaid: [], unused: []});
+    assert.deepEqual(found, {missing: [], unused: [], unnamed: [], saidTwice: [], withoutMeaning: [], unmeant: [], otherNumbers: [], unsaid: []});
+    const axis = page.locator('#more-settings label', {has: page.locator('[name="options.split.axis"]')});
+    const tools = page.locator('#main-settings label', {has: page.locator('[name=tools]')});
+    assert.match(await tools.textContent(), /the tools of D words.*as in 1:5,2:3\.5/);
+    assert.match(await axis.textContent(), /#TRC SPLIT: axis.*the axis, 0 for X, 1 for Y, 2 for Z; 0 … 2; default 0/);
     await page.selectOption('#language', 'de');
-    assert.match(await page.textContent('#main-settings'), /Werkzeugradius, mm.*Dialekt.*wie im Programm/s);
+    assert.match(await page.textContent('#main-settings'), /Werkzeugradius, mm.*Dialekt.*nicht gesetzt.*sonst ISG/s);
     assert.match(await page.textContent('#more-settings'), /Konturschleifen werden entfernt/);
     const left = await page.evaluate(() => [...document.querySelectorAll('[data-text], [data-label]')]
       .filter(e => (e.dataset.text && e.textContent === e.dataset.text) || (e.dataset.label && e.getAttribute('aria-label') === e.dataset.label))
       .map(e => e.outerHTML));
     assert.deepEqual(left, []);
+  },
+
+  async 'each tool sweeps its own band, also where its path is out of sight'(page) {
+    // Two squares of 50 mm beside each other, the left one with 6 mm, the right one with 3 mm.
+    const square = (d, x) => `G00 X${x - 20} Y-20\nG41 D${d} G01 X${x} Y0 F500\nY50\nX${x + 50}\nY0\nX${x}\nG40 X${x - 20} Y-20\n`;
+    await show(page, file('two.nc', square(1, 0) + square(2, 100) + 'M30\n'), {tools: '1:6,2:3', tool_radius: ''});
+    assert.match(await page.textContent('#certificate'), /tool radius3, 6 mm/);
+    await page.check('#layers label:has([data-text=layerBand]) input');
+    await page.waitForSelector('body[data-complete=true]');
+    // Above each square: 10 mm are within twice 6 mm, and not within twice 3 mm.
+    assert.deepEqual([await colourAt(page, 25, 60), await colourAt(page, 125, 60), await colourAt(page, 125, 54)], [sweptColour, emptyColour, sweptColour]);
+    // Half a millimetre of the wall is seen, the path 6 mm beside it is not.
+    await page.evaluate(async () => {
+      const {camera, redraw} = await import('/page/picture.js');
+      camera.show({x: 24.75, y: 49.75}, {x: 25.25, y: 50.25});
+      redraw();
+    });
+    await page.waitForSelector('body[data-complete=true]');
+    assert.deepEqual([await colourAt(page, 25.1, 50.1), await colourAt(page, 25.1, 49.9)], [sweptColour, emptyColour]);
+  },
+
+  async 'a result stands only for the settings it was made with'(page) {
+    const path = file('square.nc', notch.replace(/N40[^]*N70/, 'N70'));
+    await show(page, path);
+    assert.match(await page.textContent('#state'), /nothing to complain about/);
+    await page.fill('[name=tool_radius]', '4');
+    assert.match(await page.textContent('#state'), /settings have changed/);
+    await page.fill('[name=tool_radius]', '5');
+    assert.match(await page.textContent('#state'), /nothing to complain about/);
+    // An answer that comes late is not the answer to what was asked last.
+    let held = null;
+    await page.route(/v1\/views\?.*tool_radius=2&/, route => { held = route; });
+    await page.fill('[name=tool_radius]', '2');
+    await page.click('#compute');
+    await page.fill('[name=tool_radius]', '3');
+    await page.click('#compute');
+    await page.waitForFunction(() => /tool radius3 mm/.test(document.getElementById('certificate').textContent));
+    await held.continue().catch(() => {});
+    await page.waitForTimeout(300);
+    assert.match(await page.textContent('#certificate'), /tool radius3 mm/);
+    // Of a program that cannot be asked for nothing is shown, least of all what was there before.
+    await page.fill('[name=tool_radius]', 'five');
+    await page.setInputFiles('#file', file('other.nc', notch));
+    await page.waitForFunction(() => document.getElementById('state').classList.contains('error'));
+    assert.equal(await page.textContent('#certificate') + await page.textContent('#input'), '');
+    assert.ok(await page.locator('#save-nc').isDisabled() && await page.locator('#save-svg').isDisabled());
+  },
+
+  async 'what must not be machined is said first'(page) {
+    // A neck of 6 mm that is wider inside: nothing runs backwards, but the tool of 5 mm cuts both walls.
+    await show(page, join(top, 'tests/programs/good/t17_bottleneck_not_seen.nc'), {tool_radius: ''});
+    assert.match(await page.textContent('#state'), /Do not machine this/);
+    assert.ok(await page.evaluate(() => document.getElementById('state').classList.contains('error')));
+    await show(page, file('rapids.nc', 'N10 G00 X10 Y10\nN20 G00 X50\nN30 M30\n'));
+    assert.match(await page.textContent('#state'), /Nothing is compensated/);
+  },
+
+  async 'a radius of the program is said where another one was asked for'(page) {
+    const path = join(top, 'client/samples/bracket.nc');
+    await show(page, path, {tool_radius: '3'});
+    assert.match(await page.textContent('#certificate'), /the program has its own radius: 6 mm/);
+    await show(page, path, {tool_radius: ''});
+    assert.doesNotMatch(await page.textContent('#certificate'), /own radius/);
+    // Compared it is another radius all the same: so much less of the own one, or of the only tool.
+    const compare = async (setting, value) => {
+      await page.selectOption('#compare-setting', setting);
+      await page.fill('#compare-value', value);
+      await page.evaluate(() => { delete document.body.dataset.compared; });
+      await page.click('#compare-form button[type=submit]');
+      await page.waitForSelector('body[data-compared]');
+      return page.textContent('#compared');
+    };
+    assert.match(await compare('tool_radius', '3'), /^Tool radius 3 mm: .*smallest distance 3 mm, needed 3 mm$/);
+    assert.match(await compare('closing_tolerance', '0.02'), /no difference$/);
+    await show(page, file('table.nc', 'G00 X-20 Y-20\nG41 D7 G01 X0 Y0 F500\nY50\nX50\nY0\nX0\nG40 X-20 Y-20\nM30\n'), {tools: '7:6'});
+    assert.match(await compare('tool_radius', '4'), /smallest distance 4 mm, needed 4 mm$/);
+    assert.match(await compare('wear', '-0.5'), /no difference$/);
+  },
+
+  async 'the tool runs along its path by itself'(page) {
+    await show(page, join(top, 'client/samples/bracket.nc'), {tool_radius: ''});
+    const way = () => page.locator('#way').evaluate(input => Number(input.value));
+    await page.click('#play');
+    await page.waitForFunction(() => /line/.test(document.getElementById('place').textContent) && document.getElementById('way').value > 50);
+    await page.click('#play');
+    const stopped = await way();
+    await page.waitForTimeout(200);
+    assert.equal(await way(), stopped);
+    // At its end it stands there.
+    await page.locator('#way').fill('9990');
+    await page.click('#play');
+    await page.waitForFunction(() => document.getElementById('play').getAttribute('aria-pressed') === 'false');
+    assert.equal(await way(), 10_000);
+    assert.match(await page.textContent('#place'), /^X-25 Y-10/);
+  },
+
+  async 'trc view opens a program with its dialect and tools'(page) {
+    const tools = file('tools.csv', 'number,radius,wear\n1,6.35,-0.02\n');
+    const path = file('view.nc', 'O1\nG20 G17 G90\nG00 X-1. Y-1. Z.2\nG41 D1 G01 X0. Y0. F20.\nY2.\nX4.\nY0.\nX0.\nG40 X-1. Y-1.\nM30\n');
+    const view = spawn(`${build}/bin/trc`, ['view', path, '--no-browser', '--dialect', 'fanuc', '--tools', tools,
+      '--set', 'stretch_factor=2', '--lang', 'de'], {stdio: ['ignore', 'pipe', 'inherit']});
+    try {
+      const address = await new Promise(resolve => view.stdout.once('data', data => resolve(String(data).trim())));
+      page.own = new URL(address).host;
+      await page.goto(address);
+      await page.waitForSelector('body[data-complete=true]');
+      assert.equal(await page.inputValue('#language'), 'de');
+      assert.equal(await page.inputValue('[name=dialect]'), 'fanuc');
+      assert.equal(await page.inputValue('[name=tools]'), '1:6.35:-0.02');
+      assert.match(await page.textContent('#certificate'), /Werkzeugradius0\.24921 inch/);
+      assert.match(page.url(), /offer=/);
+    } finally { view.kill(); }
   },
 
   async 'a page with its program inside needs no server'(page) {
@@ -338,6 +469,7 @@ const tests = {
       assert.deepEqual(asked.filter(url => !/^(file|data|blob):/.test(url)), []);
       assert.equal(await page.title(), name);
       assert.ok(Number(await page.evaluate(() => document.body.dataset.segments)) > 10);
+      assert.ok(Number(await page.evaluate(() => document.body.dataset.arrows)) > 2, 'its arrows too');
       assert.ok(!await page.locator('#form').isVisible(), 'nothing can be computed here');
       if (name === 'notch.nc') {
         const [, line, code] = /notch\.nc:(\d+):.* error (\d+)/.exec(said);
@@ -350,7 +482,7 @@ const tests = {
       // The same as on the page of a server: text, clearance, the way of the tool, both listings.
       const [download] = await Promise.all([page.waitForEvent('download'), page.click('#save-nc')]);
       assert.equal(readFileSync(await download.path(), 'utf8'), trc('compensate', path).stdout);
-      assert.match(await page.textContent('#certificate'), /smallest6 of 6 mm/);
+      assert.match(await page.textContent('#certificate'), /smallest distance6 mm, needed 6 mm/);
       await page.locator('#output [role=option]').filter({hasText: 'N70'}).click();
       assert.match(await page.locator('#input [aria-selected=true]').textContent(), /N70/);
       await page.locator('#way').focus();
@@ -417,26 +549,55 @@ const tests = {
   },
 
   async 'on a small screen all of it is there'(page) {
-    await page.setViewportSize({width: 412, height: 900});
+    await page.setViewportSize({width: 360, height: 740});
     await show(page, file('notch.nc', notch));
     for (const part of ['#picture', '#said', '#settings', '#listings']) {
       const {width, height} = await page.locator(part).boundingBox();
-      assert.ok(width > 380 && height > 150, `${part} is ${width} by ${height}`);
+      assert.ok(width > 330 && height > 150, `${part} is ${width} by ${height}`);
     }
     assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth), 'nothing sticks out');
+    // Nor is there anything below the last part.
+    const below = await page.evaluate(() => document.documentElement.scrollHeight - scrollY - document.getElementById('listings').getBoundingClientRect().bottom);
+    assert.ok(below < 20, `${below} pixels below the listings`);
   },
 
   async 'everybody can use it'(page) {
+    await page.evaluate(source => new Function(source)(), axe).catch(() => page.addScriptTag({content: axe}));
+    const check = async state => {
+      for (const scheme of ['light', 'dark']) {
+        await page.emulateMedia({colorScheme: scheme});
+        await page.waitForTimeout(100);
+        const found = await page.evaluate(() => globalThis.axe.run(document, {resultTypes: ['violations']}));
+        assert.deepEqual(found.violations.map(v => `${state}, ${scheme}: ${v.id}: ${v.nodes[0].html}`), []);
+      }
+    };
+    await check('nothing opened');
     await show(page, join(top, 'tests/programs/bad/d03_selection_block_too_short.nc'), {tool_radius: ''});
-    for (const scheme of ['light', 'dark', 'light']) {
-      if (scheme === 'light') await page.selectOption('#language', 'de');
-      await page.evaluate(() => document.querySelector('details').setAttribute('open', ''));
-      await page.emulateMedia({colorScheme: scheme});
-      await page.waitForTimeout(100);
-      await page.evaluate(source => new Function(source)(), axe).catch(() => page.addScriptTag({content: axe}));
-      const found = await page.evaluate(() => globalThis.axe.run(document, {resultTypes: ['violations']}));
-      assert.deepEqual(found.violations.map(v => `${scheme}: ${v.id}: ${v.nodes[0].html}`), []);
-    }
+    await check('refused with proposals');
+    await page.evaluate(() => document.querySelector('details').setAttribute('open', ''));
+    await check('all settings');
+    await show(page, join(top, 'tests/programs/good/t17_bottleneck_not_seen.nc'));
+    await check('too near');
+    await show(page, join(top, 'client/samples/bracket.nc'));
+    await page.click('#survey');
+    await page.waitForSelector('#largest button');
+    await page.fill('#compare-value', '3');
+    await page.click('#compare-form button[type=submit]');
+    await page.waitForSelector('body[data-compared]');
+    await page.click('#measure');
+    await page.locator('#output [role=option]').first().click();
+    await page.selectOption('#language', 'de');
+    await check('compared, measured, in German');
+    await page.fill('[name=wear]', 'much');
+    await check('changed settings');
+    await page.click('#compute');
+    await page.waitForFunction(() => document.getElementById('state').classList.contains('error'));
+    await check('a setting that is refused');
+    await page.fill('[name=wear]', '');
+    await show(page, file('empty.nc', ''));
+    await check('an empty program');
+    await page.setViewportSize({width: 360, height: 740});
+    await check('a small screen');
   },
 
   async 'a million blocks stay fluid'(page) {
