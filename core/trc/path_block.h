@@ -91,10 +91,11 @@ struct PathBlock {
 
   [[nodiscard]] const TrcMode& mode() const { return *programmed.mode; }
   // Violating loops are taken out of the whole contour, instead of blocks masked
-  // one by one.
+  // one by one. Not below the nominal radius of wear mode: a smaller tool keeps clear of the part
+  // wherever the nominal one does, and the centre path it leaves towards the part is no wall.
   [[nodiscard]] bool removes_loops() const {
     return role != Role::passive && mode().masking == Masking::on &&
-           mode().options.remove_masked_blocks;
+           mode().options.remove_masked_blocks && !mode().below_nominal;
   }
 
   static void* operator new(std::size_t size);

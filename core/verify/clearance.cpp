@@ -132,7 +132,10 @@ class Selection {
                      }};
     if (has_roles)
       view.role = [&](std::size_t number) { return held_.programmed()[places[number]].role; };
-    if (!places.empty()) view.shift = rule(places.front()).side == Side::left ? 1 : -1;
+    if (!places.empty()) {
+      view.tool_side = rule(places.front()).side;
+      view.shift = view.tool_side == Side::left ? 1 : -1;
+    }
     return find_walls(view, changes, leads, radius);
   }
 

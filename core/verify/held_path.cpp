@@ -40,11 +40,10 @@ std::uint32_t HeldPath::number_of(const std::shared_ptr<const TrcMode>& shared) 
   const TrcMode& mode = *shared;
   const double required = mode.cutting_radius();
   const bool follows = !mode.options.suppress_trc && required > 0;
-  const Side other = mode.side == Side::left ? Side::right : Side::left;
   const Rule rule{.selection = mode.selection_number,
                   .required = follows ? required : 0,
                   .radius = required,
-                  .side = mode.below_nominal ? other : mode.side,
+                  .side = mode.cutting_side(),
                   .nominal = follows ? mode.nominal_radius : 0,
                   .plane = mode.plane,
                   .accepts = mode.options.ignore_cont_damage,

@@ -13,7 +13,7 @@ void give_radius(const RadiusTerms& terms, Side side, TrcMode& mode) {
   mode.nominal_radius = terms.nominal;
   mode.below_nominal = terms.nominal > 0 && beside < 0;
   mode.side = side;
-  if (beside < 0 && side != Side::off) mode.side = side == Side::left ? Side::right : Side::left;
+  if (beside < 0) mode.side = opposite(side);
 }
 
 ToolInForce::ToolInForce(const ProgramSetup& setup)

@@ -10,6 +10,11 @@ namespace trc {
 // The side of the contour the tool runs on, seen along the direction of travel.
 enum class Side : std::uint8_t { off, left, right };
 
+constexpr Side opposite(Side side) {
+  if (side == Side::off) return side;
+  return side == Side::left ? Side::right : Side::left;
+}
+
 // How TRC is selected and deselected: G138, G139 (initial), G236 … G239.
 enum class Selection : std::uint8_t {
   direct,         // G138
@@ -95,6 +100,9 @@ struct TrcMode {
     return below_nominal ? nominal_radius - beside : nominal_radius + beside;
   }
   [[nodiscard]] double cutting_radius() const { return cutting_radius(tool_radius); }
+  // The side of the contour it cuts on: below the nominal radius the path is moved to the other
+  // one.
+  [[nodiscard]] Side cutting_side() const { return below_nominal ? opposite(side) : side; }
   // The radius at the part of an arc that was programmed with this one.
   [[nodiscard]] double part_radius(double programmed, bool centre_on_tool_side) const {
     return centre_on_tool_side ? programmed + nominal_radius : programmed - nominal_radius;

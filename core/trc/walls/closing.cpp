@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/base/tolerances.h"
+#include "core/geometry/along.h"
 #include "core/geometry/box_tree.h"
 #include "core/trc/walls/contact.h"
 #include "core/trc/walls/rings.h"
@@ -18,6 +19,8 @@ namespace {
 
 constexpr std::size_t first_few = 5;
 constexpr double reach_in_radii = 10;
+// Of leads that are longer than the contour: with what an overrun goes over.
+constexpr std::size_t most_lead_blocks = 4;
 // Up to here two places on a contour are one, mm.
 constexpr double same_place = 1e-7;
 
@@ -143,6 +146,67 @@ std::optional<Closing::Overrun> overrun_to(const ContourView& contour, const Can
   return overrun;
 }
 
+// The contour between the two visits of a candidate, as a polygon.
+class Ring {
+ public:
+  Ring(const ContourView& contour, const Candidate& closing) {
+    for (std::size_t number = closing.first.number; number <= closing.second.number; ++number) {
+      const Segment segment = contour.segment(number);
+      const double length = length_of(segment);
+      const double from = number == closing.first.number ? closing.first.along : 0;
+      const double to = number == closing.second.number ? closing.second.along : length;
+      constexpr double chord = 0.25;  // rad
+      const auto* arc = std::get_if<Arc>(&segment);
+      const double turn = arc != nullptr ? std::abs(arc->sweep) * (to - from) / length : 0;
+      const auto chords = static_cast<int>(std::ceil(std::max(1.0, turn / chord)));
+      for (int part = 0; part < chords; ++part)
+        corners_.push_back(point_along(segment, from + (to - from) * part / chords));
+    }
+  }
+
+  // Whether the point is on that side of it. Inside, where the ring goes round it.
+  [[nodiscard]] bool has_on(Side side, const Point& point) const {
+    double area = 0;
+    int turns = 0;
+    for (std::size_t index = 0; index < corners_.size(); ++index) {
+      const Vector from = corners_[index] - point;
+      const Vector to = corners_[(index + 1) % corners_.size()] - point;
+      area += cross(from, to);
+      if (from.y() <= 0 && to.y() > 0 && cross(from, to) > 0) ++turns;
+      if (from.y() > 0 && to.y() <= 0 && cross(from, to) < 0) --turns;
+    }
+    const bool is_inside = turns != 0;
+    const bool tool_is_inside = (area > 0) == (side == Side::left);
+    return is_inside == tool_is_inside;
+  }
+
+ private:
+  std::vector<Point> corners_;
+};
+
+// Where leads that are longer than the contour part from it.
+bool is_between_long_leads(const ContourView& contour, const Candidate& closing, double tolerance) {
+  const auto is_end = [&](const ContourPlace& place) {
+    return place.along <= same_place ||
+           place.along >= length_of(contour.segment(place.number)) - same_place;
+  };
+  const double shortest = 10 * tolerance;
+  const std::size_t behind = contour.count - 1 - closing.second.number;
+  if (contour.tool_side == Side::off || closing.first.number > most_lead_blocks ||
+      behind > most_lead_blocks || !(is_end(closing.first) || is_end(closing.second)))
+    return false;
+  double length = closing.second.along - closing.first.along;
+  for (std::size_t number = closing.first.number; number < closing.second.number; ++number)
+    length += length_of(contour.segment(number));
+  if (length <= shortest) return false;
+  const Ring ring(contour, closing);
+  const auto is_led_to = [&](double lead, const Point& end) {
+    return lead <= shortest || ring.has_on(contour.tool_side, end);
+  };
+  return is_led_to(closing.before, start_of(contour.segment(0))) &&
+         is_led_to(closing.behind, end_of(contour.segment(contour.count - 1)));
+}
+
 // Goes from the outermost candidate inward.
 class InwardSearch {
  public:
@@ -254,7 +318,12 @@ std::optional<Closing> find_closing(const ContourView& contour, double closing_t
   InwardSearch search(contour, closing_tolerance, memory);
   for (const Candidate& candidate : candidates)
     if (candidate.before + candidate.behind <= most) search.consider(candidate);
-  return search.result(candidates);
+  if (auto closing = search.result(candidates)) return closing;
+  InwardSearch between_long_leads(contour, closing_tolerance, memory);
+  for (const Candidate& candidate : candidates)
+    if (is_between_long_leads(contour, candidate, closing_tolerance))
+      between_long_leads.consider(candidate);
+  return between_long_leads.result(candidates);
 }
 
 }  // namespace trc

@@ -18,6 +18,8 @@ struct ContourView {
   // To which side of the contour its path is, left of it where positive; 0: bow ties are not
   // looked for.
   double shift = 0;
+  // Where the tool cuts; off: nobody knows, and leads longer than the contour are not looked for.
+  Side tool_side = Side::off;
 };
 
 // A place on a contour block.
@@ -48,6 +50,10 @@ struct Closing {
 // likewise, the point that is latest on the first ones where they meet within the tolerance, so
 // that half of the contour lies between. Leads that cross or begin in one point do not hide the
 // start of the contour, and a second lap does not pass for one. n log n.
+//
+// Where there is none the leads may be longer than the contour, as about a small boss: a ring
+// counts whatever its share where few blocks lead to it and from it, on the side of the tool, and a
+// block ends on it. A loop at a corner lies on the other side.
 [[nodiscard]] std::optional<Closing> find_closing(const ContourView& contour,
                                                   double closing_tolerance, double tool_radius);
 

@@ -40,7 +40,8 @@ SidedWalls find_walls(const SelectionContour& contour, const LeadSettings& setti
     has_roles = has_roles || block->role != ContourRole::unspecified;
   }
   ContourView view{.count = blocks.size(),
-                   .segment = [&](std::size_t number) { return blocks[number]->path; }};
+                   .segment = [&](std::size_t number) { return blocks[number]->path; },
+                   .tool_side = blocks.front()->mode->cutting_side()};
   if (has_roles) view.role = [&](std::size_t number) { return blocks[number]->role; };
   return find_walls(view, contour.changes, settings, radius);
 }
