@@ -64,7 +64,6 @@ class ShortWay {
   void begin(const PathBlock& held);
   // Sets the equidistant of a block: behind the corner it begins at, before the one it ends at.
   void offset(MotionBlock& programmed, Step& step, Corner& begin, Corner& end) const;
-  [[nodiscard]] bool vanishes(const OffsetCurve& equidistant) const;
 
   // Puts out the block before the corner and what is inserted behind it. Returns false, and does
   // nothing, where the passes have to do it.
