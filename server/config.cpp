@@ -212,7 +212,7 @@ void declare(CLI::App& app, Config& config, Printed& printed) {
   settings.number("max-blocks-per-selection", config.max_blocks_per_selection, 1, 1'000'000'000,
                   "most blocks between G41/G42 and G40");
   settings.number("max-passive-blocks", config.max_passive_blocks, 1, 1'000'000,
-                  "most non-relevant blocks between two relevant ones (90011)");
+                  "most passive blocks between two relevant ones (90011)");
   settings.number("max-line-bytes", config.max_line_bytes, 80, 64U * 1024U * 1024U,
                   "longest line of NC text");
   settings.number("memory-limit-mib", config.memory_limit_mib, 0, 1U << 30U,

@@ -21,7 +21,7 @@ namespace trc {
 struct Limits {
   // Window of contour masking in relevant blocks; 0: the whole selection (D-10).
   std::size_t look_ahead_blocks = 0;
-  // Non-relevant blocks between two relevant ones (D-24, 90011).
+  // Passive blocks between two relevant ones (D-24, 90011).
   std::size_t passive_blocks = 100;
   // Relevant blocks in one selection that has to be held as a whole.
   std::size_t selection_blocks = 20'000'000;

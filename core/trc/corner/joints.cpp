@@ -117,7 +117,7 @@ JointResult contour_joint(const PathBlock& before, const PathBlock& after, const
                                        to_all_digits(tolerances, corner.tool_radius()));
     if (!meeting)
       return JoinedBlocks{.joint = joint_across(corner.before.anchor, corner.after.anchor),
-                          .apart = true};
+                          .gap = true};
   } else if (!vanished) {
     meeting = inside_joint(corner, tolerances);
   }

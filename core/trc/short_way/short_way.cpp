@@ -178,12 +178,12 @@ bool ShortWay::join_inside(const Corner& corner, const Step& before, Step& after
                          before, after, out);
 }
 
-bool ShortWay::leave(const Corner& corner, const Joint& joint, bool apart, const Step& before,
+bool ShortWay::leave(const Corner& corner, const Joint& joint, bool gap, const Step& before,
                      Step& after, std::vector<CompensatedBlock>& out) {
   after.tool_start = joint.start;
   after.cut_at_start = joint.cut_after;
   if (removes_loops_) {
-    hold(corner, joint, apart, before, after);
+    hold(corner, joint, gap, before, after);
     if (loop_removal_.look_ahead() > 0) put_out_leaving(out);
     return true;
   }
@@ -226,8 +226,7 @@ bool ShortWay::put_out(const Path& path, const Joint& joint, const Step& before,
 }
 
 TRC_FLATTEN [[gnu::noinline]] void ShortWay::hold(const Corner& corner, const Joint& joint,
-                                                  bool apart, const Step& before,
-                                                  const Step& after) {
+                                                  bool gap, const Step& before, const Step& after) {
   const HeldPath::Cuts cuts{before.cut_at_start, joint.cut_before};
   if (const auto* arc = std::get_if<Arc>(&before.programmed->path)) {
     const double left = before.extent - cuts.at_start - cuts.at_end;
@@ -238,7 +237,7 @@ TRC_FLATTEN [[gnu::noinline]] void ShortWay::hold(const Corner& corner, const Jo
     const Line path{.start = before.tool_start, .end = joint.end};
     hold(corner, std::get<Line>(before.programmed->path), path, cuts, before);
   }
-  if (!joint.inserted().empty()) hold_inserted(joint, apart, before, after);
+  if (!joint.inserted().empty()) hold_inserted(joint, gap, before, after);
 }
 
 template <class Programmed, class Path>
@@ -257,8 +256,7 @@ void ShortWay::hold(const Corner& corner, const Programmed& programmed, const Pa
   going_ = loop_removal_.take(plain, leaving_);
 }
 
-void ShortWay::hold_inserted(const Joint& joint, bool apart, const Step& before,
-                             const Step& after) {
+void ShortWay::hold_inserted(const Joint& joint, bool gap, const Step& before, const Step& after) {
   const MotionBlock& programmed = *before.programmed;
   const bool has_more = programmed.rapid || programmed.feed <= 0 || programmed.normal.moves() ||
                         !programmed.tracking.empty();
@@ -267,9 +265,9 @@ void ShortWay::hold_inserted(const Joint& joint, bool apart, const Step& before,
   for (const auto& segment : joint.inserted()) {
     if (!going_) return;
     const auto take = [&](const auto& path) {
-      if (!has_more) return loop_removal_.take_transition(path, apart, programmed.source, leaving_);
+      if (!has_more) return loop_removal_.take_transition(path, gap, programmed.source, leaving_);
       inserted_.rapid = rapid && std::is_same_v<decltype(path), const Line&>;
-      return loop_removal_.take_transition(path, apart, inserted_, leaving_);
+      return loop_removal_.take_transition(path, gap, inserted_, leaving_);
     };
     going_ = std::visit(take, *segment);
   }

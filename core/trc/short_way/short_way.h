@@ -71,20 +71,20 @@ class ShortWay {
             std::vector<CompensatedBlock>& out);
   bool join_inside(const Corner& corner, const Step& before, Step& after,
                    std::vector<CompensatedBlock>& out);
-  // The same once it is known what becomes of the corner. `apart` as in JoinedBlocks.
-  bool leave(const Corner& corner, const Joint& joint, bool apart, const Step& before, Step& after,
+  // The same once it is known what becomes of the corner. `gap` as in JoinedBlocks.
+  bool leave(const Corner& corner, const Joint& joint, bool gap, const Step& before, Step& after,
              std::vector<CompensatedBlock>& out);
   bool put_out(const Corner& corner, const Joint& joint, const Step& before, const Step& after,
                std::vector<CompensatedBlock>& out);
   template <class Path>
   bool put_out(const Path& path, const Joint& joint, const Step& before, const Step& after,
                std::vector<CompensatedBlock>& out);
-  void hold(const Corner& corner, const Joint& joint, bool apart, const Step& before,
+  void hold(const Corner& corner, const Joint& joint, bool gap, const Step& before,
             const Step& after);
   template <class Programmed, class Path>
   void hold(const Corner& corner, const Programmed& programmed, const Path& path,
             const HeldPath::Cuts& cuts, const Step& before);
-  void hold_inserted(const Joint& joint, bool apart, const Step& before, const Step& after);
+  void hold_inserted(const Joint& joint, bool gap, const Step& before, const Step& after);
   // What a window of LoopRemoval has set free.
   void put_out_leaving(std::vector<CompensatedBlock>& out);
   bool inverse_path_;
