@@ -12,10 +12,6 @@ namespace {
 
 using enum GGroup;
 
-void add(ProgramLine& line, const CodeWord& word, WordRole role) {
-  line.words.push_back({.begin = word.begin, .end = word.end, .role = role});
-}
-
 WordRole role_of(GGroup group) {
   switch (group) {
     case motion:

@@ -1,7 +1,5 @@
 #include "core/trc/corner/joints.h"
 
-#include <algorithm>
-#include <cmath>
 #include <numbers>
 
 #include "core/trc/selection/direct.h"
