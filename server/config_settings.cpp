@@ -3,13 +3,13 @@
 #include <toml++/toml.h>
 
 #include <array>
-#include <cctype>
 #include <cstdint>
 #include <sstream>
 #include <type_traits>
 #include <utility>
 
 #include "core/base/likely_meant.h"
+#include "core/nc/text/characters.h"
 
 namespace trc::server {
 namespace {
@@ -216,7 +216,7 @@ void declare(CLI::App& app, Config& config, Printed& printed) {
 std::string environment_name(std::string_view setting) {
   std::string name = "TRCD_";
   for (const char c : setting)
-    name += c == '-' ? '_' : static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+    name += c == '-' ? '_' : upper(c);
   return name;
 }
 

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <utility>
 
+#include "core/base/number_text.h"
 #include "google/rpc/error_details.pb.h"
 #include "google/rpc/status.pb.h"
 #include "server/text.h"
@@ -98,13 +98,6 @@ constexpr std::string_view domain = "trc.v1";
 // A peer drops a status whose trailers pass 8 KB, and the details travel in base64.
 constexpr std::size_t longest_in_list = 80;
 
-// Digits that read back to the same double.
-std::string number_text(double value) {
-  std::array<char, 32> digits{};
-  const auto [end, fault] = std::to_chars(digits.data(), digits.data() + digits.size(), value);
-  return {digits.data(), end};
-}
-
 Ending finished(StatusCode code, std::string_view reason, std::string_view message,
                 const google::rpc::ErrorInfo& info, const google::rpc::BadRequest& fields,
                 int retry_after_s) {
@@ -176,7 +169,7 @@ Ending refuse(const Diagnostic& diagnostic) {
   if (diagnostic.column > 0) set_value(info, "column", std::to_string(diagnostic.column));
   if (!diagnostic.detail.empty()) set_value(info, "detail", presentable(diagnostic.detail));
   for (const DiagnosticValue& value : diagnostic.values)
-    set_value(info, value.name, number_text(value.value));
+    set_value(info, value.name, shortest(value.value));
   set_value(info, "remedy", help_of(diagnostic));
 
   std::string message;
