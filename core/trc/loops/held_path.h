@@ -112,7 +112,7 @@ class HeldPath {
   };
   [[nodiscard]] Stretch stretch(std::size_t first, std::size_t end) const;
   [[nodiscard]] std::size_t number_of(std::size_t block) const { return blocks_[block].number; }
-  // Whether technology words ride on the next block to be restored, or one before it.
+  // Whether passive blocks lie behind the next block to be restored, or one before it.
   [[nodiscard]] bool has_passive(std::size_t next) const {
     return !passive_.empty() && passive_[passive_.begin()].block <= next;
   }

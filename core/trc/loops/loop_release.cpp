@@ -95,7 +95,7 @@ void LoopRelease::pass_by(const PathPlace& next, const Point& place, PathBlocks&
   }
   const std::size_t last = last_dropped_before(end);
   DroppedBlocks dropped(place, out);
-  // Nobody asks for those between the first and the last one, but for what rides on them.
+  // Nobody asks for those between the first and the last one, but for their passive blocks.
   bool is_first = true;
   for (; next_ < end; ++next_) {
     if (!path_.is_contour(next_)) continue;
