@@ -215,8 +215,7 @@ void declare(CLI::App& app, Config& config, Printed& printed) {
 
 std::string environment_name(std::string_view setting) {
   std::string name = "TRCD_";
-  for (const char c : setting)
-    name += c == '-' ? '_' : upper(c);
+  for (const char c : setting) name += c == '-' ? '_' : upper(c);
   return name;
 }
 

@@ -58,7 +58,7 @@ class HeldPath {
   // Behind a contour block that has nothing to it that what is inserted has not.
   template <class Path>
   void append_transition(const Path& path, bool unreachable);
-  // The same with the setting given.
+  // With the setting given.
   template <class Path>
   void append_transition(const MotionBlock& inserted, const Path& path, bool unreachable);
   // Whether the last block was compensated as this one is.

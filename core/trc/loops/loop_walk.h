@@ -121,7 +121,7 @@ class LoopWalk {
   [[nodiscard]] bool is_seam(const LoopExit& exit) const;
   void jump(const LoopExit& exit);
   void advance();
-  // The same for all blocks before this one.
+  // advance() for all blocks before this one.
   void advance_to(std::size_t block);
   // Walked: a piece of the block that has been walked so far.
   void keep_cut();
@@ -169,10 +169,10 @@ class LoopWalk {
   // For a window only: the first piece of, or behind, the chain that ends with the last contour
   // block.
   std::size_t first_of_chain_ = 0;
-  // Likewise: the pieces from this one on come no nearer than `Nearness::exact` allows.
+  // For a window only: the pieces from this one on come no nearer than `Nearness::exact` allows.
   std::size_t exact_from_ = 0;
-  // Likewise: where the block being walked runs into the last contour block, and into no other one
-  // before that. Nothing can be done about it before there are more.
+  // For a window only: where the block being walked runs into the last contour block, and into no
+  // other one before that. Nothing can be done about it before there are more.
   std::optional<Onset> waiting_with_;
 };
 

@@ -298,9 +298,11 @@ void Obstacles::query_group(std::size_t first) {
   const HeldPath::Stretch stretch = path_.stretch(first, group_query_.end);
   group_query_.area = stretch.area;
   group_query_.radius = stretch.radius;
-  group_query_.skipped = stretch.reachable ? certified_for_all(first, group_query_.end) : BoxTree::Range{};
+  group_query_.skipped =
+      stretch.reachable ? certified_for_all(first, group_query_.end) : BoxTree::Range{};
   group_query_.near.clear();
-  boxes_.for_each_four_near(group_query_.area, group_query_.radius + tolerances_.same_point, group_query_.skipped,
+  boxes_.for_each_four_near(group_query_.area, group_query_.radius + tolerances_.same_point,
+                            group_query_.skipped,
                             [&](const NearFour& four) { group_query_.near.push_back(four); });
   few_.first = few_.end = first;
 }

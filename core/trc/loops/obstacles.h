@@ -68,7 +68,7 @@ class Obstacles {
     const double radius = path_.radius_of_tool(block);
     return radius - let_pass(radius, nearness);
   }
-  // The same for one contour block: `limit` is how near is too near for walls.
+  // reach() for one contour block: `limit` is how near is too near for walls.
   [[nodiscard]] double reach_to(std::size_t number, std::size_t block, double limit) const {
     if (all_are_walls_) return limit;
     return limit - walls_.touch_between(number, path_.number_of(block));
@@ -143,7 +143,7 @@ class Obstacles {
 
   void rebuild_boxes();
   void query_group(std::size_t first);
-  // The same for the next few blocks of the group.
+  // query_group() for the next few blocks of it.
   void look_closer();
   // Whether what the group query found is all that may be near the block.
   [[nodiscard]] bool is_in_group(std::size_t block) const;

@@ -14,7 +14,7 @@ namespace trc {
   return radius < tolerances.on_contour;
 }
 
-// The same where loops are removed: however small it is, the equidistant is there and may be the
+// What counts where loops are removed: however small it is, the equidistant is there and may be the
 // only way on.
 [[nodiscard]] inline bool is_unreachable(double radius, double shift,
                                          const Tolerances& tolerances) {

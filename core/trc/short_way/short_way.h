@@ -71,7 +71,7 @@ class ShortWay {
             std::vector<CompensatedBlock>& out);
   bool join_inside(const Corner& corner, const Step& before, Step& after,
                    std::vector<CompensatedBlock>& out);
-  // The same once it is known what becomes of the corner. `gap` as in JoinedBlocks.
+  // Goes on once it is known what becomes of the corner. `gap` as in JoinedBlocks.
   bool leave(const Corner& corner, const Joint& joint, bool gap, const Step& before, Step& after,
              std::vector<CompensatedBlock>& out);
   bool put_out(const Corner& corner, const Joint& joint, const Step& before, const Step& after,
