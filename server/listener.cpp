@@ -113,37 +113,42 @@ Descriptor::~Descriptor() {
 int Descriptor::release() { return std::exchange(number_, -1); }
 
 Listener::Opened Listener::open(const std::string& address) {
+  return address.starts_with(unix_prefix) ? open_path(address) : open_port(address);
+}
+
+Listener::Opened Listener::open_path(const std::string& address) {
   Opened opened;
-  if (address.starts_with(unix_prefix)) {
-    const std::string path = address.substr(unix_prefix.size());
-    sockaddr_un name{};
-    name.sun_family = AF_UNIX;
-    std::memcpy(name.sun_path, path.c_str(), std::min(path.size(), longest_unix_path));
-    if (somebody_listens_at(name)) {
-      opened.fault = refused(address, "another server answers there");
-      return opened;
-    }
-    struct stat there {};
-    if (lstat(path.c_str(), &there) == 0) {
-      // A file that holds somebody's work is not taken away for a misspelt address.
-      if (!S_ISSOCK(there.st_mode)) {
-        opened.fault = refused(address, "there is a file which is no socket");
-        return opened;
-      }
-      unlink(path.c_str());
-    }
-    Socket made = listening(AF_UNIX, reinterpret_cast<const sockaddr*>(&name), sizeof(name));
-    if (!made.descriptor.valid()) {
-      opened.fault = refused(address, made.why);
-      return opened;
-    }
-    Listener listener;
-    listener.socket_ = std::move(made.descriptor);
-    listener.file_ = path;
-    opened.listeners.push_back(std::move(listener));
+  const std::string path = address.substr(unix_prefix.size());
+  sockaddr_un name{};
+  name.sun_family = AF_UNIX;
+  std::memcpy(name.sun_path, path.c_str(), std::min(path.size(), longest_unix_path));
+  if (somebody_listens_at(name)) {
+    opened.fault = refused(address, "another server answers there");
     return opened;
   }
+  struct stat there {};
+  if (lstat(path.c_str(), &there) == 0) {
+    // A file that holds somebody's work is not taken away for a misspelt address.
+    if (!S_ISSOCK(there.st_mode)) {
+      opened.fault = refused(address, "there is a file which is no socket");
+      return opened;
+    }
+    unlink(path.c_str());
+  }
+  Socket made = listening(AF_UNIX, reinterpret_cast<const sockaddr*>(&name), sizeof(name));
+  if (!made.descriptor.valid()) {
+    opened.fault = refused(address, made.why);
+    return opened;
+  }
+  Listener listener;
+  listener.socket_ = std::move(made.descriptor);
+  listener.file_ = path;
+  opened.listeners.push_back(std::move(listener));
+  return opened;
+}
 
+Listener::Opened Listener::open_port(const std::string& address) {
+  Opened opened;
   const auto parts = split_host_port(address);
   addrinfo hints{};
   hints.ai_socktype = SOCK_STREAM;

@@ -46,6 +46,11 @@ class Listener {
  private:
   Listener() = default;
 
+  // Of unix:/path.
+  static Opened open_path(const std::string& address);
+  // Of HOST:PORT.
+  static Opened open_port(const std::string& address);
+
   Descriptor socket_;
   int port_ = 0;
   std::string file_{};

@@ -7,12 +7,6 @@
 
 namespace trc::server {
 
-// Length in bytes of the UTF-8 character at the front of a text that is not empty; 0 when there is
-// none. Overlong forms, surrogates and code points beyond U+10FFFF are none.
-std::size_t utf8_length(std::string_view text);
-
-// The code point of one UTF-8 character.
-std::uint32_t code_point(std::string_view character);
 // Whether a character is none to be seen, but does something where it is shown: control characters
 // (C0, DEL, C1), line separators, and those that turn the direction of writing.
 bool acts_on_display(std::uint32_t code_point);

@@ -12,13 +12,13 @@
 #include <string>
 #include <string_view>
 #include <utility>
-#include <vector>
 
+#include "client/c/answer_out.h"
+#include "client/c/block_in.h"
+#include "client/c/structure.h"
 #include "core/base/version.h"
-#include "core/nc/text/characters.h"
 #include "core/session/program_session.h"
 #include "proto/wire/block.h"
-#include "proto/wire/compensated_block.h"
 #include "proto/wire/json.h"
 #include "proto/wire/settings.h"
 #include "proto/wire/setup.h"
@@ -42,13 +42,7 @@ struct trc_session {
   std::size_t next_block = 0;  // of that part
   std::size_t next_diagnostic = 0;
 
-  // What the last answer points at.
-  trc_motion motion{};
-  std::vector<double> axis_start{};
-  std::vector<double> axis_end{};
-  trc_diagnostic diagnostic{};
-  trc::DiagnosticTexts texts{};
-  std::vector<trc_value> values{};
+  trc::c::AnswerOut last{};
 
   bool finished = false;
   std::string refusal{};  // why, once it is refused
@@ -101,31 +95,9 @@ int fault_of_size(const char* name, std::size_t size, std::size_t expected) {
                                 ", expected is sizeof(" + name + "), " + std::to_string(expected));
 }
 
-// No structure is larger in any version: what is, was never set.
-constexpr std::size_t largest_structure = 4096;
-
-bool is_size(std::size_t size, std::size_t known) {
-  return size >= known && size <= largest_structure;
-}
-
-// Whether what a newer header has behind a structure says nothing.
-bool is_zero_behind(const void* structure, std::size_t known, std::size_t size) {
-  const auto* bytes = static_cast<const unsigned char*>(structure);
-  return std::all_of(bytes + known, bytes + size, [](unsigned char byte) { return byte == 0; });
-}
-
 int fault_of_newer(const char* name) {
   return fail(TRC_ARGUMENT, std::string(name) + ": it holds what only a newer library than " +
                                 std::string(trc::version()) + " knows");
-}
-
-// Into a structure of the caller's, whose size is kept.
-template <class Structure>
-void write_out(const Structure& value, Structure& out) {
-  const std::size_t size = out.size;
-  std::memcpy(&out, &value, sizeof value);
-  std::memset(reinterpret_cast<unsigned char*>(&out) + sizeof value, 0, size - sizeof value);
-  out.size = size;
 }
 
 int no_session() { return fail(TRC_ARGUMENT, "session: is NULL"); }
@@ -189,115 +161,6 @@ int create(const trc_setup& given, std::unique_ptr<trc_session>& session) {
 
 // --- Blocks in
 
-constexpr std::uint32_t end_bits = TRC_HAS_X | TRC_HAS_Y | TRC_HAS_Z;
-constexpr std::uint32_t center_bits = TRC_HAS_I | TRC_HAS_J | TRC_HAS_K;
-
-// What a block of this kind may have; nothing: there is no such kind.
-std::optional<std::uint32_t> allowed_bits(std::int32_t kind) {
-  switch (kind) {
-    case TRC_RAPID:
-    case TRC_LINE:
-      return end_bits | TRC_HAS_FEED | TRC_HAS_NUMBER;
-    case TRC_CLOCKWISE:
-    case TRC_COUNTER_CLOCKWISE:
-      return end_bits | center_bits | TRC_HAS_RADIUS | TRC_HAS_FEED | TRC_HAS_NUMBER;
-    case TRC_TEXT:
-    case TRC_LEFT:
-    case TRC_RIGHT:
-    case TRC_OFF:
-    case TRC_COMMAND:
-      return TRC_HAS_NUMBER;
-    default:
-      return {};
-  }
-}
-
-bool is_motion(std::int32_t kind) { return kind >= TRC_RAPID && kind <= TRC_COUNTER_CLOCKWISE; }
-
-// What is wrong with the block itself, whatever its values.
-std::string fault_in(const trc_block& block) {
-  const auto allowed = allowed_bits(block.kind);
-  if (!allowed) return "kind is " + std::to_string(block.kind) + ", allowed are 1 to 9 (trc_kind)";
-  if ((block.given & ~*allowed) != 0)
-    return "given is " + std::to_string(block.given) + ", a block of this kind may have " +
-           std::to_string(*allowed) + " (trc_given)";
-  if ((block.given & TRC_HAS_RADIUS) != 0 && (block.given & center_bits) != 0)
-    return "given names a radius and a centre; an arc has one of them";
-  if ((block.given & TRC_HAS_NUMBER) != 0 && block.number < 0)
-    return "number is " + std::to_string(block.number) + ", allowed is 0 or more";
-  if (block.role < TRC_ROLE_OF_SETUP || block.role > TRC_ROLE_LEAD)
-    return "role is " + std::to_string(block.role) + ", allowed are 0 to 2 (trc_role)";
-  if (!is_motion(block.kind) && (block.role != TRC_ROLE_OF_SETUP || block.axis_count > 0))
-    return "a block without motion has no role and no axes";
-  if (block.axis_count > 0 && block.axes == nullptr) return "axes is NULL, axis_count is not 0";
-  if (block.kind != TRC_TEXT && block.kind != TRC_COMMAND) return {};
-  if (block.text == nullptr) return "text is NULL";
-  const std::string_view text = block.text;
-  for (std::size_t at = 0; at < text.size();) {
-    const std::size_t bytes = trc::utf8_character(text.substr(at));
-    if (bytes == 0) return "text is no UTF-8 at byte " + std::to_string(at);
-    at += bytes;
-  }
-  return {};
-}
-
-template <class Move>
-void write_move(const trc_block& block, Move& move) {
-  v1::Position& end = *move.mutable_end();
-  if ((block.given & TRC_HAS_X) != 0) end.set_x(block.x);
-  if ((block.given & TRC_HAS_Y) != 0) end.set_y(block.y);
-  if ((block.given & TRC_HAS_Z) != 0) end.set_z(block.z);
-  if ((block.given & TRC_HAS_FEED) != 0) move.set_feed(block.feed);
-  move.set_role(static_cast<v1::BlockRole>(block.role));
-  for (std::uint32_t i = 0; i < block.axis_count; ++i) {
-    v1::AxisPosition& position = *move.add_tracking_axes();
-    position.set_axis(block.axes[i].axis);
-    position.set_position(block.axes[i].position);
-  }
-}
-
-void write_arc(const trc_block& block, v1::CircularMove& move) {
-  write_move(block, move);
-  move.set_clockwise(block.kind == TRC_CLOCKWISE);
-  if ((block.given & TRC_HAS_RADIUS) != 0) return move.set_radius(block.radius);
-  if ((block.given & center_bits) == 0) return;
-  v1::Position& center = *move.mutable_center();
-  if ((block.given & TRC_HAS_I) != 0) center.set_x(block.i);
-  if ((block.given & TRC_HAS_J) != 0) center.set_y(block.j);
-  if ((block.given & TRC_HAS_K) != 0) center.set_z(block.k);
-}
-
-// Into an empty message. Returns what is wrong.
-std::string write_block(const trc_block& block, wire::Json& json, v1::Block& message) {
-  std::string fault = fault_in(block);
-  if (!fault.empty()) return fault;
-  if ((block.given & TRC_HAS_NUMBER) != 0)
-    message.set_source_number(static_cast<std::uint64_t>(block.number));
-  switch (block.kind) {
-    case TRC_RAPID:
-    case TRC_LINE:
-      write_move(block, *message.mutable_linear());
-      message.mutable_linear()->set_rapid(block.kind == TRC_RAPID);
-      break;
-    case TRC_CLOCKWISE:
-    case TRC_COUNTER_CLOCKWISE:
-      write_arc(block, *message.mutable_circular());
-      break;
-    case TRC_TEXT:
-      message.mutable_passthrough()->set_text(block.text);
-      break;
-    case TRC_COMMAND:
-      fault = json.read(block.text, *message.mutable_command());
-      if (!fault.empty()) fault = "text: " + fault;
-      break;
-    default:
-      message.mutable_command()->set_side(block.kind == TRC_LEFT    ? v1::COMPENSATION_SIDE_LEFT
-                                          : block.kind == TRC_RIGHT ? v1::COMPENSATION_SIDE_RIGHT
-                                                                    : v1::COMPENSATION_SIDE_OFF);
-  }
-  return fault;
-}
-
 int fault_of_block(const trc_session& session, const std::string& fault) {
   return fail(TRC_ARGUMENT, "block " + std::to_string(session.reader->next_block()) + ": " + fault);
 }
@@ -346,8 +209,8 @@ int feed_blocks(trc_session& session, const unsigned char* blocks, std::size_t c
       const unsigned char* given = blocks + i * block_size;
       trc_block block{};
       std::memcpy(&block, given, sizeof block);
-      fault = is_zero_behind(given, sizeof block, block_size)
-                  ? write_block(block, session.json, *session.batch.add_blocks())
+      fault = trc::c::is_zero_behind(given, sizeof block, block_size)
+                  ? trc::c::write_block(block, session.json, *session.batch.add_blocks())
                   : "it holds what only a newer library knows";
       // What has begun to be written is not given.
       if (!fault.empty() && session.batch.blocks_size() > static_cast<int>(i - first))
@@ -378,85 +241,6 @@ bool take_part(trc_session& session) {
   return true;
 }
 
-int word_of(trc::Plane plane) {
-  return plane == trc::Plane::xy ? 17 : plane == trc::Plane::zx ? 18 : 19;
-}
-
-void copy(const trc::Position& position, double (&to)[3]) {
-  std::copy(position.begin(), position.end(), to);
-}
-
-const trc_motion* motion_of(const trc::CompensatedBlock& block, trc_session& session) {
-  trc_motion& motion = session.motion = {};
-  motion.size = sizeof motion;
-  motion.origin = static_cast<std::int32_t>(wire::to_proto(block.origin));
-  motion.plane = word_of(block.plane);
-  motion.tangential = block.tangential ? 1 : 0;
-  copy(trc::from_plane(block.plane, trc::start_of(block.path), block.normal.from), motion.start);
-  copy(trc::from_plane(block.plane, trc::end_of(block.path), block.normal.to), motion.end);
-  if (const auto* arc = std::get_if<trc::Arc>(&block.path)) {
-    motion.kind = arc->sweep < 0 ? TRC_CLOCKWISE : TRC_COUNTER_CLOCKWISE;
-    copy(trc::from_plane(block.plane, arc->center, block.normal.from), motion.center);
-    motion.sweep = arc->sweep;
-  } else {
-    motion.kind = wire::is_text_alone(block) ? TRC_TEXT : block.rapid ? TRC_RAPID : TRC_LINE;
-  }
-  motion.feed = block.feed;
-  motion.index = block.source.index;
-  motion.number = block.source.number;
-  motion.line = block.source.line;
-  session.axis_start.clear();
-  session.axis_end.clear();
-  for (const trc::AxisTravel& axis : block.tracking) {
-    session.axis_start.push_back(axis.from);
-    session.axis_end.push_back(axis.to);
-  }
-  motion.axis_count = static_cast<std::uint32_t>(session.axis_start.size());
-  motion.axis_start = session.axis_start.data();
-  motion.axis_end = session.axis_end.data();
-  motion.text = block.text.c_str();
-  return &motion;
-}
-
-std::int32_t severity_of(trc::Severity severity) {
-  switch (severity) {
-    case trc::Severity::note:
-      return TRC_NOTE;
-    case trc::Severity::warning:
-      return TRC_WARNING;
-    case trc::Severity::error:
-      break;
-  }
-  return TRC_ERROR;
-}
-
-const trc_diagnostic* diagnostic_of(const trc::Diagnostic& found, trc_session& session) {
-  trc_diagnostic& diagnostic = session.diagnostic = {};
-  diagnostic.size = sizeof diagnostic;
-  diagnostic.code = static_cast<std::int32_t>(found.code);
-  diagnostic.severity = severity_of(found.severity);
-  diagnostic.index = found.source.index;
-  diagnostic.number = found.source.number;
-  diagnostic.line = found.source.line;
-  diagnostic.column = found.column;
-  session.texts = trc::texts_of(found);
-  diagnostic.reason = session.texts.reason.c_str();
-  diagnostic.title = session.texts.title.c_str();
-  diagnostic.text = session.texts.text.c_str();
-  diagnostic.help = session.texts.help.c_str();
-  diagnostic.detail = found.detail.c_str();
-  session.values.clear();
-  for (const trc::DiagnosticValue& value : found.values)
-    session.values.push_back({.name = value.name.c_str(), .value = value.value});
-  diagnostic.values = session.values.data();
-  diagnostic.value_count = static_cast<std::uint32_t>(session.values.size());
-  if (found.point) {
-    diagnostic.has_point = 1;
-    copy({found.point->x, found.point->y, found.point->z}, diagnostic.point);
-  }
-  return &diagnostic;
-}
-
 int next(trc_session& session, trc_answer& out) {
   trc_answer answer{};
   for (;;) {
@@ -468,21 +252,21 @@ int next(trc_session& session, trc_answer& out) {
     }
     if (session.next_block < session.taken.blocks.size()) {
       answer.kind = TRC_ANSWER_MOTION;
-      answer.motion = motion_of(session.taken.blocks[session.next_block++], session);
+      answer.motion = session.last.motion_of(session.taken.blocks[session.next_block++]);
       break;
     }
     if (session.next_diagnostic < session.taken.diagnostics.size()) {
       answer.kind = TRC_ANSWER_DIAGNOSTIC;
       answer.diagnostic =
-          diagnostic_of(session.taken.diagnostics[session.next_diagnostic++], session);
+          session.last.diagnostic_of(session.taken.diagnostics[session.next_diagnostic++]);
       break;
     }
     if (!take_part(session)) {
-      write_out(answer, out);
+      trc::c::write_out(answer, out);
       return TRC_END;
     }
   }
-  write_out(answer, out);
+  trc::c::write_out(answer, out);
   return TRC_OK;
 }
 
@@ -509,7 +293,7 @@ trc_summary summary_of(const trc_session& session) {
     if (!measured->worst) return;
     summary.clearance = measured->worst->distance;
     summary.required = measured->worst->required;
-    copy(measured->worst->place, summary.clearance_at);
+    trc::c::copy(measured->worst->place, summary.clearance_at);
     summary.clearance_wall = measured->worst->contour.index;
   });
   if (session.program) summary.lines_in = session.program->lines_read();
@@ -540,9 +324,10 @@ int trc_create(const trc_setup* setup, trc_session** session) {
   *session = nullptr;
   if (setup == nullptr) return fail(TRC_ARGUMENT, "setup: is NULL");
   return guarded(nullptr, [&] {
-    if (!is_size(setup->size, sizeof *setup))
+    if (!trc::c::is_size(setup->size, sizeof *setup))
       return fault_of_size("trc_setup", setup->size, sizeof *setup);
-    if (!is_zero_behind(setup, sizeof *setup, setup->size)) return fault_of_newer("trc_setup");
+    if (!trc::c::is_zero_behind(setup, sizeof *setup, setup->size))
+      return fault_of_newer("trc_setup");
     if (setup->input != TRC_INPUT_TEXT && setup->input != TRC_INPUT_BLOCKS)
       return fail(TRC_ARGUMENT, "setup.input: is " + std::to_string(setup->input) +
                                     ", allowed are 1 and 2 (trc_input)");
@@ -576,7 +361,7 @@ int trc_feed_blocks(trc_session* session, const trc_block* blocks, size_t count,
     if (session == nullptr) return no_session();
     const int status = check_feeding(*session, session->path.has_value(), "trc_feed_text");
     if (status != TRC_OK) return status;
-    if (!is_size(block_size, sizeof(trc_block)))
+    if (!trc::c::is_size(block_size, sizeof(trc_block)))
       return fault_of_size("trc_block", block_size, sizeof(trc_block));
     if (blocks == nullptr && count > 0)
       return fail(TRC_ARGUMENT, "blocks: is NULL, count is not 0");
@@ -602,7 +387,7 @@ int trc_next(trc_session* session, trc_answer* answer) {
   return guarded(session, [&] {
     if (session == nullptr) return no_session();
     if (answer == nullptr) return fail(TRC_ARGUMENT, "answer: is NULL");
-    if (!is_size(answer->size, sizeof *answer))
+    if (!trc::c::is_size(answer->size, sizeof *answer))
       return fault_of_size("trc_answer", answer->size, sizeof *answer);
     if (session->unusable != TRC_OK) return unusable(*session);
     return next(*session, *answer);
@@ -613,12 +398,12 @@ int trc_summarize(const trc_session* session, trc_summary* summary) {
   return guarded(nullptr, [&] {
     if (session == nullptr) return no_session();
     if (summary == nullptr) return fail(TRC_ARGUMENT, "summary: is NULL");
-    if (!is_size(summary->size, sizeof *summary))
+    if (!trc::c::is_size(summary->size, sizeof *summary))
       return fault_of_size("trc_summary", summary->size, sizeof *summary);
     if (session->unusable != TRC_OK) return unusable(*session);
     if (!session->finished && session->refusal.empty())
       return fail(TRC_ORDER, "the session is not finished: trc_finish comes before");
-    write_out(summary_of(*session), *summary);
+    trc::c::write_out(summary_of(*session), *summary);
     return session->refusal.empty() ? TRC_OK : fail(TRC_REFUSED, session->refusal);
   });
 }

@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <charconv>
 #include <iostream>
 #include <memory>
@@ -12,6 +11,7 @@
 #include "core/base/diagnostic.h"
 #include "core/base/explanation.h"
 #include "core/base/german_explanation.h"
+#include "core/nc/text/characters.h"
 
 namespace trc::cli {
 namespace {
@@ -30,8 +30,7 @@ std::string_view word_for(Severity severity, Language language) {
 
 // A number, or the reason of a row in letters of either case; null: there is no such code.
 const CodeRow* row_named(std::string name) {
-  std::transform(name.begin(), name.end(), name.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
+  name = in_upper_case(name);
   int number = 0;
   const auto [end, fault] = std::from_chars(name.data(), name.data() + name.size(), number);
   const bool is_number = fault == std::errc{} && end == name.data() + name.size();

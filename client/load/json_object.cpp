@@ -1,7 +1,6 @@
 #include "client/load/json_object.h"
 
-#include <array>
-#include <charconv>
+#include "core/base/number_text.h"
 
 namespace trc::cli::load {
 namespace {
@@ -21,14 +20,6 @@ std::string quoted(std::string_view text) {
     result += c;
   }
   return result + "\"";
-}
-
-// As short as reads back to the same number; finite.
-template <class Number>
-std::string shortest(Number number) {
-  std::array<char, 32> digits{};
-  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), number).ptr;
-  return {digits.data(), end};
 }
 
 }  // namespace

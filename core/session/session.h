@@ -47,9 +47,9 @@ class PathSession {
   // Compensates everything given since the last call and appends what has become certain. Returns
   // false once the stream must stop, or no more is wanted.
   bool advance(Answers& out);
-  // The same of the items before this one alone.
+  // advance(), of the items before this one alone.
   bool advance_before(std::uint64_t index, Answers& out);
-  // With this one, of which more may be to come out: what is reported of it is not told yet.
+  // advance_before() with this item: more of it may be to come out, and nothing of it is told yet.
   bool advance_through(std::uint64_t index, Answers& out);
   // The path ends with what was given: appends all that was held back. What is reported of it is
   // not told yet. Does nothing the second time.

@@ -21,7 +21,7 @@ namespace trc {
 struct Limits {
   // Window of contour masking in relevant blocks; 0: the whole selection (D-10).
   std::size_t look_ahead_blocks = 0;
-  // Non-relevant blocks between two relevant ones (D-24, 90011).
+  // Passive blocks between two relevant ones (D-24, 90011).
   std::size_t passive_blocks = 100;
   // Relevant blocks in one selection that has to be held as a whole.
   std::size_t selection_blocks = 20'000'000;
@@ -70,14 +70,14 @@ class Compensator {
   // Takes all of `blocks` (left empty) and appends what has become certain.
   // Returns false once the stream must stop.
   bool feed(std::vector<Block>& blocks, std::vector<CompensatedBlock>& out);
-  // The same, but no farther than to the end of the program line (Source::index) in which something
-  // was reported that is pending, and to a selection that leaves in portions. Returns how many
-  // blocks were taken.
+  // As feed(), but no farther than to the end of the program line (Source::index) in which
+  // something was reported that is pending, and to a selection that leaves in portions. Returns how
+  // many blocks were taken.
   std::size_t feed_until_report(std::span<Block> blocks, std::vector<CompensatedBlock>& out);
   // No more blocks: appends all that was held back. `at_end` is the mode the
   // program ended in: a G40 nothing followed still ends the contour.
   bool finish(const TrcMode& at_end, std::vector<CompensatedBlock>& out);
-  // The same, but no farther than to a selection that leaves in portions.
+  // As finish(), but no farther than to a selection that leaves in portions.
   bool finish_until_portion(const TrcMode& at_end, std::vector<CompensatedBlock>& out);
 
   // Blocks in a portion: the end of a selection sets free all of its path, which leaves in pieces

@@ -1,9 +1,9 @@
 #include "proto/wire/field_fault.h"
 
-#include <array>
-#include <charconv>
 #include <cmath>
 #include <utility>
+
+#include "core/base/number_text.h"
 
 namespace trc::wire {
 namespace {
@@ -11,9 +11,7 @@ namespace {
 std::string number_text(double value) {
   if (std::isnan(value)) return "NaN";
   if (std::isinf(value)) return value > 0 ? "infinite" : "-infinite";
-  std::array<char, 32> text{};
-  const auto written = std::to_chars(text.data(), text.data() + text.size(), value);
-  return {text.data(), written.ptr};
+  return shortest(value);
 }
 
 std::string with_unit(double value, std::string_view unit) {

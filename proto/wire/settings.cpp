@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "core/base/likely_meant.h"
+#include "core/base/number_text.h"
 
 namespace trc::wire {
 namespace {
@@ -261,12 +262,6 @@ bool set_field(Message& owner, const FieldDescriptor& field, std::string_view te
     default:
       return false;
   }
-}
-
-std::string shortest(double number) {
-  std::array<char, 32> digits{};
-  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), number).ptr;
-  return {digits.data(), end};
 }
 
 // As set_field takes it.

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <utility>
 
+#include "core/base/number_text.h"
 #include "google/rpc/error_details.pb.h"
 #include "google/rpc/status.pb.h"
 #include "server/text.h"
@@ -99,14 +99,6 @@ constexpr std::string_view domain = "trc.v1";
 constexpr std::size_t longest_in_list = 80;
 constexpr std::size_t longest_localized = 1000;
 
-// Digits that read back to the same double.
-std::string number_text(double value) {
-  std::array<char, 32> digits{};
-  const auto [end, fault] = std::to_chars(digits.data(), digits.data() + digits.size(), value);
-  return {digits.data(), end};
-}
-
-// `rich` has the details already.
 Ending finished(StatusCode code, std::string_view reason, std::string_view message,
                 google::rpc::Status rich) {
   rich.set_code(static_cast<int>(code));
@@ -191,7 +183,7 @@ Ending refuse(const Diagnostic& diagnostic) {
   if (diagnostic.column > 0) set_value(info, "column", std::to_string(diagnostic.column));
   if (!diagnostic.detail.empty()) set_value(info, "detail", presentable(diagnostic.detail));
   for (const DiagnosticValue& value : diagnostic.values)
-    set_value(info, value.name, number_text(value.value));
+    set_value(info, value.name, shortest(value.value));
   set_value(info, "remedy", help_of(diagnostic));
 
   std::string message;

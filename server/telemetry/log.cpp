@@ -16,6 +16,7 @@
 #include <exception>
 #include <thread>
 
+#include "core/nc/text/characters.h"
 #include "server/text.h"
 
 namespace trc::server {
@@ -111,7 +112,7 @@ std::string json_escaped(std::string_view text) {
   escaped.reserve(text.size());
   while (!text.empty()) {
     const auto c = static_cast<unsigned char>(text.front());
-    const std::size_t length = utf8_length(text);
+    const std::size_t length = utf8_character(text);
     if (length == 0) {
       escaped += replacement_character;
     } else if (c == '"' || c == '\\') {

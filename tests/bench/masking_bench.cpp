@@ -2,11 +2,14 @@
 #include <malloc.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <memory>
+#include <numbers>
 #include <span>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/base/pages.h"
@@ -116,6 +119,62 @@ void compensate_workload(benchmark::State& state, const Workload& workload, Way 
   compensate(state, program({workload.contour(blocks)}, workload.tool_radius, way), way);
 }
 
+// A regular polygon: no loop, transitions at all corners.
+std::vector<Segment> ring(std::size_t blocks) {
+  constexpr double radius = 20;
+  const auto corner = [&](std::size_t number) {
+    const double angle =
+        2 * std::numbers::pi * static_cast<double>(number % blocks) / static_cast<double>(blocks);
+    return Point(radius * std::cos(angle), radius * std::sin(angle));
+  };
+  std::vector<Segment> contour;
+  for (std::size_t i = 0; i < blocks; ++i)
+    contour.emplace_back(Line{.start = corner(i), .end = corner(i + 1)});
+  return contour;
+}
+
+constexpr std::size_t small_blocks = 20'000;  // of all small selections together
+
+benchmark::Counter each(std::size_t selections) {
+  return {static_cast<double>(selections),
+          benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert};
+}
+
+// Most contours of CAM are small: many selections in one session …
+void compensate_small(benchmark::State& state, Way way) {
+  const auto blocks = static_cast<std::size_t>(state.range(0));
+  const std::size_t selections = small_blocks / blocks;
+  compensate(state, program(Contours(selections, ring(blocks)), 1, way), way);
+  state.counters["selection"] = each(selections);
+}
+
+// … and a session for each.
+void compensate_alone(benchmark::State& state, Way way) {
+  const auto blocks = static_cast<std::size_t>(state.range(0));
+  const std::vector<Block> given = program({ring(blocks)}, 1, way);
+  const std::vector<std::vector<Block>> all(small_blocks / blocks, given);
+  const Line first = std::get<Line>(std::get<MotionBlock>(given.front()).path);
+  CompensatorSetup setup;
+  setup.start = {first.start.x(), first.start.y(), 0};
+  std::vector<CompensatedBlock> out;
+  for (auto _ : state) {
+    state.PauseTiming();
+    std::vector<std::vector<Block>> rest = all;
+    state.ResumeTiming();
+    for (std::vector<Block>& one : rest) {
+      Diagnostics diagnostics;
+      VerifiedCompensator compensator(setup, Verify::off, diagnostics);
+      out.clear();
+      if (compensator.feed_until_report(one, out) == one.size() &&
+          compensator.finish_until_portion(TrcMode{}, out))
+        continue;
+      state.SkipWithError("a small selection was refused");
+      return;
+    }
+  }
+  state.counters["selection"] = each(all.size());
+}
+
 void compensate_shapes(benchmark::State& state, const RealShapes& shapes, Way way) try {
   compensate(state, program(shapes.contours(), shapes.tool_radius, way), way);
 } catch (const std::exception& missing) {
@@ -145,6 +204,16 @@ const bool registered = [] {
       if (way == Way::measured) measured->Arg(10'000);
       if (way == Way::whole || way == Way::measured) measured->Arg(10'000'000);
     }
+  for (const auto& [way, name] : {ways[0], ways[1]})
+    for (const auto& [run, of] : {std::pair{&compensate_small, "in one session "},
+                                  std::pair{&compensate_alone, "a session each "}})
+      benchmark::RegisterBenchmark((std::string("small selections, ") + of + name).c_str(), run,
+                                   way)
+          ->Arg(4)
+          ->Arg(16)
+          ->Arg(60)
+          ->Arg(200)
+          ->Unit(benchmark::kMillisecond);
   for (const RealShapes& shapes : real_shapes())
     for (const auto& [way, name] : ways)
       benchmark::RegisterBenchmark(name_of(shapes.name, shapes.tool_radius, name).c_str(),

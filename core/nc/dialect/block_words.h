@@ -6,6 +6,7 @@
 
 #include "core/nc/dialect/g_function.h"
 #include "core/nc/dialect/interpreter.h"
+#include "core/nc/dialect/line_words.h"
 #include "core/nc/state/program_state.h"
 
 namespace trc {

@@ -127,8 +127,9 @@ void Interpreter::forget_what_ends_nothing(BlockWords& block) {
   code_.turned |= ends(frame, {511, 680, 1010});
 }
 
-// Decides whether the line is copied as it stands, and which axes it may move.
-bool Interpreter::copy_code_block(ProgramLine& line, BlockWords& block) {
+// Decides whether the line is copied as it stands, and which axes it may move. Returns what must
+// not stand there while TRC is active.
+Interpreter::NotWhileActive Interpreter::find_what_is_copied(BlockWords& block) const {
   const auto named_axes = [&] {
     AxisBits named = 0;
     for (std::size_t axis = 0; axis < block.move.end.size(); ++axis)
@@ -176,10 +177,6 @@ bool Interpreter::copy_code_block(ProgramLine& line, BlockWords& block) {
   if (code_.cycle)
     copy_motion("a position of a drilling cycle", static_cast<AxisBits>(named | third));
   if (code_.unfollowed >= 0) copy_motion("a position that is not followed", all_axes);
-  if (block.axis && (block.of(axis_technology).is(5) || block.of(axis_technology).is(8)))
-    return refuse(line, TextFault{.code = Code::nc_unsupported,
-                                  .begin = block.of(axis_technology).begin,
-                                  .detail = "G5 or G8 with axis words"});
   // A pole moves nothing, nor does it count from where the tool stands.
   if (block.of(axis_technology).is(111) || block.of(axis_technology).is(112)) {
     block.copied = true;
@@ -202,15 +199,23 @@ bool Interpreter::copy_code_block(ProgramLine& line, BlockWords& block) {
   const bool circle = kind == MotionKind::clockwise || kind == MotionKind::counter_clockwise;
   if (dialect_.name == DialectName::linuxcnc && moves && circle && block.tool_data_number && !begin)
     begin = block.tool_data_number->begin, meaning = "P, the turns of an arc";
+  return {.begin = begin, .meaning = std::move(meaning)};
+}
 
+bool Interpreter::copy_code_block(ProgramLine& line, BlockWords& block) {
+  if (block.axis && (block.of(axis_technology).is(5) || block.of(axis_technology).is(8)))
+    return refuse(line, TextFault{.code = Code::nc_unsupported,
+                                  .begin = block.of(axis_technology).begin,
+                                  .detail = "G5 or G8 with axis words"});
+  NotWhileActive found = find_what_is_copied(block);
   // G40 beside G28 and the like ends TRC first.
   const bool active = trc_active() && !block.of(side).is(40);
   const bool selects_here = block.has(side) && !block.of(side).is(40);
   const bool may_be_skipped = block.to_skip && block.has(side) && (selects_here || contour_open());
-  if (begin && (active || (selects_here && block.copied) || may_be_skipped))
+  if (found.begin && (active || (selects_here && block.copied) || may_be_skipped))
     return refuse(line, TextFault{.code = Code::nc_unsupported,
-                                  .begin = *begin,
-                                  .detail = meaning.append(" while TRC is active")});
+                                  .begin = *found.begin,
+                                  .detail = found.meaning.append(" while TRC is active")});
   if (!block.copied) return true;
   for (WordRange& word : line.words)
     if (word.role == WordRole::coordinate || word.role == WordRole::trc)

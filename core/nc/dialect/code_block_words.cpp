@@ -12,10 +12,6 @@ namespace {
 
 using enum GGroup;
 
-void add(ProgramLine& line, const CodeWord& word, WordRole role) {
-  line.words.push_back({.begin = word.begin, .end = word.end, .role = role});
-}
-
 WordRole role_of(GGroup group) {
   switch (group) {
     case motion:
@@ -142,30 +138,31 @@ bool Interpreter::read_code_axis(const CodeWord& word, ProgramLine& line, BlockW
   return true;
 }
 
+// ,R ,C ,A
+bool Interpreter::read_comma_word(const CodeWord& word, ProgramLine& line, BlockWords& block) {
+  if (dialect_.name == DialectName::linuxcnc)
+    return refuse_code(line, word, Code::nc_unsupported, "which LinuxCNC does not have");
+  const bool angle = word.letter == 'A';
+  if (word.letter == 'R' || word.letter == 'C') {
+    if (block.corner) return refuse_code(line, word, Code::nc_word_twice);
+    block.corner = word.begin;
+    block.move.corner = {.form = word.letter == 'R' ? CornerCut::Form::round : CornerCut::Form::leg,
+                         .size = word.value};
+  } else if (trc_active()) {
+    return refuse_code(line, word, Code::nc_unsupported,
+                       angle ? "the angle of a motion while TRC is active"
+                             : "a rounding or a chamfer while TRC is active");
+  } else if (angle) {
+    block.unfollowed_word = word.begin;
+  }
+  add(line, word, WordRole::technology);
+  return true;
+}
+
 bool Interpreter::read_code_address(const CodeWord& word, ProgramLine& line, BlockWords& block) {
   const auto twice = [&] { return refuse_code(line, word, Code::nc_word_twice); };
   const BlockWords::Value value{.value = word.value, .begin = word.begin};
-  if (word.comma && dialect_.name == DialectName::linuxcnc)
-    return refuse_code(line, word, Code::nc_unsupported, "which LinuxCNC does not have");
-  if (word.comma) {
-    const bool angle = word.letter == 'A';
-    if (word.letter == 'R' || word.letter == 'C') {
-      if (block.corner) return twice();
-      block.corner = word.begin;
-      block.move.corner = {
-          .form = word.letter == 'R' ? CornerCut::Form::round : CornerCut::Form::leg,
-          .size = word.value};
-      add(line, word, WordRole::technology);
-      return true;
-    }
-    if (trc_active())
-      return refuse_code(line, word, Code::nc_unsupported,
-                         angle ? "the angle of a motion while TRC is active"
-                               : "a rounding or a chamfer while TRC is active");
-    if (angle) block.unfollowed_word = word.begin;
-    add(line, word, WordRole::technology);
-    return true;
-  }
+  if (word.comma) return read_comma_word(word, line, block);
   const char letter = word.letter;
   if (letter == '$') {
     if (dialect_.name != DialectName::linuxcnc) return refuse_code(line, word, Code::nc_syntax);

@@ -25,7 +25,7 @@ enum class GGroup : std::uint8_t {
   zero_shift,       // passes while TRC is off; the position is unknown afterwards
   feed_mode,        // passes; under G93 TRC cannot be active
   technology,       // passes, does not change the path
-  axis_technology,  // likewise, but axis letters beside it are no positions
+  axis_technology,  // as technology, but axis letters beside it are no positions
   spatial_circle,   // G303
   // Of other dialects than ISG, where a line may be copied while TRC is off although it is not
   // followed:

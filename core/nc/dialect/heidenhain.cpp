@@ -15,10 +15,6 @@ namespace {
 
 using Kind = KlartextWord::Kind;
 
-void add(ProgramLine& line, const KlartextWord& word, WordRole role) {
-  line.words.push_back({.begin = word.begin, .end = word.end, .role = role});
-}
-
 struct Motion {
   std::string_view name{};
   Interpreter::KlartextStatement statement{};
@@ -70,36 +66,6 @@ std::optional<std::size_t> begin_of_statement(ProgramLine& line, bool& to_skip) 
   if (skip_blanks()) return at;
   line.words.clear();
   return {};
-}
-
-// Why a block with this M function is not followed; empty: it is. `active`: while TRC is.
-std::string_view why_unfollowed(int m, bool active) {
-  switch (m) {
-    case 91:
-    case 92:
-      return ", machine coordinates";
-    case 140:
-      return ", a retract along the tool";
-    default:
-      break;
-  }
-  if (!active) return {};
-  switch (m) {
-    case 89:
-    case 99:
-      return ", a cycle call";
-    case 97:
-      return ", corners of small steps";
-    case 98:
-      return ", open corners";
-    case 128:
-    case 144:
-      return ", the tool tip is led";
-    case 136:
-      return ", feed per turn";
-    default:
-      return {};
-  }
 }
 
 }  // namespace
@@ -370,75 +336,6 @@ bool Interpreter::read_klartext_feed(const KlartextWord& word, ProgramLine& line
       : of_the_corner && contour_open() ? WordRole::trc
                                         : WordRole::feed);
   if (klartext_.feed_per_turn) block.feed.reset();
-  return true;
-}
-
-bool Interpreter::read_klartext_function(const KlartextWord& word, ProgramLine& line,
-                                         KlartextBlock& block) {
-  const auto m = static_cast<int>(word.value);
-  const std::string_view why = why_unfollowed(m, trc_active());
-  if (!why.empty() && !block.unfollowed) {
-    block.unfollowed_why = line.word({.begin = word.begin, .end = word.end});
-    block.unfollowed_why += why;
-    block.unfollowed = word.begin;
-  }
-  WordRole role = WordRole::technology;
-  switch (m) {
-    case 0:
-    case 1:
-    case 2:
-    case 30:
-      role = WordRole::stop;
-      line.ends_program |= m == 2 || m == 30;
-      break;
-    case 89:
-    case 99:
-      block.calls_cycle = true;
-      if (m == 89) klartext_.modal_cycle = true;
-      if (m == 99) klartext_.modal_cycle = false;
-      break;
-    case 91:
-    case 92:
-      block.machine_place = true;
-      break;
-    case 109:
-    case 110:
-    case 111:
-      role = WordRole::trc;
-      block.adapts_feed = m == 109   ? FeedAdaptation::on
-                          : m == 110 ? FeedAdaptation::inside
-                                     : FeedAdaptation::off;
-      break;
-    case 120:
-      role = WordRole::trc;
-      block.masks = false;  // LA says how far
-      break;
-    case 136:
-      block.feed_per_turn = true;
-      klartext_.feed_per_turn = true;
-      break;
-    case 137:
-      klartext_.feed_per_turn = false;
-      break;
-    case 128:
-    case 144:
-      klartext_.unfollowed = true;
-      block.ignores_words = true;
-      break;
-    case 129:
-    case 145:
-      klartext_.unfollowed = false;
-      break;
-    case 103:
-    case 118:
-    case 138:
-    case 140:
-      block.ignores_words = true;
-      break;
-    default:
-      break;
-  }
-  add(line, word, role);
   return true;
 }
 

@@ -155,10 +155,17 @@ class Interpreter {
   bool read_code_function(const CodeWord& word, ProgramLine& line, BlockWords& block);
   bool read_code_axis(const CodeWord& word, ProgramLine& line, BlockWords& block);
   bool read_code_address(const CodeWord& word, ProgramLine& line, BlockWords& block);
+  bool read_comma_word(const CodeWord& word, ProgramLine& line, BlockWords& block);
   bool read_code_machine_function(const CodeWord& word, ProgramLine& line, BlockWords& block);
   bool complete_code_block(ProgramLine& line, BlockWords& block);
   void take_unit_of_old(ProgramLine& line, BlockWords& block) const;
   void forget_what_ends_nothing(BlockWords& block);
+  // Empty: nothing.
+  struct NotWhileActive {
+    std::optional<std::uint32_t> begin{};  // of the line
+    std::string meaning{};
+  };
+  [[nodiscard]] NotWhileActive find_what_is_copied(BlockWords& block) const;
   bool copy_code_block(ProgramLine& line, BlockWords& block);
   bool check_code_selection(ProgramLine& line, BlockWords& block);
   bool take_corner(ProgramLine& line, BlockWords& block);

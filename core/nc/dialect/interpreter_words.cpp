@@ -54,57 +54,6 @@ Code twice_code(GGroup group) {
   }
 }
 
-void add(ProgramLine& line, const Word& word, WordRole role) {
-  line.words.push_back({.begin = word.begin, .end = word.end, .role = role});
-}
-
-// The words behind `#`, upper case, joined by one blank: at most two.
-std::string command_name(std::string_view command) {
-  std::string name;
-  std::size_t at = 1;
-  for (int part = 0; part < 2; ++part) {
-    while (const std::size_t blank = blank_at_start(command.substr(at))) at += blank;
-    if (part > 0) name += ' ';
-    for (; at < command.size(); ++at) {
-      const char letter = upper(command[at]);
-      if ((letter < 'A' || letter > 'Z') && letter != '_') break;
-      name += letter;
-    }
-  }
-  return name;
-}
-
-struct ForbiddenCommand {
-  std::string_view name;
-  Code while_active;
-  bool copied_while_off = true;
-};
-
-// Rule 1.11. While TRC is off their lines are copied as those of unfollowed_commands, but for what
-// goes on behind them: motions that are no lines, and loops.
-constexpr auto forbidden_commands = std::to_array<ForbiddenCommand>({
-    {"CS ", Code::coordinate_system_while_active},
-    {"ACS ", Code::coordinate_system_while_active},
-    {"MCS ", Code::coordinate_system_while_active},
-    {"AX LINK", Code::axis_link_while_active},
-    {"ENABLE AX", Code::axis_link_while_active},
-    {"DISABLE AX", Code::axis_link_while_active},
-    {"PSET ", Code::preset_while_active},
-    {"PRESET ", Code::preset_while_active},
-    {"PTP ", Code::point_to_point_while_active, false},
-    {"RT WHILE", Code::real_time_loop_while_active, false},
-});
-
-// Commands that say nothing about where the path runs.
-constexpr auto passing_commands = std::to_array<std::string_view>(
-    {"MSG ", "FLUSH ", "SLOPE ", "CONTOUR MODE", "HSC ", "TRANSVELLIM ", "VECTOR ", "FILTER ",
-     "FRICTION ", "OVERRIDE ", "TIMER ", "WAIT ", "SIGNAL ", "ERROR ", "FILE ", "TOOL LIFE"});
-
-// Commands behind which an axis stands, or counts from, where only the control knows.
-constexpr auto unfollowed_commands =
-    std::to_array<std::string_view>({"RTCP ", "TLC ", "KIN ", "WCS ", "ECS ", "BCS ", "CALL AX",
-                                     "PUT AX", "SET AX", "GANTRY ", "CHANNEL ", "HANDWHEEL"});
-
 }  // namespace
 
 bool Interpreter::read_words(ProgramLine& line, BlockWords& block) {
@@ -359,81 +308,6 @@ bool Interpreter::check_feed(ProgramLine& line, const BlockWords& block) {
     const bool no_feed = range.role == WordRole::feed && feed != 94;
     if (no_position || no_feed) range.role = WordRole::technology;
   }
-  return true;
-}
-
-bool Interpreter::read_command(const Word& word, ProgramLine& line, BlockWords& block) {
-  const std::string_view command = line.word({.begin = word.begin, .end = word.end});
-  const std::string name = command_name(command);
-  isg_word_seen_ |= !name.empty() && name != " ";
-  block.command = word.begin;
-  block.has_command = true;
-  const auto wrong = [&](TextFault fault) {
-    fault.begin += word.begin;
-    return refuse(line, fault);
-  };
-  if (name.starts_with("TRC ")) {
-    block.options = state_.mode().options;
-    if (auto fault = read_trc_command(command, *block.options)) return wrong(std::move(*fault));
-    add(line, word, WordRole::trc);
-    return true;
-  }
-  if (name.starts_with("TANGFEED ") || name == "SET TANGFEED") {
-    block.tangfeed = 0;
-    if (auto fault = read_tangfeed_command(command, *block.tangfeed))
-      return wrong(std::move(*fault));
-    add(line, word, WordRole::trc);
-    return true;
-  }
-  if (name == "COMMENT BEGIN") {
-    comment_block_ = line.source.line;
-    add(line, word, WordRole::comment);
-    return true;
-  }
-  double time = 0;
-  bool whole = false;
-  if (name == "TIME ") {
-    const std::size_t begin = command.find_first_of("0123456789.+-");
-    const std::size_t length =
-        begin == std::string_view::npos ? 0 : trc::read_number(command.substr(begin), time, whole);
-    if (length == 0 || begin + length != command.size()) return refuse(line, word, Code::nc_number);
-    add(line, word, WordRole::technology);
-    return true;
-  }
-  if (std::ranges::any_of(passing_commands,
-                          [&](std::string_view passing) { return name.starts_with(passing); })) {
-    add(line, word, WordRole::technology);
-    return true;
-  }
-  const auto forbidden = std::ranges::find_if(
-      forbidden_commands, [&](const auto& candidate) { return name.starts_with(candidate.name); });
-  const bool is_forbidden = forbidden != forbidden_commands.end();
-  const bool is_unfollowed =
-      is_forbidden ? forbidden->copied_while_off
-                   : std::ranges::any_of(unfollowed_commands, [&](std::string_view unfollowed) {
-                       return name.starts_with(unfollowed);
-                     });
-  if (is_unfollowed && !contour_open()) {
-    block.forget = all_axes;
-    add(line, word, WordRole::technology);
-    return true;
-  }
-  const bool is_published = is_forbidden && contour_open();
-  return refuse(line, word, is_published ? forbidden->while_active : Code::nc_unsupported);
-}
-
-// Between #COMMENT BEGIN and #COMMENT END. Whether such blocks nest depends on
-// the setting of the control, so a second beginning is refused.
-bool Interpreter::read_comment_block(ProgramLine& line) {
-  const std::size_t sign = line.text.find('#');
-  if (sign == std::string::npos) return true;
-  const std::string name = command_name(std::string_view(line.text).substr(sign));
-  const auto begin = static_cast<std::uint32_t>(sign);
-  if (name == "COMMENT BEGIN")
-    return refuse(line, TextFault{.code = Code::nc_unsupported,
-                                  .begin = begin,
-                                  .detail = "#COMMENT BEGIN within a comment"});
-  if (name == "COMMENT END") comment_block_ = 0;
   return true;
 }
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/nc/dialect/interpreter.h"
+#include "core/nc/dialect/line_words.h"
 #include "core/nc/state/lead.h"
 
 namespace trc {

@@ -13,10 +13,6 @@ namespace {
 
 using enum GGroup;
 
-void add(ProgramLine& line, const NamedWord& word, WordRole role) {
-  line.words.push_back({.begin = word.begin, .end = word.end, .role = role});
-}
-
 }  // namespace
 
 bool Interpreter::read_polar_word(const NamedWord& word, ProgramLine& line, BlockWords& block) {

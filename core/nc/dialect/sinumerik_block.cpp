@@ -163,10 +163,6 @@ bool is_statement(const NamedWord& word) {
          found->meaning == Meaning::statement;
 }
 
-void add(ProgramLine& line, const NamedWord& word, WordRole role) {
-  line.words.push_back({.begin = word.begin, .end = word.end, .role = role});
-}
-
 }  // namespace
 
 bool Interpreter::read_named_words(ProgramLine& line, BlockWords& block) {

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <string>
 #include <utility>
 
+#include "core/base/number_text.h"
 #include "core/nc/text/characters.h"
 #include "core/nc/text/expression.h"
 
@@ -62,17 +62,10 @@ constexpr auto flags = std::to_array<Flag>({
     {"INVERSE", &TrcOptions::inverse},
 });
 
-std::string number_text(double value) {
-  std::array<char, 32> digits{};
-  const auto written = std::to_chars(digits.data(), digits.data() + digits.size(), value,
-                                     std::chars_format::general);
-  return {digits.data(), written.ptr};
-}
-
 std::string range_text(const TrcKeyword& keyword) {
   const bool either = keyword.smallest == 0 && keyword.largest == 1;
-  return std::string(keyword.name) + ", " + number_text(keyword.smallest) +
-         (either ? " or " : " to ") + number_text(keyword.largest);
+  return std::string(keyword.name) + ", " + shortest(keyword.smallest) +
+         (either ? " or " : " to ") + shortest(keyword.largest);
 }
 
 // The least number of letters to insert, remove or replace.

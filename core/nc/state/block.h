@@ -41,7 +41,7 @@ struct MotionBlock {
   TrackingTravel tracking{};
 };
 
-// A non-relevant block (rule 10): technology words, dwell, motion
+// A passive block (rule 10.1): technology words, dwell, motion
 // across the plane, tracking axes alone, no length (D-29). It keeps its place.
 struct PassiveBlock {
   Source source{};

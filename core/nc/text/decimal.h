@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <bit>
 #include <cstddef>
 #include <cstdint>
@@ -12,27 +11,6 @@ namespace trc {
 // Reading the decimal numbers of a line: the hottest loop of the reader.
 namespace decimal {
 
-// Powers of ten that a double holds exactly.
-inline constexpr std::array<double, 23> powers_of_ten{
-    1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,  1e8,  1e9,  1e10, 1e11,
-    1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
-
-// Whole numbers up to here are exact too, so that one division rounds correctly.
-inline constexpr std::uint64_t largest_exact = std::uint64_t{1} << 53;
-inline constexpr std::size_t digits_that_fit = 19;  // in 64 bits
-
-// Moves `at` behind the digits there and appends them to `number`, which wraps beyond
-// `digits_that_fit`.
-inline void take_digits(const char*& at, const char* end, std::uint64_t& number) {
-  for (; at != end; ++at) {
-    const auto digit = static_cast<unsigned char>(*at - '0');
-    if (digit > 9) return;
-    number = number * 10 + digit;
-  }
-}
-
-// What eight bytes can hold with the sign that ends them.
-inline constexpr std::size_t short_digits = 7;
 inline constexpr std::uint64_t short_scale = 100'000'000;
 
 // Eight bytes, the first one lowest.
@@ -43,6 +21,10 @@ inline std::uint64_t eight_bytes(const char* at) {
   return bytes;
 }
 
+// Of a line that has fewer than eight bytes, `left` of them from `at` on. Out of the way of all
+// others: the array has the compiler guard the stack.
+[[nodiscard]] std::uint64_t bytes_of_short_line(const char* at, std::size_t left);
+
 // The bytes of `line` from `at` on, zeros behind its end.
 inline std::uint64_t next_bytes(std::string_view line, const char* at) {
   constexpr std::size_t size = 8;
@@ -50,9 +32,7 @@ inline std::uint64_t next_bytes(std::string_view line, const char* at) {
   if (left >= size) return eight_bytes(at);
   if (left == 0) return 0;
   if (line.size() >= size) return eight_bytes(at + left - size) >> (8 * (size - left));
-  std::array<char, size> bytes{};
-  std::memcpy(bytes.data(), at, left);
-  return eight_bytes(bytes.data());
+  return bytes_of_short_line(at, left);
 }
 
 // The number of eight digits, the first one lowest: pairs, then fours, then all of them.
@@ -62,7 +42,8 @@ inline std::uint64_t number_of(std::uint64_t digits) {
   return digits * (10'000 * 0x1'0000'0000 + 1) >> 32;
 }
 
-// The digits at some place of a line, if they are up to `short_digits`.
+// The digits at some place of a line, if they are up to seven: eight bytes with the sign that ends
+// them.
 class ShortDigits {
  public:
   ShortDigits(std::string_view line, const char* at)
@@ -87,31 +68,12 @@ class ShortDigits {
   unsigned end_;          // the place of that bit
 };
 
-// As take_digits, for a number that begins there.
-inline std::uint64_t take_whole(std::string_view line, const char*& at) {
-  const ShortDigits few(line, at);
-  if (few.are_short()) {
-    at += few.count();
-    return few.number();
-  }
-  std::uint64_t number = 0;
-  take_digits(at, line.data() + line.size(), number);
-  return number;
-}
-
-// For what 64 bits or one division cannot give: digits with or without a point.
-[[nodiscard]] double long_number(const char* first, const char* end);
-
-// A number of many digits, from `first` on; `digits` are those up to the point, where `at` is.
-inline double take_long_fraction(const char* first, const char*& at, const char* end,
-                                 std::uint64_t digits) {
-  const char* const point = at++;
-  take_digits(at, end, digits);
-  const auto size = static_cast<std::size_t>(at - first) - 1;
-  if (size > digits_that_fit || digits > largest_exact) return long_number(first, at);
-  const auto decimals = static_cast<std::size_t>(at - point) - 1;
-  return static_cast<double>(static_cast<std::int64_t>(digits)) / powers_of_ten[decimals];
-}
+// A number of any length: digits with or without a point, from `first` on.
+struct AnyNumber {
+  double value = 0;
+  const char* end = nullptr;
+};
+[[nodiscard]] AnyNumber any_number(const char* first, const char* end);
 
 }  // namespace decimal
 
@@ -127,28 +89,33 @@ inline bool take_number(std::string_view line, const char*& at, double& value, b
   if (here != end && (*here == '-' || *here == '+')) ++here;
   const char* const first = here;
 
-  const std::uint64_t digits = decimal::take_whole(line, here);
-  const auto size = static_cast<std::size_t>(here - first);
+  double number = 0;
+  bool is_long = false;
+  const decimal::ShortDigits digits(line, here);
+  here += digits.count();
   whole = here == end || *here != '.';
-  if (whole) {
-    if (size == 0) return false;
+  if (!digits.are_short()) {
+    is_long = true;
+  } else if (whole) {
+    if (digits.count() == 0) return false;
     // Signed, which converts in one instruction.
-    value = size <= decimal::digits_that_fit && digits <= decimal::largest_exact
-                ? static_cast<double>(static_cast<std::int64_t>(digits))
-                : decimal::long_number(first, here);
+    number = static_cast<double>(static_cast<std::int64_t>(digits.number()));
   } else {
     const decimal::ShortDigits few(line, here + 1);
-    if (size <= decimal::short_digits && few.are_short()) {
-      value = static_cast<double>(
-                  static_cast<std::int64_t>(digits * decimal::short_scale + few.fraction())) /
-              static_cast<double>(decimal::short_scale);
-      here += 1 + few.count();
-    } else {
-      value = decimal::take_long_fraction(first, here, end, digits);
-    }
+    is_long = !few.are_short();
+    here += 1 + few.count();
     if (here - first == 1) return false;
+    number = static_cast<double>(static_cast<std::int64_t>(digits.number() * decimal::short_scale +
+                                                           few.fraction())) /
+             static_cast<double>(decimal::short_scale);
   }
-  if (negative) value = -value;
+  if (is_long) {
+    const decimal::AnyNumber any = decimal::any_number(first, end);
+    number = any.value;
+    here = any.end;
+    whole = std::memchr(first, '.', static_cast<std::size_t>(here - first)) == nullptr;
+  }
+  value = negative ? -number : number;
   at = here;
   return true;
 }

@@ -97,7 +97,7 @@ inline constexpr double largest_whole = 1e15;
 // Where the first byte stands that no text has: a control character other than
 // a tab or line end, or a byte that is not UTF-8. npos when there is none.
 [[nodiscard]] std::size_t first_byte_that_is_no_text(std::string_view text);
-// The same for UTF-8 alone.
+// first_byte_that_is_no_text() for UTF-8 alone.
 [[nodiscard]] std::size_t first_byte_that_is_no_utf8(std::string_view text);
 
 // Whether the block goes on behind `line`, one physical line: it ends in `\`

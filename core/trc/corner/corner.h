@@ -150,6 +150,12 @@ struct TransitionRule {
   double stretch_factor = 1;
 };
 
+// Which loops go is decided with arcs: LinearTransitions comes behind that (D-45).
+[[nodiscard]] inline TransitionRule transition_rule(const TrcMode& mode, bool removes_loops) {
+  return {.transition = removes_loops ? Transition::circular : mode.transition,
+          .stretch_factor = mode.options.stretch_factor};
+}
+
 // Both blocks reach their full end in one point.
 [[nodiscard]] Joint tangential_joint(const Corner& corner);
 
@@ -210,6 +216,18 @@ struct TransitionRule {
 [[nodiscard]] inline Tolerances to_all_digits(Tolerances tolerances, double tool_radius) {
   tolerances.same_point = tolerances.rounding * std::max(tool_radius, 1.0);
   return tolerances;
+}
+
+// The inside joint where loops are removed, asked with to_all_digits(). Empty also where the corner
+// takes more than there is of a block: mm of a line, rad of an arc, whatever its other end loses.
+[[nodiscard]] inline std::optional<MeetingPoint> inside_joint_on_blocks(const Corner& corner,
+                                                                        double extent_before,
+                                                                        double extent_after,
+                                                                        const Tolerances& exact) {
+  const auto meeting = inside_joint(corner, exact);
+  const bool reaches =
+      meeting && extent_before >= meeting->cut_before && extent_after >= meeting->cut_after;
+  return reaches ? meeting : std::nullopt;
 }
 
 }  // namespace trc

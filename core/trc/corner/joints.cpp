@@ -1,7 +1,5 @@
 #include "core/trc/corner/joints.h"
 
-#include <algorithm>
-#include <cmath>
 #include <numbers>
 
 #include "core/trc/selection/direct.h"
@@ -94,9 +92,6 @@ JointResult retract(const PathBlock& after, Selection mode, const Corner& corner
   return JoinedBlocks{.joint = selection::retract_direct(corner)};
 }
 
-// Whether the corner leaves something of the block, whatever its other end loses.
-bool reaches(const PathBlock& block, double cut) { return left_of_block(block, cut, 0) >= 0; }
-
 JointResult contour_joint(const PathBlock& before, const PathBlock& after, const Corner& corner,
                           const Tolerances& tolerances) {
   const TrcMode& mode = after.mode();
@@ -105,20 +100,22 @@ JointResult contour_joint(const PathBlock& before, const PathBlock& after, const
     case CornerKind::tangential:
       return JoinedBlocks{.joint = tangential_joint(corner)};
     case CornerKind::outside:
-      // Which loops go is decided with arcs: LinearTransitions comes behind that (D-45).
-      return JoinedBlocks{
-          .joint = after.removes_loops()
-                       ? outside_joint(corner, {.transition = Transition::circular}, tolerances)
-                       : transition_joint(corner, mode, tolerances)};
+      return JoinedBlocks{.joint =
+                              after.removes_loops()
+                                  ? outside_joint(corner, transition_rule(mode, true), tolerances)
+                                  : transition_joint(corner, mode, tolerances)};
     case CornerKind::inside:
       break;
   }
   std::optional<MeetingPoint> meeting;
   if (after.removes_loops()) {
-    if (!vanished) meeting = inside_joint(corner, to_all_digits(tolerances, corner.tool_radius()));
-    if (!(meeting && reaches(before, meeting->cut_before) && reaches(after, meeting->cut_after)))
+    if (!vanished)
+      meeting = inside_joint_on_blocks(corner, extent_of(before.programmed.path),
+                                       extent_of(after.programmed.path),
+                                       to_all_digits(tolerances, corner.tool_radius()));
+    if (!meeting)
       return JoinedBlocks{.joint = joint_across(corner.before.anchor, corner.after.anchor),
-                          .apart = true};
+                          .gap = true};
   } else if (!vanished) {
     meeting = inside_joint(corner, tolerances);
   }
@@ -147,9 +144,7 @@ Joint transition_joint(const Corner& corner, const TrcMode& mode, const Toleranc
       transition_angle(corner, tolerances) <= limit) {
     if (auto joint = extended_joint(corner, tolerances)) return *joint;
   }
-  return outside_joint(
-      corner, {.transition = mode.transition, .stretch_factor = mode.options.stretch_factor},
-      tolerances);
+  return outside_joint(corner, transition_rule(mode, false), tolerances);
 }
 
 Corner corner_between(const PathBlock& before, const PathBlock& after,

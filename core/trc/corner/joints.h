@@ -24,7 +24,7 @@ struct JoinedBlocks {
   std::optional<Segment> tangential_path{};
   // The equidistants do not meet on their blocks: what is inserted leads from one to
   // the other through the contour, for LoopRemoval to leave out.
-  bool apart = false;
+  bool gap = false;
 };
 
 using JointResult = std::variant<JoinedBlocks, JointRefusal>;

@@ -38,9 +38,9 @@ class Certificate {
   };
   [[nodiscard]] static Block block_of(const PathBlock& block);
 
-  // Appends a contour block; `apart`: its equidistant does not meet that of the
+  // Appends a contour block; `gap`: its equidistant does not meet that of the
   // block before.
-  void append(const Block& block, bool apart);
+  void append(const Block& block, bool gap);
   [[nodiscard]] std::size_t size() const { return first_of_chain_.end(); }
   // Nobody will ask about blocks before this one any more.
   void drop_before(std::size_t block);

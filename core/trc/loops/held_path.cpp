@@ -19,15 +19,15 @@ void HeldPath::append(PathBlock& block) {
     std::visit([&](const auto& path) { keep_contour(programmed, path, cuts); }, programmed.path);
   }
   if (!block.passive.empty()) passive_.push_back({blocks_.end(), std::move(block.passive)});
-  const bool apart = !is_contour && stands_apart(block);
-  if (apart)
-    apart_.push_back({.block = blocks_.end(),
-                      .cuts = {block.cut_at_start, block.cut_at_end},
-                      .source = block.programmed.source});
+  const bool has_own = !is_contour && needs_own_data(block);
+  if (has_own)
+    own_data_.push_back({.block = blocks_.end(),
+                         .cuts = {block.cut_at_start, block.cut_at_end},
+                         .source = block.programmed.source});
   const Number setting = note_setting(block);
   std::visit(
       [&](const auto& path) {
-        keep_path(path, setting, block.role, block.origin, block.unreachable).apart = apart;
+        keep_path(path, setting, block.role, block.origin, block.unreachable).has_own = has_own;
       },
       block.tool_path);
 }
@@ -47,7 +47,7 @@ bool HeldPath::stays_put(std::size_t block) const {
          std::none_of(setting.tracking.begin(), setting.tracking.end(), moves);
 }
 
-bool HeldPath::stands_apart(const PathBlock& inserted) const {
+bool HeldPath::needs_own_data(const PathBlock& inserted) const {
   return contour_.empty() || inserted.cut_at_start != 0 || inserted.cut_at_end != 0 ||
          inserted.programmed.source != source_of(contour_.end() - 1);
 }
@@ -126,8 +126,8 @@ PathBlockPtr HeldPath::restored(std::size_t number) {
   block.at_end = setting.at_end;
   block.tool_path = this->block(number).path;
   block.unreachable = kept.unreachable;
-  if (kept.apart) {
-    restore_apart(number, block);
+  if (kept.has_own) {
+    restore_own_data(number, block);
   } else {
     programmed.source = source_of(kept.number);
     if (kept.role == Role::contour) {
@@ -175,12 +175,12 @@ void HeldPath::lengthen_start(std::size_t block, const Point& place, double by) 
   circles_[contour_[kept.number].circle].cuts.at_start -= by;
 }
 
-void HeldPath::restore_apart(std::size_t number, PathBlock& block) {
-  while (apart_[apart_.begin()].block < number) apart_.drop_before(apart_.begin() + 1);
-  const Apart& apart = apart_[apart_.begin()];
-  block.programmed.source = apart.source;
-  block.cut_at_start = apart.cuts.at_start;
-  block.cut_at_end = apart.cuts.at_end;
+void HeldPath::restore_own_data(std::size_t number, PathBlock& block) {
+  while (own_data_[own_data_.begin()].block < number) own_data_.drop_before(own_data_.begin() + 1);
+  const OwnData& own = own_data_[own_data_.begin()];
+  block.programmed.source = own.source;
+  block.cut_at_start = own.cuts.at_start;
+  block.cut_at_end = own.cuts.at_end;
 }
 
 void HeldPath::forget_before(std::size_t contour_number) {
@@ -194,7 +194,7 @@ void HeldPath::clear() {
   circles_.clear();
   settings_.clear();
   passive_.clear();
-  apart_.clear();
+  own_data_.clear();
   has_roles_ = false;
 }
 

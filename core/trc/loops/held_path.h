@@ -58,7 +58,7 @@ class HeldPath {
   // Behind a contour block that has nothing to it that what is inserted has not.
   template <class Path>
   void append_transition(const Path& path, bool unreachable);
-  // The same with the setting given.
+  // With the setting given.
   template <class Path>
   void append_transition(const MotionBlock& inserted, const Path& path, bool unreachable);
   // Whether the last block was compensated as this one is.
@@ -112,13 +112,13 @@ class HeldPath {
   };
   [[nodiscard]] Stretch stretch(std::size_t first, std::size_t end) const;
   [[nodiscard]] std::size_t number_of(std::size_t block) const { return blocks_[block].number; }
-  // Whether technology words ride on the next block to be restored, or one before it.
+  // Whether passive blocks lie behind the next block to be restored, or one before it.
   [[nodiscard]] bool has_passive(std::size_t next) const {
     return !passive_.empty() && passive_[passive_.begin()].block <= next;
   }
   // Whether nothing but the axes of the plane moves in a block.
   [[nodiscard]] bool stays_put(std::size_t block) const;
-  [[nodiscard]] bool is_apart(std::size_t block) const { return blocks_[block].apart; }
+  [[nodiscard]] bool has_own_data(std::size_t block) const { return blocks_[block].has_own; }
   [[nodiscard]] const Setting& setting_of(std::size_t block) const {
     return settings_[blocks_[block].setting];
   }
@@ -176,7 +176,7 @@ class HeldPath {
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(blocks_, arcs_, contour_, circles_, settings_, passive_, apart_, has_roles_);
+    archive(blocks_, arcs_, contour_, circles_, settings_, passive_, own_data_, has_roles_);
   }
 
  private:
@@ -185,7 +185,7 @@ class HeldPath {
   using KeptContour = held::KeptContour;
   using KeptCircle = held::KeptCircle;
   using PassiveBehind = held::PassiveBehind;
-  using Apart = held::Apart;
+  using OwnData = held::OwnData;
 
   // Of the contour block of a block, or of one behind it.
   [[nodiscard]] std::size_t first_circle_of(std::size_t block) const {
@@ -204,8 +204,8 @@ class HeldPath {
                        bool unreachable);
   // As box_about(), of an arc between the corners of `ends`.
   static Box about_arc(const Box& ends, const KeptBlock& kept, const KeptArc& arc);
-  [[nodiscard]] bool stands_apart(const PathBlock& inserted) const;
-  void restore_apart(std::size_t number, PathBlock& block);
+  [[nodiscard]] bool needs_own_data(const PathBlock& inserted) const;
+  void restore_own_data(std::size_t number, PathBlock& block);
 
   NumberedQueue<KeptBlock> blocks_;
   NumberedQueue<KeptArc> arcs_;  // of blocks_
@@ -213,7 +213,7 @@ class HeldPath {
   NumberedQueue<KeptCircle> circles_;  // of contour_
   NumberedQueue<Setting, 16> settings_;
   NumberedQueue<PassiveBehind, 16> passive_;
-  NumberedQueue<Apart, 64> apart_;
+  NumberedQueue<OwnData, 64> own_data_;
   bool has_roles_ = false;
 };
 

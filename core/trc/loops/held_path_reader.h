@@ -12,7 +12,7 @@ class HeldPath::Reader {
  public:
   Reader(const HeldPath& path, std::size_t block);
   // Goes on to the first block, or the next one. Returns false, and is of no use any more, where
-  // that has another setting or is one that stands apart.
+  // that has another setting or is one that has data of its own.
   [[nodiscard]] bool next();
 
   [[nodiscard]] const Setting& setting() const { return setting_; }
@@ -63,7 +63,7 @@ class HeldPath::Reader {
 
 [[gnu::always_inline]] inline bool HeldPath::Reader::next() {
   block_ = &blocks_.next();
-  if (block_->setting != kept_setting_ || block_->apart) return false;
+  if (block_->setting != kept_setting_ || block_->has_own) return false;
   if (is_contour()) read_contour();
   if (block_->is_arc) arc_ = &arcs_.next();
   return true;

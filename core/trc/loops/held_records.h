@@ -41,7 +41,7 @@ struct Cuts {
   double at_end = 0;
 };
 
-// Most blocks are lines; what an arc has beyond that lies apart.
+// Most blocks are lines; what an arc has beyond that lies elsewhere.
 struct KeptBlock {
   Point start = Point::Zero();
   Point end = Point::Zero();
@@ -52,20 +52,20 @@ struct KeptBlock {
   Origin origin = Origin::programmed;
   bool is_arc : 1 = false;
   bool unreachable : 1 = false;
-  bool apart : 1 = false;   // inserted, but not by the contour block before it: Apart
-  bool linear : 1 = false;  // an arc lines stand in place of: lines_of()
+  bool has_own : 1 = false;  // inserted, but not by the contour block before it: OwnData
+  bool linear : 1 = false;   // an arc lines stand in place of: lines_of()
 
   template <class Archive>
   void serialize(Archive& archive) {
     bool its_arc = is_arc;
     bool its_unreachable = unreachable;
-    bool its_apart = apart;
+    bool its_own = has_own;
     bool its_linear = linear;
-    archive(start, end, number, setting, arc, role, origin, its_arc, its_unreachable, its_apart,
+    archive(start, end, number, setting, arc, role, origin, its_arc, its_unreachable, its_own,
             its_linear);
     is_arc = its_arc;
     unreachable = its_unreachable;
-    apart = its_apart;
+    has_own = its_own;
     linear = its_linear;
   }
 };
@@ -120,7 +120,7 @@ struct PassiveBehind {
 
 // What an inserted block does not have in common with the contour block before it: there is
 // none, or it is another one that has inserted it.
-struct Apart {
+struct OwnData {
   std::size_t block = 0;
   Cuts cuts{};
   Source source{};

@@ -74,8 +74,8 @@ class LoopExits {
                                                   Kind kind, Nearness nearness) const;
   // Before it, in a point the path comes back to.
   [[nodiscard]] std::optional<LoopExit> exit_behind(const PathPiece& at, const Onset& onset) const;
-  // Likewise, where it comes back with the rest of the block being walked: a circle that ends where
-  // it begins.
+  // Before it, where the path comes back with the rest of the block being walked: a circle that
+  // ends where it begins.
   [[nodiscard]] std::optional<LoopExit> exit_behind_into_rest(const PathPiece& at,
                                                               const Onset& onset) const;
   // The last crossing of what has been walked with the stretch, as in crossing_in().

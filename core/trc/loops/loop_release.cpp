@@ -38,7 +38,7 @@ LoopRelease::Row LoopRelease::next_as_they_came(std::size_t most) const {
 }
 
 bool LoopRelease::next_stands_for_itself() const {
-  return next_as_they_came(1).count == 1 && !path_.is_apart(next_);
+  return next_as_they_came(1).count == 1 && !path_.has_own_data(next_);
 }
 
 void LoopRelease::have_left(std::size_t count) {
@@ -53,7 +53,7 @@ const PathPiece* LoopRelease::next_part() const {
   if (walked_.empty()) return nullptr;
   const auto& [block, cut] = walked_.kept(walked_.begin());
   const bool is_next_part = cut != WalkedPath::Kept::whole && block == next_;
-  if (!is_next_part || path_.is_apart(block) || path_.has_passive(block)) return nullptr;
+  if (!is_next_part || path_.has_own_data(block) || path_.has_passive(block)) return nullptr;
   return &walked_.cut(cut);
 }
 
@@ -95,7 +95,7 @@ void LoopRelease::pass_by(const PathPlace& next, const Point& place, PathBlocks&
   }
   const std::size_t last = last_dropped_before(end);
   DroppedBlocks dropped(place, out);
-  // Nobody asks for those between the first and the last one, but for what rides on them.
+  // Nobody asks for those between the first and the last one, but for their passive blocks.
   bool is_first = true;
   for (; next_ < end; ++next_) {
     if (!path_.is_contour(next_)) continue;

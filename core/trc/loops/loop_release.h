@@ -52,8 +52,8 @@ class LoopRelease {
   // `most`.
   [[nodiscard]] Row next_as_they_came(std::size_t most) const;
   void have_left(std::size_t count);
-  // What is travelled of the next block, where that is not all of it, and nothing comes out before
-  // it and rides on it; else null.
+  // What is travelled of the next block, where that is not all of it, nothing comes out before it,
+  // and it has no passive blocks; else null.
   [[nodiscard]] const PathPiece* next_part() const;
   void part_has_left();
   // Passes by a loop that is left out next, if nothing comes out in its place.

@@ -100,7 +100,7 @@ void LoopRemoval::begin_selection() {
   path_.clear();
   largest_radius_ = 0;
   farthest_reach_ = 0;
-  apart_ = false;
+  gap_ = false;
   has_linear_ = false;
   has_short_ = false;
   obstacles_.clear();
@@ -147,13 +147,13 @@ bool LoopRemoval::hold(PathBlock& block) {
     // way: nothing is certified about that.
     const auto* arc = std::get_if<Arc>(&block.tool_path);
     const bool goes_far_round = arc != nullptr && std::abs(arc->sweep) > std::numbers::pi;
-    apart_ = apart_ || block.unreachable || goes_far_round;
+    gap_ = gap_ || block.unreachable || goes_far_round;
   }
   return true;
 }
 
 void LoopRemoval::note_contour_block(const Box& programmed, const Certificate::Block& course) {
-  obstacles_.append(course, programmed, std::exchange(apart_, false));
+  obstacles_.append(course, programmed, std::exchange(gap_, false));
   has_short_ = has_short_ ||
                programmed.sizes().maxCoeff() <= longest_in_bow_tie(tolerances_.input_resolution);
   if (window_ == 0) return;

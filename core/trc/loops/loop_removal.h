@@ -91,7 +91,7 @@ class LoopRemoval {
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(entering_, path_, largest_radius_, farthest_reach_, apart_, has_linear_, has_short_,
+    archive(entering_, path_, largest_radius_, farthest_reach_, gap_, has_linear_, has_short_,
             obstacles_, walked_, walk_, linear_, release_);
   }
 
@@ -133,7 +133,7 @@ class LoopRemoval {
   HeldPath path_;
   double largest_radius_ = 0;
   double farthest_reach_ = 0;  // how far from a block its path may lie, mm
-  bool apart_ = false;         // the next contour block does not meet the last one
+  bool gap_ = false;           // the next contour block does not meet the last one
   bool has_linear_ = false;    // the selection asks for linear transitions
   bool has_short_ = false;     // a contour block may be one of a bow tie
   Obstacles obstacles_;
@@ -175,7 +175,7 @@ template <class Path>
 }
 
 inline bool LoopRemoval::note_transition(bool unreachable, PathBlocks& out) {
-  apart_ = apart_ || unreachable;
+  gap_ = gap_ || unreachable;
   return window_ == 0 || proceed(out);
 }
 

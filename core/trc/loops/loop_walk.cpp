@@ -272,7 +272,7 @@ bool LoopWalk::leave_for_last_pass() {
 }
 
 bool LoopWalk::counts_as_none(const Onset& violation) {
-  if (!is_closed() || !(is_at_begin(violation) || is_at_end(violation))) return false;
+  if (!seam_.is_near({at_.block, violation.along})) return false;
   const Segment segment = path(at_.block).path;
   const Segment obstacle = contour(violation.obstacle).programmed;
   const PathPart rest(segment, violation.along, length_of(segment));
@@ -297,46 +297,10 @@ bool LoopWalk::leave_backwards() {
   return leave_for_last_pass();
 }
 
-// Its first and its last point are those of the selection, as far as that is known.
-bool LoopWalk::is_closed() const {
-  if (path_.begin() > 0) return false;
-  const Point begin = start_of(contour(0).programmed);
-  const Point end = end_of(contour(end_of_contour() - 1).programmed);
-  return (end - begin).norm() <= tolerances_.input_resolution;
-}
-
-bool LoopWalk::is_at_begin(const Onset& onset) const {
-  return onset.along <= near_seam() && at_.block == 0;
-}
-
-bool LoopWalk::is_at_end(const Onset& onset) const {
-  const Point place = point_along(path(at_.block).path, onset.along);
-  return number_of(at_.block) + most_blocks_of_seam >= end_of_contour() &&
-         (place - path_.ends_at(end_of_path() - 1)).norm() <= near_seam();
-}
-
-// The corner of the last and the first block, or what is left of short ones there.
 bool LoopWalk::is_seam(const LoopExit& exit) const {
-  if (!is_closed()) return false;
-  const std::size_t last = end_of_contour() - 1;
-  const std::size_t here =
-      number_of(exit.piece < walked_.end() ? walked_.kept(exit.piece).block : at_.block);
-  return here < most_blocks_of_seam &&
-         number_of(exit.continues.block) + most_blocks_of_seam > last &&
-         2 * (number_of(exit.continues.block) - here) >= last &&
-         (exit.point - path_.begins_at(0)).norm() <= near_seam() &&
-         (exit.point - path_.ends_at(end_of_path() - 1)).norm() <= near_seam() &&
-         !encloses_room(0, here, exit.leaves) &&
-         !encloses_room(number_of(exit.continues.block) + 1, last + 1,
-                        length_of(path(exit.continues.block).path) - exit.continues.along);
-}
-
-// What goes about the tool is longer than its radius.
-bool LoopWalk::encloses_room(std::size_t first, std::size_t end, double rest) const {
-  double length = rest;
-  for (std::size_t number = first; number < end; ++number)
-    length += length_of(contour(number).programmed);
-  return length > path_.radius_of_tool(0);
+  const std::size_t leaves =
+      exit.piece < walked_.end() ? walked_.kept(exit.piece).block : at_.block;
+  return seam_.is_between({leaves, exit.leaves}, exit.continues, exit.point);
 }
 
 bool LoopWalk::runs_backwards(std::size_t block) const {

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
 #include <optional>
 #include <vector>
@@ -12,6 +11,7 @@
 #include "core/trc/loops/held_path.h"
 #include "core/trc/loops/loop_exit.h"
 #include "core/trc/loops/obstacles.h"
+#include "core/trc/loops/seam.h"
 #include "core/trc/loops/walked_path.h"
 
 namespace trc {
@@ -41,6 +41,7 @@ class LoopWalk {
         tolerances_(tolerances),
         diagnostics_(diagnostics),
         checkpoint_(checkpoint),
+        seam_(path_, tolerances_),
         exits_(path_, walked_, obstacles_, tolerances_, checkpoint) {}
 
   // A new selection begins.
@@ -116,21 +117,11 @@ class LoopWalk {
   bool leave_for_last_pass();
   // Whether it is so little that it counts as none.
   [[nodiscard]] bool counts_as_none(const Onset& violation);
-  // Whether what leads from here to there is all of a closed contour: no loop.
+  // Whether what it leaves out is all of a closed contour: no loop.
   [[nodiscard]] bool is_seam(const LoopExit& exit) const;
-  // Whether these contour blocks, and some more of one by that, mm, can have the tool between them:
-  // a room whose neck is at the seam.
-  [[nodiscard]] bool encloses_room(std::size_t first, std::size_t end, double rest) const;
-  [[nodiscard]] bool is_closed() const;
-  // How far from the first and the last point of the path that may be, mm and blocks.
-  [[nodiscard]] double near_seam() const { return 0.01 * std::max(path_.radius_of_tool(0), 0.1); }
-  static constexpr std::size_t most_blocks_of_seam = 64;
-  // Whether the place of the onset is as good as the first point of the path, or as the last one.
-  [[nodiscard]] bool is_at_begin(const Onset& onset) const;
-  [[nodiscard]] bool is_at_end(const Onset& onset) const;
   void jump(const LoopExit& exit);
   void advance();
-  // The same for all blocks before this one.
+  // advance() for all blocks before this one.
   void advance_to(std::size_t block);
   // Walked: a piece of the block that has been walked so far.
   void keep_cut();
@@ -167,6 +158,7 @@ class LoopWalk {
   Tolerances tolerances_;
   Diagnostics& diagnostics_;
   Checkpoint& checkpoint_;
+  Seam seam_;
   LoopExits exits_;
 
   bool walking_ = false;
@@ -177,10 +169,10 @@ class LoopWalk {
   // For a window only: the first piece of, or behind, the chain that ends with the last contour
   // block.
   std::size_t first_of_chain_ = 0;
-  // Likewise: the pieces from this one on come no nearer than `Nearness::exact` allows.
+  // For a window only: the pieces from this one on come no nearer than `Nearness::exact` allows.
   std::size_t exact_from_ = 0;
-  // Likewise: where the block being walked runs into the last contour block, and into no other one
-  // before that. Nothing can be done about it before there are more.
+  // For a window only: where the block being walked runs into the last contour block, and into no
+  // other one before that. Nothing can be done about it before there are more.
   std::optional<Onset> waiting_with_;
 };
 

@@ -21,8 +21,8 @@ float squared_with_slack(double distance, const Point& point) {
 
 }  // namespace
 
-void Obstacles::append(const Certificate::Block& course, const Box& area, bool apart) {
-  certificate_.append(course, apart);
+void Obstacles::append(const Certificate::Block& course, const Box& area, bool gap) {
+  certificate_.append(course, gap);
   boxes_.append(area);
 }
 
@@ -49,10 +49,10 @@ void Obstacles::keep_walls(NearFour& four, std::size_t own) const {
 void Obstacles::clear() {
   boxes_.clear();
   certificate_.clear();
-  survey_.first = 0;
-  survey_.end = 0;
-  survey_.area.setEmpty();
-  survey_.near.clear();
+  group_query_.first = 0;
+  group_query_.end = 0;
+  group_query_.area.setEmpty();
+  group_query_.near.clear();
   few_.end = few_.first;
 }
 
@@ -74,7 +74,7 @@ BoxTree::Range Obstacles::certified(std::size_t block) const {
 }
 
 void Obstacles::find_neighbours(std::size_t block, const Box& area, double limit,
-                                bool surveyed) const {
+                                bool in_group) const {
   const BoxTree::Range skipped = certified(block);
   const std::size_t own = path_.number_of(block);
   neighbours_.clear();
@@ -95,13 +95,13 @@ void Obstacles::find_neighbours(std::size_t block, const Box& area, double limit
     }
     if (four.bits != 0) neighbours_.push_back(four);
   };
-  if (!surveyed) {
+  if (!in_group) {
     boxes_.for_each_four_near(area, limit, skipped, add);
     return;
   }
   const FourBoxes::Surroundings surroundings(area, limit);
   const bool is_among_few = block >= few_.first && block < few_.end;
-  for (const NearFour& four : is_among_few ? few_.near : survey_.near)
+  for (const NearFour& four : is_among_few ? few_.near : group_query_.near)
     if (const NearFour near = four.only(four.boxes->near(surroundings)); near.bits != 0) add(near);
 }
 
@@ -176,7 +176,7 @@ std::optional<Obstacles::Onset> Obstacles::onset(std::size_t block, double from,
   if (!(from < to) || limit <= 0) return std::nullopt;
   const Segment segment = path(block).path;
   const Box area = bounding_box(segment);
-  find_neighbours(block, area, limit, is_surveyed(block));
+  find_neighbours(block, area, limit, is_in_group(block));
   if (neighbours_.empty()) return std::nullopt;
   PathPart part(segment, from, to);
   std::optional<Onset> first;
@@ -208,7 +208,7 @@ bool Obstacles::comes_nearer(std::size_t block, double from, double to, Nearness
   const double limit = reach(block, nearness);
   if (!(from < to) || limit <= 0) return false;
   const Segment segment = path(block).path;
-  find_neighbours(block, bounding_box(segment), limit, is_surveyed(block));
+  find_neighbours(block, bounding_box(segment), limit, is_in_group(block));
   return !neighbours_.empty() && neighbours_come_nearer(block, PathPart(segment, from, to), limit);
 }
 
@@ -258,15 +258,15 @@ const std::vector<std::size_t>& Obstacles::at(std::size_t block, const Point& pl
   const auto consider_four = [&](const NearFour& four) {
     four.for_each([&](std::size_t number, std::size_t /*place*/) { consider(number); });
   };
-  // What is certified has not been surveyed.
-  const auto [first, last] = survey_.skipped;
+  // What is certified was not queried.
+  const auto [first, last] = group_query_.skipped;
   constexpr std::size_t short_chain = 16;
-  if (!is_surveyed(block) || last > first + short_chain) {
+  if (!is_in_group(block) || last > first + short_chain) {
     boxes_.for_each_four_near(Box(place), limit, BoxTree::Range{}, consider_four);
     return numbers_;
   }
   const FourBoxes::Surroundings surroundings(Box(place), limit);
-  for (const NearFour& four : survey_.near)
+  for (const NearFour& four : group_query_.near)
     consider_four(four.only(four.boxes->near(surroundings)));
   for (std::size_t number = std::max(first, path_.begin_of_contour()); number <= last; ++number)
     consider(number);
@@ -274,47 +274,49 @@ const std::vector<std::size_t>& Obstacles::at(std::size_t block, const Point& pl
   return numbers_;
 }
 
-bool Obstacles::is_surveyed(std::size_t block) const {
-  if (block >= survey_.first && block < survey_.end) return true;
-  if (survey_.near.empty() || path_.radius_of_tool(block) > survey_.radius) return false;
-  if (!survey_.area.contains(bounding_box(path(block).path))) return false;
+bool Obstacles::is_in_group(std::size_t block) const {
+  if (block >= group_query_.first && block < group_query_.end) return true;
+  if (group_query_.near.empty() || path_.radius_of_tool(block) > group_query_.radius) return false;
+  if (!group_query_.area.contains(bounding_box(path(block).path))) return false;
   const BoxTree::Range own = certified(block);
-  return survey_.skipped.last < survey_.skipped.first ||
-         (own.first <= survey_.skipped.first && survey_.skipped.last <= own.last);
+  return group_query_.skipped.last < group_query_.skipped.first ||
+         (own.first <= group_query_.skipped.first && group_query_.skipped.last <= own.last);
 }
 
 // Asks for many blocks at once: they have nearly the same neighbours, and mostly none.
-void Obstacles::survey(std::size_t first) {
+void Obstacles::query_group(std::size_t first) {
   // Where the walk leaves some of them out, fewer are worth it: the more there is near them, the
   // more.
   constexpr std::size_t smallest_group = 4;
   constexpr std::size_t largest_group = 32;
   const bool worth_it =
-      first == survey_.end || (4 * asked_for_ >= group_ && survey_.near.size() <= group_);
+      first == group_query_.end || (4 * asked_for_ >= group_ && group_query_.near.size() <= group_);
   group_ = worth_it ? std::min(2 * group_, largest_group) : std::max(group_ / 2, smallest_group);
   asked_for_ = 0;
-  survey_.first = first;
-  survey_.end = std::min(first + group_, path_.end());
-  const HeldPath::Stretch stretch = path_.stretch(first, survey_.end);
-  survey_.area = stretch.area;
-  survey_.radius = stretch.radius;
-  survey_.skipped = stretch.reachable ? certified_for_all(first, survey_.end) : BoxTree::Range{};
-  survey_.near.clear();
-  boxes_.for_each_four_near(survey_.area, survey_.radius + tolerances_.same_point, survey_.skipped,
-                            [&](const NearFour& four) { survey_.near.push_back(four); });
+  group_query_.first = first;
+  group_query_.end = std::min(first + group_, path_.end());
+  const HeldPath::Stretch stretch = path_.stretch(first, group_query_.end);
+  group_query_.area = stretch.area;
+  group_query_.radius = stretch.radius;
+  group_query_.skipped =
+      stretch.reachable ? certified_for_all(first, group_query_.end) : BoxTree::Range{};
+  group_query_.near.clear();
+  boxes_.for_each_four_near(group_query_.area, group_query_.radius + tolerances_.same_point,
+                            group_query_.skipped,
+                            [&](const NearFour& four) { group_query_.near.push_back(four); });
   few_.first = few_.end = first;
 }
 
 void Obstacles::look_closer() {
   constexpr std::size_t a_few = 4;
   few_.first = few_.end;
-  few_.end = std::min(few_.first + a_few, survey_.end);
+  few_.end = std::min(few_.first + a_few, group_query_.end);
   few_.near.clear();
   const HeldPath::Stretch stretch = path_.stretch(few_.first, few_.end);
   const BoxTree::Range skipped =
       stretch.reachable ? certified_for_all(few_.first, few_.end) : BoxTree::Range{};
   const FourBoxes::Surroundings surroundings(stretch.area, stretch.radius + tolerances_.same_point);
-  for (const NearFour& four : survey_.near) {
+  for (const NearFour& four : group_query_.near) {
     NearFour near = four.only(four.boxes->near(surroundings));
     near.drop(skipped.first, skipped.last + 1);
     if (near.bits != 0) few_.near.push_back(near);

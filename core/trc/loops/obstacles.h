@@ -40,9 +40,9 @@ class Obstacles {
         checkpoint_(checkpoint),
         certificate_(tolerances) {}
 
-  // The contour block that has been appended to the path; `apart`: its equidistant does not meet
+  // The contour block that has been appended to the path; `gap`: its equidistant does not meet
   // that of the block before.
-  void append(const Certificate::Block& course, const Box& area, bool apart);
+  void append(const Certificate::Block& course, const Box& area, bool gap);
   [[nodiscard]] const Walls& walls() const { return walls_; }
   // Which of them are walls, and for whose path; all for all until it is said (D-38).
   void set_walls(Walls walls) {
@@ -68,7 +68,7 @@ class Obstacles {
     const double radius = path_.radius_of_tool(block);
     return radius - let_pass(radius, nearness);
   }
-  // The same for one contour block: `limit` is how near is too near for walls.
+  // reach() for one contour block: `limit` is how near is too near for walls.
   [[nodiscard]] double reach_to(std::size_t number, std::size_t block, double limit) const {
     if (all_are_walls_) return limit;
     return limit - walls_.touch_between(number, path_.number_of(block));
@@ -100,12 +100,12 @@ class Obstacles {
   // Once the contour has ended: up to which block nothing at all can be in the way, from this one
   // on. To be asked for before the questions above, which are cheaper then.
   [[nodiscard]] std::size_t clear_until(std::size_t block) {
-    const bool surveyed = block >= survey_.first && block < survey_.end;
-    if (!surveyed && !is_surveyed(block)) survey(block);
+    const bool in_group = block >= group_query_.first && block < group_query_.end;
+    if (!in_group && !is_in_group(block)) query_group(block);
     ++asked_for_;
-    if (survey_.near.empty()) return survey_.end;
+    if (group_query_.near.empty()) return group_query_.end;
     // Where the walk leaves blocks out, what is left is not worth it.
-    if (block == few_.end && block < survey_.end) look_closer();
+    if (block == few_.end && block < group_query_.end) look_closer();
     return block >= few_.first && block < few_.end && few_.near.empty() ? few_.end : block;
   }
 
@@ -142,18 +142,18 @@ class Obstacles {
   using Fours = std::vector<NearFour>;
 
   void rebuild_boxes();
-  void survey(std::size_t first);
-  // The same for the next few blocks of the survey.
+  void query_group(std::size_t first);
+  // query_group() for the next few blocks of it.
   void look_closer();
-  // Whether what has been surveyed is all that may be near the block.
-  [[nodiscard]] bool is_surveyed(std::size_t block) const;
+  // Whether what the group query found is all that may be near the block.
+  [[nodiscard]] bool is_in_group(std::size_t block) const;
   // Those the certificate takes out of the question.
   [[nodiscard]] BoxTree::Range certified(std::size_t block) const;
   // For all blocks of the path before `end`, which are reachable; those it may leave in question.
   [[nodiscard]] BoxTree::Range certified_for_all(std::size_t first, std::size_t end) const;
   // All contour blocks it may come nearer to than `limit`: neighbours_. With some that are a
-  // little farther off. `surveyed`: what has been surveyed is all of them.
-  void find_neighbours(std::size_t block, const Box& area, double limit, bool surveyed) const;
+  // little farther off. `in_group`: what the group query found is all of them.
+  void find_neighbours(std::size_t block, const Box& area, double limit, bool in_group) const;
   [[nodiscard]] bool neighbours_come_nearer(std::size_t block, const PathPart& part,
                                             double limit) const;
   // Whether they are more than is worth asking for the nearest one.
@@ -175,7 +175,7 @@ class Obstacles {
   bool all_are_walls_ = true;
   // A stretch of the path, and all contour blocks that may be near one of its blocks. Whatever lies
   // in the same area and has no larger radius has no others.
-  struct Survey {
+  struct GroupQuery {
     std::size_t first = 0;
     std::size_t end = 0;
     Box area{};
@@ -183,7 +183,7 @@ class Obstacles {
     BoxTree::Range skipped{};  // certified for all of them
     Fours near{};              // without these
   };
-  Survey survey_;
+  GroupQuery group_query_;
   // A few blocks of that, and all of `near` there that is in question for one of them.
   struct Few {
     std::size_t first = 0;
@@ -191,7 +191,7 @@ class Obstacles {
     Fours near{};
   };
   Few few_;
-  std::size_t group_ = 8;      // how many blocks are surveyed together
+  std::size_t group_ = 8;      // how many blocks are queried together
   std::size_t asked_for_ = 0;  // how often that was of use
   // Members for their memory's sake.
   mutable Fours neighbours_;

@@ -13,7 +13,7 @@ class DroppedBlocks {
  public:
   DroppedBlocks(const Point& place, PathBlocks& out) : place_(place), out_(out) {}
 
-  // The next contour block of the loop. Those on which nothing rides count only as the first and
+  // The next contour block of the loop. Those without passive blocks count only as the first and
   // the last one.
   void add(PathBlockPtr block);
   // There are no more.

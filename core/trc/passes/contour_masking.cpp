@@ -155,8 +155,8 @@ bool ContourMasking::keep(std::size_t index) {
     }
     // Of two that do not meet, or only where there is nothing of either, the one with less to cut
     // gives way.
-    const bool apart = !meeting || (!adjacent && left_of_block(block, meeting->cut_after, 0) < 0);
-    if (apart && !begins_contour && equidistant_length(block) < equidistant_length(before)) {
+    const bool gap = !meeting || (!adjacent && left_of_block(block, meeting->cut_after, 0) < 0);
+    if (gap && !begins_contour && equidistant_length(block) < equidistant_length(before)) {
       block.masked = true;
       return true;
     }

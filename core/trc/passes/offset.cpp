@@ -1,6 +1,5 @@
 #include "core/trc/passes/offset.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include "core/geometry/parallel.h"
@@ -32,11 +31,10 @@ bool Offset::keeps_circle(PathBlock& block, double shift) {
   if (arc == nullptr || block.role != Role::contour) return true;
   const double radius = parallel_radius(*arc, shift);
   if (block.removes_loops()) {
-    // However small it is, the equidistant is there and may be the only way on.
-    block.unreachable = radius <= tolerances_.rounding * std::max(std::abs(shift), 1.0);
+    block.unreachable = is_unreachable(radius, shift, tolerances_);
     return true;
   }
-  if (radius >= tolerances_.on_contour) return true;
+  if (!vanishes(radius, tolerances_)) return true;
   if (block.mode().masking == Masking::on) {
     block.masked = true;
     return true;

@@ -1,10 +1,25 @@
 #pragma once
 
+#include <algorithm>
+#include <cmath>
+
 #include "core/base/diagnostics.h"
 #include "core/base/tolerances.h"
 #include "core/trc/path_block.h"
 
 namespace trc {
+
+// Whether the equidistant of an arc, of this radius, leaves nothing to travel on (90017).
+[[nodiscard]] inline bool vanishes(double radius, const Tolerances& tolerances) {
+  return radius < tolerances.on_contour;
+}
+
+// What counts where loops are removed: however small it is, the equidistant is there and may be the
+// only way on.
+[[nodiscard]] inline bool is_unreachable(double radius, double shift,
+                                         const Tolerances& tolerances) {
+  return radius <= tolerances.rounding * std::max(std::abs(shift), 1.0);
+}
 
 // Sets tangents, P and Q of the block, whatever becomes of its circle.
 void give_offsets(PathBlock& block);

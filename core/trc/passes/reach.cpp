@@ -29,7 +29,7 @@ std::optional<Joint> cuts_between(const PathBlock& before, const PathBlock& afte
   const auto result =
       joint_between(before, after, corner_between(before, after, tolerances), tolerances);
   const auto* joined = std::get_if<JoinedBlocks>(&result);
-  if (joined == nullptr || joined->apart) return std::nullopt;
+  if (joined == nullptr || joined->gap) return std::nullopt;
   return joined->joint;
 }
 

@@ -230,7 +230,7 @@ bool Transitions::join(PathBlock& after, PathBlocks& out) {
   JointResult result = joint_between(before, after, corner, tolerances_);
   if (const auto* refusal = std::get_if<JointRefusal>(&result))
     return refuse(*refusal, corner, after);
-  auto& [joint, tangential_path, apart] = std::get<JoinedBlocks>(result);
+  auto& [joint, tangential_path, gap] = std::get<JoinedBlocks>(result);
   if (tangential_path) {
     PathBlock& block = before.role == Role::approach ? before : after;
     block.tool_path = *tangential_path;
@@ -251,7 +251,7 @@ bool Transitions::join(PathBlock& after, PathBlocks& out) {
   if (radius_changes) change_radius_at_once(corner, after, joint);
   open(after, joint.start, joint.cut_after, tolerances_);
   out.push_back(std::move(held_));
-  const bool leads_through_contour = apart;
+  const bool leads_through_contour = gap;
   const bool changes_side =
       is_contour(before) && is_contour(after) && before.at_end.shift * after.at_start.shift < 0;
   const auto insert_here = [&](const Segment& segment, Origin why) {

@@ -80,7 +80,7 @@ class Transitions {
   selection::RefusedWay& refused_way_;
   PathBlockPtr held_;
   PathBlockPtr short_;       // behind the held block, of a bow tie where the next one crosses that
-  PathBlocks masked_;        // likewise, masked
+  PathBlocks masked_;        // behind the held block
   double deepest_told_ = 0;  // mm, of corners that wear mode does not reach
 };
 

@@ -14,7 +14,7 @@ namespace trc::selection {
                                                       const Vector& tangent,
                                                       const Tolerances& tolerances);
 
-// The same on the way out: leaves `contact` along `tangent` to `target`.
+// The arc of the way out: leaves `contact` along `tangent` to `target`.
 [[nodiscard]] std::optional<Segment> tangential_exit(const Point& contact, const Vector& tangent,
                                                      const Point& target,
                                                      const Tolerances& tolerances);

@@ -34,7 +34,7 @@ class ShortRelease {
   // The lines in place of the arc it is at, all or none.
   bool put_out_lines(const HeldPath::Reader& held, std::size_t transition,
                      std::vector<CompensatedBlock>& out);
-  // The same with what is travelled of one.
+  // What is travelled of one, where that is not all of it.
   bool put_out_part(const PathPiece& part, std::vector<CompensatedBlock>& out);
   [[nodiscard]] bool may_put_out(const HeldPath::Setting& setting) const;
   // Does nothing where the passes have to do it. `cuts`: what removed loops have cut.

@@ -82,7 +82,10 @@ std::size_t ShortWay::take(PathBlock& open, PathBlock& held, std::span<Block> bl
     auto* motion = std::get_if<MotionBlock>(&block);
     if (motion == nullptr || motion->mode.get() != mode_ || !going_) break;
     offset(*last, *after, *corner, *next_corner);
-    if (vanishes(corner->after) || !join(*corner, *before, *after, out)) break;
+    const OffsetCurve& equidistant = corner->after;
+    if (!removes_loops_ && equidistant.circular && vanishes(equidistant.circle.radius, tolerances_))
+      break;
+    if (!join(*corner, *before, *after, out)) break;
     std::swap(before, after);
     std::swap(corner, next_corner);
     last = motion;
@@ -124,8 +127,7 @@ void ShortWay::offset(MotionBlock& programmed, Step& step, Corner& begin, Corner
     step.length = std::abs(arc->sweep) * radius;
     step.extent = std::abs(arc->sweep);
     step.radius = radius;
-    step.unreachable = removes_loops_ && first.circle.radius <=
-                                             tolerances_.rounding * std::max(std::abs(shift_), 1.0);
+    step.unreachable = removes_loops_ && is_unreachable(first.circle.radius, shift_, tolerances_);
   } else {
     const Line& line = std::get<Line>(programmed.path);
     const auto [tangent, length] = directed(line.end - line.start);
@@ -139,12 +141,6 @@ void ShortWay::offset(MotionBlock& programmed, Step& step, Corner& begin, Corner
   step.tangent_at_start = first.tangent;
 }
 
-// 90017, where no loops are removed.
-bool ShortWay::vanishes(const OffsetCurve& equidistant) const {
-  return !removes_loops_ && equidistant.circular &&
-         equidistant.circle.radius < tolerances_.on_contour;
-}
-
 // The rules between contour blocks (rule 4.2) as joint_between() has them for such blocks. In one
 // piece: what is done from here on takes less than to call it step by step.
 TRC_FLATTEN bool ShortWay::join(const Corner& corner, const Step& before, Step& after,
@@ -156,11 +152,7 @@ TRC_FLATTEN bool ShortWay::join(const Corner& corner, const Step& before, Step& 
       return leave(corner, tangential_joint(corner), false, before, after, out);
     case CornerKind::outside:
       return leave(corner,
-                   outside_joint(corner,
-                                 {.transition = removes_loops_ ? Transition::circular  // D-45
-                                                               : mode_->transition,
-                                  .stretch_factor = mode_->options.stretch_factor},
-                                 tolerances_),
+                   outside_joint(corner, transition_rule(*mode_, removes_loops_), tolerances_),
                    false, before, after, out);
     case CornerKind::inside:
       break;
@@ -174,22 +166,24 @@ TRC_FLATTEN bool ShortWay::join(const Corner& corner, const Step& before, Step& 
 
 bool ShortWay::join_inside(const Corner& corner, const Step& before, Step& after,
                            std::vector<CompensatedBlock>& out) {
+  if (!removes_loops_) {
+    const auto meeting = inside_joint(corner, tolerances_);
+    return meeting && leave(corner, Joint(*meeting), false, before, after, out);
+  }
   const bool vanished = before.unreachable || after.unreachable;
   const auto meeting =
-      vanished ? std::nullopt : inside_joint(corner, removes_loops_ ? exact_ : tolerances_);
-  if (meeting && (!removes_loops_ ||
-                  (before.extent >= meeting->cut_before && after.extent >= meeting->cut_after)))
-    return leave(corner, Joint(*meeting), false, before, after, out);
-  return removes_loops_ && leave(corner, joint_across(corner.before.anchor, corner.after.anchor),
-                                 true, before, after, out);
+      vanished ? std::nullopt : inside_joint_on_blocks(corner, before.extent, after.extent, exact_);
+  return meeting ? leave(corner, Joint(*meeting), false, before, after, out)
+                 : leave(corner, joint_across(corner.before.anchor, corner.after.anchor), true,
+                         before, after, out);
 }
 
-bool ShortWay::leave(const Corner& corner, const Joint& joint, bool apart, const Step& before,
+bool ShortWay::leave(const Corner& corner, const Joint& joint, bool gap, const Step& before,
                      Step& after, std::vector<CompensatedBlock>& out) {
   after.tool_start = joint.start;
   after.cut_at_start = joint.cut_after;
   if (removes_loops_) {
-    hold(corner, joint, apart, before, after);
+    hold(corner, joint, gap, before, after);
     if (loop_removal_.look_ahead() > 0) put_out_leaving(out);
     return true;
   }
@@ -232,8 +226,7 @@ bool ShortWay::put_out(const Path& path, const Joint& joint, const Step& before,
 }
 
 TRC_FLATTEN [[gnu::noinline]] void ShortWay::hold(const Corner& corner, const Joint& joint,
-                                                  bool apart, const Step& before,
-                                                  const Step& after) {
+                                                  bool gap, const Step& before, const Step& after) {
   const HeldPath::Cuts cuts{before.cut_at_start, joint.cut_before};
   if (const auto* arc = std::get_if<Arc>(&before.programmed->path)) {
     const double left = before.extent - cuts.at_start - cuts.at_end;
@@ -244,7 +237,7 @@ TRC_FLATTEN [[gnu::noinline]] void ShortWay::hold(const Corner& corner, const Jo
     const Line path{.start = before.tool_start, .end = joint.end};
     hold(corner, std::get<Line>(before.programmed->path), path, cuts, before);
   }
-  if (!joint.inserted().empty()) hold_inserted(joint, apart, before, after);
+  if (!joint.inserted().empty()) hold_inserted(joint, gap, before, after);
 }
 
 template <class Programmed, class Path>
@@ -263,8 +256,7 @@ void ShortWay::hold(const Corner& corner, const Programmed& programmed, const Pa
   going_ = loop_removal_.take(plain, leaving_);
 }
 
-void ShortWay::hold_inserted(const Joint& joint, bool apart, const Step& before,
-                             const Step& after) {
+void ShortWay::hold_inserted(const Joint& joint, bool gap, const Step& before, const Step& after) {
   const MotionBlock& programmed = *before.programmed;
   const bool has_more = programmed.rapid || programmed.feed <= 0 || programmed.normal.moves() ||
                         !programmed.tracking.empty();
@@ -273,9 +265,9 @@ void ShortWay::hold_inserted(const Joint& joint, bool apart, const Step& before,
   for (const auto& segment : joint.inserted()) {
     if (!going_) return;
     const auto take = [&](const auto& path) {
-      if (!has_more) return loop_removal_.take_transition(path, apart, programmed.source, leaving_);
+      if (!has_more) return loop_removal_.take_transition(path, gap, programmed.source, leaving_);
       inserted_.rapid = rapid && std::is_same_v<decltype(path), const Line&>;
-      return loop_removal_.take_transition(path, apart, inserted_, leaving_);
+      return loop_removal_.take_transition(path, gap, inserted_, leaving_);
     };
     going_ = std::visit(take, *segment);
   }

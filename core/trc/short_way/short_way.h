@@ -64,7 +64,6 @@ class ShortWay {
   void begin(const PathBlock& held);
   // Sets the equidistant of a block: behind the corner it begins at, before the one it ends at.
   void offset(MotionBlock& programmed, Step& step, Corner& begin, Corner& end) const;
-  [[nodiscard]] bool vanishes(const OffsetCurve& equidistant) const;
 
   // Puts out the block before the corner and what is inserted behind it. Returns false, and does
   // nothing, where the passes have to do it.
@@ -72,20 +71,20 @@ class ShortWay {
             std::vector<CompensatedBlock>& out);
   bool join_inside(const Corner& corner, const Step& before, Step& after,
                    std::vector<CompensatedBlock>& out);
-  // The same once it is known what becomes of the corner. `apart` as in JoinedBlocks.
-  bool leave(const Corner& corner, const Joint& joint, bool apart, const Step& before, Step& after,
+  // Goes on once it is known what becomes of the corner. `gap` as in JoinedBlocks.
+  bool leave(const Corner& corner, const Joint& joint, bool gap, const Step& before, Step& after,
              std::vector<CompensatedBlock>& out);
   bool put_out(const Corner& corner, const Joint& joint, const Step& before, const Step& after,
                std::vector<CompensatedBlock>& out);
   template <class Path>
   bool put_out(const Path& path, const Joint& joint, const Step& before, const Step& after,
                std::vector<CompensatedBlock>& out);
-  void hold(const Corner& corner, const Joint& joint, bool apart, const Step& before,
+  void hold(const Corner& corner, const Joint& joint, bool gap, const Step& before,
             const Step& after);
   template <class Programmed, class Path>
   void hold(const Corner& corner, const Programmed& programmed, const Path& path,
             const HeldPath::Cuts& cuts, const Step& before);
-  void hold_inserted(const Joint& joint, bool apart, const Step& before, const Step& after);
+  void hold_inserted(const Joint& joint, bool gap, const Step& before, const Step& after);
   // What a window of LoopRemoval has set free.
   void put_out_leaving(std::vector<CompensatedBlock>& out);
   bool inverse_path_;

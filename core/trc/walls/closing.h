@@ -46,8 +46,8 @@ struct Closing {
   std::optional<Overrun> overrun{};
 };
 
-// Among the first blocks – five, and all that begin within 10 · R of the start – and the last ones,
-// likewise, the point that is latest on the first ones where they meet within the tolerance, so
+// Among the first blocks – five, and all that begin within 10 · R of the start – and as many of the
+// last ones, the point that is latest on the first ones where they meet within the tolerance, so
 // that half of the contour lies between. Leads that cross or begin in one point do not hide the
 // start of the contour, and a second lap does not pass for one. n log n.
 //

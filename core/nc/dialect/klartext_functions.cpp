@@ -1,0 +1,111 @@
+#include <string_view>
+
+#include "core/nc/dialect/klartext_block.h"
+
+// M functions of Klartext.
+
+namespace trc {
+namespace {
+
+// Why a block with this M function is not followed; empty: it is. `active`: while TRC is.
+std::string_view why_unfollowed(int m, bool active) {
+  switch (m) {
+    case 91:
+    case 92:
+      return ", machine coordinates";
+    case 140:
+      return ", a retract along the tool";
+    default:
+      break;
+  }
+  if (!active) return {};
+  switch (m) {
+    case 89:
+    case 99:
+      return ", a cycle call";
+    case 97:
+      return ", corners of small steps";
+    case 98:
+      return ", open corners";
+    case 128:
+    case 144:
+      return ", the tool tip is led";
+    case 136:
+      return ", feed per turn";
+    default:
+      return {};
+  }
+}
+
+}  // namespace
+
+bool Interpreter::read_klartext_function(const KlartextWord& word, ProgramLine& line,
+                                         KlartextBlock& block) {
+  const auto m = static_cast<int>(word.value);
+  const std::string_view why = why_unfollowed(m, trc_active());
+  if (!why.empty() && !block.unfollowed) {
+    block.unfollowed_why = line.word({.begin = word.begin, .end = word.end});
+    block.unfollowed_why += why;
+    block.unfollowed = word.begin;
+  }
+  WordRole role = WordRole::technology;
+  switch (m) {
+    case 0:
+    case 1:
+    case 2:
+    case 30:
+      role = WordRole::stop;
+      line.ends_program |= m == 2 || m == 30;
+      break;
+    case 89:
+    case 99:
+      block.calls_cycle = true;
+      if (m == 89) klartext_.modal_cycle = true;
+      if (m == 99) klartext_.modal_cycle = false;
+      break;
+    case 91:
+    case 92:
+      block.machine_place = true;
+      break;
+    case 109:
+    case 110:
+    case 111:
+      role = WordRole::trc;
+      block.adapts_feed = m == 109   ? FeedAdaptation::on
+                          : m == 110 ? FeedAdaptation::inside
+                                     : FeedAdaptation::off;
+      break;
+    case 120:
+      role = WordRole::trc;
+      block.masks = false;  // LA says how far
+      break;
+    case 136:
+      block.feed_per_turn = true;
+      klartext_.feed_per_turn = true;
+      break;
+    case 137:
+      klartext_.feed_per_turn = false;
+      break;
+    case 128:
+    case 144:
+      klartext_.unfollowed = true;
+      block.ignores_words = true;
+      break;
+    case 129:
+    case 145:
+      klartext_.unfollowed = false;
+      break;
+    case 103:
+    case 118:
+    case 138:
+    case 140:
+      block.ignores_words = true;
+      break;
+    default:
+      break;
+  }
+  add(line, word, role);
+  return true;
+}
+
+}  // namespace trc

@@ -1,0 +1,93 @@
+#include <algorithm>
+#include <cmath>
+
+#include "core/nc/writer/nc_writer.h"
+#include "core/nc/writer/written_block.h"
+
+// Which lines still make the motion of their block and are copied.
+
+namespace trc {
+namespace {
+
+// mm; a reader takes the start of a copied arc for the programmed one.
+constexpr double same_start = 1e-9;
+
+}  // namespace
+
+bool NcWriter::copy_motion(const Waiting& own, const CompensatedBlock& block, std::string& out) {
+  const ProgramLine& line = *own.line;
+  if (line.has_trc_words || !line.is_motion) return false;
+  if (line.motion != kind_of(block)) return false;
+  if (!own.line->has(WordRole::motion) && line.motion != state_.motion) return false;
+  if (is_arc(block.path) && line.plane != block.plane) return false;
+  if (!block.rapid && block.feed > 0 && !own.line->has(WordRole::feed) && !has_feed(block))
+    return false;
+  if (line.klartext && !has_what_it_counts_on(line, block)) return false;
+  after_.position = state_.position;
+  after_.tracking = state_.tracking;
+  if (!reads_as(own, block, after_)) return false;
+
+  enter_modes(own);
+  if (line.klartext) {
+    const Point pole(line.klartext->pole_x, line.klartext->pole_y);
+    if (line.klartext->needs_pole && state_.pole_written) write_pole(pole, block.plane, out);
+    enter_klartext(line, true);
+    state_.pole_written &= !line.klartext->needs_pole;
+  }
+  copied_index_ = line.source.index;
+  state_.position = after_.position;
+  state_.tracking = after_.tracking;
+  if (own.line->has(WordRole::feed)) enter_feed(line);
+  state_.motion = line.motion;
+  write_text(line.text, line.line_end, out);
+  own_ = nullptr;
+  return true;
+}
+
+bool NcWriter::reads_as(const Waiting& own, const CompensatedBlock& block,
+                        WrittenState& after) const {
+  const ProgramLine& line = *own.line;
+  const AxisSet named = axes_named_in(line);
+  const AxisSet in_plane = plane_axes(block.plane);
+  const bool flat = moves_in_plane(block);
+  const Position start = from_plane(block.plane, start_of(block.path), block.normal.from);
+  const Position end = from_plane(block.plane, end_of(block.path), block.normal.to);
+  for (std::size_t axis = 0; axis < end.size(); ++axis) {
+    const AxisSet bit = axis_bit(axis);
+    double& position = after.position[axis];
+    // The centre may count from the start, so that an arc begins just there.
+    if (is_arc(block.path) && (in_plane & bit) != 0 &&
+        !(std::abs(position - start[axis]) <= same_start))
+      return false;
+    // Without motion in the plane the block stays where TRC has put it, and the
+    // words of the line name the programmed place.
+    if (!flat && (in_plane & named & bit) != 0 &&
+        !motions_.reaches(end[axis], own.meaning.end[axis], line.inch))
+      return false;
+    if ((named & bit) != 0)
+      position = line.incremental || (line.klartext && (line.klartext->increments & bit) != 0)
+                     ? position + (end[axis] - start[axis])
+                     : end[axis];
+    if (!motions_.reaches(end[axis], position, line.inch)) return false;
+  }
+  for (std::size_t axis = 0; axis < block.tracking.size(); ++axis) {
+    const AxisTravel& travel = block.tracking[axis];
+    double& position = after.tracking[axis];
+    if ((named & axis_bit(end.size() + axis)) != 0)
+      position = line.incremental ? position + (travel.to - travel.from) : travel.to;
+    if (!motions_.reaches_tracking(axis, travel.to, position, line.inch)) return false;
+  }
+  return true;
+}
+
+bool NcWriter::has_what_it_counts_on(const ProgramLine& line, const CompensatedBlock& block) const {
+  const KlartextLine& says = *line.klartext;
+  if (says.needs_tangent && state_.other_tangent) return false;
+  if (says.needs_polar_radius && state_.other_radius) return false;
+  if (!says.counts_from_start) return true;
+  const Position start = from_plane(block.plane, start_of(block.path), block.normal.from);
+  return std::ranges::equal(state_.position, start,
+                            [](double a, double b) { return std::abs(a - b) <= same_start; });
+}
+
+}  // namespace trc

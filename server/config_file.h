@@ -1,0 +1,12 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <memory>
+
+namespace trc::server {
+
+// Lets a TOML or a YAML library read the file of `app`, as its name says, and drops what the
+// environment overrides. Errors (CLI::ConfigError) name file and line.
+[[nodiscard]] std::shared_ptr<CLI::Config> config_file(const CLI::App& app);
+
+}  // namespace trc::server
