@@ -76,7 +76,10 @@ ProgramInfo describe_program(const std::string& program, ProgramSessionSetup set
   const Answer whole = answers.take();
   info.refused = session.diagnostics().stopped();
   const Contours contours = contours_of(whole.blocks);
-  text << "lines: " << session.lines_read() << '\n'
+  text << "lines: " << session.lines_read() << '\n';
+  if (session.is_computing())
+    text << "computes: yes, " << session.executed_lines() << " lines executed\n";
+  text
        << "selections: " << contours.selections << ", " << contours.blocks << " blocks, "
        << rounded(contours.length) << " mm\n";
   const std::vector<Diagnostic>& found = whole.diagnostics;

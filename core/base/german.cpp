@@ -342,6 +342,61 @@ constexpr auto rows = std::to_array<GermanRow>({
               "Mittelpunktsbahn führt es nicht tiefer in diese Innenecke",
      .help = "Wo die Ecke schärfer werden soll, die Kontur selbst mit dem ganzen Radius "
              "korrigieren."},
+    {.code = Code::too_many_lines_executed,
+     .title = "es werden mehr Zeilen ausgeführt als erlaubt",
+     .help = "Nach einer Schleife suchen, die nie endet. Ein Programm, das so lang sein soll, "
+             "braucht ein größeres max_executed_lines.",
+     .on_command_line = "Nach einer Schleife suchen, die nie endet. Ist das Programm so lang "
+                        "gemeint: --max-executed-lines."},
+    {.code = Code::calls_too_deep,
+     .title = "Unterprogramme rufen einander zu tief auf",
+     .help = "Nach einem Unterprogramm suchen, das sich selbst aufruft. Keine Steuerung erlaubt "
+             "mehr als einige Ebenen."},
+    {.code = Code::variable_unset,
+     .title = "eine Variable wird gelesen, die keinen Wert hat",
+     .help = "Sie im Programm setzen oder ihren Wert in `variables` des Setups angeben.",
+     .on_command_line = "Sie im Programm setzen oder ihren Wert angeben: --variable NAME=VALUE."},
+    {.code = Code::division_by_zero,
+     .title = "eine Zahl wird durch null geteilt",
+     .help = "Die Werte der Variablen im Teiler prüfen."},
+    {.code = Code::jump_target_unknown,
+     .title = "das Ziel eines Sprungs ist nicht da, oder nicht das einzige, das gemeint sein kann",
+     .help = "Die Nummer oder die Marke berichtigen. Sie muss im selben Programm stehen; in "
+             "einem Programm von mehr als 64 KiB reichen Sprünge nur bis zur ersten Zeile "
+             "zurück, die rechnet."},
+    {.code = Code::subprogram_unknown,
+     .title = "ein Unterprogramm wird aufgerufen, das nicht da ist",
+     .help = "Es hinter das Programm in denselben Text stellen oder seinen Text in `subprograms` "
+             "des Setups angeben.",
+     .on_command_line = "Es hinter das Programm in dieselbe Datei stellen oder seine Datei "
+                        "angeben: --subprograms FILE, oder den Ordner."},
+    {.code = Code::machine_state,
+     .title = "das Programm fragt nach einem Zustand, den nur die Maschine kennt, oder ändert ihn",
+     .help = "Wo sein Wert bekannt ist, ihn in `variables` des Setups angeben; sonst die Zeile "
+             "herausnehmen.",
+     .on_command_line = "Wo sein Wert bekannt ist, ihn angeben: --variable NAME=VALUE; sonst die "
+                        "Zeile herausnehmen."},
+    {.code = Code::expression_invalid,
+     .title = "ein Ausdruck oder eine Anweisung ist nicht so geschrieben, wie die Steuerung sie "
+              "liest",
+     .help = "Mit dem Handbuch der Steuerung vergleichen: Klammern [ ] paarweise, ein Vergleich "
+             "in jedem Paar."},
+    {.code = Code::value_invalid,
+     .title = "ein berechneter Wert ist dort nicht möglich",
+     .help = "Die Werte der Variablen prüfen: eine Funktion nimmt nur gewisse Werte, und eine "
+             "Nummer oder ein Index ist ganzzahlig und nicht negativ."},
+    {.code = Code::block_structure,
+     .title = "der Anfang oder das Ende einer Schleife, einer Verzweigung oder eines "
+              "Unterprogramms fehlt",
+     .help = "Beide schreiben, mit derselben Nummer oder demselben Namen; ein Unterprogramm mit "
+             "seinem Rücksprung beenden."},
+    {.code = Code::computing_text_too_long,
+     .title = "der Text eines Programms, das rechnet, ist zu lang, um ihn vorzuhalten",
+     .help = "Das Programm teilen, oder den Teil, der nicht rechnet, ein eigenes Programm sein "
+             "lassen."},
+    {.code = Code::program_alarm,
+     .title = "das Programm selbst löst einen Alarm aus",
+     .help = "Sein Text sagt, was das Programm verlangt; die Zeilen davor ansehen."},
 });
 
 static_assert(std::ranges::is_sorted(rows, {}, &GermanRow::code));
