@@ -79,8 +79,7 @@ ProgramInfo describe_program(const std::string& program, ProgramSessionSetup set
   text << "lines: " << session.lines_read() << '\n';
   if (session.is_computing())
     text << "computes: yes, " << session.executed_lines() << " lines executed\n";
-  text
-       << "selections: " << contours.selections << ", " << contours.blocks << " blocks, "
+  text << "selections: " << contours.selections << ", " << contours.blocks << " blocks, "
        << rounded(contours.length) << " mm\n";
   const std::vector<Diagnostic>& found = whole.diagnostics;
   text << (info.refused ? "refused:\n" : found.empty() ? "nothing to refuse\n" : "to look at:\n");

@@ -26,7 +26,7 @@ struct ProgramOptions {
   std::vector<std::string> variables{};    // name=value
   std::vector<std::string> subprograms{};  // files and folders
   std::optional<std::uint64_t> max_executed_lines{};
-  std::string language{};                  // empty: that of the environment
+  std::string language{};  // empty: that of the environment
   Loudness loudness{};
   ServiceOptions service{};
 };

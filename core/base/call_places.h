@@ -11,8 +11,8 @@ namespace trc {
 
 // A subprogram that is being executed, and where it was called.
 struct CallPlace {
-  std::string subprogram{};         // as its comment in the flat program names it
-  std::uint32_t called_from = 0;    // 1-based line, of the text that calls it
+  std::string subprogram{};       // as its comment in the flat program names it
+  std::uint32_t called_from = 0;  // 1-based line, of the text that calls it
   // 1-based line of the text of its own that a given subprogram has; 0: it stands in the program.
   std::uint32_t line_within = 0;
 

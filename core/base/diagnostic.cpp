@@ -253,14 +253,11 @@ constexpr auto rows = std::to_array<CodeRow>({
      "more lines are executed than allowed",
      "Look for a loop that never ends. A program that is meant to be so long needs a larger "
      "max_executed_lines."},
-    {Code::calls_too_deep, error, "CALLS_TOO_DEEP",
-     "subprograms call one another too deeply",
+    {Code::calls_too_deep, error, "CALLS_TOO_DEEP", "subprograms call one another too deeply",
      "Look for a subprogram that calls itself. No control allows more than a few levels."},
-    {Code::variable_unset, error, "VARIABLE_UNSET",
-     "a variable is read that has no value",
+    {Code::variable_unset, error, "VARIABLE_UNSET", "a variable is read that has no value",
      "Set it in the program, or give its value in `variables` of the setup."},
-    {Code::division_by_zero, error, "DIVISION_BY_ZERO",
-     "a number is divided by zero",
+    {Code::division_by_zero, error, "DIVISION_BY_ZERO", "a number is divided by zero",
      "Check the values of the variables in the divisor."},
     {Code::jump_target_unknown, error, "JUMP_TARGET_UNKNOWN",
      "the target of a jump is not there, or not the only one that may be meant",
@@ -277,8 +274,7 @@ constexpr auto rows = std::to_array<CodeRow>({
      "an expression or a statement is not written as the control reads it",
      "Compare it with the manual of the control: brackets [ ] in pairs, one comparison in each "
      "pair."},
-    {Code::value_invalid, error, "VALUE_INVALID",
-     "a computed value is not possible there",
+    {Code::value_invalid, error, "VALUE_INVALID", "a computed value is not possible there",
      "Check the values of the variables: a function takes only so much, and a number or an index "
      "is whole and not negative."},
     {Code::block_structure, error, "BLOCK_STRUCTURE",
@@ -287,8 +283,7 @@ constexpr auto rows = std::to_array<CodeRow>({
     {Code::computing_text_too_long, error, "COMPUTING_TEXT_TOO_LONG",
      "the text of a program that computes is too long to be held",
      "Divide the program, or let the part that does not compute be a program of its own."},
-    {Code::program_alarm, error, "PROGRAM_ALARM",
-     "the program itself raises an alarm",
+    {Code::program_alarm, error, "PROGRAM_ALARM", "the program itself raises an alarm",
      "Its text says what the program asks for; look at the lines in front of it."},
 });
 

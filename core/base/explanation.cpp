@@ -945,8 +945,7 @@ constexpr auto rows = std::to_array<Explanation>({
      .meaning = "Positions, offsets, times, signals and the result of a probe are known when the "
                 "program runs, not before.",
      .causes = {"A system variable, as #5041 or #5021.",
-                "A line that writes an offset of the machine.",
-                "A program that measures."},
+                "A line that writes an offset of the machine.", "A program that measures."},
      .on_command_line = "Where its value is known, give it: --variable NAME=VALUE; else take the "
                         "line out.",
      .example = "#100=#5041\n"

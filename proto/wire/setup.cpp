@@ -306,7 +306,8 @@ void read_computing(const v1::ProgramSetup& message, const FieldPath& path, Prog
   const auto is_name = [&](const std::string& name, std::string_view field) {
     if (!name.empty() && name.size() <= longest_name) return true;
     add_fault(FieldPath(path, field),
-              "has a name that is not 1 to " + std::to_string(longest_name) + " bytes long", faults);
+              "has a name that is not 1 to " + std::to_string(longest_name) + " bytes long",
+              faults);
     return false;
   };
   if (!is_too_many(message.variables().size(), most_variables, "variables"))

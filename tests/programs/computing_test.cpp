@@ -23,7 +23,8 @@ TEST(AProgramThatComputes, PassesItsLinesInFrontAsTheyStand) {
 }
 
 TEST(AProgramThatComputes, IsNoneForAnythingInAComment) {
-  const std::string text = "O1\nG0 X1. (#1=2 M98 P5)\nG1 X2. F100 ; WHILE [1] DO1\nM30\nM98 P1\n%\n";
+  const std::string text =
+      "O1\nG0 X1. (#1=2 M98 P5)\nG1 X2. F100 ; WHILE [1] DO1\nM30\nM98 P1\n%\n";
   EXPECT_EQ(flat_of(text, fanuc()), text);
 }
 
@@ -34,14 +35,15 @@ TEST(AProgramThatComputes, ReachesBackInFrontOfItsFirstLineThatComputes) {
 
 TEST(AProgramThatComputes, ReachesBackAsFarAsTextIsHeldAndSaysSoBeyond) {
   std::string text = "N10 G0 X1.\n";
-  while (text.size() <= ProgramReader::most_text_before) text += "G0 X2. (A LINE OF A LONG PROGRAM)\n";
+  while (text.size() <= ProgramReader::most_text_before)
+    text += "G0 X2. (A LINE OF A LONG PROGRAM)\n";
   const std::size_t lines = static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
   const Ran ran = run_computing(text + "GOTO 10\n", fanuc(), Output::nc_text);
   ASSERT_EQ(ran.diagnostics.size(), 1u) << ran.report();
   EXPECT_EQ(ran.diagnostics[0].code, Code::jump_target_unknown);
   EXPECT_EQ(ran.diagnostics[0].source.line, lines + 1);
-  const Ran forward = run_computing(text + "#1=3\nG0 X#1\nGOTO 20\nG0 X4.\nN20 M30\n", fanuc(),
-                                    Output::nc_text);
+  const Ran forward =
+      run_computing(text + "#1=3\nG0 X#1\nGOTO 20\nG0 X4.\nN20 M30\n", fanuc(), Output::nc_text);
   EXPECT_EQ(forward.text, text + "G0 X3.\nN20 M30\n") << forward.report();
 }
 
@@ -100,8 +102,8 @@ TEST(AProgramThatComputes, ComesOutInPieces) {
 }
 
 TEST(AProgramThatComputes, StopsWithAllThatCannotBeReadInIt) {
-  const Ran ran = run_computing("G0 X0\n#1=3\nG66 P5\nY#1\nG46 X1.\n#2=1/0\nM30\n", fanuc(),
-                                Output::nc_text);
+  const Ran ran =
+      run_computing("G0 X0\n#1=3\nG66 P5\nY#1\nG46 X1.\n#2=1/0\nM30\n", fanuc(), Output::nc_text);
   ASSERT_EQ(ran.diagnostics.size(), 3u) << ran.report();
   EXPECT_EQ(ran.diagnostics[0].code, Code::nc_unsupported);
   EXPECT_EQ(ran.diagnostics[0].source.line, 3u);
@@ -111,9 +113,9 @@ TEST(AProgramThatComputes, StopsWithAllThatCannotBeReadInIt) {
 }
 
 TEST(WhatIsTold, NamesTheCallsThatLedThere) {
-  const Ran ran = run_computing(
-      "G0 X0 Y0\nM98 P1\nM30\nO1\nG0 X1.\nM98 P2\nM99\nO2\nG0 X2.\n#1=1/0\nM99\n", fanuc(),
-      Output::nc_text);
+  const Ran ran =
+      run_computing("G0 X0 Y0\nM98 P1\nM30\nO1\nG0 X1.\nM98 P2\nM99\nO2\nG0 X2.\n#1=1/0\nM99\n",
+                    fanuc(), Output::nc_text);
   ASSERT_EQ(ran.diagnostics.size(), 1u);
   const Diagnostic& found = ran.diagnostics[0];
   EXPECT_EQ(found.source.line, 10u);
@@ -155,8 +157,8 @@ TEST(WhatIsTold, NamesTheLineOfAGivenSubprogram) {
 }
 
 TEST(Blocks, OfAProgramThatComputesNameTheirLine) {
-  const Ran ran = run_computing("G0 X5. Y0\nM98 P1 L2\nM30\nO1\nG91 G1 X1. F100\nY1.\nM99\n", fanuc(),
-                                Output::blocks);
+  const Ran ran = run_computing("G0 X5. Y0\nM98 P1 L2\nM30\nO1\nG91 G1 X1. F100\nY1.\nM99\n",
+                                fanuc(), Output::blocks);
   std::vector<std::uint32_t> lines;
   for (const CompensatedBlock& block : ran.blocks) lines.push_back(block.source.line);
   EXPECT_EQ(lines, (std::vector<std::uint32_t>{1, 5, 6, 5, 6, 3})) << ran.report();

@@ -56,7 +56,7 @@ TEST(FanucExpressions, KnowTheFunctions) {
   EXPECT_EQ(value_of("BIN[37]"), "25.");
 }
 
-// 0.1 ten times is not quite 1 in binary digits, but it is in those of the control.
+// D-48: 0.1 ten times is not quite 1 in binary digits, but it is in those of the control.
 TEST(FanucExpressions, CountInDecimalDigits) {
   EXPECT_EQ(flat("#1=0\nWHILE [#1 LT 1] DO1\nG0 X#1\n#1=#1+0.1\nEND1\nM30\n"),
             "G0 X0.\nG0 X0.1\nG0 X0.2\nG0 X0.3\nG0 X0.4\nG0 X0.5\nG0 X0.6\nG0 X0.7\nG0 X0.8\n"
@@ -266,8 +266,8 @@ std::string ellipse(double a, double b, double step) {
 
 std::string square(double size, double z) {
   const std::string s = number(size / 2);
-  return "G0 Z" + number(z) + "\nG41 D1 G1 X-" + s + " Y-" + s + " F500\nY" + s + "\nX" + s + "\nY-" +
-         s + "\nX-" + s + "\nG40 X0 Y-40.\n";
+  return "G0 Z" + number(z) + "\nG41 D1 G1 X-" + s + " Y-" + s + " F500\nY" + s + "\nX" + s +
+         "\nY-" + s + "\nX-" + s + "\nG40 X0 Y-40.\n";
 }
 
 std::string polygon(int corners, double radius) {
@@ -282,9 +282,10 @@ std::string polygon(int corners, double radius) {
 std::vector<Twin> twins() {
   std::vector<Twin> all;
   all.push_back({.name = "BoltCircle",
-                 .computed = "G21 G90\nG0 Z5.\n#1=8\n#2=30.\n#3=0\nWHILE [#3 LT #1] DO1\n"
-                             "#4=360/#1*#3+15\nG0 X[#2*COS[#4]] Y[#2*SIN[#4]]\nG1 Z-3. F100\nG0 Z5.\n"
-                             "#3=#3+1\nEND1\nM30\n",
+                 .computed =
+                     "G21 G90\nG0 Z5.\n#1=8\n#2=30.\n#3=0\nWHILE [#3 LT #1] DO1\n"
+                     "#4=360/#1*#3+15\nG0 X[#2*COS[#4]] Y[#2*SIN[#4]]\nG1 Z-3. F100\nG0 Z5.\n"
+                     "#3=#3+1\nEND1\nM30\n",
                  .flat = holes_on_a_circle(8, 30)});
   all.push_back({.name = "BoltCircleByMacro",
                  .computed = "G21 G90\nG0 Z5.\nG65 P9100 A15. B7 R22.5\nM30\nO9100\n#30=0\n"
@@ -298,29 +299,34 @@ std::vector<Twin> twins() {
                              "G40 X10. Y10.\n#102=#102-#101\nEND1\nG0 Z50.\nM30\n",
                  .flat = pocket_in_depths(2.5, 10)});
   all.push_back({.name = "DepthPassesByRepetition",
-                 .computed = "G21 G90 G0 X10. Y10.\n#5=0\nM98 P500 L4\nG0 Z50.\nM30\nO500\n#5=#5-2.5\n"
-                             "G1 Z#5 F100\nG41 D1 G1 X20. Y5. F500\nX30.\nY25.\nX0\nY5.\nX20.\n"
-                             "G40 X10. Y10.\nM99\n",
+                 .computed =
+                     "G21 G90 G0 X10. Y10.\n#5=0\nM98 P500 L4\nG0 Z50.\nM30\nO500\n#5=#5-2.5\n"
+                     "G1 Z#5 F100\nG41 D1 G1 X20. Y5. F500\nX30.\nY25.\nX0\nY5.\nX20.\n"
+                     "G40 X10. Y10.\nM99\n",
                  .flat = pocket_in_depths(2.5, 10)});
   all.push_back({.name = "DepthPassesOfOldControls",
-                 .computed = "G21 G90 G0 X10. Y10.\n#5=0\nM98 P0040500\nG0 Z50.\nM30\nO500\n"
-                             "#5=#5-2.5\nG1 Z#5 F100\nG41 D1 G1 X20. Y5. F500\nX30.\nY25.\nX0\nY5.\n"
-                             "X20.\nG40 X10. Y10.\nM99\n",
+                 .computed =
+                     "G21 G90 G0 X10. Y10.\n#5=0\nM98 P0040500\nG0 Z50.\nM30\nO500\n"
+                     "#5=#5-2.5\nG1 Z#5 F100\nG41 D1 G1 X20. Y5. F500\nX30.\nY25.\nX0\nY5.\n"
+                     "X20.\nG40 X10. Y10.\nM99\n",
                  .flat = pocket_in_depths(2.5, 10)});
   all.push_back({.name = "DepthPassesOfHaas",
-                 .computed = "G21 G90 G0 X10. Y10.\n#5=0\nM97 P500 L4\nG0 Z50.\nM30\nN500 #5=#5-2.5\n"
-                             "G1 Z#5 F100\nG41 D1 G1 X20. Y5. F500\nX30.\nY25.\nX0\nY5.\nX20.\n"
-                             "G40 X10. Y10.\nM99\n",
+                 .computed =
+                     "G21 G90 G0 X10. Y10.\n#5=0\nM97 P500 L4\nG0 Z50.\nM30\nN500 #5=#5-2.5\n"
+                     "G1 Z#5 F100\nG41 D1 G1 X20. Y5. F500\nX30.\nY25.\nX0\nY5.\nX20.\n"
+                     "G40 X10. Y10.\nM99\n",
                  .flat = pocket_in_depths(2.5, 10)});
   all.push_back({.name = "EllipseByALoop",
-                 .computed = "G90 G0 X40. Y-10.\n#1=30.\n#2=18.\n#3=0\nG42 D1 G1 X#1 Y-10. F400\n"
-                             "WHILE [#3 LE 360] DO2\nG1 X[#1*COS[#3]] Y[#2*SIN[#3]]\n#3=#3+5\nEND2\n"
-                             "G1 X#1 Y10.\nG40 X50. Y10.\nM30\n",
+                 .computed =
+                     "G90 G0 X40. Y-10.\n#1=30.\n#2=18.\n#3=0\nG42 D1 G1 X#1 Y-10. F400\n"
+                     "WHILE [#3 LE 360] DO2\nG1 X[#1*COS[#3]] Y[#2*SIN[#3]]\n#3=#3+5\nEND2\n"
+                     "G1 X#1 Y10.\nG40 X50. Y10.\nM30\n",
                  .flat = ellipse(30, 18, 5)});
   all.push_back({.name = "EllipseByJumps",
-                 .computed = "G90 G0 X40. Y-10.\n#1=25.\n#2=20.\nG42 D1 G1 X#1 Y-10. F400\n#3=0\n"
-                             "N10 G1 X[#1*COS[#3]] Y[#2*SIN[#3]]\n#3=#3+7.5\nIF [#3 LE 360] GOTO 10\n"
-                             "G1 X#1 Y10.\nG40 X50. Y10.\nM30\n",
+                 .computed =
+                     "G90 G0 X40. Y-10.\n#1=25.\n#2=20.\nG42 D1 G1 X#1 Y-10. F400\n#3=0\n"
+                     "N10 G1 X[#1*COS[#3]] Y[#2*SIN[#3]]\n#3=#3+7.5\nIF [#3 LE 360] GOTO 10\n"
+                     "G1 X#1 Y10.\nG40 X50. Y10.\nM30\n",
                  .flat = ellipse(25, 20, 7.5)});
   all.push_back({.name = "SquaresByMacro",
                  .computed = "G90 G0 X0 Y-40.\nG65 P8000 S40. Z-1.\nG65 P8000 S30. Z-2.\n"
@@ -329,15 +335,17 @@ std::vector<Twin> twins() {
                  .flat = "G90 G0 X0 Y-40.\n" + square(40, -1) + square(30, -2) + square(20, -3) +
                          "G0 Z50.\nM30\n"});
   all.push_back({.name = "NestedCalls",
-                 .computed = "G90 G0 X0 Y-40.\n#100=0\nM98 P1\nG0 Z50.\nM30\nO1\nM98 P2 L2\n"
-                             "#100=#100+10\nM98 P2\nM99\nO2\nG65 P3 S[40-#100] Z-[#100+1]\nM99\nO3\n"
-                             "#1=#19/2\nG0 Z#26\nG41 D1 G1 X-#1 Y-#1 F500\nY#1\nX#1\nY-#1\nX-#1\n"
-                             "G40 X0 Y-40.\nM99\n",
+                 .computed =
+                     "G90 G0 X0 Y-40.\n#100=0\nM98 P1\nG0 Z50.\nM30\nO1\nM98 P2 L2\n"
+                     "#100=#100+10\nM98 P2\nM99\nO2\nG65 P3 S[40-#100] Z-[#100+1]\nM99\nO3\n"
+                     "#1=#19/2\nG0 Z#26\nG41 D1 G1 X-#1 Y-#1 F500\nY#1\nX#1\nY-#1\nX-#1\n"
+                     "G40 X0 Y-40.\nM99\n",
                  .flat = "G90 G0 X0 Y-40.\n" + square(40, -1) + square(40, -1) + square(30, -11) +
                          "G0 Z50.\nM30\n"});
-  all.push_back({.name = "NestedLoops", .computed = "G21 G90\n#1=0\nWHILE [#1 LT 3] DO1\n#2=0\n"
-                                                    "WHILE [#2 LT 2] DO2\nG0 X[#1*10] Y[#2*5]\n"
-                                                    "#2=#2+1\nEND2\n#1=#1+1\nEND1\nM30\n",
+  all.push_back({.name = "NestedLoops",
+                 .computed = "G21 G90\n#1=0\nWHILE [#1 LT 3] DO1\n#2=0\n"
+                             "WHILE [#2 LT 2] DO2\nG0 X[#1*10] Y[#2*5]\n"
+                             "#2=#2+1\nEND2\n#1=#1+1\nEND1\nM30\n",
                  .flat = "G21 G90\nG0 X0 Y0\nG0 X0 Y5.\nG0 X10. Y0\nG0 X10. Y5.\nG0 X20. Y0\n"
                          "G0 X20. Y5.\nM30\n"});
   all.push_back({.name = "HexagonByAngles",
@@ -347,33 +355,36 @@ std::vector<Twin> twins() {
                              leave,
                  .flat = polygon(6, 24)});
   all.push_back({.name = "RoundPocketWithArcs",
-                 .computed = "G90 G0 X0 Y0\n#1=15.\nG41 D1 G1 X#1 Y0 F300\nG3 I-#1\nG40 G1 X0 Y0\n"
-                             "#1=#1+5\nG41 D1 G1 X#1 Y0\nG3 X-#1 R#1\nG3 X#1 R#1\nG40 G1 X0 Y0\nM30\n",
+                 .computed =
+                     "G90 G0 X0 Y0\n#1=15.\nG41 D1 G1 X#1 Y0 F300\nG3 I-#1\nG40 G1 X0 Y0\n"
+                     "#1=#1+5\nG41 D1 G1 X#1 Y0\nG3 X-#1 R#1\nG3 X#1 R#1\nG40 G1 X0 Y0\nM30\n",
                  .flat = "G90 G0 X0 Y0\nG41 D1 G1 X15. Y0 F300\nG3 I-15.\nG40 G1 X0 Y0\n"
                          "G41 D1 G1 X20. Y0\nG3 X-20. R20.\nG3 X20. R20.\nG40 G1 X0 Y0\nM30\n"});
   all.push_back({.name = "ChoiceByConditions",
-                 .computed = "G90 G0 X0 Y-40.\n#1=2\nIF [#1 EQ 1] THEN #2=10.\n"
-                             "IF [[#1 EQ 2] AND [#2 EQ #0]] THEN #2=30.\nIF [#2 GT 20] GOTO 7\n#2=#2/2\n"
-                             "N7 #3=#2/2\nG0 Z-1.\nG41 D1 G1 X-#3 Y-#3 F500\nY#3\nX#3\nY-#3\nX-#3\n"
-                             "G40 X0 Y-40.\nM30\n",
+                 .computed =
+                     "G90 G0 X0 Y-40.\n#1=2\nIF [#1 EQ 1] THEN #2=10.\n"
+                     "IF [[#1 EQ 2] AND [#2 EQ #0]] THEN #2=30.\nIF [#2 GT 20] GOTO 7\n#2=#2/2\n"
+                     "N7 #3=#2/2\nG0 Z-1.\nG41 D1 G1 X-#3 Y-#3 F500\nY#3\nX#3\nY-#3\nX-#3\n"
+                     "G40 X0 Y-40.\nM30\n",
                  .flat = "G90 G0 X0 Y-40.\n" + square(30, -1) + "M30\n"});
-  all.push_back({.name = "InchesAndTools",
-                 .computed = "G20 G90 G0 X0 Y-2.\n#1=1\n#2=#1/8\nT#1 M6\nG41 D#1 G1 X-[4*#2] Y-[4*#2] "
-                             "F20.\nY[4*#2]\nX[4*#2]\nY-[4*#2]\nX-[4*#2]\nG40 X0 Y-2.\nM30\n",
-                 .flat = "G20 G90 G0 X0 Y-2.\nT1 M6\nG41 D1 G1 X-.5 Y-.5 F20.\nY.5\nX.5\nY-.5\nX-.5\n"
-                         "G40 X0 Y-2.\nM30\n"});
-  all.push_back({.name = "MirroredByAVariable",
-                 .computed = "G90 G0 X0 Y-40.\n#1=1\nM98 P5\n#1=-1\nM98 P5\nM30\nO5\n"
-                             "G[41.5-#1/2] D1 G1 X[10*#1] Y-30. F200\nX[10*#1] Y0\nX[25*#1]\nY-30.\n"
-                             "G40 X[40*#1] Y-40.\nG0 X0\nM99\n",
-                 .flat = "G90 G0 X0 Y-40.\nG41 D1 G1 X10. Y-30. F200\nX10. Y0\nX25.\nY-30.\n"
-                         "G40 X40. Y-40.\nG0 X0\nG42 D1 G1 X-10. Y-30. F200\nX-10. Y0\nX-25.\nY-30.\n"
-                         "G40 X-40. Y-40.\nG0 X0\nM30\n"});
+  all.push_back(
+      {.name = "InchesAndTools",
+       .computed = "G20 G90 G0 X0 Y-2.\n#1=1\n#2=#1/8\nT#1 M6\nG41 D#1 G1 X-[4*#2] Y-[4*#2] "
+                   "F20.\nY[4*#2]\nX[4*#2]\nY-[4*#2]\nX-[4*#2]\nG40 X0 Y-2.\nM30\n",
+       .flat = "G20 G90 G0 X0 Y-2.\nT1 M6\nG41 D1 G1 X-.5 Y-.5 F20.\nY.5\nX.5\nY-.5\nX-.5\n"
+               "G40 X0 Y-2.\nM30\n"});
+  all.push_back(
+      {.name = "MirroredByAVariable",
+       .computed = "G90 G0 X0 Y-40.\n#1=1\nM98 P5\n#1=-1\nM98 P5\nM30\nO5\n"
+                   "G[41.5-#1/2] D1 G1 X[10*#1] Y-30. F200\nX[10*#1] Y0\nX[25*#1]\nY-30.\n"
+                   "G40 X[40*#1] Y-40.\nG0 X0\nM99\n",
+       .flat = "G90 G0 X0 Y-40.\nG41 D1 G1 X10. Y-30. F200\nX10. Y0\nX25.\nY-30.\n"
+               "G40 X40. Y-40.\nG0 X0\nG42 D1 G1 X-10. Y-30. F200\nX-10. Y0\nX-25.\nY-30.\n"
+               "G40 X-40. Y-40.\nG0 X0\nM30\n"});
   return all;
 }
 
-INSTANTIATE_TEST_SUITE_P(Fanuc, Twins,
-                         ::testing::ValuesIn(with_setup(twins(), DialectName::fanuc)),
+INSTANTIATE_TEST_SUITE_P(Fanuc, Twins, ::testing::ValuesIn(with_setup(twins(), DialectName::fanuc)),
                          name_of_twin);
 
 }  // namespace

@@ -197,13 +197,13 @@ std::vector<Twin> twins() {
                              "G1 Z-3 F100\nG0 Z5\n#1=[#1+1]\no1 while [#1 LT 6]\nM2\n",
                  .flat = holes(6, 22)});
   all.push_back({.name = "BoltCircleOfAGivenAngle",
-                 .computed = "G21 G90\nG0 Z5\no<hole> sub\nG0 X[#2*COS[#1]] Y[#2*SIN[#1]]\nG1 Z-3 F100\n"
-                             "G0 Z5\no<hole> endsub\n#1=0\no1 while [#1 LT 360]\no<hole> call [#1] [18]\n"
-                             "#1=[#1+90]\no1 endwhile\nM2\n",
+                 .computed =
+                     "G21 G90\nG0 Z5\no<hole> sub\nG0 X[#2*COS[#1]] Y[#2*SIN[#1]]\nG1 Z-3 F100\n"
+                     "G0 Z5\no<hole> endsub\n#1=0\no1 while [#1 LT 360]\no<hole> call [#1] [18]\n"
+                     "#1=[#1+90]\no1 endwhile\nM2\n",
                  .flat = holes(4, 18)});
   all.push_back({.name = "SquaresBySub",
-                 .computed = begin + square_sub +
-                             "o100 call [40] [-1]\no100 call [30] [-2]\nM2\n",
+                 .computed = begin + square_sub + "o100 call [40] [-1]\no100 call [30] [-2]\nM2\n",
                  .flat = begin + square(40, -1) + square(30, -2) + "M2\n"});
   all.push_back({.name = "SquaresInALoop",
                  .computed = begin + square_sub +
@@ -217,49 +217,55 @@ std::vector<Twin> twins() {
                  .flat = begin + square(30, -1.5) + square(30, -3) + square(30, -4.5) +
                          square(30, -6) + "M2\n"});
   all.push_back({.name = "DepthPassesByPrograms",
-                 .computed = begin + "#1=0\nM98 P7 L3\nM2\no7\n#1=[#1-2]\nG0 Z#1\nG41 G1 X-10 Y-10 F500\n"
-                                     "Y10\nX10\nY-10\nX-10\nG40 X0 Y-40\nM99\n",
+                 .computed = begin +
+                             "#1=0\nM98 P7 L3\nM2\no7\n#1=[#1-2]\nG0 Z#1\nG41 G1 X-10 Y-10 F500\n"
+                             "Y10\nX10\nY-10\nX-10\nG40 X0 Y-40\nM99\n",
                  .flat = begin + square(20, -2) + square(20, -4) + square(20, -6) + "M2\n"});
-  all.push_back({.name = "NestedCalls",
-                 .computed = begin + square_sub +
-                             "o200 sub\no100 call [#1] [#2]\no100 call [#1-10] [#2-1]\no200 endsub\n"
-                             "o200 call [40] [-1]\no200 call [35] [-5]\nM2\n",
-                 .flat = begin + square(40, -1) + square(30, -2) + square(35, -5) + square(25, -6) +
-                         "M2\n"});
+  all.push_back(
+      {.name = "NestedCalls",
+       .computed = begin + square_sub +
+                   "o200 sub\no100 call [#1] [#2]\no100 call [#1-10] [#2-1]\no200 endsub\n"
+                   "o200 call [40] [-1]\no200 call [35] [-5]\nM2\n",
+       .flat = begin + square(40, -1) + square(30, -2) + square(35, -5) + square(25, -6) + "M2\n"});
   all.push_back({.name = "EllipseByALoop",
                  .computed = "G90 G0 X40 Y-10\n#<a>=30 #<b>=18\nG42 G1 X#<a> Y-10 F400\n#1=0\n"
                              "o1 while [#1 LE 360]\nG1 X[#<a>*COS[#1]] Y[#<b>*SIN[#1]]\n#1=[#1+5]\n"
                              "o1 endwhile\nG1 X#<a> Y10\nG40 X50 Y10\nM2\n",
                  .flat = ellipse(30, 18, 5)});
   all.push_back({.name = "EllipseByRepeat",
-                 .computed = "G90 G0 X40 Y-10\nG42 G1 X25 Y-10 F400\n#1=0\no1 repeat [49]\n"
-                             "G1 X[25*COS[#1]] Y[20*SIN[#1]]\n#1=[#1+7.5]\no1 endrepeat\nG1 X25 Y10\n"
-                             "G40 X50 Y10\nM2\n",
+                 .computed =
+                     "G90 G0 X40 Y-10\nG42 G1 X25 Y-10 F400\n#1=0\no1 repeat [49]\n"
+                     "G1 X[25*COS[#1]] Y[20*SIN[#1]]\n#1=[#1+7.5]\no1 endrepeat\nG1 X25 Y10\n"
+                     "G40 X50 Y10\nM2\n",
                  .flat = ellipse(25, 20, 7.5)});
   all.push_back({.name = "NestedLoops",
-                 .computed = "G21 G90\n#1=0\no1 while [#1 LT 3]\n#2=0\no2 while [#2 LT 2]\n"
-                             "G0 X[#1*10] Y[#2*5]\n#2=[#2+1]\no2 endwhile\n#1=[#1+1]\no1 endwhile\nM2\n",
+                 .computed =
+                     "G21 G90\n#1=0\no1 while [#1 LT 3]\n#2=0\no2 while [#2 LT 2]\n"
+                     "G0 X[#1*10] Y[#2*5]\n#2=[#2+1]\no2 endwhile\n#1=[#1+1]\no1 endwhile\nM2\n",
                  .flat = "G21 G90\nG0 X0 Y0\nG0 X0 Y5\nG0 X10 Y0\nG0 X10 Y5\nG0 X20 Y0\nG0 X20 Y5\n"
                          "M2\n"});
-  all.push_back({.name = "ChoiceOfASize",
-                 .computed = begin + square_sub +
-                             "#<kind>=2\no1 if [#<kind> EQ 1]\n#<size>=10\no1 elseif [#<kind> EQ 2]\n"
-                             "#<size>=30\no1 else\n#<size>=20\no1 endif\no100 call [#<size>] [-1]\nM2\n",
-                 .flat = begin + square(30, -1) + "M2\n"});
+  all.push_back(
+      {.name = "ChoiceOfASize",
+       .computed = begin + square_sub +
+                   "#<kind>=2\no1 if [#<kind> EQ 1]\n#<size>=10\no1 elseif [#<kind> EQ 2]\n"
+                   "#<size>=30\no1 else\n#<size>=20\no1 endif\no100 call [#<size>] [-1]\nM2\n",
+       .flat = begin + square(30, -1) + "M2\n"});
   all.push_back({.name = "RoundPocketWithArcs",
                  .computed = "G90 G0 X0 Y0\n#<r>=15\nG41 G1 X#<r> Y0 F300\nG3 X#<r> Y0 I-#<r>\n"
                              "G40 G1 X0 Y0\nM2\n",
                  .flat = "G90 G0 X0 Y0\nG41 G1 X15 Y0 F300\nG3 X15 Y0 I-15\nG40 G1 X0 Y0\nM2\n"});
-  all.push_back({.name = "Inches",
-                 .computed = "G20 G90 G0 X0 Y-2\n#<s>=[1/2]\nG41 G1 X-#<s> Y-#<s> F20\nY#<s>\nX#<s>\n"
-                             "Y-#<s>\nX-#<s>\nG40 X0 Y-2\nM2\n",
-                 .flat = "G20 G90 G0 X0 Y-2\nG41 G1 X-.5 Y-.5 F20\nY.5\nX.5\nY-.5\nX-.5\nG40 X0 Y-2\n"
-                         "M2\n"});
-  all.push_back({.name = "ValueOfASub",
-                 .computed = begin + square_sub +
-                             "o<half> sub\no<half> return [#1/2]\no<half> endsub\no<half> call [60]\n"
-                             "o100 call [#<_value>] [-1]\nM2\n",
-                 .flat = begin + square(30, -1) + "M2\n"});
+  all.push_back(
+      {.name = "Inches",
+       .computed = "G20 G90 G0 X0 Y-2\n#<s>=[1/2]\nG41 G1 X-#<s> Y-#<s> F20\nY#<s>\nX#<s>\n"
+                   "Y-#<s>\nX-#<s>\nG40 X0 Y-2\nM2\n",
+       .flat = "G20 G90 G0 X0 Y-2\nG41 G1 X-.5 Y-.5 F20\nY.5\nX.5\nY-.5\nX-.5\nG40 X0 Y-2\n"
+               "M2\n"});
+  all.push_back(
+      {.name = "ValueOfASub",
+       .computed = begin + square_sub +
+                   "o<half> sub\no<half> return [#1/2]\no<half> endsub\no<half> call [60]\n"
+                   "o100 call [#<_value>] [-1]\nM2\n",
+       .flat = begin + square(30, -1) + "M2\n"});
   return all;
 }
 

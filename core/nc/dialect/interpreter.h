@@ -116,7 +116,7 @@ class Interpreter {
   struct FlatLine {
     std::string_view text{};
     std::string_view line_end{};
-    std::uint32_t number = 0;  // of the line it comes from, 1-based
+    std::uint32_t number = 0;   // of the line it comes from, 1-based
     bool is_as_written = true;  // that line itself: columns say where in it
   };
   // Reads it as `feed` does a whole line.

@@ -82,8 +82,7 @@ bool CodeFlow::scan_value(ComputedWord& word, std::size_t& at) {
   }
   const bool fanuc = grammar_.dialect == DialectName::fanuc;
   ExpressionReader expression = expression_at(at);
-  if (fanuc && style_of(word.letter) == PointStyle::with_point)
-    expression.round_to(inch_ ? 4 : 3);
+  if (fanuc && style_of(word.letter) == PointStyle::with_point) expression.round_to(inch_ ? 4 : 3);
   word.value = expression.operand();
   if (expression.failed()) return refuse(expression.fault());
   word.computed = has_computed_ = true;
@@ -99,8 +98,8 @@ bool CodeFlow::scan_value(ComputedWord& word, std::size_t& at) {
   if (std::abs(word.value.number) > largest) return refuse_value(Code::value_invalid);
   // X#1+5 looks like arithmetic, and is none.
   const std::size_t behind = behind_blanks(line_, at);
-  const bool is_arithmetic = behind < line_.size() &&
-                             std::string_view("+-*[]").find(line_[behind]) != std::string_view::npos;
+  const bool is_arithmetic = behind < line_.size() && std::string_view("+-*[]").find(
+                                                          line_[behind]) != std::string_view::npos;
   return !is_arithmetic || refuse(Code::expression_invalid, behind, std::string(1, line_[behind]));
 }
 

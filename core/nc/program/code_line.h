@@ -48,7 +48,7 @@ struct LineHead {
 [[nodiscard]] bool has_word_at(std::string_view line, std::size_t at, std::string_view word);
 
 enum class PointStyle : std::uint8_t {
-  as_whole,  // 30
+  as_whole,    // 30
   with_point,  // 30.
 };
 

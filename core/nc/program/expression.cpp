@@ -94,8 +94,7 @@ constexpr auto linuxcnc_functions = std::to_array<FunctionRow>({
 bool is_near(double left, double right) {
   constexpr double digits = 1e-10;
   constexpr double least = 1e-9;
-  return std::abs(left - right) <=
-         least + digits * std::max(std::abs(left), std::abs(right));
+  return std::abs(left - right) <= least + digits * std::max(std::abs(left), std::abs(right));
 }
 
 // The digits of a whole number in another base than they were written in.
@@ -106,9 +105,7 @@ double in_other_base(double number, std::int64_t from, std::int64_t to) {
   return static_cast<double>(result);
 }
 
-bool is_comparison(Operator sign) {
-  return sign >= Operator::equal && sign <= Operator::at_most;
-}
+bool is_comparison(Operator sign) { return sign >= Operator::equal && sign <= Operator::at_most; }
 
 }  // namespace
 
@@ -142,9 +139,8 @@ bool ExpressionReader::pass(std::string_view word) {
 
 Value ExpressionReader::fail(Code code, std::size_t begin, std::string detail) {
   if (!failed_)
-    fault_ = {.code = code,
-              .begin = static_cast<std::uint32_t>(begin),
-              .detail = std::move(detail)};
+    fault_ = {
+        .code = code, .begin = static_cast<std::uint32_t>(begin), .detail = std::move(detail)};
   failed_ = true;
   at_ = line_.size();
   return {};
@@ -189,7 +185,8 @@ Value ExpressionReader::operand() {
     return {.number = checked(number, begin)};
   }
   if (sign == '-' || sign == '+') {
-    if (++depth_ > most_brackets) return fail(Code::expression_invalid, begin, std::string(1, sign));
+    if (++depth_ > most_brackets)
+      return fail(Code::expression_invalid, begin, std::string(1, sign));
     ++at_;
     const Value value = operand();
     --depth_;
@@ -208,7 +205,8 @@ std::int64_t ExpressionReader::whole_operand() {
   const double nearest = std::round(value.number);
   if (value.vacant || nearest < 0 || nearest > largest_exact ||
       std::abs(value.number - nearest) > 1e-4) {
-    static_cast<void>(fail(Code::value_invalid, begin, std::string(line_.substr(begin, at_ - begin))));
+    static_cast<void>(
+        fail(Code::value_invalid, begin, std::string(line_.substr(begin, at_ - begin))));
     return 0;
   }
   return std::llround(nearest);
@@ -261,7 +259,8 @@ Value ExpressionReader::function() {
       pass_blanks();
       if (failed_ || peek() != ']') return fail(Code::expression_invalid, begin, name);
       ++at_;
-      if (row->meaning == Function::power) return {.number = checked(std::pow(first, second), begin)};
+      if (row->meaning == Function::power)
+        return {.number = checked(std::pow(first, second), begin)};
       double angle = std::atan2(first, second) / degree;
       return {.number = angle < 0 ? angle + 360 : angle};
     }

@@ -25,8 +25,8 @@ std::int64_t number_of_unit(std::string_view line) {
   at = behind_blanks(line, at + 1);
   double number = 0;
   bool whole = false;
-  if (at >= line.size() || !is_digit(line[at]) || read_number(line.substr(at), number, whole) == 0 ||
-      !whole || !is_whole(number))
+  if (at >= line.size() || !is_digit(line[at]) ||
+      read_number(line.substr(at), number, whole) == 0 || !whole || !is_whole(number))
     return -1;
   return static_cast<std::int64_t>(number);
 }
@@ -124,9 +124,8 @@ const FanucFlow::Outline& FanucFlow::outline_of(const Frame& frame) {
   Outline& outline = known->second;
   if (!is_new) return outline;
   // A call by M97 begins within; what can be reached is its program as a whole.
-  const auto unit = std::ranges::find_if(units_, [&](const Unit& each) {
-    return each.text == frame.text && each.end == frame.end;
-  });
+  const auto unit = std::ranges::find_if(
+      units_, [&](const Unit& each) { return each.text == frame.text && each.end == frame.end; });
   const ProgramText& text = text_of(frame);
   std::vector<std::pair<std::size_t, std::size_t>> open;  // number of the loop, line
   for (std::size_t line = unit->begin; line < unit->end; ++line) {
@@ -274,7 +273,8 @@ bool FanucFlow::jump(ExpressionReader& expression) {
 bool FanucFlow::go_to(std::int64_t number, std::size_t begin) {
   const auto line = line_of(frame(), number);
   if (!line)
-    return refuse(Code::jump_target_unknown, begin, std::string("N").append(std::to_string(number)));
+    return refuse(Code::jump_target_unknown, begin,
+                  std::string("N").append(std::to_string(number)));
   frame().next = *line;
   return true;
 }

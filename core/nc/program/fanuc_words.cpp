@@ -55,9 +55,9 @@ bool FanucFlow::call(std::string& flat, ComputedWord& word) {
   // Where a subprogram begins elsewhere than at its beginning.
   for (const char letter : {'Q', 'H'})
     if (const ComputedWord* other = word_of(letter))
-      return refuse(Code::value_invalid, other->begin,
-                    std::string(line_.substr(other->begin, other->end - other->begin))
-                        .append(" beside M98"));
+      return refuse(
+          Code::value_invalid, other->begin,
+          std::string(line_.substr(other->begin, other->end - other->begin)).append(" beside M98"));
   // What else stands in the line comes first.
   called_alone_ = !has_words_left();
   if (!called_alone_) write_line(flat);
@@ -69,8 +69,8 @@ bool FanucFlow::call(std::string& flat, ComputedWord& word) {
   if (!unit && refusal().code == Code::subprogram_unknown && times == nullptr &&
       *program >= of_four_digits) {
     unit = unit_of(*program % of_four_digits, number->begin);
-    return unit && enter_unit(flat, *unit,
-                              static_cast<std::uint64_t>(*program / of_four_digits), nullptr);
+    return unit &&
+           enter_unit(flat, *unit, static_cast<std::uint64_t>(*program / of_four_digits), nullptr);
   }
   return unit && enter_unit(flat, *unit, count, nullptr);
 }
@@ -141,7 +141,8 @@ std::optional<FanucFlow::Unit> FanucFlow::unit_of(std::int64_t number, std::size
     if (!found) found = unit;
   }
   if (found && !twice) return found;
-  refuse(Code::subprogram_unknown, begin, name_of_unit(number) + (twice ? ", which is there twice" : ""));
+  refuse(Code::subprogram_unknown, begin,
+         name_of_unit(number) + (twice ? ", which is there twice" : ""));
   return {};
 }
 
@@ -183,8 +184,8 @@ bool FanucFlow::return_from(std::string& flat, ComputedWord& word) {
   if (number) {
     const bool here = line_of(frame(), *number).has_value();
     const bool there = line_of(*(frames_.end() - 2), *number).has_value();
-    const bool is_one_program = frame().text == (frames_.end() - 2)->text &&
-                                frame().end == (frames_.end() - 2)->end;
+    const bool is_one_program =
+        frame().text == (frames_.end() - 2)->text && frame().end == (frames_.end() - 2)->end;
     if (here && there && !is_one_program)
       return refuse(Code::jump_target_unknown, place,
                     "N" + std::to_string(*number) + ", which the subprogram and its caller have");

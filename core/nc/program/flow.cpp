@@ -82,8 +82,9 @@ bool may_compute(DialectName dialect) {
 }
 
 bool computes(DialectName dialect, std::string_view line) {
-  return dialect == DialectName::fanuc ? fanuc_computes(line)
-                                       : dialect == DialectName::linuxcnc && linuxcnc_computes(line);
+  return dialect == DialectName::fanuc
+             ? fanuc_computes(line)
+             : dialect == DialectName::linuxcnc && linuxcnc_computes(line);
 }
 
 std::unique_ptr<Flow> make_flow(const ProgramSetup& setup, CallPlaces& calls, ProgramText text,

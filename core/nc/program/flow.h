@@ -76,7 +76,8 @@ class Flow {
   bool refuse(Code code, std::size_t begin, std::string detail);
   bool refuse(const TextFault& fault) { return refuse(fault.code, fault.begin, fault.detail); }
 
-  // The value the setup gives a variable, by its name in capitals without `#`, `<`, `>`; null: none.
+  // The value the setup gives a variable, by its name in capitals without `#`, `<`, `>`; null:
+  // none.
   [[nodiscard]] const double* given(std::string_view name) const;
 
   const ProgramSetup& setup_;

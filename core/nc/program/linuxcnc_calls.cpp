@@ -14,15 +14,61 @@ namespace {
 bool names_a_state(std::string_view name) {
   constexpr std::array prefixes{"_ini[", "_hal["};
   constexpr auto names = std::to_array<std::string_view>({
-      "_a", "_abs_a", "_abs_b", "_abs_c", "_abs_u", "_abs_v", "_abs_w", "_abs_x", "_abs_y",
-      "_abs_z", "_absolute", "_adaptive_feed", "_b", "_c", "_call_level", "_ccomp",
-      "_coord_system", "_current_pocket", "_current_tool", "_feed", "_feed_hold",
-      "_feed_override", "_flood", "_ijk_absolute_mode", "_incremental", "_inverse_time",
-      "_lathe_diameter_mode", "_lathe_radius_mode", "_line", "_mist", "_motion_mode", "_plane",
-      "_remap_level", "_retract_old_z", "_retract_r_plane", "_rpm", "_selected_pocket",
-      "_selected_tool", "_speed_override", "_spindle_css_mode", "_spindle_cw", "_spindle_on",
-      "_spindle_rpm_mode", "_task", "_tool_offset", "_u", "_units_per_minute", "_units_per_rev",
-      "_v", "_vmajor", "_vminor", "_w", "_x", "_y", "_z",
+      "_a",
+      "_abs_a",
+      "_abs_b",
+      "_abs_c",
+      "_abs_u",
+      "_abs_v",
+      "_abs_w",
+      "_abs_x",
+      "_abs_y",
+      "_abs_z",
+      "_absolute",
+      "_adaptive_feed",
+      "_b",
+      "_c",
+      "_call_level",
+      "_ccomp",
+      "_coord_system",
+      "_current_pocket",
+      "_current_tool",
+      "_feed",
+      "_feed_hold",
+      "_feed_override",
+      "_flood",
+      "_ijk_absolute_mode",
+      "_incremental",
+      "_inverse_time",
+      "_lathe_diameter_mode",
+      "_lathe_radius_mode",
+      "_line",
+      "_mist",
+      "_motion_mode",
+      "_plane",
+      "_remap_level",
+      "_retract_old_z",
+      "_retract_r_plane",
+      "_rpm",
+      "_selected_pocket",
+      "_selected_tool",
+      "_speed_override",
+      "_spindle_css_mode",
+      "_spindle_cw",
+      "_spindle_on",
+      "_spindle_rpm_mode",
+      "_task",
+      "_tool_offset",
+      "_u",
+      "_units_per_minute",
+      "_units_per_rev",
+      "_v",
+      "_vmajor",
+      "_vminor",
+      "_w",
+      "_x",
+      "_y",
+      "_z",
   });
   return std::ranges::find(names, name) != names.end() ||
          std::ranges::any_of(prefixes,
@@ -75,8 +121,8 @@ bool LinuxcncFlow::call_sub(const std::string& label, std::size_t at, std::strin
     const auto is = [&](const OWord& word, Statement statement) {
       return word.statement == statement && word.label == label;
     };
-    const auto begin = std::ranges::find_if(
-        words, [&](const OWord& word) { return is(word, Statement::sub); });
+    const auto begin =
+        std::ranges::find_if(words, [&](const OWord& word) { return is(word, Statement::sub); });
     if (begin == words.end()) continue;
     const auto end = std::find_if(begin, words.end(),
                                   [&](const OWord& word) { return is(word, Statement::endsub); });
@@ -155,8 +201,7 @@ bool LinuxcncFlow::return_from_program(ComputedWord& word, std::string& flat) {
     write_line(flat);
     return end_program(flat);
   }
-  if (frame().own_variables)
-    return refuse(Code::block_structure, word.begin, "M99 within a sub");
+  if (frame().own_variables) return refuse(Code::block_structure, word.begin, "M99 within a sub");
   word.left_out = true;
   write_line(flat);
   if (frame().repetitions_left > 0) {
@@ -248,8 +293,8 @@ Value LinuxcncFlow::read(ExpressionReader& expression) {
   const Target target = target_at(expression);
   if (expression.failed()) return {};
   if (const auto content = content_of(target)) return {.number = *content};
-  const bool is_state = target.name.empty() ? target.number > last_number_of_programs
-                                            : names_a_state(target.name);
+  const bool is_state =
+      target.name.empty() ? target.number > last_number_of_programs : names_a_state(target.name);
   return expression.fail(
       is_state ? Code::machine_state : Code::variable_unset, begin,
       target.name.empty() ? "#" + std::to_string(target.number) : "#<" + target.name + ">");

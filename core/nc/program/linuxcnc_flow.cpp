@@ -26,11 +26,21 @@ std::string plain_name(std::string_view name) {
 LinuxcncFlow::Statement LinuxcncFlow::statement_at(std::string_view line, std::size_t& at) {
   using enum Statement;
   constexpr auto statements = std::to_array<std::pair<std::string_view, Statement>>({
-      {"SUB", sub},           {"ENDSUB", endsub},     {"CALL", call},
-      {"RETURN", give_back},  {"IF", if_true},        {"ELSEIF", elseif},
-      {"ELSE", otherwise},    {"ENDIF", endif},       {"WHILE", while_true},
-      {"ENDWHILE", endwhile}, {"DO", do_once},        {"REPEAT", repeat},
-      {"ENDREPEAT", endrepeat}, {"BREAK", leave},     {"CONTINUE", go_on},
+      {"SUB", sub},
+      {"ENDSUB", endsub},
+      {"CALL", call},
+      {"RETURN", give_back},
+      {"IF", if_true},
+      {"ELSEIF", elseif},
+      {"ELSE", otherwise},
+      {"ENDIF", endif},
+      {"WHILE", while_true},
+      {"ENDWHILE", endwhile},
+      {"DO", do_once},
+      {"REPEAT", repeat},
+      {"ENDREPEAT", endrepeat},
+      {"BREAK", leave},
+      {"CONTINUE", go_on},
   });
   at = behind_blanks(line, at);
   std::size_t end = at;
@@ -124,9 +134,9 @@ void LinuxcncFlow::add_o_words(std::size_t text) {
 Flow::Step LinuxcncFlow::step(std::string& flat) {
   bool goes_on = false;
   if (frame().next >= frame().end) {
-    goes_on = frames_.size() == 1
-                  ? end_program(flat)
-                  : refuse(Code::block_structure, 0, frame().name + ", a subprogram without its end");
+    goes_on = frames_.size() == 1 ? end_program(flat)
+                                  : refuse(Code::block_structure, 0,
+                                           frame().name + ", a subprogram without its end");
   } else {
     begin_line();
     goes_on = count_line() && execute(flat);
@@ -317,8 +327,9 @@ bool LinuxcncFlow::leave_or_go_on(Statement statement, const std::string& label)
   const OWord* const head = last_of(label, {while_true, do_once, repeat});
   if (head == nullptr) return skip_behind(nullptr, statement == leave ? "break" : "continue");
   const bool is_do = head->statement == do_once;
-  const OWord* const end =
-      next_of(label, {is_do ? while_true : head->statement == repeat ? endrepeat : endwhile});
+  const OWord* const end = next_of(label, {is_do                       ? while_true
+                                           : head->statement == repeat ? endrepeat
+                                                                       : endwhile});
   if (end == nullptr || statement == leave) return skip_behind(end, "break");
   frame().next = head->statement == while_true ? head->line : end->line;
   return true;

@@ -46,9 +46,7 @@ class ProgramReader {
   // A line that computes has been seen.
   [[nodiscard]] bool is_computing() const { return computing_; }
   // 0 as long as nothing is computed.
-  [[nodiscard]] std::uint64_t executed_lines() const {
-    return flow_ ? flow_->executed_lines() : 0;
-  }
+  [[nodiscard]] std::uint64_t executed_lines() const { return flow_ ? flow_->executed_lines() : 0; }
 
   // With the text that was collected; not once it is executed.
   template <class Archive>
@@ -72,9 +70,9 @@ class ProgramReader {
   Interpreter interpreter_;
   Checkpoint checkpoint_;
 
-  bool passes_;              // nothing of it may compute, or not any more
-  std::string partial_{};    // of a line whose end is still to come
-  std::string before_{};     // what went to the Interpreter
+  bool passes_;                     // nothing of it may compute, or not any more
+  std::string partial_{};           // of a line whose end is still to come
+  std::string before_{};            // what went to the Interpreter
   std::uint64_t lines_before_ = 0;  // whole lines that did
   bool before_is_whole_ = true;     // it holds all of them
 
