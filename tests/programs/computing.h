@@ -52,11 +52,11 @@ struct Ran {
   bool stopped = false;
 
   [[nodiscard]] std::string report() const {
-    std::string text;
+    std::string lines;
     for (const Diagnostic& found : diagnostics)
-      text += std::to_string(found.source.line) + ": " +
-              std::to_string(static_cast<int>(found.code)) + ' ' + message_of(found) + '\n';
-    return text;
+      lines += std::to_string(found.source.line) + ": " +
+               std::to_string(static_cast<int>(found.code)) + ' ' + message_of(found) + '\n';
+    return lines;
   }
 };
 

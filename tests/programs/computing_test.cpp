@@ -12,7 +12,7 @@
 
 // What holds for programs that compute, whatever their dialect.
 
-namespace trc::support {
+namespace trc::support::computing {
 namespace {
 
 ProgramSessionSetup fanuc() { return computing_setup(DialectName::fanuc); }
@@ -165,4 +165,4 @@ TEST(Blocks, OfAProgramThatComputesNameTheirLine) {
 }
 
 }  // namespace
-}  // namespace trc::support
+}  // namespace trc::support::computing

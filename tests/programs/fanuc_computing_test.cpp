@@ -7,7 +7,7 @@
 #include "tests/programs/computing.h"
 #include "tests/programs/twins.h"
 
-namespace trc::support {
+namespace trc::support::fanuc_computing {
 namespace {
 
 ProgramSessionSetup fanuc() { return computing_setup(DialectName::fanuc); }
@@ -388,4 +388,4 @@ INSTANTIATE_TEST_SUITE_P(Fanuc, Twins, ::testing::ValuesIn(with_setup(twins(), D
                          name_of_twin);
 
 }  // namespace
-}  // namespace trc::support
+}  // namespace trc::support::fanuc_computing

@@ -6,7 +6,7 @@
 #include "tests/programs/computing.h"
 #include "tests/programs/twins.h"
 
-namespace trc::support {
+namespace trc::support::linuxcnc_computing {
 namespace {
 
 ProgramSessionSetup linuxcnc() { return computing_setup(DialectName::linuxcnc); }
@@ -57,8 +57,8 @@ TEST(LinuxcncParameters, HaveNamesWithoutBlanksAndCase) {
 }
 
 TEST(LinuxcncParameters, BelongToTheirSubOrToAll) {
-  EXPECT_EQ(flat("#1=5 #<a>=6 #<_b>=7\no100 sub\n#1=8\n#<a>=9\n#<_b>=10\nG0 X#2\no100 endsub\n"
-                 "#2=3\no100 call [1]\nG0 X#1 Y#<a> Z#<_b>\n"),
+  EXPECT_EQ(flat("#1=5 #<a>=6 #<_all>=7\no100 sub\n#1=8\n#<a>=9\n#<_all>=10\nG0 X#2\no100 endsub\n"
+                 "#2=3\no100 call [1]\nG0 X#1 Y#<a> Z#<_all>\n"),
             "(o100)\nG0 X3\nG0 X5 Y6 Z10\n");
 }
 
@@ -274,4 +274,4 @@ INSTANTIATE_TEST_SUITE_P(Linuxcnc, Twins,
                          name_of_twin);
 
 }  // namespace
-}  // namespace trc::support
+}  // namespace trc::support::linuxcnc_computing
