@@ -200,6 +200,7 @@ TEST(FanucRefusals, NameTheirLine) {
       {"#1=LN[0]\n", Code::value_invalid, 1},
       {"#1=ACOS[1.1]\n", Code::value_invalid, 1},
       {"#1=EXP[1000]\n", Code::value_invalid, 1},
+      {"#1=BIN[10]\n", Code::value_invalid, 1},
       {"#1=[1+2\n", Code::expression_invalid, 1},
       {"#1=1+\n", Code::expression_invalid, 1},
       {"#1=5)\n", Code::expression_invalid, 1},

@@ -127,6 +127,31 @@ bool CodeFlow::has_words_left() const {
   });
 }
 
+std::optional<CodeFlow::ProgramCall> CodeFlow::take_call(ComputedWord& word, std::string& flat) {
+  ComputedWord* const number = word_of('P');
+  ComputedWord* const times = word_of('L');
+  const auto program = whole_value(number, word);
+  const auto repetitions = times == nullptr ? 1 : whole_value(times, word);
+  if (!program || !repetitions) return {};
+  // Where a subprogram begins elsewhere than at its beginning.
+  for (const char letter : {'Q', 'H'}) {
+    const ComputedWord* const other = word_of(letter);
+    if (other == nullptr) continue;
+    refuse(
+        Code::value_invalid, other->begin,
+        std::string(line_.substr(other->begin, other->end - other->begin)).append(" beside M98"));
+    return {};
+  }
+  word.left_out = number->left_out = true;
+  if (times != nullptr) times->left_out = true;
+  called_alone_ = !has_words_left();
+  if (!called_alone_) write_line(flat);
+  return ProgramCall{.number = *program,
+                     .times = static_cast<std::uint64_t>(*repetitions),
+                     .says_times = times != nullptr,
+                     .begin = number->begin};
+}
+
 PointStyle CodeFlow::style_of(char letter) const {
   if (grammar_.dialect != DialectName::fanuc) return PointStyle::as_whole;
   const bool alone = std::string_view("GMSTDHNLOP").find(letter) != std::string_view::npos;

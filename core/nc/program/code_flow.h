@@ -36,6 +36,17 @@ class CodeFlow : public Flow, protected Variables {
   // Whether the line has a word that is left in it.
   [[nodiscard]] bool has_words_left() const;
 
+  // M98, M97: which program, and how often.
+  struct ProgramCall {
+    std::int64_t number = 0;
+    std::uint64_t times = 1;
+    bool says_times = false;
+    std::size_t begin = 0;  // byte of the line
+  };
+  // Takes the words of a call out of the line and writes what else stands in it, which comes first.
+  // Nothing where it is refused.
+  [[nodiscard]] std::optional<ProgramCall> take_call(ComputedWord& word, std::string& flat);
+
   bool write_line(std::string& flat);
   void write_as_it_is(std::string& flat);
   // The comment behind which the lines of a subprogram stand, with those of the call.

@@ -1,9 +1,9 @@
 #include "core/nc/program/expression.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <utility>
 
 #include "core/nc/text/characters.h"
@@ -16,80 +16,6 @@ constexpr double degree = std::numbers::pi / 180;
 // Beyond that a double does not hold every whole number.
 constexpr double largest_exact = 9e15;
 
-constexpr auto fanuc_operators = std::to_array<OperatorRow>({
-    {"EQ", 1, Operator::equal},
-    {"NE", 1, Operator::not_equal},
-    {"GT", 1, Operator::greater},
-    {"LT", 1, Operator::less},
-    {"GE", 1, Operator::at_least},
-    {"LE", 1, Operator::at_most},
-    {"+", 2, Operator::add},
-    {"-", 2, Operator::subtract},
-    {"OR", 2, Operator::disjunction},
-    {"XOR", 2, Operator::exclusion},
-    {"*", 3, Operator::multiply},
-    {"/", 3, Operator::divide},
-    {"MOD", 3, Operator::remainder},
-    {"AND", 3, Operator::conjunction},
-});
-
-constexpr auto linuxcnc_operators = std::to_array<OperatorRow>({
-    {"AND", 1, Operator::conjunction},
-    {"OR", 1, Operator::disjunction},
-    {"XOR", 1, Operator::exclusion},
-    {"EQ", 2, Operator::equal},
-    {"NE", 2, Operator::not_equal},
-    {"GT", 2, Operator::greater},
-    {"LT", 2, Operator::less},
-    {"GE", 2, Operator::at_least},
-    {"LE", 2, Operator::at_most},
-    {"+", 3, Operator::add},
-    {"-", 3, Operator::subtract},
-    // In front of `*`, which it begins with.
-    {"**", 5, Operator::power},
-    {"*", 4, Operator::multiply},
-    {"/", 4, Operator::divide},
-    {"MOD", 4, Operator::remainder},
-});
-
-constexpr auto fanuc_functions = std::to_array<FunctionRow>({
-    {"SIN", Function::sine},
-    {"COS", Function::cosine},
-    {"TAN", Function::tangent},
-    {"ASIN", Function::arc_sine},
-    {"ACOS", Function::arc_cosine},
-    {"ATAN", Function::arc_tangent},
-    {"SQRT", Function::root},
-    {"SQR", Function::root},
-    {"ABS", Function::absolute},
-    {"ROUND", Function::round},
-    {"RND", Function::round},
-    {"FIX", Function::down},
-    {"FUP", Function::up},
-    {"LN", Function::logarithm},
-    {"EXP", Function::exponential},
-    {"POW", Function::power},
-    {"BIN", Function::to_binary},
-    {"BCD", Function::to_decimal},
-});
-
-constexpr auto linuxcnc_functions = std::to_array<FunctionRow>({
-    {"SIN", Function::sine},
-    {"COS", Function::cosine},
-    {"TAN", Function::tangent},
-    {"ASIN", Function::arc_sine},
-    {"ACOS", Function::arc_cosine},
-    {"ATAN", Function::arc_tangent},
-    {"SQRT", Function::root},
-    {"ABS", Function::absolute},
-    {"ROUND", Function::round},
-    {"FIX", Function::down},
-    {"FUP", Function::up},
-    {"LN", Function::logarithm},
-    {"EXP", Function::exponential},
-    {"EXISTS", Function::exists},
-});
-
 // What Fanuc takes for one number (D-48).
 bool is_near(double left, double right) {
   constexpr double digits = 1e-10;
@@ -97,33 +23,22 @@ bool is_near(double left, double right) {
   return std::abs(left - right) <= least + digits * std::max(std::abs(left), std::abs(right));
 }
 
-// The digits of a whole number in another base than they were written in.
-double in_other_base(double number, std::int64_t from, std::int64_t to) {
+// The decimal digits of a whole number, which is written in the one base, in the other one. Nothing
+// where one of them is none.
+std::optional<double> in_other_base(double number, std::int64_t from, std::int64_t to) {
+  constexpr std::int64_t ten = 10;
   auto left = std::llround(std::abs(number));
   std::int64_t result = 0;
-  for (std::int64_t place = 1; left > 0; place *= to, left /= from) result += left % from * place;
+  for (std::int64_t place = 1; left > 0; place *= to, left /= from) {
+    if (left % from >= ten) return {};
+    result += left % from * place;
+  }
   return static_cast<double>(result);
 }
 
 bool is_comparison(Operator sign) { return sign >= Operator::equal && sign <= Operator::at_most; }
 
 }  // namespace
-
-const Grammar& fanuc_grammar() {
-  static constexpr Grammar grammar{.dialect = DialectName::fanuc,
-                                   .operators = fanuc_operators,
-                                   .functions = fanuc_functions,
-                                   .highest_level = 3};
-  return grammar;
-}
-
-const Grammar& linuxcnc_grammar() {
-  static constexpr Grammar grammar{.dialect = DialectName::linuxcnc,
-                                   .operators = linuxcnc_operators,
-                                   .functions = linuxcnc_functions,
-                                   .highest_level = 5};
-  return grammar;
-}
 
 void ExpressionReader::pass_blanks() {
   while (peek() == ' ' || peek() == '\t') ++at_;
@@ -347,11 +262,14 @@ double ExpressionReader::applied(Function function, double argument, std::size_t
       return std::log(argument);
     case Function::exponential:
       return checked(std::exp(argument), begin);
-    case Function::to_binary:
+    case Function::to_binary: {
+      const auto binary = argument < 0 || nearest > 1e12 ? std::optional<double>()
+                                                         : in_other_base(argument, 16, 10);
+      return binary ? *binary : refused();
+    }
     case Function::to_decimal:
       if (argument < 0 || nearest > 1e12) return refused();
-      return function == Function::to_binary ? in_other_base(argument, 16, 10)
-                                             : in_other_base(argument, 10, 16);
+      return *in_other_base(argument, 10, 16);
     case Function::arc_tangent:
     case Function::power:
     case Function::exists:

@@ -69,8 +69,7 @@ class FanucFlow : public CodeFlow {
   bool go_to(std::int64_t number, std::size_t begin);
   bool execute_words(std::string& flat);
   bool call(std::string& flat, ComputedWord& word);
-  bool call_own_lines(std::string& flat, std::int64_t label, std::uint64_t times,
-                      std::size_t begin);
+  bool call_own_lines(std::string& flat, const ProgramCall& call);
   bool call_macro(std::string& flat, const ComputedWord& word);
   bool take_arguments(const ComputedWord& word, Locals& locals);
   bool return_from(std::string& flat, ComputedWord& word);

@@ -45,43 +45,26 @@ bool FanucFlow::execute_words(std::string& flat) {
 bool FanucFlow::call(std::string& flat, ComputedWord& word) {
   if (word.letter == 'G') return call_macro(flat, word);
   if (word.value.number == 99) return return_from(flat, word);
-  ComputedWord* const number = word_of('P');
-  ComputedWord* const times = word_of('L');
-  const auto program = whole_value(number, word);
-  const auto repetitions = times == nullptr ? 1 : whole_value(times, word);
-  if (!program || !repetitions) return false;
-  word.left_out = number->left_out = true;
-  if (times != nullptr) times->left_out = true;
-  // Where a subprogram begins elsewhere than at its beginning.
-  for (const char letter : {'Q', 'H'})
-    if (const ComputedWord* other = word_of(letter))
-      return refuse(
-          Code::value_invalid, other->begin,
-          std::string(line_.substr(other->begin, other->end - other->begin)).append(" beside M98"));
-  // What else stands in the line comes first.
-  called_alone_ = !has_words_left();
-  if (!called_alone_) write_line(flat);
-  const auto count = static_cast<std::uint64_t>(*repetitions);
-  if (word.value.number == 97) return call_own_lines(flat, *program, count, number->begin);
-  auto unit = unit_of(*program, number->begin);
+  const auto call = take_call(word, flat);
+  if (!call) return false;
+  if (word.value.number == 97) return call_own_lines(flat, *call);
+  auto unit = unit_of(call->number, call->begin);
   // Of older controls: repetitions in front of the four digits of the program.
   constexpr std::int64_t of_four_digits = 10'000;
-  if (!unit && refusal().code == Code::subprogram_unknown && times == nullptr &&
-      *program >= of_four_digits) {
-    unit = unit_of(*program % of_four_digits, number->begin);
-    return unit &&
-           enter_unit(flat, *unit, static_cast<std::uint64_t>(*program / of_four_digits), nullptr);
-  }
-  return unit && enter_unit(flat, *unit, count, nullptr);
+  const bool is_there = std::ranges::find(units_, call->number, &Unit::number) != units_.end();
+  if (unit || is_there || call->says_times || call->number < of_four_digits)
+    return unit && enter_unit(flat, *unit, call->times, nullptr);
+  unit = unit_of(call->number % of_four_digits, call->begin);
+  return unit && enter_unit(flat, *unit, static_cast<std::uint64_t>(call->number / of_four_digits),
+                            nullptr);
 }
 
 // M97: lines of the program that calls.
-bool FanucFlow::call_own_lines(std::string& flat, std::int64_t label, std::uint64_t times,
-                               std::size_t begin) {
-  const auto line = line_of(frame(), label);
-  const std::string name = "N" + std::to_string(label);
-  if (!line) return refuse(Code::jump_target_unknown, begin, name);
-  if (times == 0) return true;
+bool FanucFlow::call_own_lines(std::string& flat, const ProgramCall& call) {
+  const auto line = line_of(frame(), call.number);
+  const std::string name = "N" + std::to_string(call.number);
+  if (!line) return refuse(Code::jump_target_unknown, call.begin, name);
+  if (call.times == 0) return true;
   write_call(flat, name);
   return enter({.text = frame().text,
                 .begin = frame().begin,
@@ -89,7 +72,7 @@ bool FanucFlow::call_own_lines(std::string& flat, std::int64_t label, std::uint6
                 .next = *line,
                 .current = *line,
                 .restart = *line,
-                .repetitions_left = times - 1,
+                .repetitions_left = call.times - 1,
                 .name = name});
 }
 

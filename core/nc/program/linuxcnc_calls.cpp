@@ -168,32 +168,25 @@ bool LinuxcncFlow::return_from_sub(std::size_t at, std::string& flat) {
 
 // M98: from the line of its number to M99, with the parameters of the caller.
 bool LinuxcncFlow::call_program(ComputedWord& word, std::string& flat) {
-  ComputedWord* const number = word_of('P');
-  ComputedWord* const times = word_of('L');
-  const auto program = whole_value(number, word);
-  const auto repetitions = times == nullptr ? 1 : whole_value(times, word);
-  if (!program || !repetitions) return false;
-  word.left_out = number->left_out = true;
-  if (times != nullptr) times->left_out = true;
-  called_alone_ = !has_words_left();
-  if (!called_alone_) write_line(flat);
-  const std::string label = std::to_string(*program);
+  const auto call = take_call(word, flat);
+  if (!call) return false;
+  const std::string label = std::to_string(call->number);
   for (std::size_t text = 0; text < texts_.size(); ++text) {
     const auto begin = std::ranges::find_if(o_words_[text], [&](const OWord& each) {
       return each.statement == Statement::none && each.label == label;
     });
     if (begin == o_words_[text].end()) continue;
-    if (*repetitions == 0) return true;
+    if (call->times == 0) return true;
     write_call(flat, "o" + label);
     return enter({.text = text,
                   .end = texts_[text].size(),
                   .next = begin->line + 1,
                   .current = begin->line,
                   .restart = begin->line + 1,
-                  .repetitions_left = static_cast<std::uint64_t>(*repetitions) - 1,
+                  .repetitions_left = call->times - 1,
                   .name = "o" + label});
   }
-  return refuse(Code::subprogram_unknown, number->begin, "o" + label);
+  return refuse(Code::subprogram_unknown, call->begin, "o" + label);
 }
 
 bool LinuxcncFlow::return_from_program(ComputedWord& word, std::string& flat) {
