@@ -99,6 +99,12 @@ TEST(FanucVariables, HaveTheValuesOfTheSetup) {
   EXPECT_EQ(flat_of("#100=#5041\nG0 X#500 Y#100 Z#1\n", setup), "G0 X12.5 Y-3. Z4.\n");
 }
 
+TEST(FanucVariables, KnowTheModesInForce) {
+  EXPECT_EQ(flat("G21 G91 G18\nG1 X1. F100\n#1=#4001\n#2=#4003\nG90 G0 Y1.\nG#1 G#2 X1. "
+                 "A[#4002] B[#4006]\n"),
+            "G21 G91 G18\nG1 X1. F100\nG90 G0 Y1.\nG1 G91 X1. A18. B21.\n");
+}
+
 TEST(FanucWords, AreWrittenAsTheControlTakesThem) {
   EXPECT_EQ(flat("#1=3\nG#1 X[1/3] Y#1 R-#1 F[#1*100] S[#1*1000.1] M[#1] T#1 D#1\n"),
             "G3 X0.33333333 Y3. R-3. F300. S3000 M3 T3 D3\n");

@@ -43,6 +43,7 @@ TEST(LinuxcncExpressions, KnowTheFunctions) {
   EXPECT_EQ(value_of("EXISTS[#<_none>]"), "0");
   EXPECT_EQ(value_of("EXISTS[#31]"), "1");
   EXPECT_EQ(value_of("#<_metric>"), "1");
+  EXPECT_EQ(value_of("#<_incremental>"), "0");
 }
 
 TEST(LinuxcncParameters, TakeTheirValueBehindTheLine) {

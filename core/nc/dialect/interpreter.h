@@ -126,7 +126,11 @@ class Interpreter {
 
   // Blocks read so far, the index of the next one (Source::index).
   [[nodiscard]] std::uint64_t blocks_read() const { return blocks_read_; }
+  // What holds behind the lines read.
   [[nodiscard]] bool counts_in_inch() const { return inch_; }
+  [[nodiscard]] bool is_incremental() const { return incremental_; }
+  [[nodiscard]] MotionKind motion() const { return motion_; }
+  [[nodiscard]] Plane plane() const { return state_.programmed_plane(); }
   // Behind M02 or M30.
   [[nodiscard]] bool has_ended() const { return ended_; }
 

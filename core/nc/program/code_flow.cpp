@@ -82,7 +82,8 @@ bool CodeFlow::scan_value(ComputedWord& word, std::size_t& at) {
   }
   const bool fanuc = grammar_.dialect == DialectName::fanuc;
   ExpressionReader expression = expression_at(at);
-  if (fanuc && style_of(word.letter) == PointStyle::with_point) expression.round_to(inch_ ? 4 : 3);
+  if (fanuc && style_of(word.letter) == PointStyle::with_point)
+    expression.round_to(modes_.inch ? 4 : 3);
   word.value = expression.operand();
   if (expression.failed()) return refuse(expression.fault());
   word.computed = has_computed_ = true;

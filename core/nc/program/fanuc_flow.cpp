@@ -336,6 +336,22 @@ std::int64_t FanucFlow::number_of_variable(ExpressionReader& expression) {
   return expression.whole_operand();
 }
 
+// #4001 … : the functions of their groups that hold.
+std::optional<double> FanucFlow::modal_value(std::int64_t number) const {
+  switch (number) {
+    case 4001:
+      return static_cast<double>(modes_.motion);
+    case 4002:
+      return modes_.plane == Plane::xy ? 17 : modes_.plane == Plane::zx ? 18 : 19;
+    case 4003:
+      return modes_.incremental ? 91 : 90;
+    case 4006:
+      return modes_.inch ? 20 : 21;
+    default:
+      return {};
+  }
+}
+
 Value FanucFlow::read(ExpressionReader& expression) {
   const std::size_t begin = expression.at();
   const std::int64_t number = number_of_variable(expression);
@@ -349,6 +365,7 @@ Value FanucFlow::read(ExpressionReader& expression) {
     return {.number = known->second.value_or(0), .vacant = !known->second};
   const std::string name = std::to_string(number);
   if (const double* value = given(name)) return {.number = *value};
+  if (const auto value = modal_value(number)) return {.number = *value};
   if (number >= 100 && number < 500) return {.vacant = true};
   const Code code = number >= 1000  ? Code::machine_state
                     : number >= 500 ? Code::variable_unset

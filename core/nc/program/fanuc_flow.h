@@ -77,6 +77,7 @@ class FanucFlow : public CodeFlow {
   bool enter_unit(std::string& flat, const Unit& unit, std::uint64_t times, Locals* locals);
   [[nodiscard]] std::optional<Unit> unit_of(std::int64_t number, std::size_t begin);
 
+  [[nodiscard]] std::optional<double> modal_value(std::int64_t number) const;
   Value read(ExpressionReader& expression) override;
   bool exists(ExpressionReader& expression) override;
   [[nodiscard]] std::int64_t number_of_variable(ExpressionReader& expression);

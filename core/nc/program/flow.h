@@ -14,11 +14,20 @@
 #include "core/nc/program/expression.h"
 #include "core/nc/program/program_text.h"
 #include "core/nc/state/program_setup.h"
+#include "core/nc/state/program_state.h"
 
 namespace trc::program {
 
 // Calls within calls; what a control allows is less.
 inline constexpr std::size_t deepest_call = 32;
+
+// What holds behind the lines that were executed, which a program may ask for.
+struct ModalState {
+  MotionKind motion = MotionKind::rapid;
+  Plane plane = Plane::xy;
+  bool incremental = false;
+  bool inch = false;
+};
 
 // Executes a program that computes, a line at a time: follows its jumps, loops and calls, and says
 // what each line becomes in the flat program.
@@ -35,8 +44,8 @@ class Flow {
   // or a refusal nothing more may be asked for.
   [[nodiscard]] virtual Step step(std::string& flat) = 0;
 
-  // Lengths count in inch at the line that is executed next: for what is rounded to a digit.
-  void count_in(bool inch) { inch_ = inch; }
+  // Before each step.
+  void hold(const ModalState& modes) { modes_ = modes; }
 
   // What the line executed last has become is that line itself.
   [[nodiscard]] bool is_as_written() const { return is_as_written_; }
@@ -84,7 +93,7 @@ class Flow {
   CallPlaces& calls_;
   std::vector<ProgramText> texts_{};  // the program first
   std::vector<Frame> frames_{};
-  bool inch_ = false;
+  ModalState modes_{};
   bool is_as_written_ = true;
 
  private:

@@ -276,7 +276,9 @@ std::optional<double> LinuxcncFlow::content_of(const Target& target) const {
   else
     known = content(common_, number);
   if (known) return known;
-  if (name == "_metric" || name == "_imperial") return (name == "_imperial") == inch_ ? 1 : 0;
+  if (name == "_metric" || name == "_imperial") return (name == "_imperial") == modes_.inch ? 1 : 0;
+  if (name == "_absolute" || name == "_incremental")
+    return (name == "_incremental") == modes_.incremental ? 1 : 0;
   const double* const value = given(name.empty() ? std::to_string(number) : in_upper_case(name));
   return value == nullptr ? std::optional<double>() : std::optional<double>(*value);
 }

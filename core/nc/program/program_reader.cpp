@@ -54,8 +54,8 @@ bool ProgramReader::split(std::string_view text, std::vector<LinePointer>& lines
       if (!pass(text.substr(0, begin), lines)) return false;
       lines_before_ += count;
       if (!interpreter_.has_ended()) {
-        begin_to_compute(text.substr(begin));
-        return true;
+        computing_ = true;
+        return collect(text.substr(begin));
       }
       // Behind the end of the program there is text alone.
       passes_ = true;
@@ -81,11 +81,6 @@ bool ProgramReader::pass(std::string_view text, std::vector<LinePointer>& lines)
   return text.empty() || interpreter_.feed(text, lines);
 }
 
-void ProgramReader::begin_to_compute(std::string_view rest) {
-  computing_ = true;
-  collect(rest);
-}
-
 bool ProgramReader::collect(std::string_view text) {
   if (text_.size() + text.size() > most_computing_text) {
     Diagnostic refused = diagnostic(Code::computing_text_too_long, {});
@@ -102,8 +97,10 @@ bool ProgramReader::begin_to_execute() {
   if (flow_) return true;
   // A last line without an end may compute as well.
   if (!computing_ && !passes_ && program::computes(setup_.dialect, partial_) &&
-      !interpreter_.has_ended())
-    begin_to_compute(std::exchange(partial_, {}));
+      !interpreter_.has_ended()) {
+    computing_ = true;
+    collect(std::exchange(partial_, {}));
+  }
   if (!computing_) return false;
   const std::uint64_t first_line = before_is_whole_ ? 1 : lines_before_ + 1;
   const std::size_t start = before_is_whole_ ? lines_before_ : 0;
@@ -120,7 +117,7 @@ bool ProgramReader::resolve(std::vector<LinePointer>& lines) {
        ++executed) {
     checkpoint_.pass();
     flat_.clear();
-    flow_->count_in(interpreter_.counts_in_inch());
+    flow_->hold(modes());
     const program::Flow::Step step = flow_->step(flat_);
     if (step == program::Flow::Step::refused) return refuse(flow_->refusal());
     if (!read_flat_lines(lines)) return false;
@@ -128,6 +125,13 @@ bool ProgramReader::resolve(std::vector<LinePointer>& lines) {
     if (executed_) return false;
   }
   return true;
+}
+
+program::ModalState ProgramReader::modes() const {
+  return {.motion = interpreter_.motion(),
+          .plane = interpreter_.plane(),
+          .incremental = interpreter_.is_incremental(),
+          .inch = interpreter_.counts_in_inch()};
 }
 
 // All that one line has become is told by its place.

@@ -58,9 +58,9 @@ class ProgramReader {
  private:
   bool split(std::string_view text, std::vector<LinePointer>& lines);
   bool pass(std::string_view text, std::vector<LinePointer>& lines);
-  void begin_to_compute(std::string_view rest);
   bool collect(std::string_view text);
   bool begin_to_execute();
+  [[nodiscard]] program::ModalState modes() const;
   bool read_flat_lines(std::vector<LinePointer>& lines);
   bool refuse(Diagnostic refusal);
 
