@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <random>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -162,6 +163,42 @@ TEST(Blocks, OfAProgramThatComputesNameTheirLine) {
   std::vector<std::uint32_t> lines;
   for (const CompensatedBlock& block : ran.blocks) lines.push_back(block.source.line);
   EXPECT_EQ(lines, (std::vector<std::uint32_t>{1, 5, 6, 5, 6, 3})) << ran.report();
+}
+
+// Lines of words that belong together and of such that do not: whatever comes of them is the same
+// in pieces, and ends.
+TEST(LinesOfAnyKind, GiveTheSameInPieces) {
+  const std::vector<std::string> words{
+      "#1",      "#2",        "=",      "[",      "]",         "+",     "-",       "/",
+      "*",       "1",         "2.5",    "N10",    "N20",       "GOTO",  "10",      "20",
+      "IF",      "THEN",      "WHILE",  "DO1",    "END1",      "LT",    "EQ",      "AND",
+      "X",       "Y#1",       "G1",     "G41 D1", "G40",       "M98",   "P100",    "L2",
+      "O100",    "M99",       "M30",    "(A)",    "#[1+1]=3",  "SIN[",  "G65",     "A1.",
+      "o1",      "sub",       "endsub", "call",   "if [#1]",   "endif", "while",   "endwhile",
+      "repeat",  "#<a>=[1]",  "#<_b>",  "break",  "endrepeat", "/",     "#1=#1+1", "F100",
+      "X[#1*2]", "ATAN[1]/[", "#500",   "%",      ",",         ";",     "\r",      "#3000=1"};
+  constexpr unsigned seed = 11;
+  std::mt19937 random(seed);
+  const auto pick = [&](std::size_t count) { return random() % count; };
+  std::size_t accepted = 0;
+  for (int round = 0; round < 4000; ++round) {
+    std::string text = "#1=1\n";
+    for (std::size_t line = 0; line < 2 + pick(8); ++line) {
+      for (std::size_t count = 1 + pick(5); count > 0; --count)
+        text += words[pick(words.size())] + (pick(4) == 0 ? "" : " ");
+      text += '\n';
+    }
+    SCOPED_TRACE("seed " + std::to_string(seed) + ", round " + std::to_string(round) + '\n' + text);
+    ProgramSessionSetup setup =
+        computing_setup(round % 2 == 0 ? DialectName::fanuc : DialectName::linuxcnc);
+    setup.session.program.max_executed_lines = 300;
+    const Ran whole = run_computing(text, setup, Output::nc_text);
+    const Ran pieces = run_computing(text, setup, Output::nc_text, 1 + pick(5));
+    ASSERT_EQ(pieces.text, whole.text);
+    ASSERT_EQ(pieces.report(), whole.report());
+    accepted += whole.stopped ? 0 : 1;
+  }
+  EXPECT_GT(accepted, 20u);
 }
 
 }  // namespace
