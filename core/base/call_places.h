@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cstdint>
 #include <iterator>
+#include <map>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -27,14 +29,12 @@ class CallPlaces {
   static constexpr Chain main_program = 0;
 
   // The chain that ends with this call. Equal calls have one chain.
-  Chain enter(Chain caller, std::string subprogram, std::uint32_t called_from) {
-    for (Chain known = 0; known < calls_.size(); ++known)
-      if (calls_[known].caller == caller && calls_[known].called_from == called_from &&
-          calls_[known].subprogram == subprogram)
-        return known + 1;
-    calls_.push_back(
-        {.caller = caller, .called_from = called_from, .subprogram = std::move(subprogram)});
-    return static_cast<Chain>(calls_.size());
+  Chain enter(Chain caller, const std::string& subprogram, std::uint32_t called_from) {
+    const auto [known, is_new] = chains_.try_emplace({caller, called_from, subprogram},
+                                                     static_cast<Chain>(calls_.size()) + 1);
+    if (is_new)
+      calls_.push_back({.caller = caller, .called_from = called_from, .subprogram = subprogram});
+    return known->second;
   }
 
   // From this block (Source::index) on; blocks rise. Behind very many changes nothing is known.
@@ -83,6 +83,7 @@ class CallPlaces {
   static constexpr std::size_t most_changes = 1U << 20U;
 
   std::vector<Call> calls_{};
+  std::map<std::tuple<Chain, std::uint32_t, std::string>, Chain> chains_{};
   std::vector<Change> changes_{};
   bool full_ = false;
 };
