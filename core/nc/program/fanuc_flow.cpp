@@ -117,6 +117,8 @@ void FanucFlow::add_units(std::size_t text) {
   const bool is_named = std::any_of(units_.begin() + static_cast<std::ptrdiff_t>(known),
                                     units_.end(), [](const Unit& u) { return u.number >= 0; });
   if (!is_named && text > 0) units_[known].number = number_of_name(lines.name());
+  for (std::size_t unit_index = known; unit_index < units_.size(); ++unit_index)
+    units_of_number_[units_[unit_index].number].push_back(unit_index);
 }
 
 const FanucFlow::Outline& FanucFlow::outline_of(const Frame& frame) {
@@ -131,7 +133,7 @@ const FanucFlow::Outline& FanucFlow::outline_of(const Frame& frame) {
   for (std::size_t line = unit->begin; line < unit->end; ++line) {
     const std::string_view content = text.line(line);
     const LineHead head = head_of(content);
-    if (head.number >= 0) outline.labels.emplace_back(head.number, line);
+    if (head.number >= 0) outline.labels[head.number].push_back(line);
     const bool begins =
         has_word_at(content, head.behind, "WHILE") || has_word_at(content, head.behind, "DO");
     const bool ends = has_word_at(content, head.behind, "END");
@@ -141,7 +143,8 @@ const FanucFlow::Outline& FanucFlow::outline_of(const Frame& frame) {
     if (!ends) continue;
     while (!open.empty() && open.back().first != number) open.pop_back();
     if (open.empty()) continue;
-    outline.loops.push_back({.head = open.back().second, .foot = line});
+    outline.feet[open.back().second] = line;
+    outline.heads[line] = open.back().second;
     open.pop_back();
   }
   return outline;
@@ -244,10 +247,10 @@ bool FanucFlow::loop(std::string& flat, ExpressionReader& expression, bool has_c
   static_cast<void>(expression.whole_operand());
   if (expression.failed()) return refuse(expression.fault());
   const Outline& outline = outline_of(frame());
-  const auto found = std::ranges::find(outline.loops, frame().current, &Loop::head);
-  if (found == outline.loops.end())
+  const auto found = outline.feet.find(frame().current);
+  if (found == outline.feet.end())
     return refuse(Code::block_structure, head_.behind, "DO without END");
-  if (!holds) frame().next = found->foot + 1;
+  if (!holds) frame().next = found->second + 1;
   return finish_statement(flat, expression.at());
 }
 
@@ -255,10 +258,10 @@ bool FanucFlow::end_loop(std::string& flat, ExpressionReader& expression) {
   static_cast<void>(expression.whole_operand());
   if (expression.failed()) return refuse(expression.fault());
   const Outline& outline = outline_of(frame());
-  const auto found = std::ranges::find(outline.loops, frame().current, &Loop::foot);
-  if (found == outline.loops.end())
+  const auto found = outline.heads.find(frame().current);
+  if (found == outline.heads.end())
     return refuse(Code::block_structure, head_.behind, "END without DO");
-  frame().next = found->head;
+  frame().next = found->second;
   return finish_statement(flat, expression.at());
 }
 
@@ -281,13 +284,11 @@ bool FanucFlow::go_to(std::int64_t number, std::size_t begin) {
 
 // The first one behind the line that is executed, else the first one from the beginning.
 std::optional<std::size_t> FanucFlow::line_of(const Frame& frame, std::int64_t number) {
-  std::optional<std::size_t> found;
-  for (const auto& [label, line] : outline_of(frame).labels) {
-    if (label != number) continue;
-    if (line > frame.current) return line;
-    if (!found) found = line;
-  }
-  return found;
+  const Outline& outline = outline_of(frame);
+  const auto lines = outline.labels.find(number);
+  if (lines == outline.labels.end()) return {};
+  const auto behind = std::ranges::upper_bound(lines->second, frame.current);
+  return behind == lines->second.end() ? lines->second.front() : *behind;
 }
 
 bool FanucFlow::assign(std::string& flat, std::size_t at) {

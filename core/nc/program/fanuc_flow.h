@@ -43,14 +43,11 @@ class FanucFlow : public CodeFlow {
     std::size_t end = 0;
     std::int64_t number = -1;
   };
-  using Labels = std::vector<std::pair<std::int64_t, std::size_t>>;  // N, line; by line
-  struct Loop {
-    std::size_t head = 0;
-    std::size_t foot = 0;
-  };
+  // Where its jumps and loops lead.
   struct Outline {
-    Labels labels{};
-    std::vector<Loop> loops{};
+    std::map<std::int64_t, std::vector<std::size_t>> labels{};  // lines of an N, ascending
+    std::map<std::size_t, std::size_t> feet{};                  // of loops, by their heads
+    std::map<std::size_t, std::size_t> heads{};                 // by their feet
   };
 
   void add_units(std::size_t text);
@@ -83,6 +80,7 @@ class FanucFlow : public CodeFlow {
   [[nodiscard]] std::int64_t number_of_variable(ExpressionReader& expression);
 
   std::vector<Unit> units_{};
+  std::map<std::int64_t, std::vector<std::size_t>> units_of_number_{};
   std::map<std::pair<std::size_t, std::size_t>, Outline> outlines_{};
   std::vector<Locals> locals_{1};
   std::map<std::int64_t, std::optional<double>> common_{};

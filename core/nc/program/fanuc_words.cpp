@@ -51,7 +51,7 @@ bool FanucFlow::call(std::string& flat, ComputedWord& word) {
   auto unit = unit_of(call->number, call->begin);
   // Of older controls: repetitions in front of the four digits of the program.
   constexpr std::int64_t of_four_digits = 10'000;
-  const bool is_there = std::ranges::find(units_, call->number, &Unit::number) != units_.end();
+  const bool is_there = units_of_number_.contains(call->number);
   if (unit || is_there || call->says_times || call->number < of_four_digits)
     return unit && enter_unit(flat, *unit, call->times, nullptr);
   unit = unit_of(call->number % of_four_digits, call->begin);
@@ -115,17 +115,16 @@ bool FanucFlow::take_arguments(const ComputedWord& word, Locals& locals) {
 }
 
 std::optional<FanucFlow::Unit> FanucFlow::unit_of(std::int64_t number, std::size_t begin) {
-  std::optional<Unit> found;
-  bool twice = false;
-  for (const Unit& unit : units_) {
-    if (unit.number != number) continue;
-    // What stands in the program itself is meant, else what is given.
-    twice |= found && (unit.text == 0) == (found->text == 0);
-    if (!found) found = unit;
+  const auto known = units_of_number_.find(number);
+  if (known == units_of_number_.end()) {
+    refuse(Code::subprogram_unknown, begin, name_of_unit(number));
+    return {};
   }
-  if (found && !twice) return found;
-  refuse(Code::subprogram_unknown, begin,
-         name_of_unit(number) + (twice ? ", which is there twice" : ""));
+  // What stands in the program itself is meant, else what is given.
+  const std::vector<std::size_t>& all = known->second;
+  const Unit& found = units_[all.front()];
+  if (all.size() == 1 || (found.text == 0 && units_[all[1]].text > 0)) return found;
+  refuse(Code::subprogram_unknown, begin, name_of_unit(number) + ", which is there twice");
   return {};
 }
 

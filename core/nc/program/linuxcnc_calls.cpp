@@ -117,15 +117,12 @@ bool LinuxcncFlow::call_sub(const std::string& label, std::size_t at, std::strin
   }
   if (expression.failed()) return refuse(expression.fault());
   for (std::size_t text = 0; text < texts_.size(); ++text) {
-    const std::vector<OWord>& words = o_words_[text];
-    const auto is = [&](const OWord& word, Statement statement) {
-      return word.statement == statement && word.label == label;
-    };
-    const auto begin =
-        std::ranges::find_if(words, [&](const OWord& word) { return is(word, Statement::sub); });
+    const auto labelled = o_words_[text].find({0, label});
+    if (labelled == o_words_[text].end()) continue;
+    const std::vector<OWord>& words = labelled->second;
+    const auto begin = std::ranges::find(words, Statement::sub, &OWord::statement);
     if (begin == words.end()) continue;
-    const auto end = std::find_if(begin, words.end(),
-                                  [&](const OWord& word) { return is(word, Statement::endsub); });
+    const auto end = std::ranges::find(begin, words.end(), Statement::endsub, &OWord::statement);
     if (end == words.end())
       return refuse(Code::block_structure, head_.behind, "o" + label + " sub without endsub");
     const std::string comments = comments_of(line_, expression.at());
@@ -172,10 +169,10 @@ bool LinuxcncFlow::call_program(ComputedWord& word, std::string& flat) {
   if (!call) return false;
   const std::string label = std::to_string(call->number);
   for (std::size_t text = 0; text < texts_.size(); ++text) {
-    const auto begin = std::ranges::find_if(o_words_[text], [&](const OWord& each) {
-      return each.statement == Statement::none && each.label == label;
-    });
-    if (begin == o_words_[text].end()) continue;
+    const auto labelled = o_words_[text].find({0, label});
+    if (labelled == o_words_[text].end()) continue;
+    const auto begin = std::ranges::find(labelled->second, Statement::none, &OWord::statement);
+    if (begin == labelled->second.end()) continue;
     if (call->times == 0) return true;
     write_call(flat, "o" + label);
     return enter({.text = text,

@@ -115,19 +115,21 @@ LinuxcncFlow::LinuxcncFlow(const ProgramSetup& setup, CallPlaces& calls, Program
 
 void LinuxcncFlow::add_o_words(std::size_t text) {
   const ProgramText& lines = texts_[text];
-  std::vector<OWord>& words = o_words_.emplace_back();
+  Labelled& words = o_words_.emplace_back();
   std::size_t scope = 0;
   for (std::size_t line = 0; line < lines.size(); ++line) {
     const std::string_view content = lines.line(line);
     const std::size_t at = head_of(content).behind;
     if (!is_o_word_at(content, at)) continue;
-    OWord word{.line = line, .scope = scope};
-    std::size_t behind = behind_label(content, at, word.label);
+    OWord word{.line = line};
+    std::string label;
+    std::size_t behind = behind_label(content, at, label);
     if (behind == 0) continue;
     word.statement = statement_at(content, behind);
-    if (word.statement == Statement::sub) scope = line + 1;
+    // The two ends of a subprogram belong to what is around it.
     if (word.statement == Statement::endsub) scope = 0;
-    words.push_back(std::move(word));
+    words[{scope, label}].push_back(word);
+    if (word.statement == Statement::sub) scope = line + 1;
   }
 }
 
@@ -252,28 +254,31 @@ bool LinuxcncFlow::condition(std::size_t& at, bool& holds) {
   return !expression.failed() || refuse(expression.fault());
 }
 
+const std::vector<LinuxcncFlow::OWord>* LinuxcncFlow::words_of(std::size_t scope,
+                                                               const std::string& label) const {
+  const Labelled& words = o_words_[frames_.back().text];
+  const auto found = words.find({scope, label});
+  return found == words.end() ? nullptr : &found->second;
+}
+
 const LinuxcncFlow::OWord* LinuxcncFlow::next_of(
     const std::string& label, std::initializer_list<Statement> statements) const {
-  const Frame& here = frames_.back();
-  // The body of a subprogram is a scope of its own, which begins behind its line.
-  for (const OWord& word : o_words_[here.text]) {
-    const bool is_of_scope = word.scope == scope_of(here) || word.scope == here.current + 1;
-    if (word.line > here.current && is_of_scope && word.label == label &&
-        std::ranges::find(statements, word.statement) != statements.end())
-      return &word;
-  }
+  const std::vector<OWord>* const words = words_of(frames_.back().begin, label);
+  if (words == nullptr) return nullptr;
+  for (auto word = std::ranges::upper_bound(*words, frames_.back().current, {}, &OWord::line);
+       word != words->end(); ++word)
+    if (std::ranges::find(statements, word->statement) != statements.end()) return &*word;
   return nullptr;
 }
 
 const LinuxcncFlow::OWord* LinuxcncFlow::last_of(
     const std::string& label, std::initializer_list<Statement> statements) const {
-  const Frame& here = frames_.back();
-  const OWord* found = nullptr;
-  for (const OWord& word : o_words_[here.text])
-    if (word.line < here.current && word.scope == scope_of(here) && word.label == label &&
-        std::ranges::find(statements, word.statement) != statements.end())
-      found = &word;
-  return found;
+  const std::vector<OWord>* const words = words_of(frames_.back().begin, label);
+  if (words == nullptr) return nullptr;
+  auto word = std::ranges::lower_bound(*words, frames_.back().current, {}, &OWord::line);
+  while (word != words->begin())
+    if (std::ranges::find(statements, (--word)->statement) != statements.end()) return &*word;
+  return nullptr;
 }
 
 bool LinuxcncFlow::skip_behind(const OWord* word, std::string_view statement) {

@@ -57,8 +57,6 @@ class LinuxcncFlow : public CodeFlow {
   };
   struct OWord {
     std::size_t line = 0;
-    std::size_t scope = 0;  // the line behind that of its sub; 0: the main program
-    std::string label{};    // "100", "<name>"; empty: computed
     Statement statement = Statement::none;
   };
   struct Locals {
@@ -81,7 +79,10 @@ class LinuxcncFlow : public CodeFlow {
   void add_o_words(std::size_t text);
   // The label behind the O at `at`, which goes behind it; nothing where it is refused.
   std::optional<std::string> label_at(std::size_t& at);
-  [[nodiscard]] std::size_t scope_of(const Frame& frame) const { return frame.begin; }
+  // Those of the label, "100" or "<name>", in the scope: the line behind its `sub`, 0 outside of
+  // all. Null: none.
+  [[nodiscard]] const std::vector<OWord>* words_of(std::size_t scope,
+                                                   const std::string& label) const;
   // The next O word of the label and the scope behind (or in front of) the current line whose
   // statement is one of these; null: none.
   [[nodiscard]] const OWord* next_of(const std::string& label,
@@ -114,7 +115,8 @@ class LinuxcncFlow : public CodeFlow {
   Value read(ExpressionReader& expression) override;
   bool exists(ExpressionReader& expression) override;
 
-  std::vector<std::vector<OWord>> o_words_{};  // of each text, in order
+  using Labelled = std::map<std::pair<std::size_t, std::string>, std::vector<OWord>>;
+  std::vector<Labelled> o_words_{};  // of each text: by scope and label, in order
   std::vector<Locals> locals_{1};
   std::map<std::int64_t, double> common_{};
   std::map<std::string, double, std::less<>> globals_{};
