@@ -129,8 +129,8 @@ class Interpreter {
   // What holds behind the lines read.
   [[nodiscard]] bool counts_in_inch() const { return inch_; }
   [[nodiscard]] bool is_incremental() const { return incremental_; }
-  [[nodiscard]] MotionKind motion() const { return motion_; }
-  [[nodiscard]] Plane plane() const { return state_.programmed_plane(); }
+  [[nodiscard]] MotionKind motion_in_force() const { return motion_; }
+  [[nodiscard]] Plane plane_in_force() const { return state_.programmed_plane(); }
   // Behind M02 or M30.
   [[nodiscard]] bool has_ended() const { return ended_; }
 

@@ -128,8 +128,8 @@ bool ProgramReader::resolve(std::vector<LinePointer>& lines) {
 }
 
 program::ModalState ProgramReader::modes() const {
-  return {.motion = interpreter_.motion(),
-          .plane = interpreter_.plane(),
+  return {.motion = interpreter_.motion_in_force(),
+          .plane = interpreter_.plane_in_force(),
           .incremental = interpreter_.is_incremental(),
           .inch = interpreter_.counts_in_inch()};
 }
