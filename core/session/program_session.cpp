@@ -216,6 +216,7 @@ bool ProgramSession::resolve(Answers& out) {
 
 bool ProgramSession::finish(Answers& out) {
   while (resolve(out)) continue;
+  if (!out.wanted()) return false;
   Parts& parts = *parts_;
   parts.output = &out;
   if (!parts.stopped()) {
