@@ -76,8 +76,10 @@ ProgramInfo describe_program(const std::string& program, ProgramSessionSetup set
   const Answer whole = answers.take();
   info.refused = session.diagnostics().stopped();
   const Contours contours = contours_of(whole.blocks);
-  text << "lines: " << session.lines_read() << '\n'
-       << "selections: " << contours.selections << ", " << contours.blocks << " blocks, "
+  text << "lines: " << session.lines_read() << '\n';
+  if (session.is_computing())
+    text << "computes: yes, " << session.executed_lines() << " lines executed\n";
+  text << "selections: " << contours.selections << ", " << contours.blocks << " blocks, "
        << rounded(contours.length) << " mm\n";
   const std::vector<Diagnostic>& found = whole.diagnostics;
   text << (info.refused ? "refused:\n" : found.empty() ? "nothing to refuse\n" : "to look at:\n");

@@ -6,6 +6,7 @@
 #include <fstream>
 #include <iostream>
 
+#include "client/cli/computing_options.h"
 #include "client/cli/file_name.h"
 #include "client/cli/tool_file.h"
 #include "core/nc/dialect/dialect.h"
@@ -66,6 +67,24 @@ void add_settings_options(CLI::App& command, ProgramOptions& options) {
       .add_option("--unknown-words", options.unknown_words,
                   "copy: lines with unknown G functions come out as they are while TRC is off")
       ->transform(CLI::IsMember({"refuse", "copy"}, CLI::ignore_case));
+  command
+      .add_option("--variable", options.variables,
+                  "What a variable holds that the program does not set itself, as in #500=12.5; "
+                  "may be repeated")
+      ->type_name("NAME=VALUE")
+      ->allow_extra_args(false);
+  command
+      .add_option("--subprograms", options.subprograms,
+                  "File of a subprogram that the program calls, or a folder of such files; may be "
+                  "repeated")
+      ->type_name("PATH")
+      ->check(CLI::ExistingPath)
+      ->allow_extra_args(false);
+  command
+      .add_option("--max-executed-lines", options.max_executed_lines,
+                  "Lines that a program with loops and calls executes at most; 10000000 without it")
+      ->type_name("COUNT")
+      ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1'000'000'000}));
   command
       .add_option("--tools", options.tools,
                   "Table of tools: CSV with the header number,radius, as wanted with name and edge "
@@ -128,6 +147,10 @@ bool setup_of(const ProgramOptions& options, v1::ProgramSetup& setup) {
   }
   if (const auto dialect = dialect_spelled(options.dialect))
     setup.set_dialect(wire::to_proto(*dialect));
+  if (const std::string fault = add_computing_options(options, setup); !fault.empty()) {
+    std::cerr << "trc: " << fault << '\n';
+    return false;
+  }
   if (options.unknown_words == "copy") setup.set_unknown_words(v1::UNKNOWN_WORDS_COPY);
   if (options.unit == "inch") setup.set_unit(v1::LENGTH_UNIT_INCH);
   if (setup.path().language().empty() && language_for(options.language) == Language::german)

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -22,7 +23,10 @@ struct ProgramOptions {
   std::optional<double> radius{};          // mm
   std::optional<double> wear{};            // mm
   std::string unknown_words{};             // empty: refuse
-  std::string language{};                  // empty: that of the environment
+  std::vector<std::string> variables{};    // name=value
+  std::vector<std::string> subprograms{};  // files and folders
+  std::optional<std::uint64_t> max_executed_lines{};
+  std::string language{};  // empty: that of the environment
   Loudness loudness{};
   ServiceOptions service{};
 };

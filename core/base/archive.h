@@ -37,6 +37,12 @@ void serialize(Archive& archive, DiagnosticPoint& point) {
 }
 
 template <class Archive>
+void serialize(Archive& archive, CallPlace& place) {
+  auto& [subprogram, called_from, line_within] = place;
+  archive(subprogram, called_from, line_within);
+}
+
+template <class Archive>
 void serialize(Archive& archive, Slip& slip) {
   auto& [kind, instead] = slip;
   archive(kind, instead);
@@ -46,9 +52,9 @@ void serialize(Archive& archive, Slip& slip) {
 // without the texts of another sender.
 template <class Archive>
 void serialize(Archive& archive, Diagnostic& diagnostic) {
-  auto& [code, severity, source, column, detail, values, point, found_together, entry_help, slip,
-         inch, language, texts] = diagnostic;
-  archive(code, severity, source, column, detail, values, point, found_together, slip, inch,
+  auto& [code, severity, source, column, detail, values, point, calls, found_together, entry_help,
+         slip, inch, language, texts] = diagnostic;
+  archive(code, severity, source, column, detail, values, point, calls, found_together, slip, inch,
           language);
 }
 

@@ -249,6 +249,42 @@ constexpr auto rows = std::to_array<CodeRow>({
      "deeper "
      "into this inside corner",
      "Where the corner has to be sharper, compensate the contour itself by the whole radius."},
+    {Code::too_many_lines_executed, error, "TOO_MANY_LINES_EXECUTED",
+     "more lines are executed than allowed",
+     "Look for a loop that never ends. A program that is meant to be so long needs a larger "
+     "max_executed_lines."},
+    {Code::calls_too_deep, error, "CALLS_TOO_DEEP", "subprograms call one another too deeply",
+     "Look for a subprogram that calls itself. No control allows more than a few levels."},
+    {Code::variable_unset, error, "VARIABLE_UNSET", "a variable is read that has no value",
+     "Set it in the program, or give its value in `variables` of the setup."},
+    {Code::division_by_zero, error, "DIVISION_BY_ZERO", "a number is divided by zero",
+     "Check the values of the variables in the divisor."},
+    {Code::jump_target_unknown, error, "JUMP_TARGET_UNKNOWN",
+     "the target of a jump is not there, or not the only one that may be meant",
+     "Correct the number or the label. It must stand in the same program; of a program longer "
+     "than 64 KiB, jumps reach back only to the first line that computes."},
+    {Code::subprogram_unknown, error, "SUBPROGRAM_UNKNOWN",
+     "a subprogram is called that is not there",
+     "Put it behind the program, in the same text, or give its text in `subprograms` of the "
+     "setup."},
+    {Code::machine_state, error, "MACHINE_STATE",
+     "the program asks for, or changes, a state that only the machine knows",
+     "Where its value is known, give it in `variables` of the setup; else take the line out."},
+    {Code::expression_invalid, error, "EXPRESSION_INVALID",
+     "an expression or a statement is not written as the control reads it",
+     "Compare it with the manual of the control: brackets [ ] in pairs, one comparison in each "
+     "pair."},
+    {Code::value_invalid, error, "VALUE_INVALID", "a computed value is not possible there",
+     "Check the values of the variables: a function takes only so much, and a number or an index "
+     "is whole and not negative."},
+    {Code::block_structure, error, "BLOCK_STRUCTURE",
+     "the beginning or the end of a loop, a branch or a subprogram is missing",
+     "Write both, with the same number or name; end a subprogram with its return."},
+    {Code::computing_text_too_long, error, "COMPUTING_TEXT_TOO_LONG",
+     "the text of a program that computes is too long to be held",
+     "Divide the program, or let the part that does not compute be a program of its own."},
+    {Code::program_alarm, error, "PROGRAM_ALARM", "the program itself raises an alarm",
+     "Its text says what the program asks for; look at the lines in front of it."},
 });
 
 static_assert(std::ranges::is_sorted(rows, {}, &CodeRow::code));

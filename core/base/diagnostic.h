@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/base/call_places.h"
 #include "core/base/language.h"
 #include "core/base/source.h"
 
@@ -108,6 +109,20 @@ enum class Code : std::int32_t {
   center_corrected = 900221,
   wear_too_large = 900222,
   wear_not_deeper = 900223,
+
+  // programs that compute
+  too_many_lines_executed = 900301,
+  calls_too_deep = 900302,
+  variable_unset = 900303,
+  division_by_zero = 900304,
+  jump_target_unknown = 900305,
+  subprogram_unknown = 900306,
+  machine_state = 900307,
+  expression_invalid = 900308,
+  value_invalid = 900309,
+  block_structure = 900310,
+  computing_text_too_long = 900311,
+  program_alarm = 900312,
 };
 
 struct DiagnosticValue {
@@ -158,6 +173,8 @@ struct Diagnostic {
   std::string detail{};      // the word, key or field at fault, as written
   std::vector<DiagnosticValue> values{};
   std::optional<DiagnosticPoint> point{};
+  // The subprogram it is in, what calls it, and so on out to the program; empty in the program.
+  std::vector<CallPlace> calls{};
   bool found_together = false;  // one of several errors of one run
   // What would do instead, where a selection or deselection block was refused; never used by
   // itself.
@@ -207,6 +224,9 @@ struct RelatedPlace {
 
 // "in line 7 (N70)", "in block 6" where there is no line.
 [[nodiscard]] std::string place_of(const Source& source, Language language = Language::english);
+
+// "in O1001, called from line 7", where subprograms are called; else empty.
+[[nodiscard]] std::string text_of(const std::vector<CallPlace>& calls, Language language);
 
 // What kind of thing it is: the cause of its row, in the language.
 [[nodiscard]] std::string_view title_of(Code code, Language language = Language::english);

@@ -273,6 +273,23 @@ std::string message_of(const Diagnostic& diagnostic, Language language) {
     separator = ", ";
   }
   if (!diagnostic.values.empty()) text.append(")");
+  if (!diagnostic.calls.empty()) text.append(", ").append(text_of(diagnostic.calls, language));
+  return text;
+}
+
+std::string text_of(const std::vector<CallPlace>& calls, Language language) {
+  const bool german = language == Language::german;
+  std::string text;
+  for (const CallPlace& call : calls) {
+    text.append(text.empty() ? "in " : " in ");
+    if (call.line_within > 0)
+      text.append(german ? "Zeile " : "line ")
+          .append(std::to_string(call.line_within))
+          .append(german ? " von " : " of ");
+    text.append(call.subprogram)
+        .append(german ? ", aufgerufen in Zeile " : ", called from line ")
+        .append(std::to_string(call.called_from));
+  }
   return text;
 }
 

@@ -6,10 +6,17 @@
 #include <utility>
 #include <vector>
 
+#include "core/base/call_places.h"
 #include "core/base/diagnostic.h"
 #include "core/base/program_units.h"
 
 namespace trc {
+
+// What is known of a program block by block, for what is told of it.
+struct ProgramPlaces {
+  ProgramUnits units{};
+  CallPlaces calls{};
+};
 
 // The ordered log of one session: notes, warnings and at most one error, which
 // stops the stream.
@@ -21,7 +28,9 @@ class Diagnostics {
     const bool belongs_to_the_error = stopped_ && diagnostic.found_together && !pending_.empty() &&
                                       pending_.back().found_together;
     if (stopped_ && !belongs_to_the_error) return false;
-    diagnostic.inch = (units_ == nullptr ? own_units_ : *units_).is_inch(diagnostic.source.index);
+    const ProgramPlaces& places = places_ == nullptr ? own_places_ : *places_;
+    diagnostic.inch = places.units.is_inch(diagnostic.source.index);
+    if (diagnostic.calls.empty()) diagnostic.calls = places.calls.of(diagnostic.source.index);
     diagnostic.language = language_;
     ++counts_[static_cast<std::size_t>(diagnostic.severity)];
     stopped_ |= diagnostic.severity == Severity::error;
@@ -60,18 +69,21 @@ class Diagnostics {
   void speak(Language language) { language_ = language; }
 
   // Of the program, which what reads it fills in.
-  [[nodiscard]] ProgramUnits& units() { return own_units_; }
-  // Those of another log of the same program, which outlives this one.
-  void count_as(const ProgramUnits& units) { units_ = &units; }
+  [[nodiscard]] ProgramUnits& units() { return own_places_.units; }
+  // Of the program, where it computes, which what executes it fills in.
+  [[nodiscard]] CallPlaces& calls() { return own_places_.calls; }
+  [[nodiscard]] const ProgramPlaces& places() const { return own_places_; }
+  // Those of another log of the same program, which outlive this one.
+  void count_as(const ProgramPlaces& places) { places_ = &places; }
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(counts_, stopped_, own_units_);
+    archive(counts_, stopped_, own_places_.units);
   }
 
  private:
-  ProgramUnits own_units_;
-  const ProgramUnits* units_ = nullptr;  // none: its own
+  ProgramPlaces own_places_;
+  const ProgramPlaces* places_ = nullptr;  // none: its own
   Language language_ = Language::english;
   std::vector<Diagnostic> pending_;
   std::array<std::uint64_t, 3> counts_{};

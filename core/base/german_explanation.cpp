@@ -395,6 +395,74 @@ constexpr auto rows = std::to_array<GermanExplanation>({
                 "Ein kleineres Werkzeug folgt dieser Rundung: die Innenecke bleibt so weit wie "
                 "zuvor.",
      .causes = {"Ein abgenutztes oder nachgeschliffenes Werkzeug, mit nominal_radius."}},
+    {.code = Code::too_many_lines_executed,
+     .meaning = "Schleifen, Sprüngen und Aufrufen wird gefolgt, und jede ausgeführte Zeile wird "
+                "eine Zeile des flachen Programms. Eine Grenze verhindert, dass eine Schleife "
+                "ohne Ende ewig läuft.",
+     .causes = {"Der Zähler einer Schleife wird nicht erhöht oder verkehrt herum verglichen.",
+                "Ein Rücksprung ohne Bedingung, wie für einen Stangenlader oder zum Warmlaufen."}},
+    {.code = Code::calls_too_deep,
+     .meaning = "Jeder Aufruf wird innerhalb des vorigen ausgeführt. Steuerungen erlauben 4 bis "
+                "10 Ebenen, hier werden 32 verfolgt.",
+     .causes = {"Ein Unterprogramm ruft sich selbst auf, unmittelbar oder über ein anderes."}},
+    {.code = Code::variable_unset,
+     .meaning = "Was die Variable enthält, weiß nur die Maschine, oder niemand. An ihre Stelle "
+                "wird nichts gesetzt.",
+     .causes = {"Eine Variable, die an der Maschine ihren Wert behält (#500 und darüber bei "
+                "Fanuc), wird dort von Hand gesetzt.",
+                "Ein Versehen in ihrer Nummer oder ihrem Namen.",
+                "Ein Unterprogramm wird ohne ein Argument aufgerufen, das es braucht."}},
+    {.code = Code::division_by_zero,
+     .meaning = "Der Teiler einer Division oder von MOD ist 0, wenn die Zeile ausgeführt wird.",
+     .causes = {"Eine Variable im Teiler ist leer, was als 0 zählt.",
+                "Eine Anzahl von 0 wurde angegeben, etwa von Bohrungen oder Zustellungen."}},
+    {.code = Code::jump_target_unknown,
+     .meaning = "Ein Sprung braucht eine Stelle, an der es weitergeht. Ein Unterprogramm hat "
+                "eigene Nummern, die Sprünge von außen nicht erreichen.",
+     .causes = {"Die Nummer ging verloren, als das Programm neu nummeriert wurde.",
+                "Das Ziel steht in einem anderen Programm der Datei.",
+                "Hinter M99 P haben sowohl das Unterprogramm als auch sein Aufrufer die Nummer: "
+                "Fanuc meint den Aufrufer, Haas das Unterprogramm."}},
+    {.code = Code::subprogram_unknown,
+     .meaning = "Was das Unterprogramm fährt, gehört zur Bahn. Nach Dateien wird nicht gesucht, "
+                "wenn sie nicht angegeben sind.",
+     .causes = {"Das Unterprogramm liegt im Speicher der Steuerung oder in einer eigenen Datei.",
+                "Ein Versehen in seiner Nummer oder seinem Namen."}},
+    {.code = Code::machine_state,
+     .meaning = "Positionen, Verschiebungen, Zeiten, Signale und das Ergebnis eines Messtasters "
+                "sind bekannt, wenn das Programm läuft, nicht vorher.",
+     .causes = {"Eine Systemvariable wie #5041 oder #5021.",
+                "Eine Zeile, die eine Verschiebung der Maschine schreibt.",
+                "Ein Programm, das misst."}},
+    {.code = Code::expression_invalid,
+     .meaning = "Etwas steht, wo eine Zahl, eine Variable, ein Operator oder das Ende der Zeile "
+                "hingehört.",
+     .causes = {"Eine Klammer fehlt.",
+                "Gerechnet wird hinter einer Adresse ohne Klammern, X#1+5 statt X[#1+5].",
+                "Runde Klammern, die hier Kommentare sind, statt eckiger."}},
+    {.code = Code::value_invalid,
+     .meaning = "Die Wurzel aus einer negativen Zahl, der Arkussinus von mehr als 1, eine "
+                "Variable oder ein Programm ohne ganze Nummer: damit kann keine Steuerung "
+                "weitermachen.",
+     .causes = {"Die Daten eines Makros passen nicht zueinander, etwa eine Sehne, die länger als "
+                "der Durchmesser ist.",
+                "Eine Variable wurde mit einer anderen verwechselt."}},
+    {.code = Code::block_structure,
+     .meaning = "Schleifen und Verzweigungen sind Paare von Zeilen, und ein Unterprogramm endet, "
+                "wo es zurückspringt.",
+     .causes = {"Die Nummern hinter DO und END sind verschieden.",
+                "Schleifen überlappen sich, statt ineinander zu liegen.",
+                "M99 fehlt am Ende eines Unterprogramms."}},
+    {.code = Code::computing_text_too_long,
+     .meaning = "Von seiner ersten Zeile mit einer Variablen, einem Sprung oder einem Aufruf an "
+                "wird ein Programm als Ganzes vorgehalten, da jede Zeile angesprungen werden "
+                "kann.",
+     .causes = {"Eine Zeile, die rechnet, vor der Ausgabe eines CAM-Systems."},
+     .no_example = "Dazu braucht es ein Programm von mehr als 16 MiB."},
+    {.code = Code::program_alarm,
+     .meaning = "#3000 hält eine Maschine mit einem Text an. Ein Programm verwendet das, wo "
+                "seine Daten nicht so sind, wie es sie braucht.",
+     .causes = {"Ein Argument eines Makros fehlt oder ist nicht erlaubt."}},
 });
 
 static_assert(std::ranges::is_sorted(rows, {}, &GermanExplanation::code));

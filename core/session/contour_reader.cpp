@@ -6,16 +6,23 @@ namespace trc {
 
 ContourReader::ContourReader(const SessionSetup& session)
     : state_(program_setup(session), session.compensator.tolerances, diagnostics_, blocks_),
-      interpreter_({}, state_, diagnostics_) {}
+      reader_({}, state_, diagnostics_) {}
 
 void ContourReader::feed(std::string_view text) {
-  reading_ = reading_ && interpreter_.feed(text, lines_);
-  for (LinePointer& line : lines_) interpreter_.recycle(std::move(line));
+  reading_ = reading_ && reader_.feed(text, lines_);
+  recycle();
+}
+
+void ContourReader::recycle() {
+  for (LinePointer& line : lines_) reader_.recycle(std::move(line));
   lines_.clear();
 }
 
 std::vector<Block> ContourReader::finish() {
-  if (reading_) interpreter_.finish(lines_);
+  if (reading_) {
+    while (reader_.resolve(lines_)) recycle();
+    reader_.finish(lines_);
+  }
   return std::move(blocks_);
 }
 

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/nc/dialect/interpreter.h"
+#include "core/nc/program/program_reader.h"
 #include "core/session/session.h"
 
 namespace trc {
@@ -30,9 +30,11 @@ class ContourReader {
   Diagnostics diagnostics_;
   std::vector<Block> blocks_;
   ProgramState state_;
-  Interpreter interpreter_;
+  ProgramReader reader_;
   std::vector<LinePointer> lines_;
   bool reading_ = true;
+
+  void recycle();
 };
 
 }  // namespace trc

@@ -8,7 +8,7 @@
 #include <type_traits>
 #include <utility>
 
-#include "core/nc/dialect/interpreter.h"
+#include "core/nc/program/program_reader.h"
 #include "core/nc/text/number_format.h"
 #include "core/nc/writer/nc_writer.h"
 #include "core/trc/state_archive.h"
@@ -68,7 +68,7 @@ struct ProgramSession::Parts {
       : setup(given),
         path(setup.session),
         reader({.longest_line = setup.longest_line, .most_faults = setup.most_faults},
-               path.program(), path.found()),
+               path.program(), path.found(), setup.session.compensator.interrupt),
         writer(writer_setup(setup)),
         meaning{.end = setup.session.program.start},
         to_writer([this](Answer& part) { return write(part); }) {
@@ -100,7 +100,7 @@ struct ProgramSession::Parts {
 
   ProgramSessionSetup setup;
   PathSession path;
-  Interpreter reader;
+  ProgramReader reader;
   NcWriter writer;
 
   std::vector<LinePointer> lines;
@@ -205,7 +205,18 @@ bool ProgramSession::feed(std::string_view text, Answers& out) {
   return !parts.stopped() && out.wanted();
 }
 
+bool ProgramSession::resolve(Answers& out) {
+  Parts& parts = *parts_;
+  parts.output = &out;
+  if (parts.stopped()) return false;
+  const bool is_left = parts.reader.resolve(parts.lines);
+  parts.advance();
+  return is_left && !parts.stopped() && out.wanted();
+}
+
 bool ProgramSession::finish(Answers& out) {
+  while (resolve(out)) continue;
+  if (!out.wanted()) return false;
   Parts& parts = *parts_;
   parts.output = &out;
   if (!parts.stopped()) {
@@ -229,5 +240,7 @@ const verify::ClearanceReport* ProgramSession::clearance() const {
 std::size_t ProgramSession::verification_bytes() const { return parts_->path.verification_bytes(); }
 const RadiusTerms& ProgramSession::radius_terms() const { return parts_->path.radius_terms(); }
 std::uint64_t ProgramSession::lines_read() const { return parts_->reader.lines_read(); }
+bool ProgramSession::is_computing() const { return parts_->reader.is_computing(); }
+std::uint64_t ProgramSession::executed_lines() const { return parts_->reader.executed_lines(); }
 
 }  // namespace trc

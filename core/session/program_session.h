@@ -37,10 +37,14 @@ class ProgramSession {
   // Appends to `out` all that has become certain. Returns false once the stream must stop, or no
   // more is wanted.
   bool feed(std::string_view text, Answers& out);
-  // End of the text.
+  // Behind the last text: executes some of a program that computes, and appends what has become
+  // certain. Returns whether more of it is left. For those who have others to serve meanwhile.
+  bool resolve(Answers& out);
+  // End of the text; executes what is left.
   bool finish(Answers& out);
 
-  // As of PathSession. An unfinished line is part of it.
+  // As of PathSession. An unfinished line is part of it, and of a program that computes its text.
+  // Not behind the first call of `resolve`.
   void save(StateWriter& archive) const;
   void load(StateReader& archive);
 
@@ -53,6 +57,10 @@ class ProgramSession {
   [[nodiscard]] std::size_t verification_bytes() const;
   [[nodiscard]] const RadiusTerms& radius_terms() const;
   [[nodiscard]] std::uint64_t lines_read() const;
+  // A line that computes has been seen.
+  [[nodiscard]] bool is_computing() const;
+  // Of a program that computes.
+  [[nodiscard]] std::uint64_t executed_lines() const;
 
  private:
   struct Parts;

@@ -27,7 +27,7 @@ PathSession::PathSession(const SessionSetup& setup)
     : program_(program_setup(setup), setup.compensator.tolerances, found_, blocks_),
       compensator_(compensator_setup(setup), setup.verify, diagnostics_) {
   diagnostics_.speak(setup.language);
-  diagnostics_.count_as(found_.units());
+  diagnostics_.count_as(found_.places());
 }
 
 bool PathSession::advance(Answers& out) { return advance_before(no_item, out); }

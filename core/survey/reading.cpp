@@ -18,19 +18,20 @@ Reader text_reader(std::string_view text, const ReaderLimits& limits,
     }
     // It is asked between them whether anybody waits still.
     constexpr std::size_t bytes_per_piece = 16 * 1024;
-    Interpreter interpreter(limits, state, log);
+    ProgramReader program(limits, state, log, interrupt);
     std::vector<LinePointer> lines;
     const auto recycle = [&] {
-      for (LinePointer& line : lines) interpreter.recycle(std::move(line));
+      for (LinePointer& line : lines) program.recycle(std::move(line));
       lines.clear();
     };
     for (std::size_t at = 0; at < text.size(); at += bytes_per_piece) {
       if (interrupt) interrupt();
-      const bool goes_on = interpreter.feed(text.substr(at, bytes_per_piece), lines);
+      const bool goes_on = program.feed(text.substr(at, bytes_per_piece), lines);
       recycle();
       if (!goes_on) return;
     }
-    interpreter.finish(lines);
+    while (program.resolve(lines)) recycle();
+    program.finish(lines);
   };
 }
 
@@ -48,7 +49,7 @@ Reading read_with(double radius, const SessionSetup& session, const Reader& read
   reading.moves_by_radius = state.moves_by_radius();
   reading.refused = log.stopped();
   reading.diagnostics = log.take();
-  reading.units = log.units();
+  reading.places = log.places();
   return reading;
 }
 

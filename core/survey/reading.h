@@ -8,7 +8,7 @@
 
 #include "core/base/checkpoint.h"
 #include "core/base/diagnostics.h"
-#include "core/nc/dialect/interpreter.h"
+#include "core/nc/program/program_reader.h"
 #include "core/nc/state/block.h"
 #include "core/nc/state/program_state.h"
 #include "core/session/session.h"
@@ -31,7 +31,7 @@ struct Reading {
   RadiusUse use_at_end{};
   bool moves_by_radius = false;  // with another radius blocks begin elsewhere
   std::vector<Diagnostic> diagnostics{};
-  ProgramUnits units{};
+  ProgramPlaces places{};
   bool refused = false;
 };
 [[nodiscard]] Reading read_with(double radius, const SessionSetup& session, const Reader& reader);

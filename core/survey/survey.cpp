@@ -107,7 +107,7 @@ void Survey::compensate(const Reading& reading, bool removes_loops, Surveyed& fo
   ChangedModes modes(reading, {.radius = term_of(found.radius), .removes_loops = removes_loops});
   Diagnostics log;
   log.speak(setup_.session.language);
-  log.count_as(reading.units);
+  log.count_as(reading.places);
   VerifiedCompensator session(compensator, setup_.session.verify, log, std::move(uncut));
   std::vector<Block> blocks;
   std::vector<CompensatedBlock> out;

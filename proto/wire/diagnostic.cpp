@@ -140,6 +140,12 @@ void to_proto(const Diagnostic& diagnostic, v1::Diagnostic& message) {
   }
   message.set_language(language == Language::german ? "de" : "en");
   message.set_inch(diagnostic.inch);
+  for (const CallPlace& place : diagnostic.calls) {
+    v1::SubprogramCall& call = *message.add_calls();
+    call.set_subprogram(place.subprogram);
+    call.set_called_from(place.called_from);
+    if (place.line_within > 0) call.set_line_within(place.line_within);
+  }
 }
 
 Diagnostic from_proto(const v1::Diagnostic& message) {
@@ -171,6 +177,10 @@ Diagnostic from_proto(const v1::Diagnostic& message) {
   std::sort(diagnostic.values.begin(), diagnostic.values.end(),
             [](const DiagnosticValue& a, const DiagnosticValue& b) { return a.name < b.name; });
   diagnostic.inch = message.inch();
+  for (const v1::SubprogramCall& call : message.calls())
+    diagnostic.calls.push_back({.subprogram = call.subprogram(),
+                                .called_from = call.called_from(),
+                                .line_within = call.line_within()});
   diagnostic.language = language_of_tag(message.language()).value_or(Language::english);
   if (message.has_point()) diagnostic.point = point_of(message.point());
   if (message.has_entry_help())

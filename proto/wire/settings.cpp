@@ -381,6 +381,20 @@ std::string apply_setting(std::string_view assignment, v1::ProgramSetup& setup) 
          values_of(field);
 }
 
+std::string apply_variable(std::string_view assignment, v1::ProgramSetup& setup) {
+  const auto equals = assignment.rfind('=');
+  const std::string_view name =
+      trimmed(assignment.substr(0, equals == std::string_view::npos ? 0 : equals));
+  if (name.empty()) return "\"" + std::string(assignment) + "\" is no value; write NAME=VALUE";
+  const std::string_view text = trimmed(assignment.substr(equals + 1));
+  double value = 0;
+  const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (fault != std::errc() || end != text.data() + text.size() || !std::isfinite(value))
+    return std::string(name) + ": \"" + std::string(text) + "\" is not possible; it takes a number";
+  (*setup.mutable_variables())[std::string(name)] = value;
+  return {};
+}
+
 std::vector<std::string> assignments_of(const v1::ProgramSetup& setup) {
   std::vector<std::string> found;
   for (const Route& route : all_routes()) {

@@ -25,6 +25,10 @@ namespace trc::wire {
 // `stretch_factor`. Other keys are given back as they are, in lower case.
 [[nodiscard]] std::string whole_key(std::string_view key);
 
+// Enters what a variable of a program that computes holds, "NAME=VALUE". Returns what is wrong, as
+// a sentence; empty when it is entered.
+[[nodiscard]] std::string apply_variable(std::string_view assignment, v1::ProgramSetup& setup);
+
 // What the setup holds, as apply_setting takes it, in the order of the fields: "tool_radius=5". The
 // tool table is the last.
 [[nodiscard]] std::vector<std::string> assignments_of(const v1::ProgramSetup& setup);

@@ -290,6 +290,40 @@ void read_dialect(const v1::ProgramSetup& message, const FieldPath& path, Progra
     program.mode.transition = dialect.transition;
 }
 
+// Of programs that compute.
+void read_computing(const v1::ProgramSetup& message, const FieldPath& path, ProgramSetup& program,
+                    FieldFaults& faults) {
+  constexpr std::size_t most_variables = 10'000;
+  constexpr std::size_t most_subprograms = 1'000;
+  constexpr std::size_t longest_name = 255;
+  const auto is_too_many = [&](std::size_t count, std::size_t most, std::string_view field) {
+    if (count <= most) return false;
+    add_fault(FieldPath(path, field),
+              "has " + std::to_string(count) + " entries, allowed are " + std::to_string(most),
+              faults);
+    return true;
+  };
+  const auto is_name = [&](const std::string& name, std::string_view field) {
+    if (!name.empty() && name.size() <= longest_name) return true;
+    add_fault(FieldPath(path, field),
+              "has a name that is not 1 to " + std::to_string(longest_name) + " bytes long",
+              faults);
+    return false;
+  };
+  if (!is_too_many(message.variables().size(), most_variables, "variables"))
+    for (const auto& [name, value] : message.variables())
+      if (is_name(name, "variables") &&
+          check_range(value, {-1e15, 1e15}, FieldPath(path, "variables"), faults))
+        program.variables[name] = value;
+  if (!is_too_many(message.subprograms().size(), most_subprograms, "subprograms"))
+    for (const auto& [name, text] : message.subprograms())
+      if (is_name(name, "subprograms")) program.subprograms[name] = text;
+  if (message.has_max_executed_lines() &&
+      check_range(static_cast<double>(message.max_executed_lines()), {1, 1e9},
+                  FieldPath(path, "max_executed_lines"), faults))
+    program.max_executed_lines = message.max_executed_lines();
+}
+
 }  // namespace
 
 PathSettings from_proto(const v1::PathSetup& message, const FieldPath& path, FieldFaults& faults) {
@@ -338,6 +372,7 @@ ProgramSettings from_proto(const v1::ProgramSetup& message, const FieldPath& pat
   settings.path = from_proto(message.path(), FieldPath(path, "path"), faults);
   read_tools(message, path, settings.path.session.program, faults);
   read_dialect(message, path, settings.path.session.program, faults);
+  read_computing(message, path, settings.path.session.program, faults);
   // Behind G40 without a motion of its own a tool change and whole drilling cycles may follow.
   constexpr std::size_t most_passive_blocks = 10'000;
   if (settings.path.session.program.dialect != DialectName::isg &&
@@ -443,6 +478,10 @@ void to_proto(const ProgramSettings& settings, v1::ProgramSetup& message) {
   const ProgramSetup& program = settings.path.session.program;
   if (program.inch) message.set_unit(units.to_proto(true));
   if (program.copies_unknown_words) message.set_unknown_words(unknown_words.to_proto(true));
+  message.mutable_variables()->insert(program.variables.begin(), program.variables.end());
+  message.mutable_subprograms()->insert(program.subprograms.begin(), program.subprograms.end());
+  if (program.max_executed_lines != ProgramSetup{}.max_executed_lines)
+    message.set_max_executed_lines(program.max_executed_lines);
   if (program.dialect == DialectName::isg) return;
   message.set_dialect(dialects.to_proto(program.dialect));
   message.mutable_path()->set_selection_mode(selections.to_proto(program.mode.selection));

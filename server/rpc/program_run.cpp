@@ -1,5 +1,7 @@
 #include "server/rpc/program_run.h"
 
+#include "core/nc/program/flow.h"
+
 namespace trc::server {
 namespace {
 
@@ -17,7 +19,8 @@ ProgramRun::ProgramRun(const StreamContext& stream, const Settings& settings)
                 {.session = settings.path.session,
                  .nc_text = settings.nc_text,
                  .decimals = settings.decimals,
-                 .longest_line = stream.backend.config.max_line_bytes}) {}
+                 .longest_line = stream.backend.config.max_line_bytes}),
+      may_compute_(program::may_compute(settings.path.session.program.dialect)) {}
 
 void ProgramRun::feed(const Request& request) {
   stream_.record.received(0);
@@ -53,14 +56,24 @@ void ProgramRun::go_on() {
     input_taken_ += piece.size();
   }
   const bool is_left = open && input_taken_ < input.size();
-  if (open && !is_left && input_is_final_) finish_session();
   if (!is_left) input_ = std::string();
-  responses_.input_is_left(is_left);
+  is_executing_ = open && !is_left && input_is_final_ && execute();
+  if (open && !is_left && input_is_final_ && !is_executing_) finish_session();
+  responses_.input_is_left(is_left || is_executing_);
 
   const std::uint64_t blocks_in = session_.summary().blocks_in;
   stream_.record.taken(blocks_in - blocks_seen_);
   blocks_seen_ = blocks_in;
   note_progress();
+}
+
+// Of a program that computes: until much has come out, or all of it. Whether more is left.
+bool ProgramRun::execute() {
+  while (!responses_.outbox().holds(much_output_bytes)) {
+    stream_.pass();
+    if (!session_.resolve(answers())) return false;
+  }
+  return true;
 }
 
 void ProgramRun::summarize(v1::ProgramSummary& message) const {
@@ -72,6 +85,8 @@ void ProgramRun::summarize(v1::ProgramSummary& message) const {
 }
 
 std::string ProgramRun::resume_token(const ResumeTokens::Digest& setup) const {
+  // What has been collected to be executed is sent again with the text since the last token.
+  if (session_.is_computing()) return {};
   return token_of(setup, bytes_in_, bytes_out_, blocks_seen_);
 }
 
@@ -85,7 +100,9 @@ std::optional<Ending> ProgramRun::resume(std::string_view token,
 bool ProgramRun::is_short(const Request* request) const {
   constexpr std::size_t bytes_per_line = 16;
   const std::size_t bytes = request == nullptr ? 0 : request->text().text().size();
-  return input_.empty() && is_soon_done(bytes / bytes_per_line, few_bytes);
+  // What the last text begins to execute may take long.
+  const bool executes = may_compute_ && (is_executing_ || (request && request->text().final()));
+  return input_.empty() && !executes && is_soon_done(bytes / bytes_per_line, few_bytes);
 }
 
 }  // namespace trc::server

@@ -33,7 +33,7 @@ class ProgramRun : public StreamRun<ProgramSession> {
   // `finish_slice(last)` adds the token.
   template <class FinishSlice>
   Turn answer(Response& response, FinishSlice finish_slice) {
-    if (responses_.outbox().empty() && !input_.empty()) go_on();
+    if (responses_.outbox().empty() && (!input_.empty() || is_executing_)) go_on();
     return next(
         response,
         [&](const Outbox::Slice& slice, bool last) {
@@ -56,6 +56,7 @@ class ProgramRun : public StreamRun<ProgramSession> {
   void take(const v1::ProgramText& chunk);
   // Takes input until much has come out, or all of it.
   void go_on();
+  bool execute();
   void summarize(v1::ProgramSummary& message) const;
 
   std::uint64_t bytes_in_ = 0;
@@ -66,6 +67,8 @@ class ProgramRun : public StreamRun<ProgramSession> {
   std::string input_{};
   std::size_t input_taken_ = 0;
   bool input_is_final_ = false;
+  bool may_compute_;           // programs of its dialect
+  bool is_executing_ = false;  // all input is taken, and computes
 };
 
 }  // namespace trc::server

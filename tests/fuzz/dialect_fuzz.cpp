@@ -46,6 +46,7 @@ void check(std::string_view text, bool nc_text, std::size_t piece) {
     ProgramSessionSetup setup{.nc_text = nc_text};
     ProgramSetup& program = setup.session.program;
     program.dialect = dialect.name;
+    program.max_executed_lines = 2000;
     program.mode.selection = dialect.selection;
     program.mode.transition = dialect.transition;
     program.mode.tool_radius = 3;

@@ -529,7 +529,8 @@ TEST(Conversion, LeavesOutTheRegisterOfTheRadiusAlone) {
 TEST(FaultsOfReading, AreAllToldInOneRunWithTheNumberOfTheirLines) {
   ProgramSessionSetup setup;
   setup.session.program.dialect = DialectName::fanuc;
-  const Written written = run("G21\nG999 X1\n#1=2\nM98 P1\nG0 X0\nG999\nX[1]\nM30\n", setup, true);
+  const Written written =
+      run("G21\nG999 X1\nG66 P2\nM96 P1\nG0 X0\nG999\nG46 X1\nM30\n", setup, true);
   ASSERT_EQ(written.diagnostics.size(), 4u) << written.report();
   EXPECT_EQ(written.diagnostics[0].source.line, 2u);
   EXPECT_EQ(written.diagnostics[0].code, Code::nc_unknown_function);

@@ -208,6 +208,8 @@ ProgramSessionSetup read_setup(std::string_view program) {
       setup.session.program.allowance = words.number();
     } else if (key == "nominal_radius") {
       setup.session.program.nominal_radius = words.number();
+    } else if (key == "max_executed_lines") {
+      setup.session.program.max_executed_lines = static_cast<std::uint64_t>(words.number());
     } else if (key == "implicit_masking") {
       setup.session.compensator.implicit_contour_masking = true;
     } else {

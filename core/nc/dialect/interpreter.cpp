@@ -134,6 +134,27 @@ bool Interpreter::feed(std::string_view text, std::vector<LinePointer>& lines) {
   return true;
 }
 
+bool Interpreter::read(const FlatLine& line, std::vector<LinePointer>& lines) {
+  if (diagnostics_.stopped()) return false;
+  if (std::exchange(carriage_return_, false) && !take_line({}, "\r", lines)) return false;
+  lines_read_ = line.number - 1;
+  knows_columns_ = line.is_as_written;
+  // The text may be gone before the line is.
+  const std::string_view line_end = line.line_end == "\n"     ? "\n"
+                                    : line.line_end == "\r\n" ? "\r\n"
+                                    : line.line_end == "\r"   ? "\r"
+                                                              : "";
+  return take_line(line.text, line_end, lines);
+}
+
+bool Interpreter::stop(Diagnostic error) {
+  error.source.index = blocks_read_;
+  if (faults_.empty()) return diagnostics_.report(std::move(error));
+  std::vector<Diagnostic> all = told_faults();
+  all.push_back(std::move(error));
+  return diagnostics_.report_together(std::move(all));
+}
+
 // Takes the rest of a line, with its end; what came before of it is in partial_.
 bool Interpreter::take_line(std::string_view text, std::string_view line_end,
                             std::vector<LinePointer>& lines) {
@@ -250,7 +271,7 @@ void Interpreter::count_in(const ProgramLine& line, bool inch) {
 void Interpreter::place(const ProgramLine& line, std::uint32_t begin) {
   const bool one_line = line.source.line == lines_read_;
   const bool in_first_line = one_line || line.text.find_first_of("\r\n") >= begin;
-  state_.place(in_first_line ? begin + 1 : 0);
+  state_.place(in_first_line && knows_columns_ ? begin + 1 : 0);
 }
 
 bool Interpreter::read_line(ProgramLine& line) {

@@ -112,6 +112,28 @@ class Interpreter {
   // `state`, unless M02 or M30 has done so.
   bool finish(std::vector<LinePointer>& lines);
 
+  // A line of the flat program that a program which computes has become.
+  struct FlatLine {
+    std::string_view text{};
+    std::string_view line_end{};
+    std::uint32_t number = 0;   // of the line it comes from, 1-based
+    bool is_as_written = true;  // that line itself: columns say where in it
+  };
+  // Reads it as `feed` does a whole line.
+  bool read(const FlatLine& line, std::vector<LinePointer>& lines);
+  // Tells what stands against the program, with all faults of reading found so far. False.
+  bool stop(Diagnostic error);
+
+  // Blocks read so far, the index of the next one (Source::index).
+  [[nodiscard]] std::uint64_t blocks_read() const { return blocks_read_; }
+  // What holds behind the lines read.
+  [[nodiscard]] bool counts_in_inch() const { return inch_; }
+  [[nodiscard]] bool is_incremental() const { return incremental_; }
+  [[nodiscard]] MotionKind motion_in_force() const { return motion_; }
+  [[nodiscard]] Plane plane_in_force() const { return state_.programmed_plane(); }
+  // Behind M02 or M30.
+  [[nodiscard]] bool has_ended() const { return ended_; }
+
   // Takes a line that is no longer needed, so that its memory serves a later one.
   void recycle(LinePointer line);
 
@@ -260,6 +282,7 @@ class Interpreter {
   void count_in(const ProgramLine& line, bool inch);
   bool collect(Diagnostic fault);
   bool report_faults();
+  [[nodiscard]] std::vector<Diagnostic> told_faults() const;
   // TRC is active, or its retract motion is still to come, as far as the text has been read.
   [[nodiscard]] bool contour_open() const {
     return faults_.empty() ? state_.contour_open() : scanned_trc_;
@@ -375,6 +398,7 @@ class Interpreter {
   bool carriage_return_ = false;  // partial_ is complete, a line feed may follow
   std::vector<LinePointer> spare_{};
   std::uint64_t lines_read_ = 0;
+  bool knows_columns_ = true;  // of the text that was given
   std::uint64_t blocks_read_ = 0;
   std::uint32_t comment_block_ = 0;  // line of #COMMENT BEGIN; 0: not in one
   bool ended_ = false;

@@ -36,7 +36,7 @@ bool Interpreter::refuse(const ProgramLine& line, const TextFault& given) {
     line_begin = at + 1;
   }
   Diagnostic refused = diagnostic(fault.code, source, fault.detail);
-  refused.column = static_cast<std::uint32_t>(fault.begin - line_begin + 1);
+  if (knows_columns_) refused.column = static_cast<std::uint32_t>(fault.begin - line_begin + 1);
   refused.slip = fault.slip;
   guard_against_other_dialects(line, refused);
   return collect(std::move(refused));
@@ -79,7 +79,9 @@ bool Interpreter::collect(Diagnostic fault) {
   return faults_.size() >= limits_.most_faults && report_faults();
 }
 
-bool Interpreter::report_faults() {
+bool Interpreter::report_faults() { return diagnostics_.report_together(told_faults()); }
+
+std::vector<Diagnostic> Interpreter::told_faults() const {
   std::vector<Diagnostic> all;
   for (const Fault& fault : faults_) {
     Diagnostic found = diagnostic(fault.code, fault.source, fault.detail);
@@ -88,7 +90,7 @@ bool Interpreter::report_faults() {
     if (fault.lines > 1) found.values = {{"lines", static_cast<double>(fault.lines)}};
     all.push_back(std::move(found));
   }
-  return diagnostics_.report_together(std::move(all));
+  return all;
 }
 
 bool Interpreter::refuse(const ProgramLine& line, const Word& word, Code code, std::string detail) {

@@ -49,6 +49,11 @@ struct ProgramSetup {
   DialectName dialect = DialectName::isg;  // of NC text
   bool inch = false;                       // NC text counts in inch before it says
   bool copies_unknown_words = false;       // lines with unknown G functions, while TRC is off
+  // Of a program that computes: what variables hold that it does not set itself, by their names as
+  // it writes them; and texts of subprograms that it calls, by the names of their files.
+  std::map<std::string, double> variables{};
+  std::map<std::string, std::string> subprograms{};
+  std::uint64_t max_executed_lines = 10'000'000;  // 900301 beyond
 };
 
 }  // namespace trc

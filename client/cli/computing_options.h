@@ -1,0 +1,14 @@
+#pragma once
+
+#include <string>
+
+#include "client/cli/program_options.h"
+#include "trc/v1/setup.pb.h"
+
+namespace trc::cli {
+
+// Enters what --variable, --subprograms and --max-executed-lines say. Empty, or what is wrong.
+[[nodiscard]] std::string add_computing_options(const ProgramOptions& options,
+                                                v1::ProgramSetup& setup);
+
+}  // namespace trc::cli

@@ -1,0 +1,239 @@
+#include "core/nc/program/code_flow.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/nc/text/characters.h"
+
+namespace trc::program {
+namespace {
+
+// Values of these count something: Fanuc rounds them to whole numbers.
+bool counts(char letter) {
+  return std::string_view("MSTDH").find(letter) != std::string_view::npos;
+}
+
+}  // namespace
+
+bool is_percent(std::string_view line) {
+  const std::size_t at = behind_blanks(line, 0);
+  return at < line.size() && line[at] == '%';
+}
+
+void CodeFlow::begin_line() {
+  Frame& at = frame();
+  at.current = at.next++;
+  line_ = text_of(at).line(at.current);
+  head_ = head_of(line_);
+  is_as_written_ = false;
+}
+
+bool CodeFlow::scan_words() {
+  words_.clear();
+  is_read_by_the_reader_ = false;
+  has_computed_ = false;
+  for (std::size_t at = head_.behind; at < line_.size(); at = behind_blanks(line_, at)) {
+    ComputedWord word{.begin = at};
+    char sign = line_[at];
+    if (sign == '(' || sign == ';') {
+      word.kind = ComputedWord::Kind::comment;
+      at = behind_comment(line_, at);
+      is_read_by_the_reader_ |= at == 0;
+    } else if (sign == '/') {
+      word.kind = ComputedWord::Kind::skip;
+      while (++at < line_.size() && is_digit(line_[at])) continue;
+    } else if (sign == '#') {
+      word.left_out = true;
+      has_computed_ = true;
+      if (!scan_assignment(at)) return false;
+    } else {
+      if (sign == ',') sign = ++at < line_.size() ? line_[at] : '\0';
+      const bool is_name = at + 1 < line_.size() && is_letter(line_[at + 1]);
+      is_read_by_the_reader_ |= !is_letter(sign) || is_name;
+      word.letter = upper(sign);
+      at = behind_blanks(line_, at + 1);
+      if (!is_read_by_the_reader_ && !scan_value(word, at)) return false;
+    }
+    if (is_read_by_the_reader_) return true;
+    word.end = at;
+    words_.push_back(word);
+  }
+  return true;
+}
+
+bool CodeFlow::scan_assignment(std::size_t& at) {
+  return refuse(Code::expression_invalid, at, "#, a variable without an address");
+}
+
+bool CodeFlow::scan_value(ComputedWord& word, std::size_t& at) {
+  bool whole = false;
+  if (const std::size_t length = read_number(line_.substr(at), word.value.number, whole)) {
+    at += length;
+    return true;
+  }
+  const std::size_t begin = at;
+  const bool is_signed = at < line_.size() && (line_[at] == '-' || line_[at] == '+');
+  const bool is_negative = is_signed && line_[at] == '-';
+  if (is_signed) at = behind_blanks(line_, at + 1);
+  const char sign = at < line_.size() ? line_[at] : '\0';
+  if (sign != '#' && sign != '[') {  // the reader says what is missing
+    at = begin;
+    return true;
+  }
+  const bool fanuc = grammar_.dialect == DialectName::fanuc;
+  ExpressionReader expression = expression_at(at);
+  if (fanuc && style_of(word.letter) == PointStyle::with_point)
+    expression.round_to(modes_.inch ? 4 : 3);
+  word.value = expression.operand();
+  if (expression.failed()) return refuse(expression.fault());
+  word.computed = has_computed_ = true;
+  at = expression.at();
+  const auto refuse_value = [&](Code code) {
+    return refuse(code, begin, std::string(line_.substr(begin, at - begin)));
+  };
+  if (word.value.vacant && sign == '[') return refuse_value(Code::variable_unset);
+  if (is_negative) word.value.number = -word.value.number;
+  if (fanuc && counts(word.letter)) word.value.number = std::round(word.value.number);
+  word.left_out = word.value.vacant;
+  constexpr double largest = 1e9;
+  if (std::abs(word.value.number) > largest) return refuse_value(Code::value_invalid);
+  // X#1+5 looks like arithmetic, and is none.
+  const std::size_t behind = behind_blanks(line_, at);
+  const bool is_arithmetic = behind < line_.size() && std::string_view("+-*[]").find(
+                                                          line_[behind]) != std::string_view::npos;
+  return !is_arithmetic || refuse(Code::expression_invalid, behind, std::string(1, line_[behind]));
+}
+
+ComputedWord* CodeFlow::word_of(char letter) {
+  const auto found = std::ranges::find_if(words_, [&](const ComputedWord& word) {
+    return word.kind == ComputedWord::Kind::address && word.letter == letter && !word.left_out;
+  });
+  return found == words_.end() ? nullptr : &*found;
+}
+
+std::optional<std::int64_t> CodeFlow::whole_value(const ComputedWord* word,
+                                                  const ComputedWord& of) {
+  const double value = word == nullptr ? -1 : word->value.number;
+  if (is_whole(value)) return static_cast<std::int64_t>(value);
+  const ComputedWord& at_fault = word == nullptr ? of : *word;
+  refuse(word == nullptr ? Code::subprogram_unknown : Code::value_invalid, at_fault.begin,
+         std::string(line_.substr(at_fault.begin, at_fault.end - at_fault.begin))
+             .append(word == nullptr ? " without P" : ""));
+  return {};
+}
+
+bool CodeFlow::has_words_left() const {
+  return std::ranges::any_of(words_, [](const ComputedWord& word) {
+    return word.kind == ComputedWord::Kind::address && !word.left_out;
+  });
+}
+
+std::optional<CodeFlow::ProgramCall> CodeFlow::take_call(ComputedWord& word, std::string& flat) {
+  ComputedWord* const number = word_of('P');
+  ComputedWord* const times = word_of('L');
+  const auto program = whole_value(number, word);
+  const auto repetitions = times == nullptr ? 1 : whole_value(times, word);
+  if (!program || !repetitions) return {};
+  // Where a subprogram begins elsewhere than at its beginning.
+  for (const char letter : {'Q', 'H'}) {
+    const ComputedWord* const other = word_of(letter);
+    if (other == nullptr) continue;
+    refuse(
+        Code::value_invalid, other->begin,
+        std::string(line_.substr(other->begin, other->end - other->begin)).append(" beside M98"));
+    return {};
+  }
+  word.left_out = number->left_out = true;
+  if (times != nullptr) times->left_out = true;
+  called_alone_ = !has_words_left();
+  if (!called_alone_) write_line(flat);
+  return ProgramCall{.number = *program,
+                     .times = static_cast<std::uint64_t>(*repetitions),
+                     .says_times = times != nullptr,
+                     .begin = number->begin};
+}
+
+PointStyle CodeFlow::style_of(char letter) const {
+  if (grammar_.dialect != DialectName::fanuc) return PointStyle::as_whole;
+  const bool alone = std::string_view("GMSTDHNLOP").find(letter) != std::string_view::npos;
+  return alone ? PointStyle::as_whole : PointStyle::with_point;
+}
+
+void CodeFlow::write_as_it_is(std::string& flat) {
+  is_as_written_ = true;
+  flat.append(line_).append(line_end());
+}
+
+bool CodeFlow::write_line(std::string& flat) {
+  const bool changes = std::ranges::any_of(
+      words_, [](const ComputedWord& word) { return word.computed || word.left_out; });
+  if (!changes) {
+    write_as_it_is(flat);
+    return true;
+  }
+  const bool is_left = std::ranges::any_of(words_, [](const ComputedWord& word) {
+    return !word.left_out && word.kind != ComputedWord::Kind::skip;
+  });
+  if (!is_left) return true;
+  const std::size_t begin = flat.size();
+  flat.append(line_.substr(0, words_.front().begin));
+  std::size_t behind = words_.front().begin;
+  for (const ComputedWord& word : words_) {
+    // What is left out goes with the blanks in front of it, the first one with those behind.
+    if (!word.left_out) {
+      const bool is_first = flat.size() == begin + words_.front().begin;
+      if (!is_first) flat.append(line_.substr(behind, word.begin - behind));
+      if (word.computed) {
+        flat.append(line_.substr(word.begin, line_[word.begin] == ',' ? 2 : 1));
+        append_value(flat, word.value.number, style_of(word.letter));
+      } else {
+        flat.append(line_.substr(word.begin, word.end - word.begin));
+      }
+    }
+    behind = word.end;
+  }
+  flat.append(line_end());
+  return true;
+}
+
+void CodeFlow::write_call(std::string& flat, std::string_view name) {
+  std::string text = "(";
+  text.append(name).append(")");
+  if (!called_alone_) {
+    flat.append(text).append(line_end());
+    return;
+  }
+  for (const ComputedWord& word : words_)
+    if (word.kind == ComputedWord::Kind::comment)
+      text.append(" ").append(line_.substr(word.begin, word.end - word.begin));
+  write_behind_number(flat, text);
+}
+
+void CodeFlow::write_behind_number(std::string& flat, std::string_view text) {
+  if (head_.number >= 0)
+    flat.append(line_.substr(head_.number_begin, head_.number_end - head_.number_begin))
+        .append(" ");
+  flat.append(text).append(line_end());
+}
+
+bool CodeFlow::finish_statement(std::string& flat, std::size_t at) {
+  const std::size_t behind = behind_blanks(line_, at);
+  if (!is_over(line_, behind))
+    return refuse(Code::expression_invalid, behind, name_of_character(line_.substr(behind)));
+  if (const std::string comments = comments_of(line_, behind); !comments.empty())
+    write_behind_number(flat, comments);
+  return true;
+}
+
+bool CodeFlow::end_program(std::string& flat) {
+  ended_ = true;
+  const ProgramText& text = texts_.front();
+  for (std::size_t line = text.size(); line-- > frames_.front().current + 1;) {
+    if (is_over(text.line(line), 0)) continue;
+    if (is_percent(text.line(line))) flat.append("%").append(text.line_end(line));
+    break;
+  }
+  return true;
+}
+
+}  // namespace trc::program

@@ -1,0 +1,80 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/nc/program/code_line.h"
+#include "core/nc/program/flow.h"
+
+namespace trc::program {
+
+// What Fanuc and LinuxCNC have in common: a line of letters whose values may be computed, and what
+// it becomes.
+class CodeFlow : public Flow, protected Variables {
+ protected:
+  CodeFlow(const ProgramSetup& setup, CallPlaces& calls, const Grammar& grammar)
+      : Flow(setup, calls), grammar_(grammar) {}
+
+  // Takes the next line of the frame.
+  void begin_line();
+  [[nodiscard]] ExpressionReader expression_at(std::size_t at) {
+    return {grammar_, line_, at, *this};
+  }
+
+  // Reads the words of the line, with their values.
+  bool scan_words();
+  // Reads what begins with `#` among words, which only LinuxCNC has; false where it is refused.
+  virtual bool scan_assignment(std::size_t& at);
+  [[nodiscard]] ComputedWord* word_of(char letter);
+  // The value of the P or L of a call, whole and not negative.
+  [[nodiscard]] std::optional<std::int64_t> whole_value(const ComputedWord* word,
+                                                        const ComputedWord& of);
+  // Whether the line has a word that is left in it.
+  [[nodiscard]] bool has_words_left() const;
+
+  // M98, M97: which program, and how often.
+  struct ProgramCall {
+    std::int64_t number = 0;
+    std::uint64_t times = 1;
+    bool says_times = false;
+    std::size_t begin = 0;  // byte of the line
+  };
+  // Takes the words of a call out of the line and writes what else stands in it, which comes first.
+  // Nothing where it is refused.
+  [[nodiscard]] std::optional<ProgramCall> take_call(ComputedWord& word, std::string& flat);
+
+  bool write_line(std::string& flat);
+  void write_as_it_is(std::string& flat);
+  // The comment behind which the lines of a subprogram stand, with those of the call.
+  void write_call(std::string& flat, std::string_view name);
+  // The N word of the line, then this.
+  void write_behind_number(std::string& flat, std::string_view text);
+  // Of a statement nothing is left but its comments; refused where something else stands behind.
+  bool finish_statement(std::string& flat, std::size_t at);
+  // Of what stands behind the program nothing is left but the end of the tape.
+  bool end_program(std::string& flat);
+
+  // Of the line that is being executed.
+  std::string_view line_{};
+  LineHead head_{};
+  std::vector<ComputedWord> words_{};
+  bool called_alone_ = false;           // nothing but the call stands in it
+  bool is_read_by_the_reader_ = false;  // it holds what is refused there by its name
+  bool has_computed_ = false;           // a value, or an assignment
+  bool ended_ = false;
+
+ private:
+  bool scan_value(ComputedWord& word, std::size_t& at);
+  [[nodiscard]] PointStyle style_of(char letter) const;
+
+  const Grammar& grammar_;
+};
+
+// Whether the tape ends or begins there.
+[[nodiscard]] bool is_percent(std::string_view line);
+
+}  // namespace trc::program

@@ -1,0 +1,83 @@
+#include "core/nc/program/code_line.h"
+
+#include "core/nc/text/characters.h"
+#include "core/nc/text/code_words.h"
+#include "core/nc/text/number_format.h"
+
+namespace trc::program {
+
+std::size_t behind_blanks(std::string_view line, std::size_t at) {
+  while (at < line.size() && (line[at] == ' ' || line[at] == '\t')) ++at;
+  return at;
+}
+
+LineHead head_of(std::string_view line) {
+  LineHead head;
+  std::size_t at = behind_blanks(line, 0);
+  if (at < line.size() && line[at] == '/') {
+    head.to_skip = true;
+    ++at;
+    if (at + 1 < line.size() && is_digit(line[at]) && !is_digit(line[at + 1])) ++at;
+    at = behind_blanks(line, at);
+  }
+  if (at < line.size() && upper(line[at]) == 'N') {
+    const std::size_t begin = at;
+    at = behind_blanks(line, at + 1);
+    const std::size_t digits = at;
+    while (at < line.size() && is_digit(line[at])) ++at;
+    constexpr std::size_t most_digits = 15;
+    if (at > digits && at - digits <= most_digits) {
+      head.number = 0;
+      for (std::size_t digit = digits; digit < at; ++digit)
+        head.number = head.number * 10 + (line[digit] - '0');
+      head.number_begin = begin;
+      head.number_end = at;
+    } else {
+      at = begin;
+    }
+  }
+  head.behind = behind_blanks(line, at);
+  return head;
+}
+
+std::size_t behind_comment(std::string_view line, std::size_t at) {
+  CodeReader reader(line.substr(at));
+  const CodeWord word = reader.next();
+  return word.kind == CodeWord::Kind::comment ? at + word.end : 0;
+}
+
+bool is_over(std::string_view line, std::size_t at) {
+  at = behind_blanks(line, at);
+  if (at >= line.size()) return true;
+  if (line[at] != '(' && line[at] != ';') return false;
+  const std::size_t behind = behind_comment(line, at);
+  return behind > 0 && is_over(line, behind);
+}
+
+std::string comments_of(std::string_view line, std::size_t at) {
+  std::string comments;
+  for (at = behind_blanks(line, at); at < line.size(); at = behind_blanks(line, at)) {
+    const std::size_t behind = behind_comment(line, at);
+    if (behind == 0) break;
+    if (!comments.empty()) comments += ' ';
+    comments.append(line.substr(at, behind - at));
+    at = behind;
+  }
+  return comments;
+}
+
+bool has_word_at(std::string_view line, std::size_t at, std::string_view word) {
+  if (line.size() < at + word.size()) return false;
+  for (std::size_t sign = 0; sign < word.size(); ++sign)
+    if (upper(line[at + sign]) != word[sign]) return false;
+  return true;
+}
+
+void append_value(std::string& out, double value, PointStyle style) {
+  constexpr int decimals = 8;
+  const std::size_t begin = out.size();
+  append_units(out, to_units(value, decimals), decimals);
+  if (style == PointStyle::with_point && out.find('.', begin) == std::string::npos) out += '.';
+}
+
+}  // namespace trc::program

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/nc/program/expression.h"
+
+namespace trc::program {
+
+// A word of a line of plain letters and numbers whose values may be computed.
+struct ComputedWord {
+  enum class Kind : std::uint8_t { address, comment, skip };
+  Kind kind = Kind::address;
+  char letter = 0;  // upper case
+  bool computed = false;
+  bool left_out = false;
+  Value value{};
+  std::size_t begin = 0;  // bytes of the line; with the comma of `,R`
+  std::size_t end = 0;
+
+  [[nodiscard]] bool is(char with_letter, double number) const {
+    return kind == Kind::address && letter == with_letter && value.number == number;
+  }
+};
+
+// The beginning of a line: a `/` and an N word.
+struct LineHead {
+  bool to_skip = false;
+  std::int64_t number = -1;  // -1: none
+  std::size_t number_begin = 0;
+  std::size_t number_end = 0;
+  std::size_t behind = 0;  // the first sign behind both
+};
+[[nodiscard]] LineHead head_of(std::string_view line);
+
+// Behind the blanks from `at` on.
+[[nodiscard]] std::size_t behind_blanks(std::string_view line, std::size_t at);
+// Behind the comment that begins there; 0: it has no end.
+[[nodiscard]] std::size_t behind_comment(std::string_view line, std::size_t at);
+// Whether nothing but comments stands from `at` on.
+[[nodiscard]] bool is_over(std::string_view line, std::size_t at);
+// The comments from `at` on, a blank between.
+[[nodiscard]] std::string comments_of(std::string_view line, std::size_t at);
+// Whether a word in letters stands there, of any case.
+[[nodiscard]] bool has_word_at(std::string_view line, std::size_t at, std::string_view word);
+
+enum class PointStyle : std::uint8_t {
+  as_whole,    // 30
+  with_point,  // 30.
+};
+
+// The shortest decimal number that reads back to the value, with at most 8 decimals: 5e-9 away at
+// most.
+void append_value(std::string& out, double value, PointStyle style);
+
+}  // namespace trc::program

@@ -1,0 +1,89 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "core/nc/program/code_flow.h"
+
+namespace trc::program {
+
+// Whether the line has a variable, an expression, a jump, a loop or a call.
+[[nodiscard]] bool fanuc_computes(std::string_view line);
+
+// Custom macros of Fanuc, with what Haas has besides.
+//
+//   - #1 … #33 belong to the main program and to each G65 call; M98 and M97 share those of their
+//     caller. #100 … #499 begin vacant. #500 … #999 outlast the machine's power: one that the
+//     program has not set is known from the setup alone, as everything from #1000 on.
+//   - A word whose variable is vacant is as if it were not there.
+//   - GOTO looks for its N behind it first, then from the beginning, in its own O program.
+//   - M98 P31001 is O31001, or O1001 three times where there is no such program.
+//   - M99 P goes on in the caller (Fanuc) or in the subprogram itself (Haas): where both have the
+//     N, it is refused.
+class FanucFlow : public CodeFlow {
+ public:
+  FanucFlow(const ProgramSetup& setup, CallPlaces& calls, ProgramText text, std::size_t start);
+
+  [[nodiscard]] Step step(std::string& flat) override;
+
+ private:
+  // #0 is not used; nothing: vacant.
+  using Locals = std::array<std::optional<double>, 34>;
+  // An O program, or the one without number that a text begins with.
+  struct Unit {
+    std::size_t text = 0;
+    std::size_t begin = 0;
+    std::size_t end = 0;
+    std::int64_t number = -1;
+  };
+  // Where its jumps and loops lead.
+  struct Outline {
+    std::map<std::int64_t, std::vector<std::size_t>> labels{};  // lines of an N, ascending
+    std::map<std::size_t, std::size_t> feet{};                  // of loops, by their heads
+    std::map<std::size_t, std::size_t> heads{};                 // by their feet
+  };
+
+  void add_units(std::size_t text);
+  [[nodiscard]] const Outline& outline_of(const Frame& frame);
+  [[nodiscard]] std::size_t number_of_loop(std::string_view line, std::size_t at) const;
+
+  bool execute(std::string& flat);
+  bool end_of_unit(std::string& flat);
+  bool execute_statement(std::string& flat);
+  bool branch(std::string& flat, ExpressionReader& expression);
+  bool loop(std::string& flat, ExpressionReader& expression, bool has_condition);
+  bool end_loop(std::string& flat, ExpressionReader& expression);
+  bool assign(std::string& flat, std::size_t at);
+  bool set(std::int64_t number, const Value& value, std::size_t begin);
+  bool jump(ExpressionReader& expression);
+  bool go_to(std::int64_t number, std::size_t begin);
+  bool execute_words(std::string& flat);
+  bool call(std::string& flat, ComputedWord& word);
+  bool call_own_lines(std::string& flat, const ProgramCall& call);
+  bool call_macro(std::string& flat, const ComputedWord& word);
+  bool take_arguments(const ComputedWord& word, Locals& locals);
+  bool return_from(std::string& flat, ComputedWord& word);
+  [[nodiscard]] std::optional<std::size_t> line_of(const Frame& frame, std::int64_t number);
+  bool enter_unit(std::string& flat, const Unit& unit, std::uint64_t times, Locals* locals);
+  [[nodiscard]] std::optional<Unit> unit_of(std::int64_t number, std::size_t begin);
+
+  [[nodiscard]] std::optional<double> modal_value(std::int64_t number) const;
+  Value read(ExpressionReader& expression) override;
+  bool exists(ExpressionReader& expression) override;
+  [[nodiscard]] std::int64_t number_of_variable(ExpressionReader& expression);
+
+  std::vector<Unit> units_{};
+  std::map<std::int64_t, std::vector<std::size_t>> units_of_number_{};
+  std::map<std::pair<std::size_t, std::size_t>, Outline> outlines_{};
+  std::vector<Locals> locals_{1};
+  std::map<std::int64_t, std::optional<double>> common_{};
+};
+
+}  // namespace trc::program

@@ -1,0 +1,188 @@
+#include <algorithm>
+#include <cmath>
+
+#include "core/nc/program/fanuc_flow.h"
+#include "core/nc/text/characters.h"
+
+// What becomes of a line of words whose values are computed, and of calls.
+
+namespace trc::program {
+namespace {
+
+// Of the argument with this letter; 0: it cannot be one.
+constexpr std::array<std::uint8_t, 26> variable_of_argument{
+    1, 2, 3, 7, 8, 9, 0, 11, 4, 5, 6, 0, 13, 0, 0, 0, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26};
+
+std::string name_of_unit(std::int64_t number) {
+  std::string digits = std::to_string(number);
+  constexpr std::size_t usual_digits = 4;
+  if (digits.size() < usual_digits) digits.insert(0, usual_digits - digits.size(), '0');
+  return "O" + digits;
+}
+
+}  // namespace
+
+bool FanucFlow::execute_words(std::string& flat) {
+  if (!scan_words()) return false;
+  if (is_read_by_the_reader_) {
+    write_as_it_is(flat);
+    return true;
+  }
+  ComputedWord* call_word = nullptr;
+  bool ends = false;
+  for (ComputedWord& word : words_) {
+    ends |= word.is('M', 30) || word.is('M', 2);
+    if (word.is('G', 65) || word.is('M', 98) || word.is('M', 97) || word.is('M', 99))
+      call_word = &word;
+  }
+  if (head_.to_skip && (has_computed_ || call_word != nullptr))
+    return refuse(Code::nc_unsupported, 0, "/, a line to skip that computes");
+  if (call_word != nullptr) return call(flat, *call_word);
+  write_line(flat);
+  return !ends || end_program(flat);
+}
+
+bool FanucFlow::call(std::string& flat, ComputedWord& word) {
+  if (word.letter == 'G') return call_macro(flat, word);
+  if (word.value.number == 99) return return_from(flat, word);
+  const auto call = take_call(word, flat);
+  if (!call) return false;
+  if (word.value.number == 97) return call_own_lines(flat, *call);
+  auto unit = unit_of(call->number, call->begin);
+  // Of older controls: repetitions in front of the four digits of the program.
+  constexpr std::int64_t of_four_digits = 10'000;
+  const bool is_there = units_of_number_.contains(call->number);
+  if (unit || is_there || call->says_times || call->number < of_four_digits)
+    return unit && enter_unit(flat, *unit, call->times, nullptr);
+  unit = unit_of(call->number % of_four_digits, call->begin);
+  return unit && enter_unit(flat, *unit, static_cast<std::uint64_t>(call->number / of_four_digits),
+                            nullptr);
+}
+
+// M97: lines of the program that calls.
+bool FanucFlow::call_own_lines(std::string& flat, const ProgramCall& call) {
+  const auto line = line_of(frame(), call.number);
+  const std::string name = "N" + std::to_string(call.number);
+  if (!line) return refuse(Code::jump_target_unknown, call.begin, name);
+  if (call.times == 0) return true;
+  write_call(flat, name);
+  return enter({.text = frame().text,
+                .begin = frame().begin,
+                .end = frame().end,
+                .next = *line,
+                .current = *line,
+                .restart = *line,
+                .repetitions_left = call.times - 1,
+                .name = name});
+}
+
+bool FanucFlow::call_macro(std::string& flat, const ComputedWord& word) {
+  const ComputedWord* const number = word_of('P');
+  const ComputedWord* const times = word_of('L');
+  const auto program = whole_value(number, word);
+  const auto repetitions = times == nullptr ? 1 : whole_value(times, word);
+  Locals locals{};
+  if (!program || !repetitions || !take_arguments(word, locals)) return false;
+  const auto unit = unit_of(*program, number->begin);
+  called_alone_ = true;
+  return unit && enter_unit(flat, *unit, static_cast<std::uint64_t>(*repetitions), &locals);
+}
+
+// I, J and K may come in up to ten groups, each in this order; of what names one variable twice the
+// later one counts.
+bool FanucFlow::take_arguments(const ComputedWord& word, Locals& locals) {
+  constexpr std::size_t first_of_groups = 4;
+  std::size_t group = 0;
+  int last = -1;  // of I, J, K
+  for (const ComputedWord& argument : words_) {
+    if (argument.kind != ComputedWord::Kind::address || argument.begin == word.begin ||
+        argument.letter == 'P' || argument.letter == 'L')
+      continue;
+    std::size_t variable = variable_of_argument.at(static_cast<std::size_t>(argument.letter - 'A'));
+    const int place = argument.letter - 'I';
+    if (place >= 0 && place < 3) {
+      if (place <= last) ++group;
+      last = place;
+      variable = first_of_groups + 3 * group + static_cast<std::size_t>(place);
+    }
+    if (variable == 0 || variable >= locals.size() || argument.begin < word.begin)
+      return refuse(Code::value_invalid, argument.begin,
+                    std::string(line_.substr(argument.begin, argument.end - argument.begin))
+                        .append(" beside G65"));
+    if (!argument.left_out) locals.at(variable) = argument.value.number;
+  }
+  return true;
+}
+
+std::optional<FanucFlow::Unit> FanucFlow::unit_of(std::int64_t number, std::size_t begin) {
+  const auto known = units_of_number_.find(number);
+  if (known == units_of_number_.end()) {
+    refuse(Code::subprogram_unknown, begin, name_of_unit(number));
+    return {};
+  }
+  // What stands in the program itself is meant, else what is given.
+  const std::vector<std::size_t>& all = known->second;
+  const Unit& found = units_[all.front()];
+  if (all.size() == 1 || (found.text == 0 && units_[all[1]].text > 0)) return found;
+  refuse(Code::subprogram_unknown, begin, name_of_unit(number) + ", which is there twice");
+  return {};
+}
+
+bool FanucFlow::enter_unit(std::string& flat, const Unit& unit, std::uint64_t times,
+                           Locals* locals) {
+  if (times == 0) return true;
+  Frame callee{.text = unit.text,
+               .begin = unit.begin,
+               .end = unit.end,
+               .next = unit.begin,
+               .current = unit.begin,
+               .restart = unit.begin,
+               .repetitions_left = times - 1,
+               .name = name_of_unit(unit.number),
+               .own_variables = locals != nullptr};
+  write_call(flat, callee.name);
+  if (!enter(std::move(callee))) return false;
+  if (locals != nullptr) locals_.push_back(*locals);
+  return true;
+}
+
+bool FanucFlow::return_from(std::string& flat, ComputedWord& word) {
+  ComputedWord* const target = word_of('P');
+  const bool is_main = frames_.size() == 1;
+  if (is_main && target == nullptr) {  // what ends it for the reader as well
+    write_line(flat);
+    return end_program(flat);
+  }
+  std::optional<std::int64_t> number;
+  if (target != nullptr) {
+    number = whole_value(target, word);
+    if (!number) return false;
+    target->left_out = true;
+  }
+  word.left_out = true;
+  const std::size_t place = target == nullptr ? word.begin : target->begin;
+  write_line(flat);
+  if (is_main) return go_to(*number, place);
+  if (number) {
+    const bool here = line_of(frame(), *number).has_value();
+    const bool there = line_of(*(frames_.end() - 2), *number).has_value();
+    const bool is_one_program =
+        frame().text == (frames_.end() - 2)->text && frame().end == (frames_.end() - 2)->end;
+    if (here && there && !is_one_program)
+      return refuse(Code::jump_target_unknown, place,
+                    "N" + std::to_string(*number) + ", which the subprogram and its caller have");
+    if (here && !there) return go_to(*number, place);
+  } else if (frame().repetitions_left > 0) {
+    --frame().repetitions_left;
+    frame().next = frame().restart;
+    // Each time is told from the one before.
+    called_alone_ = false;
+    write_call(flat, frame().name);
+    return true;
+  }
+  if (frame().own_variables) locals_.pop_back();
+  frames_.pop_back();
+  return !number || go_to(*number, place);
+}
+
+}  // namespace trc::program

@@ -1,0 +1,97 @@
+#include "core/nc/program/flow.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "core/nc/program/fanuc_flow.h"
+#include "core/nc/program/linuxcnc_flow.h"
+#include "core/nc/text/characters.h"
+
+namespace trc::program {
+namespace {
+
+// Names of variables are given with their `#` or without, in brackets or without.
+std::string name_of_variable(std::string_view name) {
+  std::string plain;
+  for (const char sign : name)
+    if (sign != '#' && sign != '<' && sign != '>' && sign != ' ' && sign != '\t')
+      plain += upper(sign);
+  return plain;
+}
+
+}  // namespace
+
+Flow::Flow(const ProgramSetup& setup, CallPlaces& calls) : setup_(setup), calls_(calls) {
+  for (const auto& [name, value] : setup.variables) given_[name_of_variable(name)] = value;
+}
+
+std::uint32_t Flow::line_in_program() const {
+  // A given subprogram has a text of its own; what calls it stands farther out.
+  for (auto frame = frames_.rbegin(); frame != frames_.rend(); ++frame)
+    if (frame->text == 0) return texts_[0].number(frame->current);
+  return 0;
+}
+
+std::uint32_t Flow::line_within() const {
+  const Frame& frame = frames_.back();
+  return frame.text == 0 ? 0 : texts_[frame.text].number(frame.current);
+}
+
+std::string_view Flow::line_end() const {
+  const Frame& frame = frames_.back();
+  const std::string_view own = texts_[frame.text].line_end(frame.current);
+  if (!own.empty()) return own;
+  // The last line of a text may have none.
+  return texts_[0].size() > 1 ? texts_[0].line_end(0) : "\n";
+}
+
+bool Flow::count_line() {
+  if (++executed_ <= setup_.max_executed_lines) return true;
+  refuse(Code::too_many_lines_executed, 0, {});
+  refusal_.column = 0;
+  refusal_.values = {{"limit", static_cast<double>(setup_.max_executed_lines)}};
+  return false;
+}
+
+bool Flow::enter(Frame callee) {
+  if (frames_.size() > deepest_call) {
+    refuse(Code::calls_too_deep, 0, callee.name);
+    refusal_.values = {{"limit", static_cast<double>(deepest_call)}};
+    return false;
+  }
+  const Frame& caller = frames_.back();
+  callee.chain =
+      calls_.enter(caller.chain, callee.name, texts_[caller.text].number(caller.current));
+  frames_.push_back(std::move(callee));
+  return true;
+}
+
+bool Flow::refuse(Code code, std::size_t begin, std::string detail) {
+  refusal_ = diagnostic(code, {}, std::move(detail));
+  refusal_.column = static_cast<std::uint32_t>(begin + 1);
+  return false;
+}
+
+const double* Flow::given(std::string_view name) const {
+  const auto known = given_.find(name);
+  return known == given_.end() ? nullptr : &known->second;
+}
+
+bool may_compute(DialectName dialect) {
+  return dialect == DialectName::fanuc || dialect == DialectName::linuxcnc;
+}
+
+bool computes(DialectName dialect, std::string_view line) {
+  return dialect == DialectName::fanuc
+             ? fanuc_computes(line)
+             : dialect == DialectName::linuxcnc && linuxcnc_computes(line);
+}
+
+std::unique_ptr<Flow> make_flow(const ProgramSetup& setup, CallPlaces& calls, ProgramText text,
+                                std::size_t start) {
+  if (setup.dialect == DialectName::linuxcnc)
+    return std::make_unique<LinuxcncFlow>(setup, calls, std::move(text), start);
+  return std::make_unique<FanucFlow>(setup, calls, std::move(text), start);
+}
+
+}  // namespace trc::program

@@ -1,0 +1,114 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/base/call_places.h"
+#include "core/base/diagnostic.h"
+#include "core/nc/program/expression.h"
+#include "core/nc/program/program_text.h"
+#include "core/nc/state/program_setup.h"
+#include "core/nc/state/program_state.h"
+
+namespace trc::program {
+
+// Calls within calls; what a control allows is less.
+inline constexpr std::size_t deepest_call = 32;
+
+// What holds behind the lines that were executed, which a program may ask for.
+struct ModalState {
+  MotionKind motion = MotionKind::rapid;
+  Plane plane = Plane::xy;
+  bool incremental = false;
+  bool inch = false;
+};
+
+// Executes a program that computes, a line at a time: follows its jumps, loops and calls, and says
+// what each line becomes in the flat program.
+class Flow {
+ public:
+  enum class Step : std::uint8_t { goes_on, ended, refused };
+
+  Flow(const ProgramSetup& setup, CallPlaces& calls);
+  virtual ~Flow() = default;
+  Flow(const Flow&) = delete;
+  Flow& operator=(const Flow&) = delete;
+
+  // Executes the next line and appends the lines that it becomes, with their ends. Behind an end
+  // or a refusal nothing more may be asked for.
+  [[nodiscard]] virtual Step step(std::string& flat) = 0;
+
+  // Before each step.
+  void hold(const ModalState& modes) { modes_ = modes; }
+
+  // What the line executed last has become is that line itself.
+  [[nodiscard]] bool is_as_written() const { return is_as_written_; }
+  // Of the line that was executed last: its line in the program, of a given subprogram that of the
+  // call; and what calls it.
+  [[nodiscard]] std::uint32_t line_in_program() const;
+  [[nodiscard]] CallPlaces::Chain chain() const { return frames_.back().chain; }
+  [[nodiscard]] std::uint32_t line_within() const;
+  [[nodiscard]] std::uint64_t executed_lines() const { return executed_; }
+  // What stands against it, without its place in the program.
+  [[nodiscard]] const Diagnostic& refusal() const { return refusal_; }
+
+ protected:
+  // What is being executed: the main program, or a call.
+  struct Frame {
+    std::size_t text = 0;
+    std::size_t begin = 0;  // lines of the subprogram
+    std::size_t end = 0;
+    std::size_t next = 0;     // to be executed
+    std::size_t current = 0;  // executed last
+    std::size_t restart = 0;
+    std::uint64_t repetitions_left = 0;
+    CallPlaces::Chain chain = CallPlaces::main_program;
+    std::string name{};
+    bool own_variables = false;
+  };
+
+  [[nodiscard]] Frame& frame() { return frames_.back(); }
+  [[nodiscard]] const ProgramText& text_of(const Frame& frame) const { return texts_[frame.text]; }
+  [[nodiscard]] std::string_view line_end() const;
+
+  // Counts the line that is executed. False beyond what the setup allows.
+  bool count_line();
+  // False beyond what is allowed.
+  bool enter(Frame callee);
+  // Always false. `begin`: byte of the line.
+  bool refuse(Code code, std::size_t begin, std::string detail);
+  bool refuse(const TextFault& fault) { return refuse(fault.code, fault.begin, fault.detail); }
+
+  // The value the setup gives a variable, by its name in capitals without `#`, `<`, `>`; null:
+  // none.
+  [[nodiscard]] const double* given(std::string_view name) const;
+
+  const ProgramSetup& setup_;
+  CallPlaces& calls_;
+  std::vector<ProgramText> texts_{};  // the program first
+  std::vector<Frame> frames_{};
+  ModalState modes_{};
+  bool is_as_written_ = true;
+
+ private:
+  std::map<std::string, double, std::less<>> given_{};
+  std::uint64_t executed_ = 0;
+  Diagnostic refusal_{};
+};
+
+// Whether a line of the dialect makes its program one that computes.
+[[nodiscard]] bool computes(DialectName dialect, std::string_view line);
+// Whether programs of the dialect may compute at all.
+[[nodiscard]] bool may_compute(DialectName dialect);
+
+// The program is executed from the line `start` of `text` on (0-based).
+[[nodiscard]] std::unique_ptr<Flow> make_flow(const ProgramSetup& setup, CallPlaces& calls,
+                                              ProgramText text, std::size_t start);
+
+}  // namespace trc::program

@@ -1,0 +1,100 @@
+#include <array>
+
+#include "core/nc/program/expression.h"
+
+namespace trc::program {
+namespace {
+
+constexpr auto fanuc_operators = std::to_array<OperatorRow>({
+    {"EQ", 1, Operator::equal},
+    {"NE", 1, Operator::not_equal},
+    {"GT", 1, Operator::greater},
+    {"LT", 1, Operator::less},
+    {"GE", 1, Operator::at_least},
+    {"LE", 1, Operator::at_most},
+    {"+", 2, Operator::add},
+    {"-", 2, Operator::subtract},
+    {"OR", 2, Operator::disjunction},
+    {"XOR", 2, Operator::exclusion},
+    {"*", 3, Operator::multiply},
+    {"/", 3, Operator::divide},
+    {"MOD", 3, Operator::remainder},
+    {"AND", 3, Operator::conjunction},
+});
+
+constexpr auto linuxcnc_operators = std::to_array<OperatorRow>({
+    {"AND", 1, Operator::conjunction},
+    {"OR", 1, Operator::disjunction},
+    {"XOR", 1, Operator::exclusion},
+    {"EQ", 2, Operator::equal},
+    {"NE", 2, Operator::not_equal},
+    {"GT", 2, Operator::greater},
+    {"LT", 2, Operator::less},
+    {"GE", 2, Operator::at_least},
+    {"LE", 2, Operator::at_most},
+    {"+", 3, Operator::add},
+    {"-", 3, Operator::subtract},
+    // In front of `*`, which it begins with.
+    {"**", 5, Operator::power},
+    {"*", 4, Operator::multiply},
+    {"/", 4, Operator::divide},
+    {"MOD", 4, Operator::remainder},
+});
+
+constexpr auto fanuc_functions = std::to_array<FunctionRow>({
+    {"SIN", Function::sine},
+    {"COS", Function::cosine},
+    {"TAN", Function::tangent},
+    {"ASIN", Function::arc_sine},
+    {"ACOS", Function::arc_cosine},
+    {"ATAN", Function::arc_tangent},
+    {"SQRT", Function::root},
+    {"SQR", Function::root},
+    {"ABS", Function::absolute},
+    {"ROUND", Function::round},
+    {"RND", Function::round},
+    {"FIX", Function::down},
+    {"FUP", Function::up},
+    {"LN", Function::logarithm},
+    {"EXP", Function::exponential},
+    {"POW", Function::power},
+    {"BIN", Function::to_binary},
+    {"BCD", Function::to_decimal},
+});
+
+constexpr auto linuxcnc_functions = std::to_array<FunctionRow>({
+    {"SIN", Function::sine},
+    {"COS", Function::cosine},
+    {"TAN", Function::tangent},
+    {"ASIN", Function::arc_sine},
+    {"ACOS", Function::arc_cosine},
+    {"ATAN", Function::arc_tangent},
+    {"SQRT", Function::root},
+    {"ABS", Function::absolute},
+    {"ROUND", Function::round},
+    {"FIX", Function::down},
+    {"FUP", Function::up},
+    {"LN", Function::logarithm},
+    {"EXP", Function::exponential},
+    {"EXISTS", Function::exists},
+});
+
+}  // namespace
+
+const Grammar& fanuc_grammar() {
+  static constexpr Grammar grammar{.dialect = DialectName::fanuc,
+                                   .operators = fanuc_operators,
+                                   .functions = fanuc_functions,
+                                   .highest_level = 3};
+  return grammar;
+}
+
+const Grammar& linuxcnc_grammar() {
+  static constexpr Grammar grammar{.dialect = DialectName::linuxcnc,
+                                   .operators = linuxcnc_operators,
+                                   .functions = linuxcnc_functions,
+                                   .highest_level = 5};
+  return grammar;
+}
+
+}  // namespace trc::program

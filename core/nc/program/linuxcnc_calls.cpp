@@ -1,0 +1,303 @@
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "core/nc/program/linuxcnc_flow.h"
+#include "core/nc/text/characters.h"
+
+// Parameters, lines of words, and calls of LinuxCNC.
+
+namespace trc::program {
+namespace {
+
+// What the control itself puts into a parameter, and knows only when the program runs.
+bool names_a_state(std::string_view name) {
+  constexpr std::array prefixes{"_ini[", "_hal["};
+  constexpr auto names = std::to_array<std::string_view>({
+      "_a",
+      "_abs_a",
+      "_abs_b",
+      "_abs_c",
+      "_abs_u",
+      "_abs_v",
+      "_abs_w",
+      "_abs_x",
+      "_abs_y",
+      "_abs_z",
+      "_absolute",
+      "_adaptive_feed",
+      "_b",
+      "_c",
+      "_call_level",
+      "_ccomp",
+      "_coord_system",
+      "_current_pocket",
+      "_current_tool",
+      "_feed",
+      "_feed_hold",
+      "_feed_override",
+      "_flood",
+      "_ijk_absolute_mode",
+      "_incremental",
+      "_inverse_time",
+      "_lathe_diameter_mode",
+      "_lathe_radius_mode",
+      "_line",
+      "_mist",
+      "_motion_mode",
+      "_plane",
+      "_remap_level",
+      "_retract_old_z",
+      "_retract_r_plane",
+      "_rpm",
+      "_selected_pocket",
+      "_selected_tool",
+      "_speed_override",
+      "_spindle_css_mode",
+      "_spindle_cw",
+      "_spindle_on",
+      "_spindle_rpm_mode",
+      "_task",
+      "_tool_offset",
+      "_u",
+      "_units_per_minute",
+      "_units_per_rev",
+      "_v",
+      "_vmajor",
+      "_vminor",
+      "_w",
+      "_x",
+      "_y",
+      "_z",
+  });
+  return std::ranges::find(names, name) != names.end() ||
+         std::ranges::any_of(prefixes,
+                             [&](std::string_view prefix) { return name.starts_with(prefix); });
+}
+
+// The last of those that a program sets for itself.
+constexpr std::int64_t last_number_of_programs = 5000;
+
+}  // namespace
+
+bool LinuxcncFlow::execute_words(std::string& flat) {
+  assignments_.clear();
+  if (!scan_words()) return false;
+  if (is_read_by_the_reader_) {
+    write_as_it_is(flat);
+    return true;
+  }
+  ComputedWord* call_word = nullptr;
+  bool ends = false;
+  for (ComputedWord& word : words_) {
+    ends |= word.is('M', 30) || word.is('M', 2);
+    if (word.is('M', 98) || word.is('M', 99)) call_word = &word;
+  }
+  if (head_.to_skip && (has_computed_ || call_word != nullptr))
+    return refuse(Code::nc_unsupported, 0, "/, a line to skip that computes");
+  if (call_word == nullptr) write_line(flat);
+  for (const Assignment& assignment : assignments_)
+    if (!assign(assignment)) return false;
+  if (call_word != nullptr)
+    return call_word->value.number == 98 ? call_program(*call_word, flat)
+                                         : return_from_program(*call_word, flat);
+  return !ends || end_program(flat);
+}
+
+bool LinuxcncFlow::call_sub(const std::string& label, std::size_t at, std::string& flat) {
+  Locals locals;
+  locals.numbered = locals_.back().numbered;
+  ExpressionReader expression = expression_at(at);
+  expression.pass_blanks();
+  for (std::size_t number = 1; expression.peek() == '['; ++number) {
+    if (number >= locals.numbered.size())
+      return refuse(Code::value_invalid, expression.at(), "more than 30 arguments");
+    locals.numbered.at(number) = expression.operand().number;
+    expression.pass_blanks();
+  }
+  if (expression.failed()) return refuse(expression.fault());
+  for (std::size_t text = 0; text < texts_.size(); ++text) {
+    const auto labelled = o_words_[text].find({0, label});
+    if (labelled == o_words_[text].end()) continue;
+    const std::vector<OWord>& words = labelled->second;
+    const auto begin = std::ranges::find(words, Statement::sub, &OWord::statement);
+    if (begin == words.end()) continue;
+    const auto end = std::ranges::find(begin, words.end(), Statement::endsub, &OWord::statement);
+    if (end == words.end())
+      return refuse(Code::block_structure, head_.behind, "o" + label + " sub without endsub");
+    const std::string comments = comments_of(line_, expression.at());
+    write_behind_number(flat, "(o" + label + ")" + (comments.empty() ? "" : " " + comments));
+    if (!is_over(line_, expression.at()))
+      return refuse(Code::expression_invalid, expression.at(),
+                    name_of_character(line_.substr(expression.at())));
+    globals_.erase("_value");
+    globals_["_value_returned"] = 0;
+    if (!enter({.text = text,
+                .begin = begin->line + 1,
+                .end = end->line + 1,
+                .next = begin->line + 1,
+                .current = begin->line,
+                .name = "o" + label,
+                .own_variables = true}))
+      return false;
+    locals_.push_back(std::move(locals));
+    return true;
+  }
+  return refuse(Code::subprogram_unknown, head_.behind, "o" + label);
+}
+
+bool LinuxcncFlow::return_from_sub(std::size_t at, std::string& flat) {
+  if (!frame().own_variables)
+    return refuse(Code::block_structure, head_.behind, "return or endsub outside of a sub");
+  ExpressionReader expression = expression_at(at);
+  expression.pass_blanks();
+  if (expression.peek() == '[') {
+    const double value = expression.operand().number;
+    if (expression.failed()) return refuse(expression.fault());
+    globals_["_value"] = value;
+    globals_["_value_returned"] = 1;
+  }
+  if (!finish_statement(flat, expression.at())) return false;
+  locals_.pop_back();
+  frames_.pop_back();
+  return true;
+}
+
+// M98: from the line of its number to M99, with the parameters of the caller.
+bool LinuxcncFlow::call_program(ComputedWord& word, std::string& flat) {
+  const auto call = take_call(word, flat);
+  if (!call) return false;
+  const std::string label = std::to_string(call->number);
+  for (std::size_t text = 0; text < texts_.size(); ++text) {
+    const auto labelled = o_words_[text].find({0, label});
+    if (labelled == o_words_[text].end()) continue;
+    const auto begin = std::ranges::find(labelled->second, Statement::none, &OWord::statement);
+    if (begin == labelled->second.end()) continue;
+    if (call->times == 0) return true;
+    write_call(flat, "o" + label);
+    return enter({.text = text,
+                  .end = texts_[text].size(),
+                  .next = begin->line + 1,
+                  .current = begin->line,
+                  .restart = begin->line + 1,
+                  .repetitions_left = call->times - 1,
+                  .name = "o" + label});
+  }
+  return refuse(Code::subprogram_unknown, call->begin, "o" + label);
+}
+
+bool LinuxcncFlow::return_from_program(ComputedWord& word, std::string& flat) {
+  if (frames_.size() == 1) {  // what ends it for the reader as well
+    write_line(flat);
+    return end_program(flat);
+  }
+  if (frame().own_variables) return refuse(Code::block_structure, word.begin, "M99 within a sub");
+  word.left_out = true;
+  write_line(flat);
+  if (frame().repetitions_left > 0) {
+    --frame().repetitions_left;
+    frame().next = frame().restart;
+    called_alone_ = false;
+    write_call(flat, frame().name);
+    return true;
+  }
+  frames_.pop_back();
+  return true;
+}
+
+bool LinuxcncFlow::scan_assignment(std::size_t& at) {
+  ExpressionReader expression = expression_at(at);
+  Assignment assignment{.begin = at};
+  assignment.target = target_at(expression);
+  expression.pass_blanks();
+  if (!expression.failed() && expression.peek() != '=')
+    return refuse(Code::expression_invalid, at, "# without =");
+  expression.go_to(expression.at() + (expression.failed() ? 0 : 1));
+  assignment.value = expression.operand().number;
+  if (expression.failed()) return refuse(expression.fault());
+  at = expression.at();
+  const std::size_t behind = behind_blanks(line_, at);
+  if (behind < line_.size() &&
+      std::string_view("+-*/[]").find(line_[behind]) != std::string_view::npos)
+    return refuse(Code::expression_invalid, behind, std::string(1, line_[behind]));
+  assignments_.push_back(std::move(assignment));
+  return true;
+}
+
+bool LinuxcncFlow::assign(const Assignment& assignment) {
+  const auto& [name, number] = assignment.target;
+  Locals& locals = locals_.back();
+  const bool is_state =
+      name.empty() ? number == 0 || number > last_number_of_programs : names_a_state(name);
+  if (is_state)
+    return refuse(number == 0 && name.empty() ? Code::value_invalid : Code::machine_state,
+                  assignment.begin,
+                  name.empty() ? "#" + std::to_string(number) : "#<" + name + ">");
+  if (!name.empty())
+    (name.front() == '_' ? globals_ : locals.named)[name] = assignment.value;
+  else if (number < static_cast<std::int64_t>(locals.numbered.size()))
+    locals.numbered.at(static_cast<std::size_t>(number)) = assignment.value;
+  else
+    common_[number] = assignment.value;
+  return true;
+}
+
+LinuxcncFlow::Target LinuxcncFlow::target_at(ExpressionReader& expression) {
+  const std::size_t begin = expression.at();
+  expression.go_to(begin + 1);
+  expression.pass_blanks();
+  if (expression.peek() != '<') return {.number = expression.whole_operand()};
+  const std::string_view line = expression.line();
+  const std::size_t close = line.find('>', expression.at());
+  if (close == std::string_view::npos || close == expression.at() + 1) {
+    static_cast<void>(expression.fail(Code::expression_invalid, begin, "#<, a name without >"));
+    return {.name = "?"};
+  }
+  std::string name = plain_name(line.substr(expression.at() + 1, close - expression.at() - 1));
+  expression.go_to(close + 1);
+  return {.name = std::move(name)};
+}
+
+std::optional<double> LinuxcncFlow::content_of(const Target& target) const {
+  const auto& [name, number] = target;
+  const Locals& locals = locals_.back();
+  const auto content = [](const auto& map, const auto& key) {
+    const auto known = map.find(key);
+    return known == map.end() ? std::optional<double>() : std::optional<double>(known->second);
+  };
+  std::optional<double> known;
+  if (!name.empty())
+    known = content(name.front() == '_' ? globals_ : locals.named, name);
+  else if (number > 0 && number < static_cast<std::int64_t>(locals.numbered.size()))
+    known = locals.numbered.at(static_cast<std::size_t>(number));
+  else
+    known = content(common_, number);
+  if (known) return known;
+  if (name == "_metric" || name == "_imperial") return (name == "_imperial") == modes_.inch ? 1 : 0;
+  if (name == "_absolute" || name == "_incremental")
+    return (name == "_incremental") == modes_.incremental ? 1 : 0;
+  const double* const value = given(name.empty() ? std::to_string(number) : in_upper_case(name));
+  return value == nullptr ? std::optional<double>() : std::optional<double>(*value);
+}
+
+Value LinuxcncFlow::read(ExpressionReader& expression) {
+  const std::size_t begin = expression.at();
+  const Target target = target_at(expression);
+  if (expression.failed()) return {};
+  if (const auto content = content_of(target)) return {.number = *content};
+  const bool is_state =
+      target.name.empty() ? target.number > last_number_of_programs : names_a_state(target.name);
+  return expression.fail(
+      is_state ? Code::machine_state : Code::variable_unset, begin,
+      target.name.empty() ? "#" + std::to_string(target.number) : "#<" + target.name + ">");
+}
+
+bool LinuxcncFlow::exists(ExpressionReader& expression) {
+  if (expression.peek() != '#') {
+    static_cast<void>(expression.fail(Code::expression_invalid, expression.at(), "EXISTS"));
+    return false;
+  }
+  return content_of(target_at(expression)).has_value();
+}
+
+}  // namespace trc::program

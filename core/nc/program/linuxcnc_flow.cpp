@@ -1,0 +1,343 @@
+#include "core/nc/program/linuxcnc_flow.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "core/nc/text/characters.h"
+
+namespace trc::program {
+namespace {
+
+bool is_o_word_at(std::string_view line, std::size_t at) {
+  return at < line.size() && upper(line[at]) == 'O';
+}
+
+}  // namespace
+
+std::string plain_name(std::string_view name) {
+  std::string plain;
+  for (const char sign : name)
+    if (sign != ' ' && sign != '\t')
+      plain += sign >= 'A' && sign <= 'Z' ? static_cast<char>(sign - 'A' + 'a') : sign;
+  return plain;
+}
+
+LinuxcncFlow::Statement LinuxcncFlow::statement_at(std::string_view line, std::size_t& at) {
+  using enum Statement;
+  constexpr auto statements = std::to_array<std::pair<std::string_view, Statement>>({
+      {"SUB", sub},
+      {"ENDSUB", endsub},
+      {"CALL", call},
+      {"RETURN", give_back},
+      {"IF", if_true},
+      {"ELSEIF", elseif},
+      {"ELSE", otherwise},
+      {"ENDIF", endif},
+      {"WHILE", while_true},
+      {"ENDWHILE", endwhile},
+      {"DO", do_once},
+      {"REPEAT", repeat},
+      {"ENDREPEAT", endrepeat},
+      {"BREAK", leave},
+      {"CONTINUE", go_on},
+  });
+  at = behind_blanks(line, at);
+  std::size_t end = at;
+  while (end < line.size() && is_letter(line[end])) ++end;
+  const std::string word = in_upper_case(line.substr(at, end - at));
+  for (const auto& [spelling, statement] : statements) {
+    if (word != spelling) continue;
+    at = end;
+    return statement;
+  }
+  return none;
+}
+
+namespace {
+
+// Behind a label that is written out, whose text goes to `label`; 0: it is computed, or none.
+std::size_t behind_label(std::string_view line, std::size_t at, std::string& label) {
+  at = behind_blanks(line, at + 1);
+  if (at < line.size() && line[at] == '<') {
+    const std::size_t close = line.find('>', at);
+    if (close == std::string_view::npos) return 0;
+    label = plain_name(line.substr(at, close + 1 - at));
+    return close + 1;
+  }
+  const std::size_t begin = at;
+  while (at < line.size() && is_digit(line[at])) ++at;
+  if (at == begin) return 0;
+  label = std::string(line.substr(begin, at - begin));
+  label.erase(0, std::min(label.find_first_not_of('0'), label.size() - 1));
+  return at;
+}
+
+}  // namespace
+
+bool linuxcnc_computes(std::string_view line) {
+  const LineHead head = head_of(line);
+  if (is_o_word_at(line, head.behind)) {
+    std::string label;
+    const std::size_t behind = behind_label(line, head.behind, label);
+    // The number of a program, with its title.
+    return behind == 0 || label.front() == '<' || !is_over(line, behind);
+  }
+  for (std::size_t at = head.behind; at < line.size();) {
+    const char sign = line[at];
+    if (sign == '#' || sign == '[') return true;
+    if (sign == ';') return false;
+    if (sign == '(') {
+      at = behind_comment(line, at);
+      if (at == 0) return false;
+      continue;
+    }
+    const std::size_t behind = behind_blanks(line, ++at);
+    double number = 0;
+    bool whole = false;
+    if (upper(sign) == 'M' && read_number(line.substr(behind), number, whole) > 0 && number == 98)
+      return true;
+  }
+  return false;
+}
+
+LinuxcncFlow::LinuxcncFlow(const ProgramSetup& setup, CallPlaces& calls, ProgramText text,
+                           std::size_t start)
+    : CodeFlow(setup, calls, linuxcnc_grammar()) {
+  texts_.push_back(std::move(text));
+  add_o_words(0);
+  for (const auto& [name, given_text] : setup.subprograms) {
+    texts_.emplace_back(name, given_text);
+    add_o_words(texts_.size() - 1);
+  }
+  frames_.push_back({.end = texts_[0].size(), .next = start, .current = start});
+}
+
+void LinuxcncFlow::add_o_words(std::size_t text) {
+  const ProgramText& lines = texts_[text];
+  Labelled& words = o_words_.emplace_back();
+  std::size_t scope = 0;
+  for (std::size_t line = 0; line < lines.size(); ++line) {
+    const std::string_view content = lines.line(line);
+    const std::size_t at = head_of(content).behind;
+    if (!is_o_word_at(content, at)) continue;
+    OWord word{.line = line};
+    std::string label;
+    std::size_t behind = behind_label(content, at, label);
+    if (behind == 0) continue;
+    word.statement = statement_at(content, behind);
+    // The two ends of a subprogram belong to what is around it.
+    if (word.statement == Statement::endsub) scope = 0;
+    words[{scope, label}].push_back(word);
+    if (word.statement == Statement::sub) scope = line + 1;
+  }
+}
+
+Flow::Step LinuxcncFlow::step(std::string& flat) {
+  bool goes_on = false;
+  if (frame().next >= frame().end) {
+    goes_on = frames_.size() == 1 ? end_program(flat)
+                                  : refuse(Code::block_structure, 0,
+                                           frame().name + ", a subprogram without its end");
+  } else {
+    begin_line();
+    goes_on = count_line() && execute(flat);
+  }
+  if (!goes_on) return Step::refused;
+  return ended_ ? Step::ended : Step::goes_on;
+}
+
+bool LinuxcncFlow::execute(std::string& flat) {
+  if (is_percent(line_)) {
+    if (frame().current > 0 && frames_.size() == 1) return end_program(flat);
+    write_as_it_is(flat);
+    return true;
+  }
+  if (!is_o_word_at(line_, head_.behind)) return execute_words(flat);
+  if (head_.to_skip) return refuse(Code::nc_unsupported, 0, "/, a line to skip that computes");
+  return execute_statement(flat);
+}
+
+std::optional<std::string> LinuxcncFlow::label_at(std::size_t& at) {
+  std::string label;
+  if (const std::size_t behind = behind_label(line_, at, label); behind > 0) {
+    at = behind;
+    return label;
+  }
+  ExpressionReader expression = expression_at(at + 1);
+  const std::int64_t number = expression.whole_operand();
+  at = expression.at();
+  if (!expression.failed()) return std::to_string(number);
+  refuse(expression.fault());
+  return {};
+}
+
+bool LinuxcncFlow::execute_statement(std::string& flat) {
+  std::size_t at = head_.behind;
+  const auto label = label_at(at);
+  if (!label) return false;
+  const std::size_t begin = behind_blanks(line_, at);
+  const Statement statement = statement_at(line_, at);
+  if (statement == Statement::none && is_over(line_, begin)) {
+    write_as_it_is(flat);
+    return true;
+  }
+  if (statement == Statement::none)
+    return refuse(Code::expression_invalid, begin, std::string(line_.substr(begin)));
+  return follow(statement, *label, at, flat);
+}
+
+bool LinuxcncFlow::follow(Statement statement, const std::string& label, std::size_t at,
+                          std::string& flat) {
+  using enum Statement;
+  bool holds = true;
+  const bool has_condition = statement == if_true || statement == while_true;
+  if (has_condition && !condition(at, holds)) return false;
+  switch (statement) {
+    case sub:
+      if (!skip_behind(next_of(label, {endsub}), "sub")) return false;
+      break;
+    case endsub:
+    case give_back:
+      return return_from_sub(at, flat);
+    case call:
+      return call_sub(label, at, flat);
+    case if_true:
+      if (!holds) return choose(label);
+      break;
+    case elseif:  // behind a branch that was taken
+    case otherwise:
+      return skip_behind(next_of(label, {endif}), "if");
+    case while_true:
+      if (!loop_while(label, holds)) return false;
+      break;
+    case endwhile: {
+      const OWord* head = last_of(label, {while_true});
+      if (head == nullptr) return skip_behind(nullptr, "endwhile");
+      frame().next = head->line;
+      break;
+    }
+    case repeat: {
+      ExpressionReader expression = expression_at(behind_blanks(line_, at));
+      const std::int64_t count = expression.whole_operand();
+      if (expression.failed()) return refuse(expression.fault());
+      at = expression.at();
+      repetitions_of(frame().current) = count;
+      if (count == 0 && !skip_behind(next_of(label, {endrepeat}), "repeat")) return false;
+      break;
+    }
+    case endrepeat: {
+      const OWord* head = last_of(label, {repeat});
+      if (head == nullptr) return skip_behind(nullptr, "endrepeat");
+      if (--repetitions_of(head->line) > 0) frame().next = head->line + 1;
+      break;
+    }
+    case leave:
+    case go_on:
+      if (!leave_or_go_on(statement, label)) return false;
+      break;
+    case do_once:
+    case endif:
+    case none:
+      break;
+  }
+  return finish_statement(flat, at);
+}
+
+bool LinuxcncFlow::condition(std::size_t& at, bool& holds) {
+  const std::size_t begin = behind_blanks(line_, at);
+  if (begin >= line_.size() || line_[begin] != '[')
+    return refuse(Code::expression_invalid, begin, "a condition without [ ]");
+  ExpressionReader expression = expression_at(begin);
+  holds = expression.operand().number != 0;
+  at = expression.at();
+  return !expression.failed() || refuse(expression.fault());
+}
+
+const std::vector<LinuxcncFlow::OWord>* LinuxcncFlow::words_of(std::size_t scope,
+                                                               const std::string& label) const {
+  const Labelled& words = o_words_[frames_.back().text];
+  const auto found = words.find({scope, label});
+  return found == words.end() ? nullptr : &found->second;
+}
+
+const LinuxcncFlow::OWord* LinuxcncFlow::next_of(
+    const std::string& label, std::initializer_list<Statement> statements) const {
+  const std::vector<OWord>* const words = words_of(frames_.back().begin, label);
+  if (words == nullptr) return nullptr;
+  for (auto word = std::ranges::upper_bound(*words, frames_.back().current, {}, &OWord::line);
+       word != words->end(); ++word)
+    if (std::ranges::find(statements, word->statement) != statements.end()) return &*word;
+  return nullptr;
+}
+
+const LinuxcncFlow::OWord* LinuxcncFlow::last_of(
+    const std::string& label, std::initializer_list<Statement> statements) const {
+  const std::vector<OWord>* const words = words_of(frames_.back().begin, label);
+  if (words == nullptr) return nullptr;
+  auto word = std::ranges::lower_bound(*words, frames_.back().current, {}, &OWord::line);
+  while (word != words->begin())
+    if (std::ranges::find(statements, (--word)->statement) != statements.end()) return &*word;
+  return nullptr;
+}
+
+bool LinuxcncFlow::skip_behind(const OWord* word, std::string_view statement) {
+  if (word == nullptr)
+    return refuse(Code::block_structure, head_.behind,
+                  std::string(statement).append(" without the other end"));
+  frame().next = word->line + 1;
+  return true;
+}
+
+// Behind a condition that does not hold: the first branch whose condition does.
+bool LinuxcncFlow::choose(const std::string& label) {
+  using enum Statement;
+  const std::size_t begin = frame().current;
+  for (;;) {
+    const OWord* word = next_of(label, {elseif, otherwise, endif});
+    if (word == nullptr || word->statement != elseif) {
+      frame().current = begin;
+      return skip_behind(word, "if");
+    }
+    frame().current = word->line;
+    line_ = text_of(frame()).line(word->line);
+    head_ = head_of(line_);
+    std::size_t at = head_.behind;
+    bool holds = false;
+    if (!label_at(at)) return false;
+    static_cast<void>(statement_at(line_, at));
+    if (!condition(at, holds)) return false;
+    if (holds) {
+      frame().next = word->line + 1;
+      return true;
+    }
+  }
+}
+
+// A `while` ends a loop that begins with `do`, or begins one that ends with `endwhile`.
+bool LinuxcncFlow::loop_while(const std::string& label, bool holds) {
+  using enum Statement;
+  const OWord* const before = last_of(label, {do_once, while_true, endwhile});
+  if (before != nullptr && before->statement == do_once) {
+    if (holds) frame().next = before->line + 1;
+    return true;
+  }
+  const OWord* const end = next_of(label, {endwhile});
+  if (end == nullptr || !holds) return skip_behind(end, "while");
+  return true;
+}
+
+bool LinuxcncFlow::leave_or_go_on(Statement statement, const std::string& label) {
+  using enum Statement;
+  const OWord* const head = last_of(label, {while_true, do_once, repeat});
+  if (head == nullptr) return skip_behind(nullptr, statement == leave ? "break" : "continue");
+  const bool is_do = head->statement == do_once;
+  const OWord* const end = next_of(label, {is_do                       ? while_true
+                                           : head->statement == repeat ? endrepeat
+                                                                       : endwhile});
+  if (end == nullptr || statement == leave) return skip_behind(end, "break");
+  frame().next = head->statement == while_true ? head->line : end->line;
+  return true;
+}
+
+}  // namespace trc::program

@@ -1,0 +1,126 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <initializer_list>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "core/nc/program/code_flow.h"
+
+namespace trc::program {
+
+// Whether the line has a parameter, an expression, an O word with a statement, or a call.
+[[nodiscard]] bool linuxcnc_computes(std::string_view line);
+
+// The name of a parameter or a label: in lower case, without blanks.
+[[nodiscard]] std::string plain_name(std::string_view name);
+
+// Parameters and O words of LinuxCNC.
+//
+//   - #1 … #30 and #<name> belong to the main program and to each O call; a call begins with the
+//     numbered ones of its caller, but for its arguments. #31 … #5000 and #<_name> are everyone's.
+//   - What a line assigns holds behind it.
+//   - A parameter that was never assigned is refused, also a numbered one, which the control takes
+//     for 0 unless its parameter file says otherwise.
+//   - O words of one label belong together within one subprogram.
+//   - M98 and M99 as of Fanuc, with the parameters of the caller.
+class LinuxcncFlow : public CodeFlow {
+ public:
+  LinuxcncFlow(const ProgramSetup& setup, CallPlaces& calls, ProgramText text, std::size_t start);
+
+  [[nodiscard]] Step step(std::string& flat) override;
+
+ private:
+  enum class Statement : std::uint8_t {
+    none,  // the number of a program
+    sub,
+    endsub,
+    call,
+    give_back,  // return
+    if_true,
+    elseif,
+    otherwise,
+    endif,
+    while_true,
+    endwhile,
+    do_once,
+    repeat,
+    endrepeat,
+    leave,  // break
+    go_on,  // continue
+  };
+  struct OWord {
+    std::size_t line = 0;
+    Statement statement = Statement::none;
+  };
+  struct Locals {
+    std::array<std::optional<double>, 31> numbered{};
+    std::map<std::string, double, std::less<>> named{};
+    // Left, by the text and the line of `repeat`.
+    std::map<std::pair<std::size_t, std::size_t>, std::int64_t> repetitions{};
+  };
+  struct Target {
+    std::string name{};  // empty: a number
+    std::int64_t number = 0;
+  };
+  struct Assignment {
+    Target target{};
+    double value = 0;
+    std::size_t begin = 0;
+  };
+
+  static Statement statement_at(std::string_view line, std::size_t& at);
+  void add_o_words(std::size_t text);
+  // The label behind the O at `at`, which goes behind it; nothing where it is refused.
+  std::optional<std::string> label_at(std::size_t& at);
+  // Those of the label, "100" or "<name>", in the scope: the line behind its `sub`, 0 outside of
+  // all. Null: none.
+  [[nodiscard]] const std::vector<OWord>* words_of(std::size_t scope,
+                                                   const std::string& label) const;
+  // The next O word of the label and the scope behind (or in front of) the current line whose
+  // statement is one of these; null: none.
+  [[nodiscard]] const OWord* next_of(const std::string& label,
+                                     std::initializer_list<Statement> statements) const;
+  [[nodiscard]] const OWord* last_of(const std::string& label,
+                                     std::initializer_list<Statement> statements) const;
+
+  [[nodiscard]] std::int64_t& repetitions_of(std::size_t line) {
+    return locals_.back().repetitions[{frame().text, line}];
+  }
+
+  bool execute(std::string& flat);
+  bool execute_words(std::string& flat);
+  bool execute_statement(std::string& flat);
+  bool follow(Statement statement, const std::string& label, std::size_t at, std::string& flat);
+  bool choose(const std::string& label);
+  bool loop_while(const std::string& label, bool holds);
+  bool leave_or_go_on(Statement statement, const std::string& label);
+  bool skip_behind(const OWord* word, std::string_view statement);
+  bool condition(std::size_t& at, bool& holds);
+  bool call_sub(const std::string& label, std::size_t at, std::string& flat);
+  bool call_program(ComputedWord& word, std::string& flat);
+  bool return_from_sub(std::size_t at, std::string& flat);
+  bool return_from_program(ComputedWord& word, std::string& flat);
+
+  bool scan_assignment(std::size_t& at) override;
+  bool assign(const Assignment& assignment);
+  [[nodiscard]] Target target_at(ExpressionReader& expression);
+  [[nodiscard]] std::optional<double> content_of(const Target& target) const;
+  Value read(ExpressionReader& expression) override;
+  bool exists(ExpressionReader& expression) override;
+
+  using Labelled = std::map<std::pair<std::size_t, std::string>, std::vector<OWord>>;
+  std::vector<Labelled> o_words_{};  // of each text: by scope and label, in order
+  std::vector<Locals> locals_{1};
+  std::map<std::int64_t, double> common_{};
+  std::map<std::string, double, std::less<>> globals_{};
+  std::vector<Assignment> assignments_{};  // of the line
+};
+
+}  // namespace trc::program

@@ -1,0 +1,174 @@
+#include "core/nc/program/program_reader.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace trc {
+namespace {
+
+// So many lines are executed, or come out, before others have their turn.
+constexpr std::size_t lines_per_call = 256;
+constexpr std::size_t executed_per_call = 4096;
+
+// Behind the end of the line that begins at `at`; 0 where it is not known yet whether it has ended.
+std::size_t behind_line(std::string_view text, std::size_t at) {
+  const std::size_t end = text.find_first_of("\r\n", at);
+  if (end == std::string_view::npos) return 0;
+  if (text[end] == '\n') return end + 1;
+  if (end + 1 == text.size()) return 0;
+  return end + (text[end + 1] == '\n' ? 2 : 1);
+}
+
+std::string_view without_line_end(std::string_view line) {
+  while (!line.empty() && (line.back() == '\n' || line.back() == '\r')) line.remove_suffix(1);
+  return line;
+}
+
+}  // namespace
+
+ProgramReader::ProgramReader(const ReaderLimits& limits, ProgramState& state,
+                             Diagnostics& diagnostics, Checkpoint::Interrupt interrupt)
+    : limits_(limits),
+      setup_(state.setup()),
+      diagnostics_(diagnostics),
+      interpreter_(limits, state, diagnostics),
+      checkpoint_(std::move(interrupt)),
+      passes_(!program::may_compute(state.setup().dialect)) {}
+
+ProgramReader::~ProgramReader() = default;
+
+bool ProgramReader::feed(std::string_view text, std::vector<LinePointer>& lines) {
+  if (passes_) return interpreter_.feed(text, lines);
+  if (computing_) return collect(text);
+  if (partial_.empty()) return split(text, lines);
+  const std::string whole = std::exchange(partial_, {}).append(text);
+  return split(whole, lines);
+}
+
+// Lines that compute nothing go on together.
+bool ProgramReader::split(std::string_view text, std::vector<LinePointer>& lines) {
+  std::size_t begin = 0;
+  std::uint64_t count = 0;
+  for (std::size_t end = behind_line(text, begin); end > 0; end = behind_line(text, begin)) {
+    if (program::computes(setup_.dialect, without_line_end(text.substr(begin, end - begin)))) {
+      if (!pass(text.substr(0, begin), lines)) return false;
+      lines_before_ += count;
+      if (!interpreter_.has_ended()) {
+        computing_ = true;
+        return collect(text.substr(begin));
+      }
+      // Behind the end of the program there is text alone.
+      passes_ = true;
+      return interpreter_.feed(text.substr(begin), lines);
+    }
+    begin = end;
+    ++count;
+  }
+  const bool goes_on = pass(text.substr(0, begin), lines);
+  lines_before_ += count;
+  partial_ = text.substr(begin);
+  if (!goes_on || partial_.size() <= limits_.longest_line) return goes_on;
+  return interpreter_.feed(std::exchange(partial_, {}), lines);  // which refuses it
+}
+
+bool ProgramReader::pass(std::string_view text, std::vector<LinePointer>& lines) {
+  if (before_is_whole_ && before_.size() + text.size() <= most_text_before) {
+    before_.append(text);
+  } else if (!text.empty()) {
+    before_is_whole_ = false;
+    before_ = std::string();
+  }
+  return text.empty() || interpreter_.feed(text, lines);
+}
+
+bool ProgramReader::collect(std::string_view text) {
+  if (text_.size() + text.size() > most_computing_text) {
+    Diagnostic refused = diagnostic(Code::computing_text_too_long, {});
+    refused.values = {{"bytes", static_cast<double>(text_.size() + text.size())},
+                      {"limit", static_cast<double>(most_computing_text)}};
+    refused.source.line = static_cast<std::uint32_t>(lines_before_ + 1);
+    return interpreter_.stop(std::move(refused));
+  }
+  text_.append(text);
+  return true;
+}
+
+bool ProgramReader::begin_to_execute() {
+  if (flow_) return true;
+  // A last line without an end may compute as well.
+  if (!computing_ && !passes_ && program::computes(setup_.dialect, partial_) &&
+      !interpreter_.has_ended()) {
+    computing_ = true;
+    collect(std::exchange(partial_, {}));
+  }
+  if (!computing_) return false;
+  const std::uint64_t first_line = before_is_whole_ ? 1 : lines_before_ + 1;
+  const std::size_t start = before_is_whole_ ? lines_before_ : 0;
+  program::ProgramText text({}, std::exchange(before_, {}).append(std::exchange(text_, {})),
+                            static_cast<std::uint32_t>(first_line));
+  lines_of_text_ = first_line - 1 + text.size();
+  flow_ = program::make_flow(setup_, diagnostics_.calls(), std::move(text), start);
+  return true;
+}
+
+bool ProgramReader::resolve(std::vector<LinePointer>& lines) {
+  if (executed_ || diagnostics_.stopped() || !begin_to_execute()) return false;
+  for (std::size_t executed = 0; executed < executed_per_call && lines.size() < lines_per_call;
+       ++executed) {
+    checkpoint_.pass();
+    flat_.clear();
+    flow_->hold(modes());
+    const program::Flow::Step step = flow_->step(flat_);
+    if (step == program::Flow::Step::refused) return refuse(flow_->refusal());
+    if (!read_flat_lines(lines)) return false;
+    executed_ = step == program::Flow::Step::ended;
+    if (executed_) return false;
+  }
+  return true;
+}
+
+program::ModalState ProgramReader::modes() const {
+  return {.motion = interpreter_.motion_in_force(),
+          .plane = interpreter_.plane_in_force(),
+          .incremental = interpreter_.is_incremental(),
+          .inch = interpreter_.counts_in_inch()};
+}
+
+// All that one line has become is told by its place.
+bool ProgramReader::read_flat_lines(std::vector<LinePointer>& lines) {
+  const std::string_view flat = flat_;
+  for (std::size_t begin = 0; begin < flat.size();) {
+    const std::size_t end = std::min(flat.find_first_of("\r\n", begin), flat.size());
+    const std::size_t next =
+        end == flat.size() ? end : end + (flat.compare(end, 2, "\r\n") == 0 ? 2 : 1);
+    diagnostics_.calls().stand(interpreter_.blocks_read(), flow_->chain(), flow_->line_within());
+    const Interpreter::FlatLine line{.text = flat.substr(begin, end - begin),
+                                     .line_end = flat.substr(end, next - end),
+                                     .number = flow_->line_in_program(),
+                                     .is_as_written = flow_->is_as_written()};
+    if (!interpreter_.read(line, lines)) return false;
+    begin = next;
+  }
+  return true;
+}
+
+bool ProgramReader::refuse(Diagnostic refusal) {
+  refusal.source.line = flow_->line_in_program();
+  refusal.calls = diagnostics_.calls().of(flow_->chain(), flow_->line_within());
+  // Of a line of another text the column says nothing.
+  if (flow_->line_within() > 0) refusal.column = 0;
+  return interpreter_.stop(std::move(refusal));
+}
+
+bool ProgramReader::finish(std::vector<LinePointer>& lines) {
+  while (resolve(lines)) continue;
+  if (diagnostics_.stopped()) return false;
+  if (!partial_.empty() && !interpreter_.feed(std::exchange(partial_, {}), lines)) return false;
+  return interpreter_.finish(lines);
+}
+
+std::uint64_t ProgramReader::lines_read() const {
+  return flow_ ? lines_of_text_ : interpreter_.lines_read();
+}
+
+}  // namespace trc

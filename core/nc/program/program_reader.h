@@ -1,0 +1,87 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/base/checkpoint.h"
+#include "core/nc/dialect/interpreter.h"
+#include "core/nc/program/flow.h"
+
+namespace trc {
+
+// Reads NC text, also of programs that compute: the Interpreter behind it sees the flat program.
+//
+// Text goes straight on to the Interpreter up to the first line that computes (a variable, a jump,
+// a call). From there on it is collected, and executed at the end of the text. Of what stands in
+// front `most_text_before` bytes are kept, so that jumps and calls reach them; of a longer program
+// nothing, and such a jump is refused (900305).
+class ProgramReader {
+ public:
+  static constexpr std::size_t most_text_before = 64U * 1024U;
+  // 900311 beyond.
+  static constexpr std::size_t most_computing_text = 16U * 1024U * 1024U;
+
+  // The interrupt is called every now and then while a program is executed.
+  ProgramReader(const ReaderLimits& limits, ProgramState& state, Diagnostics& diagnostics,
+                Checkpoint::Interrupt interrupt = {});
+  ~ProgramReader();
+  ProgramReader(const ProgramReader&) = delete;
+  ProgramReader& operator=(const ProgramReader&) = delete;
+
+  // As of Interpreter.
+  bool feed(std::string_view text, std::vector<LinePointer>& lines);
+  // Behind the last text: executes some of a program that computes. Returns whether more of it is
+  // left.
+  bool resolve(std::vector<LinePointer>& lines);
+  // As of Interpreter; executes what is left.
+  bool finish(std::vector<LinePointer>& lines);
+  void recycle(LinePointer line) { interpreter_.recycle(std::move(line)); }
+
+  // Lines of the text that was given.
+  [[nodiscard]] std::uint64_t lines_read() const;
+  // A line that computes has been seen.
+  [[nodiscard]] bool is_computing() const { return computing_; }
+  // 0 as long as nothing is computed.
+  [[nodiscard]] std::uint64_t executed_lines() const { return flow_ ? flow_->executed_lines() : 0; }
+
+  // With the text that was collected; not once it is executed.
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(interpreter_, partial_, before_, lines_before_, before_is_whole_, passes_, computing_,
+            text_);
+  }
+
+ private:
+  bool split(std::string_view text, std::vector<LinePointer>& lines);
+  bool pass(std::string_view text, std::vector<LinePointer>& lines);
+  bool collect(std::string_view text);
+  bool begin_to_execute();
+  [[nodiscard]] program::ModalState modes() const;
+  bool read_flat_lines(std::vector<LinePointer>& lines);
+  bool refuse(Diagnostic refusal);
+
+  ReaderLimits limits_;
+  const ProgramSetup& setup_;
+  Diagnostics& diagnostics_;
+  Interpreter interpreter_;
+  Checkpoint checkpoint_;
+
+  bool passes_;                     // nothing of it may compute, or not any more
+  std::string partial_{};           // of a line whose end is still to come
+  std::string before_{};            // what went to the Interpreter
+  std::uint64_t lines_before_ = 0;  // whole lines that did
+  bool before_is_whole_ = true;     // it holds all of them
+
+  bool computing_ = false;
+  std::string text_{};  // collected
+  std::unique_ptr<program::Flow> flow_;
+  std::uint64_t lines_of_text_ = 0;
+  bool executed_ = false;
+  std::string flat_{};  // of the line that is executed
+};
+
+}  // namespace trc

@@ -1,0 +1,205 @@
+#include "tests/programs/computing.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <random>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "core/nc/program/program_reader.h"
+
+// What holds for programs that compute, whatever their dialect.
+
+namespace trc::support::computing {
+namespace {
+
+ProgramSessionSetup fanuc() { return computing_setup(DialectName::fanuc); }
+
+TEST(AProgramThatComputes, PassesItsLinesInFrontAsTheyStand) {
+  EXPECT_EQ(flat_of("%\r\nO1 (PART)\r\n/ G0 X1.\r\n#1=2\r\nG0 X#1\r\nM30\r\n%\r\n", fanuc()),
+            "%\r\nO1 (PART)\r\n/ G0 X1.\r\nG0 X2.\r\nM30\r\n%\r\n");
+}
+
+TEST(AProgramThatComputes, IsNoneForAnythingInAComment) {
+  const std::string text =
+      "O1\nG0 X1. (#1=2 M98 P5)\nG1 X2. F100 ; WHILE [1] DO1\nM30\nM98 P1\n%\n";
+  EXPECT_EQ(flat_of(text, fanuc()), text);
+}
+
+TEST(AProgramThatComputes, ReachesBackInFrontOfItsFirstLineThatComputes) {
+  EXPECT_EQ(flat_of("G91\nN10 G0 X1.\n#1=#1+1\nIF [#1 LT 3] GOTO 10\nM30\n", fanuc()),
+            "G91\nN10 G0 X1.\nN10 G0 X1.\nN10 G0 X1.\nM30\n");
+}
+
+TEST(AProgramThatComputes, ReachesBackAsFarAsTextIsHeldAndSaysSoBeyond) {
+  std::string text = "N10 G0 X1.\n";
+  while (text.size() <= ProgramReader::most_text_before)
+    text += "G0 X2. (A LINE OF A LONG PROGRAM)\n";
+  const std::size_t lines = static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
+  const Ran ran = run_computing(text + "GOTO 10\n", fanuc(), Output::nc_text);
+  ASSERT_EQ(ran.diagnostics.size(), 1u) << ran.report();
+  EXPECT_EQ(ran.diagnostics[0].code, Code::jump_target_unknown);
+  EXPECT_EQ(ran.diagnostics[0].source.line, lines + 1);
+  const Ran forward =
+      run_computing(text + "#1=3\nG0 X#1\nGOTO 20\nG0 X4.\nN20 M30\n", fanuc(), Output::nc_text);
+  EXPECT_EQ(forward.text, text + "G0 X3.\nN20 M30\n") << forward.report();
+}
+
+TEST(AProgramThatComputes, IsHeldUpToALimit) {
+  ProgramSession session(fanuc());
+  Answers answers;
+  bool running = session.feed("#1=1\n", answers);
+  const std::string text(1U << 20U, '\n');
+  for (int piece = 0; running && piece < 17; ++piece) running = session.feed(text, answers);
+  EXPECT_FALSE(running);
+  const Answer whole = answers.take();
+  ASSERT_EQ(whole.diagnostics.size(), 1u);
+  EXPECT_EQ(whole.diagnostics[0].code, Code::computing_text_too_long);
+  EXPECT_EQ(whole.diagnostics[0].source.line, 1u);
+}
+
+TEST(AProgramThatComputes, EndsAfterSoManyLines) {
+  ProgramSessionSetup setup = fanuc();
+  setup.session.program.max_executed_lines = 1000;
+  const Ran ran = run_computing("G0 X5. Y0\nN10 G91 X1.\nGOTO 10\n", setup, Output::blocks);
+  ASSERT_EQ(ran.diagnostics.size(), 1u) << ran.report();
+  EXPECT_EQ(ran.diagnostics[0].code, Code::too_many_lines_executed);
+  // Line 3 is executed first; 500 times a line of motion follows it.
+  EXPECT_EQ(ran.blocks.size(), 2u + 500);
+  const Ran just_enough =
+      run_computing("#1=0\nN10 #1=#1+1\nIF [#1 LT 499] GOTO 10\nM30\n", setup, Output::nc_text);
+  EXPECT_EQ(just_enough.text, "M30\n") << just_enough.report();
+}
+
+TEST(AProgramThatComputes, IsInterruptedInALoopWithoutEnd) {
+  ProgramSessionSetup setup = fanuc();
+  int calls = 0;
+  setup.session.compensator.interrupt = [&calls] {
+    if (++calls == 10) throw std::runtime_error("cancelled");
+  };
+  ProgramSession session(setup);
+  Answers answers;
+  EXPECT_TRUE(session.feed("N10 GOTO 10\n", answers));
+  EXPECT_THROW(session.finish(answers), std::runtime_error);
+  EXPECT_LT(session.executed_lines(), 10'000u);
+}
+
+TEST(AProgramThatComputes, ComesOutInPieces) {
+  ProgramSession session(fanuc());
+  Answers answers;
+  ASSERT_TRUE(session.feed("#1=0\nN10 G0 X#1\n#1=#1+1\nIF [#1 LT 9999] GOTO 10\nM30\n", answers));
+  std::size_t most = 0;
+  std::size_t pieces = 0;
+  for (bool left = true; left; ++pieces) {
+    left = session.resolve(answers);
+    most = std::max(most, answers.take().text.size());
+  }
+  EXPECT_TRUE(session.finish(answers));
+  EXPECT_GT(pieces, 20u);
+  EXPECT_LT(most, 16'384u);
+}
+
+TEST(AProgramThatComputes, StopsWithAllThatCannotBeReadInIt) {
+  const Ran ran =
+      run_computing("G0 X0\n#1=3\nG66 P5\nY#1\nG46 X1.\n#2=1/0\nM30\n", fanuc(), Output::nc_text);
+  ASSERT_EQ(ran.diagnostics.size(), 3u) << ran.report();
+  EXPECT_EQ(ran.diagnostics[0].code, Code::nc_unsupported);
+  EXPECT_EQ(ran.diagnostics[0].source.line, 3u);
+  EXPECT_EQ(ran.diagnostics[1].source.line, 5u);
+  EXPECT_EQ(ran.diagnostics[2].code, Code::division_by_zero);
+  EXPECT_EQ(ran.diagnostics[2].source.line, 6u);
+}
+
+TEST(WhatIsTold, NamesTheCallsThatLedThere) {
+  const Ran ran =
+      run_computing("G0 X0 Y0\nM98 P1\nM30\nO1\nG0 X1.\nM98 P2\nM99\nO2\nG0 X2.\n#1=1/0\nM99\n",
+                    fanuc(), Output::nc_text);
+  ASSERT_EQ(ran.diagnostics.size(), 1u);
+  const Diagnostic& found = ran.diagnostics[0];
+  EXPECT_EQ(found.source.line, 10u);
+  EXPECT_EQ(found.calls, (std::vector<CallPlace>{{.subprogram = "O0002", .called_from = 6},
+                                                 {.subprogram = "O0001", .called_from = 2}}));
+  EXPECT_NE(message_of(found).find("in O0002, called from line 6 in O0001, called from line 2"),
+            std::string::npos)
+      << message_of(found);
+  EXPECT_NE(message_of(found, Language::german)
+                .find("in O0002, aufgerufen in Zeile 6 in O0001, aufgerufen in Zeile 2"),
+            std::string::npos);
+}
+
+// A contour that the tool does not fit, in a subprogram: the compensation finds it.
+TEST(WhatIsTold, NamesTheCallsOfWhatLaterPassesFind) {
+  ProgramSessionSetup setup = fanuc();
+  setup.session.program.mode.tool_radius = 5;
+  const std::string text =
+      "G0 X-20. Y-20.\nM98 P7\nM30\nO7\nG41 D1 G1 X0 Y0 F500\nY40.\nX26.\nY30.\nX34.\nY40.\nX60.\n"
+      "Y0\nX0\nG40 X-20. Y-20.\nM99\n";
+  const Ran ran = run_computing(text, setup, Output::blocks);
+  ASSERT_FALSE(ran.diagnostics.empty());
+  const Diagnostic& found = ran.diagnostics.back();
+  EXPECT_EQ(found.code, Code::line_reversed) << ran.report();
+  EXPECT_EQ(found.source.line, 9u);
+  EXPECT_EQ(found.calls, (std::vector<CallPlace>{{.subprogram = "O0007", .called_from = 2}}));
+}
+
+TEST(WhatIsTold, NamesTheLineOfAGivenSubprogram) {
+  ProgramSessionSetup setup = fanuc();
+  setup.session.program.subprograms["O9010.nc"] = "%\nO9010\nG0 X1.\n#1=SQRT[-1]\nM99\n%\n";
+  const Ran ran = run_computing("G0 X0 Y0\nG65 P9010\nM30\n", setup, Output::nc_text);
+  ASSERT_EQ(ran.diagnostics.size(), 1u) << ran.report();
+  EXPECT_EQ(ran.diagnostics[0].code, Code::value_invalid);
+  EXPECT_EQ(ran.diagnostics[0].source.line, 2u);
+  EXPECT_NE(message_of(ran.diagnostics[0]).find("in line 4 of O9010, called from line 2"),
+            std::string::npos)
+      << message_of(ran.diagnostics[0]);
+}
+
+TEST(Blocks, OfAProgramThatComputesNameTheirLine) {
+  const Ran ran = run_computing("G0 X5. Y0\nM98 P1 L2\nM30\nO1\nG91 G1 X1. F100\nY1.\nM99\n",
+                                fanuc(), Output::blocks);
+  std::vector<std::uint32_t> lines;
+  for (const CompensatedBlock& block : ran.blocks) lines.push_back(block.source.line);
+  EXPECT_EQ(lines, (std::vector<std::uint32_t>{1, 5, 6, 5, 6, 3})) << ran.report();
+}
+
+// Lines of words that belong together and of such that do not: whatever comes of them is the same
+// in pieces, and ends.
+TEST(LinesOfAnyKind, GiveTheSameInPieces) {
+  const std::vector<std::string> words{
+      "#1",      "#2",        "=",      "[",      "]",         "+",     "-",       "/",
+      "*",       "1",         "2.5",    "N10",    "N20",       "GOTO",  "10",      "20",
+      "IF",      "THEN",      "WHILE",  "DO1",    "END1",      "LT",    "EQ",      "AND",
+      "X",       "Y#1",       "G1",     "G41 D1", "G40",       "M98",   "P100",    "L2",
+      "O100",    "M99",       "M30",    "(A)",    "#[1+1]=3",  "SIN[",  "G65",     "A1.",
+      "o1",      "sub",       "endsub", "call",   "if [#1]",   "endif", "while",   "endwhile",
+      "repeat",  "#<a>=[1]",  "#<_b>",  "break",  "endrepeat", "/",     "#1=#1+1", "F100",
+      "X[#1*2]", "ATAN[1]/[", "#500",   "%",      ",",         ";",     "\r",      "#3000=1"};
+  constexpr unsigned seed = 11;
+  std::mt19937 random(seed);
+  const auto pick = [&](std::size_t count) { return random() % count; };
+  std::size_t accepted = 0;
+  for (int round = 0; round < 4000; ++round) {
+    std::string text = "#1=1\n";
+    for (std::size_t line = 0; line < 2 + pick(8); ++line) {
+      for (std::size_t count = 1 + pick(5); count > 0; --count)
+        text += words[pick(words.size())] + (pick(4) == 0 ? "" : " ");
+      text += '\n';
+    }
+    SCOPED_TRACE("seed " + std::to_string(seed) + ", round " + std::to_string(round) + '\n' + text);
+    ProgramSessionSetup setup =
+        computing_setup(round % 2 == 0 ? DialectName::fanuc : DialectName::linuxcnc);
+    setup.session.program.max_executed_lines = 300;
+    const Ran whole = run_computing(text, setup, Output::nc_text);
+    const Ran pieces = run_computing(text, setup, Output::nc_text, 1 + pick(5));
+    ASSERT_EQ(pieces.text, whole.text);
+    ASSERT_EQ(pieces.report(), whole.report());
+    accepted += whole.stopped ? 0 : 1;
+  }
+  EXPECT_GT(accepted, 20u);
+}
+
+}  // namespace
+}  // namespace trc::support::computing

@@ -1,0 +1,71 @@
+#include "tests/programs/twins.h"
+
+#include <gtest/gtest.h>
+
+namespace trc::support {
+namespace {
+
+// Comments name the subprograms, which the other one does not have.
+std::vector<CompensatedBlock> motions_of(const Ran& ran) {
+  std::vector<CompensatedBlock> motions;
+  for (const CompensatedBlock& block : ran.blocks)
+    if (block.origin != Origin::passthrough) motions.push_back(block);
+  return motions;
+}
+
+}  // namespace
+
+TEST_P(Twins, HaveTheSamePath) {
+  const Ran computed = run_computing(twin().computed, setup(), Output::blocks);
+  const Ran flat = run_computing(twin().flat, setup(), Output::blocks);
+  ASSERT_FALSE(computed.stopped) << computed.report();
+  ASSERT_FALSE(flat.stopped) << flat.report();
+  const auto left = motions_of(computed);
+  const auto right = motions_of(flat);
+  ASSERT_EQ(left.size(), right.size());
+  ASSERT_GT(left.size(), 2u);
+  for (std::size_t at = 0; at < left.size(); ++at) {
+    SCOPED_TRACE("block " + std::to_string(at));
+    EXPECT_EQ(left[at].origin, right[at].origin);
+    EXPECT_EQ(left[at].rapid, right[at].rapid);
+    EXPECT_NEAR(left[at].feed, right[at].feed, 1e-6);
+    ASSERT_EQ(left[at].path.index(), right[at].path.index());
+    EXPECT_LT((start_of(left[at].path) - start_of(right[at].path)).norm(), 1e-6);
+    EXPECT_LT((end_of(left[at].path) - end_of(right[at].path)).norm(), 1e-6);
+    EXPECT_NEAR(left[at].normal.to, right[at].normal.to, 1e-6);
+    if (const Arc* arc = std::get_if<Arc>(&left[at].path)) {
+      EXPECT_LT((arc->center - std::get<Arc>(right[at].path).center).norm(), 1e-5);
+      EXPECT_NEAR(arc->sweep, std::get<Arc>(right[at].path).sweep, 1e-6);
+    }
+  }
+}
+
+TEST_P(Twins, ComeOutTheSameHoweverTheyAreCut) {
+  const Ran whole = run_computing(twin().computed, setup(), Output::nc_text);
+  ASSERT_FALSE(whole.stopped) << whole.report();
+  for (const std::size_t piece : {1U, 2U, 3U, 7U, 61U, 250U})
+    EXPECT_EQ(run_computing(twin().computed, setup(), Output::nc_text, piece).text, whole.text)
+        << piece;
+}
+
+// The flat program computes nothing any more, and means the same.
+TEST_P(Twins, ComeOutAsAProgramThatIsRead) {
+  const Ran computed = run_computing(twin().computed, setup(), Output::nc_text);
+  ProgramSession again(setup());
+  Answers answers;
+  EXPECT_TRUE(again.feed(computed.text, answers)) << computed.text;
+  EXPECT_TRUE(again.finish(answers)) << computed.text;
+  EXPECT_FALSE(again.is_computing()) << computed.text;
+}
+
+TEST_P(Twins, ComputeWhereTheFlatOneDoesNot) {
+  ProgramSession computed(setup());
+  ProgramSession flat(setup());
+  Answers answers;
+  EXPECT_TRUE(computed.feed(twin().computed, answers));
+  EXPECT_TRUE(flat.feed(twin().flat, answers));
+  EXPECT_TRUE(computed.is_computing());
+  EXPECT_FALSE(flat.is_computing());
+}
+
+}  // namespace trc::support
