@@ -10,14 +10,15 @@
 namespace trc {
 
 VerifiedCompensator::VerifiedCompensator(const CompensatorSetup& setup, Verify verify,
-                                         Diagnostics& diagnostics, verify::UncutSink uncut)
+                                         Diagnostics& diagnostics, SurveyNeeds survey)
     : compensator_(setup, diagnostics), diagnostics_(diagnostics) {
   if (verify == Verify::off) return;
   verification_.emplace(
       verify::VerificationSetup{.verify = verify,
                                 .clearance = {.allowed = setup.tolerances.on_contour,
                                               .leads = setup.leads,
-                                              .uncut = std::move(uncut)},
+                                              .uncut = std::move(survey.uncut),
+                                              .known_walls = survey.known_walls},
                                 .selection_blocks = setup.limits.selection_blocks,
                                 .interrupt = setup.interrupt},
       diagnostics);
