@@ -50,7 +50,7 @@ class ToldInRecord {
 // Says what the record holds, so that a change shows: last of all.
 void seal(v1::JobRecord& record);
 
-// The record of a program that goes through a stream.
+// The record of a program that goes through a stream (D-48).
 class StreamedRecord {
  public:
   explicit StreamedRecord(const v1::ProgramSetup& setup);
