@@ -1,7 +1,14 @@
+// A digest of EVP cannot be written down half-way, as streams that go on elsewhere have to.
+#define OPENSSL_SUPPRESS_DEPRECATED
+
 #include "server/sha256.h"
+
+#include <openssl/sha.h>
 
 #include <array>
 #include <stdexcept>
+
+#include "core/base/archive.h"
 
 namespace trc::server {
 namespace {
@@ -10,28 +17,48 @@ void check(int result) {
   if (result != 1) throw std::runtime_error("SHA-256 is not available");
 }
 
-}  // namespace
-
-Sha256::Sha256() : context_(EVP_MD_CTX_new()) {
-  check(context_ ? EVP_DigestInit_ex(context_.get(), EVP_sha256(), nullptr) : 0);
+template <class Archive, class State>
+void serialize_state(Archive& archive, State& state) {
+  for (auto& word : state.h) archive(word);
+  archive(state.Nl, state.Nh);
+  for (auto& word : state.data) archive(word);
+  archive(state.num, state.md_len);
 }
 
+}  // namespace
+
+Sha256::Sha256() : state_(std::make_unique<SHA256_CTX>()) { check(SHA256_Init(state_.get())); }
+
+Sha256::~Sha256() = default;
+
 void Sha256::add(std::string_view bytes) {
-  check(EVP_DigestUpdate(context_.get(), bytes.data(), bytes.size()));
+  check(SHA256_Update(state_.get(), bytes.data(), bytes.size()));
   bytes_ += bytes.size();
 }
 
 std::string Sha256::digits() {
-  std::array<unsigned char, EVP_MAX_MD_SIZE> digest{};
-  unsigned int size = 0;
-  check(EVP_DigestFinal_ex(context_.get(), digest.data(), &size));
+  std::array<unsigned char, SHA256_DIGEST_LENGTH> digest{};
+  check(SHA256_Final(digest.data(), state_.get()));
   std::string text;
   constexpr const char* names = "0123456789abcdef";
-  for (unsigned int i = 0; i < size; ++i) {
-    text += names[digest[i] / 16];
-    text += names[digest[i] % 16];
+  for (const unsigned char byte : digest) {
+    text += names[byte / 16];
+    text += names[byte % 16];
   }
   return text;
+}
+
+void Sha256::save(StateWriter& archive) const {
+  archive(bytes_);
+  serialize_state(archive, *state_);
+}
+
+void Sha256::load(StateReader& archive) {
+  archive(bytes_);
+  serialize_state(archive, *state_);
+  // What is no state of a digest would be read beyond its end.
+  if (state_->num >= SHA256_CBLOCK || state_->md_len != SHA256_DIGEST_LENGTH)
+    throw std::runtime_error("no state of a SHA-256");
 }
 
 }  // namespace trc::server

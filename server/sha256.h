@@ -1,11 +1,13 @@
 #pragma once
 
-#include <openssl/evp.h>
-
 #include <cstdint>
 #include <memory>
 #include <string>
 #include <string_view>
+
+#include "core/base/state.h"
+
+struct SHA256state_st;
 
 namespace trc::server {
 
@@ -13,6 +15,9 @@ namespace trc::server {
 class Sha256 {
  public:
   Sha256();
+  ~Sha256();
+  Sha256(const Sha256&) = delete;
+  Sha256& operator=(const Sha256&) = delete;
 
   void add(std::string_view bytes);
   // 64 hexadecimal digits; nothing may be added afterwards.
@@ -20,11 +25,12 @@ class Sha256 {
 
   [[nodiscard]] std::uint64_t bytes() const { return bytes_; }
 
+  // Goes on elsewhere; the archive is as private as what was given.
+  void save(StateWriter& archive) const;
+  void load(StateReader& archive);
+
  private:
-  struct Free {
-    void operator()(EVP_MD_CTX* context) const { EVP_MD_CTX_free(context); }
-  };
-  std::unique_ptr<EVP_MD_CTX, Free> context_;
+  std::unique_ptr<SHA256state_st> state_;
   std::uint64_t bytes_ = 0;
 };
 

@@ -1,5 +1,6 @@
 #include "client/cli/entry_help_text.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <utility>
@@ -81,6 +82,7 @@ std::string line_of(const EntryProposal& proposal, bool leaves, const Words& wor
   std::string text;
   Axes from = axes_of(proposal.start);
   if (!leaves) text = "G0 " + words.place(from, words.height(from));
+  if (proposal.shape == EntryProposal::Shape::inside_corner) text += ", G238";
   for (std::size_t i = 0; i < proposal.blocks.size(); ++i) {
     const ProposedBlock& block = proposal.blocks[i];
     text += (text.empty() ? "" : ", ") + words.line_of(block, from);
@@ -119,7 +121,30 @@ std::string words_of_leads(const EntryHelp& help, const Words& words) {
   return text;
 }
 
+bool is_in_corner(const EntryProposal& proposal) {
+  return proposal.shape == EntryProposal::Shape::inside_corner;
+}
+
+std::string name_of(EntryProposal::Shape shape, const Words& words) {
+  switch (shape) {
+    case EntryProposal::Shape::line:
+      break;
+    case EntryProposal::Shape::quarter_circle:
+      return words.in("quarter circle, in ", "Viertelkreis, in ");
+    case EntryProposal::Shape::inside_corner:
+      return words.in("G238, in ", "G238, in ");
+  }
+  return words.in("line, in ", "Gerade, in ");
+}
+
 std::string first_line(const EntryHelp& help, const Words& words, const Writing& writing) {
+  if (std::any_of(help.proposals.begin(), help.proposals.end(), is_in_corner))
+    return words.in("the contour begins and closes in an inside corner, where ",
+                    "die Kontur beginnt und schließt in einer Innenecke: ") +
+           (writing.dialect == DialectName::isg
+                ? words.in("G238 lets the tool in; or begin", "G238 wählen oder")
+                : words.in("the tool has no room; begin", "das Werkzeug hat dort keinen Platz,")) +
+           words.in(" it in the middle of a block", " sie in der Mitte eines Satzes beginnen");
   if (help.needed_length == 0 && !help.legal) return words_of_leads(help, words);
   std::string text = help.leaves ? words.in("the retract is ", "der Abfahrsatz ist ")
                                  : words.in("the approach is ", "der Anfahrsatz ist ");
@@ -143,11 +168,11 @@ std::vector<std::string> lines_of(const EntryHelp& help, const Writing& writing)
   std::vector<std::string> lines{first_line(help, words, writing)};
   if (writing.dialect == DialectName::heidenhain) return lines;
   for (const EntryProposal& proposal : help.proposals) {
-    const bool is_line = proposal.shape == EntryProposal::Shape::line;
+    // Of other dialects G238 is no word.
+    if (is_in_corner(proposal) && writing.dialect != DialectName::isg) continue;
     lines.push_back((help.leaves ? words.in("proposed exit, ", "Vorschlag zum Abfahren, ")
                                  : words.in("proposed entry, ", "Vorschlag zum Anfahren, ")) +
-                    (is_line ? words.in("line, in ", "Gerade, in ")
-                             : words.in("quarter circle, in ", "Viertelkreis, in ")) +
+                    name_of(proposal.shape, words) +
                     (writing.inch ? words.in("inch: ", "Zoll: ") : "mm: ") +
                     line_of(proposal, help.leaves, words));
   }

@@ -82,12 +82,23 @@ survey::Reading reading_of(const v1::SurveySetup& setup, const std::string& text
   return survey::read_with(radius, session, survey::text_reader(text, {}, {}));
 }
 
-// At its first contour.
-bool counts_in_inch(const survey::Reading& reading) {
+// Whether it counts in inch at its first contour; nothing where it has none.
+std::optional<bool> unit_of(const survey::Reading& reading) {
   for (const Block& block : reading.blocks)
     if (const auto* motion = std::get_if<MotionBlock>(&block); motion && motion->mode->active())
       return reading.units.is_inch(motion->source.index);
-  return false;
+  return std::nullopt;
+}
+
+// The same of a program that is not read to its end: whole lines of the begin, until there is one.
+bool counts_in_inch(const v1::SurveySetup& setup, const std::string& text) {
+  constexpr std::size_t first_bytes = 16 * 1024;
+  for (std::size_t bytes = first_bytes;; bytes *= 4) {
+    const bool all = bytes >= text.size();
+    const std::size_t line_end = all ? text.size() : text.rfind('\n', bytes) + 1;
+    const auto inch = unit_of(reading_of(setup, text.substr(0, line_end)));
+    if (inch || all) return inch.value_or(false);
+  }
 }
 
 plot::SurveyPicture picture_of(const std::string& name, const survey::Reading& reading,
@@ -147,12 +158,12 @@ Exit run(const Call& call) {
   if (exit != Exit::done) return exit;
   if (call.json) std::cout << wire::json_of(answer) << '\n';
   if (call.json && call.picture.empty()) return Exit::done;
-  const survey::Reading reading = reading_of(setup, text);
-  const bool inch = counts_in_inch(reading);
+  const bool inch = counts_in_inch(setup, text);
   const Language language = language_of(setup.program());
   const SurveyText words(language, inch, names);
   if (!call.json) std::cout << words.table_of(answer);
   if (call.picture.empty()) return Exit::done;
+  const survey::Reading reading = reading_of(setup, text);
   Output output(call.picture);
   const std::string name = std::filesystem::path(input.name()).filename().string();
   return output.open() &&

@@ -93,7 +93,7 @@ function helpWithEntry(help) {
   }
   for (const proposal of help.proposals ?? []) {
     const entry = document.createElement('li'), button = document.createElement('button');
-    const shape = proposal.shape === 'SHAPE_LINE' ? t('asLine') : t('asQuarter');
+    const shape = t({SHAPE_LINE: 'asLine', SHAPE_INSIDE_CORNER: 'asCorner'}[proposal.shape] ?? 'asQuarter');
     const head = document.createElement('strong');
     head.textContent = `${t(help.leaves ? 'proposedExit' : 'proposedEntry')}, ${shape}`;
     const motions = motionsOf(proposal, point => inPlane(view.plane, point));

@@ -46,10 +46,9 @@ class Findings {
   }
 
   void add(const EntryProposal& proposal, bool leaves) {
-    const bool is_line = proposal.shape == EntryProposal::Shape::line;
     Stroke stroke{.layer = Layer::proposal,
                   .title = std::string(leaves ? words_.proposed_exit : words_.proposed_entry) +
-                           (is_line ? words_.as_line : words_.as_quarter)};
+                           words_of(proposal.shape)};
     Point at = in_plane(proposal.start);
     for (const ProposedBlock& block : proposal.blocks) {
       const Point end = in_plane(block.end);
@@ -63,6 +62,18 @@ class Findings {
     }
     std::erase_if(stroke.segments, [](const Segment& segment) { return !is_finite(segment); });
     if (!stroke.segments.empty()) picture_.strokes.push_back(std::move(stroke));
+  }
+
+  [[nodiscard]] const char* words_of(EntryProposal::Shape shape) const {
+    switch (shape) {
+      case EntryProposal::Shape::line:
+        break;
+      case EntryProposal::Shape::quarter_circle:
+        return words_.as_quarter;
+      case EntryProposal::Shape::inside_corner:
+        return words_.as_corner;
+    }
+    return words_.as_line;
   }
 
   [[nodiscard]] Point in_plane(const DiagnosticPoint& point) const {

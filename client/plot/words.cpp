@@ -28,6 +28,7 @@ constexpr Words english{
     .proposed_exit = "proposed exit",
     .as_line = ", line",
     .as_quarter = ", quarter circle",
+    .as_corner = ", line with G238",
 };
 
 constexpr Words german{
@@ -55,6 +56,7 @@ constexpr Words german{
     .proposed_exit = "Vorschlag zum Abfahren",
     .as_line = ", Gerade",
     .as_quarter = ", Viertelkreis",
+    .as_corner = ", Gerade mit G238",
 };
 
 }  // namespace

@@ -32,6 +32,7 @@ struct Words {
   const char* proposed_exit;
   const char* as_line;
   const char* as_quarter;
+  const char* as_corner;
 };
 [[nodiscard]] const Words& words_in(Language language);
 

@@ -86,4 +86,6 @@ const std::optional<wire::ProgramSummary>& RemoteProgramSession::summary() const
   return parts_->session.summary();
 }
 
+const std::string& RemoteProgramSession::record() const { return parts_->session.record(); }
+
 }  // namespace trc::client

@@ -43,6 +43,9 @@ class RemoteProgramSession {
   [[nodiscard]] const std::string& core_version() const;
   // Of a complete run only.
   [[nodiscard]] const std::optional<wire::ProgramSummary>& summary() const;
+  // The record of the job as JSON (job_record.schema.json), to be filed as it is, where the setup
+  // asks for it: of a complete run, or of a program that is refused. Else empty.
+  [[nodiscard]] const std::string& record() const;
 
  private:
   struct Parts;

@@ -79,6 +79,8 @@ class StreamSession {
   [[nodiscard]] const v1::StreamAccepted& limits() const { return limits_; }
   [[nodiscard]] const std::optional<Failure>& failure() const { return failure_; }
   [[nodiscard]] const std::optional<Summary>& summary() const { return summary_; }
+  // Of CompensateProgram, where the setup asks for it.
+  [[nodiscard]] const std::string& record() const { return record_; }
   // How often the session has gone on with a new stream.
   [[nodiscard]] std::uint64_t resumed() const { return resumed_; }
 
@@ -228,6 +230,8 @@ class StreamSession {
     if (response.has_batch()) reader_.read(response.batch(), blocks, faults);
     if (response.has_columns()) reader_.read(response.columns(), blocks, faults);
     if (response.has_summary()) summary_ = wire::from_proto(response.summary());
+    if constexpr (requires { response.record(); })
+      if (!response.record().empty()) record_ = response.record();
     if (!faults.empty()) {
       blocks.resize(before.blocks);
       return stop(invalid_response(faults));
@@ -316,6 +320,7 @@ class StreamSession {
   std::uint64_t resumed_ = 0;
   std::optional<Failure> failure_;
   std::optional<Summary> summary_;
+  std::string record_;
 
   // Where a new stream goes on.
   std::string token_;

@@ -19,7 +19,12 @@ struct ProposedBlock {
 // Motions to be programmed in place of the one that was refused: it is approach, or retract, as the
 // refused one was, and what lies between it and the contour belongs to the contour.
 struct EntryProposal {
-  enum class Shape : std::uint8_t { line, quarter_circle };
+  enum class Shape : std::uint8_t {
+    line,
+    quarter_circle,
+    inside_corner,  // a line under G238, which the contour begins and closes in an inside corner
+                    // for
+  };
 
   Shape shape = Shape::line;
   DiagnosticPoint start{};

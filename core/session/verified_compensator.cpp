@@ -5,21 +5,33 @@
 #include <span>
 #include <utility>
 
+#include "core/trc/selection/entry_help.h"
 #include "core/verify/state_archive.h"
 
 namespace trc {
+namespace {
+
+std::function<std::shared_ptr<const EntryHelp>(const selection::RefusedWay&)> helper(
+    const CompensatorSetup& setup) {
+  if (!setup.helps_with_entries) return {};
+  return [setup](const selection::RefusedWay& way) { return selection::help_with(way, setup); };
+}
+
+}  // namespace
 
 VerifiedCompensator::VerifiedCompensator(const CompensatorSetup& setup, Verify verify,
-                                         Diagnostics& diagnostics, verify::UncutSink uncut)
+                                         Diagnostics& diagnostics, SurveyNeeds survey)
     : compensator_(setup, diagnostics), diagnostics_(diagnostics) {
   if (verify == Verify::off) return;
   verification_.emplace(
       verify::VerificationSetup{.verify = verify,
                                 .clearance = {.allowed = setup.tolerances.on_contour,
                                               .leads = setup.leads,
-                                              .uncut = std::move(uncut)},
+                                              .uncut = std::move(survey.uncut),
+                                              .known_walls = survey.known_walls},
                                 .selection_blocks = setup.limits.selection_blocks,
-                                .interrupt = setup.interrupt},
+                                .interrupt = setup.interrupt,
+                                .help = helper(setup)},
       diagnostics);
 }
 

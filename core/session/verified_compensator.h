@@ -10,12 +10,17 @@
 
 namespace trc {
 
+// What whoever has one program measured with many radii wants besides.
+struct SurveyNeeds {
+  verify::UncutSink uncut{};                  // is told the walls that the path does not touch
+  verify::KnownWalls* known_walls = nullptr;  // null: nothing is kept of them
+};
+
 // A compensator whose path is measured on its way out, where that is asked for.
 class VerifiedCompensator {
  public:
-  // `uncut` is told the walls that the measured path does not touch.
   VerifiedCompensator(const CompensatorSetup& setup, Verify verify, Diagnostics& diagnostics,
-                      verify::UncutSink uncut = {});
+                      SurveyNeeds survey = {});
   VerifiedCompensator(const VerifiedCompensator&) = delete;
   VerifiedCompensator& operator=(const VerifiedCompensator&) = delete;
 

@@ -77,8 +77,8 @@ TrcMode ChangedModes::changed(TrcMode mode, const RadiusUse& use, double read_wi
   return mode;
 }
 
-Block ChangedModes::changed(const Block& block) {
-  Block result = block;
+void ChangedModes::change(const Block& block, Block& result) {
+  result = block;
   std::visit(
       [&](auto& given) {
         if (given.mode.get() != last_) {
@@ -88,7 +88,6 @@ Block ChangedModes::changed(const Block& block) {
         given.mode = changed_last_;
       },
       result);
-  return result;
 }
 
 }  // namespace trc::survey

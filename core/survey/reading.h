@@ -47,7 +47,8 @@ class ChangedModes {
  public:
   ChangedModes(const Reading& reading, const ModeChange& change);
 
-  [[nodiscard]] Block changed(const Block& block);
+  // Makes `result` the block with the changed mode; it keeps the memory it has.
+  void change(const Block& block, Block& result);
   [[nodiscard]] const TrcMode& at_end() const { return at_end_; }
 
  private:

@@ -108,8 +108,9 @@ void Survey::compensate(const Reading& reading, bool removes_loops, Surveyed& fo
   Diagnostics log;
   log.speak(setup_.session.language);
   log.count_as(reading.places);
-  VerifiedCompensator session(compensator, setup_.session.verify, log, std::move(uncut));
-  std::vector<Block> blocks;
+  VerifiedCompensator session(compensator, setup_.session.verify, log,
+                              {.uncut = std::move(uncut), .known_walls = &walls_});
+  std::vector<Block> blocks(portion);
   std::vector<CompensatedBlock> out;
   const auto drop = [&] {
     if (!out.empty() && setup_.progressed) setup_.progressed();
@@ -124,10 +125,11 @@ void Survey::compensate(const Reading& reading, bool removes_loops, Surveyed& fo
     }
   };
   for (std::size_t at = 0; at < reading.blocks.size() && !log.stopped(); at += portion) {
-    blocks.clear();
-    const std::size_t end = std::min(at + portion, reading.blocks.size());
-    for (std::size_t i = at; i < end; ++i) blocks.push_back(modes.changed(reading.blocks[i]));
-    for (std::span<Block> left(blocks); !left.empty() && !log.stopped();) {
+    const auto given =
+        std::span(reading.blocks).subspan(at).first(std::min(portion, reading.blocks.size() - at));
+    for (std::size_t i = 0; i < given.size(); ++i) modes.change(given[i], blocks[i]);
+    for (std::span<Block> left = std::span(blocks).first(given.size());
+         !left.empty() && !log.stopped();) {
       left = left.subspan(session.feed_until_report(left, out));
       take();
     }
@@ -187,23 +189,31 @@ std::vector<Source> Survey::limits_of(const Reading& reading, const Surveyed& fo
                                     : std::vector{refusal.source, *other};
   if (refusal.code == Code::most_left_out)
     if (const auto last = place_in(refusal, "last")) return {refusal.source, *last};
-  // Of a line without a rest the tool stands at the blocks before and behind it.
   const bool pinched = refusal.code == Code::line_reversed || refusal.code == Code::arc_wrapped;
-  if (!pinched) return {refusal.source};
+  return pinched ? around(reading, refusal.source) : std::vector{refusal.source};
+}
+
+// Of a line without a rest the tool stands at the blocks before and behind it. Where the contour
+// begins or ends with it that is itself, which nothing is cut off of there.
+std::vector<Source> Survey::around(const Reading& reading, const Source& pinched) {
   const MotionBlock* before = nullptr;
-  bool passed = false;
+  const MotionBlock* own = nullptr;
+  std::uint32_t selection = 0;
   for (const Block& block : reading.blocks) {
     const MotionBlock* motion = contour_of(block);
     if (motion == nullptr) continue;
-    if (motion->source.index > refusal.source.index)
-      return passed && before != nullptr ? std::vector{before->source, motion->source}
-                                         : std::vector{refusal.source};
-    if (motion->source.index == refusal.source.index)
-      passed = true;
-    else
-      before = motion;
+    const bool begins =
+        std::exchange(selection, motion->mode->selection_number) != motion->mode->selection_number;
+    if (own != nullptr && begins) break;
+    if (own != nullptr && motion->source.index > pinched.index)
+      return {before != nullptr ? before->source : pinched, motion->source};
+    if (motion->source.index == pinched.index) own = motion;
+    // The approach is none of the contour.
+    const bool is_approach = begins && motion->mode->selection != Selection::perpendicular;
+    if (own == nullptr) before = is_approach ? nullptr : motion;
   }
-  return {refusal.source};
+  if (own == nullptr || before == nullptr) return {pinched};
+  return {before->source, pinched};
 }
 
 // Between two parallel walls the tool has half of the room that there is between them.

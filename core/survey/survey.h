@@ -11,6 +11,7 @@
 #include "core/session/session.h"
 #include "core/survey/reading.h"
 #include "core/verify/clearance.h"
+#include "core/verify/selection_walls.h"
 
 namespace trc::survey {
 
@@ -94,6 +95,7 @@ class Survey {
   [[nodiscard]] std::optional<Diagnostic> too_much_wear(const Reading& reading,
                                                         double radius) const;
   [[nodiscard]] std::vector<Source> limits_of(const Reading& reading, const Surveyed& found) const;
+  [[nodiscard]] static std::vector<Source> around(const Reading& reading, const Source& pinched);
   [[nodiscard]] static std::optional<double> guess_of(const Surveyed& found);
   [[nodiscard]] double search_limit() const;
   const Tried& tried(Micrometres radius);
@@ -110,6 +112,7 @@ class Survey {
   SurveySetup setup_;
   Reader reader_;
   Reading reading_;
+  verify::KnownWalls walls_;       // the same for all radii, mostly
   std::map<double, Tried> tried_;  // by radius, mm
   std::uint32_t runs_ = 0;         // for the largest
 };

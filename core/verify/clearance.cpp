@@ -6,11 +6,10 @@
 #include <utility>
 #include <vector>
 
-#include "core/trc/walls/closing.h"
-#include "core/trc/walls/sided_walls.h"
 #include "core/verify/coverage.h"
 #include "core/verify/disk.h"
 #include "core/verify/nearest.h"
+#include "core/verify/selection_walls.h"
 #include "core/verify/shape.h"
 #include "core/verify/wall_tree.h"
 
@@ -30,28 +29,31 @@ constexpr double half_resolution = margin_resolution / 2;  // mm
 // Where one piece of path was clear, those as near to it need not be searched again.
 constexpr double slack = half_resolution / 2;  // mm
 
+// The programmed pieces of one selection, from `begin` to `end`, and their walls.
+struct Measured {
+  const HeldPath& held;
+  std::size_t begin;
+  std::size_t end;
+  const SelectionWalls& walls;
+};
+
 // Measures the path of one selection.
 class Selection {
  public:
-  // Its programmed pieces are those from `begin` to `end`.
-  Selection(const HeldPath& held, std::size_t begin, std::size_t end,
-            const ClearanceSettings& settings, Checkpoint& checkpoint)
-      : held_(held),
-        begin_(begin),
-        end_(end),
+  Selection(const Measured& what, const ClearanceSettings& settings, Checkpoint& checkpoint)
+      : held_(what.held),
+        begin_(what.begin),
+        end_(what.end),
         allowed_(settings.allowed),
         progress_(settings.progress),
         checkpoint_(checkpoint),
-        sides_(walls_between(begin, end, settings.leads)),
-        tree_(held, begin, end, sides_, checkpoint) {
+        walls_(what.walls),
+        sides_(walls_.sides()),
+        tree_(walls_.tree()),
+        is_plain_(walls_.are_plain()) {
     report_.walls = tree_.walls();
-    if (settings.uncut) touched_.resize(end - begin);
-    is_plain_ = sides_.sides.size() == 1 && sides_.sides.front().are_plain();
-    for (std::size_t place = begin; place < end; ++place) {
-      checkpoint.pass();
-      const ProgrammedPiece& piece = held.programmed()[place];
-      if (piece.is_contour) report_.wall_length += wall_of(piece).length();
-    }
+    report_.wall_length = walls_.length();
+    if (settings.uncut) touched_.resize(end_ - begin_);
   }
 
   // The pieces of the path from `next` on that stem from this selection. Returns the one behind.
@@ -90,7 +92,7 @@ class Selection {
       std::vector<Stretch>& touched = touched_[place - begin_];
       std::sort(touched.begin(), touched.end(),
                 [](const Stretch& a, const Stretch& b) { return a.from < b.from; });
-      Stretch left = wall_of(block);
+      Stretch left = walls_.wall_of(block);
       for (const Stretch& stretch : touched) {
         tell_uncut(block, {left.from, stretch.from}, uncut);
         left.from = std::max(left.from, stretch.to);
@@ -108,46 +110,6 @@ class Selection {
            .path = trc::verify::part_of(segment_of(block.piece), stretch)});
   }
 
-  [[nodiscard]] SidedWalls walls_between(std::size_t begin, std::size_t end,
-                                         const LeadSettings& leads) const {
-    std::vector<std::size_t> places;  // of the contour blocks
-    std::vector<std::size_t> changes;
-    double radius = 0;
-    bool has_roles = false;
-    const auto rule = [&](std::size_t place) -> const Rule& {
-      return held_.rule_of(held_.programmed()[place]);
-    };
-    for (std::size_t place = begin; place < end; ++place) {
-      checkpoint_.pass();
-      const ProgrammedPiece& piece = held_.programmed()[place];
-      if (!piece.is_contour) continue;
-      if (!places.empty() && rule(places.back()).side != rule(place).side)
-        changes.push_back(places.size());
-      places.push_back(place);
-      radius = std::max(radius, rule(place).radius);
-      has_roles = has_roles || piece.role != ContourRole::unspecified;
-    }
-    ContourView view{.count = places.size(), .segment = [&](std::size_t number) {
-                       return segment_of(held_.programmed()[places[number]].piece);
-                     }};
-    if (has_roles)
-      view.role = [&](std::size_t number) { return held_.programmed()[places[number]].role; };
-    if (!places.empty()) {
-      view.tool_side = rule(places.front()).side;
-      view.shift = view.tool_side == Side::left ? 1 : -1;
-    }
-    return find_walls(view, changes, leads, radius);
-  }
-
-  // What of a contour block is a wall; nothing where none of it is.
-  [[nodiscard]] Stretch wall_of(const ProgrammedPiece& block) const {
-    const double length = extent_of(segment_of(block.piece));
-    if (is_plain_) return {0, length};
-    if (sides_.is_lead(block.number)) return {};
-    const auto part = sides_.part_of(block.number);
-    return part ? Stretch{part->from, std::min(part->to, length)} : Stretch{0, length};
-  }
-
   [[nodiscard]] bool has(std::size_t number) const {
     return number < held_.path().end() && held_.path()[number].programmed < end_;
   }
@@ -160,8 +122,7 @@ class Selection {
     gouges_ = false;
     if (path.on_contour) check_side(path, own);
     if (!path.inserted && own.is_contour) {
-      const Stretch stretch =
-          touched(segment_of(own.piece), wall_of(own), segment_of(path.piece), required_);
+      const Stretch stretch = touched(own.piece, walls_.wall_of(own), path.piece, required_);
       report_.touched_length += stretch.length();
       if (!touched_.empty() && stretch.length() > 0)
         touched_[path.programmed - begin_].push_back(stretch);
@@ -228,6 +189,8 @@ class Selection {
     // Most walls beside one that is near are told apart by this already.
     if (least_gap(disk_, disk_of(wall)) >= limit) return;
     if (path.piece.is_arc() || wall.is_arc()) {
+      if (!wall.is_arc() && are_apart_at_end(wall, path.piece, limit)) return;
+      if (!path.piece.is_arc() && are_apart_at_end(path.piece, wall, limit)) return;
       const Point& center = wall.is_arc() ? wall.center : path.piece.center;
       if (least_gap(ring_of(path.piece, center), ring_of(wall, center)) >= limit) return;
     } else if (are_apart(path.piece, wall, limit)) {
@@ -264,6 +227,12 @@ class Selection {
     const Rule& rule = held_.rule_of(own);
     const bool is_point = !own.piece.is_arc() && own.piece.start == own.piece.end;
     if (!rule.follows || is_point) return;
+    // Of two lines the quick way; what it finds at fault is looked at as all others are.
+    if (!own.piece.is_arc() && !path.piece.is_arc()) {
+      const Point middle = 0.5 * (path.piece.start + path.piece.end);
+      const double left = cross(Vector(own.piece.end - own.piece.start), middle - own.piece.start);
+      if (rule.side == Side::left ? left >= 0 : left <= 0) return;
+    }
     const Point middle = place_at(segment_of(path.piece), 0.5).point;
     const Segment contour = segment_of(own.piece);
     const Point foot = nearest_point(contour, middle);
@@ -307,9 +276,10 @@ class Selection {
   double allowed_;
   const std::function<void(std::size_t, std::size_t)>& progress_;
   Checkpoint& checkpoint_;
-  SidedWalls sides_;
-  bool is_plain_ = false;  // all of the contour is a wall for all of the path
-  WallTree tree_;
+  const SelectionWalls& walls_;
+  const SidedWalls& sides_;
+  const WallTree& tree_;
+  bool is_plain_;
   ClearanceReport report_;
   double least_ = std::numeric_limits<double>::infinity();  // margin that was seen, mm
   std::vector<std::vector<Stretch>> touched_;  // of each programmed piece, where that is asked for
@@ -357,7 +327,13 @@ ClearanceReport measure_clearance(const HeldPath& held, std::size_t end,
   std::size_t next = held.path().begin();
   for (std::size_t begin = held.programmed().begin(); begin < end;) {
     const std::size_t behind = end_of_selection(held, begin, end, checkpoint);
-    Selection selection(held, begin, behind, settings, checkpoint);
+    std::optional<SelectionWalls> own;
+    const SelectionWalls& walls =
+        settings.known_walls != nullptr
+            ? settings.known_walls->of(held, begin, behind, settings.leads, checkpoint)
+            : own.emplace(held, begin, behind, settings.leads, checkpoint);
+    Selection selection({.held = held, .begin = begin, .end = behind, .walls = walls}, settings,
+                        checkpoint);
     next = selection.measure_from(next);
     report.add(selection.report());
     if (settings.uncut) selection.tell_uncut(settings.uncut);

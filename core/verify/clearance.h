@@ -15,6 +15,8 @@
 
 namespace trc::verify {
 
+class KnownWalls;
+
 // Counts the ways this has been measured in; a certificate names it.
 inline constexpr std::uint32_t method_version = 2;
 
@@ -61,6 +63,8 @@ struct ClearanceSettings {
   double allowed = 0;  // how much nearer than the tool radius the path may come, mm
   LeadSettings leads{};
   UncutSink uncut{};  // none: nobody wants to know
+  // What is kept of the walls from one path to another one; null: nothing.
+  KnownWalls* known_walls = nullptr;
   // Is told every few blocks how many of the path have been measured, of how many in all.
   std::function<void(std::size_t measured, std::size_t all)> progress{};
 };

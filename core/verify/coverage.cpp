@@ -39,16 +39,33 @@ Stretch beside(const Arc& programmed, const Segment& path) {
   return {.from = begin * radius, .to = (begin + sweep) * radius};
 }
 
-}  // namespace
-
-Stretch touched(const Segment& programmed, const Stretch& within, const Segment& path,
-                double required) {
-  if (extent_of(path) == 0 || extent_of(programmed) == 0) return {};
+// Nothing where it is not that far from it.
+Stretch beside(const Segment& programmed, const Segment& path, double required) {
   const Point middle = place_at(path, 0.5).point;
   const double apart = (nearest_point(programmed, middle) - middle).norm();
   if (std::abs(apart - required) > touch) return {};
-  const Stretch stretch =
-      std::visit([&](const auto& shape) { return beside(shape, path); }, programmed);
+  return std::visit([&](const auto& shape) { return beside(shape, path); }, programmed);
+}
+
+// The same of two lines.
+Stretch beside(const Piece& programmed, const Piece& path, double required) {
+  const double length = programmed.length();
+  const Vector along = (programmed.end - programmed.start) / length;
+  const double from = (path.start - programmed.start).dot(along);
+  const double to = (path.end - programmed.start).dot(along);
+  const Point foot = programmed.start + std::clamp(0.5 * (from + to), 0.0, length) * along;
+  const double apart = (0.5 * (path.start + path.end) - foot).norm();
+  return std::abs(apart - required) > touch ? Stretch{} : Stretch{.from = from, .to = to};
+}
+
+}  // namespace
+
+Stretch touched(const Piece& programmed, const Stretch& within, const Piece& path,
+                double required) {
+  if (path.length() == 0 || programmed.length() == 0) return {};
+  const Stretch stretch = programmed.is_arc() || path.is_arc()
+                              ? beside(segment_of(programmed), segment_of(path), required)
+                              : beside(programmed, path, required);
   return {.from = std::max(stretch.from, within.from), .to = std::min(stretch.to, within.to)};
 }
 

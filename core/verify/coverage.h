@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/geometry/segment.h"
+#include "core/verify/piece.h"
 
 namespace trc::verify {
 
@@ -14,7 +15,7 @@ struct Stretch {
 
 // What of `within` the path touches, where it runs beside the programmed block at the distance
 // `required`.
-[[nodiscard]] Stretch touched(const Segment& programmed, const Stretch& within, const Segment& path,
+[[nodiscard]] Stretch touched(const Piece& programmed, const Stretch& within, const Piece& path,
                               double required);
 
 // The part of a programmed block between two places.

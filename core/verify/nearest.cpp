@@ -127,6 +127,32 @@ bool are_apart(const Piece& a, const Piece& b, double distance) {
   return is_beside(a, b, distance) || is_beside(b, a, distance);
 }
 
+// All of the arc lies behind the end, as seen along the line: its centre does, and both radii to
+// its ends lead no farther, between which all others are.
+bool are_apart_at_end(const Piece& line, const Piece& arc, double distance) {
+  if (std::abs(arc.sweep) > std::numbers::pi) return false;
+  const Vector to_start = arc.start - arc.center;
+  const Vector to_end = arc.end - arc.center;
+  const Vector along = line.end - line.start;
+  const double square = along.squaredNorm();
+  // What rounding leaves of a right angle brings them nearer by the square of this.
+  constexpr double square_of_angle = 1e-18;
+  const auto leads_on = [&](const Vector& way, double sense) {
+    const double on = sense * way.dot(along);
+    return on > 0 && on * on > square_of_angle * square * way.squaredNorm();
+  };
+  for (const double sense : {1.0, -1.0}) {
+    const Vector out = arc.center - (sense > 0 ? line.start : line.end);
+    if (leads_on(out, sense) || leads_on(to_start, sense) || leads_on(to_end, sense)) continue;
+    // Start and end may lie on circles that differ a little.
+    const double apart = out.norm();
+    const double start = to_start.norm();
+    const double end = to_end.norm();
+    return std::max(std::min(start, end) - apart, apart - std::max(start, end)) >= distance;
+  }
+  return false;
+}
+
 Point nearest_point(const Segment& segment, const Point& point) {
   return std::visit([&](const auto& shape) { return nearest_on(shape, point); }, segment);
 }

@@ -22,6 +22,10 @@ struct Gap {
 // that they come no nearer. False: they may, or may not.
 [[nodiscard]] bool are_apart(const Piece& a, const Piece& b, double distance);
 
+// Of a line no point is nearer to any of the arc than one of its ends, and that is so far from it,
+// mm: as at a corner the tool goes round, and where line and arc go on in each other.
+[[nodiscard]] bool are_apart_at_end(const Piece& line, const Piece& arc, double distance);
+
 // The unit travel direction at a point of the segment.
 [[nodiscard]] Vector direction_at(const Segment& segment, const Point& point);
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cmath>
+
 #include "core/geometry/segment.h"
 #include "core/verify/box.h"
 
@@ -14,6 +16,10 @@ struct Piece {
 
   [[nodiscard]] bool is_arc() const { return sweep != 0; }
   [[nodiscard]] double radius() const { return (start - center).norm(); }
+  // mm, of a line or an arc.
+  [[nodiscard]] double length() const {
+    return is_arc() ? radius() * std::abs(sweep) : (end - start).norm();
+  }
 };
 
 [[nodiscard]] Piece piece_of(const Segment& segment);

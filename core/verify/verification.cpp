@@ -10,6 +10,9 @@
 namespace trc::verify {
 namespace {
 
+// Of a longer contour nobody looks for a way in.
+constexpr std::size_t most_blocks_helped = 1000;
+
 Diagnostic gouge(const ClearanceReport& found) {
   const Clearance& worst = *found.worst;
   Diagnostic problem = diagnostic(Code::clearance_violated, worst.path);
@@ -50,11 +53,15 @@ bool Verification::programmed(const Block& block) {
   }
   if (motion->mode->selection_number == too_long_) return true;
   if (programmed.size() < setup_.selection_blocks) {
+    const bool begins = programmed.empty() || held_.rule_of(programmed.back()).selection !=
+                                                  motion->mode->selection_number;
+    if (begins) approaches_.push_back(*motion);
     held_.add(*motion);
     return true;
   }
   too_long_ = motion->mode->selection_number;
   held_ = HeldPath();
+  approaches_.clear();
   unmeasured_ = motion->source;
   is_untold_ = true;
   return setup_.verify == Verify::report || tell_unmeasured();
@@ -86,9 +93,49 @@ bool Verification::finish() {
 bool Verification::measure_before(std::uint64_t end) {
   const std::size_t behind = held_.first_from(end);
   const ClearanceReport found = measure_clearance(held_, behind, setup_.clearance, checkpoint_);
-  held_.forget_before(behind);
   report_.add(found);
-  return found.gouging == 0 || tell(gouge(found), found.gouging == found.accepted);
+  Diagnostic problem;
+  if (found.gouging > 0) {
+    problem = gouge(found);
+    problem.entry_help = help_at(*found.worst);
+  }
+  held_.forget_before(behind);
+  const auto& programmed = held_.programmed();
+  while (!approaches_.empty() &&
+         (programmed.empty() ||
+          approaches_.front().source.index < programmed[programmed.begin()].source.index))
+    approaches_.pop_front();
+  return found.gouging == 0 || tell(std::move(problem), found.gouging == found.accepted);
+}
+
+std::shared_ptr<const EntryHelp> Verification::help_at(const Clearance& worst) const {
+  const auto& programmed = held_.programmed();
+  const auto approach =
+      std::find_if(approaches_.rbegin(), approaches_.rend(),
+                   [&](const MotionBlock& block) { return block.source.index < worst.path.index; });
+  if (!setup_.help || approach == approaches_.rend()) return nullptr;
+  const std::size_t begin = held_.first_from(approach->source.index);
+  const std::uint32_t rule = programmed[begin].rule;
+  selection::RefusedWay way{.in_corner = true};
+  way.blocks.push_back(*approach);
+  way.shift = held_.rule_of(programmed[begin]).radius;
+  for (std::size_t place = begin + 1; place < programmed.end(); ++place) {
+    const ProgrammedPiece& piece = programmed[place];
+    if (held_.rule_of(piece).selection != approach->mode->selection_number) break;
+    // Of a part beside its centre path the program is not known here, nor other radii or sides.
+    if (!piece.is_contour || piece.rule != rule || held_.rule_of(piece).nominal > 0) return nullptr;
+    if (way.blocks.size() > most_blocks_helped) return nullptr;
+    way.blocks.push_back({.source = piece.source,
+                          .path = segment_of(piece.piece),
+                          .role = piece.role,
+                          .mode = approach->mode});
+  }
+  if (way.blocks.size() < 3) return nullptr;
+  const Source& first = way.blocks[1].source;
+  const Source& last = way.blocks.back().source;
+  const bool is_at_closing = (worst.path == first && worst.contour == last) ||
+                             (worst.path == last && worst.contour == first);
+  return is_at_closing ? setup_.help(way) : nullptr;
 }
 
 bool Verification::tell(Diagnostic problem, bool accepted) {

@@ -3,12 +3,15 @@
 #include <cstddef>
 #include <cstdint>
 #include <deque>
+#include <functional>
+#include <memory>
 #include <span>
 #include <utility>
 
 #include "core/base/checkpoint.h"
 #include "core/base/diagnostics.h"
 #include "core/trc/result/compensated_block.h"
+#include "core/trc/selection/refused_way.h"
 #include "core/verify/clearance.h"
 #include "core/verify/held_path.h"
 
@@ -29,6 +32,9 @@ struct VerificationSetup {
   // Programmed blocks of one selection that are held until it is measured.
   std::size_t selection_blocks = 0;
   Checkpoint::Interrupt interrupt{};  // of long work
+  // Looks for another way in where the path comes too near to where its contour begins and closes;
+  // none: nobody does.
+  std::function<std::shared_ptr<const EntryHelp>(const selection::RefusedWay&)> help{};
 };
 
 // Measures a path as it comes out: what is programmed is given first, then the path it has
@@ -60,14 +66,16 @@ class Verification {
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(held_, ends_, too_long_, unmeasured_, is_untold_, report_.worst, report_.checked,
-            report_.walls, report_.gouging, report_.accepted, report_.wall_length,
+    archive(held_, approaches_, ends_, too_long_, unmeasured_, is_untold_, report_.worst,
+            report_.checked, report_.walls, report_.gouging, report_.accepted, report_.wall_length,
             report_.touched_length);
   }
 
  private:
   // What was programmed before `end` has all come out.
   bool measure_before(std::uint64_t end);
+  // What would do in place of the way in, where the contour begins and closes at the worst place.
+  [[nodiscard]] std::shared_ptr<const EntryHelp> help_at(const Clearance& worst) const;
   bool tell_unmeasured();
   // A diagnostic that tells of what was measured, or not.
   bool tell(Diagnostic problem, bool accepted);
@@ -75,11 +83,12 @@ class Verification {
   VerificationSetup setup_;
   Diagnostics& diagnostics_;
   Checkpoint checkpoint_;
-  HeldPath held_;                   // the motions of selections, and their path
-  std::deque<std::uint64_t> ends_;  // the first motion behind each selection that has ended
-  std::uint32_t too_long_ = 0;      // the selection that is not held; 0: none
-  Source unmeasured_{};             // the first block of it that was too many
-  bool is_untold_ = false;          // a warning of that waits for the path of this block
+  HeldPath held_;                       // the motions of selections, and their path
+  std::deque<MotionBlock> approaches_;  // the first motion of each of these selections
+  std::deque<std::uint64_t> ends_;      // the first motion behind each selection that has ended
+  std::uint32_t too_long_ = 0;          // the selection that is not held; 0: none
+  Source unmeasured_{};                 // the first block of it that was too many
+  bool is_untold_ = false;              // a warning of that waits for the path of this block
   ClearanceReport report_;
 };
 

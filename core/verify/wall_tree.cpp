@@ -26,7 +26,7 @@ Ring seen_from(const Point& center, const Box& box, const Ring& ring) {
 
 WallTree::WallTree(const HeldPath& held, std::size_t begin, std::size_t end,
                    const SidedWalls& sides, Checkpoint& checkpoint)
-    : held_(held), begin_(begin), end_(end), sides_(sides) {
+    : held_(&held), begin_(begin), end_(end), sides_(sides) {
   for (const Walls& walls : sides.sides) {
     has_parts_ = has_parts_ || !walls.parts.empty();
     has_leads_ = has_leads_ || !walls.leads.empty();
@@ -46,6 +46,35 @@ WallTree::WallTree(const HeldPath& held, std::size_t begin, std::size_t end,
     build_level(levels_[level - 1], checkpoint);
 }
 
+void WallTree::move_to(const HeldPath& held, std::size_t begin, Checkpoint& checkpoint) {
+  held_ = &held;
+  end_ = begin + (end_ - begin_);
+  begin_ = begin;
+  find_required(checkpoint);
+}
+
+void WallTree::find_required(Checkpoint& checkpoint) {
+  for (std::size_t index = 0; index < levels_.front().size; ++index) {
+    double required = -1;
+    visit_bucket(index, [&](const ProgrammedPiece& block, const Piece&, std::uint32_t) {
+      checkpoint.pass();
+      required = std::max(required, held_->rule_of(block).required);
+    });
+    nodes_[index].required = required;
+  }
+  for (std::size_t level = 1; level < levels_.size(); ++level) {
+    const Level& below = levels_[level - 1];
+    const Level& own = levels_[level];
+    for (std::size_t index = 0; index < own.size; ++index) {
+      checkpoint.pass();
+      const std::size_t first = below.first + 2 * index;
+      double required = nodes_[first].required;
+      if (2 * index + 1 < below.size) required = std::max(required, nodes_[first + 1].required);
+      nodes_[own.first + index].required = required;
+    }
+  }
+}
+
 void WallTree::find_middle(Checkpoint& checkpoint) {
   UprightBox all;
   for (std::size_t number = begin_; number < end_; ++number) {
@@ -60,7 +89,7 @@ void WallTree::find_middle(Checkpoint& checkpoint) {
 
 void WallTree::hide_copies(Checkpoint& checkpoint) {
   if (sides_.sides.size() != 1 || sides_.sides.front().rings.empty()) return;
-  const auto& programmed = held_.programmed();
+  const auto& programmed = held_->programmed();
   const auto what_is_compared = [&](std::size_t number) {
     const auto& [piece, source, rule, its_number, is_contour, crosses, role] = programmed[number];
     return std::array{piece.start.x(),  piece.start.y(),  piece.end.x(), piece.end.y(),
@@ -111,7 +140,7 @@ void WallTree::build_buckets(Checkpoint& checkpoint) {
       checkpoint.pass();
       const Box box = box_of(wall);
       node.box = node.required < 0 ? box : around(node.box, box);
-      node.required = std::max(node.required, held_.rule_of(block).required);
+      node.required = std::max(node.required, held_->rule_of(block).required);
       if (std::abs(wall.sweep) > std::abs(longest.sweep)) longest = wall;
     });
     const Point& center = std::abs(longest.sweep) > long_sweep ? longest.center : middle_;

@@ -34,6 +34,10 @@ class WallTree {
   WallTree(const HeldPath& held, std::size_t begin, std::size_t end, const SidedWalls& sides,
            Checkpoint& checkpoint);
 
+  // Goes over to the same walls in another path that is held, where they may require something
+  // else: pieces from `begin` on that are what its own are, as far as walls go.
+  void move_to(const HeldPath& held, std::size_t begin, Checkpoint& checkpoint);
+
   [[nodiscard]] std::size_t walls() const { return walls_; }
   // A piece of path to be compared.
   [[nodiscard]] Probe probe(const Piece& path) const {
@@ -135,7 +139,7 @@ class WallTree {
   // With what of the block is a wall.
   template <class Visit>
   void visit_wall(std::size_t number, const Visit& visit) const {
-    const ProgrammedPiece& block = held_.programmed()[number];
+    const ProgrammedPiece& block = held_->programmed()[number];
     if (!is_wall(block)) return;
     const std::uint32_t first = first_.empty() ? block.number : first_[number - begin_];
     if (first == hidden) return;
@@ -153,8 +157,10 @@ class WallTree {
   void build_buckets(Checkpoint& checkpoint);
   void build_level(const Level& below, Checkpoint& checkpoint);
   [[nodiscard]] static Node both(const Node& a, const Node& b);
+  // What the walls of each node require, and nothing else of it.
+  void find_required(Checkpoint& checkpoint);
 
-  const HeldPath& held_;
+  const HeldPath* held_;
   std::size_t begin_;
   std::size_t end_;
   const SidedWalls& sides_;

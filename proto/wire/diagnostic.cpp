@@ -7,12 +7,20 @@
 #include <utility>
 
 #include "core/base/entry_help.h"
+#include "proto/wire/enums.h"
 
 namespace trc::wire {
 namespace {
 
 // By the axis across each.
 constexpr std::array planes{v1::PLANE_YZ, v1::PLANE_ZX, v1::PLANE_XY};
+
+using Shape = EntryProposal::Shape;
+constexpr EnumTable<v1::EntryProposal::Shape, Shape, 3> shapes{{
+    {v1::EntryProposal::SHAPE_LINE, Shape::line},
+    {v1::EntryProposal::SHAPE_QUARTER_CIRCLE, Shape::quarter_circle},
+    {v1::EntryProposal::SHAPE_INSIDE_CORNER, Shape::inside_corner},
+}};
 
 void write(const DiagnosticPoint& point, v1::Position& message) {
   message.set_x(point.x);
@@ -34,9 +42,7 @@ void write(const Source& source, std::uint32_t column, v1::ProgramPlace& message
 }
 
 void write(const EntryProposal& proposal, v1::EntryProposal& message) {
-  message.set_shape(proposal.shape == EntryProposal::Shape::line
-                        ? v1::EntryProposal::SHAPE_LINE
-                        : v1::EntryProposal::SHAPE_QUARTER_CIRCLE);
+  message.set_shape(shapes.to_proto(proposal.shape));
   write(proposal.start, *message.mutable_start());
   for (const ProposedBlock& block : proposal.blocks) {
     v1::ProposedMotion& motion = *message.add_motions();
@@ -51,10 +57,10 @@ void write(const EntryProposal& proposal, v1::EntryProposal& message) {
 }
 
 EntryProposal proposal_of(const v1::EntryProposal& message) {
-  EntryProposal proposal{.shape = message.shape() == v1::EntryProposal::SHAPE_QUARTER_CIRCLE
-                                      ? EntryProposal::Shape::quarter_circle
-                                      : EntryProposal::Shape::line,
-                         .start = point_of(message.start())};
+  FieldFaults faults;
+  EntryProposal proposal{
+      .shape = shapes.from_proto(message.shape(), FieldPath("shape"), faults).value_or(Shape::line),
+      .start = point_of(message.start())};
   for (const v1::ProposedMotion& motion : message.motions()) {
     ProposedBlock block{.end = point_of(motion.line().end())};
     if (motion.has_arc())

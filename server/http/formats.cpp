@@ -1,8 +1,6 @@
 #include "server/http/formats.h"
 
-#include "core/base/version.h"
 #include "proto/wire/json.h"
-#include "server/job_record.h"
 #include "server/text.h"
 
 namespace trc::server::http {
@@ -76,38 +74,14 @@ void PathAnswerFormat<Response>::close(std::string& out) {
   out += '\n';
 }
 
-RecordFormat::RecordFormat(const v1::ProgramSetup& setup, std::string_view text) {
-  begin(record_);
-  record_.set_output_format("nc");
-  record_.set_outcome("DONE");
-  *record_.mutable_setup() = setup;
-  Sha256 given;
-  given.add(text);
-  fill(given, *record_.mutable_input());
-  record_.mutable_input()->set_name(setup.file_name().empty() ? "-" : setup.file_name());
-  record_.mutable_output()->set_name("-");
-  record_.set_server_version(std::string(version()));
-  record_.set_server_commit(std::string(commit()));
-}
-
 bool RecordFormat::take(const grpc::ByteBuffer& answer, std::string& /*out*/) {
   if (!RpcCall::read_message(answer, answer_)) return false;
   remember(answer_.diagnostics());
-  made_.add(answer_.nc_text());
-  for (const v1::Diagnostic& told : answer_.diagnostics()) told_.add(told, record_);
-  if (answer_.has_summary()) *record_.mutable_summary() = answer_.summary();
+  if (!answer_.record().empty()) record_ = answer_.record();
   return true;
 }
 
-void RecordFormat::close(std::string& out) {
-  fill(made_, *record_.mutable_output());
-  told_.fill(record_);
-  record_.set_seconds(
-      std::chrono::duration<double>(std::chrono::steady_clock::now() - began_).count());
-  seal(record_);
-  wire::Json().append(record_, out);
-  out += '\n';
-}
+void RecordFormat::close(std::string& out) { out += record_ + '\n'; }
 
 bool SurveyFormat::take(const grpc::ByteBuffer& answer, std::string& /*out*/) {
   if (!RpcCall::read_message(answer, answer_)) return false;

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <chrono>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -10,10 +9,7 @@
 #include "proto/wire/json_lines.h"
 #include "server/http/problem.h"
 #include "server/http/run.h"
-#include "server/job_record.h"
-#include "server/sha256.h"
 #include "trc/v1/http.pb.h"
-#include "trc/v1/job_record.pb.h"
 #include "trc/v1/trc_service.pb.h"
 
 namespace trc::server::http {
@@ -88,20 +84,14 @@ class PathAnswerFormat final : public ProblemFormat {
 // What was made of a program, as one JSON object; schema in proto/job_record.schema.json.
 class RecordFormat final : public ProblemFormat {
  public:
-  // `setup`: what the program is compensated with; `text`: the program.
-  RecordFormat(const v1::ProgramSetup& setup, std::string_view text);
-
   [[nodiscard]] Head head() const override { return {.content_type = "application/json"}; }
   bool take(const grpc::ByteBuffer& answer, std::string& out) override;
   void close(std::string& out) override;
   [[nodiscard]] bool streams() const override { return false; }
 
  private:
-  const std::chrono::steady_clock::time_point began_ = std::chrono::steady_clock::now();
-  Sha256 made_;
-  ToldInRecord told_;
   v1::CompensateProgramResponse answer_;
-  v1::JobRecord record_;
+  std::string record_;
 };
 
 // What a survey found as one JSON object.

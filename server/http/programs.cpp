@@ -97,7 +97,8 @@ void record_program(Api& api, const ExchangePointer& exchange) {
   setup.mutable_path()->set_verify(v1::VERIFICATION_REPORT);
   if (!read_setup(*exchange, exchange->request().query, setup)) return;
   setup.set_output(v1::PROGRAM_OUTPUT_NC);
-  start(api, exchange, setup, std::make_shared<RecordFormat>(setup, exchange->request().body));
+  setup.set_record(true);
+  start(api, exchange, setup, std::make_shared<RecordFormat>());
 }
 
 void survey_program(Api& api, const ExchangePointer& exchange) {

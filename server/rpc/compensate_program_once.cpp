@@ -13,6 +13,7 @@ void add(v1::CompensateProgramResponse& part, v1::CompensateProgramOnceResponse&
     whole.mutable_blocks()->MergeFrom(part.batch().blocks());
   if (part.response_case() == Part::kColumns) *whole.add_columns() = part.columns();
   if (part.response_case() == Part::kSummary) *whole.mutable_summary() = part.summary();
+  if (!part.record().empty()) whole.set_record(part.record());
 }
 
 }  // namespace

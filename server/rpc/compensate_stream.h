@@ -61,6 +61,7 @@ class CompensateStream final : public StreamWork<typename Run::Request, typename
     const wire::PathSettings& path = Run::path_of(settings);
     stream_.record.set_client_tag(path.client_tag);
     run_.emplace(stream_, settings);
+    if constexpr (requires { run_->record(message); }) run_->record(message);
     want_tokens_ = path.want_resume_tokens;
     if (want_tokens_ || !path.resume_token.empty()) {
       Setup without_token = message;

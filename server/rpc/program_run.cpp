@@ -39,6 +39,7 @@ void ProgramRun::take(const v1::ProgramText& chunk) {
                                       {{"expected", expected}, {"got", got}}));
   }
   bytes_in_ += chunk.text().size();
+  if (record_) record_->add_input(chunk.text());
   input_ = chunk.text();
   input_taken_ = 0;
   input_is_final_ = chunk.final();
@@ -84,15 +85,27 @@ void ProgramRun::summarize(v1::ProgramSummary& message) const {
                  message);
 }
 
+void ProgramRun::add_to_record(const Outbox::Slice& slice, const Response& response) {
+  record_->add_output(slice.text, slice.blocks);
+  for (const v1::Diagnostic& told : response.diagnostics()) record_->add_told(told);
+}
+
+void ProgramRun::close_record(Response& response, const v1::ProgramSummary* summary) {
+  response.set_record(record_->close(summary));
+  record_.reset();
+}
+
 std::string ProgramRun::resume_token(const ResumeTokens::Digest& setup) const {
   // What has been collected to be executed is sent again with the text since the last token.
   if (session_.is_computing()) return {};
+  if (record_) return token_of(setup, bytes_in_, bytes_out_, blocks_seen_, *record_);
   return token_of(setup, bytes_in_, bytes_out_, blocks_seen_);
 }
 
 std::optional<Ending> ProgramRun::resume(std::string_view token,
                                          const ResumeTokens::Digest& setup) {
-  auto refused = go_on_from(token, setup, bytes_in_, bytes_out_, blocks_seen_);
+  auto refused = record_ ? go_on_from(token, setup, bytes_in_, bytes_out_, blocks_seen_, *record_)
+                         : go_on_from(token, setup, bytes_in_, bytes_out_, blocks_seen_);
   bytes_answered_ = bytes_in_;
   return refused;
 }

@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 
+#include "server/job_record.h"
 #include "server/rpc/stream_run.h"
 #include "trc/v1/trc_service.pb.h"
 
@@ -26,6 +27,11 @@ class ProgramRun : public StreamRun<ProgramSession> {
   // The settings must be free of faults.
   ProgramRun(const StreamContext& stream, const Settings& settings);
 
+  // Before the first chunk: keeps the record that the setup may ask for.
+  void record(const SetupMessage& setup) {
+    if (setup.record()) record_.emplace(setup);
+  }
+
   // Takes the next chunk, which must go on where the last one ended; nothing more after a final
   // one.
   void feed(const Request& request);
@@ -34,6 +40,11 @@ class ProgramRun : public StreamRun<ProgramSession> {
   template <class FinishSlice>
   Turn answer(Response& response, FinishSlice finish_slice) {
     if (responses_.outbox().empty() && (!input_.empty() || is_executing_)) go_on();
+    if (record_ && responses_.is_refused() && responses_.outbox().empty()) {
+      response.Clear();
+      close_record(response, nullptr);
+      return {.write = true, .next = Turn::Next::proceed, .ending = {}};
+    }
     return next(
         response,
         [&](const Outbox::Slice& slice, bool last) {
@@ -41,9 +52,13 @@ class ProgramRun : public StreamRun<ProgramSession> {
           bytes_out_ += slice.text.size();
           response.set_consumed_bytes(last ? bytes_in_ : bytes_answered_);
           if (last) bytes_answered_ = bytes_in_;
+          if (record_) add_to_record(slice, response);
           finish_slice(last);
         },
-        [&] { summarize(*response.mutable_summary()); });
+        [&] {
+          summarize(*response.mutable_summary());
+          if (record_) close_record(response, &response.summary());
+        });
   }
 
   // As of PathRun.
@@ -58,11 +73,14 @@ class ProgramRun : public StreamRun<ProgramSession> {
   void go_on();
   bool execute();
   void summarize(v1::ProgramSummary& message) const;
+  void add_to_record(const Outbox::Slice& slice, const Response& response);
+  void close_record(Response& response, const v1::ProgramSummary* summary);
 
   std::uint64_t bytes_in_ = 0;
   std::uint64_t bytes_answered_ = 0;  // input whose output is all out
   std::uint64_t bytes_out_ = 0;
   std::uint64_t blocks_seen_ = 0;
+  std::optional<StreamedRecord> record_{};
   // Of the request that is being taken.
   std::string input_{};
   std::size_t input_taken_ = 0;

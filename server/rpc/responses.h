@@ -65,6 +65,8 @@ class Responses {
   }
 
   [[nodiscard]] bool failed() const { return error_.has_value(); }
+  // By an error of the session.
+  [[nodiscard]] bool is_refused() const { return refused_; }
 
   // The next answer. `finish_slice(slice, last)` adds what is particular to the RPC; `last` says
   // that nothing of this request follows but the summary, which `summarize` fills in.
@@ -100,6 +102,7 @@ class Responses {
   CallRecord& record_;
   Outbox outbox_;
   std::optional<Ending> error_;
+  bool refused_ = false;
   bool summary_due_ = false;
   bool answered_ = false;
   bool input_left_ = false;

@@ -194,6 +194,23 @@ TEST_F(RemoteSession, RefusedProgramGivesItsDiagnosticAndNoSummary) {
   EXPECT_FALSE(remote.summary());
 }
 
+TEST_F(RemoteSession, HasTheRecordThatItsSetupAsksFor) {
+  v1::ProgramSetup setup;
+  setup.set_record(true);
+  RemoteProgramSession done(connection(), setup);
+  Answers out;
+  ASSERT_TRUE(done.feed(g239_program, out) && done.finish(out));
+  EXPECT_NE(done.record().find("\"outcome\":\"DONE\""), std::string::npos) << done.record();
+  RemoteProgramSession refused(connection(), setup);
+  refused.feed(refused_program, out);
+  EXPECT_FALSE(refused.finish(out));
+  EXPECT_NE(refused.record().find("\"outcome\":\"REFUSED\""), std::string::npos);
+  EXPECT_NE(refused.record().find("\"code\":20035"), std::string::npos) << refused.record();
+  RemoteProgramSession unasked(connection(), {});
+  ASSERT_TRUE(unasked.feed(g239_program, out) && unasked.finish(out));
+  EXPECT_EQ(unasked.record(), "");
+}
+
 TEST_F(RemoteSession, WrongSetupNamesItsFields) {
   v1::ProgramSetup setup;
   setup.mutable_path()->set_tool_radius(std::nan(""));

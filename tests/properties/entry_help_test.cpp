@@ -103,6 +103,8 @@ Program with(const Program& program, const EntryHelp& help, const EntryProposal&
   } else {
     changed.start = in_plane(proposal.start, program.mode.plane);
     changed.way_in = motions;
+    if (proposal.shape == EntryProposal::Shape::inside_corner)
+      changed.mode.selection = Selection::inside_corner;
     std::vector<Segment>& contour = changed.contour;
     contour.erase(contour.begin(), contour.begin() + help.replaced);
     contour.resize(contour.size() - help.left_out);
@@ -380,6 +382,31 @@ TEST(EveryProposedEntry, IsAcceptedAndClearUnderG238) {
   ::testing::Test::RecordProperty("helped", std::to_string(helped));
   EXPECT_GT(refused, samples() / 4);
   EXPECT_GT(helped, refused / 2);
+}
+
+// Loops go, but none of the begin does: it has no room.
+TEST(EveryProposedEntry, IsAcceptedAndClearInAnInsideCorner) {
+  std::uint64_t refused = 0;
+  std::uint64_t helped = 0;
+  for (std::uint64_t seed = 1; seed <= samples() && !::testing::Test::HasFailure(); ++seed) {
+    Program program = closed(seed);
+    program.mode.selection = program.deselection = Selection::direct;
+    program.mode.masking = Masking::on;
+    program.mode.options.remove_masked_blocks = true;
+    SCOPED_TRACE(story_of(seed, program));
+    const Outcome outcome = compensate(program);
+    if (!outcome.stopped) continue;
+    ++refused;
+    if (!expect_useful(program, *outcome.error())) continue;
+    ++helped;
+    const auto& proposals = outcome.error()->entry_help->proposals;
+    ASSERT_EQ(proposals.size(), 1U);
+    EXPECT_EQ(proposals[0].shape, EntryProposal::Shape::inside_corner);
+  }
+  ::testing::Test::RecordProperty("refused", std::to_string(refused));
+  ::testing::Test::RecordProperty("helped", std::to_string(helped));
+  EXPECT_GT(refused, samples() / 5);
+  EXPECT_GT(helped, refused / 3);
 }
 
 // A convex pocket that is entered and left in the middle of a side by quarter circles, which are

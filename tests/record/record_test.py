@@ -258,6 +258,39 @@ class Records(unittest.TestCase):
                 self.write("square.nc", SQUARE)
                 self.assertEqual(self.verified(record, "square.nc")[0], 0)
 
+    def test_of_what_a_setup_asks_for(self):
+        """As any client of the RPCs gets it: here through their JSON, in one request."""
+        rpc = "/trc.v1.TrcService/CompensateProgramOnce"
+        kind = {"Content-Type": "application/json"}
+        setup = {"path": {"verify": "VERIFICATION_REPORT"}, "fileName": "part.nc", "record": True,
+                 "tools": [{"number": 1, "radius": 5.2, "wear": -0.0123, "name": "mill"}]}
+        with Server() as server:
+            for output, text_format in (("PROGRAM_OUTPUT_NC", "nc"),
+                                        ("PROGRAM_OUTPUT_BLOCKS", "jsonl")):
+                asked = {"setup": {**setup, "output": output}, "text": PART}
+                status, once = server.ask_json("POST", rpc, json.dumps(asked), kind)
+                self.assertEqual(status, 200)
+                record = json.loads(once["record"])
+                self.is_one(record)
+                self.assertEqual(record["outputFormat"], text_format)
+                self.assertEqual(record["outcome"], "DONE")
+                self.assertNotIn("record", record["setup"])
+                self.assertEqual(record["diagnostics"], once["diagnostics"])
+                self.assertEqual(record["summary"], once["summary"])
+                here = self.compensated("--tools", "tools.csv", "--format", text_format)
+                for part in ("bytes", "sha256"):
+                    self.assertEqual(record["output"][part], here["output"][part])
+                    self.assertEqual(record["input"][part], here["input"][part])
+                os.remove(self.path("out.nc"))
+                self.write("record.json", once["record"])
+                self.assertEqual(self.trc("verify", "--record", "record.json")[0], 0)
+                self.write("part.nc", PART.replace("50.1234", "50.1233"))
+                self.assertEqual(self.trc("verify", "--record", "record.json")[0], 1)
+                self.write("part.nc", PART)
+            setup["record"] = False
+            _, once = server.ask_json("POST", rpc, json.dumps({"setup": setup, "text": PART}), kind)
+            self.assertNotIn("record", once)
+
     def test_of_folders(self):
         self.write("square.nc", SQUARE)
         code, _, said = self.trc("compensate", "part.nc", "square.nc", "--tools", "tools.csv",

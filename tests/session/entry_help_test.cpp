@@ -2,7 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <numbers>
+#include <random>
 #include <string>
+#include <vector>
 
 #include "core/geometry/segment.h"
 #include "core/nc/text/number_format.h"
@@ -272,6 +276,108 @@ TEST(EntryHelp, KeepsTheHeightAtWhichTheContourBegins) {
   EXPECT_EQ(text_of(help.proposals[0]),
             "from 0.000 -30.000 5.000: to -20.000 -30.000 2.000; ccw to 0.000 -50.000 -3.000 about "
             "0.000 -30.000 2.000;");
+}
+
+const std::string square_from_corner =
+    "G0 X20 Y20 F1000\nV.G.WZ_AKT.R=5\nG138\nG41 G1 X0 Y0\nX50\nY50\nX0\nY0\nG40 X20 Y20\nM30\n";
+
+std::string with_g238(std::string program) {
+  return program.replace(program.find("G138"), 4, "G238");
+}
+
+// At an inside corner the tool has no room beside the begin, however small it is (rule 3.2).
+TEST(EntryHelp, ProposesG238WhereTheContourBeginsInAnInsideCorner) {
+  for (const Verify verify : {Verify::report, Verify::enforce}) {
+    ProgramSessionSetup setup{.session = {.verify = verify}, .nc_text = false};
+    const ProgramRun run = to_blocks(square_from_corner, setup);
+    ASSERT_FALSE(run.diagnostics.empty());
+    const Diagnostic& told = run.diagnostics.back();
+    EXPECT_EQ(told.code, Code::clearance_violated);
+    EXPECT_EQ(run.completed, verify == Verify::report);
+    ASSERT_TRUE(told.entry_help);
+    ASSERT_EQ(told.entry_help->proposals.size(), 1U);
+    EXPECT_EQ(told.entry_help->proposals[0].shape, EntryProposal::Shape::inside_corner);
+    EXPECT_EQ(text_of(told.entry_help->proposals[0]), "from 20.000 20.000: to 0.000 0.000;");
+    // Put in.
+    const ProgramRun sound = to_blocks(with_g238(square_from_corner), setup);
+    EXPECT_TRUE(sound.completed);
+    EXPECT_TRUE(sound.diagnostics.empty());
+  }
+}
+
+TEST(EntryHelp, ProposesG238WithAStartThatIsFree) {
+  std::string near = square_from_corner;
+  near.replace(near.find("X20 Y20"), 7, "X20 Y1");
+  const ProgramRun run = to_blocks(near, {.session = {.verify = Verify::enforce}});
+  ASSERT_TRUE(run.diagnostics.back().entry_help);
+  const EntryProposal& proposal = run.diagnostics.back().entry_help->proposals.at(0);
+  EXPECT_EQ(proposal.shape, EntryProposal::Shape::inside_corner);
+  EXPECT_NEAR(proposal.start.x, 20, 0.1);
+  EXPECT_NEAR(proposal.start.y, 5, 1e-3);
+  EXPECT_GE(proposal.start.y, 5);
+}
+
+TEST(EntryHelp, ProposesG238WhereLoopsAreRemoved) {
+  const std::string removing = "G141\n#TRC[REMOVE_MASKED_BLOCKS=1]\n";
+  const auto [code, help] = refused(removing + square_from_corner);
+  EXPECT_EQ(code, 90019);
+  ASSERT_EQ(help.proposals.size(), 1U);
+  EXPECT_EQ(help.proposals[0].shape, EntryProposal::Shape::inside_corner);
+  EXPECT_TRUE(to_blocks(removing + with_g238(square_from_corner)).completed);
+}
+
+// Random pockets, begun in a corner: put in, the proposal is accepted, and measured to be clear.
+TEST(EntryHelp, ProposesG238ThatIsClearEverywhere) {
+  std::mt19937_64 random(48);
+  const auto between = [&](double low, double high) {
+    return std::uniform_real_distribution<double>(low, high)(random);
+  };
+  const auto place = [](double x, double y) {
+    std::string text = "X";
+    append_fixed(text, x, 4);
+    text += " Y";
+    append_fixed(text, y, 4);
+    return text;
+  };
+  constexpr int rounds = 400;
+  int helped = 0;
+  for (int round = 0; round < rounds; ++round) {
+    const int corners = 3 + round % 6;
+    std::vector<std::string> contour;
+    for (int k = 0; k < corners; ++k) {
+      const double angle = 2 * std::numbers::pi * (k + between(0, 0.4)) / corners;
+      const double away = between(20, 50);
+      contour.push_back(place(away * std::cos(angle), away * std::sin(angle)));
+    }
+    const auto program = [&](const std::string& mode, const std::string& start) {
+      std::string text =
+          "G0 " + start + "\nV.G.WZ_AKT.R=4\n" + mode + "\nG41 G1 F500 " + contour[0];
+      for (int k = 1; k <= corners; ++k)
+        text += "\n" + contour[static_cast<std::size_t>(k % corners)];
+      return text + "\nG40 X0 Y0\nM30\n";
+    };
+    const ProgramSessionSetup setup{.session = {.verify = Verify::enforce}, .nc_text = false};
+    const std::string given = program("G138", place(between(-9, 9), between(-9, 9)));
+    SCOPED_TRACE("round " + std::to_string(round) + "\n" + given);
+    const ProgramRun run = to_blocks(given, setup);
+    if (run.completed || !run.diagnostics.back().entry_help) continue;
+    const auto& proposals = run.diagnostics.back().entry_help->proposals;
+    ASSERT_EQ(proposals.size(), 1U);
+    ASSERT_EQ(proposals[0].shape, EntryProposal::Shape::inside_corner);
+    ++helped;
+    const DiagnosticPoint& start = proposals[0].start;
+    EXPECT_TRUE(to_blocks(program("G238", place(start.x, start.y)), setup).completed);
+  }
+  EXPECT_GT(helped, rounds / 2);
+}
+
+// Elsewhere another way in is no help.
+TEST(EntryHelp, ProposesG238NowhereElse) {
+  const std::string narrow =
+      "G0 X20 Y4 F1000\nV.G.WZ_AKT.R=5\nG138\nG41 G1 X20 Y0\nX50\nY8\nX0\nY0\nX20\nG40 X20 Y4\n"
+      "M30\n";
+  const ProgramRun run = to_blocks(narrow, {.session = {.verify = Verify::report}});
+  for (const Diagnostic& told : run.diagnostics) EXPECT_FALSE(told.entry_help);
 }
 
 // What is accepted, or refused for another reason, says nothing of entries.

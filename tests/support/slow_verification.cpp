@@ -218,8 +218,8 @@ ClearanceReport slow_verification(std::span<const Block> programmed,
         });
     if (!inserted && own->second.is_contour)
       report.touched_length +=
-          touched(own->second.block->path, contour->second.wall_of(own->second.number), block.path,
-                  own_required)
+          touched(piece_of(own->second.block->path), contour->second.wall_of(own->second.number),
+                  piece_of(block.path), own_required)
               .length();
     if (block.origin == Origin::programmed && !on_programmed_side(block, *own->second.block)) {
       const Point middle = place_at(block.path, 0.5).point;

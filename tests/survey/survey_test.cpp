@@ -11,6 +11,7 @@
 
 #include "core/session/program_session.h"
 #include "core/verify/shape.h"
+#include "tests/support/cam_programs.h"
 
 namespace trc::survey {
 namespace {
@@ -100,6 +101,39 @@ TEST(Survey, GivesWhatASingleRunGives) {
   }
 }
 
+// Leads, overruns and laps: which walls there are may change with the radius.
+TEST(Survey, GivesWhatSingleRunsGiveOfProgramsWithLeads) {
+  std::size_t accepted = 0;
+  for (const support::CamContour& contour : support::cam_contours())
+    for (const support::Lead lead : support::all_leads)
+      for (const support::Laps laps : {support::Laps::one, support::Laps::two,
+                                       support::Laps::rough_and_finish, support::Laps::depths}) {
+        const support::CamProgram program{.contour = contour,
+                                          .in = lead,
+                                          .out = lead,
+                                          .overrun = support::Overrun::along,
+                                          .laps = laps};
+        SCOPED_TRACE(name_of(program));
+        const std::string text = text_of(program, "G26\nG141\n#TRC[REMOVE_MASKED_BLOCKS=1]");
+        Survey survey = survey_of(text);
+        for (const double share : {0.05, 0.9, 1.0, 1.1, 1.0, 3.0}) {
+          const double radius = share * contour.tool_radius;
+          SessionSetup session;
+          session.program.every_radius = radius;
+          const Single single = single_run(text, radius, session);
+          const Surveyed found = survey.run(radius);
+          expect_same(found, single);
+          EXPECT_EQ(found.clearance.gouging, single.clearance.gouging);
+          EXPECT_EQ(found.clearance.checked, single.clearance.checked);
+          EXPECT_EQ(found.clearance.walls, single.clearance.walls);
+          EXPECT_EQ(found.clearance.wall_length, single.clearance.wall_length);
+          EXPECT_EQ(found.clearance.steps, single.clearance.steps);
+          accepted += found.accepted() ? 1U : 0U;
+        }
+      }
+  EXPECT_GT(accepted, 100U);
+}
+
 TEST(Survey, SaysWhyARadiusIsRefusedAndWhere) {
   Survey survey = survey_of(pocket);
   EXPECT_TRUE(survey.run(3).reaches_all);
@@ -128,6 +162,23 @@ TEST(Survey, FindsTheTwoWallsThatLimitTheRadius) {
   EXPECT_NEAR(largest.radius, 4, 1e-3 + 1e-9);
   EXPECT_EQ(lines_of(largest.limits), (std::vector<std::uint32_t>{3, 5}));
   EXPECT_LE(largest.runs, 20U);
+}
+
+// Of a block at the begin or the end of the contour the corner at its other end takes all.
+TEST(Survey, IsLimitedByTwoBlocksAtTheEndsOfTheContourToo) {
+  const std::string pocket_from = "N10 G00 X10 Y10\nN20 G138 G41 G01 X";
+  const std::string walls = " Y0 F500\nN30 X20\nN40 Y20\nN50 X0\nN60 Y0\nN70 X";
+  const std::string end = "\nN80 G40 X10 Y10\nN90 M30\n";
+  struct Case {
+    std::string begin{};
+    std::vector<std::uint32_t> limits{};
+  };
+  for (const Case& asked : {Case{"19", {3, 4}}, Case{"1", {6, 7}}}) {
+    const std::string text = pocket_from + asked.begin + walls + asked.begin + end;
+    const Largest largest = survey_of(text).largest();
+    EXPECT_DOUBLE_EQ(largest.radius, 1);
+    EXPECT_EQ(lines_of(largest.limits), asked.limits);
+  }
 }
 
 TEST(Survey, UsesWhatTheListHasTold) {

@@ -7,12 +7,14 @@ const refusals = new Set([
   status.OUT_OF_RANGE,
 ]);
 
-/** The program, the path or the setup was refused; `diagnostics` holds what was raised. */
+/** The program, the path or the setup was refused; `diagnostics` holds what was raised, `record`
+ * that of the job, where it was asked for. */
 export class TrcError extends Error {
-  constructor(message, diagnostics = []) {
+  constructor(message, diagnostics = [], record = undefined) {
     super(message);
     this.name = "TrcError";
     this.diagnostics = diagnostics;
+    this.record = record;
   }
   /** The error that stopped the stream. */
   get cause() {
@@ -39,9 +41,9 @@ export function noSummary() {
 }
 
 /** What a caller gets for a call that failed. */
-export function raisedBy(error, diagnostics) {
+export function raisedBy(error, diagnostics, record) {
   return refusals.has(error.code)
-    ? new TrcError(error.details, diagnostics)
+    ? new TrcError(error.details, diagnostics, record)
     : new ServerError(error.code ?? status.UNKNOWN, error.details ?? error.message, detailsOf(error));
 }
 

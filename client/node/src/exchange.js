@@ -84,6 +84,7 @@ class Exchange {
 /** NC text to NC text. */
 export class ProgramExchange extends Exchange {
   static method = "compensateProgram";
+  record = undefined;
   // A character may lie across two parts.
   #decoder = new StringDecoder("utf8");
 
@@ -100,11 +101,12 @@ export class ProgramExchange extends Exchange {
 
   absorb(response) {
     const part = response.ncText?.length > 0 ? response.ncText : undefined;
+    this.record = response.record || this.record;
     this.absorbPart(part, response, Number(response.consumedBytes ?? 0));
   }
 
   joined(parts) {
-    return { text: this.#decoder.write(Buffer.concat(parts)) };
+    return { text: this.#decoder.write(Buffer.concat(parts)), record: this.record };
   }
 }
 

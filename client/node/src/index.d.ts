@@ -36,6 +36,8 @@ export interface PathSettings {
 export interface ProgramSettings extends PathSettings {
   /** D number → radius in mm, or Tool messages. */
   tools?: Record<number, number> | object[];
+  /** Asks for the record of the job. */
+  record?: boolean;
 }
 
 /** A place in a program. */
@@ -102,6 +104,8 @@ export interface ProgramResult {
   diagnostics: Diagnostic[];
   /** The ProgramSummary of the protocol. */
   summary: object;
+  /** With `record`: the record of the job as JSON, to be filed as it is. */
+  record?: string;
 }
 
 export interface PathResult {
@@ -229,6 +233,8 @@ export class TrcError extends Error {
   diagnostics: Diagnostic[];
   /** The error that stopped the stream; none where the call itself was wrong. */
   get cause(): Diagnostic | undefined;
+  /** With `record`: the record of the job as JSON. */
+  record?: string;
 }
 
 /** No answer: the server is not reachable or lost, a limit or the deadline has passed. */

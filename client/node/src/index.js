@@ -124,7 +124,7 @@ export class Client {
       } catch (error) {
         signal?.throwIfAborted();
         if (typeof error.code !== "number") throw error;
-        const raised = raisedBy(error, exchange.diagnostics);
+        const raised = raisedBy(error, exchange.diagnostics, exchange.record);
         const wait = this.#isClosed || raised instanceof TrcError
           ? undefined : waiting.beforeNextTry(raised);
         if (wait === undefined) throw raised;

@@ -145,6 +145,22 @@ test("what is wrong with every radius is thrown", async () => {
   await assert.rejects(surveyRadii(slot, { radii: [3, 3] }), /radii/);
 });
 
+test("the record of a job holds, done or refused", async () => {
+  const folder = mkdtempSync(join(tmpdir(), "trc-test-"));
+  const part = join(folder, "part.nc");
+  const filed = join(folder, "record.json");
+  writeFileSync(part, pocket);
+  const { text, record } = await compensate(pocket, { radius: 5, record: true });
+  assert.equal(JSON.parse(record).output.bytes, String(text.length));
+  writeFileSync(filed, record);
+  const said = execFileSync(process.env.TRC_CLI, ["verify", part, "--record", filed],
+    { encoding: "utf8" });
+  assert.match(said, /the record holds/);
+  assert.equal((await compensate(pocket, { radius: 5 })).record, undefined);
+  await assert.rejects(compensate("N10 G999\n", { record: true }), (error) => (
+    JSON.parse(error.record).outcome === "REFUSED"));
+});
+
 test("a stream that is lost goes on", async () => {
   const text = longProgram(30_000);
   const whole = await compensate(text, { radius: 0.2 });

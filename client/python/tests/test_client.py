@@ -1,6 +1,7 @@
 """The installed package against a trcd: TRC_TRCD names the program."""
 
 import asyncio
+import hashlib
 import json
 import os
 import socket
@@ -146,6 +147,50 @@ class Compensate(unittest.TestCase):
             proxy.close()
         self.assertEqual(proxy.cuts, 1)
         self.assertEqual(resumed.text, whole.text)
+
+    def test_record_of_the_job(self):
+        with tempfile.TemporaryDirectory() as folder:
+            part, record = File(folder, "part.nc"), File(folder, "record.json")
+            part.write_text(POCKET)
+            result = trc.compensate(POCKET, radius=5, verify="REPORT", record=True)
+            self.assertIsNone(trc.compensate(POCKET, radius=5).record)
+            filed = json.loads(result.record)
+            self.assertEqual(filed["output"]["sha256"],
+                             hashlib.sha256(result.text.encode()).hexdigest())
+            self.assertEqual(filed["summary"]["path"]["certificate"]["toolRadius"], 5)
+            record.write_text(result.record)
+            verify = [os.environ["TRC_CLI"], "verify", part, "--record", record]
+            subprocess.run(verify, check=True, capture_output=True)
+            part.write_text(POCKET.replace("X50", "X51"))
+            self.assertEqual(subprocess.run(verify, check=False, capture_output=True).returncode, 1)
+        with self.assertRaises(trc.TrcError) as refused:
+            trc.compensate(REFUSED, record=True)
+        filed = json.loads(refused.exception.record)
+        self.assertEqual(filed["outcome"], "REFUSED")
+        self.assertEqual(filed["diagnostics"][-1]["code"], refused.exception.cause.code)
+
+    def test_record_of_a_stream_that_was_lost_is_that_of_the_whole(self):
+        text = "#TRC [STRETCH_FACTOR=30]\n" + long_program(30_000)
+
+        def record_of(client):
+            filed = json.loads(client.compensate(text, radius=0.2, record=True).record)
+            for own in ("started", "seconds", "sha256"):
+                del filed[own]
+            for own in ("wallTimeSeconds", "cpuTimeSeconds"):
+                del filed["summary"]["path"][own]
+            return filed
+
+        with trc.Client() as client:
+            whole = record_of(client)
+        self.assertEqual(whole["input"]["sha256"], hashlib.sha256(text.encode()).hexdigest())
+        self.assertEqual(whole["allDiagnostics"]["count"], "1")
+        proxy = CuttingProxy(local.address().removeprefix("unix:"), cut_after=300_000)
+        try:
+            with trc.Client(proxy.address) as client:
+                self.assertEqual(record_of(client), whole)
+        finally:
+            proxy.close()
+        self.assertEqual(proxy.cuts, 1)
 
     def test_asyncio_twin_gives_the_same(self):
         async def all_of_them():

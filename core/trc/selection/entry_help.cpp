@@ -6,6 +6,7 @@
 #include <numbers>
 #include <utility>
 
+#include "core/geometry/box_tree.h"
 #include "core/geometry/distance.h"
 #include "core/trc/selection/free_start.h"
 
@@ -80,17 +81,27 @@ class EntrySearch {
   [[nodiscard]] EntryHelp find() const;
   // Where loops are removed: with the leads at the end, or without them.
   [[nodiscard]] EntryHelp find_past_leads();
+  // Of a contour that begins in an inside corner.
+  [[nodiscard]] EntryHelp find_in_corner() const;
 
  private:
   [[nodiscard]] std::optional<Way> longer_line() const;
   [[nodiscard]] std::optional<Way> line_from_tool_side() const;
   [[nodiscard]] std::optional<Way> quarter_circle() const;
   [[nodiscard]] std::optional<Way> line_from_free_start() const;
+  [[nodiscard]] std::optional<Way> line_into_corner() const;
+  [[nodiscard]] std::optional<Point> start_under_g238(const Way& way) const;
   [[nodiscard]] std::optional<Way> longer_arc() const;
   [[nodiscard]] Way quarter_circle(double radius) const;
 
   // Whether the way is accepted and clear.
   [[nodiscard]] bool does(const Way& way) const;
+  struct Tried {
+    bool accepted = false;
+    std::vector<CompensatedBlock> path{};
+  };
+  [[nodiscard]] Tried compensated(const Way& way, CompensatorSetup setup,
+                                  Diagnostics& diagnostics) const;
   [[nodiscard]] std::vector<Block> program(const Way& way) const;
   [[nodiscard]] bool is_of_way(const CompensatedBlock& block, std::size_t motions) const;
   [[nodiscard]] bool is_clear(const Segment& path) const;
@@ -146,7 +157,48 @@ EntryHelp EntrySearch::find_past_leads() {
   }
   help.tried_on = static_cast<std::uint32_t>(contour_.size());
   if (quarter) help.proposals.push_back(proposal(*quarter));
+  const bool has_leads = refused_.leads_in > 0 || refused_.leads_out > 0;
+  if (!quarter && refused_.at_begin && !has_leads)
+    if (const auto corner = line_into_corner()) help.proposals.push_back(proposal(*corner));
   return help;
+}
+
+EntryHelp EntrySearch::find_in_corner() const {
+  EntryHelp help{.third_axis = static_cast<std::uint8_t>(axes_of(plane_).third),
+                 .given_length = length_of(refused_block_.path),
+                 .tried_on = static_cast<std::uint32_t>(contour_.size())};
+  if (const auto corner = line_into_corner()) help.proposals.push_back(proposal(*corner));
+  return help;
+}
+
+std::optional<Way> EntrySearch::line_into_corner() const {
+  const TrcMode& mode = *refused_block_.mode;
+  const bool begins_beside_it =
+      mode.selection == Selection::direct || mode.selection == Selection::indirect;
+  const Point& corner = start_of(contour_.front().path);
+  const double gap = (end_of(contour_.back().path) - corner).norm();
+  if (!begins_beside_it || mode.tangential || gap > setup_.tolerances.same_point)
+    return std::nullopt;
+  Way way{.shape = EntryProposal::Shape::inside_corner,
+          .motions = {Line{.start = start_of(refused_block_.path), .end = corner}}};
+  if (does(way)) return way;
+  const auto start = start_under_g238(way);
+  if (!start) return std::nullopt;
+  way.motions = {Line{.start = *start, .end = corner}};
+  if (!does(way)) return std::nullopt;
+  return way;
+}
+
+// What G238 proposes itself in place of its start.
+std::optional<Point> EntrySearch::start_under_g238(const Way& way) const {
+  CompensatorSetup setup = setup_;
+  setup.helps_with_entries = true;
+  Diagnostics diagnostics;
+  if (compensated(way, setup, diagnostics).accepted || diagnostics.pending().empty())
+    return std::nullopt;
+  const auto& help = diagnostics.pending().back().entry_help;
+  if (!help || !help->legal) return std::nullopt;
+  return to_plane(plane_, {help->legal->x, help->legal->y, help->legal->z});
 }
 
 // Where no length of the programmed direction would do: from the programmed point, or from the
@@ -251,20 +303,27 @@ std::optional<Way> EntrySearch::line_from_free_start() const {
 }
 
 bool EntrySearch::does(const Way& way) const {
+  Diagnostics diagnostics;
+  const auto [accepted, path] = compensated(way, setup_, diagnostics);
+  if (!accepted || (refused_.removes_loops && leaves_much_out(diagnostics))) return false;
+  return std::all_of(path.begin(), path.end(), [&](const CompensatedBlock& block) {
+    // Under G238 the contour begins and ends elsewhere too. Where loops are removed it is clear.
+    const bool is_at_stake = refused_.in_corner || is_of_way(block, way.motions.size());
+    return !is_at_stake || block.origin == Origin::masked || is_clear(block.path);
+  });
+}
+
+EntrySearch::Tried EntrySearch::compensated(const Way& way, CompensatorSetup setup,
+                                            Diagnostics& diagnostics) const {
   std::vector<Block> blocks = program(way);
-  if (blocks.empty()) return false;
-  CompensatorSetup setup = setup_;
+  if (blocks.empty()) return {};
   const auto& first = std::get<MotionBlock>(blocks.front());
   setup.start = from_plane(plane_, start_of(first.path), first.normal.from);
   const TrcMode at_end = *std::get<MotionBlock>(blocks.back()).mode;
-  Diagnostics diagnostics;
   Compensator compensator(setup, diagnostics);
-  std::vector<CompensatedBlock> path;
-  if (!compensator.feed(blocks, path) || !compensator.finish(at_end, path)) return false;
-  if (refused_.removes_loops && leaves_much_out(diagnostics)) return false;
-  return std::all_of(path.begin(), path.end(), [&](const CompensatedBlock& block) {
-    return !is_of_way(block, way.motions.size()) || is_clear(block.path);
-  });
+  Tried tried;
+  tried.accepted = compensator.feed(blocks, tried.path) && compensator.finish(at_end, tried.path);
+  return tried;
 }
 
 // The way and the contour, numbered from 0 by Source::index; none: of the contour nothing is left.
@@ -298,6 +357,11 @@ std::vector<Block> EntrySearch::program(const Way& way) const {
   }
   std::vector<Block> blocks;
   for (MotionBlock& motion : motions) {
+    if (way.shape == EntryProposal::Shape::inside_corner) {
+      TrcMode mode = *motion.mode;
+      mode.selection = Selection::inside_corner;
+      motion.mode = std::make_shared<const TrcMode>(mode);
+    }
     motion.source.index = blocks.size();
     // A matter of the plane; of leads that are left out the height would be missing.
     motion.normal = {.from = refused_block_.normal.from, .to = refused_block_.normal.from};
@@ -315,7 +379,9 @@ bool EntrySearch::is_of_way(const CompensatedBlock& block, std::size_t motions) 
 bool EntrySearch::is_clear(const Segment& path) const {
   if (length_of(path) <= setup_.tolerances.same_point) return true;
   const double required = tool_radius() - setup_.tolerances.on_contour;
+  const Box around = bounding_box(path);
   return std::all_of(walls_.begin(), walls_.end(), [&](const MotionBlock& block) {
+    if (squared_distance(around, bounding_box(block.path)) > required * required) return true;
     return nearness(path, block.path, setup_.tolerances.same_point).distance >= required;
   });
 }
@@ -351,6 +417,10 @@ std::shared_ptr<const EntryHelp> help_with(const RefusedWay& refused,
       refused.shift == 0)
     return nullptr;
   EntrySearch search(refused, setup);
+  if (refused.in_corner) {
+    EntryHelp help = search.find_in_corner();
+    return help.proposals.empty() ? nullptr : std::make_shared<const EntryHelp>(std::move(help));
+  }
   if (!refused.removes_loops) return std::make_shared<const EntryHelp>(search.find());
   // What loop removal refuses has other causes mostly.
   EntryHelp help = search.find_past_leads();

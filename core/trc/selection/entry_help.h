@@ -19,6 +19,8 @@ namespace trc::selection {
 //
 // Where loops are removed and there is no way past the begin, the circle takes the place of the
 // leads at the begin, too. Under G238 it is a start point that is free, near to the one programmed.
+// A contour that begins in an inside corner has no way in but that of G238, which is proposed in
+// place of G138 and G139.
 // Each is compensated with the contour that is known, in a Compensator of its own, and its path
 // measured against that: what is refused or comes nearer than the tool radius is not offered. Null:
 // nothing is known of use.

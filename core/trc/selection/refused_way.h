@@ -29,6 +29,9 @@ struct RefusedWay {
   bool at_begin = false;  // nothing of it can be travelled
   std::size_t leads_in = 0;
   std::size_t leads_out = 0;
+  // Not the way in is at fault: `blocks` are a whole contour that begins and closes in an inside
+  // corner, where the tool has no room beside the begin (rule 3.2).
+  bool in_corner = false;
   // Where the way in meets the equidistant under G238, which needs no length but a free start.
   std::optional<Point> target{};
   // Under G238 too: the start has to lie on the tool side of the first block (rule 3.5).

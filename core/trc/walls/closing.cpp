@@ -34,14 +34,7 @@ struct End {
 using Ends = std::pmr::vector<End>;
 
 // A point the contour may close in.
-struct Candidate {
-  ContourPlace first{};
-  ContourPlace second{};
-  double before = 0;  // mm of contour
-  double behind = 0;
-  double gap = 0;
-  Point point = Point::Zero();
-};
+using Candidate = EndsMeeting;
 
 Ends first_blocks(const ContourView& contour, double reach, std::pmr::memory_resource* memory) {
   Ends blocks(memory);
@@ -305,14 +298,19 @@ class InwardSearch {
 
 }  // namespace
 
+std::pmr::vector<EndsMeeting> meetings_of_ends(const ContourView& contour, double closing_tolerance,
+                                               double tool_radius,
+                                               std::pmr::memory_resource* memory) {
+  const double reach = reach_in_radii * tool_radius;
+  return candidates_of(first_blocks(contour, reach, memory), last_blocks(contour, reach, memory),
+                       closing_tolerance, memory);
+}
+
 std::optional<Closing> find_closing(const ContourView& contour, double closing_tolerance,
                                     double tool_radius) {
-  const double reach = reach_in_radii * tool_radius;
   Scratch scratch;
   std::pmr::memory_resource* const memory = scratch.memory();
-  const auto candidates =
-      candidates_of(first_blocks(contour, reach, memory), last_blocks(contour, reach, memory),
-                    closing_tolerance, memory);
+  const auto candidates = meetings_of_ends(contour, closing_tolerance, tool_radius, memory);
   if (candidates.empty()) return std::nullopt;
   const double most = 0.5 * length_of_all(contour);
   InwardSearch search(contour, closing_tolerance, memory);

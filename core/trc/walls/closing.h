@@ -2,7 +2,9 @@
 
 #include <cstddef>
 #include <functional>
+#include <memory_resource>
 #include <optional>
+#include <vector>
 
 #include "core/geometry/segment.h"
 #include "core/nc/state/block.h"
@@ -26,7 +28,28 @@ struct ContourView {
 struct ContourPlace {
   std::size_t number = 0;
   double along = 0;  // mm from the start of the block
+
+  bool operator==(const ContourPlace&) const = default;
 };
+
+// A place where one of the last blocks of a contour meets one of the first ones.
+struct EndsMeeting {
+  ContourPlace first{};
+  ContourPlace second{};
+  double before = 0;  // mm of contour
+  double behind = 0;
+  double gap = 0;  // how far apart they are there, mm
+  Point point = Point::Zero();
+
+  bool operator==(const EndsMeeting&) const = default;
+};
+
+// All of them among the first blocks – five, and all that begin within 10 · R of the start – and
+// the last ones, likewise, from the outermost one inward.
+[[nodiscard]] std::pmr::vector<EndsMeeting> meetings_of_ends(const ContourView& contour,
+                                                             double closing_tolerance,
+                                                             double tool_radius,
+                                                             std::pmr::memory_resource* memory);
 
 // Where a contour comes back to its begin (D-38).
 struct Closing {
@@ -46,9 +69,8 @@ struct Closing {
   std::optional<Overrun> overrun{};
 };
 
-// Among the first blocks – five, and all that begin within 10 · R of the start – and as many of the
-// last ones, the point that is latest on the first ones where they meet within the tolerance, so
-// that half of the contour lies between. Leads that cross or begin in one point do not hide the
+// Of the meetings of the ends the one that is latest on the first blocks, so that half of the
+// contour lies between. Leads that cross or begin in one point do not hide the
 // start of the contour, and a second lap does not pass for one. n log n.
 //
 // Where there is none the leads may be longer than the contour, as about a small boss: a ring

@@ -4,6 +4,8 @@
 #include <utility>
 
 #include "core/geometry/along.h"
+#include "core/trc/corner/bow_tie.h"
+#include "core/trc/walls/scratch.h"
 
 namespace trc {
 
@@ -41,22 +43,44 @@ Segment SidedWalls::wall(std::size_t number, const Segment& programmed) const {
   return trc::part_of(programmed, part_of(number));
 }
 
+namespace {
+
+// The contour must outlive it.
+ContourView side_of(const ContourView& contour, const std::vector<std::size_t>& changes,
+                    std::size_t side) {
+  const std::size_t begin = side > 0 ? changes[side - 1] : 0;
+  const std::size_t end = side < changes.size() ? changes[side] : contour.count;
+  ContourView part{.count = end - begin, .segment = [&contour, begin](std::size_t number) {
+                     return contour.segment(begin + number);
+                   }};
+  if (contour.role)
+    part.role = [&contour, begin](std::size_t number) { return contour.role(begin + number); };
+  part.shift = side % 2 == 0 ? contour.shift : -contour.shift;
+  part.tool_side = side % 2 == 0 ? contour.tool_side : opposite(contour.tool_side);
+  return part;
+}
+
+}  // namespace
+
 SidedWalls find_walls(const ContourView& contour, std::vector<std::size_t> changes,
                       const LeadSettings& settings, double tool_radius) {
   SidedWalls walls{.changes = std::move(changes)};
-  for (std::size_t side = 0; side <= walls.changes.size(); ++side) {
-    const std::size_t begin = side > 0 ? walls.changes[side - 1] : 0;
-    const std::size_t end = side < walls.changes.size() ? walls.changes[side] : contour.count;
-    ContourView part{.count = end - begin, .segment = [&, begin](std::size_t number) {
-                       return contour.segment(begin + number);
-                     }};
-    if (contour.role)
-      part.role = [&, begin](std::size_t number) { return contour.role(begin + number); };
-    part.shift = side % 2 == 0 ? contour.shift : -contour.shift;
-    part.tool_side = side % 2 == 0 ? contour.tool_side : opposite(contour.tool_side);
-    walls.sides.push_back(find_walls(part, settings, tool_radius));
-  }
+  for (std::size_t side = 0; side <= walls.changes.size(); ++side)
+    walls.sides.push_back(find_walls(side_of(contour, walls.changes, side), settings, tool_radius));
   return walls;
+}
+
+WallsByRadius walls_by_radius(const ContourView& contour, const std::vector<std::size_t>& changes,
+                              const LeadSettings& settings, double tool_radius) {
+  WallsByRadius result{.largest_bow_tie = largest_bow_tie(settings.input_resolution, tool_radius)};
+  if (settings.find != LeadSettings::Find::automatic) return result;
+  Scratch scratch;
+  for (std::size_t side = 0; side <= changes.size(); ++side) {
+    const auto meetings = meetings_of_ends(
+        side_of(contour, changes, side), settings.closing_tolerance, tool_radius, scratch.memory());
+    result.meetings.emplace_back(meetings.begin(), meetings.end());
+  }
+  return result;
 }
 
 Segment part_of(const Segment& programmed, const std::optional<Walls::Part>& part) {

@@ -33,6 +33,18 @@ struct SidedWalls {
 [[nodiscard]] SidedWalls find_walls(const ContourView& contour, std::vector<std::size_t> changes,
                                     const LeadSettings& settings, double tool_radius);
 
+// What the tool radius decides of the walls of a contour: with the same settings they are the same
+// where this is.
+struct WallsByRadius {
+  std::vector<std::vector<EndsMeeting>> meetings{};  // of each side
+  double largest_bow_tie = 0;
+
+  bool operator==(const WallsByRadius&) const = default;
+};
+[[nodiscard]] WallsByRadius walls_by_radius(const ContourView& contour,
+                                            const std::vector<std::size_t>& changes,
+                                            const LeadSettings& settings, double tool_radius);
+
 // What `part` leaves of a block.
 [[nodiscard]] Segment part_of(const Segment& programmed, const std::optional<Walls::Part>& part);
 

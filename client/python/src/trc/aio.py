@@ -106,7 +106,7 @@ class Client:
                     yield
                 return
             except grpc.RpcError as error:
-                raised = raised_by(error, exchange.diagnostics)
+                raised = raised_by(error, exchange.diagnostics, exchange.record)
                 wait = (None if isinstance(raised, TrcError)
                         else waiting.before_next_try(raised))
                 if wait is None:

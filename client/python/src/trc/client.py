@@ -150,7 +150,7 @@ class Client:
                     yield
                 return
             except grpc.RpcError as error:
-                raised = raised_by(error, exchange.diagnostics)
+                raised = raised_by(error, exchange.diagnostics, exchange.record)
                 wait = None
                 if not isinstance(raised, TrcError) and not self._is_closed:
                     wait = waiting.before_next_try(raised)

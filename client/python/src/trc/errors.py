@@ -15,12 +15,15 @@ class TrcError(Exception):
     """The program, the path or the setup was refused.
 
     `diagnostics` holds what was raised, the cause last; it is empty where the call itself was wrong
-    (a field out of range), which the message of the exception then names.
+    (a field out of range), which the message of the exception then names. `record` is that of the
+    job as JSON, where record=True asked for it.
     """
 
-    def __init__(self, message: str, diagnostics: Sequence[Diagnostic] = ()):
+    def __init__(self, message: str, diagnostics: Sequence[Diagnostic] = (),
+                 record: Optional[str] = None):
         super().__init__(message)
         self.diagnostics = list(diagnostics)
+        self.record = record
 
     @property
     def cause(self) -> Diagnostic | None:
@@ -52,12 +55,12 @@ REFUSALS = (
 )
 
 
-def raised_by(error: grpc.RpcError, diagnostics: Sequence[Diagnostic]
-              ) -> Union[TrcError, ServerError]:
+def raised_by(error: grpc.RpcError, diagnostics: Sequence[Diagnostic],
+              record: Optional[str] = None) -> Union[TrcError, ServerError]:
     """The exception a caller gets for a call that failed."""
     status, text = error.code(), error.details() or ""
     if status in REFUSALS:
-        return TrcError(text, diagnostics)
+        return TrcError(text, diagnostics, record)
     reason, retry_after = _details_of(error)
     return ServerError(status, text, reason, retry_after)
 

@@ -53,6 +53,7 @@ class _Exchange:
         self._parts: list[Any] = []
         self.diagnostics: list[Diagnostic] = []
         self.summary: Optional[Any] = None
+        self.record: Optional[str] = None
 
     def go_on(self) -> None:
         """The stream was lost: back to what the last token holds."""
@@ -104,6 +105,7 @@ class ProgramExchange(_Exchange):
         """The next response."""
         response = trc_service_pb2.CompensateProgramResponse.FromString(message)
         self._absorb(response.nc_text or None, response, response.consumed_bytes)
+        self.record = response.record or self.record
 
     def take(self) -> Optional[ProgramPart]:
         """The next part that is certain; none: not yet."""
@@ -111,14 +113,14 @@ class ProgramExchange(_Exchange):
         if not parts and not told and self.summary is None:
             return None
         return ProgramPart(text=self._decoder.decode(b"".join(parts), self.summary is not None),
-                           diagnostics=told, summary=self.summary)
+                           diagnostics=told, summary=self.summary, record=self.record)
 
     def result(self) -> Result:
         """All of it; the stream has ended with OK."""
         if self.summary is None:
             raise no_summary()
         return Result(text=b"".join(self._parts).decode("utf-8", "surrogateescape"),
-                      diagnostics=self.diagnostics, summary=self.summary)
+                      diagnostics=self.diagnostics, summary=self.summary, record=self.record)
 
 
 class PathExchange(_Exchange):
@@ -175,6 +177,7 @@ class SurveyExchange:
         self._radii: list[SurveyedRadius] = []
         self._summary: Any = None
         self.diagnostics: list[Diagnostic] = []
+        self.record: Optional[str] = None
 
     def requests(self) -> Iterator[bytes]:
         """The setup and the whole input, without waiting for an answer between."""

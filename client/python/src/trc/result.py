@@ -138,6 +138,8 @@ class Result:
     """Notes and warnings, in the order they were raised."""
     summary: Any
     """The ProgramSummary of the protocol."""
+    record: Optional[str] = None
+    """With record=True: the record of the job as JSON, to be filed as it is."""
 
 
 @dataclass(frozen=True)
@@ -161,6 +163,8 @@ class ProgramPart:
     """What was told since the part before."""
     summary: Optional[Any] = None
     """Of the last part: the ProgramSummary of the protocol. Nothing may be machined before."""
+    record: Optional[str] = None
+    """Of the last part, with record=True: the record of the job as JSON."""
 
 
 @dataclass(frozen=True)
