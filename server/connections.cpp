@@ -84,8 +84,13 @@ std::string_view name_of(Connections::Reason reason) {
 
 class Connections::Connection {
  public:
-  Connection(Connections& all, int descriptor, std::uint64_t cookie, std::string peer)
-      : all_(all), descriptor_(descriptor), cookie_(cookie), peer_(std::move(peer)) {}
+  Connection(Connections& all, int descriptor, std::uint64_t cookie, std::string peer,
+             Speaks speaks)
+      : all_(all),
+        descriptor_(descriptor),
+        cookie_(cookie),
+        peer_(std::move(peer)),
+        speaks_(speaks) {}
 
   [[nodiscard]] bool is_there() const { return cookie_of(descriptor_) == cookie_; }
 
@@ -111,6 +116,7 @@ class Connections::Connection {
 
   // Bytes that came beyond those of messages, over what is allowed by now.
   void look(Clock::time_point now, TransportCounts& counts) {
+    if (speaks_ == Speaks::http1) return;
     const auto received = bytes_received(descriptor_);
     if (!received) return;
     if (*received - received_ > idle_bytes) look_at_streams(now, counts);
@@ -156,6 +162,7 @@ class Connections::Connection {
   const int descriptor_;
   const std::uint64_t cookie_;
   const std::string peer_;
+  const Speaks speaks_;
   std::atomic<std::uint32_t> calls_ = 0;
   std::atomic<std::uint64_t> carried_ = 0;
   std::atomic<bool> shut_ = false;
@@ -183,11 +190,11 @@ void Connections::Call::ended(bool early) const {
   if (connection_ != nullptr) connection_->call_ended(early);
 }
 
-bool Connections::add(int descriptor, std::size_t most_of_one_address) {
+bool Connections::add(int descriptor, std::size_t most_of_one_address, Speaks speaks) {
   std::string peer = peer_name(descriptor);
   const auto cookie = cookie_of(descriptor);
   if (peer.empty() || !cookie) return true;
-  auto connection = std::make_shared<Connection>(*this, descriptor, *cookie, peer);
+  auto connection = std::make_shared<Connection>(*this, descriptor, *cookie, peer, speaks);
   const std::string address(address_of(peer));
   std::unique_lock lock(mutex_);
   if (!has_room_for(address, most_of_one_address)) {

@@ -59,9 +59,12 @@ class Connections {
     std::shared_ptr<Connection> connection_;  // none: not one of TCP
   };
 
+  // Of HTTP/1.1 every byte belongs to a request, which its own server bounds: it is counted, but
+  // what is about frames is not looked for.
+  enum class Speaks : std::uint8_t { http2, http1 };
   // A descriptor that has just been accepted. False when it is to be closed: its address has so
   // many connections open already.
-  [[nodiscard]] bool add(int descriptor, std::size_t most_of_one_address);
+  [[nodiscard]] bool add(int descriptor, std::size_t most_of_one_address, Speaks speaks);
   // A call of the peer as gRPC names it: "ipv4:10.0.0.7:40000".
   [[nodiscard]] Call begin(std::string_view peer);
   // To be called several times a second: how many bytes have come, and which connections have gone.

@@ -200,9 +200,11 @@ Acceptor::~Acceptor() { stop(); }
 
 void Acceptor::add(Listener listener, Use use, Take take) {
   const int more = use == Use::health ? (descriptor_limit() - 1 - last_usable_) / 2 : 0;
-  doors_.push_back({.listener = std::move(listener),
-                    .last_usable = last_usable_ + more,
-                    .take = std::move(take)});
+  doors_.push_back(
+      {.listener = std::move(listener),
+       .last_usable = last_usable_ + more,
+       .take = std::move(take),
+       .speaks = use == Use::http ? Connections::Speaks::http1 : Connections::Speaks::http2});
 }
 
 void Acceptor::start() {
@@ -263,7 +265,7 @@ bool Acceptor::accept_from(const Door& door) {
         ++refused_;
         continue;
       }
-      if (!connections_.add(connection.number(), of_one_peer_)) continue;
+      if (!connections_.add(connection.number(), of_one_peer_, door.speaks)) continue;
       ++accepted_;
       door.take(std::move(connection));
       continue;

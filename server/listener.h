@@ -86,6 +86,7 @@ class Acceptor {
 
   enum class Use : std::uint8_t {
     work,
+    http,    // speaks HTTP/1.1
     health,  // may take some of the descriptors that are kept
   };
   // Before `start`.
@@ -102,6 +103,7 @@ class Acceptor {
     Listener listener;
     int last_usable = 0;  // descriptor
     Take take;
+    Connections::Speaks speaks = Connections::Speaks::http2;
   };
 
   void run();

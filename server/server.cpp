@@ -188,7 +188,7 @@ std::string Server::listen_for_http(std::optional<http::Offer> offer) {
                                           .offer = std::move(offer)});
   for (Listener& listener : opened.listeners) {
     http_port_ = listener.port();
-    acceptor_.add(std::move(listener), Acceptor::Use::work,
+    acceptor_.add(std::move(listener), Acceptor::Use::http,
                   [this](Descriptor connection) { http_->take(std::move(connection)); });
   }
   return opened.fault;

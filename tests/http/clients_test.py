@@ -1,5 +1,6 @@
 """What HTTP answers is what gRPC answers, byte for byte; and what it refuses it says why."""
 import base64
+import http.client
 import json
 import os
 import struct
@@ -77,6 +78,18 @@ class Programs(unittest.TestCase):
         self.assertIn(b"Transfer-Encoding: chunked", done.stderr)
         self.assertIn(b"Trc-Status: OK", done.stderr)
         self.assertEqual(done.stdout, self.expected("--set", "tool_radius=0.01", text=text))
+
+    def test_large_bodies_may_come_one_behind_the_other(self):
+        # Of HTTP nothing is taken for frames without messages, which end a connection of gRPC.
+        text = SQUARE + "; a comment of forty bytes and its end.\n" * 500_000
+        connection = http.client.HTTPConnection("127.0.0.1", self.server.port, timeout=60)
+        for _ in range(3):
+            connection.request("POST", "/v1/programs:verify?tool_radius=5", text, TEXT)
+            answer = connection.getresponse()
+            self.assertEqual((answer.status, answer.getheader("Connection")), (200, None))
+            answer.read()
+            time.sleep(1.1)
+        connection.close()
 
     def test_a_refused_program_is_a_problem_with_its_diagnostics(self):
         status, headers, body = self.server.ask(

@@ -105,6 +105,21 @@ TEST(Status, FaultInTheProgramCarriesPlaceValuesAndRemedy) {
   EXPECT_EQ(info.metadata().at("remedy"), row_of(Code::line_reversed).remedy);
 }
 
+TEST(Status, AnotherLanguageIsADetailOfItsOwn) {
+  Diagnostic fault = diagnostic(Code::line_reversed, {.index = 6, .number = 60, .line = 7});
+  const google::rpc::Status english = rich(refuse(fault));
+  fault.language = Language::german;
+  const google::rpc::Status german = rich(refuse(fault));
+  EXPECT_EQ(german.message(), english.message());
+  ASSERT_EQ(german.details_size(), english.details_size() + 1);
+  const auto localized = detail<google::rpc::LocalizedMessage>(german);
+  EXPECT_EQ(localized.locale(), "de");
+  EXPECT_NE(localized.message().find("in Zeile 7 (N60): "), std::string::npos)
+      << localized.message();
+  EXPECT_NE(localized.message().find(help_of(fault, Language::german)), std::string::npos)
+      << localized.message();
+}
+
 TEST(Status, WrongFieldsAreNamedAndTheirNumberBounded) {
   wire::FieldFaults faults;
   for (int i = 0; i < 33; ++i)
@@ -125,8 +140,10 @@ TEST(Status, FitsTheTrailersWhateverTheClientSent) {
   for (int i = 0; i < 100; ++i) faults.add({.field = junk, .description = junk});
   Diagnostic fault = diagnostic(Code::nc_syntax, {});
   fault.detail = junk;
-  for (const Ending& ending :
-       {refuse(faults), refuse(Refusal::internal, junk, {{"got", junk}}), refuse(fault)}) {
+  Diagnostic german = fault;
+  german.language = Language::german;
+  for (const Ending& ending : {refuse(faults), refuse(Refusal::internal, junk, {{"got", junk}}),
+                               refuse(fault), refuse(german)}) {
     // Base64 for the details, percent-encoding for the message.
     EXPECT_LT(
         ending.status.error_details().size() * 4 / 3 + ending.status.error_message().size() * 3,
