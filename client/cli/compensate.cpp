@@ -107,11 +107,11 @@ Exit write_converted(const Call& call, const v1::ProgramSetup& setup, const std:
 void tell_done(const Call& call, const Job& job, const Input& input, double seconds) {
   const Loudness& loudness = call.program.loudness;
   if (!job.summary || loudness.quiet) return;
-  if (loudness.verbose) std::cerr << text_of_done(input.name(), *job.summary, seconds);
   if (!loudness.verbose && isatty(STDERR_FILENO) != 1) return;
-  std::cerr << summary_line(job.summary->path, counts_in_inch(call.program, job.setup), seconds,
-                            language_of(job.setup))
-            << '\n';
+  const Telling telling{.language = language_of(job.setup),
+                        .inch = counts_in_inch(call.program, job.setup)};
+  if (loudness.verbose) std::cerr << text_of_done(input.name(), *job.summary, seconds, telling);
+  std::cerr << summary_line(job.summary->path, telling.inch, seconds, telling.language) << '\n';
 }
 
 Exit run(const Call& call) {
@@ -185,7 +185,7 @@ void add_compensate(CLI::App& app, Action& action) {
   auto call = std::make_shared<Call>();
   auto* files =
       command->add_option("file", call->files, "NC program, or several; - reads standard input");
-  files->type_name("FILE...")->required();
+  files->type_name("FILE")->required();
   add_setup_options(*command, call->program);
   add_loudness_options(*command, call->program.loudness);
   command
@@ -242,7 +242,9 @@ void add_compensate(CLI::App& app, Action& action) {
       action = [call, words = words_for_all(*command)] { return run_folder(*call, words); };
       return;
     }
-    if (call->files.size() > 1) throw CLI::RequiredError("--output-dir with several programs");
+    if (call->files.size() > 1)
+      throw CLI::ValidationError("FILE",
+                                 "several programs need --output-dir, where their results go");
     call->program.file = call->files.front();
     action = [call] { return run(*call); };
   });

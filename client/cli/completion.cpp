@@ -7,6 +7,9 @@
 #include <string_view>
 #include <vector>
 
+#include "core/base/diagnostic.h"
+#include "proto/wire/settings.h"
+
 namespace trc::cli {
 namespace {
 
@@ -24,8 +27,13 @@ std::vector<std::string> spellings_of(const CLI::Option& option) {
 
 bool takes_a_value(const CLI::Option& option) { return option.get_items_expected_max() > 0; }
 
-// As the help shows them: "TEXT:{mm,inch}". Empty: any value.
+// As the help shows them: "TEXT:{mm,inch}", or what settings begin with. Empty: any value.
 std::vector<std::string> values_of(const CLI::Option& option) {
+  if (option.check_lname("set")) {
+    std::vector<std::string> keys;
+    for (const wire::SettingRow& row : wire::settings()) keys.push_back(row.key + "=");
+    return keys;
+  }
   const std::string type = option.get_type_name();
   const std::size_t begin = type.find('{');
   const std::size_t end = type.find('}');
@@ -48,6 +56,12 @@ std::string joined(const std::vector<std::string>& words, std::string_view betwe
 
 // Those of the words behind the command; empty: files.
 std::vector<std::string> words_of(const CLI::App& command) {
+  if (command.get_name() == "explain") {
+    std::vector<std::string> codes;
+    for (const CodeRow& row : code_table())
+      codes.push_back(std::to_string(static_cast<int>(row.code)));
+    return codes;
+  }
   for (const CLI::Option* option : command.get_options())
     if (spellings_of(*option).empty()) return values_of(*option);
   return {};
@@ -86,6 +100,8 @@ std::string for_bash(const CLI::App& app) {
       const std::vector<std::string> words = values_of(*option);
       values += "    " + joined(places, "|") + ") " +
                 (words.empty() ? "compopt -o default" : "words=" + quoted(joined(words, " "))) +
+                // A value follows at once.
+                (!words.empty() && words.front().ends_with('=') ? "; compopt -o nospace" : "") +
                 " ;;\n";
     }
     options += "    " + command->get_name() + ") words=" + quoted(joined(names, " ")) + " ;;\n";

@@ -217,7 +217,7 @@ void add_job_options(CLI::App& command, Call& call) {
   command
       .add_option("--layout", call.layout,
                   "columns or blocks (CompensatePath), text (CompensateProgram)")
-      ->transform(CLI::CheckedTransformer(layouts))
+      ->transform(CLI::CheckedTransformer(layouts).description("{columns,blocks,text}"))
       ->default_str("columns");
   command.add_flag("--masking", call.masking, "G141 with REMOVE_MASKED_BLOCKS");
   command.add_option("--set", call.assignments, "Initial value, key=value (trc compensate --help)")

@@ -1,4 +1,9 @@
+#include <fcntl.h>
+#include <unistd.h>
+
 #include <CLI/CLI.hpp>
+#include <cerrno>
+#include <cstring>
 #include <exception>
 #include <iostream>
 #include <new>
@@ -10,6 +15,17 @@
 #include "core/base/version.h"
 
 namespace {
+
+// The code to end with, when all that was said is out.
+int ended(int code) {
+  errno = 0;
+  if (std::cout.flush()) return code;
+  // A pipe that nobody reads any more says no more than that.
+  if (errno != EPIPE)
+    std::cerr << "trc: cannot write standard output"
+              << (errno != 0 ? std::string(": ") + std::strerror(errno) : "") << '\n';
+  return code != 0 ? code : static_cast<int>(trc::cli::Exit::wrong_call);
+}
 
 int run(int argc, char** argv) {
   CLI::App app("Tool radius compensation: computes the path of the tool centre beside a contour.",
@@ -36,16 +52,25 @@ int run(int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    if (error.get_exit_code() == 0) return app.exit(error);
+    if (error.get_exit_code() == 0) return ended(app.exit(error));
     std::cerr << trc::cli::text_of_wrong_call(app, error);
     return static_cast<int>(trc::cli::Exit::wrong_call);
   }
-  return static_cast<int>(action());
+  return ended(static_cast<int>(action()));
+}
+
+// Where one of them is closed, the next file or connection would take its place, and what is meant
+// for the screen would go there. What stands in for it can neither be read nor written as asked.
+void keep_standard_streams_apart() {
+  for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
+    if (fcntl(stream, F_GETFD) == -1 && errno == EBADF)
+      static_cast<void>(open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY));
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
+  keep_standard_streams_apart();
   try {
     return run(argc, argv);
   } catch (const std::bad_alloc&) {

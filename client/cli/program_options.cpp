@@ -12,6 +12,7 @@
 #include "core/nc/dialect/dialect.h"
 #include "core/nc/text/characters.h"
 #include "core/nc/text/number_format.h"
+#include "proto/wire/german_settings.h"
 #include "proto/wire/setting_meanings.h"
 #include "proto/wire/settings.h"
 #include "proto/wire/setup.h"
@@ -26,11 +27,13 @@ std::string shortest(double number) {
 }
 
 // " in mm, -5 to 5"
-std::string unit_and_range(const wire::SettingMeaning& about) {
-  std::string text = about.unit.empty() ? "" : " in " + std::string(about.unit);
+std::string unit_and_range(const wire::SettingMeaning& about, bool german) {
+  const std::string_view unit = german ? wire::german_values_of(about.unit) : about.unit;
+  std::string text = unit.empty() ? "" : " in " + std::string(unit);
   if (!std::isfinite(about.least)) return text;
-  return text + ", " + shortest(about.least) +
-         (about.most > about.least ? " to " + shortest(about.most) : " alone");
+  text += ", " + shortest(about.least);
+  if (about.most > about.least) return text + (german ? " bis " : " to ") + shortest(about.most);
+  return text + (german ? " allein" : " alone");
 }
 
 }  // namespace
@@ -197,15 +200,22 @@ void report_clearance(v1::ProgramSetup& setup) {
 }
 
 std::string settings_help() {
-  std::string text = "Settings (--set KEY=VALUE), with what they are without it:\n";
+  const bool german = language_for("") == Language::german;
+  std::string text = german ? "Einstellungen (--set NAME=WERT), mit dem, was ohne sie gilt:\n"
+                            : "Settings (--set KEY=VALUE), with what they are without it:\n";
   for (const wire::SettingRow& row : wire::settings()) {
     const wire::SettingMeaning& about = wire::meaning_of(row.key);
-    text += "  " + row.key + ": " + row.values + unit_and_range(about) + "; " +
-            (about.initial.empty() ? "none" : std::string(about.initial)) + "\n      " +
-            std::string(about.meaning) + "\n";
+    const std::string none = german ? "nichts" : "none";
+    text += "  " + row.key + ": " +
+            std::string(german ? wire::german_values_of(row.values) : row.values) +
+            unit_and_range(about, german) + "; " +
+            (about.initial.empty() ? none : std::string(about.initial)) + "\n      " +
+            std::string(german ? wire::german_meaning_of(row.key) : about.meaning) + "\n";
   }
-  text += "The last part of a key will do where no other key ends in it: stretch_factor=2.";
-  return text;
+  return text + (german ? "Der letzte Teil eines Namens genügt, wo kein anderer so endet: "
+                          "stretch_factor=2."
+                        : "The last part of a key will do where no other key ends in it: "
+                          "stretch_factor=2.");
 }
 
 }  // namespace trc::cli

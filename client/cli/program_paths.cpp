@@ -62,7 +62,8 @@ ProgramPaths read_paths(const ProgramOptions& options, v1::ProgramSetup setup, I
   if (options.loudness.verbose && outcome.summary)
     std::cerr << text_of_done(
         input.name(), *outcome.summary,
-        std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count());
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count(),
+        {.language = language_of(setup), .inch = counts_in_inch(options, setup)});
   if (reader) {
     paths.programmed = reader->finish();
     paths.inch = is_inch(*reader, paths.programmed);

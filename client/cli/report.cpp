@@ -105,10 +105,13 @@ std::string painted(std::string text, std::string_view colour, const Shown& show
 
 // 1-based byte; 0: not known.
 std::size_t column_of(const Diagnostic& diagnostic, const std::optional<std::string>& line) {
-  if (diagnostic.column > 0 || !line || diagnostic.detail.empty()) return diagnostic.column;
+  const bool of_command = line && diagnostic.column > 0 && diagnostic.column <= line->size() &&
+                          (*line)[diagnostic.column - 1] == '#';
+  if ((diagnostic.column > 0 && !of_command) || !line || diagnostic.detail.empty())
+    return diagnostic.column;
   const std::size_t at = line->find(diagnostic.detail);
   const bool once = at != std::string::npos && line->find(diagnostic.detail, at + 1) == line->npos;
-  return once ? at + 1 : 0;
+  return once ? at + 1 : diagnostic.column;
 }
 
 // The bytes of the word at the column: the detail, or what it says something of, where it stands
@@ -116,6 +119,10 @@ std::size_t column_of(const Diagnostic& diagnostic, const std::optional<std::str
 std::size_t word_length(std::string_view line, std::size_t begin, std::string_view detail) {
   if (!line.substr(begin).starts_with(detail)) detail = detail.substr(0, detail.find(", "));
   if (!detail.empty() && line.substr(begin).starts_with(detail)) return detail.size();
+  if (line[begin] == '#') {
+    const std::size_t close = line.find(']', begin);
+    return (close == line.npos ? line.find_last_not_of(" \r") : close) + 1 - begin;
+  }
   const std::size_t end = line.find_first_not_of("0123456789.+-", begin + 1);
   return std::min(end, line.size()) - begin;
 }

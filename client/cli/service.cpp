@@ -257,7 +257,8 @@ Outcome compensate_program(const ServiceOptions& options, const v1::ProgramSetup
 
 Exit survey_program(const ServiceOptions& options, const v1::SurveySetup& setup,
                     std::string_view text, Reporter& reporter, v1::SurveyAnswer& answer) {
-  const Service service(options);
+  Patience patience(options, reporter);
+  const Service service(options, patience.how());
   if (service.failure()) return service.explain(*service.failure(), false);
   bool answered = false;
   const auto failure = client::survey_program(

@@ -3,15 +3,16 @@
 #include <string>
 
 #include "client/cli/service.h"
+#include "core/base/language.h"
 #include "proto/wire/path_item.h"
 #include "trc/v1/setup.pb.h"
 #include "trc/v1/trc_service.pb.h"
 
 namespace trc::cli {
 
-// What a program is compensated with, a line each, in front of it `name` as in "part.nc: ":
-// dialect and unit, the settings that are no default, the tools, and the service with its version
-// and the limits a program of that size meets.
+// What a program is compensated with, a line each, in front of it `name` as in "part.nc: ", in the
+// language of its setup: dialect and unit, the settings that are no default, the tools (mm), and
+// the service with its version and the limits a program of that size meets.
 [[nodiscard]] std::string text_of_taken(const std::string& name, const v1::ProgramSetup& setup,
                                         const ServiceOptions& service,
                                         const v1::GetServerInfoResponse& info);
@@ -20,9 +21,15 @@ namespace trc::cli {
 [[nodiscard]] Exit tell_taken(const std::string& name, const v1::ProgramSetup& setup,
                               const ServiceOptions& service);
 
-// What the engine did with it: lines, blocks by what they are, lengths and the radius in mm, what
-// was measured, and the times in s. `seconds`: from the call to the last block.
+// How a result is spoken of.
+struct Telling {
+  Language language = Language::english;
+  bool inch = false;  // lengths, as the program counts; else mm
+};
+
+// What the engine did with it: lines, blocks by what they are, lengths and the radius, what was
+// measured, and the times in s. `seconds`: from the call to the last block.
 [[nodiscard]] std::string text_of_done(const std::string& name, const wire::ProgramSummary& summary,
-                                       double seconds);
+                                       double seconds, const Telling& telling);
 
 }  // namespace trc::cli

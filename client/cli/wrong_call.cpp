@@ -16,16 +16,34 @@ std::string as_option(const std::string& setting) {
   return "--" + name;
 }
 
-std::string meant_command(const CLI::App& app, const std::string& word) {
+std::vector<std::string> commands_of(const CLI::App& app) {
   std::vector<std::string> names;
   for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; }))
     names.push_back(command->get_name());
-  std::string text = "trc: there is no command " + word;
-  if (const auto meant = likely_meant(word, names))
-    return text + "; did you mean " + *meant + "?\n";
-  text += "; commands are";
-  for (std::size_t i = 0; i < names.size(); ++i) text += (i > 0 ? ", " : " ") + names[i];
+  return names;
+}
+
+std::string list_of_commands(const CLI::App& app) {
+  std::string text = "commands are";
+  const char* between = " ";
+  for (const std::string& name : commands_of(app)) {
+    text += between + name;
+    between = ", ";
+  }
   return text + "\n";
+}
+
+std::string meant_command(const CLI::App& app, const std::string& word) {
+  const std::string text = "trc: there is no command " + word + "; ";
+  if (const auto meant = likely_meant(word, commands_of(app)))
+    return text + "did you mean " + *meant + "?\n";
+  return text + list_of_commands(app);
+}
+
+// "trc", "trc compensate"
+std::string spelled(const CLI::App& command) {
+  const std::string name = command.get_name();
+  return name == "trc" ? name : "trc " + name;
 }
 
 std::string meant_option(const CLI::App& command, const std::string& word) {
@@ -33,7 +51,7 @@ std::string meant_option(const CLI::App& command, const std::string& word) {
   std::vector<std::string> names;
   for (const CLI::Option* option : command.get_options())
     for (const std::string& one : option->get_lnames()) names.push_back("--" + one);
-  std::string text = "trc " + command.get_name() + ": there is no option " + name;
+  std::string text = spelled(command) + ": there is no option " + name;
   if (const auto meant = likely_meant(name, names))
     return text + "; did you mean " + *meant + "?\n";
   if (command.get_option_no_throw("--set") != nullptr) {
@@ -43,7 +61,7 @@ std::string meant_option(const CLI::App& command, const std::string& word) {
       return text.append("; did you mean --set ").append(setting).append("=…?\n");
     }
   }
-  return text + "; trc " + command.get_name() + " --help lists all\n";
+  return text + "; " + spelled(command) + " --help lists all\n";
 }
 
 }  // namespace
@@ -57,7 +75,10 @@ std::string text_of_wrong_call(const CLI::App& app, const CLI::ParseError& fault
     if (word.starts_with("--") && word != "--")
       return meant_option(commands.empty() ? app : *commands.front(), word);
   }
-  const std::string name = commands.empty() ? "trc" : "trc " + commands.front()->get_name();
+  if (commands.empty() && unknown.empty())
+    return "trc: say what to do: " + list_of_commands(app) +
+           "Run trc --help for more information.\n";
+  const std::string name = spelled(commands.empty() ? app : *commands.front());
   return name + ": " + fault.what() + "\nRun " + name + " --help for more information.\n";
 }
 

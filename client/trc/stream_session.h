@@ -54,10 +54,14 @@ class StreamSession {
   // Sends `outgoing`, a setup, and waits until the server has taken it: limits are known from then
   // on.
   bool open(Answers& out) {
-    setup_ = std::exchange(outgoing_, Request());
-    path_setup(setup_).set_want_resume_tokens(policy_.patience > policy_.patience.zero());
-    reached_ = connection_.reach();
+    prepare();
     return begin(out) || recover(out);
+  }
+
+  // The same for input that no limit concerns: its first piece follows the setup at once.
+  bool open_ahead(Answers& out) {
+    prepare();
+    return launch(out) || recover(out);
   }
 
   // Sends `outgoing`. `input_end`: the input position behind it; `end_of_input` for the last one.
@@ -110,12 +114,22 @@ class StreamSession {
     return [this, &out](const Response& response) { return take(response, out); };
   }
 
-  bool begin(Answers& out) {
+  void prepare() {
+    setup_ = std::exchange(outgoing_, Request());
+    path_setup(setup_).set_want_resume_tokens(policy_.patience > policy_.patience.zero());
+    reached_ = connection_.reach();
+  }
+
+  bool launch(Answers& out) {
     stream_.emplace(start_);
     accepted_ = false;
     unanswered_.clear();
+    return stream_->send(setup_, taker(out));
+  }
+
+  bool begin(Answers& out) {
+    if (!launch(out)) return false;
     const auto take = taker(out);
-    if (!stream_->send(setup_, take)) return false;
     while (!accepted_)
       if (!stream_->receive(take)) return false;
     return true;
@@ -310,8 +324,8 @@ class StreamSession {
   wire::CompensatedReader reader_;
   v1::StreamAccepted limits_;
   std::deque<std::uint64_t> unanswered_;  // input positions behind each request
-  std::size_t window_ = 1;
-  bool reached_ = false;  // somebody was there at the beginning
+  std::size_t window_ = 1;                // until the server says more
+  bool reached_ = false;                  // somebody was there at the beginning
   bool accepted_ = false;
   bool ever_accepted_ = false;
   bool stopped_ = false;  // by the caller, or by a response that no server sends

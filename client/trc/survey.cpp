@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <memory>
 
+#include "client/trc/resume_clock.h"
 #include "client/trc/stream.h"
 #include "trc/v1/trc_service.grpc.pb.h"
 
@@ -18,11 +19,9 @@ using Response = v1::SurveyRadiiResponse;
 // As of RemoteProgramSession.
 constexpr std::size_t chunk_bytes = 64 * 1024;
 
-}  // namespace
-
-std::optional<Failure> survey_program(const Connection& connection, const v1::SurveySetup& setup,
-                                      std::string_view text, const SurveySink& sink) {
-  static_cast<void>(connection.reach());
+// Asks one server, once.
+std::optional<Failure> ask(const Connection& connection, const v1::SurveySetup& setup,
+                           std::string_view text, const SurveySink& sink) {
   const auto stub = v1::TrcService::NewStub(connection.channel());
   Stream<Request, Response> stream(
       [&stub](auto* context, auto* reactor) { stub->async()->SurveyRadii(context, reactor); });
@@ -50,6 +49,26 @@ std::optional<Failure> survey_program(const Connection& connection, const v1::Su
   auto failure = failure_of(stream.close(take));
   if (failure) return failure;
   return whole ? std::nullopt : std::optional(missing_summary());
+}
+
+}  // namespace
+
+std::optional<Failure> survey_program(const Connection& connection, const v1::SurveySetup& setup,
+                                      std::string_view text, const SurveySink& sink) {
+  const ResumePolicy& policy = connection.resume_policy();
+  ResumeClock clock(policy);
+  const bool reached = connection.reach();
+  bool answered = false;
+  for (;;) {
+    auto failure = ask(connection, setup, text, [&](const v1::SurveyRadiiResponse& response) {
+      answered = true;
+      return sink(response);
+    });
+    if (!failure || answered || policy.patience <= policy.patience.zero()) return failure;
+    if (!failure->asks_to_wait() && !(reached && failure->not_taken())) return failure;
+    if (policy.waiting) policy.waiting(*failure);
+    if (!clock.wait(failure->retry_after_seconds)) return failure;
+  }
 }
 
 }  // namespace trc::client

@@ -16,8 +16,7 @@ constexpr auto rows = std::to_array<CodeRow>({
      "Program the centre with I, J, K instead of R."},
     {Code::circle_center_misfit, error, "CIRCLE_CENTER_MISFIT",
      "the circle centre does not fit the start and end point of the arc",
-     "Correct I, J, K or the end point. After G40 under G239 the tool stands at the compensated "
-     "point, not where the arc is programmed to start: move in a straight line first."},
+     "Correct I, J, K or the end point; directly behind G40 move in a straight line first."},
     {Code::circle_radius_zero, error, "CIRCLE_RADIUS_ZERO", "the radius of the circle is zero",
      "Program a centre (I, J, K) away from the start point, or a radius other than 0."},
     {Code::radius_and_tool_word_together, error, "RADIUS_AND_TOOL_WORD_TOGETHER",
@@ -80,14 +79,14 @@ constexpr auto rows = std::to_array<CodeRow>({
      "Correct I, J, K or the end point, or let G165 correct the centre."},
     {Code::line_reversed, error, "LINE_REVERSED",
      "the tool does not fit: its path beside this line runs backwards and would damage the contour",
-     "Use a smaller tool: SurveyRadii (trc radii) says which one fits. Where they are off, G141 "
-     "masks such blocks, and with it #TRC [REMOVE_MASKED_BLOCKS=1] leaves out whole loops."},
+     "Use a smaller tool: SurveyRadii (trc radii) says which one fits. G141 masks such blocks "
+     "where it is not on yet, and with it #TRC [REMOVE_MASKED_BLOCKS=1] leaves out whole loops."},
     {Code::arc_wrapped, error, "ARC_WRAPPED",
      "the tool does not fit: its path beside this arc goes the wrong way round and would damage "
      "the "
      "contour",
-     "Use a smaller tool: SurveyRadii (trc radii) says which one fits. Where they are off, G141 "
-     "masks such blocks, and with it #TRC [REMOVE_MASKED_BLOCKS=1] leaves out whole loops."},
+     "Use a smaller tool: SurveyRadii (trc radii) says which one fits. G141 masks such blocks "
+     "where it is not on yet, and with it #TRC [REMOVE_MASKED_BLOCKS=1] leaves out whole loops."},
     {Code::no_feed_adaptation_in_tangential_block, warning,
      "NO_FEED_ADAPTATION_IN_TANGENTIAL_BLOCK",
      "the feed of the G05 block cannot be adapted (G11): the tool radius is too large",
@@ -129,7 +128,7 @@ constexpr auto rows = std::to_array<CodeRow>({
     {Code::nc_not_text, error, "NC_NOT_TEXT", "a byte is not text: a control character or no UTF-8",
      "Save the program as plain text in UTF-8; ASCII is UTF-8 too."},
     {Code::nc_number, error, "NC_NUMBER", "a number is missing, malformed or out of range",
-     "Write a decimal number behind the address letter."},
+     "Write a decimal number behind the address letter; where a range is named, one within it."},
     {Code::nc_unclosed, error, "NC_UNCLOSED", "something is opened but not closed",
      "Close the bracket or the comment, or complete the continued line."},
     {Code::nc_word_twice, error, "NC_WORD_TWICE", "one block programs an address twice",
@@ -165,7 +164,7 @@ constexpr auto rows = std::to_array<CodeRow>({
     {Code::tool_radius_out_of_range, error, "TOOL_RADIUS_OUT_OF_RANGE",
      "the tool radius is out of range", "Check the unit: the radius is in mm, under G70 in inch."},
     {Code::field_invalid, error, "FIELD_INVALID", "a value is not a number or out of range",
-     "Correct the field named."},
+     "Correct the word or the field named."},
     {Code::position_unknown, error, "POSITION_UNKNOWN",
      "the motion starts from a position that is not known since the coordinates changed",
      "Program all axes of the plane absolutely (G90, G00 or G01) behind the change, before G91, "
@@ -241,9 +240,9 @@ constexpr auto rows = std::to_array<CodeRow>({
      "the circle centre does not fit start and end point and is shifted (G165)",
      "Correct I, J, K or the end point; the arc runs about the shifted centre."},
     {Code::wear_too_large, error, "WEAR_TOO_LARGE",
-     "the wear of the tool is larger than max_wear; with nominal_radius the program is a centre "
-     "path, and the tool radius only what the tool differs from that",
-     "Is this the whole radius? Give the difference from the nominal one, or raise max_wear."},
+     "the wear of the tool is larger than max_wear allows",
+     "Is this the whole radius? With nominal_radius the tool radius is only the difference from "
+     "that one: give that, or raise max_wear."},
     {Code::wear_not_deeper, note, "WEAR_NOT_DEEPER",
      "the tool is smaller than the nominal one, but the shifted centre path does not take it "
      "deeper "

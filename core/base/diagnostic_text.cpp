@@ -13,7 +13,7 @@
 namespace trc {
 namespace {
 
-enum class Measure { length, angle, share, feed, count };
+enum class Measure { length, angle, share, feed, count, block_number };
 
 struct ValueWords {
   std::string_view name;
@@ -25,9 +25,9 @@ struct ValueWords {
 // A name that is not here is a length in its own words.
 constexpr auto words_of_values = std::to_array<ValueWords>({
     {"angle", "angle", "Winkel", Measure::angle},
-    {"blocks", "blocks", "Sätze", Measure::count},
+    {"blocks", "blocks too near", "Sätze zu nah", Measure::count},
     {"bytes", "bytes", "Bytes", Measure::count},
-    {"center_shift", "center shift", "Verschiebung des Mittelpunkts", Measure::length},
+    {"center_shift", "shift of the centre", "Verschiebung des Mittelpunkts", Measure::length},
     {"clearance", "clearance", "Abstand", Measure::length},
     {"compensated_length", "compensated length", "korrigierte Länge", Measure::length},
     {"contour_radius", "radius of the contour", "Radius der Kontur", Measure::length},
@@ -37,6 +37,7 @@ constexpr auto words_of_values = std::to_array<ValueWords>({
     {"decimals", "decimals", "Nachkommastellen", Measure::count},
     {"deeper", "deeper", "tiefer", Measure::length},
     {"difference", "difference", "Unterschied", Measure::length},
+    {"distance", "distance", "Abstand", Measure::length},
     {"end_radius", "end radius", "Endradius", Measure::length},
     {"feed", "feed", "Vorschub", Measure::feed},
     {"gap", "gap", "Lücke", Measure::length},
@@ -52,13 +53,13 @@ constexpr auto words_of_values = std::to_array<ValueWords>({
     {"longest_line", "longest line in characters", "längste Zeile in Zeichen", Measure::count},
     {"look_ahead_blocks", "blocks of the window", "Sätze des Fensters", Measure::count},
     {"max_masked_share", "largest share", "größter Anteil", Measure::share},
-    {"max_wear", "max wear", "größter Verschleiß", Measure::length},
+    {"max_wear", "largest wear", "größter Verschleiß", Measure::length},
     {"needed_length", "needed length", "nötige Länge", Measure::length},
     {"nominal_radius", "nominal radius", "Nennradius", Measure::length},
     {"path_radius", "radius of the path", "Radius der Bahn", Measure::length},
     {"programmed_length", "programmed length", "programmierte Länge", Measure::length},
     {"radius", "radius", "Radius", Measure::length},
-    {"selection_block", "selection block N", "Anwahlsatz N", Measure::count},
+    {"selection_block", "selection block", "Anwahlsatz", Measure::block_number},
     {"smallest_difference", "smallest difference", "kleinster Unterschied", Measure::length},
     {"smallest_radius", "smallest radius", "kleinster Radius", Measure::length},
     {"start_radius", "start radius", "Anfangsradius", Measure::length},
@@ -157,6 +158,8 @@ std::string value_text(const DiagnosticValue& value, const Lengths& lengths, Lan
              written(lengths.in_unit(value.value), std::chars_format::general,
                      lengths.inch ? 6 : 9) +
              (lengths.inch ? " in/min" : " mm/min");
+    case Measure::block_number:
+      return words + "N" + written(value.value, std::chars_format::general, 9);
     case Measure::count:
       break;
   }

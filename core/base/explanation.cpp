@@ -199,6 +199,8 @@ constexpr auto rows = std::to_array<Explanation>({
      .meaning = "INVERSE belongs to the compensation while machining (ONLINE), which is not "
                 "part of this program.",
      .causes = {"A program written for a control with online compensation."},
+     .on_command_line = "Remove INVERSE; the inverse path is written with --set "
+                        "include_inverse_path=true --format jsonl.",
      .example = "N10 G00 X0 Y0\n"
                 "N20 #TRC [INVERSE=1]\n"
                 "N30 M30\n"},
@@ -279,8 +281,8 @@ constexpr auto rows = std::to_array<Explanation>({
                 "The contour is compensated on the wrong side.",
                 "Two corners lie a few micrometres apart, as CAM systems write them."},
      .on_command_line =
-         "Use a smaller tool: trc radii says which one fits. Where they are off, G141 "
-         "masks such blocks, and with it #TRC [REMOVE_MASKED_BLOCKS=1] leaves out "
+         "Use a smaller tool: trc radii says which one fits. G141 masks such blocks "
+         "where it is not on yet, and with it #TRC [REMOVE_MASKED_BLOCKS=1] leaves out "
          "whole loops.",
      .example = "N10 G00 X-30 Y0 F1000\n"
                 "N20 V.G.WZ_AKT.R = 10\n"
@@ -296,8 +298,8 @@ constexpr auto rows = std::to_array<Explanation>({
      .causes = {"The tool is too large for the fillet and the lines beside it.",
                 "The contour is compensated on the wrong side."},
      .on_command_line =
-         "Use a smaller tool: trc radii says which one fits. Where they are off, G141 "
-         "masks such blocks, and with it #TRC [REMOVE_MASKED_BLOCKS=1] leaves out "
+         "Use a smaller tool: trc radii says which one fits. G141 masks such blocks "
+         "where it is not on yet, and with it #TRC [REMOVE_MASKED_BLOCKS=1] leaves out "
          "whole loops.",
      .example = "N10 G00 X-30 Y0 F1000\n"
                 "N20 V.G.WZ_AKT.R = 10\n"
@@ -432,6 +434,7 @@ constexpr auto rows = std::to_array<Explanation>({
     {.code = Code::nc_line_too_long,
      .meaning = "Lines are kept whole, so that their length is limited.",
      .causes = {"The file is no NC program.", "The line ends were lost when the file was copied."},
+     .on_command_line = "Check that this is an NC program with line ends.",
      .no_example = "It takes a line of more than 65536 bytes."},
     {.code = Code::nc_not_text,
      .meaning = "NC programs are plain text. A control character, or a byte that is no "
@@ -699,6 +702,8 @@ constexpr auto rows = std::to_array<Explanation>({
      .meaning = "What cannot be known before the end of the contour keeps its blocks back, "
                 "and only so many.",
      .causes = {"One selection over a whole surface.", "G40 was forgotten."},
+     .on_command_line = "Divide the contour, or raise the limit: --max-blocks-per-selection, where "
+                        "a server is asked its setting of that name.",
      .no_example = "It takes more blocks in one selection than a service allows, 20 million "
                    "unless its operator says otherwise."},
     {.code = Code::blocks_masked,
@@ -861,8 +866,8 @@ constexpr auto rows = std::to_array<Explanation>({
      .meaning = "Wear is a few tenths. Beyond max_wear it is taken for the whole radius, or "
                 "for a slip.",
      .causes = {"The whole radius was given as wear.", "A diameter, or another unit."},
-     .on_command_line = "Is this the whole radius? Give the difference from the nominal one, or "
-                        "allow more: --set max_wear=2.",
+     .on_command_line = "Is this the whole radius? With nominal_radius the tool radius is only the "
+                        "difference from that one: give that, or allow more: --set max_wear=2.",
      .example = "N10 G00 X0 Y-30 F1000\n"
                 "N20 V.G.WZ_AKT.R = 5 G41 G01 X0 Y0\n"
                 "N30 X50\n"

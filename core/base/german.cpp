@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include "core/base/german_fragments.h"
+
 namespace trc {
 namespace {
 
@@ -12,9 +14,8 @@ constexpr auto rows = std::to_array<GermanRow>({
      .help = "Den Mittelpunkt mit I, J, K statt R programmieren."},
     {.code = Code::circle_center_misfit,
      .title = "der Kreismittelpunkt passt nicht zu Anfangs- und Endpunkt des Kreisbogens",
-     .help = "I, J, K oder den Endpunkt berichtigen. Nach G40 unter G239 steht das Werkzeug auf "
-             "dem korrigierten Punkt, nicht dort, wo der Bogen laut Programm anfängt: zuerst eine "
-             "Gerade fahren."},
+     .help = "I, J, K oder den Endpunkt berichtigen; unmittelbar nach G40 zuerst eine Gerade "
+             "fahren."},
     {.code = Code::circle_radius_zero,
      .title = "der Kreisradius ist null",
      .help = "Einen Mittelpunkt (I, J, K) abseits des Anfangspunkts oder einen Radius ungleich 0 "
@@ -75,7 +76,9 @@ constexpr auto rows = std::to_array<GermanRow>({
              "abwählen."},
     {.code = Code::inverse_without_online,
      .title = "INVERSE ist ohne ONLINE gesetzt",
-     .help = "INVERSE streichen; die Rückrechnung der Bahn im Setup verlangen."},
+     .help = "INVERSE streichen; die Rückrechnung der Bahn im Setup verlangen.",
+     .on_command_line = "INVERSE streichen; die Rückrechnung der Bahn schreibt --set "
+                        "include_inverse_path=true --format jsonl."},
     {.code = Code::real_time_loop_while_active,
      .title = "#RT WHILE steht bei aktiver Werkzeugradiuskorrektur",
      .help = "Die Werkzeugradiuskorrektur vor dem Befehl mit G40 abwählen."},
@@ -105,21 +108,21 @@ constexpr auto rows = std::to_array<GermanRow>({
     {.code = Code::line_reversed,
      .title = "das Werkzeug passt nicht: neben dieser Geraden liefe seine Bahn rückwärts und "
               "würde die Kontur verletzen",
-     .help = "Einen kleineren Fräser nehmen: SurveyRadii (trc radii) sagt, welcher passt. Wo das "
-             "abgeschaltet ist, blendet G141 solche Sätze aus, und mit #TRC "
-             "[REMOVE_MASKED_BLOCKS=1] fallen ganze Schleifen weg.",
-     .on_command_line = "Einen kleineren Fräser nehmen: trc radii sagt, welcher passt. Wo das "
-                        "abgeschaltet ist, blendet G141 solche Sätze aus, und mit #TRC "
-                        "[REMOVE_MASKED_BLOCKS=1] fallen ganze Schleifen weg."},
+     .help = "Einen kleineren Fräser nehmen: SurveyRadii (trc radii) sagt, welcher passt. G141 "
+             "blendet solche Sätze aus, wo es noch nicht eingeschaltet ist, und dann lässt #TRC "
+             "[REMOVE_MASKED_BLOCKS=1] ganze Schleifen weg.",
+     .on_command_line = "Einen kleineren Fräser nehmen: trc radii sagt, welcher passt. G141 "
+                        "blendet solche Sätze aus, wo es noch nicht eingeschaltet ist, und dann "
+                        "lässt #TRC [REMOVE_MASKED_BLOCKS=1] ganze Schleifen weg."},
     {.code = Code::arc_wrapped,
      .title = "das Werkzeug passt nicht: neben diesem Bogen liefe seine Bahn falsch herum und "
               "würde die Kontur verletzen",
-     .help = "Einen kleineren Fräser nehmen: SurveyRadii (trc radii) sagt, welcher passt. Wo das "
-             "abgeschaltet ist, blendet G141 solche Sätze aus, und mit #TRC "
-             "[REMOVE_MASKED_BLOCKS=1] fallen ganze Schleifen weg.",
-     .on_command_line = "Einen kleineren Fräser nehmen: trc radii sagt, welcher passt. Wo das "
-                        "abgeschaltet ist, blendet G141 solche Sätze aus, und mit #TRC "
-                        "[REMOVE_MASKED_BLOCKS=1] fallen ganze Schleifen weg."},
+     .help = "Einen kleineren Fräser nehmen: SurveyRadii (trc radii) sagt, welcher passt. G141 "
+             "blendet solche Sätze aus, wo es noch nicht eingeschaltet ist, und dann lässt #TRC "
+             "[REMOVE_MASKED_BLOCKS=1] ganze Schleifen weg.",
+     .on_command_line = "Einen kleineren Fräser nehmen: trc radii sagt, welcher passt. G141 "
+                        "blendet solche Sätze aus, wo es noch nicht eingeschaltet ist, und dann "
+                        "lässt #TRC [REMOVE_MASKED_BLOCKS=1] ganze Schleifen weg."},
     {.code = Code::no_feed_adaptation_in_tangential_block,
      .title = "der Vorschub des G05-Satzes lässt sich nicht anpassen (G11): der Werkzeugradius ist "
               "zu groß",
@@ -167,13 +170,15 @@ constexpr auto rows = std::to_array<GermanRow>({
      .on_command_line = "Einen Wert aus dem Bereich programmieren; trc info nennt alle Bereiche."},
     {.code = Code::nc_line_too_long,
      .title = "eine Zeile ist länger als die Grenze",
-     .help = "Prüfen, ob das ein NC-Programm mit Zeilenenden ist, oder die Grenze anheben."},
+     .help = "Prüfen, ob das ein NC-Programm mit Zeilenenden ist, oder die Grenze anheben.",
+     .on_command_line = "Prüfen, ob das ein NC-Programm mit Zeilenenden ist."},
     {.code = Code::nc_not_text,
      .title = "ein Byte ist kein Text: ein Steuerzeichen oder kein UTF-8",
      .help = "Das Programm als reinen Text in UTF-8 speichern; auch ASCII ist UTF-8."},
     {.code = Code::nc_number,
      .title = "eine Zahl fehlt, ist falsch geschrieben oder außerhalb des Bereichs",
-     .help = "Hinter den Adressbuchstaben eine Dezimalzahl schreiben."},
+     .help = "Hinter den Adressbuchstaben eine Dezimalzahl schreiben; wo ein Bereich genannt ist, "
+             "eine aus diesem."},
     {.code = Code::nc_unclosed,
      .title = "etwas ist geöffnet, aber nicht geschlossen",
      .help = "Die Klammer oder den Kommentar schließen, oder die fortgesetzte Zeile ergänzen."},
@@ -228,7 +233,7 @@ constexpr auto rows = std::to_array<GermanRow>({
      .help = "Die Maßeinheit prüfen: der Radius zählt in mm, unter G70 in Zoll."},
     {.code = Code::field_invalid,
      .title = "ein Wert ist keine Zahl oder außerhalb des Bereichs",
-     .help = "Das genannte Feld berichtigen."},
+     .help = "Das genannte Wort oder Feld berichtigen."},
     {.code = Code::position_unknown,
      .title = "die Bewegung beginnt an einer Stelle, die seit dem Koordinatenwechsel nicht bekannt "
               "ist",
@@ -275,7 +280,10 @@ constexpr auto rows = std::to_array<GermanRow>({
      .help = "Mit G40 abwählen, bevor die andere Seite angewählt wird."},
     {.code = Code::selection_too_long,
      .title = "eine Anwahl umfasst mehr Sätze, als zurückgehalten werden dürfen",
-     .help = "Die Kontur teilen, oder die Grenze der Sätze je Anwahl anheben."},
+     .help = "Die Kontur teilen, oder die Grenze der Sätze je Anwahl anheben.",
+     .on_command_line =
+         "Die Kontur teilen, oder die Grenze anheben: --max-blocks-per-selection, bei "
+         "einem Server dessen Einstellung dieses Namens."},
     {.code = Code::blocks_masked,
      .title = "Kontursätze, an die das Werkzeug nicht herankommt, sind ausgeblendet",
      .help = "Für sie einen kleineren Fräser nehmen.",
@@ -330,13 +338,12 @@ constexpr auto rows = std::to_array<GermanRow>({
      .help = "I, J, K oder den Endpunkt berichtigen; der Bogen läuft um den verschobenen "
              "Mittelpunkt."},
     {.code = Code::wear_too_large,
-     .title = "der Verschleiß des Werkzeugs ist größer als max_wear; mit nominal_radius ist das "
-              "Programm eine Mittelpunktsbahn, und der Werkzeugradius ist nur, was das Werkzeug "
-              "davon abweicht",
-     .help = "Ist das der ganze Radius? Den Unterschied zum Nennradius angeben, oder max_wear "
-             "anheben.",
-     .on_command_line = "Ist das der ganze Radius? Den Unterschied zum Nennradius angeben, oder "
-                        "mehr zulassen: --set max_wear=2."},
+     .title = "der Verschleiß des Werkzeugs ist größer, als max_wear erlaubt",
+     .help = "Ist das der ganze Radius? Mit nominal_radius ist der Werkzeugradius nur der "
+             "Unterschied zu diesem: ihn angeben, oder max_wear anheben.",
+     .on_command_line = "Ist das der ganze Radius? Mit nominal_radius ist der Werkzeugradius nur "
+                        "der Unterschied zu diesem: ihn angeben, oder mehr zulassen: --set "
+                        "max_wear=2."},
     {.code = Code::wear_not_deeper,
      .title = "das Werkzeug ist kleiner als das Nennwerkzeug, aber die verschobene "
               "Mittelpunktsbahn führt es nicht tiefer in diese Innenecke",
@@ -607,6 +614,29 @@ const Phrase* phrase_of(std::string_view english) {
   return found == phrases.end() ? nullptr : found;
 }
 
+// With the phrase that the detail is, or ends with.
+std::string with_german_phrase(std::string_view detail) {
+  if (detail.ends_with(while_active)) {
+    detail.remove_suffix(while_active.size());
+    return with_german_phrase(detail).append(while_active_german);
+  }
+  if (const Phrase* whole = phrase_of(detail)) return std::string(whole->german);
+  if (const std::size_t at = detail.rfind(as_in); at != std::string_view::npos)
+    return with_german_phrase(detail.substr(0, at))
+        .append(as_in_german)
+        .append(detail.substr(at + as_in.size()));
+  // "G68, rotation": the word, and what it means; words of the program may have commas as well.
+  for (std::size_t at = detail.find(", "); at != std::string_view::npos;
+       at = detail.find(", ", at + 2))
+    if (const Phrase* meaning = phrase_of(detail.substr(at + 2)))
+      return std::string(detail.substr(0, at + 2)).append(meaning->german);
+  for (std::size_t at = detail.find(' '); at != std::string_view::npos;
+       at = detail.find(' ', at + 1))
+    if (const Phrase* state = phrase_of(detail.substr(at + 1)))
+      return std::string(detail.substr(0, at + 1)).append(state->german);
+  return std::string(detail);
+}
+
 }  // namespace
 
 std::span<const GermanRow> german_rows() { return rows; }
@@ -623,25 +653,7 @@ const GermanRow& german_row_of(Code code) {
 }
 
 std::string german_detail(std::string_view detail) {
-  if (detail.ends_with(while_active)) {
-    detail.remove_suffix(while_active.size());
-    return german_detail(detail).append(while_active_german);
-  }
-  if (const Phrase* whole = phrase_of(detail)) return std::string(whole->german);
-  if (const std::size_t at = detail.rfind(as_in); at != std::string_view::npos)
-    return german_detail(detail.substr(0, at))
-        .append(as_in_german)
-        .append(detail.substr(at + as_in.size()));
-  // "G68, rotation": the word, and what it means; words of the program may have commas as well.
-  for (std::size_t at = detail.find(", "); at != std::string_view::npos;
-       at = detail.find(", ", at + 2))
-    if (const Phrase* meaning = phrase_of(detail.substr(at + 2)))
-      return std::string(detail.substr(0, at + 2)).append(meaning->german);
-  for (std::size_t at = detail.find(' '); at != std::string_view::npos;
-       at = detail.find(' ', at + 1))
-    if (const Phrase* state = phrase_of(detail.substr(at + 1)))
-      return std::string(detail.substr(0, at + 1)).append(state->german);
-  return std::string(detail);
+  return with_german_fragments(with_german_phrase(detail));
 }
 
 }  // namespace trc

@@ -338,7 +338,14 @@ std::string unknown_key(const std::string& key) {
   std::vector<std::pair<std::size_t, std::string>> near;
   const auto consider = [&](const std::string& full) {
     const std::string last = full.substr(full.rfind('.') + 1);
-    near.emplace_back(std::min(edit_distance(key, full), edit_distance(key, last)), full);
+    std::size_t distance = std::min(edit_distance(key, full), edit_distance(key, last));
+    // "radus" is a part of tool_radius, misspelled.
+    for (std::size_t at = 0; at < last.size();) {
+      const std::size_t end = std::min(last.find('_', at), last.size());
+      distance = std::min(distance, edit_distance(key, last.substr(at, end - at)) + 1);
+      at = end + 1;
+    }
+    near.emplace_back(distance, full);
   };
   for (const Route& route : all_routes()) consider(key_of(route));
   consider("tools");

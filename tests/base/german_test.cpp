@@ -101,7 +101,13 @@ TEST(German, SaysWhatIsSaidOfAWord) {
   EXPECT_EQ(german_detail("G54 while TRC is active"), "G54 bei aktiver Werkzeugradiuskorrektur");
   EXPECT_EQ(german_detail("L, a subprogram call"), "L, ein Unterprogrammaufruf");
   EXPECT_EQ(german_detail("G21, mirroring, as in fanuc"), "G21, Spiegeln, wie bei fanuc");
-  EXPECT_EQ(german_detail("X10, of mine"), "X10, of mine");
+  EXPECT_EQ(german_detail("X10, my own"), "X10, my own");
+  EXPECT_EQ(german_detail("D2 of T1"), "D2 von T1");
+  EXPECT_EQ(german_detail("G41 or G42 in line 3 (N20), D0 or T0 is no tool"),
+            "G41 oder G42 in Zeile 3 (N20), D0 oder T0 ist kein Werkzeug");
+  EXPECT_EQ(german_detail("REVERS, perhaps REVERSE"), "REVERS, vielleicht REVERSE");
+  EXPECT_EQ(german_detail("L, from a place that is not known, while TRC is active"),
+            "L, von einer Stelle aus, die nicht bekannt ist, bei aktiver Werkzeugradiuskorrektur");
 }
 
 TEST(German, OfMessageAndHelp) {
@@ -113,6 +119,14 @@ TEST(German, OfMessageAndHelp) {
             "(Abstand 2.000 mm, Werkzeugradius 5.000 mm, anderer Satz Zeile 7 (N70))");
   EXPECT_EQ(help_of(found, Language::german),
             "Einen kleineren Fräser nehmen oder die Kontur berichtigen.");
+}
+
+TEST(German, NamesBlocksAsTheProgramDoes) {
+  Diagnostic found = diagnostic(Code::selection_point_too_near, {.index = 3});
+  found.values = {{"selection_block", 40}, {"distance", 28.284}};
+  EXPECT_TRUE(
+      message_of(found, Language::german).ends_with(" (Anwahlsatz N40, Abstand 28.284 mm)"));
+  EXPECT_TRUE(message_of(found).ends_with(" (selection block N40, distance 28.284 mm)"));
 }
 
 TEST(German, OfEverySlipNamesWhatWasMeant) {

@@ -294,6 +294,24 @@ TEST(Verbose, TellsWhatWasTakenAndHowLongItTook) {
   }
 }
 
+TEST(Verbose, SpeaksGermanAndInTheUnitOfTheProgram) {
+  const Folder folder;
+  const std::string file = folder.write(
+      "part.nc", "G70 G17 G90 G0 X0 Y0\nV.G.WZ_AKT.R=0.25\nG41 G1 X1 Y0 F20\nX3\nG40 X4 Y1\nM30\n");
+  const Ended ended =
+      trc({"compensate", file, "-v", "--lang", "de", "--set", "tools=1:5,2:3.5:-0.02"});
+  EXPECT_EQ(ended.code, 0) << ended.err;
+  for (const char* said :
+       {": Dialekt isg, Längen in mm, bis das Programm es sagt\n",
+        ": Vorgaben: verify=report language=de\n",
+        ": Werkzeuge: 1: Radius 5.000 mm; 2: Radius 3.500 mm, Verschleiß -0.020 mm\n",
+        ": Dienst: dieser Prozess, trc ", ": 6 Zeilen, ", " 1 Anfahren",
+        "Radius am Ende 0.2500 in, davon Verschleiß + 0.0000 in", ": Zeit "})
+    EXPECT_NE(ended.err.find(said), std::string::npos) << said << '\n' << ended.err;
+  for (const char* english : {"length", "blocks", "lines", "radius ", "none", "time"})
+    EXPECT_EQ(ended.err.find(english), std::string::npos) << english << '\n' << ended.err;
+}
+
 // What is proposed is text that can be put in: from "… in mm: " on, one line of the program between
 // two commas, with G41 where it says so.
 std::string program_with(const std::string& proposal) {
@@ -513,6 +531,48 @@ TEST(WrongCall, SaysWhatWasLikelyMeant) {
   EXPECT_EQ(told({"mill"}).find("did you mean"), std::string::npos);
   EXPECT_NE(told({"mill"}).find("compensate, plot"), std::string::npos);
   EXPECT_EQ(told({"plot", "part.nc", "--no-such-thing"}).find("did you mean"), std::string::npos);
+  EXPECT_EQ(told({"--no-such-thing"}),
+            "trc: there is no option --no-such-thing; trc --help lists all\n");
+  EXPECT_NE(told({}).find("trc: say what to do: commands are compensate, plot"), std::string::npos);
+  EXPECT_NE(told({"compensate", "part.nc", "--set", "radus=5"}).find("nearest: tool_radius"),
+            std::string::npos);
+  EXPECT_NE(told({"compensate", "a.nc", "b.nc"}).find("several programs need --output-dir"),
+            std::string::npos);
+}
+
+TEST(Output, ThatHasNoPlaceEndsTheCommand) {
+  const Folder folder;
+  const std::string file = folder.write("part.nc", demo);
+  for (const std::string& call :
+       {"radii " + file + " --radii 2", "verify " + file, "info " + file, "compensate " + file,
+        std::string("info"), std::string("explain 90019"), std::string("completion bash"),
+        std::string("generate"), std::string("--help"), std::string("compensate --help")}) {
+    const Ended full = run({"/bin/sh", "-c", trc_program() + " " + call + " >/dev/full"});
+    EXPECT_EQ(full.code, 2) << call << full.err;
+    EXPECT_TRUE(full.err.starts_with("trc: cannot write standard output")) << call << full.err;
+    const Ended closed = run({"/bin/sh", "-c", trc_program() + " " + call + " >&-"});
+    EXPECT_EQ(closed.code, 2) << call << closed.err;
+    EXPECT_TRUE(closed.err.starts_with("trc: cannot write standard output")) << call;
+  }
+  const Ended without_input = run({"/bin/sh", "-c", trc_program() + " compensate - <&-"});
+  EXPECT_EQ(without_input.code, 2);
+  EXPECT_NE(without_input.err.find("cannot read <stdin>: "), std::string::npos)
+      << without_input.err;
+}
+
+TEST(Mark, StandsUnderTheWordBehindAByteOrderMark) {
+  const Ended refused = trc({"compensate", "-"}, "\xEF\xBB\xBFN10 G17 X1O\nM30\n");
+  EXPECT_NE(refused.err.find("<stdin>:1:9: N10: error 900008"), std::string::npos) << refused.err;
+  EXPECT_NE(refused.err.find("    1 | N10 G17 X1O\n      |         ^~~\n"), std::string::npos)
+      << refused.err;
+}
+
+TEST(Mark, StandsUnderTheKeywordOrTheWholeCommand) {
+  const Ended keyword = trc({"compensate", "-"}, "N20 #TRC [STRETCH_FACTOR=10]\nM30\n");
+  EXPECT_NE(keyword.err.find("\n      |           ^~~~~~~~~~~~~~\n"), std::string::npos)
+      << keyword.err;
+  const Ended command = trc({"compensate", "-"}, "N20 #TRC [INVERSE=1]\nM30\n");
+  EXPECT_NE(command.err.find("\n      |     ^~~~~~~~~~~~~~~~\n"), std::string::npos) << command.err;
 }
 
 TEST(Server, GivesTheSameBytesAsTheOwnProcess) {
@@ -670,6 +730,29 @@ TEST(Wait, ForAServerThatIsFullIsSaidAndEnds) {
   EXPECT_EQ(first.end(), 0);
   EXPECT_EQ(patient.wait(), 0) << patient.err();
   EXPECT_EQ(patient.out(), trc({"compensate", file}).out);
+}
+
+TEST(Wait, OfASurveyForAServerThatIsFull) {
+  const ServerProcess server({"--max-streams", "1", "--admin-listen", "127.0.0.1:0"});
+  ASSERT_NE(server.address(), "");
+  Endless first(server.address());
+  ASSERT_TRUE(has_one_stream(server));
+  const Folder folder;
+  const std::string file = folder.write("part.nc", demo);
+  const std::vector<std::string> question{"radii", file,       "--radii",
+                                          "2,4",   "--server", server.address()};
+  std::vector<std::string> at_once = question;
+  at_once.insert(at_once.end(), {"--wait", "0"});
+  EXPECT_EQ(trc(at_once).code, 4);
+
+  std::vector<std::string> words = question;
+  words.insert(words.begin(), trc_program());
+  Process patient(words);
+  EXPECT_TRUE(within_seconds(
+      20, [&] { return patient.err().find("has no room now: ") != std::string::npos; }));
+  EXPECT_EQ(first.end(), 0);
+  EXPECT_EQ(patient.wait(), 0) << patient.err();
+  EXPECT_EQ(patient.out(), trc({"radii", file, "--radii", "2,4"}).out);
 }
 
 TEST(Server, ThatShutsDownIsToldFromOneThatIsNotThere) {
@@ -1310,6 +1393,20 @@ TEST(Completion, CompletesInBash) {
   EXPECT_EQ(completed("trc compensate --unit ''", 3), "mm inch\n");
   EXPECT_EQ(completed("trc compensate --dialect fa", 3), "fanuc\n");
   EXPECT_EQ(completed("trc completion fi", 2), "fish\n");
+  EXPECT_EQ(completed("trc radii --set tool_r", 3), "tool_radius=\n");
+  EXPECT_EQ(completed("trc load --layout ''", 3), "columns blocks text\n");
+  EXPECT_EQ(completed("trc explain 9001", 2).substr(0, 6), "90011 ");
+}
+
+TEST(Help, SaysOfSettingsInGermanWhatTheyAre) {
+  const Ended german =
+      run({"/usr/bin/env", "LC_ALL=de_DE.UTF-8", trc_program(), "compensate", "--help"});
+  for (const char* said :
+       {"\nEinstellungen (--set NAME=WERT), mit dem, was ohne sie gilt:\n",
+        "\n  tool_radius: eine Zahl in mm, -214748.3647 bis 214748.3647; nichts\n      die Größe "
+        "des Werkzeugs; negativ:",
+        "\n  options.tangential_limit: eine Zahl in Grad, 0.1 bis 3; 3\n"})
+    EXPECT_NE(german.out.find(said), std::string::npos) << said;
 }
 
 TEST(Help, SaysOfSettingsWhatTheyAre) {

@@ -2,8 +2,10 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <chrono>
 #include <cmath>
 #include <filesystem>
+#include <future>
 #include <random>
 #include <string>
 #include <vector>
@@ -64,6 +66,46 @@ wire::PathSettings small_tool(wire::Layout layout) {
   settings.session.program.mode.transition = Transition::circular;
   settings.response_layout = layout;
   return settings;
+}
+
+// Takes a program only when its first text is there.
+class TextFirst final : public v1::TrcService::Service {
+  grpc::Status CompensateProgram(
+      grpc::ServerContext* /*context*/,
+      grpc::ServerReaderWriter<v1::CompensateProgramResponse, v1::CompensateProgramRequest>* stream)
+      override {
+    v1::CompensateProgramRequest request;
+    if (!stream->Read(&request) || !request.has_setup() || !stream->Read(&request))
+      return {grpc::StatusCode::CANCELLED, "no text"};
+    v1::CompensateProgramResponse response;
+    response.mutable_accepted()->set_max_batches_in_flight(4);
+    stream->Write(response);
+    while (stream->Read(&request)) {
+    }
+    response.Clear();
+    response.set_nc_text("M30\n");
+    response.mutable_summary();
+    stream->Write(response);
+    return grpc::Status::OK;
+  }
+};
+
+TEST(RemoteProgramSession, SendsItsFirstTextWithTheSetup) {
+  TextFirst service;
+  grpc::ServerBuilder builder;
+  builder.RegisterService(&service);
+  const auto server = builder.BuildAndStart();
+  const Connection connection(server->InProcessChannel({}));
+  Answers out;
+  auto done = std::async(std::launch::async, [&] {
+    RemoteProgramSession session(connection, {});
+    return session.feed("M30\n", out) && session.finish(out);
+  });
+  const auto ended = done.wait_for(seconds(30));
+  // Who waits for the other one would wait for ever.
+  if (ended != std::future_status::ready) server->Shutdown(std::chrono::system_clock::now());
+  EXPECT_TRUE(done.get());
+  EXPECT_EQ(out.take().text, "M30\n");
 }
 
 class RemoteSession : public ::testing::Test {

@@ -18,6 +18,7 @@
 #include "core/session/conversion.h"
 #include "core/session/program_session.h"
 #include "tests/support/contours.h"
+#include "tests/support/english_words.h"
 #include "tests/support/places.h"
 #include "tests/support/run.h"
 
@@ -133,6 +134,7 @@ Written run(const std::string& text, ProgramSessionSetup setup, bool nc_text,
     running = session.feed(std::string_view(text).substr(at, step), answers);
   if (running) session.finish(answers);
   Answer output = answers.take();
+  for (const Diagnostic& found : output.diagnostics) EXPECT_EQ(english_word_in_german(found), "");
   return {.text = std::move(output.text),
           .blocks = std::move(output.blocks),
           .diagnostics = std::move(output.diagnostics),

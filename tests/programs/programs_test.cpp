@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "tests/support/english_words.h"
 #include "tests/support/expectation.h"
 #include "tests/support/places.h"
 #include "tests/support/run.h"
@@ -191,6 +192,7 @@ TEST_P(BadProgram, RaisesTheDiagnosticOfItsFirstLine) {
     EXPECT_EQ(raised->source.line, *expected.line);
   }
   EXPECT_EQ(outcome.stopped, raised->severity == Severity::error) << report_of(outcome.diagnostics);
+  for (const Diagnostic& found : outcome.diagnostics) EXPECT_EQ(english_word_in_german(found), "");
   EXPECT_EQ(first_gap(outcome.blocks), "");
   for (const std::size_t piece : {1U, 5U}) {
     const Outcome pieces = run(text, read_setup(text), piece);

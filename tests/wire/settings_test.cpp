@@ -6,6 +6,7 @@
 #include <iomanip>
 #include <sstream>
 
+#include "proto/wire/german_settings.h"
 #include "proto/wire/setting_meanings.h"
 #include "proto/wire/setup.h"
 
@@ -161,6 +162,23 @@ TEST(SettingMeanings, AreThereForEverySetting) {
     const bool is_number = row.values == "a number" || row.values == "a whole number";
     EXPECT_EQ(std::isfinite(about.least) && std::isfinite(about.most), is_number) << row.key;
   }
+}
+
+TEST(SettingMeanings, AreThereInGerman) {
+  for (const SettingRow& row : settings()) {
+    const std::string_view german = german_meaning_of(row.key);
+    EXPECT_FALSE(german.empty()) << row.key;
+    EXPECT_NE(german, meaning_of(row.key).meaning) << row.key;
+    // Words of enums stay: all else is said in German.
+    if (row.values.find('(') != std::string::npos || row.values.find(", ") == std::string::npos)
+      continue;
+    if (row.values.find(' ') != row.values.find(", ") + 1) {
+      EXPECT_NE(german_values_of(row.values), row.values) << row.key;
+    }
+  }
+  EXPECT_EQ(german_meaning_of("no.such"), "");
+  EXPECT_EQ(german_values_of("a number"), "eine Zahl");
+  EXPECT_EQ(german_values_of("xy (G17), zx (G18), yz (G19)"), "xy (G17), zx (G18), yz (G19)");
 }
 
 TEST(SettingMeanings, NameTheRangeThatIsTaken) {

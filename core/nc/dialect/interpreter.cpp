@@ -326,9 +326,11 @@ bool Interpreter::read_line_behind_end(ProgramLine& line) {
   const std::size_t behind = dialect_.name == DialectName::heidenhain
                                  ? place + 2
                                  : line.text.find_first_not_of("Gg0123456789 ", place);
+  std::string side = line.text.substr(place, behind - place);
+  side.erase(side.find_last_not_of(' ') + 1);
   return refuse(line, TextFault{.code = Code::side_behind_end,
                                 .begin = static_cast<std::uint32_t>(place),
-                                .detail = line.text.substr(place, behind - place)});
+                                .detail = std::move(side)});
 }
 
 bool Interpreter::read_words_of_dialect(ProgramLine& line, BlockWords& block) {

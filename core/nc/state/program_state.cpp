@@ -133,9 +133,11 @@ std::optional<Refusal> ProgramState::unknown_start(const MoveRequest& request) c
 std::optional<Refusal> ProgramState::circle(const MoveRequest& request, const Position& end,
                                             ProgrammedCircle& programmed) const {
   if (displaced_)
-    return Refusal{.code = Code::circle_center_misfit,
-                   .detail = "an arc behind G40 under G239, before a straight motion",
-                   .point = standing_point()};
+    return Refusal{
+        .code = Code::circle_center_misfit,
+        .detail =
+            "an arc directly behind G40 under G239, where the tool stands at the compensated point",
+        .point = standing_point()};
   const PlaneAxes axes = axes_of(mode_.plane);
   if (request.center[axes.third])
     return Refusal{.code = Code::nc_unsupported, .detail = center_words[axes.third]};

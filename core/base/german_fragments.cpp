@@ -1,0 +1,248 @@
+#include "core/base/german_fragments.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+
+namespace trc {
+namespace {
+
+struct Fragment {
+  std::string_view english;
+  std::string_view german;
+};
+
+// What stands between words of the program.
+constexpr auto fragments = std::to_array<Fragment>({
+    {"G141 finds no way past this block; #TRC [REMOVE_MASKED_BLOCKS=1] leaves out whole loops",
+     "G141 findet an diesem Satz nicht vorbei; #TRC [REMOVE_MASKED_BLOCKS=1] lässt ganze Schleifen "
+     "weg"},
+    {"G40 … G42 between a smooth approach and its contour",
+     "G40 … G42 zwischen weichem Anfahren und seiner Kontur"},
+    {"SPLIT needs a main axis (or SPLIT_PATH) and a positive DIST_SEG and FEED_SEG for each "
+     "segment",
+     "SPLIT braucht eine Hauptachse (oder SPLIT_PATH) und für jeden Abschnitt DIST_SEG und "
+     "FEED_SEG größer 0"},
+    {"TRC in a block that may be skipped",
+     "Werkzeugradiuskorrektur in einem Satz, der ausgeblendet sein kann"},
+    {"TRC of DIN/ISO", "Werkzeugradiuskorrektur von DIN/ISO"},
+    {"TRC while coordinates are not followed (polar, scaled or tilted)",
+     "Werkzeugradiuskorrektur, während Koordinaten nicht verfolgt werden (polar, skaliert oder "
+     "geschwenkt)"},
+    {"a byte order mark, which cannot be seen", "eine Bytereihenfolge-Marke, die man nicht sieht"},
+    {"a call", "ein Aufruf"},
+    {"a circle word in a straight motion", "ein Kreiswort in einer Geraden"},
+    {"a compensation along one axis", "eine Korrektur längs einer Achse"},
+    {"a contour of X and Z in the plane X Y", "eine Kontur aus X und Z in der Ebene X Y"},
+    {"a cycle call", "ein Zyklusaufruf"},
+    {"a cycle or motion of its own", "ein Zyklus oder eine eigene Bewegung"},
+    {"a dash that is no minus sign", "ein Strich, der kein Minuszeichen ist"},
+    {"a direction mark, which cannot be seen",
+     "ein Zeichen für die Schreibrichtung, das man nicht sieht"},
+    {"a frame", "ein Frame"},
+    {"a hyphen that is no minus sign", "ein Bindestrich, der kein Minuszeichen ist"},
+    {"a line separator, which cannot be seen", "ein Zeilentrenner, den man nicht sieht"},
+    {"a minus sign that is not the one of the keyboard",
+     "ein Minuszeichen, das nicht das der Tastatur ist"},
+    {"a modal cycle", "ein modaler Zyklus"},
+    {"a motion that may be skipped", "eine Bewegung, die ausgeblendet sein kann"},
+    {"a motion with L, which is repeated", "eine Bewegung mit L, die wiederholt wird"},
+    {"a name", "ein Name"},
+    {"a narrow no-break space", "ein schmales geschütztes Leerzeichen"},
+    {"a no-break space", "ein geschütztes Leerzeichen"},
+    {"a paragraph separator, which cannot be seen", "ein Absatztrenner, den man nicht sieht"},
+    {"a plane: Klartext has it with TOOL CALL", "eine Ebene: in Klartext steht sie bei TOOL CALL"},
+    {"a position of a drilling cycle", "eine Position eines Bohrzyklus"},
+    {"a position that is not followed", "eine Position, die nicht verfolgt wird"},
+    {"a radius that is changed has to be there",
+     "ein Radius, der geändert wird, muss vorher da sein"},
+    {"a reference that it cannot have", "ein Bezug, den es nicht haben kann"},
+    {"a retract along the tool", "ein Rückzug in Werkzeugrichtung"},
+    {"a rounding or a chamfer beside G40 … G42, or behind a motion that is none",
+     "eine Rundung oder Fase neben G40 … G42, oder hinter einer Bewegung, die keine ist"},
+    {"a rounding or a chamfer that is not between two motions of one contour, at feed and in the "
+     "plane",
+     "eine Rundung oder Fase, die nicht zwischen zwei Bewegungen einer Kontur steht, im Vorschub "
+     "und in der Ebene"},
+    {"a rounding or a chamfer the motions have no room for, or a chamfer beside an arc",
+     "eine Rundung oder Fase, für die in den Bewegungen kein Platz ist, oder eine Fase an einem "
+     "Bogen"},
+    {"a search for bottlenecks: CDOF", "eine Suche nach Engstellen: CDOF"},
+    {"a second OFFN", "ein zweites OFFN"},
+    {"a second rounding or chamfer", "eine zweite Rundung oder Fase"},
+    {"a second time", "ein zweites Mal"},
+    {"a smooth approach within a contour or behind another",
+     "weiches Anfahren innerhalb einer Kontur oder hinter einem anderen"},
+    {"a soft hyphen, which cannot be seen", "ein weiches Trennzeichen, das man nicht sieht"},
+    {"a space as wide as a digit", "ein Leerzeichen so breit wie eine Ziffer"},
+    {"a tangential entry: program its line and arc",
+     "tangentiales Anfahren: dessen Gerade und Bogen programmieren"},
+    {"a tangential exit: program its arc and line",
+     "tangentiales Abfahren: dessen Bogen und Gerade programmieren"},
+    {"a thin space", "ein schmales Leerzeichen"},
+    {"a transformation", "eine Transformation"},
+    {"a variable or function", "eine Variable oder Funktion"},
+    {"a wide space", "ein breites Leerzeichen"},
+    {"a word joiner, which cannot be seen", "ein Wortverbinder, den man nicht sieht"},
+    {"a zero width character, which cannot be seen",
+     "ein Zeichen ohne Breite, das man nicht sieht"},
+    {"a zero width space, which cannot be seen",
+     "ein Leerzeichen ohne Breite, das man nicht sieht"},
+    {"across the plane", "quer zur Ebene"},
+    {"alone behind a contour: write both", "allein hinter einer Kontur: beide schreiben"},
+    {"an approach or a departure that has no room: LCT from within its circle, CT, G247 and G347 "
+     "with an arc that is smaller than the tool, G147 with DISR= that leaves no line",
+     "ein An- oder Abfahren, für das kein Platz ist: LCT aus seinem Kreis heraus, CT, G247 und "
+     "G347 mit einem Bogen, der kleiner als das Werkzeug ist, G147 mit DISR=, das keine Gerade "
+     "übrig lässt"},
+    {"an approach round the corner: NORM", "Anfahren um die Ecke: NORM"},
+    {"an arc directly behind G40 under G239, where the tool stands at the compensated point",
+     "ein Bogen unmittelbar nach G40 unter G239, wo das Werkzeug auf dem korrigierten Punkt steht"},
+    {"an increment from a place that is not known",
+     "ein Kettenmaß von einer Stelle aus, die nicht bekannt ist"},
+    {"an operator", "ein Operator"},
+    {"an unknown name", "ein unbekannter Name"},
+    {"before", "vor"},
+    {"behind G40: write both into one block", "hinter G40: beide in einen Satz schreiben"},
+    {"beside", "neben"},
+    {"beside G40", "neben G40"},
+    {"beside none of G147, G148, G247, G248, G347, G348",
+     "neben keinem von G147, G148, G247, G248, G347, G348"},
+    {"beside or behind G93, G95: only feeds per minute are followed",
+     "neben oder hinter G93, G95: nur Vorschübe je Minute werden verfolgt"},
+    {"beyond the contour: set it behind G41, G42, and to 0 in front of G40",
+     "über die Kontur hinaus: hinter G41, G42 setzen, und vor G40 auf 0"},
+    {"calls", "aufruft"},
+    {"corners of small steps", "Ecken aus kleinen Schritten"},
+    {"corners that reach out: DISC=0", "überstehende Ecken: DISC=0"},
+    {"degrees", "Grad"},
+    {"feed per turn", "Vorschub je Umdrehung"},
+    {"finds no way past this block", "findet an diesem Satz nicht vorbei"},
+    {"from a height that is not known", "aus einer Höhe, die nicht bekannt ist"},
+    {"from a place that is not known", "von einer Stelle aus, die nicht bekannt ist"},
+    {"from the pole itself", "vom Pol selbst aus"},
+    {"in a block that may be skipped", "in einem Satz, der ausgeblendet sein kann"},
+    {"in a block without an axis of the plane", "in einem Satz ohne eine Achse der Ebene"},
+    {"in a section that line", "in einem Abschnitt, den Zeile"},
+    {"in a subprogram", "in einem Unterprogramm"},
+    {"in an arc, beside a corner or a further axis",
+     "in einem Bogen, neben einer Ecke oder einer weiteren Achse"},
+    {"in block", "in Satz"},
+    {"in coordinates that are scaled or led by the tool tip",
+     "in Koordinaten, die skaliert sind oder von der Werkzeugspitze geführt werden"},
+    {"in line", "in Zeile"},
+    {"inside a line", "innerhalb einer Zeile"},
+    {"is less than 0", "ist kleiner als 0"},
+    {"is missing", "fehlt"},
+    {"is no tool", "ist kein Werkzeug"},
+    {"is not alone with its time", "steht nicht mit seiner Zeit allein"},
+    {"known are", "bekannt sind"},
+    {"machine coordinates", "Maschinenkoordinaten"},
+    {"modes as they were at M70", "die Zustände, wie sie bei M70 waren"},
+    {"more than 0 and at most 360", "mehr als 0 und höchstens 360"},
+    {"no feed per minute", "kein Vorschub je Minute"},
+    {"not alone in its block", "nicht allein in seinem Satz"},
+    {"of", "von"},
+    {"of TOOL CALL", "von TOOL CALL"},
+    {"of a further axis", "einer weiteren Achse"},
+    {"of a lathe", "einer Drehmaschine"},
+    {"once, 0 or more", "einmal, 0 oder mehr"},
+    {"only", "allein"},
+    {"open corners", "offene Ecken"},
+    {"or", "oder"},
+    {"or behind what moves it", "oder hinter etwas, das ihn verschiebt"},
+    {"perhaps", "vielleicht"},
+    {"straight back", "geradewegs zurück"},
+    {"that is not between the plane of the contour and where the tool comes from or goes to",
+     "das nicht zwischen der Ebene der Kontur und der Höhe liegt, aus der das Werkzeug kommt oder "
+     "in die es geht"},
+    {"the angle of a motion", "der Winkel einer Bewegung"},
+    {"the end of a smooth approach", "das Ende eines weichen Anfahrens"},
+    {"the table has", "die Tabelle hat"},
+    {"the tool has no room at the first point of the contour",
+     "am ersten Punkt der Kontur ist für das Werkzeug kein Platz"},
+    {"the tool has no room at the last point of the contour",
+     "am letzten Punkt der Kontur ist für das Werkzeug kein Platz"},
+    {"the tool table has no", "in der Werkzeugtabelle fehlt"},
+    {"the tool tip is led", "die Werkzeugspitze wird geführt"},
+    {"the turns of an arc", "die Umdrehungen eines Bogens"},
+    {"to", "bis"},
+    {"unknown since the change", "nicht bekannt seit dem Wechsel"},
+    {"wear or a sum of a tool radius", "Verschleiß oder eine Summe als Werkzeugradius"},
+    {"which is called", "das aufgerufen wird"},
+    {"which is not followed", "was nicht verfolgt wird"},
+    {"which repeats a compensated contour", "was eine korrigierte Kontur wiederholt"},
+    {"while TRC is active", "bei aktiver Werkzeugradiuskorrektur"},
+    {"while coordinates are scaled or the tool tip is led",
+     "während Koordinaten skaliert sind oder die Werkzeugspitze geführt wird"},
+    {"whose point between names the two axes of the plane",
+     "dessen Zwischenpunkt die beiden Achsen der Ebene nennt"},
+    {"whose points lie in one line", "dessen Punkte auf einer Geraden liegen"},
+    {"with", "mit"},
+    {"with DISCL= below 0", "mit DISCL= kleiner 0"},
+    {"with DISRP=, the plane it returns to: program that height in blocks of its own",
+     "mit DISRP=, der Rückzugsebene: diese Höhe in eigenen Sätzen programmieren"},
+    {"with F alone", "mit F allein"},
+    {"with FAD= that is no feed", "mit FAD=, das kein Vorschub ist"},
+    {"with IPA against DR", "mit IPA gegen DR"},
+    {"with R below 0", "mit R kleiner 0"},
+    {"with X, Y or Z of its plane", "mit X, Y oder Z seiner Ebene"},
+    {"with a change of side", "mit einem Seitenwechsel"},
+    {"with a coordinate across the plane", "mit einer Koordinate quer zur Ebene"},
+    {"with a place in the plane", "mit einer Stelle in der Ebene"},
+    {"with a radius in P", "mit einem Radius in P"},
+    {"with an increment of a turning axis", "mit dem Kettenmaß einer Drehachse"},
+    {"with either its end or its centre", "mit seinem Ende oder seinem Mittelpunkt"},
+    {"with more than 1000 turns", "mit mehr als 1000 Umdrehungen"},
+    {"within a comment", "in einem Kommentar"},
+    {"within a contour", "innerhalb einer Kontur"},
+    {"without", "ohne"},
+    {"without D, the diameter", "ohne D, den Durchmesser"},
+    {"without DISR=, its length", "ohne DISR=, seine Länge"},
+    {"without DISR=, its radius, above 0", "ohne DISR=, seinen Radius, größer 0"},
+    {"without G40: write G40 beside it", "ohne G40: G40 daneben schreiben"},
+    {"without a contour before it", "ohne eine Kontur davor"},
+    {"without a contour behind it", "ohne eine Kontur dahinter"},
+    {"without a motion in the plane before it", "ohne eine Bewegung in der Ebene davor"},
+    {"without a tool", "ohne ein Werkzeug"},
+    {"without an end in the plane: G140, G141 or G142",
+     "ohne ein Ende in der Ebene: G140, G141 oder G142"},
+    {"without its size", "ohne seine Größe"},
+    {"without the height it retracts to", "ohne die Höhe, auf die es zurückzieht"},
+    {"without value", "ohne Wert"},
+});
+
+bool begins_word(std::string_view text, std::size_t at) {
+  return at == 0 || text[at - 1] == ' ' || text[at - 1] == '(';
+}
+
+bool ends_word(std::string_view text, std::size_t at) {
+  return at == text.size() || std::string_view(" ,:;()").find(text[at]) != std::string_view::npos;
+}
+
+// The longest one that stands there.
+const Fragment* fragment_at(std::string_view text, std::size_t at) {
+  const Fragment* longest = nullptr;
+  for (const Fragment& one : fragments)
+    if (text.substr(at).starts_with(one.english) && ends_word(text, at + one.english.size()) &&
+        (longest == nullptr || longest->english.size() < one.english.size()))
+      longest = &one;
+  return longest;
+}
+
+}  // namespace
+
+std::string with_german_fragments(std::string_view text) {
+  std::string german;
+  for (std::size_t at = 0; at < text.size();) {
+    const Fragment* const found = begins_word(text, at) ? fragment_at(text, at) : nullptr;
+    if (found != nullptr)
+      german += found->german;
+    else
+      german += text[at];
+    at += found != nullptr ? found->english.size() : 1;
+  }
+  return german;
+}
+
+}  // namespace trc
