@@ -127,9 +127,12 @@ class Selection {
       radius = std::max(radius, rule(place).radius);
       has_roles = has_roles || piece.role != ContourRole::unspecified;
     }
-    ContourView view{.count = places.size(), .segment = [&](std::size_t number) {
-                       return segment_of(held_.programmed()[places[number]].piece);
-                     }};
+    ContourView view{.count = places.size(),
+                     .segment =
+                         [&](std::size_t number) {
+                           return segment_of(held_.programmed()[places[number]].piece);
+                         },
+                     .checkpoint = &checkpoint_};
     if (has_roles)
       view.role = [&](std::size_t number) { return held_.programmed()[places[number]].role; };
     if (!places.empty()) view.shift = rule(places.front()).side == Side::left ? 1 : -1;

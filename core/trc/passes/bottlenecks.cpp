@@ -93,7 +93,8 @@ void Bottlenecks::find_walls() {
     has_roles = has_roles || block.role != ContourRole::unspecified;
   }
   ContourView view{.count = contour_.size(),
-                   .segment = [this](std::size_t number) { return contour_[number].path; }};
+                   .segment = [this](std::size_t number) { return contour_[number].path; },
+                   .checkpoint = &checkpoint_};
   if (has_roles) view.role = [this](std::size_t number) { return contour_[number].role; };
   walls_ = trc::find_walls(view, changes_, lead_settings_, radius);
 }

@@ -272,9 +272,10 @@ void ContourMasking::find_walls() {
     radius = std::max(radius, std::abs(block->at_end.shift));
     has_roles = has_roles || block->programmed.role != ContourRole::unspecified;
   }
-  ContourView view{.count = held_.size() - first, .segment = [&](std::size_t number) {
-                     return held(first + number).programmed.path;
-                   }};
+  ContourView view{
+      .count = held_.size() - first,
+      .segment = [&](std::size_t number) { return held(first + number).programmed.path; },
+      .checkpoint = &checkpoint_};
   if (has_roles)
     view.role = [&](std::size_t number) { return held(first + number).programmed.role; };
   walls_ = trc::find_walls(view, lead_settings_, radius);

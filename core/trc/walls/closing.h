@@ -4,6 +4,7 @@
 #include <functional>
 #include <optional>
 
+#include "core/base/checkpoint.h"
 #include "core/geometry/segment.h"
 #include "core/nc/state/block.h"
 #include "core/trc/walls/walls.h"
@@ -18,6 +19,12 @@ struct ContourView {
   // To which side of the contour its path is, left of it where positive; 0: bow ties are not
   // looked for.
   double shift = 0;
+  // Passed by while the contour is looked at; null: it is looked at in one go.
+  Checkpoint* checkpoint = nullptr;
+
+  void pass() const {
+    if (checkpoint != nullptr) checkpoint->pass();
+  }
 };
 
 // A place on a contour block.

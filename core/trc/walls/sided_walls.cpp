@@ -53,6 +53,7 @@ SidedWalls find_walls(const ContourView& contour, std::vector<std::size_t> chang
     if (contour.role)
       part.role = [&, begin](std::size_t number) { return contour.role(begin + number); };
     part.shift = side % 2 == 0 ? contour.shift : -contour.shift;
+    part.checkpoint = contour.checkpoint;
     walls.sides.push_back(find_walls(part, settings, tool_radius));
   }
   return walls;
