@@ -8,7 +8,7 @@ SelectionWalls::SelectionWalls(const HeldPath& held, std::size_t begin, std::siz
                                const LeadSettings& settings, Checkpoint& checkpoint)
     : held_(&held), begin_(begin), end_(end) {
   find_contour(checkpoint);
-  sides_ = find_walls(contour(), changes_, settings, largest_radius());
+  sides_ = find_walls(contour(checkpoint), changes_, settings, largest_radius());
   are_plain_ = sides_.sides.size() == 1 && sides_.sides.front().are_plain();
   tree_.emplace(held, begin, end, sides_, checkpoint);
   for (std::size_t number = 0; number < contour_.size(); ++number) {
@@ -32,7 +32,7 @@ void SelectionWalls::find_contour(Checkpoint& checkpoint) {
   }
 }
 
-ContourView SelectionWalls::contour() const {
+ContourView SelectionWalls::contour(Checkpoint& checkpoint) const {
   ContourView view{.count = contour_.size(), .segment = [this](std::size_t number) {
                      return segment_of(piece(number).piece);
                    }};
@@ -41,6 +41,7 @@ ContourView SelectionWalls::contour() const {
     view.tool_side = held_->rule_of(piece(0)).side;
     view.shift = view.tool_side == Side::left ? 1 : -1;
   }
+  view.checkpoint = &checkpoint;
   return view;
 }
 
@@ -86,7 +87,7 @@ const SelectionWalls& KnownWalls::of(const HeldPath& held, std::size_t begin, st
   if (known.walls && known.pieces.size() == end - begin &&
       are_same(known.pieces, held, begin, checkpoint)) {
     known.walls->move_to(held, begin, checkpoint);
-    if (known.walls->by_radius(settings) == known.by_radius) return *known.walls;
+    if (known.walls->by_radius(settings, checkpoint) == known.by_radius) return *known.walls;
   }
   known.pieces.clear();
   known.pieces.reserve(end - begin);
@@ -102,7 +103,7 @@ const SelectionWalls& KnownWalls::of(const HeldPath& held, std::size_t begin, st
                             .role = piece.role});
   }
   known.walls = std::make_unique<SelectionWalls>(held, begin, end, settings, checkpoint);
-  known.by_radius = known.walls->by_radius(settings);
+  known.by_radius = known.walls->by_radius(settings, checkpoint);
   return *known.walls;
 }
 

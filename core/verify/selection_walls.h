@@ -36,13 +36,14 @@ class SelectionWalls {
   // Goes over to the pieces of another path, from `begin` on, whose tool radius may be another one.
   // The contour has to be the same, and by_radius().
   void move_to(const HeldPath& held, std::size_t begin, Checkpoint& checkpoint);
-  [[nodiscard]] WallsByRadius by_radius(const LeadSettings& settings) const {
-    return walls_by_radius(contour(), changes_, settings, largest_radius());
+  [[nodiscard]] WallsByRadius by_radius(const LeadSettings& settings,
+                                        Checkpoint& checkpoint) const {
+    return walls_by_radius(contour(checkpoint), changes_, settings, largest_radius());
   }
 
  private:
   void find_contour(Checkpoint& checkpoint);
-  [[nodiscard]] ContourView contour() const;
+  [[nodiscard]] ContourView contour(Checkpoint& checkpoint) const;
   [[nodiscard]] double largest_radius() const;
   [[nodiscard]] const ProgrammedPiece& piece(std::size_t number) const {
     return held_->programmed()[begin_ + contour_[number]];

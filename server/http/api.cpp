@@ -121,8 +121,14 @@ std::string methods_at(std::string_view path) {
 }
 
 std::string_view host_of(std::string_view host) {
-  if (host.starts_with('[')) return host.substr(0, host.find(']') + 1);
+  if (host.starts_with('[')) return host.substr(1, std::max<std::size_t>(host.find(']'), 1) - 1);
   return host.substr(0, host.find(':'));
+}
+
+// Of the names that begin like one, as 127.0.0.1.example, anybody may own some.
+bool is_this_machine(std::string_view host) {
+  const bool numeric = host.find_first_not_of("0123456789.") == std::string_view::npos;
+  return host == "localhost" || host == "::1" || (numeric && host.starts_with("127."));
 }
 
 }  // namespace
@@ -221,7 +227,7 @@ void Api::handle(const ExchangePointer& exchange) {
 // was turned to this machine's address.
 std::optional<v1::Problem> Api::refuse_origin(const Request& request) const {
   const std::string_view host = host_of(request.header("host"));
-  if (options_.local && host != "localhost" && host != "[::1]" && !host.starts_with("127."))
+  if (options_.local && !is_this_machine(host))
     return problem(421, "HOST_NOT_LOCAL", "This server is for this machine",
                    "the Host header must be localhost, 127.0.0.1 or [::1]");
   const std::string_view origin = request.header("origin");

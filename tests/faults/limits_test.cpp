@@ -145,6 +145,22 @@ TEST(Limits, SixtyStreamsDoNotKillASmallServer) {
   small.expect_recovers(before);
 }
 
+// Steps of a micrometre with a tool of 100 mm: each block is near thousands of others.
+TEST(Limits, TheTiniestStepsDoNotKillASmallServer) {
+  if (!memory_tells) GTEST_SKIP() << "not under a sanitizer";
+  SmallServer small;
+  ASSERT_TRUE(serves(small.process().address()));
+  const double before = small.process().resident_mib();
+  std::string text = "G141\nG1 G41 V.G.WZ_AKT.R=100 X1 Y1 F800\n";
+  for (int i = 0; text.size() < 900'000; ++i)
+    text += "X" + std::to_string(2 + 0.001 * i) + " Y" +
+            std::to_string(1 + 0.3 * std::sin(0.001 * i)) + "\n";
+  text += "G40\nG1 X-10 Y-100\nM30\n";
+  for (const Answer& answer : ask_at_once(small.process().address(), text, 3))
+    EXPECT_FALSE(answer.reason().empty()) << answer.status.error_message();
+  small.expect_recovers(before);
+}
+
 TEST(Limits, TheLimitOfTheGroupIsFound) {
   const MemoryGroup group(std::uint64_t{512} << 20U);
   if (!group.exists()) GTEST_SKIP() << "no cgroup can be made here";

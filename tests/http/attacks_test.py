@@ -166,6 +166,11 @@ class Attacks(unittest.TestCase):
             failed = [part[:3] for part in got.split(b"HTTP/1.1 ")[1:] if part.startswith(b"500")]
             self.assertEqual(failed, [], f"seed {seed}, request {i}: {request}")
 
+    def test_a_name_that_begins_like_this_machine_is_another_one(self):
+        for host in (b"127.0.0.1.evil.example", b"127.evil.example", b"localhost.evil.example"):
+            request = b"GET /v1/info HTTP/1.1\r\nConnection: close\r\nHost: " + host + b"\r\n\r\n"
+            self.assertEqual(status_of(answer_to(self.server, request)), 421, host)
+
     def test_a_flood_of_header_is_refused(self):
         self.assertEqual(status_of(answer_to(self.server, HEAD + b"X: " + b"a" * 40000)), 431)
         many = b"".join(b"X-%d: 1\r\n" % i for i in range(5000))

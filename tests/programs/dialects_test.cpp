@@ -563,6 +563,23 @@ TEST(FaultsOfReading, AreNoMoreThanTheLimit) {
   EXPECT_EQ(run(text, setup, true).diagnostics.size(), 3u);
 }
 
+// A line of 64 KiB may have a fault in each byte. What stands behind as many as are told is not
+// read.
+TEST(FaultsOfReading, ALineWithTooManyIsReadNoFurther) {
+  for (const DialectName dialect : {DialectName::fanuc, DialectName::linuxcnc,
+                                    DialectName::sinumerik, DialectName::heidenhain}) {
+    ProgramSessionSetup setup;
+    setup.session.program.dialect = dialect;
+    std::string line = dialect == DialectName::heidenhain ? "L " : "G1 ";
+    for (std::size_t i = 0; i <= setup.most_faults; ++i) line += "X+1 ";
+    const Written written = run(line + "? ?\n? ?\n", setup, true);
+    ASSERT_EQ(written.diagnostics.size(), 2u) << dialect_of(dialect).spelling << written.report();
+    EXPECT_EQ(written.diagnostics[0].code, Code::nc_word_twice);
+    EXPECT_EQ(written.diagnostics[1].source.line, 2u) << written.report();
+    EXPECT_EQ(written.diagnostics[1].values.size(), 0u);
+  }
+}
+
 TEST(TheGuard, NamesTheDialectAProgramLooksLike) {
   for (const auto& [text, dialect] :
        std::vector<std::pair<std::string, std::string>>{{"O1000\nG0 X1\n", "fanuc"},

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "core/base/checkpoint.h"
 #include "core/trc/walls/closing.h"
 
 namespace trc {
@@ -347,6 +348,22 @@ TEST(Walls, MarksWinOverTheSearch) {
                           .line(5, -25)
                           .walls();
   EXPECT_EQ((Ranges{{5, 7}}), walls.leads);
+}
+
+// Of blocks shorter than the tolerance each meets all that are near it.
+TEST(Walls, TheSearchPassesByItsCheckpoint) {
+  struct Enough {};
+  Drawing drawing(0, 0);
+  for (int i = 1; i < 4000; ++i) drawing.line(0.001 * i, 0.3 * std::sin(0.001 * i));
+  drawing.line(0, 0);
+  int times = 0;
+  Checkpoint checkpoint([&] {
+    constexpr int many = 1000;
+    if (++times == many) throw Enough{};
+  });
+  ContourView view = drawing.view();
+  view.checkpoint = &checkpoint;
+  EXPECT_THROW(static_cast<void>(find_closing(view, 1, 100)), Enough);
 }
 
 TEST(Walls, BlocksMayBeCounted) {

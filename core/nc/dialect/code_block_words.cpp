@@ -44,18 +44,19 @@ bool Interpreter::refuse_code(const ProgramLine& line, const CodeWord& word, Cod
   return refuse(line, TextFault{.code = code, .begin = word.begin, .detail = std::move(detail)});
 }
 
-// All words are read, also behind one that is refused, so that every obstacle is told.
+// All words are read, also behind one that is refused, so that every obstacle is told: up to as
+// many as are told at all, since each byte of a long line may be one.
 bool Interpreter::read_code_words(ProgramLine& line, BlockWords& block) {
   CodeReader reader(line.text);
-  bool readable = true;
+  std::size_t faults = 0;
   for (;;) {
     const CodeWord word = reader.next();
     switch (word.kind) {
       case CodeWord::Kind::end:
-        return complete_code_block(line, block) && readable;
+        return complete_code_block(line, block) && faults == 0;
       case CodeWord::Kind::fault:
         refuse(line, reader.fault());
-        readable = false;
+        ++faults;
         break;
       case CodeWord::Kind::comment:
         add(line, word, WordRole::comment);
@@ -65,10 +66,10 @@ bool Interpreter::read_code_words(ProgramLine& line, BlockWords& block) {
         add(line, word, WordRole::technology);
         break;
       case CodeWord::Kind::address:
-        readable = read_code_word(word, line, block) && readable;
+        faults += read_code_word(word, line, block) ? 0 : 1;
         break;
     }
-    if (diagnostics_.stopped()) return false;
+    if (diagnostics_.stopped() || faults >= limits_.most_faults) return false;
   }
 }
 

@@ -140,13 +140,13 @@ bool Interpreter::read_klartext(ProgramLine& line) {
 // Behind the number; all words are read, also behind one that is refused.
 bool Interpreter::read_klartext_words(ProgramLine& line, KlartextBlock& block) {
   KlartextReader reader(std::string_view(line.text).substr(block.begin));
-  bool readable = true;
+  std::size_t faults = 0;
   bool first = true;
   for (;;) {
     KlartextWord word = reader.next();
     word.begin += block.begin;
     word.end += block.begin;
-    if (word.kind == Kind::end) return readable;
+    if (word.kind == Kind::end) return faults == 0;
     if (word.kind == Kind::fault) {
       TextFault fault = reader.fault();
       fault.begin += block.begin;
@@ -162,8 +162,8 @@ bool Interpreter::read_klartext_words(ProgramLine& line, KlartextBlock& block) {
       add(line, word, WordRole::motion);
       continue;
     }
-    readable = read_klartext_word(word, line, block) && readable;
-    if (diagnostics_.stopped()) return false;
+    faults += read_klartext_word(word, line, block) ? 0 : 1;
+    if (diagnostics_.stopped() || faults >= limits_.most_faults) return false;
   }
 }
 

@@ -167,15 +167,15 @@ bool is_statement(const NamedWord& word) {
 
 bool Interpreter::read_named_words(ProgramLine& line, BlockWords& block) {
   NamedWordReader reader(line.text);
-  bool readable = true;
+  std::size_t faults = 0;
   for (;;) {
     const NamedWord word = reader.next();
     switch (word.kind) {
       case NamedWord::Kind::end:
-        return complete_code_block(line, block) && readable;
+        return complete_code_block(line, block) && faults == 0;
       case NamedWord::Kind::fault:
         refuse(line, reader.fault());
-        readable = false;
+        ++faults;
         break;
       case NamedWord::Kind::comment:
         add(line, word, WordRole::comment);
@@ -188,19 +188,19 @@ bool Interpreter::read_named_words(ProgramLine& line, BlockWords& block) {
         add(line, word, WordRole::technology);
         break;
       case NamedWord::Kind::address:
-        readable = read_named_address(word, line, block) && readable;
+        faults += read_named_address(word, line, block) ? 0 : 1;
         break;
       case NamedWord::Kind::assignment:
-        readable = read_assignment(word, line, block) && readable;
+        faults += read_assignment(word, line, block) ? 0 : 1;
         break;
       case NamedWord::Kind::name:
       case NamedWord::Kind::call:
-        readable = read_name(word, line, block) && readable;
+        faults += read_name(word, line, block) ? 0 : 1;
         // What follows is part of the statement.
         if (is_statement(word)) return false;
         break;
     }
-    if (diagnostics_.stopped()) return false;
+    if (diagnostics_.stopped() || faults >= limits_.most_faults) return false;
   }
 }
 

@@ -115,7 +115,8 @@ void LoopRemoval::find_walls() {
   if (path_.empty() || path_.begin_of_contour() > 0) return;
   ContourView view{.count = end_of_contour(),
                    .segment = [this](std::size_t number) { return contour(number).programmed; },
-                   .tool_side = path_.mode_of(end_of_path() - 1).cutting_side()};
+                   .tool_side = path_.mode_of(end_of_path() - 1).cutting_side(),
+                   .checkpoint = &checkpoint_};
   if (path_.has_roles()) view.role = [this](std::size_t number) { return contour(number).role; };
   if (has_short_) view.shift = path_.setting_of(end_of_path() - 1).at_end.shift;
   Walls walls = trc::find_walls(view, lead_settings_, largest_radius_);

@@ -33,6 +33,7 @@ class LoopRemoval {
         lead_settings_(setup.leads),
         tolerances_(setup.tolerances),
         diagnostics_(diagnostics),
+        checkpoint_(checkpoint),
         obstacles_(path_, window_, tolerances_, checkpoint),
         walked_(path_, window_ > 0),
         walk_(path_, obstacles_, walked_, window_, tolerances_, diagnostics, checkpoint),
@@ -128,6 +129,7 @@ class LoopRemoval {
   LeadSettings lead_settings_;
   Tolerances tolerances_;
   Diagnostics& diagnostics_;
+  Checkpoint& checkpoint_;
 
   PathBlocks entering_;  // the approach, which leaves with the first block of the path
   HeldPath path_;

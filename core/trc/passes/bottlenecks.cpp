@@ -94,7 +94,8 @@ void Bottlenecks::find_walls() {
   }
   ContourView view{.count = contour_.size(),
                    .segment = [this](std::size_t number) { return contour_[number].path; },
-                   .tool_side = contour_.front().mode->cutting_side()};
+                   .tool_side = contour_.front().mode->cutting_side(),
+                   .checkpoint = &checkpoint_};
   if (has_roles) view.role = [this](std::size_t number) { return contour_[number].role; };
   walls_ = trc::find_walls(view, changes_, lead_settings_, radius);
 }

@@ -272,9 +272,10 @@ void ContourMasking::find_walls() {
     radius = std::max(radius, std::abs(block->at_end.shift));
     has_roles = has_roles || block->programmed.role != ContourRole::unspecified;
   }
-  ContourView view{.count = held_.size() - first, .segment = [&](std::size_t number) {
-                     return held(first + number).programmed.path;
-                   }};
+  ContourView view{
+      .count = held_.size() - first,
+      .segment = [&](std::size_t number) { return held(first + number).programmed.path; },
+      .checkpoint = &checkpoint_};
   if (view.count > 0) view.tool_side = held(first).mode().cutting_side();
   if (has_roles)
     view.role = [&](std::size_t number) { return held(first + number).programmed.role; };

@@ -41,6 +41,7 @@ Ends first_blocks(const ContourView& contour, double reach, std::pmr::memory_res
   double before = 0;
   for (std::size_t number = 0; number < contour.count; ++number) {
     if (number >= first_few && before >= reach) break;
+    contour.pass();
     blocks.push_back({number, contour.segment(number), before});
     before += length_of(blocks.back().path);
   }
@@ -52,6 +53,7 @@ Ends last_blocks(const ContourView& contour, double reach, std::pmr::memory_reso
   double behind = 0;
   for (std::size_t number = contour.count; number-- > 0;) {
     if (contour.count - number > first_few && behind >= reach) break;
+    contour.pass();
     blocks.push_back({number, contour.segment(number), behind});
     behind += length_of(blocks.back().path);
   }
@@ -83,8 +85,29 @@ class NearEnds {
   std::optional<BoxTree> tree_{};
 };
 
-std::pmr::vector<Candidate> candidates_of(const Ends& first, const Ends& last, double tolerance,
+double length_of_all(const ContourView& contour) {
+  double length = 0;
+  for (std::size_t number = 0; number < contour.count; ++number) {
+    contour.pass();
+    length += length_of(contour.segment(number));
+  }
+  return length;
+}
+
+// Whether they are so near the ends that leads longer than the contour may end there.
+bool are_few_outside(const ContourView& contour, std::size_t first, std::size_t second) {
+  return first <= most_lead_blocks && contour.count - 1 - second <= most_lead_blocks;
+}
+
+// Where the first blocks and the last ones meet with no more than `outside` mm of contour before
+// and behind, or as little more as may belong to an overrun from there, or few blocks. Short blocks
+// meet all their neighbours too, which would be many.
+std::pmr::vector<Candidate> candidates_of(const ContourView& contour, double reach,
+                                          double tolerance, double outside,
                                           std::pmr::memory_resource* memory) {
+  const Ends first = first_blocks(contour, reach, memory);
+  const Ends last = last_blocks(contour, reach, memory);
+  const double most = outside + 2 * tolerance + same_place;
   const NearEnds ends(first);
   std::pmr::vector<Candidate> candidates(memory);
   std::pmr::vector<Contact> contacts(memory);
@@ -92,32 +115,31 @@ std::pmr::vector<Candidate> candidates_of(const Ends& first, const Ends& last, d
     const double length = length_of(end.path);
     ends.for_each_near(bounding_box(end.path), tolerance, [&](std::size_t index) {
       const End& begin = first[index];
-      if (begin.number > end.number) return;
+      contour.pass();
+      const bool few = are_few_outside(contour, begin.number, end.number);
+      if (begin.number > end.number || (!few && begin.before + end.before > most)) return;
       contacts.clear();
       find_contacts(begin.path, end.path, tolerance, contacts);
       for (const Contact& contact : contacts) {
         if (begin.number == end.number && contact.along_second - contact.along_first < 0.5 * length)
           continue;
+        const double before = begin.before + contact.along_first;
+        const double behind = end.before + length - contact.along_second;
+        if (!few && before + behind > most) continue;
         candidates.push_back({.first = {begin.number, contact.along_first},
                               .second = {end.number, contact.along_second},
-                              .before = begin.before + contact.along_first,
-                              .behind = end.before + length - contact.along_second,
+                              .before = before,
+                              .behind = behind,
                               .gap = contact.gap,
                               .point = contact.point});
       }
     });
   }
-  std::sort(candidates.begin(), candidates.end(), [](const Candidate& a, const Candidate& b) {
+  std::sort(candidates.begin(), candidates.end(), [&](const Candidate& a, const Candidate& b) {
+    contour.pass();
     return a.before != b.before ? a.before < b.before : a.behind < b.behind;
   });
   return candidates;
-}
-
-double length_of_all(const ContourView& contour) {
-  double length = 0;
-  for (std::size_t number = 0; number < contour.count; ++number)
-    length += length_of(contour.segment(number));
-  return length;
 }
 
 // Where the end of the contour comes onto its begin, if it goes on along it up to `closing`: from
@@ -129,6 +151,7 @@ std::optional<Closing::Overrun> overrun_to(const ContourView& contour, const Can
   std::optional<Closing::Overrun> overrun;
   double longest = tolerance;
   for (const Candidate& begin : candidates) {
+    contour.pass();
     const double length = closing.before - begin.before;
     const auto& [number, along] = begin.first;
     if (along > same_place && along < length_of(contour.segment(number)) - same_place) continue;
@@ -184,9 +207,9 @@ bool is_between_long_leads(const ContourView& contour, const Candidate& closing,
            place.along >= length_of(contour.segment(place.number)) - same_place;
   };
   const double shortest = 10 * tolerance;
-  const std::size_t behind = contour.count - 1 - closing.second.number;
-  if (contour.tool_side == Side::off || closing.first.number > most_lead_blocks ||
-      behind > most_lead_blocks || !(is_end(closing.first) || is_end(closing.second)))
+  if (contour.tool_side == Side::off ||
+      !are_few_outside(contour, closing.first.number, closing.second.number) ||
+      !(is_end(closing.first) || is_end(closing.second)))
     return false;
   double length = closing.second.along - closing.first.along;
   for (std::size_t number = closing.first.number; number < closing.second.number; ++number)
@@ -302,8 +325,8 @@ std::pmr::vector<EndsMeeting> meetings_of_ends(const ContourView& contour, doubl
                                                double tool_radius,
                                                std::pmr::memory_resource* memory) {
   const double reach = reach_in_radii * tool_radius;
-  return candidates_of(first_blocks(contour, reach, memory), last_blocks(contour, reach, memory),
-                       closing_tolerance, memory);
+  const double most = 0.5 * length_of_all(contour);
+  return candidates_of(contour, reach, closing_tolerance, most, memory);
 }
 
 std::optional<Closing> find_closing(const ContourView& contour, double closing_tolerance,

@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "core/base/checkpoint.h"
 #include "core/geometry/segment.h"
 #include "core/nc/state/block.h"
 #include "core/trc/walls/walls.h"
@@ -22,6 +23,12 @@ struct ContourView {
   double shift = 0;
   // Where the tool cuts; off: nobody knows, and leads longer than the contour are not looked for.
   Side tool_side = Side::off;
+  // Passed by while the contour is looked at; null: it is looked at in one go.
+  Checkpoint* checkpoint = nullptr;
+
+  void pass() const {
+    if (checkpoint != nullptr) checkpoint->pass();
+  }
 };
 
 // A place on a contour block.

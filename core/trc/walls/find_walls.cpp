@@ -164,6 +164,7 @@ void untie(const ContourView& contour, double largest, Walls& walls) {
   const double longest = longest_in_bow_tie(largest);
   const bool is_left = contour.shift > 0;
   for (std::size_t number = 1; number + 1 < contour.count; ++number) {
+    contour.pass();
     const Segment between = contour.segment(number);
     if ((end_of(between) - start_of(between)).cwiseAbs().maxCoeff() > longest) continue;
     const auto tie =
@@ -194,8 +195,10 @@ Walls find_walls(const ContourView& contour, const LeadSettings& settings, doubl
       walls.touch_of_rings = std::min(Tolerances{}.on_top, settings.closing_tolerance);
   }
   if (contour.role)
-    for (std::size_t number = 0; number < contour.count; ++number)
+    for (std::size_t number = 0; number < contour.count; ++number) {
+      contour.pass();
       leads.mark(number, contour.role(number));
+    }
   leads.give_to(walls);
   if (contour.shift != 0)
     untie(contour, largest_bow_tie(settings.input_resolution, tool_radius), walls);

@@ -19,6 +19,7 @@ Visits visits_of(const ContourView& contour, const Closing& closing, double tole
     if (!is_same) visits.push_back({.place = {number, along}, .way = way + along});
   };
   for (std::size_t number = 0; number < second.number; ++number) {
+    contour.pass();
     const Segment segment = contour.segment(number);
     const double length = length_of(segment);
     if (number == first.number) visits.push_back({.place = first, .way = way + first.along});
