@@ -240,6 +240,7 @@ class InwardSearch {
     if (earlier < 0) {
       // The end goes on along the begin: an overrun, or both part in an acute angle.
       if (next.gap > std::max(best_->gap, Tolerances{}.on_top)) return;
+      if (-earlier > tolerance_ && !runs_along(next)) return;
       best_ = next;
       overrun_.push_back(next);
       return note(next);
@@ -262,6 +263,25 @@ class InwardSearch {
   }
 
  private:
+  // Half way from the best one to the next, begin and end are in one place: a lead that leaves
+  // through the first walls meets them again too.
+  [[nodiscard]] bool runs_along(const Candidate& next) const {
+    const double later = next.before - best_->before;
+    const double share = 0.02;  // of that way, in an acute angle
+    const Point begin = behind_by(best_->first, later / 2);
+    const Point end = behind_by(best_->second, (best_->behind - next.behind) / 2);
+    return (begin - end).norm() <= tolerance_ + share * later;
+  }
+  [[nodiscard]] Point behind_by(const ContourPlace& place, double way) const {
+    std::size_t number = place.number;
+    way += place.along;
+    for (; number + 1 < contour_.count; ++number) {
+      const double length = length_of(contour_.segment(number));
+      if (way <= length) break;
+      way -= length;
+    }
+    return point_along(contour_.segment(number), way);
+  }
   void take(const Candidate& next) {
     best_ = next;
     overrun_.assign(1, next);
