@@ -17,7 +17,7 @@ TEST(NumberText, IsTheFewestDigitsThatReadBackToTheSameNumber) {
 }
 
 TEST(NumberText, HasRoomForTheLongestNumbers) {
-  for (const double number : {-std::numeric_limits<double>::denorm_min(),
+  for (const double number : {-std::numeric_limits<double>::min(),
                               -std::numeric_limits<double>::max(), -1.0 / 3 * 1e-300})
     EXPECT_EQ(std::stod("0" + shortest(number).substr(1)), -number);
   EXPECT_EQ(shortest(std::numeric_limits<std::uint64_t>::max()), "18446744073709551615");
