@@ -375,6 +375,46 @@ TEST(Walls, BlocksMayBeCounted) {
   EXPECT_TRUE(contour.walls({.find = LeadSettings::Find::counted, .blocks_in = 9}).are_all());
 }
 
+// A boss of 5 mm between quarter circles of 20 mm, which are longer than what they lead to.
+Drawing boss_between_long_leads(double sweep) {
+  return Drawing(25, 20).arc(25, 0, pi / 2).arc(0, 0, sweep).arc(25, 0, pi / 2);
+}
+
+Walls walls_of(const Drawing& drawing, Side tool_side) {
+  ContourView view = drawing.view();
+  view.tool_side = tool_side;
+  return find_walls(view, {}, 10);
+}
+
+TEST(Walls, LeadsMayBeLongerThanTheContour) {  // D-38
+  EXPECT_EQ((Ranges{{0, 1}, {2, 3}}),
+            walls_of(boss_between_long_leads(-2 * pi), Side::left).leads);
+  EXPECT_EQ((Ranges{{0, 1}, {2, 3}}),
+            walls_of(boss_between_long_leads(2 * pi), Side::right).leads);
+}
+
+// As it is put on at an outside corner, to keep that sharp: the tool is on its inside.
+TEST(Walls, ALoopAtACornerMakesNoLeads) {  // D-38
+  const Drawing corner = Drawing(-40, 0).line(0, 0).arc(0, 5, 1.5 * pi).arc(0, 5, 0.5 * pi);
+  EXPECT_TRUE(walls_of(Drawing(corner).line(0, -60), Side::left).leads.empty());
+  EXPECT_TRUE(walls_of(boss_between_long_leads(-2 * pi), Side::right).leads.empty());
+}
+
+// The half circle out swings through the wall at x = 30, which is one all the same.
+TEST(Walls, ALeadThatCutsAWallMakesNoLeadOfIt) {  // D-38
+  const Walls walls = walls_of(Drawing(18, -12)
+                                   .arc(26, -12, pi / 2)
+                                   .line(30, -20)
+                                   .line(30, 20)
+                                   .line(-30, 20)
+                                   .line(-30, -20)
+                                   .line(26, -20)
+                                   .arc(26, -12, pi),
+                               Side::left);
+  EXPECT_EQ((Ranges{{0, 1}, {6, 7}}), walls.leads);
+  EXPECT_TRUE(walls.parts.empty());
+}
+
 // Of a block without length both ends are the crossing: there is nothing beyond it.
 TEST(Walls, APointBehindAFullCircleTiesNothing) {  // D-44
   for (const double shift : {1.0, -1.0}) {
