@@ -86,7 +86,7 @@ survey::Reading reading_of(const v1::SurveySetup& setup, const std::string& text
 std::optional<bool> unit_of(const survey::Reading& reading) {
   for (const Block& block : reading.blocks)
     if (const auto* motion = std::get_if<MotionBlock>(&block); motion && motion->mode->active())
-      return reading.units.is_inch(motion->source.index);
+      return reading.places.units.is_inch(motion->source.index);
   return std::nullopt;
 }
 

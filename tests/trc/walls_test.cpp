@@ -387,10 +387,8 @@ Walls walls_of(const Drawing& drawing, Side tool_side) {
 }
 
 TEST(Walls, LeadsMayBeLongerThanTheContour) {  // D-38
-  EXPECT_EQ((Ranges{{0, 1}, {2, 3}}),
-            walls_of(boss_between_long_leads(-2 * pi), Side::left).leads);
-  EXPECT_EQ((Ranges{{0, 1}, {2, 3}}),
-            walls_of(boss_between_long_leads(2 * pi), Side::right).leads);
+  EXPECT_EQ((Ranges{{0, 1}, {2, 3}}), walls_of(boss_between_long_leads(-2 * pi), Side::left).leads);
+  EXPECT_EQ((Ranges{{0, 1}, {2, 3}}), walls_of(boss_between_long_leads(2 * pi), Side::right).leads);
 }
 
 // As it is put on at an outside corner, to keep that sharp: the tool is on its inside.
