@@ -78,12 +78,12 @@ TEST_F(LoopRoom, WhatTurnsByLessThanHalfATurnIsNotAskedAbout) {
 }
 
 TEST_F(LoopRoom, BlocksThatMeetInOnePlaceAreFoundTogether) {
-  hold({{0, 0}, {10, 0}, {10, 5}, {6, 5}, {6, 1}, {5, 5}});
+  hold({{0, 0}, {10, 0}, {10, 5}, {6, 5}, {6, 1.5}, {5, 5}});
   const auto onset = obstacles_.onset(0, 0, 10, Nearness::exact);
   ASSERT_TRUE(onset);
   const Point place(onset->along, 1);
   const std::vector<std::size_t> near = obstacles_.at(0, place, onset->obstacle, Nearness::exact);
-  EXPECT_EQ(near.size(), 2U) << "both blocks of the tip in (6,1)";
+  EXPECT_EQ(near.size(), 2U) << "both blocks of the tip in (6,1.5)";
 }
 
 TEST_F(LoopRoom, APieceIsAWholeBlockUnlessItIsCut) {

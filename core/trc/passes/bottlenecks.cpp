@@ -85,7 +85,7 @@ bool Bottlenecks::end_selection(PathBlocks& out) {
 }
 
 void Bottlenecks::find_walls() {
-  if (contour_base_ > 0) return;
+  if (contour_base_ > 0 || contour_.empty()) return;
   double radius = 0;
   bool has_roles = false;
   for (const MotionBlock& block : contour_) {

@@ -211,16 +211,20 @@ bool is_between_long_leads(const ContourView& contour, const Candidate& closing,
       !are_few_outside(contour, closing.first.number, closing.second.number) ||
       !(is_end(closing.first) || is_end(closing.second)))
     return false;
+  // Straight on, the first and the last block may be walls that a circle stands beside.
+  const std::size_t last_in = closing.first.number - 1;
+  const std::size_t first_out = closing.second.number + 1;
+  if (closing.first.number == 0 || first_out == contour.count ||
+      !std::holds_alternative<Arc>(contour.segment(last_in)) ||
+      !std::holds_alternative<Arc>(contour.segment(first_out)))
+    return false;
   double length = closing.second.along - closing.first.along;
   for (std::size_t number = closing.first.number; number < closing.second.number; ++number)
     length += length_of(contour.segment(number));
   if (length <= shortest) return false;
   const Ring ring(contour, closing);
-  const auto is_led_to = [&](double lead, const Point& end) {
-    return lead <= shortest || ring.has_on(contour.tool_side, end);
-  };
-  return is_led_to(closing.before, start_of(contour.segment(0))) &&
-         is_led_to(closing.behind, end_of(contour.segment(contour.count - 1)));
+  return ring.has_on(contour.tool_side, start_of(contour.segment(0))) &&
+         ring.has_on(contour.tool_side, end_of(contour.segment(contour.count - 1)));
 }
 
 // Goes from the outermost candidate inward.
@@ -240,7 +244,6 @@ class InwardSearch {
     if (earlier < 0) {
       // The end goes on along the begin: an overrun, or both part in an acute angle.
       if (next.gap > std::max(best_->gap, Tolerances{}.on_top)) return;
-      if (-earlier > tolerance_ && !runs_along(next)) return;
       best_ = next;
       overrun_.push_back(next);
       return note(next);
@@ -263,25 +266,6 @@ class InwardSearch {
   }
 
  private:
-  // Half way from the best one to the next, begin and end are in one place: a lead that leaves
-  // through the first walls meets them again too.
-  [[nodiscard]] bool runs_along(const Candidate& next) const {
-    const double later = next.before - best_->before;
-    const double share = 0.02;  // of that way, in an acute angle
-    const Point begin = behind_by(best_->first, later / 2);
-    const Point end = behind_by(best_->second, (best_->behind - next.behind) / 2);
-    return (begin - end).norm() <= tolerance_ + share * later;
-  }
-  [[nodiscard]] Point behind_by(const ContourPlace& place, double way) const {
-    std::size_t number = place.number;
-    way += place.along;
-    for (; number + 1 < contour_.count; ++number) {
-      const double length = length_of(contour_.segment(number));
-      if (way <= length) break;
-      way -= length;
-    }
-    return point_along(contour_.segment(number), way);
-  }
   void take(const Candidate& next) {
     best_ = next;
     overrun_.assign(1, next);

@@ -81,8 +81,8 @@ struct Closing {
 // start of the contour, and a second lap does not pass for one. n log n.
 //
 // Where there is none the leads may be longer than the contour, as about a small boss: a ring
-// counts whatever its share where few blocks lead to it and from it, on the side of the tool, and a
-// block ends on it. A loop at a corner lies on the other side.
+// counts whatever its share where few blocks lead to it and from it by arcs, on the side of the
+// tool, and a block ends on it. A loop at a corner lies on the other side.
 [[nodiscard]] std::optional<Closing> find_closing(const ContourView& contour,
                                                   double closing_tolerance, double tool_radius);
 
