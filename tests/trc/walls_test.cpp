@@ -398,6 +398,21 @@ TEST(Walls, ALoopAtACornerMakesNoLeads) {  // D-38
   EXPECT_TRUE(walls_of(boss_between_long_leads(-2 * pi), Side::right).leads.empty());
 }
 
+// The half circle out swings through the wall at x = 30, which is one all the same.
+TEST(Walls, ALeadThatCutsAWallMakesNoLeadOfIt) {  // D-38
+  const Walls walls = walls_of(Drawing(18, -12)
+                                   .arc(26, -12, pi / 2)
+                                   .line(30, -20)
+                                   .line(30, 20)
+                                   .line(-30, 20)
+                                   .line(-30, -20)
+                                   .line(26, -20)
+                                   .arc(26, -12, pi),
+                               Side::left);
+  EXPECT_EQ((Ranges{{0, 1}, {6, 7}}), walls.leads);
+  EXPECT_TRUE(walls.parts.empty());
+}
+
 // Of a block without length both ends are the crossing: there is nothing beyond it.
 TEST(Walls, APointBehindAFullCircleTiesNothing) {  // D-44
   for (const double shift : {1.0, -1.0}) {

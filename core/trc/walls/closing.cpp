@@ -227,11 +227,20 @@ bool is_between_long_leads(const ContourView& contour, const Candidate& closing,
          ring.has_on(contour.tool_side, end_of(contour.segment(contour.count - 1)));
 }
 
+// What of the begin an overrun may go over: the same way, or, with laps that differ at their
+// corners, any that comes back to it.
+enum class Overruns { along_the_begin, any };
+
 // Goes from the outermost candidate inward.
 class InwardSearch {
  public:
-  InwardSearch(const ContourView& contour, double tolerance, std::pmr::memory_resource* memory)
-      : contour_(contour), tolerance_(tolerance), memory_(memory), overrun_(memory) {}
+  InwardSearch(const ContourView& contour, double tolerance, Overruns overruns,
+               std::pmr::memory_resource* memory)
+      : contour_(contour),
+        tolerance_(tolerance),
+        overruns_(overruns),
+        memory_(memory),
+        overrun_(memory) {}
 
   void consider(const Candidate& next) {
     if (!best_) return take(next);
@@ -244,6 +253,8 @@ class InwardSearch {
     if (earlier < 0) {
       // The end goes on along the begin: an overrun, or both part in an acute angle.
       if (next.gap > std::max(best_->gap, Tolerances{}.on_top)) return;
+      if (overruns_ == Overruns::along_the_begin && -earlier > tolerance_ && !runs_along(next))
+        return;
       best_ = next;
       overrun_.push_back(next);
       return note(next);
@@ -266,6 +277,25 @@ class InwardSearch {
   }
 
  private:
+  // Half way from the best one to the next, begin and end are in one place: a lead that leaves
+  // through the first walls meets them again too.
+  [[nodiscard]] bool runs_along(const Candidate& next) const {
+    const double later = next.before - best_->before;
+    const double share = 0.02;  // of that way, in an acute angle
+    const Point begin = behind_by(best_->first, later / 2);
+    const Point end = behind_by(best_->second, (best_->behind - next.behind) / 2);
+    return (begin - end).norm() <= tolerance_ + share * later;
+  }
+  [[nodiscard]] Point behind_by(const ContourPlace& place, double way) const {
+    std::size_t number = place.number;
+    way += place.along;
+    for (; number + 1 < contour_.count; ++number) {
+      const double length = length_of(contour_.segment(number));
+      if (way <= length) break;
+      way -= length;
+    }
+    return point_along(contour_.segment(number), way);
+  }
   void take(const Candidate& next) {
     best_ = next;
     overrun_.assign(1, next);
@@ -315,6 +345,7 @@ class InwardSearch {
 
   const ContourView& contour_;
   double tolerance_;
+  Overruns overruns_;
   std::pmr::memory_resource* memory_;
   std::optional<Candidate> best_{};
   std::pmr::vector<Candidate> overrun_;  // the stretch up to the best one
@@ -340,15 +371,22 @@ std::optional<Closing> find_closing(const ContourView& contour, double closing_t
   const auto candidates = meetings_of_ends(contour, closing_tolerance, tool_radius, memory);
   if (candidates.empty()) return std::nullopt;
   const double most = 0.5 * length_of_all(contour);
-  InwardSearch search(contour, closing_tolerance, memory);
-  for (const Candidate& candidate : candidates)
-    if (candidate.before + candidate.behind <= most) search.consider(candidate);
-  if (auto closing = search.result(candidates)) return closing;
-  InwardSearch between_long_leads(contour, closing_tolerance, memory);
-  for (const Candidate& candidate : candidates)
-    if (is_between_long_leads(contour, candidate, closing_tolerance))
-      between_long_leads.consider(candidate);
-  return between_long_leads.result(candidates);
+  const auto search = [&](Overruns overruns, const auto& may_close) {
+    InwardSearch inward(contour, closing_tolerance, overruns, memory);
+    for (const Candidate& candidate : candidates)
+      if (may_close(candidate)) inward.consider(candidate);
+    return inward.result(candidates);
+  };
+  const auto leaves_half = [&](const Candidate& candidate) {
+    return candidate.before + candidate.behind <= most;
+  };
+  auto closing = search(Overruns::along_the_begin, leaves_half);
+  if (closing && visits_of(contour, *closing, closing_tolerance, memory).size() > 2)
+    closing = search(Overruns::any, leaves_half);
+  if (closing) return closing;
+  return search(Overruns::along_the_begin, [&](const Candidate& candidate) {
+    return is_between_long_leads(contour, candidate, closing_tolerance);
+  });
 }
 
 }  // namespace trc
