@@ -42,7 +42,7 @@ struct Config {
   std::vector<std::string> http_cors_origins;
   std::uint32_t http_max_connections = 256;
   std::uint32_t http_max_body_mib = 64;
-  std::uint32_t http_max_memory_mib = 512;  // bodies, answers and views together
+  std::uint32_t http_max_memory_mib = 0;  // bodies, answers and views together
   std::uint32_t http_max_views = 32;
   // For the head of a request, for each 64 KiB of its body, and of its answer.
   std::uint32_t http_timeout_s = 20;

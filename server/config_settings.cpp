@@ -106,8 +106,9 @@ void declare_http(Settings& settings, Config& config) {
                   "open connections of HTTP; beyond them the one that has waited longest goes");
   settings.number("http-max-body-mib", config.http_max_body_mib, 1, 1024,
                   "largest NC program over HTTP");
-  settings.number("http-max-memory-mib", config.http_max_memory_mib, 1, 1U << 20U,
-                  "memory of bodies, answers and views of HTTP together");
+  settings.number("http-max-memory-mib", config.http_max_memory_mib, 0, 1U << 20U,
+                  "memory of bodies, answers and views of HTTP together; 0: 512, or a quarter of "
+                  "memory-limit-mib");
   settings.number("http-max-views", config.http_max_views, 1, 10000,
                   "programs kept for those who look at them; the oldest gives way to a new one");
   settings.number("http-timeout-s", config.http_timeout_s, 1, 3600,

@@ -10,6 +10,7 @@ constexpr std::uint64_t mib = 1U << 20U;
 constexpr std::uint64_t base_mib = 64;
 constexpr std::uint64_t usual_session_mib = 1024;
 constexpr std::uint64_t usual_streams = 1000;
+constexpr std::uint64_t usual_http_mib = 512;
 // An answer is at most so large (Answers).
 constexpr std::uint64_t answer_bytes = 192U << 10U;
 
@@ -35,7 +36,11 @@ void fill_in(Number& setting, std::uint64_t value) {
 
 std::optional<std::string> fill_in_limits(Config& config, std::uint64_t memory_bytes) {
   fill_in(config.memory_limit_mib, std::min<std::uint64_t>(memory_bytes / mib, 1U << 30U));
-  const std::uint64_t limit = config.memory_limit_mib;
+  const std::uint64_t whole = config.memory_limit_mib;
+  fill_in(config.http_max_memory_mib, std::min(usual_http_mib, whole / 4));
+  const std::uint64_t http = config.http_listen.empty() ? 0 : config.http_max_memory_mib;
+  // What HTTP leaves to the rest.
+  const std::uint64_t limit = whole - std::min(http, whole);
   const std::uint64_t base = std::min(base_mib, limit / 4);
   fill_in(config.max_session_memory_mib, std::min(usual_session_mib, limit / 2));
   const std::uint64_t each = buffer_of_stream(config);
@@ -53,11 +58,11 @@ std::optional<std::string> fill_in_limits(Config& config, std::uint64_t memory_b
            " bytes (max-message-bytes) need " + std::to_string(buffers) + ", not " +
            std::to_string(config.max_grpc_buffer_mib);
   const std::uint64_t sum =
-      std::uint64_t{config.max_session_memory_mib} + config.max_grpc_buffer_mib + base;
-  if (sum > limit)
-    return "memory-limit-mib: max-session-memory-mib, max-grpc-buffer-mib and " +
-           std::to_string(base) + " for the program need " + std::to_string(sum) + ", not " +
-           std::to_string(limit);
+      std::uint64_t{config.max_session_memory_mib} + config.max_grpc_buffer_mib + http + base;
+  if (sum > whole)
+    return std::string("memory-limit-mib: max-session-memory-mib, max-grpc-buffer-mib") +
+           (http > 0 ? ", http-max-memory-mib" : "") + " and " + std::to_string(base) +
+           " for the program need " + std::to_string(sum) + ", not " + std::to_string(whole);
   return std::nullopt;
 }
 

@@ -27,6 +27,28 @@ TEST(Limits, AreFilledInFromTheMemoryThereIs) {
   EXPECT_EQ(small.max_streams, 215U);
 }
 
+// What HTTP may hold is not given to streams as well.
+TEST(Limits, OfHttpArePartOfTheSum) {
+  Config small;
+  small.http_listen = "127.0.0.1:0";
+  EXPECT_EQ(fill_in_limits(small, gib), std::nullopt);
+  EXPECT_EQ(small.http_max_memory_mib, 256U);
+  EXPECT_EQ(small.max_session_memory_mib, 384U);
+  EXPECT_EQ(small.max_grpc_buffer_mib, 192U);
+
+  Config tiny;
+  tiny.http_listen = "127.0.0.1:0";
+  EXPECT_EQ(fill_in_limits(tiny, gib / 16), std::nullopt);
+
+  Config wide;
+  wide.http_listen = "127.0.0.1:0";
+  wide.http_max_memory_mib = 600;
+  wide.max_session_memory_mib = 400;
+  const auto fault = fill_in_limits(wide, gib);
+  ASSERT_TRUE(fault.has_value());
+  EXPECT_NE(fault->find("http-max-memory-mib"), std::string::npos) << *fault;
+}
+
 TEST(Limits, AreTheSameWhenFilledInTwice) {
   Config config;
   EXPECT_EQ(fill_in_limits(config, gib), std::nullopt);
