@@ -137,6 +137,7 @@ bool Obstacles::are_many(const Box& area, const PathPart& part, double limit) co
 }
 
 std::optional<std::size_t> Obstacles::nearest_to(const PathPart& part, double limit) const {
+  checkpoint_.pass_many(neighbours_.size());
   // Boxes tell which ones it can be: none that are farther off than what is in the nearest box.
   const FourBoxes::Course course = part.course(limit);
   float least_squared = squared_with_slack(limit, part.middle());

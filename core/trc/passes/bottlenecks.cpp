@@ -117,7 +117,8 @@ bool Bottlenecks::examine(bool ended, PathBlocks& out) {
   std::size_t examined = 0;
   const std::size_t end = contour_base_ + contour_.size();
   while (examined < held_.size() && (ended || numbers_[examined] + window_ < end)) {
-    checkpoint_.pass();
+    // What lies about the block at a distance is looked at by its boxes alone.
+    checkpoint_.pass_many(contour_.size());
     if (!check(*held_[examined], numbers_[examined])) return false;
     ++examined;
   }
