@@ -140,10 +140,10 @@ Exit run(const ProgramOptions& options) {
     std::cout << "the path touches " << percent(report.coverage()) << " of "
               << mm(report.wall_length) << " mm of wall\n";
   if (report.gouging == 0) return Exit::done;
-  const Source& place = report.worst->path;
-  std::cerr << input.name() << ':' << place.line << ": gouge: " << report.gouging
+  const verify::Clearance& gouge = *report.gouge;
+  std::cerr << input.name() << ':' << gouge.path.line << ": gouge: " << report.gouging
             << (report.gouging == 1 ? " block comes" : " blocks come")
-            << " nearer to the contour than the tool radius, " << worst_line(*report.worst) << '\n';
+            << " nearer to the contour than the tool radius, " << worst_line(gouge) << '\n';
   return Exit::refused;
 }
 

@@ -218,8 +218,8 @@ std::vector<Source> Survey::around(const Reading& reading, const Source& pinched
 
 // Between two parallel walls the tool has half of the room that there is between them.
 std::optional<double> Survey::guess_of(const Surveyed& found) {
-  if (found.clearance.gouging > 0 && found.clearance.worst) {
-    const verify::Clearance& worst = *found.clearance.worst;
+  if (found.clearance.gouge) {
+    const verify::Clearance& worst = *found.clearance.gouge;
     return found.radius + 0.5 * (worst.distance + worst.required) - worst.required;
   }
   if (!found.refusal) return std::nullopt;

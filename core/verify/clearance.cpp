@@ -146,8 +146,8 @@ class Selection {
 
   // A margin from here on changes nothing of the report.
   [[nodiscard]] double margin_of_interest() const {
-    const double lower = least_ - half_resolution;
-    return gouges_ ? lower : std::max(lower, -allowed_);
+    const double is_gouge = gouges_ ? std::min(least_gouge_ - half_resolution, -allowed_) : -allowed_;
+    return std::max(least_ - half_resolution, is_gouge);
   }
 
   // Path that stands still, beside as many walls as a full circle has, or nearly so.
@@ -206,8 +206,12 @@ class Selection {
       touch = first == block.number ? sides_.touch_between(block.number, own)
                                     : touch_of_laps(block.number, first, own);
     }
-    if (gap.distance < limit - touch) is_near_ = true;
-    note(path, gap.distance, required - touch, gap.on_a, block.source);
+    is_near_ = true;
+    note(path, {.distance = gap.distance,
+                .required = required,
+                .touch = touch,
+                .point = gap.on_a,
+                .wall = block.source});
   }
 
   // One of them lies in the lap of the path itself: as far behind the begin of that.
@@ -238,26 +242,48 @@ class Selection {
     const Point foot = nearest_point(contour, middle);
     const double left = cross(direction_at(contour, foot), middle - foot);
     if (rule.side == Side::left ? left >= 0 : left <= 0) return;
-    note(path, -(middle - foot).norm(), required_, middle, own.source);
+    note(path, {.distance = -(middle - foot).norm(),
+                .required = required_,
+                .point = middle,
+                .wall = own.source});
   }
 
-  void note(const PathPiece& path, double distance, double required, const Point& point,
-            const Source& wall) {
-    const double margin = distance - required;
-    if (margin < -allowed_) gouges_ = true;
+  // A wall near to the path.
+  struct Near {
+    double distance = 0;
+    double required = 0;
+    double touch = 0;  // so much nearer than that is no gouge, mm
+    Point point = Point::Zero();
+    Source wall{};
+  };
+
+  void note(const PathPiece& path, const Near& near) {
+    const double margin = near.distance - near.required;
+    if (margin + near.touch < -allowed_) {
+      gouges_ = true;
+      if (margin < least_gouge_) {
+        least_gouge_ = margin;
+        if (!report_.gouge || margin <= report_.gouge->margin() - half_resolution)
+          report_.gouge = clearance_of(path, near);
+      }
+    }
     if (margin >= least_) return;
     // Whatever was compared counts, also what is not told: else walls that are a little less far
     // than what is told, as around a tool that goes round in a hole, would be near for ever.
     least_ = margin;
     if (report_.worst && margin > report_.worst->margin() - half_resolution) return;
+    report_.worst = clearance_of(path, near);
+  }
+
+  [[nodiscard]] Clearance clearance_of(const PathPiece& path, const Near& near) const {
     const ProgrammedPiece& own = held_.programmed()[path.programmed];
     const Rule& rule = held_.rule_of(own);
-    report_.worst = {.distance = distance,
-                     .required = required,
-                     .place = from_plane(rule.plane, point, path.height),
-                     .path = own.source,
-                     .contour = wall,
-                     .accepted = rule.accepts};
+    return {.distance = near.distance,
+            .required = near.required,
+            .place = from_plane(rule.plane, near.point, path.height),
+            .path = own.source,
+            .contour = near.wall,
+            .accepted = rule.accepts};
   }
 
   static Piece part_of(const Piece& piece, int part, int parts) {
@@ -281,7 +307,8 @@ class Selection {
   const WallTree& tree_;
   bool is_plain_;
   ClearanceReport report_;
-  double least_ = std::numeric_limits<double>::infinity();  // margin that was seen, mm
+  double least_ = std::numeric_limits<double>::infinity();        // margin that was seen, mm
+  double least_gouge_ = std::numeric_limits<double>::infinity();  // of a gouge, mm
   std::vector<std::vector<Stretch>> touched_;  // of each programmed piece, where that is asked for
   std::vector<WallTree::Stretch> near_;        // to the group of pieces that is being measured
   // A place of the path that is clear with `slack` to spare.
@@ -319,6 +346,7 @@ void ClearanceReport::add(const ClearanceReport& other) {
   touched_length += other.touched_length;
   steps += other.steps;
   if (other.worst && (!worst || other.worst->margin() < worst->margin())) worst = other.worst;
+  if (other.gouge && (!gouge || other.gouge->margin() < gouge->margin())) gouge = other.gouge;
 }
 
 ClearanceReport measure_clearance(const HeldPath& held, std::size_t end,

@@ -33,10 +33,13 @@ struct Clearance {
 };
 
 struct ClearanceReport {
-  std::optional<Clearance> worst{};  // the smallest margin; empty: nothing to check
+  // The smallest margin, also where that is a touch: paths and walls at the two sides of a closing
+  // may come nearer by as much as they are apart there (D-38). Empty: nothing to check.
+  std::optional<Clearance> worst{};
+  std::optional<Clearance> gouge{};  // the worst of the blocks that gouge
   std::uint64_t checked = 0;         // blocks of the path
   std::uint64_t walls = 0;           // blocks of the contour they were compared with
-  std::uint64_t gouging = 0;         // of these, with a margin below -`allowed`
+  std::uint64_t gouging = 0;         // of these, with a margin below -`allowed` that is no touch
   std::uint64_t accepted = 0;        // of these, under IGNORE_CONT_DAMAGE
 
   double wall_length = 0;     // mm, of all walls

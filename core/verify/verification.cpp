@@ -14,7 +14,7 @@ namespace {
 constexpr std::size_t most_blocks_helped = 1000;
 
 Diagnostic gouge(const ClearanceReport& found) {
-  const Clearance& worst = *found.worst;
+  const Clearance& worst = *found.gouge;
   Diagnostic problem = diagnostic(Code::clearance_violated, worst.path);
   problem.values = {{"clearance", worst.distance},
                     {"tool_radius", worst.required},
@@ -97,7 +97,7 @@ bool Verification::measure_before(std::uint64_t end) {
   Diagnostic problem;
   if (found.gouging > 0) {
     problem = gouge(found);
-    problem.entry_help = help_at(*found.worst);
+    problem.entry_help = help_at(*found.gouge);
   }
   held_.forget_before(behind);
   const auto& programmed = held_.programmed();

@@ -67,8 +67,8 @@ class Verification {
   template <class Archive>
   void serialize(Archive& archive) {
     archive(held_, approaches_, ends_, too_long_, unmeasured_, is_untold_, report_.worst,
-            report_.checked, report_.walls, report_.gouging, report_.accepted, report_.wall_length,
-            report_.touched_length);
+            report_.gouge, report_.checked, report_.walls, report_.gouging, report_.accepted,
+            report_.wall_length, report_.touched_length);
   }
 
  private:

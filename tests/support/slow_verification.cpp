@@ -194,8 +194,10 @@ ClearanceReport slow_verification(std::span<const Block> programmed,
                                     ? std::min(own->second.required, own->second.required_behind)
                                     : own->second.required;
     std::optional<Clearance> worst;
-    const auto note = [&](double distance, double required, const Point& point,
+    bool gouges = false;
+    const auto note = [&](double distance, double required, double touch, const Point& point,
                           const Source& source) {
+      if (distance - required + touch < -allowed) gouges = true;
       if (worst && worst->margin() <= distance - required) return;
       worst = {.distance = distance,
                .required = required,
@@ -214,7 +216,7 @@ ClearanceReport slow_verification(std::span<const Block> programmed,
           const Gap gap = gap_between(block.path, wall);
           const double required =
               std::min(own_required, near.mode->options.suppress_trc ? 0 : near.mode->tool_radius);
-          note(gap.distance, required - touch, gap.on_a, near.source);
+          note(gap.distance, required, touch, gap.on_a, near.source);
         });
     if (!inserted && own->second.is_contour)
       report.touched_length +=
@@ -224,10 +226,10 @@ ClearanceReport slow_verification(std::span<const Block> programmed,
     if (block.origin == Origin::programmed && !on_programmed_side(block, *own->second.block)) {
       const Point middle = place_at(block.path, 0.5).point;
       const Point foot = nearest_point(own->second.block->path, middle);
-      note(-(middle - foot).norm(), own_required, middle, block.source);
+      note(-(middle - foot).norm(), own_required, 0, middle, block.source);
     }
     if (!worst) continue;
-    if (worst->margin() < -allowed) {
+    if (gouges) {
       ++report.gouging;
       if (worst->accepted) ++report.accepted;
     }

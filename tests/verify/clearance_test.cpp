@@ -214,6 +214,42 @@ TEST(Clearance, SeesContourBlocksFarAwayInTheProgram) {
   EXPECT_EQ(report.worst->contour.index, 200u);
 }
 
+// A square from (10,0) round again and along its first side up to (30,0), by `low` below it there;
+// the path of its third block is by `moved` too near.
+ClearanceReport square_with_overrun(double low, double moved) {
+  const std::vector<Point> corners{{-20, 0}, {10, 0}, {50, 0}, {50, 50}, {0, 50}, {0, 0}, {30, -low}};
+  const std::vector<Point> beside{{10, 10},         {40, 10}, {40, 40}, {10, 40 + moved},
+                                  {10 - moved, 10}, {30, 10 - low}};
+  std::vector<Block> programmed;
+  std::vector<CompensatedBlock> path;
+  for (std::uint64_t i = 0; i + 1 < corners.size(); ++i) {
+    programmed.emplace_back(contour(i, Line{corners[i], corners[i + 1]}));
+    if (i > 0) path.push_back(path_block(i, Line{beside[i - 1], beside[i]}));
+  }
+  return measure_clearance(programmed, path, 1e-4);
+}
+
+TEST(Clearance, TellsATouchAsNearAsItIs) {
+  const ClearanceReport report = square_with_overrun(0.003, 0);
+  EXPECT_EQ(report.gouging, 0u);
+  EXPECT_FALSE(report.gouge);
+  ASSERT_TRUE(report.worst);
+  EXPECT_NEAR(report.worst->distance, 10 - 0.003, 1e-6);
+  EXPECT_EQ(report.worst->required, 10);
+  EXPECT_NEAR(report.worst->place[0], 30, 1e-4);
+  EXPECT_EQ(report.worst->path.number, 50);
+  EXPECT_EQ(report.worst->contour.number, 10);
+}
+
+TEST(Clearance, TellsTheWorstGougeBesideATouch) {
+  const ClearanceReport report = square_with_overrun(0.003, 0.002);
+  EXPECT_GT(report.gouging, 0u);
+  ASSERT_TRUE(report.worst && report.gouge);
+  EXPECT_NEAR(report.worst->distance, 10 - 0.003, 1e-6);
+  EXPECT_NEAR(report.gouge->distance, 10 - 0.002, 1e-6);
+  EXPECT_EQ(report.gouge->contour.number, 40);
+}
+
 TEST(Clearance, IsNegativeOnTheWrongSide) {
   const std::vector<Block> programmed{contour(0, Line{{-20, 0}, {0, 0}}),
                                       contour(1, Line{{0, 0}, {100, 0}})};
