@@ -147,6 +147,25 @@ TEST(CircleCentreCorrection, RefusesTheMisfitOfTheWorkedExample) {
   EXPECT_NEAR(value_of(result, "end_radius"), 58.31, 5e-3);
 }
 
+// Radii that differ by 1.5 um: along a chord of 7 um that is a shift of 0.14 mm.
+TEST(CircleCentreCorrection, OfAShortArcIsJudgedByWhatItDoesToTheArc) {
+  const Point start(10, 0);
+  const Point end(10.007, 0.001);
+  const Arc arc = arc_of(about({10.053, 0.65}, start, end, false));
+  EXPECT_NEAR(arc.center.x(), 9.9136, 1e-4);
+  EXPECT_NEAR(arc.center.y(), 0.6301, 1e-4);
+  EXPECT_NEAR(width_about({10.053, 0.65}, arc), 1.53e-3, 1e-5);
+  // An end that is off by more than three digits.
+  EXPECT_EQ(code_of(about({10.053, 0.65}, start, {10.007, 0.004}, false)),
+            Code::circle_center_misfit);
+  // Of a whole turn but that chord all of it would be shifted.
+  EXPECT_EQ(code_of(about({10.053, 0.65}, start, end, true)), Code::circle_center_misfit);
+  // Four decimals of an inch.
+  CircleCheck inch;
+  inch.last_digit = last_digit(true);
+  EXPECT_GT(arc_of(about({10.053, 0.65}, start, {10.007, 0.004}, false, inch)).sweep, 0);
+}
+
 TEST(CircleCentreCorrection, RefusesOnlyBeyondBothLimitsFromTwentyMillimetresOn) {
   // Radius 100: a shift of 4 is more than 2 mm but less than 5 %.
   EXPECT_EQ(code_of(about({4, -60}, {-80, 0}, {80, 0}, true)), Code{});

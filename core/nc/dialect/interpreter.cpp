@@ -77,6 +77,7 @@ Interpreter::Interpreter(const ReaderLimits& limits, ProgramState& state, Diagno
       absolute_center_(state.setup().absolute_center),
       reads_plain_lines_(state.setup().dialect == DialectName::isg) {
   diagnostics_.units().count_in(inch_, 0);
+  state_.set_inch(inch_);
   if (dialect_.name == DialectName::heidenhain) {
     absolute_center_ = true;
     state_.set_absolute_center(true);
@@ -264,6 +265,7 @@ bool Interpreter::refuse_open_line() {
 
 void Interpreter::count_in(const ProgramLine& line, bool inch) {
   inch_ = inch;
+  state_.set_inch(inch);
   diagnostics_.units().count_in(inch, line.source.index);
 }
 

@@ -34,6 +34,13 @@ Arc part_of_circle(const Point& center, const CircleEnds& ends) {
 
 }  // namespace
 
+// Seen from the programmed centre an arc of up to half a turn leads from one radius to the other;
+// a longer one comes by where it is farthest off, in the directions of its chord.
+double width_about(const Point& programmed_center, const Arc& arc) {
+  if (std::abs(arc.sweep) > std::numbers::pi) return 2 * (arc.center - programmed_center).norm();
+  return std::abs((arc.start - programmed_center).norm() - (arc.end - programmed_center).norm());
+}
+
 CircleResult arc_about(const Point& center, const CircleEnds& ends, const CircleCheck& check,
                        bool compensated, const Tolerances& tolerances) {
   const double start_radius = (ends.start - center).norm();
@@ -51,6 +58,8 @@ CircleResult arc_about(const Point& center, const CircleEnds& ends, const Circle
   const double shift = std::abs(chord.dot(center - middle));
   const Point corrected = middle + left_of(chord) * left_of(chord).dot(center - middle);
   const double radius = (ends.start - corrected).norm();
+  const Arc arc = part_of_circle(corrected, ends);
+  if (width_about(center, arc) <= rounded_width(check.last_digit)) return arc;
 
   if (check.correct_center) {
     const double smallest_radius = std::min({start_radius, end_radius, radius});
@@ -79,7 +88,7 @@ CircleResult arc_about(const Point& center, const CircleEnds& ends, const Circle
       return CircleFault{.code = Code::arc_radii_differ,
                          .values = {{"start_radius", start_radius}, {"end_radius", end_radius}}};
   }
-  return part_of_circle(corrected, ends);
+  return arc;
 }
 
 CircleResult arc_of_radius(double radius, const CircleEnds& ends, const CircleCheck& check,
@@ -91,7 +100,9 @@ CircleResult arc_of_radius(double radius, const CircleEnds& ends, const CircleCh
     return CircleFault{.code = Code::full_circle_with_radius_word, .values = {{"radius", radius}}};
 
   const double half_chord = (ends.end - ends.start).norm() / 2;
-  if (half_chord - size > check.largest_radius_shortfall)
+  // Half a digit of the radius, and of each end on both axes.
+  const double rounded_shortfall = 1.25 * check.last_digit;
+  if (half_chord - size > std::max(check.largest_radius_shortfall, rounded_shortfall))
     return CircleFault{.code = Code::circle_center_misfit,
                        .values = {{"radius", radius}, {"smallest_radius", half_chord}}};
   const double height = std::sqrt(std::max(0.0, size - half_chord) * (size + half_chord));

@@ -22,6 +22,9 @@ struct CircleCheck {
   // mm; by how much half the chord may exceed the R word: one digit of a program
   // with three decimals. The arc is a semicircle then.
   double largest_radius_shortfall = 1e-3;
+  // mm, what the last digit of a coordinate is worth: three decimals, of an inch four. What so
+  // little of each does to an arc is no misfit (D-44). 0: all of it is.
+  double last_digit = 1e-3;
 
   bool operator==(const CircleCheck&) const = default;
 };
@@ -40,6 +43,17 @@ struct CircleFault {
 
 using CircleResult = std::variant<Arc, CircleFault>;
 
+// The worth of the last digit of a program that counts in inch, or not, mm.
+[[nodiscard]] constexpr double last_digit(bool inch) { return inch ? 2.54e-3 : 1e-3; }
+
+// What correcting a centre does to an arc, as a length: the width of the narrowest ring about the
+// programmed centre that holds the arc, mm. On a short arc that is far less than the shift.
+[[nodiscard]] double width_about(const Point& programmed_center, const Arc& arc);
+
+// Start, end and centre that are off by half of the last digit on both axes make an arc no wider
+// than that.
+[[nodiscard]] constexpr double rounded_width(double last_digit) { return 3 * last_digit; }
+
 // The arc about a programmed centre. For every arc made:
 //   (1) start and end are those given, bit for bit; they are equal for a full circle
 //   (2) start and end are equally far from the centre
@@ -51,7 +65,8 @@ using CircleResult = std::variant<Arc, CircleFault>;
 // gives a short arc, one behind it an almost full circle, as written.
 //
 // `compensated`: the arc gets an equidistant. Then radii that G164 lets differ by
-// more than `on_contour` are refused (90018), since no circle fits them.
+// more than `on_contour` are refused (90018), since no circle fits them. Where width_about() is
+// what rounding makes of an arc, no misfit of either kind is refused.
 //
 // Errors: 20035, 20036, 21758, 90018.
 [[nodiscard]] CircleResult arc_about(const Point& center, const CircleEnds& ends,

@@ -174,8 +174,10 @@ std::optional<Refusal> ProgramState::circle(const MoveRequest& request, const Po
         .code = fault->code, .values = std::move(fault->values), .point = standing_point()};
   programmed.arc = std::get<Arc>(result);
   if (too_large(programmed.arc.center)) return Refusal{.code = Code::center_out_of_range};
-  if (has_center && circle_.correct_center)
+  if (has_center && circle_.correct_center) {
     programmed.center_shift = (programmed.arc.center - center).norm();
+    programmed.width = width_about(center, programmed.arc);
+  }
   return {};
 }
 
@@ -224,7 +226,8 @@ bool ProgramState::move_on_circle(const MoveRequest& request, const Position& en
   ProgrammedCircle programmed;
   if (auto refusal = circle(request, end, programmed))
     return refuse(request.source, std::move(*refusal));
-  if (programmed.center_shift > circle_.reported_shift &&
+  const double untold = std::min(circle_.reported_shift, rounded_width(circle_.last_digit));
+  if (programmed.center_shift > circle_.reported_shift && programmed.width > untold &&
       !report(request.source, Code::center_corrected, {},
               {{"center_shift", programmed.center_shift},
                {"corrected_radius", radius_of(programmed.arc)}}))

@@ -118,6 +118,8 @@ class ProgramState {
   bool set_options(const TrcOptions& options, const Source& source);
   void set_absolute_center(bool absolute) { absolute_center_ = absolute; }        // G161 / G162
   void set_circle_correction(bool correct) { circle_.correct_center = correct; }  // G165 / G164
+  // How finely coordinates are written: G70 / G71.
+  void set_inch(bool inch) { circle_.last_digit = last_digit(inch); }
 
   // The coordinates mean something else from here on (zero shift, preset): where
   // the machine stands is not known on the axes given (X Y Z) until each is
@@ -199,11 +201,11 @@ class ProgramState {
   template <class Archive>
   void serialize(Archive& archive) {
     archive(tool_, column_, mode_, shared_mode_, programmed_side_, tangential_requested_,
-            absolute_center_, circle_.correct_center, position_, target_, known_,
-            position_forgotten_, displaced_, tracking_, selected_, selections_, in_plane_blocks_,
-            has_approach_, last_path_, last_index_, last_part_, last_mode_, retract_pending_,
-            just_deselected_, next_plane_, corner_, corner_source_, corner_feed_, lead_, held_,
-            ended_);
+            absolute_center_, circle_.correct_center, circle_.last_digit, position_, target_,
+            known_, position_forgotten_, displaced_, tracking_, selected_, selections_,
+            in_plane_blocks_, has_approach_, last_path_, last_index_, last_part_, last_mode_,
+            retract_pending_, just_deselected_, next_plane_, corner_, corner_source_, corner_feed_,
+            lead_, held_, ended_);
     terms_in_mode_ = tool_.terms();
   }
 
@@ -256,6 +258,7 @@ class ProgramState {
   struct ProgrammedCircle {
     Arc arc{};
     double center_shift = 0;  // mm, by which G165 has corrected the centre
+    double width = 0;         // mm, what that does to the arc (width_about())
   };
   [[nodiscard]] std::optional<Refusal> circle(const MoveRequest& request, const Position& end,
                                               ProgrammedCircle& programmed) const;

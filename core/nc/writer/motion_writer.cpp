@@ -183,7 +183,8 @@ MotionWriter::ArcForm MotionWriter::form_of(const Arc& arc, const ArcNumbers& nu
   const Point end(numbers.end[0].read, numbers.end[1].read);
   const Point center(numbers.center[0].read, numbers.center[1].read);
 
-  const CircleCheck check;
+  // Controls know no rounding.
+  const CircleCheck check{.last_digit = 0};
   if ((center - start).norm() <= tolerances.same_point) return ArcForm::line;
   if (is_full_circle(arc)) return ArcForm::arc;
   const CircleEnds ends{.start = start, .end = end, .clockwise = arc.sweep < 0};
