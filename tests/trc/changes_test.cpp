@@ -268,6 +268,42 @@ TEST(RadiusChange, TapersTheBlockBetweenTheOldAndTheNewCorner) {  // D-20
   EXPECT_GT(judged, contours / 2);
 }
 
+// A slope up to a half circle whose end is `low` too low, and into a rise behind it.
+Outcome over_half_a_circle(double low) {
+  const Point start(0, 10);
+  const Point end(20, 10 - low);
+  const Point middle = 0.5 * (start + end);
+  const double half = 0.5 * (end - start).norm();
+  const Point center = middle + low / 2 * left_of((end - start).normalized());
+  const Arc arc{
+      .start = start, .end = end, .center = center, .sweep = -pi - 2 * std::atan(low / 2 / half)};
+  TrcMode mode;
+  mode.side = Side::left;
+  mode.tool_radius = 2;
+  const Contour contour{.approach = {{-20, -10}, {0, 0}},
+                        .blocks = {Line{{0, 0}, start}, arc, Line{end, {40, 20}}},
+                        .retract = {{40, 20}, {50, 30}}};
+  return with_radius_change(contour, mode, 2, 1.7);
+}
+
+TEST(RadiusChange, AnArcCutShortBeforeHalfATurnIsNotSplit) {  // D-20
+  const Outcome exact = over_half_a_circle(0);
+  ASSERT_FALSE(exact.stopped);
+  for (const double low : {1e-4, 1e-3, 3e-3, 0.5}) {
+    SCOPED_TRACE(low);
+    const Outcome outcome = over_half_a_circle(low);
+    ASSERT_FALSE(outcome.stopped) << message_of(*outcome.error());
+    EXPECT_EQ(first_gap(outcome.blocks), "");
+    for (const CompensatedBlock& block : outcome.blocks)
+      EXPECT_NE(block.origin, Origin::radius_change);
+    // Lower down the slope and the arc are no longer tangential.
+    if (low > 0.01) continue;
+    ASSERT_EQ(outcome.blocks.size(), exact.blocks.size());
+    for (std::size_t k = 0; k < exact.blocks.size(); ++k)
+      EXPECT_LE((end_of(outcome.blocks[k].path) - end_of(exact.blocks[k].path)).norm(), low);
+  }
+}
+
 TEST(RadiusChange, PerpendicularInsertsOneLineAcrossTheContour) {  // D-21
   const std::size_t judged = for_each_radius_change(
       4'000'000, true,

@@ -23,41 +23,10 @@ bool retracts_in_a_block(Selection deselection) {
   return deselection != Selection::perpendicular && deselection != Selection::without_block;
 }
 
-bool changes_radius_in_a_long_arc(const PathBlock& block) {
-  const auto* arc = std::get_if<Arc>(&block.programmed.path);
-  return arc != nullptr && block.role == Role::contour && block.at_start != block.at_end &&
-         std::abs(arc->sweep) > std::numbers::pi &&
-         !block.mode().options.perpendicular_radius_change;
-}
-
 // Rule 3.0: only under G236 may the approach be an arc.
 bool is_circle_for_line(const PathBlock& block) {
   if (block.role != Role::approach || !is_arc(block.programmed.path)) return false;
   return block.mode().selection != Selection::on_path || block.mode().tangential;
-}
-
-AxisTravel cut(AxisTravel& travel, double share) {
-  const double middle = travel.from + share * (travel.to - travel.from);
-  return {.from = std::exchange(travel.from, middle), .to = middle};
-}
-
-// Cuts the block after 180 degrees: the radius changes in the first half, the
-// rest runs with the new one around the programmed centre (rule 8, D-20).
-PathBlockPtr first_half_of(PathBlock& block) {
-  Arc& arc = std::get<Arc>(block.programmed.path);
-  const double half = std::copysign(std::numbers::pi, arc.sweep);
-  const double share = half / arc.sweep;
-  const Point middle = 2 * arc.center - arc.start;
-  auto first = std::make_unique<PathBlock>(block);
-  first->origin = Origin::radius_change;
-  first->programmed.path =
-      Arc{.start = arc.start, .end = middle, .center = arc.center, .sweep = half};
-  first->programmed.normal = cut(block.programmed.normal, share);
-  for (std::size_t axis = 0; axis < block.programmed.tracking.size(); ++axis)
-    first->programmed.tracking[axis] = cut(block.programmed.tracking[axis], share);
-  arc = Arc{.start = middle, .end = arc.end, .center = arc.center, .sweep = arc.sweep - half};
-  block.at_start = block.at_end;
-  return first;
 }
 
 }  // namespace
@@ -111,7 +80,6 @@ bool RelevantBlocks::follow(MotionBlock&& motion, PathBlocks& out) {
   last_ = block->at_end;
   if (last_mode_ != block->programmed.mode) last_mode_ = block->programmed.mode;
   last_path_ = block->programmed.path;
-  if (changes_radius_in_a_long_arc(*block)) out.push_back(first_half_of(*block));
   if (block->at_end.active) {
     held_ = std::move(block);
   } else {

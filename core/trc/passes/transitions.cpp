@@ -9,6 +9,7 @@
 #include "core/trc/corner/bow_tie.h"
 #include "core/trc/corner/joints.h"
 #include "core/trc/corner/tool_path.h"
+#include "core/trc/passes/radius_change.h"
 #include "core/trc/selection/on_path.h"
 
 namespace trc {
@@ -186,14 +187,21 @@ void Transitions::leave(const Point* next_start, PathBlocks& out) {
   const Point end = stays ? *next_start : block.offset_end;
   complete(block, end, tolerances_);
   if (!block.perpendicular_exit) {
-    out.push_back(std::move(held_));
+    put_out_held(out);
     return;
   }
   std::vector<PassiveBlock> passive = std::move(block.passive_after_exit);
   const Point target = end_of(block.programmed.path);
-  out.push_back(std::move(held_));
+  put_out_held(out);
   insert(Line{.start = end, .end = target}, Origin::retract, insertion_behind(block, block), out);
   out.back()->passive = std::move(passive);
+}
+
+// The block is complete.
+void Transitions::put_out_held(PathBlocks& out) {
+  if (held_->at_start != held_->at_end)
+    if (PathBlockPtr first = take_first_half(*held_, tolerances_)) out.push_back(std::move(first));
+  out.push_back(std::move(held_));
 }
 
 void Transitions::join_anew(PathBlock& after, PathBlocks& out) {
@@ -207,7 +215,7 @@ void Transitions::join_anew(PathBlock& after, PathBlocks& out) {
     // Masked blocks move the other axes all the same.
     stand_behind(*masked_.back(), across->programmed);
   }
-  out.push_back(std::move(held_));
+  put_out_held(out);
   for (PathBlockPtr& masked : masked_) {
     masked->origin = Origin::masked;
     masked->tool_path = Line{.start = rejoin.point, .end = rejoin.point};
@@ -250,7 +258,7 @@ bool Transitions::join(PathBlock& after, PathBlocks& out) {
   const Point contour_start = joint.start;
   if (radius_changes) change_radius_at_once(corner, after, joint);
   open(after, joint.start, joint.cut_after, tolerances_);
-  out.push_back(std::move(held_));
+  put_out_held(out);
   const bool leads_through_contour = gap;
   const bool changes_side =
       is_contour(before) && is_contour(after) && before.at_end.shift * after.at_start.shift < 0;

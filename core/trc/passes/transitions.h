@@ -65,6 +65,7 @@ class Transitions {
   // `next_start`; both must be one point.
   void leave(const Point* next_start, PathBlocks& out);
   bool join(PathBlock& after, PathBlocks& out);
+  void put_out_held(PathBlocks& out);
 
   // A joint over masked blocks: they come out without length where it is.
   void join_anew(PathBlock& after, PathBlocks& out);
