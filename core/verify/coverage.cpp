@@ -39,6 +39,12 @@ Stretch beside(const Arc& programmed, const Segment& path) {
   return {.from = begin * radius, .to = (begin + sweep) * radius};
 }
 
+// Of two arcs about one centre.
+Stretch beside_arc(const Piece& programmed, const Piece& path, double required) {
+  if (std::abs(std::abs(path.radius() - programmed.radius()) - required) > touch) return {};
+  return beside(std::get<Arc>(segment_of(programmed)), segment_of(path));
+}
+
 // Nothing where it is not that far from it.
 Stretch beside(const Segment& programmed, const Segment& path, double required) {
   const Point middle = place_at(path, 0.5).point;
@@ -47,14 +53,17 @@ Stretch beside(const Segment& programmed, const Segment& path, double required) 
   return std::visit([&](const auto& shape) { return beside(shape, path); }, programmed);
 }
 
-// The same of two lines.
+// The same of two lines, by the middle of what lies beside the wall: at a mitre the path reaches
+// far beyond its end.
 Stretch beside(const Piece& programmed, const Piece& path, double required) {
   const double length = programmed.length();
   const Vector along = (programmed.end - programmed.start) / length;
   const double from = (path.start - programmed.start).dot(along);
   const double to = (path.end - programmed.start).dot(along);
-  const Point foot = programmed.start + std::clamp(0.5 * (from + to), 0.0, length) * along;
-  const double apart = (0.5 * (path.start + path.end) - foot).norm();
+  const double middle = 0.5 * (std::max(from, 0.0) + std::min(to, length));
+  if (!(from < to) || middle < from || middle > to) return {};
+  const Point on_path = path.start + (middle - from) / (to - from) * (path.end - path.start);
+  const double apart = std::abs(cross(along, on_path - programmed.start));
   return std::abs(apart - required) > touch ? Stretch{} : Stretch{.from = from, .to = to};
 }
 
@@ -63,9 +72,13 @@ Stretch beside(const Piece& programmed, const Piece& path, double required) {
 Stretch touched(const Piece& programmed, const Stretch& within, const Piece& path,
                 double required) {
   if (path.length() == 0 || programmed.length() == 0) return {};
-  const Stretch stretch = programmed.is_arc() || path.is_arc()
-                              ? beside(segment_of(programmed), segment_of(path), required)
-                              : beside(programmed, path, required);
+  Stretch stretch;
+  if (!programmed.is_arc() && !path.is_arc())
+    stretch = beside(programmed, path, required);
+  else if (programmed.is_arc() && path.is_arc() && programmed.center == path.center)
+    stretch = beside_arc(programmed, path, required);
+  else
+    stretch = beside(segment_of(programmed), segment_of(path), required);
   return {.from = std::max(stretch.from, within.from), .to = std::min(stretch.to, within.to)};
 }
 
