@@ -62,14 +62,18 @@ double least_gap(const Box& a, const Box& b, double enough) {
   return gap >= enough ? gap : std::max(gap, gap_in_frame_of(b, a, cosine, -sine));
 }
 
-void UprightBox::add(const Box& box) {
-  const Vector half = half_in(box.half, box.along.x(), box.along.y());
-  low_ = low_.cwiseMin(Point(box.center - half));
-  high_ = high_.cwiseMax(Point(box.center + half));
+void BoxAlong::add(const Box& box) {
+  const Vector half = half_in(box.half, along_.dot(box.along), cross(along_, box.along));
+  const Vector seen = in_frame(along_, box.center);
+  low_ = low_.cwiseMin(Vector(seen - half));
+  high_ = high_.cwiseMax(Vector(seen + half));
 }
 
-Box UprightBox::box() const {
-  return {.center = 0.5 * (low_ + high_), .half = 0.5 * (high_ - low_)};
+Box BoxAlong::box() const {
+  const Vector middle = 0.5 * (low_ + high_);
+  return {.center = middle.x() * along_ + middle.y() * left_of(along_),
+          .along = along_,
+          .half = 0.5 * (high_ - low_)};
 }
 
 Ring ring_of(const Box& box, const Point& center) {

@@ -22,15 +22,23 @@ struct Box {
 // be all.
 [[nodiscard]] double least_gap(const Box& a, const Box& b, double enough);
 
-// Upright around all that is added.
-class UprightBox {
+// Around all that is added, one side of it along a unit vector.
+class BoxAlong {
  public:
+  explicit BoxAlong(const Vector& along = Vector::UnitX()) : along_(along) {}
+  void add(const Point& point) {
+    const Vector seen{along_.dot(point), cross(along_, point)};
+    low_ = low_.cwiseMin(seen);
+    high_ = high_.cwiseMax(seen);
+  }
   void add(const Box& box);
+  // Of what is not empty.
   [[nodiscard]] Box box() const;
 
  private:
-  Point low_ = Point::Constant(std::numeric_limits<double>::infinity());
-  Point high_ = Point::Constant(-std::numeric_limits<double>::infinity());
+  Vector along_;
+  Vector low_ = Vector::Constant(std::numeric_limits<double>::infinity());
+  Vector high_ = Vector::Constant(-std::numeric_limits<double>::infinity());
 };
 
 // Everything between two circles about one centre. Tells concentric arcs apart, whose boxes

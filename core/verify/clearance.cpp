@@ -60,17 +60,15 @@ class Selection {
   std::size_t measure_from(std::size_t next) {
     while (has(next)) {
       std::size_t behind = next;
-      UprightBox around;
+      BoxAlong around;
       double required = 0;
       for (; behind < next + group_size && has(behind); ++behind) {
         const PathPiece& path = held_.path()[behind];
-        around.add(box_of(path.piece));
+        add_to(around, path.piece);
         required = std::max(required, required_of(path));
       }
       gouges_ = false;
-      const double reach = required + margin_of_interest() + slack;
-      if (!report_.worst || !tree_.find_near(around.box(), reach, near_))
-        near_.assign(1, tree_.whole());
+      find_near(around.box(), required + margin_of_interest() + slack);
       for (; next < behind; ++next) {
         checkpoint_.pass();
         measure(held_.path()[next]);
@@ -146,7 +144,8 @@ class Selection {
 
   // A margin from here on changes nothing of the report.
   [[nodiscard]] double margin_of_interest() const {
-    const double is_gouge = gouges_ ? std::min(least_gouge_ - half_resolution, -allowed_) : -allowed_;
+    const double is_gouge =
+        gouges_ ? std::min(least_gouge_ - half_resolution, -allowed_) : -allowed_;
     return std::max(least_ - half_resolution, is_gouge);
   }
 
@@ -157,26 +156,71 @@ class Selection {
            (piece.end - clear_->place).norm() <= slack;
   }
 
+  // The walls that the pieces of a group are compared with, one by one.
+  void find_near(const Box& box, double reach) {
+    near_.clear();
+    has_near_ = report_.worst && tree_.find_near(box, reach, stretches_);
+    if (!has_near_) return;
+    report_.steps += stretches_.size();
+    for (const WallTree::Stretch& stretch : stretches_)
+      tree_.for_each_of(stretch,
+                        [&](const ProgrammedPiece& block, const Piece& wall, std::size_t first) {
+                          const Disk disk = disk_of(wall);
+                          if (least_gap(disk, box) < reach)
+                            near_.push_back({.disk = disk,
+                                             .support = wall.is_arc() ? Support() : Support(wall),
+                                             .wall = wall,
+                                             .block = &block,
+                                             .first = first});
+                        });
+  }
+
   void search(const PathPiece& path) {
     const double margin = margin_of_interest();
     is_near_ = false;
-    const auto parts =
-        static_cast<int>(std::max(1.0, std::ceil(std::abs(path.piece.sweep) / longest_probe)));
-    for (int part = 0; part < parts; ++part) search(path, part_of(path.piece, part, parts));
+    if (has_near_)
+      search_near(path);
+    else
+      search_all(path);
     if (!is_near_) clear_ = {.place = path.piece.start, .margin = margin, .required = required_};
   }
 
-  void search(const PathPiece& path, const Piece& part) {
-    disk_ = disk_of(part);
+  void search_near(const PathPiece& path) {
+    const Piece& piece = path.piece;
+    const Disk disk = disk_of(piece);
+    const bool is_line = !piece.is_arc();
+    const Support support = is_line ? Support(piece) : Support();
+    double reach = required_ + margin_of_interest() + slack;
+    for (const NearWall& near : near_) {
+      // Most walls are told apart by one of these already.
+      const double apart = reach + disk.radius + near.disk.radius;
+      if (apart < 0 || (disk.center - near.disk.center).squaredNorm() >= apart * apart) continue;
+      if (is_line && !near.wall.is_arc() &&
+          (support.is_apart(near.wall, reach) || near.support.is_apart(piece, reach)))
+        continue;
+      compare(path, *near.block, near.wall, near.first);
+      reach = required_ + margin_of_interest() + slack;
+    }
+  }
+
+  void search_all(const PathPiece& path) {
+    const auto parts =
+        static_cast<int>(std::max(1.0, std::ceil(std::abs(path.piece.sweep) / longest_probe)));
+    for (int part = 0; part < parts; ++part) search_all(path, part_of(path.piece, part, parts));
+  }
+
+  void search_all(const PathPiece& path, const Piece& part) {
+    const Disk disk = disk_of(part);
     tree_.for_each_near(
-        tree_.probe(part), near_,
+        tree_.probe(part),
         [this](double required) {
+          checkpoint_.pass();
           ++report_.steps;
           return std::min(required_, required) + margin_of_interest() + slack;
         },
         [&](const ProgrammedPiece& block, const Piece& wall, std::size_t first) {
-          checkpoint_.pass();
-          compare(path, block, wall, first);
+          if (least_gap(disk, disk_of(wall)) < required_ + margin_of_interest() + slack)
+            compare(path, block, wall, first);
         });
   }
 
@@ -184,19 +228,10 @@ class Selection {
   void compare(const PathPiece& path, const ProgrammedPiece& block, const Piece& wall,
                std::size_t first) {
     ++report_.steps;
+    checkpoint_.pass();
     const double required = std::min(required_, held_.rule_of(block).required);
     const double limit = required + margin_of_interest() + slack;
-    // Most walls beside one that is near are told apart by this already.
-    if (least_gap(disk_, disk_of(wall)) >= limit) return;
-    if (path.piece.is_arc() || wall.is_arc()) {
-      if (!wall.is_arc() && are_apart_at_end(wall, path.piece, limit)) return;
-      if (!path.piece.is_arc() && are_apart_at_end(path.piece, wall, limit)) return;
-      const Point& center = wall.is_arc() ? wall.center : path.piece.center;
-      if (least_gap(ring_of(path.piece, center), ring_of(wall, center)) >= limit) return;
-    } else if (are_apart(path.piece, wall, limit)) {
-      return;
-    }
-    const Gap gap = gap_between(path.piece, wall);
+    const Gap gap = gap_between(path.piece, wall, limit);
     if (gap.distance >= limit) return;
     // Only of what is near it matters whether it is a wall, and how near the path may come to it.
     double touch = 0;
@@ -226,17 +261,30 @@ class Selection {
     return walls.ring_of(same) == ring ? walls.touch_between(same, own) : 0;
   }
 
+  // Of two lines, and of arcs about one centre of which the path is no more than the contour.
+  static bool is_surely_beside(const Piece& path, const Piece& own, Side side) {
+    if (path.is_arc() != own.is_arc()) return false;
+    if (!path.is_arc()) {
+      const Point middle = 0.5 * (path.start + path.end);
+      const double left = cross(Vector(own.end - own.start), middle - own.start);
+      return side == Side::left ? left >= 0 : left <= 0;
+    }
+    const bool turns_left = own.sweep > 0;
+    if (path.center != own.center || (path.sweep > 0) != turns_left ||
+        std::abs(own.sweep) > std::numbers::pi)
+      return false;
+    const bool is_inside =
+        (path.start - path.center).squaredNorm() < (own.start - own.center).squaredNorm();
+    return is_inside == (turns_left == (side == Side::left)) && is_within(path, own);
+  }
+
   // Whether the middle of the path lies on the side of its own block that the program asks for.
   void check_side(const PathPiece& path, const ProgrammedPiece& own) {
     const Rule& rule = held_.rule_of(own);
     const bool is_point = !own.piece.is_arc() && own.piece.start == own.piece.end;
     if (!rule.follows || is_point) return;
-    // Of two lines the quick way; what it finds at fault is looked at as all others are.
-    if (!own.piece.is_arc() && !path.piece.is_arc()) {
-      const Point middle = 0.5 * (path.piece.start + path.piece.end);
-      const double left = cross(Vector(own.piece.end - own.piece.start), middle - own.piece.start);
-      if (rule.side == Side::left ? left >= 0 : left <= 0) return;
-    }
+    // The quick way; what it finds at fault is looked at as all others are.
+    if (is_surely_beside(path.piece, own.piece, rule.side)) return;
     const Point middle = place_at(segment_of(path.piece), 0.5).point;
     const Segment contour = segment_of(own.piece);
     const Point foot = nearest_point(contour, middle);
@@ -310,7 +358,17 @@ class Selection {
   double least_ = std::numeric_limits<double>::infinity();        // margin that was seen, mm
   double least_gouge_ = std::numeric_limits<double>::infinity();  // of a gouge, mm
   std::vector<std::vector<Stretch>> touched_;  // of each programmed piece, where that is asked for
-  std::vector<WallTree::Stretch> near_;        // to the group of pieces that is being measured
+  // A wall that may be near to the group of pieces that is being measured.
+  struct NearWall {
+    Disk disk{};
+    Support support{};  // of a line
+    Piece wall{};
+    const ProgrammedPiece* block = nullptr;
+    std::size_t first = 0;
+  };
+  std::vector<NearWall> near_;
+  bool has_near_ = false;  // else they are too many to be looked at for each piece
+  std::vector<WallTree::Stretch> stretches_;
   // A place of the path that is clear with `slack` to spare.
   struct Clear {
     Point place = Point::Zero();
@@ -320,7 +378,6 @@ class Selection {
   std::optional<Clear> clear_;
   // Of the piece that is being measured.
   double required_ = 0;
-  Disk disk_;  // around the part of it that is compared
   bool gouges_ = false;
   bool is_near_ = false;
 };

@@ -1,7 +1,6 @@
 #include "core/verify/nearest.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -26,131 +25,151 @@ bool is_between(const Vector& first, const Vector& last, const Vector& out) {
   return cross(first, out) >= 0 && cross(out, last) >= 0;
 }
 
-bool is_in_sector(const Arc& arc, const Vector& from, const Vector& out) {
-  const Vector to = arc.end - arc.center;
-  const bool turns_left = arc.sweep > 0;
-  const Vector& first = turns_left ? from : to;
-  const Vector& last = turns_left ? to : from;
-  return std::abs(arc.sweep) <= std::numbers::pi ? is_between(first, last, out)
-                                                 : !is_between(last, first, out);
-}
+// An arc, with what comparing it asks for again and again.
+class Bow {
+ public:
+  explicit Bow(const Arc& arc)
+      : start_(arc.start),
+        end_(arc.end),
+        center_(arc.center),
+        from_(arc.start - arc.center),
+        to_(arc.end - arc.center),
+        turns_left_(arc.sweep > 0),
+        is_minor_(std::abs(arc.sweep) <= std::numbers::pi),
+        radius_(from_.norm()),
+        end_radius_(to_.norm()) {}
+  explicit Bow(const Piece& piece)
+      : Bow(Arc{
+            .start = piece.start, .end = piece.end, .center = piece.center, .sweep = piece.sweep}) {
+  }
 
-Point nearest_on(const Arc& arc, const Point& point) {
-  const Vector from = arc.start - arc.center;
-  const Vector out = point - arc.center;
-  const double distance = out.norm();
-  if (distance == 0) return arc.start;
-  if (is_in_sector(arc, from, out)) return arc.center + out * (from.norm() / distance);
-  return (point - arc.start).squaredNorm() < (point - arc.end).squaredNorm() ? arc.start : arc.end;
-}
+  [[nodiscard]] const Point& start() const { return start_; }
+  [[nodiscard]] const Point& end() const { return end_; }
+  [[nodiscard]] const Point& center() const { return center_; }
+  [[nodiscard]] double radius() const { return radius_; }
+  // Start and end may lie on circles that differ a little.
+  [[nodiscard]] double inner() const { return std::min(radius_, end_radius_); }
+  [[nodiscard]] double outer() const { return std::max(radius_, end_radius_); }
 
-// At most this many points of two supports can be nearest or in common.
-struct Candidates {
-  std::array<Point, 8> points;
-  std::size_t count = 0;
+  // Whether the arc passes this direction from its centre.
+  [[nodiscard]] bool holds(const Vector& out) const {
+    const Vector& first = turns_left_ ? from_ : to_;
+    const Vector& last = turns_left_ ? to_ : from_;
+    return is_minor_ ? is_between(first, last, out) : !is_between(last, first, out);
+  }
+  [[nodiscard]] Point nearest(const Point& point) const {
+    const Vector out = point - center_;
+    const double distance = out.norm();
+    if (distance == 0) return start_;
+    if (holds(out)) return center_ + out * (radius_ / distance);
+    return (point - start_).squaredNorm() < (point - end_).squaredNorm() ? start_ : end_;
+  }
+  [[nodiscard]] double distance(const Point& point) const {
+    const Vector out = point - center_;
+    if (holds(out)) return std::abs(out.norm() - radius_);
+    return std::sqrt(std::min((point - start_).squaredNorm(), (point - end_).squaredNorm()));
+  }
 
-  void add(const Point& point) {
-    if (point.allFinite()) points[count++] = point;
+ private:
+  Point start_;
+  Point end_;
+  Point center_;
+  Vector from_;
+  Vector to_;
+  bool turns_left_;
+  bool is_minor_;
+  double radius_;
+  double end_radius_;
+};
+
+Point nearest_on(const Arc& arc, const Point& point) { return Bow(arc).nearest(point); }
+
+// Whatever is noted is a distance there is: a wrong candidate can only be too far away.
+struct Least : Gap {
+  Least() { distance = std::numeric_limits<double>::infinity(); }
+  void note(const Point& on, double apart) {
+    if (!(apart < distance)) return;
+    distance = apart;
+    on_a = on;
   }
 };
 
-void add_supports(const Line& a, const Line& b, Candidates& candidates) {
-  const Vector u = a.end - a.start;
-  const Vector v = b.end - b.start;
-  candidates.add(a.start + u * (cross(b.start - a.start, v) / cross(u, v)));
-}
-
-void add_supports(const Line& line, const Arc& arc, Candidates& candidates) {
-  const Vector along = (line.end - line.start).normalized();
-  const Point foot = line.start + along * (arc.center - line.start).dot(along);
-  candidates.add(foot);
-  const double radius = (arc.start - arc.center).norm();
-  const double half = std::sqrt(radius * radius - (foot - arc.center).squaredNorm());
-  candidates.add(foot + half * along);
-  candidates.add(foot - half * along);
-}
-
-void add_supports(const Arc& a, const Arc& b, Candidates& candidates) {
-  const Vector between = b.center - a.center;
-  const double distance = between.norm();
-  const Vector toward = between / distance;
-  const double radius_a = (a.start - a.center).norm();
-  const double radius_b = (b.start - b.center).norm();
-  candidates.add(a.center + radius_a * toward);
-  candidates.add(a.center - radius_a * toward);
-  const double along =
-      (distance * distance + radius_a * radius_a - radius_b * radius_b) / (2 * distance);
-  const double half = std::sqrt(radius_a * radius_a - along * along);
-  candidates.add(a.center + along * toward + half * left_of(toward));
-  candidates.add(a.center + along * toward - half * left_of(toward));
-}
-
-void add_supports(const Arc& arc, const Line& line, Candidates& candidates) {
-  add_supports(line, arc, candidates);
-}
-
-// Arcs at least one of them: the smallest distance is taken at an end of one of the two, at a
-// common point, or where a line through a centre meets both at right angles. Each candidate is
-// drawn onto `a` first, so that a wrong one can only be too far away.
-Gap gap_of_bows(const Segment& a, const Segment& b) {
-  Candidates candidates;
-  std::visit(
-      [&](const auto& first, const auto& second) {
-        candidates.add(first.start);
-        candidates.add(first.end);
-        candidates.add(second.start);
-        candidates.add(second.end);
-        add_supports(first, second, candidates);
-      },
-      a, b);
-  Gap gap{.distance = std::numeric_limits<double>::infinity()};
-  for (std::size_t i = 0; i < candidates.count; ++i) {
-    const Point on_a = nearest_point(a, candidates.points[i]);
-    const double distance = (nearest_point(b, on_a) - on_a).norm();
-    if (distance < gap.distance) gap = {.distance = distance, .on_a = on_a};
-  }
-  return gap;
-}
-
-bool is_beside(const Piece& line, const Piece& other, double distance) {
+// The smallest distance is taken at an end of one of the two, where they cross, or at the foot of
+// the centre. `on_a` is on the line.
+Gap gap_of(const Line& line, const Bow& arc, double enough) {
   const Vector along = line.end - line.start;
-  const double at_start = cross(along, other.start - line.start);
-  const double at_end = cross(along, other.end - line.start);
-  if (!(at_start * at_end > 0)) return false;
-  const double least = std::min(std::abs(at_start), std::abs(at_end));
-  return least * least >= distance * distance * along.squaredNorm();
+  const double square = along.squaredNorm();
+  const double share = square > 0 ? (arc.center() - line.start).dot(along) / square : 0;
+  const Point foot = line.start + std::clamp(share, 0.0, 1.0) * along;
+  const double apart = (foot - arc.center()).norm();
+  if (apart - arc.outer() >= enough) return {apart - arc.outer(), foot};
+  const double farthest = std::sqrt(
+      std::max((line.start - arc.center()).squaredNorm(), (line.end - arc.center()).squaredNorm()));
+  if (arc.inner() - farthest >= enough) return {arc.inner() - farthest, foot};
+  Least least;
+  least.note(line.start, arc.distance(line.start));
+  least.note(line.end, arc.distance(line.end));
+  for (const Point& end : {arc.start(), arc.end()}) {
+    const Point on = nearest_on(line, end);
+    least.note(on, (on - end).norm());
+  }
+  least.note(foot, arc.distance(foot));
+  if (square == 0) return least;
+  const double across = cross(along, arc.center() - line.start);
+  const double beside = arc.radius() * arc.radius() - across * across / square;
+  if (beside < 0) return least;
+  const double half = std::sqrt(beside / square);
+  for (const double at : {share - half, share + half}) {
+    if (at < 0 || at > 1) continue;
+    const Point crossing = line.start + at * along;
+    least.note(crossing, arc.distance(crossing));
+  }
+  return least;
 }
+
+// The same of two arcs, or where the line through both centres meets them.
+Gap gap_of(const Bow& a, const Bow& b, double enough) {
+  const Vector between = b.center() - a.center();
+  const double distance = between.norm();
+  const double least_gap =
+      std::max({distance - a.outer() - b.outer(), a.inner() - distance - b.outer(),
+                b.inner() - distance - a.outer()});
+  if (least_gap >= enough) return {least_gap, a.start()};
+  Least least;
+  least.note(a.start(), b.distance(a.start()));
+  least.note(a.end(), b.distance(a.end()));
+  for (const Point& end : {b.start(), b.end()}) {
+    const Point on = a.nearest(end);
+    least.note(on, (on - end).norm());
+  }
+  if (distance == 0) return least;
+  const Vector toward = between / distance;
+  const auto note = [&](const Vector& out) {
+    if (!a.holds(out)) return;
+    const Point on = a.center() + out;
+    least.note(on, b.distance(on));
+  };
+  note(a.radius() * toward);
+  note(-a.radius() * toward);
+  const double along =
+      (distance * distance + a.radius() * a.radius() - b.radius() * b.radius()) / (2 * distance);
+  const double beside = a.radius() * a.radius() - along * along;
+  if (beside < 0) return least;
+  const Vector aside = std::sqrt(beside) * left_of(toward);
+  note(along * toward + aside);
+  note(along * toward - aside);
+  return least;
+}
+
+Line line_of(const Piece& piece) { return {.start = piece.start, .end = piece.end}; }
 
 }  // namespace
 
-bool are_apart(const Piece& a, const Piece& b, double distance) {
-  return is_beside(a, b, distance) || is_beside(b, a, distance);
-}
-
-// All of the arc lies behind the end, as seen along the line: its centre does, and both radii to
-// its ends lead no farther, between which all others are.
-bool are_apart_at_end(const Piece& line, const Piece& arc, double distance) {
-  if (std::abs(arc.sweep) > std::numbers::pi) return false;
-  const Vector to_start = arc.start - arc.center;
-  const Vector to_end = arc.end - arc.center;
-  const Vector along = line.end - line.start;
-  const double square = along.squaredNorm();
-  // What rounding leaves of a right angle brings them nearer by the square of this.
-  constexpr double square_of_angle = 1e-18;
-  const auto leads_on = [&](const Vector& way, double sense) {
-    const double on = sense * way.dot(along);
-    return on > 0 && on * on > square_of_angle * square * way.squaredNorm();
-  };
-  for (const double sense : {1.0, -1.0}) {
-    const Vector out = arc.center - (sense > 0 ? line.start : line.end);
-    if (leads_on(out, sense) || leads_on(to_start, sense) || leads_on(to_end, sense)) continue;
-    // Start and end may lie on circles that differ a little.
-    const double apart = out.norm();
-    const double start = to_start.norm();
-    const double end = to_end.norm();
-    return std::max(std::min(start, end) - apart, apart - std::max(start, end)) >= distance;
-  }
-  return false;
+bool is_within(const Piece& arc, const Piece& other) {
+  const Bow bow(other);
+  // A sweep that has come round leads out of it and back.
+  return std::abs(arc.sweep) <= std::numbers::pi && bow.holds(arc.start - arc.center) &&
+         bow.holds(arc.end - arc.center);
 }
 
 Point nearest_point(const Segment& segment, const Point& point) {
@@ -187,15 +206,20 @@ Gap gap_between(const Line& a, const Line& b) {
 }
 
 Gap gap_between(const Segment& a, const Segment& b) {
-  const auto* line_a = std::get_if<Line>(&a);
-  const auto* line_b = std::get_if<Line>(&b);
-  return line_a != nullptr && line_b != nullptr ? gap_between(*line_a, *line_b) : gap_of_bows(a, b);
+  return gap_between(piece_of(a), piece_of(b), std::numeric_limits<double>::infinity());
 }
 
-Gap gap_between(const Piece& a, const Piece& b) {
-  if (!a.is_arc() && !b.is_arc())
-    return gap_between(Line{.start = a.start, .end = a.end}, Line{.start = b.start, .end = b.end});
-  return gap_of_bows(segment_of(a), segment_of(b));
+Gap gap_between(const Piece& a, const Piece& b, double enough) {
+  if (a.is_arc() && b.is_arc()) return gap_of(Bow(a), Bow(b), enough);
+  if (b.is_arc()) return gap_of(line_of(a), Bow(b), enough);
+  if (a.is_arc()) {
+    const Bow bow(a);
+    Gap gap = gap_of(line_of(b), bow, enough);
+    gap.on_a = bow.nearest(gap.on_a);
+    return gap;
+  }
+  if (Support(a).is_apart(b, enough) || Support(b).is_apart(a, enough)) return {enough, a.start};
+  return gap_between(line_of(a), line_of(b));
 }
 
 Vector direction_at(const Segment& segment, const Point& point) {

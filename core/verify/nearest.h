@@ -1,5 +1,8 @@
 #pragma once
 
+#include <algorithm>
+#include <cmath>
+
 #include "core/geometry/segment.h"
 #include "core/verify/piece.h"
 
@@ -16,15 +19,33 @@ struct Gap {
 };
 [[nodiscard]] Gap gap_between(const Line& a, const Line& b);
 [[nodiscard]] Gap gap_between(const Segment& a, const Segment& b);
-[[nodiscard]] Gap gap_between(const Piece& a, const Piece& b);
+// Where it is `enough` or more, mm, it need not be all.
+[[nodiscard]] Gap gap_between(const Piece& a, const Piece& b, double enough);
 
-// All of one line lies so far, mm, beside the support of the other one, which tells in a few steps
-// that they come no nearer. False: they may, or may not.
-[[nodiscard]] bool are_apart(const Piece& a, const Piece& b, double distance);
+// The straight line that one lies on.
+class Support {
+ public:
+  Support() = default;
+  explicit Support(const Piece& line) : at_(line.start) {
+    const Vector along = line.end - line.start;
+    const double length = along.norm();
+    if (length > 0) normal_ = left_of(along) / length;
+  }
+  // All of another line lies at least so far, mm, beside it. False: it may, or may not.
+  [[nodiscard]] bool is_apart(const Piece& line, double distance) const {
+    const double at_start = (line.start - at_).dot(normal_);
+    const double at_end = (line.end - at_).dot(normal_);
+    return at_start * at_end > 0 && std::min(std::abs(at_start), std::abs(at_end)) >= distance;
+  }
 
-// Of a line no point is nearer to any of the arc than one of its ends, and that is so far from it,
-// mm: as at a corner the tool goes round, and where line and arc go on in each other.
-[[nodiscard]] bool are_apart_at_end(const Piece& line, const Piece& arc, double distance);
+ private:
+  Point at_ = Point::Zero();
+  Vector normal_ = Vector::Zero();  // of length 1; 0: it has no direction, and tells nothing
+};
+
+// Of arcs about one centre, the second of at most half a turn: every direction from the centre that
+// the first one passes is one that the second one passes.
+[[nodiscard]] bool is_within(const Piece& arc, const Piece& other);
 
 // The unit travel direction at a point of the segment.
 [[nodiscard]] Vector direction_at(const Segment& segment, const Point& point);

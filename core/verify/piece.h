@@ -29,6 +29,13 @@ struct Piece {
 // arc is more than half of one.
 [[nodiscard]] Box box_of(const Piece& piece);
 
+// Such a box, or for a line the line itself, goes into the one around several pieces.
+inline void add_to(BoxAlong& box, const Piece& piece) {
+  if (piece.is_arc()) return box.add(box_of(piece));
+  box.add(piece.start);
+  box.add(piece.end);
+}
+
 // The distances from `center` of all points of the piece lie between these, mm.
 [[nodiscard]] Ring ring_of(const Piece& piece, const Point& center);
 

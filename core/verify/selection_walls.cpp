@@ -8,12 +8,18 @@ SelectionWalls::SelectionWalls(const HeldPath& held, std::size_t begin, std::siz
                                const LeadSettings& settings, Checkpoint& checkpoint)
     : held_(&held), begin_(begin), end_(end) {
   find_contour(checkpoint);
-  sides_ = find_walls(contour(checkpoint), changes_, settings, largest_radius());
+  const ContourView view = contour(checkpoint);
+  if (changes_.empty())
+    sides_.sides.push_back(find_walls(view, settings, largest_radius()));
+  else
+    sides_ = find_walls(view, changes_, settings, largest_radius());
   are_plain_ = sides_.sides.size() == 1 && sides_.sides.front().are_plain();
   tree_.emplace(held, begin, end, sides_, checkpoint);
-  for (std::size_t number = 0; number < contour_.size(); ++number) {
+  auto pieces = held.programmed().from(begin);
+  for (std::size_t place = begin; place < end; ++place) {
     checkpoint.pass();
-    length_ += wall_of(piece(number)).length();
+    const ProgrammedPiece& block = pieces.next();
+    if (block.is_contour) length_ += wall_of(block).length();
   }
 }
 
@@ -54,7 +60,7 @@ double SelectionWalls::largest_radius() const {
 
 Stretch SelectionWalls::wall_of(const ProgrammedPiece& block) const {
   const double length = block.piece.length();
-  if (are_plain_) return {0, length};
+  if (tree_->is_whole(block.number)) return {0, length};
   if (sides_.is_lead(block.number)) return {};
   const auto part = sides_.part_of(block.number);
   return part ? Stretch{part->from, std::min(part->to, length)} : Stretch{0, length};

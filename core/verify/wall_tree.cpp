@@ -27,10 +27,7 @@ Ring seen_from(const Point& center, const Box& box, const Ring& ring) {
 WallTree::WallTree(const HeldPath& held, std::size_t begin, std::size_t end,
                    const SidedWalls& sides, Checkpoint& checkpoint)
     : held_(&held), begin_(begin), end_(end), sides_(sides) {
-  for (const Walls& walls : sides.sides) {
-    has_parts_ = has_parts_ || !walls.parts.empty();
-    has_leads_ = has_leads_ || !walls.leads.empty();
-  }
+  find_special();
   std::size_t size = std::max<std::size_t>(1, (end - begin + bucket_size - 1) / bucket_size);
   std::size_t total = 0;
   for (;; size = (size + 1) / 2) {
@@ -75,12 +72,26 @@ void WallTree::find_required(Checkpoint& checkpoint) {
   }
 }
 
+void WallTree::find_special() {
+  for (std::size_t side = 0; side < sides_.sides.size(); ++side) {
+    const std::size_t first = side > 0 ? sides_.changes[side - 1] : 0;
+    const auto mark = [&](std::size_t number) {
+      if (special_.empty()) special_.resize(end_ - begin_);
+      special_[first + number] = true;
+    };
+    for (const Walls::Range& lead : sides_.sides[side].leads)
+      for (std::size_t number = lead.first; number < lead.end; ++number) mark(number);
+    for (const Walls::Part& part : sides_.sides[side].parts) mark(part.number);
+  }
+  has_special_ = !special_.empty();
+}
+
 void WallTree::find_middle(Checkpoint& checkpoint) {
-  UprightBox all;
+  BoxAlong all;
   for (std::size_t number = begin_; number < end_; ++number) {
     checkpoint.pass();
     visit_wall(number, [&](const ProgrammedPiece&, const Piece& wall, std::uint32_t) {
-      all.add({.center = wall.start});
+      all.add(wall.start);
       ++walls_;
     });
   }
@@ -95,12 +106,7 @@ void WallTree::hide_copies(Checkpoint& checkpoint) {
     return std::array{piece.start.x(),  piece.start.y(),  piece.end.x(), piece.end.y(),
                       piece.center.x(), piece.center.y(), piece.sweep,   static_cast<double>(rule)};
   };
-  // Those that are the same have the same number made of all: sorting looks at that alone. Should
-  // others have it too, copies with one of them in between stay, which costs time only.
-  struct Wall {
-    std::uint64_t key;
-    std::size_t number;
-  };
+  // Found by a number made of all, in a table with room for twice as many.
   const auto key_of = [&](std::size_t number) {
     std::uint64_t key = 0;
     // The two zeros are the same.
@@ -108,47 +114,50 @@ void WallTree::hide_copies(Checkpoint& checkpoint) {
       key = (std::rotl(key, 23) ^ std::bit_cast<std::uint64_t>(value + 0.0)) * 0x9E3779B97F4A7C15U;
     return key;
   };
-  std::vector<Wall> order;
-  order.reserve(end_ - begin_);
+  const std::size_t slots = std::bit_ceil(2 * (end_ - begin_));
+  std::vector<std::uint32_t> latest(slots, hidden);  // of those that are the same, from `begin_`
   first_.reserve(end_ - begin_);
   for (std::size_t number = begin_; number < end_; ++number) {
     checkpoint.pass();
-    first_.push_back(programmed[number].number);
-    if (is_wall(programmed[number]) && !sides_.part_of(programmed[number].number))
-      order.push_back({.key = key_of(number), .number = number});
-  }
-  std::sort(order.begin(), order.end(), [&](const Wall& a, const Wall& b) {
-    checkpoint.pass();
-    return a.key != b.key ? a.key < b.key : a.number < b.number;
-  });
-  for (std::size_t index = 1; index < order.size(); ++index) {
-    checkpoint.pass();
-    const std::size_t before = order[index - 1].number;
-    const std::size_t number = order[index].number;
-    if (order[index - 1].key != order[index].key ||
-        what_is_compared(before) != what_is_compared(number))
-      continue;
-    first_[number - begin_] = std::exchange(first_[before - begin_], hidden);
+    const ProgrammedPiece& block = programmed[number];
+    first_.push_back(block.number);
+    if (!block.is_contour || !is_whole(block.number)) continue;
+    std::size_t slot = key_of(number) >> 32U & (slots - 1);
+    while (latest[slot] != hidden &&
+           what_is_compared(begin_ + latest[slot]) != what_is_compared(number)) {
+      checkpoint.pass();
+      slot = (slot + 1) & (slots - 1);
+    }
+    if (latest[slot] != hidden) first_.back() = std::exchange(first_[latest[slot]], hidden);
+    latest[slot] = static_cast<std::uint32_t>(number - begin_);
   }
 }
 
+// Along the way from the begin of its walls to their end.
 void WallTree::build_buckets(Checkpoint& checkpoint) {
+  std::array<Piece, bucket_size> walls;
   for (std::size_t index = 0; index < levels_.front().size; ++index) {
-    Node node;
-    Piece longest;
+    Node& node = nodes_.emplace_back();
+    std::size_t count = 0;
+    std::size_t longest = 0;
     visit_bucket(index, [&](const ProgrammedPiece& block, const Piece& wall, std::uint32_t) {
       checkpoint.pass();
-      const Box box = box_of(wall);
-      node.box = node.required < 0 ? box : around(node.box, box);
       node.required = std::max(node.required, held_->rule_of(block).required);
-      if (std::abs(wall.sweep) > std::abs(longest.sweep)) longest = wall;
+      if (std::abs(wall.sweep) > std::abs(walls[longest].sweep) || count == 0) longest = count;
+      walls[count++] = wall;
     });
-    const Point& center = std::abs(longest.sweep) > long_sweep ? longest.center : middle_;
-    visit_bucket(index, [&](const ProgrammedPiece&, const Piece& wall, std::uint32_t) {
-      const Ring own = ring_of(wall, center);
+    if (count == 0) continue;
+    const Vector way = walls[count - 1].end - walls[0].start;
+    const double length = way.norm();
+    BoxAlong box(length > 0 ? Vector(way / length) : Vector::UnitX());
+    const bool is_bow = std::abs(walls[longest].sweep) > long_sweep;
+    node.ring.center = is_bow ? walls[longest].center : middle_;
+    for (std::size_t number = 0; number < count; ++number) {
+      add_to(box, walls[number]);
+      const Ring own = ring_of(walls[number], node.ring.center);
       node.ring = node.ring.exists() ? around(node.ring, own) : own;
-    });
-    nodes_.push_back(node);
+    }
+    node.box = box.box();
   }
 }
 

@@ -46,27 +46,24 @@ class WallTree {
     return made;
   }
 
-  // A stretch of the contour: where a search begins.
+  // A stretch of the contour.
   struct Stretch {
     std::size_t level = 0;
     std::size_t index = 0;
   };
   // No more of them are worth being looked at for each piece of path.
   static constexpr std::size_t most_stretches = 24;
-  // The whole contour.
-  [[nodiscard]] Stretch whole() const { return {.level = levels_.size() - 1}; }
-  // The stretches that may be nearer to the box than `reach`, short ones, for several searches
-  // there. False: they are too many.
+  // The stretches that may be nearer to the box than `reach`, short ones, for several pieces of
+  // path there. False: they are too many.
   bool find_near(const Box& box, double reach, std::vector<Stretch>& found) const;
 
-  // Calls `visit(block, wall, first)` for all walls in the stretches that may be nearer than
+  // Calls `visit(block, wall, first)` for all walls that may be nearer than
   // `reach(required)`, where `required` is what the wall, or any of those in a node, asks for; the
   // nearest ones early. What `reach` says may shrink on the way. Of walls that are the same, lap by
   // lap, only the last one is visited, which is one for the path of all laps before it; `first` is
   // the contour block of the first.
   template <class Reach, class Visit>
-  void for_each_near(const Probe& probe, std::span<const Stretch> stretches, const Reach& reach,
-                     const Visit& visit) const {
+  void for_each_near(const Probe& probe, const Reach& reach, const Visit& visit) const {
     // Without initial values: most of them are never looked at.
     struct Open {
       std::size_t level;
@@ -80,32 +77,42 @@ class WallTree {
                   .index = stretch.index,
                   .gap = gap_of(probe, stretch, reach(node_at(stretch).required))};
     };
-    for (const Stretch& stretch : stretches) {
-      std::size_t count = 0;
-      open[count++] = see(stretch);
-      while (count > 0) {
-        const Open next = open[--count];
-        const auto [level, index, gap] = next;
-        if (!(gap < reach(node_at({.level = level, .index = index}).required))) continue;
-        if (level == 0) {
-          visit_bucket(index, visit);
-          continue;
-        }
-        Open left = see({level - 1, 2 * index});
-        if (2 * index + 1 < levels_[level - 1].size) {
-          Open right = see({level - 1, 2 * index + 1});
-          if (right.gap < left.gap) std::swap(left, right);
-          open[count++] = right;
-        }
-        open[count++] = left;
+    std::size_t count = 0;
+    open[count++] = see(whole());
+    while (count > 0) {
+      const Open next = open[--count];
+      const auto [level, index, gap] = next;
+      if (!(gap < reach(node_at({.level = level, .index = index}).required))) continue;
+      if (level == 0) {
+        visit_bucket(index, visit);
+        continue;
       }
+      Open left = see({level - 1, 2 * index});
+      if (2 * index + 1 < levels_[level - 1].size) {
+        Open right = see({level - 1, 2 * index + 1});
+        if (right.gap < left.gap) std::swap(left, right);
+        open[count++] = right;
+      }
+      open[count++] = left;
     }
+  }
+
+  // Calls `visit(block, wall, first)`, as for_each_near() does, for all walls of a stretch that
+  // find_near() has found.
+  template <class Visit>
+  void for_each_of(const Stretch& found, const Visit& visit) const {
+    visit_bucket(found.index, visit);
+  }
+
+  // Whether all of a contour block is a wall.
+  [[nodiscard]] bool is_whole(std::size_t number) const {
+    return !has_special_ || !special_[number];
   }
 
   // Of a tree over so many pieces.
   [[nodiscard]] static std::size_t bytes_for(std::size_t pieces) {
     return sizeof(Node) * (2 * (pieces / bucket_size) + most_levels) +
-           pieces * (sizeof(std::size_t) + sizeof(std::uint32_t));
+           pieces * (2 * sizeof(std::size_t) + sizeof(std::uint32_t));
   }
 
  private:
@@ -122,6 +129,7 @@ class WallTree {
     std::size_t size = 0;
   };
 
+  [[nodiscard]] Stretch whole() const { return {.level = levels_.size() - 1}; }
   [[nodiscard]] std::size_t place_of(const Stretch& stretch) const {
     return levels_[stretch.level].first + stretch.index;
   }
@@ -140,17 +148,14 @@ class WallTree {
   template <class Visit>
   void visit_wall(std::size_t number, const Visit& visit) const {
     const ProgrammedPiece& block = held_->programmed()[number];
-    if (!is_wall(block)) return;
+    if (!block.is_contour) return;
     const std::uint32_t first = first_.empty() ? block.number : first_[number - begin_];
     if (first == hidden) return;
-    if (!has_parts_) return visit(block, block.piece, first);
-    const auto part = sides_.part_of(block.number);
-    visit(block, part ? piece_of(sides_.wall(block.number, segment_of(block.piece))) : block.piece,
-          first);
+    if (is_whole(block.number)) return visit(block, block.piece, first);
+    if (!sides_.is_lead(block.number))
+      visit(block, piece_of(sides_.wall(block.number, segment_of(block.piece))), first);
   }
-  [[nodiscard]] bool is_wall(const ProgrammedPiece& block) const {
-    return block.is_contour && !(has_leads_ && sides_.is_lead(block.number));
-  }
+  void find_special();
   // Laps on top of each other would make every wall as many as there are laps.
   void hide_copies(Checkpoint& checkpoint);
   void find_middle(Checkpoint& checkpoint);
@@ -164,8 +169,9 @@ class WallTree {
   std::size_t begin_;
   std::size_t end_;
   const SidedWalls& sides_;
-  bool has_parts_ = false;
-  bool has_leads_ = false;
+  // Blocks that are not walls from end to end; none: not kept.
+  std::vector<bool> special_;
+  bool has_special_ = false;
   std::size_t walls_ = 0;
   Point middle_ = Point::Zero();  // of all walls
   // For each piece the first of those like it, as a contour block; none: no wall is there twice.

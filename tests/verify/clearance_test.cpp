@@ -124,7 +124,7 @@ TEST(Gap, IsNotSmallerThanLinesAreApart) {
     const Line a{.start = chance.point(), .end = chance.point()};
     const Line b{.start = chance.point(), .end = chance.point()};
     const double distance = chance.between(0, 50);
-    if (!are_apart(piece_of(a), piece_of(b), distance)) continue;
+    if (!Support(piece_of(a)).is_apart(piece_of(b), distance)) continue;
     ++apart;
     EXPECT_GE(gap_between(a, b).distance, distance - 1e-9) << i;
   }
@@ -217,9 +217,10 @@ TEST(Clearance, SeesContourBlocksFarAwayInTheProgram) {
 // A square from (10,0) round again and along its first side up to (30,0), by `low` below it there;
 // the path of its third block is by `moved` too near.
 ClearanceReport square_with_overrun(double low, double moved) {
-  const std::vector<Point> corners{{-20, 0}, {10, 0}, {50, 0}, {50, 50}, {0, 50}, {0, 0}, {30, -low}};
-  const std::vector<Point> beside{{10, 10},         {40, 10}, {40, 40}, {10, 40 + moved},
-                                  {10 - moved, 10}, {30, 10 - low}};
+  const std::vector<Point> corners{{-20, 0}, {10, 0}, {50, 0},   {50, 50},
+                                   {0, 50},  {0, 0},  {30, -low}};
+  const std::vector<Point> beside{{10, 10}, {40, 10},         {40, 40},
+                                  {10, 40}, {10 - moved, 10}, {30, 10 - low}};
   std::vector<Block> programmed;
   std::vector<CompensatedBlock> path;
   for (std::uint64_t i = 0; i + 1 < corners.size(); ++i) {
@@ -227,6 +228,31 @@ ClearanceReport square_with_overrun(double low, double moved) {
     if (i > 0) path.push_back(path_block(i, Line{beside[i - 1], beside[i]}));
   }
   return measure_clearance(programmed, path, 1e-4);
+}
+
+// Inside and outside corners of 60 degrees in turn: of each block of 10 mm the path touches 3 mm,
+// and its mitre reaches 7 mm beyond.
+TEST(Clearance, CountsWhatIsTouchedBesideALongMitre) {
+  const double radius = 7 / std::tan(pi / 6);
+  std::vector<Point> corners{{-10, 20}, {0, 0}};
+  std::vector<Block> programmed{contour(0, Line{corners[0], corners[1]}, radius)};
+  std::vector<CompensatedBlock> path;
+  for (std::uint64_t i = 1; i <= 6; ++i) {
+    const double slope = i % 2 == 1 ? -pi / 6 : pi / 6;
+    const Vector along(std::cos(slope), std::sin(slope));
+    const Point start = corners.back();
+    corners.emplace_back(start + 10 * along);
+    programmed.emplace_back(contour(i, Line{start, corners.back()}, radius));
+    const Vector beside = radius * left_of(along);
+    // An inside corner comes behind each block that goes down.
+    const double from = i == 1 ? 0 : i % 2 == 1 ? -7 : 7;
+    const double to = i == 6 ? 10 : i % 2 == 1 ? 3 : 17;
+    path.push_back(path_block(i, Line{start + from * along + beside, start + to * along + beside}));
+  }
+  const ClearanceReport report = measure_clearance(programmed, path, 1e-4);
+  EXPECT_EQ(report.gouging, 0u);
+  EXPECT_NEAR(report.wall_length, 60, 1e-9);
+  EXPECT_NEAR(report.touched_length, 18, 1e-9);
 }
 
 TEST(Clearance, TellsATouchAsNearAsItIs) {
