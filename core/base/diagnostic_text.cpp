@@ -44,7 +44,7 @@ constexpr auto words_of_values = std::to_array<ValueWords>({
     {"largest", "largest", "höchstens", Measure::length},
     {"largest_coordinate", "largest coordinate", "größte Koordinate", Measure::length},
     {"largest_difference", "largest difference", "größter Unterschied", Measure::length},
-    {"largest_radius", "largest radius", "größter Radius", Measure::length},
+    {"largest_radius", "largest radius there", "größter Radius dort", Measure::length},
     {"largest_shift", "largest shift", "größte Verschiebung", Measure::length},
     {"largest_sweep", "largest sweep", "größter Bogenwinkel", Measure::angle},
     {"left_out_length", "length left out", "ausgelassene Länge", Measure::length},

@@ -278,7 +278,8 @@ constexpr auto rows = std::to_array<Explanation>({
                 "have to run backwards on it, and cut into the part.",
      .causes = {"The tool is too large for a step, a slot or a chamfer between two inside "
                 "corners.",
-                "The contour is compensated on the wrong side.",
+                "The contour is compensated on the wrong side, or a lead crosses a wall: then no "
+                "radius fits, whatever one place has room for.",
                 "Two corners lie a few micrometres apart, as CAM systems write them."},
      .on_command_line =
          "Use a smaller tool: trc radii says which one fits. G141 masks such blocks "
@@ -296,7 +297,8 @@ constexpr auto rows = std::to_array<Explanation>({
      .meaning = "Between its two corners nothing is left of the arc: the tool would have to "
                 "run round the rest of the circle, and cut into the part.",
      .causes = {"The tool is too large for the fillet and the lines beside it.",
-                "The contour is compensated on the wrong side."},
+                "The contour is compensated on the wrong side, or a lead crosses a wall: then no "
+                "radius fits, whatever one place has room for."},
      .on_command_line =
          "Use a smaller tool: trc radii says which one fits. G141 masks such blocks "
          "where it is not on yet, and with it #TRC [REMOVE_MASKED_BLOCKS=1] leaves out "

@@ -13,6 +13,9 @@ constexpr std::string_view two_lines = "Zwei Zeilen wurden zu einer zusammengef�
 constexpr std::string_view slip = "Ein Tippfehler.";
 constexpr std::string_view other_control = "Das Programm ist für eine andere Steuerung.";
 constexpr std::string_view wrong_side = "Die Kontur wird auf der falschen Seite korrigiert.";
+constexpr std::string_view wrong_side_or_lead =
+    "Die Kontur wird auf der falschen Seite korrigiert, oder ein An- oder Abfahrweg schneidet eine "
+    "Wand: dann passt kein Radius, gleich wofür an einer Stelle Platz ist.";
 constexpr std::string_view no_point = "Ein Dezimalpunkt fehlt.";
 constexpr std::string_view other_unit = "Das Programm zählt in einer anderen Maßeinheit.";
 constexpr std::string_view coarse = "I, J, K oder der Endpunkt sind zu grob gerundet.";
@@ -147,14 +150,14 @@ constexpr auto rows = std::to_array<GermanExplanation>({
                 "Werkzeug auf ihr rückwärts fahren und ins Teil schneiden müsste.",
      .causes = {"Das Werkzeug ist zu groß für eine Stufe, eine Nut oder eine Fase zwischen zwei "
                 "Innenecken.",
-                wrong_side,
+                wrong_side_or_lead,
                 "Zwei Ecken liegen wenige Mikrometer auseinander, wie CAM-Systeme sie "
                 "schreiben."}},
     {.code = Code::arc_wrapped,
      .meaning = "Zwischen seinen beiden Ecken bleibt vom Bogen nichts übrig: das Werkzeug müsste "
                 "den Rest des Kreises herumfahren und ins Teil schneiden.",
      .causes = {"Das Werkzeug ist zu groß für die Ausrundung und die Geraden daneben.",
-                wrong_side}},
+                wrong_side_or_lead}},
     {.code = Code::no_feed_adaptation_in_tangential_block,
      .meaning = "G11 hält den Vorschub an der Kontur. In diesem Bogen von G05 stünde die Kontur "
                 "still: der Satz läuft mit dem programmierten Vorschub des Mittelpunkts.",
