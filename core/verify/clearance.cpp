@@ -44,6 +44,7 @@ class Selection {
       : held_(what.held),
         begin_(what.begin),
         end_(what.end),
+        latest_(what.begin),
         allowed_(settings.allowed),
         progress_(settings.progress),
         checkpoint_(checkpoint),
@@ -119,16 +120,30 @@ class Selection {
     required_ = required_of(path);
     gouges_ = false;
     if (path.on_contour) check_side(path, own);
-    if (!path.inserted && own.is_contour) {
-      const Stretch stretch = touched(own.piece, walls_.wall_of(own), path.piece, required_);
-      report_.touched_length += stretch.length();
-      if (!touched_.empty() && stretch.length() > 0)
-        touched_[path.programmed - begin_].push_back(stretch);
-    }
+    if (!path.inserted && own.is_contour) count_touched(path.programmed, path.piece);
+    count_left_out(path);
     if (!is_clear_here(path.piece)) search(path);
     if (!gouges_) return;
     ++report_.gouging;
     if (held_.rule_of(own).accepts) ++report_.accepted;
+  }
+
+  void count_touched(std::size_t number, const Piece& path) {
+    const ProgrammedPiece& block = held_.programmed()[number];
+    const Stretch stretch = touched(block.piece, walls_.wall_of(block), path, required_);
+    report_.touched_length += stretch.length();
+    if (!touched_.empty() && stretch.length() > 0) touched_[number - begin_].push_back(stretch);
+  }
+
+  // Of arcs as large as the tool nothing is travelled: it turns in their centre.
+  void count_left_out(const PathPiece& path) {
+    for (std::size_t number = std::exchange(latest_, path.programmed) + 1; number < path.programmed;
+         ++number) {
+      checkpoint_.pass();
+      const ProgrammedPiece& block = held_.programmed()[number];
+      if (block.is_contour && block.piece.is_arc())
+        count_touched(number, {.start = path.piece.start, .end = path.piece.start});
+    }
   }
 
   [[nodiscard]] double required_at(std::size_t number) const {
@@ -347,6 +362,7 @@ class Selection {
   const HeldPath& held_;
   std::size_t begin_;
   std::size_t end_;
+  std::size_t latest_;  // programmed piece whose path has been measured
   double allowed_;
   const std::function<void(std::size_t, std::size_t)>& progress_;
   Checkpoint& checkpoint_;

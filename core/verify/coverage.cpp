@@ -71,6 +71,9 @@ Stretch beside(const Piece& programmed, const Piece& path, double required) {
 
 Stretch touched(const Piece& programmed, const Stretch& within, const Piece& path,
                 double required) {
+  if (programmed.is_arc() && std::abs(programmed.radius() - required) <= touch &&
+      (path.start - programmed.center).norm() <= touch)
+    return within;
   if (path.length() == 0 || programmed.length() == 0) return {};
   Stretch stretch;
   if (!programmed.is_arc() && !path.is_arc())

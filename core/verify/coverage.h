@@ -14,7 +14,7 @@ struct Stretch {
 };
 
 // What of `within` the path touches, where it runs beside the programmed block at the distance
-// `required`.
+// `required`. In the centre of an arc of that radius it touches all of it.
 [[nodiscard]] Stretch touched(const Piece& programmed, const Stretch& within, const Piece& path,
                               double required);
 

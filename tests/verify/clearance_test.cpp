@@ -255,6 +255,18 @@ TEST(Clearance, CountsWhatIsTouchedBesideALongMitre) {
   EXPECT_NEAR(report.touched_length, 18, 1e-9);
 }
 
+// The tool turns in the centre of a fillet of its own radius, which has no path.
+TEST(Clearance, CountsAFilletOfTheToolRadiusAsTouched) {
+  const std::vector<Block> programmed{
+      contour(0, Line{{-20, 0}, {0, 0}}), contour(1, Line{{0, 0}, {20, 0}}),
+      contour(2, Arc{{20, 0}, {30, 10}, {20, 10}, pi / 2}), contour(3, Line{{30, 10}, {30, 50}})};
+  const std::vector<CompensatedBlock> path{path_block(1, Line{{0, 10}, {20, 10}}),
+                                           path_block(3, Line{{20, 10}, {20, 50}})};
+  const ClearanceReport report = measure_clearance(programmed, path, 1e-4);
+  EXPECT_NEAR(report.wall_length, 60 + 5 * pi, 1e-9);
+  EXPECT_NEAR(report.touched_length, report.wall_length, 1e-9);
+}
+
 TEST(Clearance, TellsATouchAsNearAsItIs) {
   const ClearanceReport report = square_with_overrun(0.003, 0);
   EXPECT_EQ(report.gouging, 0u);
