@@ -89,7 +89,9 @@ Exit run(const Call& call) {
   const ProgramPaths paths = read_paths(call.program, setup, input);
   if (paths.exit != Exit::done && paths.exit != Exit::refused) return paths.exit;
   std::vector<Diagnostic> told;
-  for (const Diagnostic& found : paths.diagnostics) told.push_back(for_command_line(found));
+  const DialectName dialect = dialect_of(setup);
+  for (const Diagnostic& found : paths.diagnostics)
+    told.push_back(for_command_line(found, dialect));
   const std::string title = std::filesystem::path(input.name()).filename().string();
   std::optional<std::string> drawing;
   if (as_page)

@@ -5,24 +5,24 @@
 #include <utility>
 
 #include "core/base/explanation.h"
+#include "core/nc/dialect/dialect.h"
 #include "proto/wire/setup.h"
 
 namespace trc::cli {
-namespace {
 
-Writing writing_of(const v1::ProgramSetup& setup) {
+DialectName dialect_of(const v1::ProgramSetup& setup) {
   wire::FieldFaults faults;
-  const wire::ProgramSettings settings = wire::from_proto(setup, wire::FieldPath("setup"), faults);
-  return {.dialect = settings.path.session.program.dialect};
+  return wire::from_proto(setup, wire::FieldPath("setup"), faults).path.session.program.dialect;
 }
 
-}  // namespace
-
-Diagnostic for_command_line(Diagnostic found) {
+Diagnostic for_command_line(Diagnostic found, DialectName dialect) {
+  const ControlWords words = dialect_of(dialect).words;
+  if (!help_in(words, found.code, found.language).empty()) return found;
   const std::string_view own = help_on_command_line(found.code, found.language);
   DiagnosticTexts texts = texts_of(found);
-  if (own.empty() || texts.help != help_of({.code = found.code}, found.language)) return found;
-  texts.help = own;
+  if (own.empty() || texts.help != help_of({.code = found.code, .words = words}, found.language))
+    return found;
+  texts.help = in_words_of(words, std::string(own));
   found.texts = std::make_shared<const DiagnosticTexts>(std::move(texts));
   return found;
 }
@@ -30,7 +30,7 @@ Diagnostic for_command_line(Diagnostic found) {
 Reporter::Reporter(Input& input, const v1::ProgramSetup& setup, Progress& progress, bool quiet)
     : input_(input),
       lines_(input),
-      writing_(writing_of(setup)),
+      writing_{.dialect = dialect_of(setup)},
       in_colour_(colours_wanted()),
       quiet_(quiet),
       progress_(progress) {}
@@ -54,10 +54,11 @@ void Reporter::report(const std::vector<Diagnostic>& diagnostics) {
 
 void Reporter::show(const Diagnostic& found) {
   progress_.clear();
-  std::cerr << text_of(for_command_line(found), {.file = input_.name(),
-                                                 .source_line = lines_.line(found.source.line),
-                                                 .writing = writing_,
-                                                 .in_colour = in_colour_});
+  std::cerr << text_of(for_command_line(found, writing_.dialect),
+                       {.file = input_.name(),
+                        .source_line = lines_.line(found.source.line),
+                        .writing = writing_,
+                        .in_colour = in_colour_});
 }
 
 void Reporter::finish() {

@@ -14,13 +14,17 @@
 #include "client/cli/report.h"
 #include "client/cli/source_lines.h"
 #include "core/base/diagnostic.h"
+#include "core/nc/state/dialect_name.h"
 #include "trc/v1/setup.pb.h"
 
 namespace trc::cli {
 
+// Of the program that the setup goes before.
+[[nodiscard]] DialectName dialect_of(const v1::ProgramSetup& setup);
+
 // With its help in words of the command line, where that is the one of its code: the sender names
 // fields of the setup.
-[[nodiscard]] Diagnostic for_command_line(Diagnostic found);
+[[nodiscard]] Diagnostic for_command_line(Diagnostic found, DialectName dialect);
 
 // Tells on standard error what was found in one program. What equals something that was told,
 // place apart, is counted and told of at the end; of what is left when there are very many

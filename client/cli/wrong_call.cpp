@@ -42,7 +42,7 @@ std::string meant_command(const CLI::App& app, const std::string& word) {
 
 // "trc", "trc compensate"
 std::string spelled(const CLI::App& command) {
-  const std::string name = command.get_name();
+  const std::string& name = command.get_name();
   return name == "trc" ? name : "trc " + name;
 }
 

@@ -53,9 +53,9 @@ void serialize(Archive& archive, Slip& slip) {
 template <class Archive>
 void serialize(Archive& archive, Diagnostic& diagnostic) {
   auto& [code, severity, source, column, detail, values, point, calls, found_together, entry_help,
-         slip, inch, language, texts] = diagnostic;
+         slip, inch, language, words, texts] = diagnostic;
   archive(code, severity, source, column, detail, values, point, calls, found_together, slip, inch,
-          language);
+          language, words);
 }
 
 }  // namespace trc

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/base/call_places.h"
+#include "core/base/control_words.h"
 #include "core/base/language.h"
 #include "core/base/source.h"
 
@@ -182,7 +183,8 @@ struct Diagnostic {
   Slip slip{};
   // What holds where it was found; lengths are in mm whatever it says, texts say them in it.
   bool inch = false;
-  Language language = Language::english;  // that its receiver has asked for
+  Language language = Language::english;   // that its receiver has asked for
+  ControlWords words = ControlWords::isg;  // of the program it was found in
   // Those it was sent with, which are its own: its sender may know codes that this program does
   // not. Null where it was raised here.
   std::shared_ptr<const DiagnosticTexts> texts{};

@@ -256,7 +256,8 @@ std::string_view title_of(Code code, Language language) {
 
 std::string message_of(const Diagnostic& diagnostic, Language language) {
   const bool german = language == Language::german;
-  std::string text(title_of(diagnostic.code, language));
+  std::string text =
+      in_words_of(diagnostic.words, std::string(title_of(diagnostic.code, language)));
   if (!diagnostic.detail.empty())
     text.append(": ").append(german ? german_detail(diagnostic.detail) : diagnostic.detail);
   const char* separator = " (";
@@ -301,7 +302,8 @@ DiagnosticTexts texts_of(const Diagnostic& diagnostic) {
   return {.message = message_of(diagnostic),
           .remedy = help_of(diagnostic),
           .reason = std::string(row_of(diagnostic.code).reason),
-          .title = std::string(title_of(diagnostic.code, diagnostic.language)),
+          .title = in_words_of(diagnostic.words,
+                               std::string(title_of(diagnostic.code, diagnostic.language))),
           .text = message_of(diagnostic, diagnostic.language),
           .help = help_of(diagnostic, diagnostic.language)};
 }
@@ -309,9 +311,12 @@ DiagnosticTexts texts_of(const Diagnostic& diagnostic) {
 std::string help_of(const Diagnostic& diagnostic, Language language) {
   const bool german = language == Language::german;
   const auto* const slip = std::ranges::find(slip_helps, diagnostic.slip.kind, &SlipHelp::kind);
-  if (slip == slip_helps.end())
-    return std::string(german ? german_row_of(diagnostic.code).help
-                              : row_of(diagnostic.code).remedy);
+  if (slip == slip_helps.end()) {
+    std::string_view help = help_in(diagnostic.words, diagnostic.code, language);
+    if (help.empty())
+      help = german ? german_row_of(diagnostic.code).help : row_of(diagnostic.code).remedy;
+    return in_words_of(diagnostic.words, std::string(help));
+  }
   std::string text(german ? slip->german : slip->english);
   constexpr std::string_view hole = "{instead}";
   return text.replace(text.find(hole), hole.size(), diagnostic.slip.instead);

@@ -32,6 +32,7 @@ class Diagnostics {
     diagnostic.inch = places.units.is_inch(diagnostic.source.index);
     if (diagnostic.calls.empty()) diagnostic.calls = places.calls.of(diagnostic.source.index);
     diagnostic.language = language_;
+    diagnostic.words = words_;
     ++counts_[static_cast<std::size_t>(diagnostic.severity)];
     stopped_ |= diagnostic.severity == Severity::error;
     pending_.push_back(std::move(diagnostic));
@@ -66,7 +67,10 @@ class Diagnostics {
   }
 
   // Of the texts of what is reported from here on.
-  void speak(Language language) { language_ = language; }
+  void speak(Language language, ControlWords words) {
+    language_ = language;
+    words_ = words;
+  }
 
   // Of the program, which what reads it fills in.
   [[nodiscard]] ProgramUnits& units() { return own_places_.units; }
@@ -85,6 +89,7 @@ class Diagnostics {
   ProgramPlaces own_places_;
   const ProgramPlaces* places_ = nullptr;  // none: its own
   Language language_ = Language::english;
+  ControlWords words_ = ControlWords::isg;
   std::vector<Diagnostic> pending_;
   std::array<std::uint64_t, 3> counts_{};
   bool stopped_ = false;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <iterator>
 
+#include "core/nc/dialect/dialect.h"
 #include "core/trc/state_archive.h"
 
 namespace trc {
@@ -26,7 +27,7 @@ ProgramSetup program_setup(const SessionSetup& setup) {
 PathSession::PathSession(const SessionSetup& setup)
     : program_(program_setup(setup), setup.compensator.tolerances, found_, blocks_),
       compensator_(compensator_setup(setup), setup.verify, diagnostics_) {
-  diagnostics_.speak(setup.language);
+  diagnostics_.speak(setup.language, dialect_of(setup.program.dialect).words);
   diagnostics_.count_as(found_.places());
 }
 

@@ -6,6 +6,8 @@
 #include <utility>
 #include <variant>
 
+#include "core/nc/dialect/dialect.h"
+
 namespace trc::survey {
 
 Reader text_reader(std::string_view text, const ReaderLimits& limits,
@@ -40,7 +42,7 @@ Reading read_with(double radius, const SessionSetup& session, const Reader& read
   ProgramSetup setup = program_setup(session);
   setup.every_radius = radius;
   Diagnostics log;
-  log.speak(session.language);
+  log.speak(session.language, dialect_of(session.program.dialect).words);
   ProgramState state(setup, session.compensator.tolerances, log, reading.blocks);
   reader(state, log);
   reading.uses = state.radius_uses();

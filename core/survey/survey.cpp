@@ -9,6 +9,7 @@
 #include <variant>
 
 #include "core/geometry/box_tree.h"
+#include "core/nc/dialect/dialect.h"
 #include "core/session/verified_compensator.h"
 
 namespace trc::survey {
@@ -106,7 +107,7 @@ void Survey::compensate(const Reading& reading, bool removes_loops, Surveyed& fo
     uncut = [&found](const verify::UncutWall& wall) { found.uncut.push_back(wall); };
   ChangedModes modes(reading, {.radius = term_of(found.radius), .removes_loops = removes_loops});
   Diagnostics log;
-  log.speak(setup_.session.language);
+  log.speak(setup_.session.language, dialect_of(setup_.session.program.dialect).words);
   log.count_as(reading.places);
   VerifiedCompensator session(compensator, setup_.session.verify, log,
                               {.uncut = std::move(uncut), .known_walls = &walls_});

@@ -76,5 +76,30 @@ TEST(DiagnosticLanguage, IsThatOfTheSetup) {
   EXPECT_EQ(help_of(found[0], found[0].language), "Dezimalpunkt statt Komma schreiben: X10.5.");
 }
 
+TEST(DiagnosticWords, AreThoseOfTheDialect) {
+  const auto help = [](DialectName dialect, std::string_view program) {
+    ProgramSessionSetup setup;
+    setup.session.program.dialect = dialect;
+    setup.session.program.mode.tool_radius = 6;
+    const auto found = diagnostics_of(program, setup);
+    return found.empty() ? std::string() : help_of(found.back(), found.back().language);
+  };
+  // A slot 9 mm wide.
+  EXPECT_NE(help(DialectName::fanuc,
+                 "G0 X0. Y-20.\nG41 G1 X0. Y0. F500.\nX20.\nY-30.\nX29.\nY0.\nX60.\n"
+                 "G40 Y-20.\nM30\n")
+                .find("The setting contour_masking"),
+            std::string::npos);
+  EXPECT_NE(help(DialectName::isg,
+                 "G0 X0 Y-20\nG41 G1 X0 Y0 F500\nX20\nY-30\nX29\nY0\nX60\nG40 Y-20\nM30\n")
+                .find("#TRC [REMOVE_MASKED_BLOCKS=1]"),
+            std::string::npos);
+  EXPECT_EQ(help(DialectName::heidenhain,
+                 "0 BEGIN PGM A MM\n1 L X+0 Y-20 R0 FMAX\n2 L X+0 Y+0 RL F500\n3 L X+20\n"
+                 "4 L X+40 Y+20 RR\n5 L X+60 R0\n6 END PGM A MM\n")
+                .find("G4"),
+            std::string::npos);
+}
+
 }  // namespace
 }  // namespace trc

@@ -14,7 +14,10 @@ namespace {
 // The others reach the contour as under G138: straight to the point beside its start.
 const std::array<Dialect, 5>& dialects() {
   static const std::array<Dialect, 5> table{{
-      {.name = DialectName::isg, .spelling = "isg", .functions = g_function_table()},
+      {.name = DialectName::isg,
+       .spelling = "isg",
+       .words = ControlWords::isg,
+       .functions = g_function_table()},
       {.name = DialectName::fanuc,
        .spelling = "fanuc",
        .functions = fanuc_functions(),
@@ -38,6 +41,7 @@ const std::array<Dialect, 5>& dialects() {
        .transition = Transition::circular},
       {.name = DialectName::heidenhain,
        .spelling = "heidenhain",
+       .words = ControlWords::klartext,
        .selection = Selection::direct,
        .transition = Transition::circular},
   }};

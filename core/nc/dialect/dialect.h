@@ -5,6 +5,7 @@
 #include <span>
 #include <string_view>
 
+#include "core/base/control_words.h"
 #include "core/nc/dialect/g_function.h"
 #include "core/nc/state/dialect_name.h"
 #include "core/nc/state/trc_mode.h"
@@ -14,11 +15,12 @@ namespace trc {
 // What a dialect has of its own: the reader asks this table where the dialects differ.
 struct Dialect {
   DialectName name = DialectName::isg;
-  std::string_view spelling{};                 // on the command line and in messages
-  std::span<const GFunction> functions{};      // ascending
-  std::int16_t inch_function = 70;             // counts in inch from here on
-  Selection selection = Selection::indirect;   // how the tool reaches the contour
-  Transition transition = Transition::linear;  // at outside corners
+  std::string_view spelling{};                     // on the command line and in messages
+  ControlWords words = ControlWords::g_functions;  // that messages name
+  std::span<const GFunction> functions{};          // ascending
+  std::int16_t inch_function = 70;                 // counts in inch from here on
+  Selection selection = Selection::indirect;       // how the tool reaches the contour
+  Transition transition = Transition::linear;      // at outside corners
   // Numbers are written with a decimal point: without it some controls count increments.
   bool writes_points = false;
   // G41 without a D word takes the tool that the last M06 brought.
