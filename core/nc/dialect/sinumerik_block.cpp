@@ -3,6 +3,7 @@
 #include <string>
 
 #include "core/nc/dialect/block_words.h"
+#include "core/nc/dialect/sinumerik_words.h"
 #include "core/nc/text/named_words.h"
 
 // What Sinumerik's language has beside plain letters and numbers: names, calls, values behind `=`,
@@ -157,13 +158,45 @@ CodeWord as_code(const NamedWord& word) {
           .end = word.end};
 }
 
+// Names that say more than the table above.
+constexpr auto names_of_motion = std::to_array<std::string_view>(
+    {"CDON", "CFC", "CFIN", "CIP", "CT", "KONT", "KONTC", "KONTT"});
+// Words with values that read_assignment() follows.
+constexpr auto followed_words = std::to_array<std::string_view>(
+    {"ANG", "AP", "AR", "CHF", "CHR", "CR", "DISC", "DISCL", "DISR", "DISRP", "FAD", "OFFN", "RND",
+     "RNDM", "RP", "RPL", "TURN"});
+
+const Name* row_of(std::string_view name) {
+  const auto found = std::ranges::lower_bound(names, name, {}, &Name::name);
+  return found != names.end() && found->name == name ? &*found : nullptr;
+}
+
 bool is_statement(const NamedWord& word) {
-  const auto found = std::ranges::lower_bound(names, word.name, {}, &Name::name);
-  return word.kind == NamedWord::Kind::name && found != names.end() && found->name == word.name &&
-         found->meaning == Meaning::statement;
+  return word.kind == NamedWord::Kind::name && is_sinumerik_statement(word.name);
 }
 
 }  // namespace
+
+bool is_sinumerik_statement(std::string_view name) {
+  const Name* const row = row_of(name);
+  return row != nullptr && row->meaning == Meaning::statement;
+}
+
+bool is_sinumerik_name(std::string_view name) {
+  return row_of(name) != nullptr ||
+         std::ranges::find(names_of_motion, name) != names_of_motion.end();
+}
+
+bool is_sinumerik_call(std::string_view name) {
+  return begins_with_any(name, cycles) || name == "TRAORI" ||
+         std::ranges::find(passing_calls, name) != passing_calls.end();
+}
+
+bool is_sinumerik_word(std::string_view name) {
+  return begins_with_any(name, passing_assignments) ||
+         std::ranges::find(corner_words, name) != corner_words.end() ||
+         std::ranges::find(followed_words, name) != followed_words.end();
+}
 
 bool Interpreter::read_named_words(ProgramLine& line, BlockWords& block) {
   NamedWordReader reader(line.text);

@@ -1,11 +1,14 @@
 #include "core/nc/program/expression.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
 #include <numbers>
 #include <optional>
 #include <utility>
 
+#include "core/nc/program/code_line.h"
 #include "core/nc/text/characters.h"
 
 namespace trc::program {
@@ -36,6 +39,14 @@ std::optional<double> in_other_base(double number, std::int64_t from, std::int64
   return static_cast<double>(result);
 }
 
+// What Sinumerik takes for one number: relative equality.
+bool is_relatively_near(double left, double right) {
+  constexpr double digits = 1e-12;
+  return std::abs(left - right) <= digits * std::max(std::abs(left), std::abs(right));
+}
+
+bool goes_on_as_name(char sign) { return is_letter(sign) || is_digit(sign) || sign == '_'; }
+
 bool is_comparison(Operator sign) { return sign >= Operator::equal && sign <= Operator::at_most; }
 
 }  // namespace
@@ -61,11 +72,31 @@ Value ExpressionReader::fail(Code code, std::size_t begin, std::string detail) {
   return {};
 }
 
+std::string_view ExpressionReader::name() const {
+  std::size_t end = at_;
+  if (is_letter(peek()) || peek() == '_')
+    while (end < line_.size() && goes_on_as_name(line_[end])) ++end;
+  return line_.substr(at_, end - at_);
+}
+
+bool ExpressionReader::holds(const Value& value) {
+  // Of ISG, by its manual.
+  constexpr double half = 0.5;
+  if (grammar_.dialect == DialectName::isg) return std::abs(value.number) >= half;
+  return value.is_text ? !value.text.empty() : value.number != 0;
+}
+
 const OperatorRow* ExpressionReader::operator_of(int level) const {
-  for (const OperatorRow& row : grammar_.operators)
-    if (line_.size() - at_ >= row.spelling.size() &&
-        std::ranges::equal(line_.substr(at_, row.spelling.size()), row.spelling, {}, upper))
-      return row.level == level ? &row : nullptr;
+  for (const OperatorRow& row : grammar_.operators) {
+    if (line_.size() - at_ < row.spelling.size() ||
+        !std::ranges::equal(line_.substr(at_, row.spelling.size()), row.spelling, {}, upper))
+      continue;
+    const std::size_t behind = at_ + row.spelling.size();
+    if (grammar_.has_names && is_letter(row.spelling.front()) && behind < line_.size() &&
+        goes_on_as_name(line_[behind]))
+      continue;
+    return row.level == level ? &row : nullptr;
+  }
   return nullptr;
 }
 
@@ -91,12 +122,22 @@ Value ExpressionReader::operand() {
   pass_blanks();
   const std::size_t begin = at_;
   const char sign = peek();
-  if (sign == '[') return bracket();
-  if (sign == '#') return variables_.read(*this);
+  if (sign == grammar_.open) return bracket();
+  if (sign == '#' && !grammar_.has_names) return variables_.read(*this);
   double number = 0;
   bool whole = false;
   if (const std::size_t length = read_number(line_.substr(at_), number, whole)) {
     at_ += length;
+    // 10EX-5
+    double exponent = 0;
+    const bool is_sinumerik = grammar_.dialect == DialectName::sinumerik;
+    if (is_sinumerik && has_word_at(line_, at_, "EX")) {
+      const std::size_t digits = read_number(line_.substr(at_ + 2), exponent, whole);
+      if (digits > 0 && whole) {
+        at_ += 2 + digits;
+        number *= std::pow(10.0, exponent);
+      }
+    }
     return {.number = checked(number, begin)};
   }
   if (sign == '-' || sign == '+') {
@@ -105,7 +146,14 @@ Value ExpressionReader::operand() {
     ++at_;
     const Value value = operand();
     --depth_;
+    if (value.is_text) return fail(Code::expression_invalid, begin, "a text");
     return {.number = sign == '-' ? -value.number : value.number};
+  }
+  if (grammar_.has_names && sign == '"') return text_in_quotes();
+  if (grammar_.has_names && (is_letter(sign) || sign == '_' || sign == '$')) return named_operand();
+  if (grammar_.dialect == DialectName::sinumerik && sign == '\'') {
+    const char base = at_ + 1 < line_.size() ? upper(line_[at_ + 1]) : '\0';
+    if (base == 'H' || base == 'B') return number_of_digits(base == 'H' ? 16 : 2);
   }
   if (is_letter(sign)) return function();
   return fail(Code::expression_invalid, begin,
@@ -127,6 +175,98 @@ std::int64_t ExpressionReader::whole_operand() {
   return std::llround(nearest);
 }
 
+Value ExpressionReader::text_in_quotes() {
+  const std::size_t begin = at_;
+  const std::size_t close = line_.find('"', at_ + 1);
+  if (close == std::string_view::npos)
+    return fail(Code::expression_invalid, begin, "\", a text without end");
+  at_ = close + 1;
+  return {.is_text = true, .text = std::string(line_.substr(begin + 1, close - begin - 1))};
+}
+
+// 'H2F', 'B101'
+Value ExpressionReader::number_of_digits(int base) {
+  constexpr std::int64_t largest = 0xffffffff;
+  constexpr int ten = 10;
+  const std::size_t begin = at_;
+  std::int64_t number = 0;
+  for (at_ += 2; at_ < line_.size() && line_[at_] != '\''; ++at_) {
+    const char sign = upper(line_[at_]);
+    const int digit = is_digit(sign) ? sign - '0' : is_letter(sign) ? sign - 'A' + ten : base;
+    number = number * base + digit;
+    if (digit >= base || number > largest) break;
+  }
+  if (peek() != '\'' || at_ == begin + 2)
+    return fail(Code::expression_invalid, begin, std::string(line_.substr(begin, 2)));
+  ++at_;
+  return {.number = static_cast<double>(number)};
+}
+
+// NOT and the like, a function, or a variable.
+Value ExpressionReader::named_operand() {
+  const std::string spelling = in_upper_case(name());
+  const auto row = std::ranges::find(grammar_.functions, spelling, &FunctionRow::spelling);
+  if (row == grammar_.functions.end()) return variables_.read(*this);
+  const std::size_t begin = at_;
+  if (row->meaning == Function::negation || row->meaning == Function::bit_negation) {
+    if (++depth_ > most_brackets) return fail(Code::expression_invalid, begin, spelling);
+    at_ += spelling.size();
+    const Value value = operand();
+    --depth_;
+    if (row->meaning == Function::negation) return {.number = holds(value) ? 0.0 : 1.0};
+    return {.number = of_bits(value.number, Operator::bit_exclusion, -1, begin)};
+  }
+  const std::size_t behind = behind_blanks(line_, at_ + spelling.size());
+  if (behind >= line_.size() || line_[behind] != grammar_.open) return variables_.read(*this);
+  at_ = behind;
+  return function_of_list(*row);
+}
+
+// One argument or several ones in brackets.
+Value ExpressionReader::function_of_list(const FunctionRow& row) {
+  constexpr std::size_t most_arguments = 3;
+  const std::size_t begin = at_;
+  std::array<Value, most_arguments> arguments{};
+  if (++depth_ > most_brackets)
+    return fail(Code::expression_invalid, begin, std::string(row.spelling));
+  for (std::size_t number = 0; number < row.arguments; ++number) {
+    pass_blanks();
+    if (peek() != (number == 0 ? grammar_.open : ','))
+      return fail(Code::expression_invalid, at_, std::string(row.spelling));
+    ++at_;
+    arguments.at(number) = expression();
+    if (failed_) return {};
+    if (arguments.at(number).is_text != (row.meaning == Function::length_of_text))
+      return fail(Code::expression_invalid, begin, std::string(row.spelling).append(", a text"));
+  }
+  --depth_;
+  pass_blanks();
+  if (peek() != grammar_.close)
+    return fail(Code::expression_invalid, at_, std::string(row.spelling));
+  ++at_;
+  const double first = arguments[0].number;
+  const double second = arguments[1].number;
+  switch (row.meaning) {
+    case Function::arc_tangent_of:
+      if (first == 0 && second == 0)
+        return fail(Code::value_invalid, begin, std::string(row.spelling).append(" of 0 and 0"));
+      return {.number = std::atan2(first, second) / degree};
+    case Function::power:
+      return {.number = checked(std::pow(first, second), begin)};
+    case Function::least:
+      return {.number = std::min(first, second)};
+    case Function::greatest:
+      return {.number = std::max(first, second)};
+    case Function::bound:
+      if (second < first) return fail(Code::value_invalid, begin, std::string(row.spelling));
+      return {.number = std::clamp(arguments[2].number, first, second)};
+    case Function::length_of_text:
+      return {.number = static_cast<double>(arguments[0].text.size())};
+    default:
+      return {.number = applied(row.meaning, first, begin)};
+  }
+}
+
 Value ExpressionReader::bracket() {
   const std::size_t open = at_++;
   if (++depth_ > most_brackets) return fail(Code::expression_invalid, open, "brackets too deep");
@@ -134,10 +274,13 @@ Value ExpressionReader::bracket() {
   --depth_;
   pass_blanks();
   if (failed_) return {};
-  if (peek() != ']')
+  if (peek() != grammar_.close)
     return at_ < line_.size()
                ? fail(Code::expression_invalid, at_, name_of_character(line_.substr(at_)))
-               : fail(Code::expression_invalid, open, "[, a bracket without ]");
+               : fail(Code::expression_invalid, open,
+                      std::string(1, grammar_.open)
+                          .append(", a bracket without ")
+                          .append(1, grammar_.close));
   ++at_;
   return value;
 }
@@ -251,6 +394,26 @@ double ExpressionReader::applied(Function function, double argument, std::size_t
       const double scale = std::pow(10.0, round_decimals_);
       return std::round(argument * scale) / scale;
     }
+    case Function::cotangent:
+    case Function::arc_cotangent:
+      if (argument == 0 && function == Function::cotangent) return refused();
+      if (function == Function::cotangent) return checked(1 / std::tan(argument * degree), begin);
+      return 90 - std::atan(argument) / degree;
+    case Function::arc_tangent:
+      return std::atan(argument) / degree;
+    case Function::square:
+      return checked(argument * argument, begin);
+    case Function::sign:
+      return argument > 0 ? 1 : argument < 0 ? -1 : 0;
+    case Function::truncate:
+      return is_relatively_near(argument, nearest) ? nearest : std::trunc(argument);
+    case Function::fraction:
+      return is_relatively_near(argument, nearest) ? 0 : argument - std::trunc(argument);
+    case Function::decimal_logarithm:
+      if (argument <= 0) return refused();
+      return std::log10(argument);
+    case Function::decimal_exponential:
+      return checked(std::pow(10.0, argument), begin);
     case Function::down:
       if (is_whole) return nearest;
       return fanuc ? std::trunc(argument) : std::floor(argument);
@@ -270,9 +433,7 @@ double ExpressionReader::applied(Function function, double argument, std::size_t
     case Function::to_decimal:
       if (argument < 0 || nearest > 1e12) return refused();
       return *in_other_base(argument, 10, 16);
-    case Function::arc_tangent:
-    case Function::power:
-    case Function::exists:
+    default:  // what has several arguments, or none
       break;
   }
   return 0;
@@ -281,6 +442,8 @@ double ExpressionReader::applied(Function function, double argument, std::size_t
 Value ExpressionReader::combined(const Value& left, Operator sign, const Value& right,
                                  std::size_t begin) {
   if (failed_) return {};
+  if (left.is_text || right.is_text || sign == Operator::join)
+    return combined_texts(left, sign, right, begin);
   // Of numbers that are rounded first.
   const bool fanuc_remainder =
       sign == Operator::remainder && grammar_.dialect == DialectName::fanuc;
@@ -292,11 +455,21 @@ Value ExpressionReader::combined(const Value& left, Operator sign, const Value& 
     case Operator::multiply:
       return {.number = checked(left.number * right.number, begin)};
     case Operator::divide:
+    case Operator::divide_whole:
     case Operator::remainder:
       if (right.number == 0 || (fanuc_remainder && std::round(right.number) == 0))
-        return fail(Code::division_by_zero, begin, sign == Operator::divide ? "/" : "MOD");
+        return fail(Code::division_by_zero, begin,
+                    sign == Operator::divide         ? "/"
+                    : sign == Operator::divide_whole ? "DIV"
+                                                     : "MOD");
       if (sign == Operator::divide) return {.number = checked(left.number / right.number, begin)};
+      if (sign == Operator::divide_whole)
+        return {.number = applied(Function::truncate, left.number / right.number, begin)};
       return {.number = of_whole_numbers(left.number, sign, right.number)};
+    case Operator::bit_conjunction:
+    case Operator::bit_disjunction:
+    case Operator::bit_exclusion:
+      return {.number = of_bits(left.number, sign, right.number, begin)};
     case Operator::power:
       return {.number = checked(std::pow(left.number, right.number), begin)};
     case Operator::conjunction:
@@ -304,14 +477,53 @@ Value ExpressionReader::combined(const Value& left, Operator sign, const Value& 
     case Operator::exclusion:
       return {.number = of_whole_numbers(left.number, sign, right.number)};
     default:
-      return {.number = compared(left, sign, right) ? 1.0 : 0.0};
+      break;
   }
+  // What the control makes of the last digits is not known (D-54).
+  if (grammar_.dialect == DialectName::isg && left.number != right.number &&
+      is_near(left.number, right.number))
+    return fail(Code::value_invalid, begin, "a comparison of numbers that are nearly equal");
+  return {.number = compared(left, sign, right) ? 1.0 : 0.0};
+}
+
+Value ExpressionReader::combined_texts(const Value& left, Operator sign, const Value& right,
+                                       std::size_t begin) {
+  const auto text_of = [](const Value& value) {
+    if (value.is_text) return value.text;
+    std::string text;
+    append_value(text, value.number, PointStyle::as_whole);
+    return text;
+  };
+  if (sign == Operator::join) return {.is_text = true, .text = text_of(left) + text_of(right)};
+  const bool is_equality = sign == Operator::equal || sign == Operator::not_equal;
+  if (!is_equality || left.is_text != right.is_text)
+    return fail(Code::expression_invalid, begin, "a text");
+  return {.number = (left.text == right.text) == (sign == Operator::equal) ? 1.0 : 0.0};
+}
+
+// Of whole numbers of 32 bits.
+double ExpressionReader::of_bits(double left, Operator sign, double right, std::size_t begin) {
+  constexpr double smallest = -2147483648.0;
+  constexpr double largest = 4294967295.0;
+  const auto is_whole = [&](double number) {
+    return number == std::round(number) && number >= smallest && number <= largest;
+  };
+  if (failed_) return 0;
+  if (!is_whole(left) || !is_whole(right)) {
+    static_cast<void>(fail(Code::value_invalid, begin, "bits of what is no whole number"));
+    return 0;
+  }
+  const auto a = static_cast<std::int32_t>(static_cast<std::uint32_t>(std::llround(left)));
+  const auto b = static_cast<std::int32_t>(static_cast<std::uint32_t>(std::llround(right)));
+  if (sign == Operator::bit_conjunction) return a & b;
+  return sign == Operator::bit_disjunction ? a | b : a ^ b;
 }
 
 double ExpressionReader::of_whole_numbers(double left, Operator sign, double right) const {
   const bool fanuc = grammar_.dialect == DialectName::fanuc;
   if (sign == Operator::remainder) {
     if (fanuc) return std::fmod(std::round(left), std::round(right));
+    if (grammar_.has_names) return std::fmod(left, right);
     const double rest = std::fmod(left, right);
     return rest < 0 ? rest + std::abs(right) : rest;
   }
@@ -337,20 +549,23 @@ bool ExpressionReader::compared(const Value& left, Operator sign, const Value& r
   const bool fanuc = grammar_.dialect == DialectName::fanuc;
   // LinuxCNC compares for equality within that alone.
   constexpr double equal_for_linuxcnc = 1e-6;
-  const bool equal = fanuc ? is_near(a, b) : std::abs(a - b) < equal_for_linuxcnc;
+  const bool by_size = fanuc || grammar_.has_names;
+  const bool equal = fanuc                ? is_near(a, b)
+                     : grammar_.has_names ? is_relatively_near(a, b)
+                                          : std::abs(a - b) < equal_for_linuxcnc;
   switch (sign) {
     case Operator::equal:
       return left.vacant == right.vacant && equal;
     case Operator::not_equal:
       return left.vacant != right.vacant || !equal;
     case Operator::greater:
-      return a > b && !(fanuc && equal);
+      return a > b && !(by_size && equal);
     case Operator::less:
-      return a < b && !(fanuc && equal);
+      return a < b && !(by_size && equal);
     case Operator::at_least:
-      return a >= b || (fanuc && equal);
+      return a >= b || (by_size && equal);
     default:
-      return a <= b || (fanuc && equal);
+      return a <= b || (by_size && equal);
   }
 }
 

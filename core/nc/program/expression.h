@@ -11,10 +11,13 @@
 
 namespace trc::program {
 
-// What a variable holds. A vacant one, which only Fanuc knows, counts as 0 in arithmetic.
+// What a variable holds. A vacant one, which only Fanuc knows, counts as 0 in arithmetic. Texts are
+// of Sinumerik and of ISG.
 struct Value {
   double number = 0;
   bool vacant = false;
+  bool is_text = false;
+  std::string text{};
 };
 
 enum class Operator : std::uint8_t {
@@ -22,6 +25,7 @@ enum class Operator : std::uint8_t {
   subtract,
   multiply,
   divide,
+  divide_whole,  // of what is left over nothing is kept
   remainder,
   power,
   equal,
@@ -33,6 +37,10 @@ enum class Operator : std::uint8_t {
   conjunction,
   disjunction,
   exclusion,
+  bit_conjunction,
+  bit_disjunction,
+  bit_exclusion,
+  join,  // texts
 };
 
 enum class Function : std::uint8_t {
@@ -41,17 +49,32 @@ enum class Function : std::uint8_t {
   tangent,
   arc_sine,
   arc_cosine,
-  arc_tangent,  // one bracket, or two with a `/` between
+  cotangent,
+  arc_cotangent,
+  arc_tangent,     // one bracket, or two with a `/` between
+  arc_tangent_of,  // two values, -180 to 180
   root,
+  square,
   absolute,
+  sign,
   round,
   down,
   up,
+  truncate,  // towards 0
+  fraction,
   logarithm,
+  decimal_logarithm,
   exponential,
+  decimal_exponential,
   power,  // two values, a comma between
+  least,
+  greatest,
+  bound,  // least, greatest, value
   to_binary,
   to_decimal,
+  negation,  // in front of its operand
+  bit_negation,
+  length_of_text,
   exists,
 };
 
@@ -64,6 +87,7 @@ struct OperatorRow {
 struct FunctionRow {
   std::string_view spelling;
   Function meaning{};
+  std::size_t arguments = 1;
 };
 
 // How a control writes expressions.
@@ -72,10 +96,15 @@ struct Grammar {
   std::span<const OperatorRow> operators{};
   std::span<const FunctionRow> functions{};
   int highest_level = 0;
+  char open = '[';
+  char close = ']';
+  // Variables have names, texts stand in quotes, and a word ends where no letter or digit goes on.
+  bool has_names = false;
 };
 
 [[nodiscard]] const Grammar& fanuc_grammar();
 [[nodiscard]] const Grammar& linuxcnc_grammar();
+[[nodiscard]] const Grammar& sinumerik_grammar();
 
 class ExpressionReader;
 
@@ -83,7 +112,8 @@ class ExpressionReader;
 class Variables {
  public:
   virtual ~Variables() = default;
-  // Reads a variable with the sign it begins with; says what is wrong by ExpressionReader::fail.
+  // Reads a variable with the sign or the name it begins with; says what is wrong by
+  // ExpressionReader::fail.
   virtual Value read(ExpressionReader& expression) = 0;
   // Whether the variable is known, for EXISTS.
   virtual bool exists(ExpressionReader& expression) = 0;
@@ -94,7 +124,8 @@ class Variables {
 //
 // Angles are degrees. A result that is not finite, a division by zero and an argument outside of
 // what a function takes are faults. What Fanuc compares or rounds to whole numbers counts as equal
-// within 1e-9: it computes in decimal digits (D-48).
+// within 1e-9: it computes in decimal digits (D-48). Sinumerik compares within 1e-12 of the size;
+// a comparison of ISG that hangs on the last digits is a fault (D-54).
 class ExpressionReader {
  public:
   ExpressionReader(const Grammar& grammar, std::string_view line, std::size_t at,
@@ -118,6 +149,10 @@ class ExpressionReader {
   void pass_blanks();
   // Passes a word in letters of any case; false, and passes nothing, where another one stands.
   bool pass(std::string_view word);
+  // The name that stands here, of letters, digits and `_`; empty: none. Passes nothing.
+  [[nodiscard]] std::string_view name() const;
+  // Whether the value is true, as the control decides it.
+  [[nodiscard]] bool holds(const Value& value);
 
   [[nodiscard]] bool failed() const { return failed_; }
   [[nodiscard]] const TextFault& fault() const { return fault_; }
@@ -128,12 +163,19 @@ class ExpressionReader {
   [[nodiscard]] Value of_level(int level);
   [[nodiscard]] const OperatorRow* operator_of(int level) const;
   [[nodiscard]] Value bracket();
+  [[nodiscard]] Value text_in_quotes();
+  [[nodiscard]] Value number_of_digits(int base);
+  [[nodiscard]] Value named_operand();
   [[nodiscard]] Value function();
+  [[nodiscard]] Value function_of_list(const FunctionRow& row);
   [[nodiscard]] double applied(Function function, double argument, std::size_t begin);
   [[nodiscard]] double arc_tangent_of_two(double opposite, std::size_t begin);
   [[nodiscard]] Value combined(const Value& left, Operator sign, const Value& right,
                                std::size_t begin);
+  [[nodiscard]] Value combined_texts(const Value& left, Operator sign, const Value& right,
+                                     std::size_t begin);
   [[nodiscard]] bool compared(const Value& left, Operator sign, const Value& right) const;
+  [[nodiscard]] double of_bits(double left, Operator sign, double right, std::size_t begin);
   [[nodiscard]] double of_whole_numbers(double left, Operator sign, double right) const;
   [[nodiscard]] double checked(double number, std::size_t begin);
 

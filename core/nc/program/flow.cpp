@@ -5,6 +5,7 @@
 
 #include "core/nc/program/fanuc_flow.h"
 #include "core/nc/program/linuxcnc_flow.h"
+#include "core/nc/program/sinumerik_flow.h"
 #include "core/nc/text/characters.h"
 
 namespace trc::program {
@@ -78,19 +79,31 @@ const double* Flow::given(std::string_view name) const {
 }
 
 bool may_compute(DialectName dialect) {
-  return dialect == DialectName::fanuc || dialect == DialectName::linuxcnc;
+  return dialect == DialectName::fanuc || dialect == DialectName::linuxcnc ||
+         dialect == DialectName::sinumerik;
 }
 
-bool computes(DialectName dialect, std::string_view line) {
-  return dialect == DialectName::fanuc
-             ? fanuc_computes(line)
-             : dialect == DialectName::linuxcnc && linuxcnc_computes(line);
+bool computes(const ProgramSetup& setup, std::string_view line) {
+  switch (setup.dialect) {
+    case DialectName::fanuc:
+      return fanuc_computes(line);
+    case DialectName::linuxcnc:
+      return linuxcnc_computes(line);
+    case DialectName::sinumerik:
+      return sinumerik_computes(setup, line);
+    case DialectName::isg:
+    case DialectName::heidenhain:
+      break;
+  }
+  return false;
 }
 
 std::unique_ptr<Flow> make_flow(const ProgramSetup& setup, CallPlaces& calls, ProgramText text,
                                 std::size_t start) {
   if (setup.dialect == DialectName::linuxcnc)
     return std::make_unique<LinuxcncFlow>(setup, calls, std::move(text), start);
+  if (setup.dialect == DialectName::sinumerik)
+    return std::make_unique<SinumerikFlow>(setup, calls, std::move(text), start);
   return std::make_unique<FanucFlow>(setup, calls, std::move(text), start);
 }
 

@@ -102,8 +102,8 @@ class Flow {
   Diagnostic refusal_{};
 };
 
-// Whether a line of the dialect makes its program one that computes.
-[[nodiscard]] bool computes(DialectName dialect, std::string_view line);
+// Whether a line makes its program one that computes.
+[[nodiscard]] bool computes(const ProgramSetup& setup, std::string_view line);
 // Whether programs of the dialect may compute at all.
 [[nodiscard]] bool may_compute(DialectName dialect);
 

@@ -79,7 +79,65 @@ constexpr auto linuxcnc_functions = std::to_array<FunctionRow>({
     {"EXISTS", Function::exists},
 });
 
+// Comparisons come last: of several ones each stands in brackets of its own.
+constexpr auto sinumerik_operators = std::to_array<OperatorRow>({
+    {"==", 1, Operator::equal},
+    {"<>", 1, Operator::not_equal},
+    {">=", 1, Operator::at_least},
+    {"<=", 1, Operator::at_most},
+    // In front of `<`, which it begins with.
+    {"<<", 2, Operator::join},
+    {">", 1, Operator::greater},
+    {"<", 1, Operator::less},
+    {"OR", 3, Operator::disjunction},
+    {"XOR", 4, Operator::exclusion},
+    {"AND", 5, Operator::conjunction},
+    {"B_OR", 6, Operator::bit_disjunction},
+    {"B_XOR", 7, Operator::bit_exclusion},
+    {"B_AND", 8, Operator::bit_conjunction},
+    {"+", 9, Operator::add},
+    {"-", 9, Operator::subtract},
+    {"*", 10, Operator::multiply},
+    {"/", 10, Operator::divide},
+    {"DIV", 10, Operator::divide_whole},
+    {"MOD", 10, Operator::remainder},
+});
+
+constexpr auto sinumerik_functions = std::to_array<FunctionRow>({
+    {"NOT", Function::negation},
+    {"B_NOT", Function::bit_negation},
+    {"SIN", Function::sine},
+    {"COS", Function::cosine},
+    {"TAN", Function::tangent},
+    {"ASIN", Function::arc_sine},
+    {"ACOS", Function::arc_cosine},
+    {"ATAN2", Function::arc_tangent_of, 2},
+    {"SQRT", Function::root},
+    {"POT", Function::square},
+    {"ABS", Function::absolute},
+    {"TRUNC", Function::truncate},
+    {"ROUND", Function::round},
+    {"ROUNDUP", Function::up},
+    {"LN", Function::logarithm},
+    {"EXP", Function::exponential},
+    {"MINVAL", Function::least, 2},
+    {"MAXVAL", Function::greatest, 2},
+    {"BOUND", Function::bound, 3},
+    {"STRLEN", Function::length_of_text},
+});
+
 }  // namespace
+
+const Grammar& sinumerik_grammar() {
+  static constexpr Grammar grammar{.dialect = DialectName::sinumerik,
+                                   .operators = sinumerik_operators,
+                                   .functions = sinumerik_functions,
+                                   .highest_level = 10,
+                                   .open = '(',
+                                   .close = ')',
+                                   .has_names = true};
+  return grammar;
+}
 
 const Grammar& fanuc_grammar() {
   static constexpr Grammar grammar{.dialect = DialectName::fanuc,

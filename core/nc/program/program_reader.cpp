@@ -12,7 +12,8 @@ constexpr std::size_t executed_per_call = 4096;
 
 // Behind the end of the line that begins at `at`; 0 where it is not known yet whether it has ended.
 std::size_t behind_line(std::string_view text, std::size_t at) {
-  const std::size_t end = text.find_first_of("\r\n", at);
+  const std::size_t line_feed = text.find('\n', at);
+  const std::size_t end = std::min(text.substr(0, line_feed).find('\r', at), line_feed);
   if (end == std::string_view::npos) return 0;
   if (text[end] == '\n') return end + 1;
   if (end + 1 == text.size()) return 0;
@@ -50,7 +51,7 @@ bool ProgramReader::split(std::string_view text, std::vector<LinePointer>& lines
   std::size_t begin = 0;
   std::uint64_t count = 0;
   for (std::size_t end = behind_line(text, begin); end > 0; end = behind_line(text, begin)) {
-    if (program::computes(setup_.dialect, without_line_end(text.substr(begin, end - begin)))) {
+    if (program::computes(setup_, without_line_end(text.substr(begin, end - begin)))) {
       if (!pass(text.substr(0, begin), lines)) return false;
       lines_before_ += count;
       if (!interpreter_.has_ended()) {
@@ -96,7 +97,7 @@ bool ProgramReader::collect(std::string_view text) {
 bool ProgramReader::begin_to_execute() {
   if (flow_) return true;
   // A last line without an end may compute as well.
-  if (!computing_ && !passes_ && program::computes(setup_.dialect, partial_) &&
+  if (!computing_ && !passes_ && program::computes(setup_, partial_) &&
       !interpreter_.has_ended()) {
     computing_ = true;
     collect(std::exchange(partial_, {}));

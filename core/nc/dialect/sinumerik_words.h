@@ -1,0 +1,19 @@
+#pragma once
+
+#include <string_view>
+
+namespace trc {
+
+// Names that the reader of Sinumerik knows, in capitals: of all others a program that computes
+// thinks as of variables and subprograms.
+
+// IF, DEF, GOTOF and the like.
+[[nodiscard]] bool is_sinumerik_statement(std::string_view name);
+// NORM, CIP, …, statements too.
+[[nodiscard]] bool is_sinumerik_name(std::string_view name);
+// MSG(…), CYCLE81(…) and the like.
+[[nodiscard]] bool is_sinumerik_call(std::string_view name);
+// CR=, RND=, …
+[[nodiscard]] bool is_sinumerik_word(std::string_view name);
+
+}  // namespace trc

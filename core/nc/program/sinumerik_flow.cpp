@@ -1,0 +1,289 @@
+#include "core/nc/program/sinumerik_flow.h"
+
+#include <algorithm>
+#include <array>
+
+#include "core/nc/program/code_line.h"
+#include "core/nc/text/characters.h"
+
+namespace trc::program {
+namespace {
+
+bool begins_header(std::string_view line) {
+  const std::size_t at = behind_blanks(line, 0);
+  return at < line.size() && line[at] == '%';
+}
+
+// The name in that of a file: KONTUR of KONTUR.SPF and of _N_KONTUR_SPF.
+std::string name_of_file(std::string_view name) {
+  const std::size_t folder = name.find_last_of("/\\");
+  if (folder != std::string_view::npos) name.remove_prefix(folder + 1);
+  std::string plain = in_upper_case(name.substr(0, name.find('.')));
+  if (const std::string named = program_of_header("%" + plain); !named.empty()) return named;
+  return plain;
+}
+
+// What the control does beside the program, or before it runs.
+constexpr auto beside_the_program = std::to_array<std::string_view>(
+    {"CANCEL", "DEFINE", "DO", "EVERY", "FROM", "ID", "IDS", "INIT", "REDEF", "SETINT", "START",
+     "WAITE", "WAITM", "WAITMC", "WHEN", "WHENEVER"});
+
+}  // namespace
+
+SinumerikFlow::SinumerikFlow(const ProgramSetup& setup, CallPlaces& calls, ProgramText text,
+                             std::size_t start)
+    : Flow(setup, calls) {
+  texts_.push_back(std::move(text));
+  add_units(0);
+  const Unit main =
+      *std::ranges::find_if(units_, [&](const Unit& unit) { return start < unit.end; });
+  for (const auto& [name, given_text] : setup.subprograms) {
+    texts_.emplace_back(name, given_text);
+    add_units(texts_.size() - 1);
+  }
+  frames_.push_back({.begin = main.begin,
+                     .end = main.end,
+                     .next = start,
+                     .current = start,
+                     .own_variables = true});
+}
+
+// A text is divided where a header stands, and where PROC does behind something else.
+void SinumerikFlow::add_units(std::size_t text) {
+  const ProgramText& lines = texts_[text];
+  const std::size_t known = units_.size();
+  Unit unit{.text = text};
+  bool begun = false;
+  for (std::size_t line = 0; line < lines.size(); ++line) {
+    const std::string_view content = lines.line(line);
+    const std::size_t at = named_head_of(content).behind;
+    const std::string header = program_of_header(content);
+    const bool is_head = name_at(content, at) == "PROC";
+    if (begun && (is_head || !header.empty())) {
+      unit.end = line;
+      units_.push_back(unit);
+      unit = {.text = text, .begin = line};
+      begun = false;
+    }
+    if (!header.empty()) {
+      unit.name = header;
+      if (text > 0 || !units_.empty()) unit.begin = line + 1;
+    } else if (is_head) {
+      unit.name = name_at(content, behind_blanks(content, at + 4));
+      unit.head = line;
+      unit.has_head = true;
+    }
+    begun |= header.empty() && !is_named_line_over(content, 0);
+  }
+  unit.end = lines.size();
+  units_.push_back(unit);
+  if (text == 0) return;
+  // The control calls it by the name of its file.
+  Unit file = units_[known];
+  file.name = name_of_file(lines.name());
+  if (file.name != units_[known].name) units_.push_back(file);
+}
+
+// What stands in the program itself is meant, else what is given.
+const SinumerikFlow::Unit* SinumerikFlow::unit_named(std::string_view name) const {
+  const auto found = std::ranges::find(units_, name, &Unit::name);
+  return name.empty() || found == units_.end() ? nullptr : &*found;
+}
+
+SinumerikFlow::Structure SinumerikFlow::structure_of(std::string_view line, std::size_t at) {
+  using enum Structure;
+  constexpr auto words = std::to_array<std::pair<std::string_view, Structure>>({
+      {"IF", branch},
+      {"ELSE", otherwise},
+      {"ENDIF", end_branch},
+      {"FOR", counting},
+      {"ENDFOR", end_counting},
+      {"WHILE", condition},
+      {"ENDWHILE", end_condition},
+      {"LOOP", endless},
+      {"ENDLOOP", end_endless},
+      {"REPEAT", repetition},
+      {"UNTIL", Structure::until},
+  });
+  const std::string word = name_at(line, at);
+  const auto found =
+      std::ranges::find(words, word, &std::pair<std::string_view, Structure>::first);
+  if (found == words.end()) return none;
+  const std::size_t behind = at + word.size();
+  if (found->second == branch &&
+      place_of_word(line, behind, "GOTO", WordEnd::open) != std::string_view::npos)
+    return none;
+  if (found->second == repetition && !is_named_line_over(line, behind)) return none;
+  return found->second;
+}
+
+const SinumerikFlow::Outline& SinumerikFlow::outline_of(const Frame& frame) {
+  // A frame of REPEAT lies within its unit.
+  const auto unit = std::ranges::find_if(units_, [&](const Unit& each) {
+    return each.text == frame.text && each.begin <= frame.begin && frame.end <= each.end;
+  });
+  const auto [known, is_new] = outlines_.try_emplace({unit->text, unit->end});
+  Outline& outline = known->second;
+  if (!is_new) return outline;
+  using enum Structure;
+  const ProgramText& text = texts_[unit->text];
+  std::vector<std::pair<Structure, std::size_t>> open;
+  const auto close = [&](Structure begins, std::size_t line) {
+    if (open.empty() || open.back().first != begins) return;
+    outline.feet[open.back().second] = line;
+    outline.heads[line] = open.back().second;
+    open.pop_back();
+  };
+  for (std::size_t line = unit->begin; line < unit->end; ++line) {
+    const std::string_view content = text.line(line);
+    const NamedHead head = named_head_of(content);
+    if (!head.label.empty()) outline.labels[head.label].push_back(line);
+    if (head.number >= 0) outline.numbers[head.number].push_back(line);
+    switch (const Structure structure = structure_of(content, head.behind)) {
+      case branch:
+      case counting:
+      case condition:
+      case endless:
+      case repetition:
+        open.emplace_back(structure, line);
+        break;
+      case otherwise:
+        close(branch, line);
+        open.emplace_back(otherwise, line);
+        break;
+      case end_branch:
+        if (!open.empty() && open.back().first == otherwise) {
+          outline.behind[open.back().second] = line;
+          open.pop_back();
+        } else {
+          close(branch, line);
+        }
+        break;
+      case end_counting:
+        close(counting, line);
+        break;
+      case end_condition:
+        close(condition, line);
+        break;
+      case end_endless:
+        close(endless, line);
+        break;
+      case until:
+        close(repetition, line);
+        break;
+      case none:
+        break;
+    }
+  }
+  return outline;
+}
+
+void SinumerikFlow::take_line() {
+  Frame& at = frame();
+  at.current = at.next++;
+  line_ = text_of(at).line(at.current);
+  head_ = named_head_of(line_);
+  is_as_written_ = false;
+}
+
+Flow::Step SinumerikFlow::step(std::string& flat) {
+  bool goes_on = false;
+  if (frame().next >= frame().end) {
+    goes_on = end_of_frame(flat);
+  } else {
+    take_line();
+    goes_on = count_line() && execute(flat);
+  }
+  if (!goes_on) return Step::refused;
+  return ended_ ? Step::ended : Step::goes_on;
+}
+
+bool SinumerikFlow::end_of_frame(std::string& flat) {
+  if (frames_.size() == 1) return end_of_program(flat);
+  if (frame().own_variables)
+    return refuse(Code::block_structure, 0, frame().name + ", a subprogram without its end");
+  if (frame().repetitions_left == 0) {
+    frames_.pop_back();
+    return true;
+  }
+  // Each time counts, so that nothing repeats itself for ever.
+  if (!count_line()) return false;
+  --frame().repetitions_left;
+  frame().next = frame().restart;
+  flat.append("; ").append(frame().name).append(line_end());
+  return true;
+}
+
+bool SinumerikFlow::end_of_program(std::string& /*flat*/) {
+  ended_ = true;
+  return true;
+}
+
+bool SinumerikFlow::refuse_word(Code code, std::size_t begin, std::size_t end,
+                                std::string_view why) {
+  return refuse(code, begin, std::string(line_.substr(begin, end - begin)).append(why));
+}
+
+bool SinumerikFlow::execute(std::string& flat) {
+  if (begins_header(line_)) {
+    if (frame().current > 0 && frames_.size() == 1) return end_of_program(flat);
+    is_as_written_ = true;
+    flat.append(line_).append(line_end());
+    return true;
+  }
+  const std::string word = name_at(line_, head_.behind);
+  bool is_statement = false;
+  const bool goes_on = execute_statement(flat, word, is_statement);
+  return is_statement ? goes_on : execute_words(flat);
+}
+
+bool SinumerikFlow::execute_statement(std::string& flat, std::string_view word,
+                                      bool& is_statement) {
+  const std::size_t begin = head_.behind;
+  const std::size_t behind = begin + word.size();
+  const Structure structure = structure_of(line_, begin);
+  const bool begins_value = behind_blanks(line_, behind) < line_.size() &&
+                            line_[behind_blanks(line_, behind)] == '=';
+  const bool is_beside =
+      std::ranges::find(beside_the_program, word) != beside_the_program.end() &&
+      begins_value == word.starts_with("ID") && declared(word) == nullptr;
+  is_statement = structure != Structure::none || direction_of(word) || is_beside;
+  for (const std::string_view other :
+       {"IF", "CASE", "DEF", "PROC", "EXTERN", "RET", "REPEAT", "REPEATB"})
+    is_statement |= word == other;
+  if (!is_statement) return true;
+  if (is_beside) return refuse_word(Code::nc_unsupported, begin, behind, ", not in the program");
+  if (head_.to_skip) return refuse(Code::nc_unsupported, 0, "/, a line to skip that computes");
+  if (structure != Structure::none) return follow_structure(flat, structure);
+  ExpressionReader expression = expression_at(behind);
+  if (word == "IF") return branch(flat, expression);
+  if (word == "CASE") return choose_case(expression, flat);
+  if (word == "DEF") return define(flat);
+  if (word == "PROC" || word == "EXTERN") return true;
+  if (word == "RET") {
+    if (!is_named_line_over(line_, behind))
+      return refuse(Code::nc_unsupported, begin, "RET with a target");
+    return return_from(flat);
+  }
+  if (word.starts_with("REPEAT")) return repeat(flat, behind, word == "REPEATB");
+  expression.go_to(begin);
+  return jump(expression) && finish_statement(flat, expression.at());
+}
+
+bool SinumerikFlow::finish_statement(std::string& flat, std::size_t at) {
+  const std::size_t behind = behind_blanks(line_, at);
+  if (behind >= line_.size()) return true;
+  if (line_[behind] != ';')
+    return refuse(Code::expression_invalid, behind, name_of_character(line_.substr(behind)));
+  write_behind_number(flat, line_.substr(behind));
+  return true;
+}
+
+void SinumerikFlow::write_behind_number(std::string& flat, std::string_view text) {
+  if (head_.number >= 0)
+    flat.append(line_.substr(head_.number_begin, head_.number_end - head_.number_begin))
+        .append(" ");
+  flat.append(text).append(line_end());
+}
+
+}  // namespace trc::program

@@ -1,0 +1,188 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "core/nc/program/flow.h"
+#include "core/nc/program/sinumerik_line.h"
+
+namespace trc::program {
+
+// The language of Sinumerik.
+//
+//   - R parameters are everyone's and outlast the program: what it has not set itself is known
+//     from the setup alone. What DEF and PROC declare belongs to the main program and to each
+//     call, begins with 0 and has a type: INT is rounded, and nothing is kept beyond its range.
+//   - A program, or a subprogram, is a text of its own, or begins with its %_N_NAME_SPF or PROC.
+//   - Jumps, REPEAT and CASE look for labels and block numbers in their own program.
+//   - The control structures have lines of their own.
+//   - A variable that the program does not know passes as the whole value of X, Y or Z: the reader
+//     copies such a line while TRC is off.
+class SinumerikFlow : public Flow, private Variables {
+ public:
+  SinumerikFlow(const ProgramSetup& setup, CallPlaces& calls, ProgramText text, std::size_t start);
+
+  [[nodiscard]] Step step(std::string& flat) override;
+
+ private:
+  enum class Type : std::uint8_t { boolean, character, integer, real, text };
+  // Where a variable has its value: an R parameter, or an element of one that is declared.
+  struct Place {
+    std::int64_t parameter = -1;  // of R; -1: none
+    std::size_t scope = 0;
+    std::string name{};
+    std::size_t element = 0;
+  };
+  struct Variable {
+    Type type = Type::real;
+    std::vector<std::size_t> sizes{};  // of an array, by dimension
+    std::vector<Value> elements{};
+    std::optional<Place> stands_for{};  // VAR: the variable of the caller
+  };
+  using Scope = std::map<std::string, Variable, std::less<>>;
+  // Of PROC.
+  struct Parameter {
+    std::string name{};
+    Type type = Type::real;
+    bool by_reference = false;
+    std::size_t default_begin = 0;  // of the line; 0: none
+  };
+  struct Unit {
+    std::string name{};
+    std::size_t text = 0;
+    std::size_t begin = 0;
+    std::size_t end = 0;
+    std::size_t head = 0;  // line of PROC
+    bool has_head = false;
+  };
+  enum class Structure : std::uint8_t {
+    none,
+    branch,
+    otherwise,
+    end_branch,
+    counting,
+    end_counting,
+    condition,
+    end_condition,
+    endless,
+    end_endless,
+    repetition,
+    until,
+  };
+  // Where the lines of a unit lead.
+  struct Outline {
+    std::map<std::string, std::vector<std::size_t>, std::less<>> labels{};
+    std::map<std::int64_t, std::vector<std::size_t>> numbers{};
+    std::map<std::size_t, std::size_t> feet{};    // by head: the end; of IF the ELSE, if it has one
+    std::map<std::size_t, std::size_t> behind{};  // by ELSE: its ENDIF
+    std::map<std::size_t, std::size_t> heads{};   // by the end
+  };
+  enum class Direction : std::uint8_t { forward, backward, both, to_the_beginning };
+  // Part of a line of words.
+  struct Piece {
+    std::size_t begin = 0;
+    std::size_t end = 0;
+    std::optional<std::string> instead{};  // empty: left out
+    bool is_comment = false;
+  };
+  struct Call {
+    const Unit* unit = nullptr;
+    std::size_t begin = 0;
+    std::size_t arguments = 0;  // where the bracket opens; 0: none
+    std::optional<std::uint64_t> times{};
+  };
+
+  // sinumerik_flow.cpp: programs and the order of their lines.
+  void add_units(std::size_t text);
+  [[nodiscard]] const Unit* unit_named(std::string_view name) const;
+  [[nodiscard]] static Structure structure_of(std::string_view line, std::size_t at);
+  [[nodiscard]] const Outline& outline_of(const Frame& frame);
+  void take_line();
+  bool end_of_frame(std::string& flat);
+  bool end_of_program(std::string& flat);
+  bool execute(std::string& flat);
+  bool execute_statement(std::string& flat, std::string_view word, bool& is_statement);
+  bool refuse_word(Code code, std::size_t begin, std::size_t end, std::string_view why);
+
+  // sinumerik_control.cpp: branches, loops and jumps.
+  bool follow_structure(std::string& flat, Structure structure);
+  bool branch(std::string& flat, ExpressionReader& expression);
+  bool count(std::string& flat, bool begins);
+  bool until(std::string& flat, ExpressionReader& expression);
+  [[nodiscard]] std::optional<std::size_t> partner(
+      const std::map<std::size_t, std::size_t>& partners, std::string_view missing);
+  bool choose_case(ExpressionReader& expression, std::string& flat);
+  bool jump(ExpressionReader& expression);
+  bool pass_jump(ExpressionReader& expression);
+  bool repeat(std::string& flat, std::size_t at, bool is_block);
+  [[nodiscard]] static std::optional<Direction> direction_of(std::string_view word);
+  [[nodiscard]] std::string target_at(ExpressionReader& expression);
+  [[nodiscard]] std::optional<std::size_t> line_of(const std::string& target, Direction direction);
+  bool finish_statement(std::string& flat, std::size_t at);
+  void write_behind_number(std::string& flat, std::string_view text);
+
+  // sinumerik_words.cpp: lines of words.
+  bool execute_words(std::string& flat);
+  bool scan_word(std::size_t& at, std::vector<Call>& calls);
+  bool scan_address(std::size_t& at, std::vector<Call>& calls);
+  bool scan_name(std::size_t& at, const std::string& name, std::vector<Call>& calls);
+  bool scan_value(std::size_t begin, std::size_t& at);
+  bool scan_call_arguments(std::size_t begin, std::size_t& at);
+  bool scan_times(std::size_t& at, std::vector<Call>& calls);
+  bool scan_call_of_text(std::size_t& at, std::vector<Call>& calls);
+  bool scan_assignment(std::size_t& at);
+  void keep(std::size_t begin, std::size_t end);
+  void leave_out(std::size_t begin, std::size_t end);
+  [[nodiscard]] std::string text_of_value(const Value& value) const;
+  bool write_words(std::string& flat);
+  bool call(std::string& flat, const Call& call);
+  bool pass_arguments(const Call& call, Scope& scope);
+  bool return_from(std::string& flat);
+
+  // sinumerik_variables.cpp
+  bool define(std::string& flat);
+  bool define_one(ExpressionReader& expression, Type type);
+  bool initialise(ExpressionReader& expression, Variable& variable, std::size_t element);
+  bool read_head(const Unit& unit, std::vector<Parameter>& parameters);
+  [[nodiscard]] std::optional<Type> type_at(ExpressionReader& expression);
+  [[nodiscard]] bool is_variable_at(std::size_t at) const;
+  // Of an R parameter, given or not.
+  [[nodiscard]] static bool is_variable_name(std::string_view name);
+  [[nodiscard]] std::optional<Place> place_at(ExpressionReader& expression);
+  [[nodiscard]] std::size_t element_at(ExpressionReader& expression, const Variable& variable);
+  [[nodiscard]] Variable* declared(std::string_view name);
+  bool assign_at(ExpressionReader& expression);
+  bool store(const Place& place, const Value& value, std::size_t begin);
+  bool convert(Value& value, Type type, std::size_t begin);
+  [[nodiscard]] Value content_of(const Place& place, ExpressionReader& expression,
+                                 std::size_t begin);
+  Value read(ExpressionReader& expression) override;
+  Value read_system_variable(ExpressionReader& expression);
+  bool exists(ExpressionReader& expression) override;
+
+  [[nodiscard]] ExpressionReader expression_at(std::size_t at) {
+    return {sinumerik_grammar(), line_, at, *this};
+  }
+
+  std::vector<Unit> units_{};
+  std::map<std::pair<std::size_t, std::size_t>, Outline> outlines_{};  // by text and end
+  std::vector<Scope> scopes_{1};
+  std::map<std::int64_t, double> parameters_{};  // R
+  // What FOR counts to, by the depth of calls and its line.
+  std::map<std::pair<std::size_t, std::size_t>, double> counts_{};
+
+  // Of the line that is being executed.
+  std::string_view line_{};
+  NamedHead head_{};
+  std::vector<Piece> pieces_{};
+  bool has_computed_ = false;  // an assignment, or a call
+  bool ended_ = false;
+};
+
+}  // namespace trc::program

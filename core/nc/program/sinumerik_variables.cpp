@@ -1,0 +1,405 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "core/nc/program/code_line.h"
+#include "core/nc/program/sinumerik_flow.h"
+#include "core/nc/text/characters.h"
+
+// R parameters, and what DEF and PROC declare.
+
+namespace trc::program {
+namespace {
+
+constexpr std::int64_t most_parameters = 100'000;
+constexpr std::size_t most_elements = 100'000;  // of all arrays together
+constexpr std::size_t longest_text = 400;
+constexpr std::size_t most_sizes = 3;
+
+// The number of R12; -1: the name is none.
+std::int64_t number_of_parameter(std::string_view name) {
+  constexpr std::size_t most_digits = 6;
+  if (name.size() < 2 || name.size() > most_digits + 1 || upper(name.front()) != 'R') return -1;
+  std::int64_t number = 0;
+  for (const char digit : name.substr(1)) {
+    if (!is_digit(digit)) return -1;
+    number = number * 10 + (digit - '0');
+  }
+  return number;
+}
+
+}  // namespace
+
+SinumerikFlow::Variable* SinumerikFlow::declared(std::string_view name) {
+  const auto found = scopes_.back().find(name);
+  return found == scopes_.back().end() ? nullptr : &found->second;
+}
+
+bool SinumerikFlow::is_variable_name(std::string_view name) {
+  return number_of_parameter(name) >= 0;
+}
+
+// What is assigned a value there.
+bool SinumerikFlow::is_variable_at(std::size_t at) const {
+  const std::string name = name_at(line_, at);
+  const std::size_t behind = behind_blanks(line_, at + name.size());
+  const char sign = behind < line_.size() ? line_[behind] : '\0';
+  if (sign != '=' && sign != '[') return false;
+  return name == "R" ? sign == '['
+                     : number_of_parameter(name) >= 0 || scopes_.back().contains(name);
+}
+
+std::optional<SinumerikFlow::Type> SinumerikFlow::type_at(ExpressionReader& expression) {
+  constexpr auto types = std::to_array<std::pair<std::string_view, Type>>({{"BOOL", Type::boolean},
+                                                                           {"CHAR", Type::character},
+                                                                           {"INT", Type::integer},
+                                                                           {"REAL", Type::real},
+                                                                           {"STRING", Type::text}});
+  expression.pass_blanks();
+  const std::size_t begin = expression.at();
+  const std::string word = in_upper_case(expression.name());
+  const auto found = std::ranges::find(types, word, &std::pair<std::string_view, Type>::first);
+  if (found == types.end()) {
+    const bool is_other = word == "AXIS" || word == "FRAME";
+    static_cast<void>(expression.fail(is_other ? Code::nc_unsupported : Code::expression_invalid,
+                                      begin, word + ", a type"));
+    return {};
+  }
+  expression.go_to(begin + word.size());
+  expression.pass_blanks();
+  if (found->second == Type::text && expression.peek() == '[') {
+    const std::size_t behind = behind_bracket(expression.line(), expression.at());
+    expression.go_to(behind == 0 ? expression.line().size() : behind);
+  }
+  return found->second;
+}
+
+bool SinumerikFlow::define(std::string& flat) {
+  ExpressionReader expression = expression_at(head_.behind + 3);
+  expression.pass_blanks();
+  for (const std::string_view kind : {"NCK", "CHAN"})
+    if (in_upper_case(expression.name()) == kind) expression.go_to(expression.at() + kind.size());
+  const auto type = type_at(expression);
+  if (!type) return refuse(expression.fault());
+  do {
+    if (!define_one(expression, *type)) return false;
+    expression.pass_blanks();
+    if (expression.peek() != ',') break;
+    expression.go_to(expression.at() + 1);
+  } while (true);
+  return finish_statement(flat, expression.at());
+}
+
+bool SinumerikFlow::define_one(ExpressionReader& expression, Type type) {
+  expression.pass_blanks();
+  const std::size_t begin = expression.at();
+  const std::string name = in_upper_case(expression.name());
+  if (name.empty() || number_of_parameter(name) >= 0)
+    return refuse(Code::expression_invalid, begin, "DEF without a name");
+  expression.go_to(begin + name.size());
+  expression.pass_blanks();
+  Variable variable{.type = type};
+  std::size_t count = 1;
+  if (expression.peek() == '[') {
+    do {
+      expression.go_to(expression.at() + 1);
+      const double size = expression.expression().number;
+      if (expression.failed()) return refuse(expression.fault());
+      const bool is_size = size >= 1 && size <= static_cast<double>(most_elements) &&
+                           size == std::round(size) && variable.sizes.size() < most_sizes;
+      if (!is_size) return refuse(Code::value_invalid, begin, name + "[");
+      variable.sizes.push_back(static_cast<std::size_t>(size));
+      count *= variable.sizes.back();
+      std::size_t held = count;
+      for (const Scope& scope : scopes_)
+        for (const auto& [other, known] : scope)
+          if (known.elements.size() > 1) held += known.elements.size();
+      if (held > most_elements) return refuse(Code::value_invalid, begin, name + "[");
+    } while (expression.peek() == ',');
+    if (expression.peek() != ']') return refuse(Code::expression_invalid, begin, name + "[");
+    expression.go_to(expression.at() + 1);
+  }
+  variable.elements.resize(count, Value{.is_text = type == Type::text});
+  expression.pass_blanks();
+  if (expression.peek() == '=') {
+    expression.go_to(expression.at() + 1);
+    if (!initialise(expression, variable, 0)) return false;
+  }
+  scopes_.back().insert_or_assign(name, std::move(variable));
+  return true;
+}
+
+// A value; of an array SET(…), (…) or REP(…), from its first element on. What REP leaves of the
+// array has its value too.
+bool SinumerikFlow::initialise(ExpressionReader& expression, Variable& variable,
+                               std::size_t element) {
+  expression.pass_blanks();
+  const std::size_t begin = expression.at();
+  const std::string word = in_upper_case(expression.name());
+  const bool repeats = word == "REP";
+  if (word == "SET" || repeats) expression.go_to(begin + word.size());
+  expression.pass_blanks();
+  const bool is_list =
+      !variable.sizes.empty() && expression.peek() == '(' && (element == 0 || !word.empty());
+  if (!is_list) {
+    expression.go_to(begin);
+    Value value = expression.expression();
+    if (expression.failed()) return refuse(expression.fault());
+    if (!convert(value, variable.type, begin)) return false;
+    // A single value stands for all of them.
+    const std::size_t end = variable.sizes.empty() ? 1 : variable.elements.size();
+    std::fill(variable.elements.begin() + static_cast<std::ptrdiff_t>(element),
+              variable.elements.begin() + static_cast<std::ptrdiff_t>(end), value);
+    return true;
+  }
+  std::vector<Value> values;
+  do {
+    expression.go_to(expression.at() + 1);
+    values.push_back(expression.expression());
+    if (expression.failed()) return refuse(expression.fault());
+    if (!repeats && !convert(values.back(), variable.type, begin)) return false;
+  } while (expression.peek() == ',');
+  if (expression.peek() != ')') return refuse(Code::expression_invalid, begin, word + "(");
+  expression.go_to(expression.at() + 1);
+  const std::size_t room = variable.elements.size() - element;
+  std::size_t count = repeats ? room : values.size();
+  if (repeats && values.size() == 2 && values[1].number >= 1 &&
+      values[1].number <= static_cast<double>(room))
+    count = static_cast<std::size_t>(std::llround(values[1].number));
+  const bool is_right = repeats ? values.size() == 1 || (values.size() == 2 && count <= room)
+                                : count <= room;
+  if (!is_right) return refuse(Code::value_invalid, begin, "more values than elements");
+  if (repeats && !convert(values.front(), variable.type, begin)) return false;
+  for (std::size_t index = 0; index < count; ++index)
+    variable.elements[element + index] = repeats ? values.front() : values[index];
+  return true;
+}
+
+// PROC NAME(REAL X, VAR INT N, REAL DEPTH=5)
+bool SinumerikFlow::read_head(const Unit& unit, std::vector<Parameter>& parameters) {
+  if (!unit.has_head) return true;
+  const std::string_view line = texts_[unit.text].line(unit.head);
+  const std::size_t proc = named_head_of(line).behind + 4;
+  ExpressionReader expression(sinumerik_grammar(), line, proc, *this);
+  const auto refused = [&](std::string_view why) {
+    return refuse(Code::expression_invalid, 0, "PROC " + unit.name + std::string(why));
+  };
+  expression.pass_blanks();
+  expression.go_to(expression.at() + expression.name().size());
+  expression.pass_blanks();
+  if (expression.peek() == '(') {
+    const std::size_t end = behind_bracket(line, expression.at());
+    if (end == 0) return refused(", ( without )");
+    do {
+      expression.go_to(expression.at() + 1);
+      expression.pass_blanks();
+      if (expression.peek() == ')') break;
+      Parameter parameter;
+      if (in_upper_case(expression.name()) == "VAR") {
+        parameter.by_reference = true;
+        expression.go_to(expression.at() + 3);
+      }
+      const auto type = type_at(expression);
+      if (!type) return refuse(expression.fault().code, 0, expression.fault().detail);
+      parameter.type = *type;
+      expression.pass_blanks();
+      parameter.name = in_upper_case(expression.name());
+      if (parameter.name.empty()) return refused(", a parameter without name");
+      expression.go_to(expression.at() + parameter.name.size());
+      expression.pass_blanks();
+      if (expression.peek() == '[') return refused(", an array as parameter");
+      if (expression.peek() == '=') {
+        parameter.default_begin = expression.at() + 1;
+        expression.go_to(parameter.default_begin);
+        static_cast<void>(expression.expression());
+        if (expression.failed()) return refuse(expression.fault().code, 0, unit.name);
+      }
+      parameters.push_back(std::move(parameter));
+    } while (expression.peek() == ',');
+    if (expression.peek() != ')') return refused(", what stands between ( and )");
+    expression.go_to(end);
+  }
+  // Modes that come back behind it: which ones it changes is not followed.
+  if (place_of_word(line, expression.at(), "SAVE", WordEnd::whole) != std::string_view::npos)
+    return refuse(Code::nc_unsupported, 0, "SAVE of PROC " + unit.name);
+  return true;
+}
+
+std::optional<SinumerikFlow::Place> SinumerikFlow::place_at(ExpressionReader& expression) {
+  expression.pass_blanks();
+  const std::size_t begin = expression.at();
+  const std::string name = in_upper_case(expression.name());
+  const auto none = [&](Code code) {
+    static_cast<void>(expression.fail(code, begin, name.empty() ? "a variable" : name));
+    return std::optional<Place>();
+  };
+  Place place{.scope = scopes_.size() - 1, .name = name};
+  if (const Variable* const variable = declared(name)) {
+    expression.go_to(begin + name.size());
+    place.element = element_at(expression, *variable);
+    if (expression.failed()) return {};
+    return variable->stands_for ? *variable->stands_for : place;
+  }
+  place.parameter = number_of_parameter(name);
+  if (place.parameter >= 0) {
+    expression.go_to(begin + name.size());
+    return place;
+  }
+  if (name != "R") return none(name.empty() ? Code::expression_invalid : Code::variable_unset);
+  expression.go_to(begin + 1);
+  expression.pass_blanks();
+  if (expression.peek() != '[') return none(Code::expression_invalid);
+  expression.go_to(expression.at() + 1);
+  const double number = expression.expression().number;
+  if (expression.failed()) return {};
+  if (expression.peek() != ']') return none(Code::expression_invalid);
+  place.parameter = std::llround(number);
+  if (number < 0 || number > static_cast<double>(most_parameters) ||
+      std::abs(number - std::round(number)) > 1e-9)
+    return none(Code::value_invalid);
+  expression.go_to(expression.at() + 1);
+  return place;
+}
+
+// The element that [index, index, …] names; the first one where nothing stands.
+std::size_t SinumerikFlow::element_at(ExpressionReader& expression, const Variable& variable) {
+  const std::size_t begin = expression.at();
+  const std::size_t bracket = behind_blanks(expression.line(), begin);
+  const bool has_bracket =
+      bracket < expression.line().size() && expression.line()[bracket] == '[';
+  const auto failed = [&](Code code, std::string_view what) {
+    static_cast<void>(expression.fail(code, begin, std::string(what)));
+    return std::size_t{0};
+  };
+  if (!has_bracket)
+    return variable.sizes.empty() ? 0 : failed(Code::expression_invalid, "an array without [ ]");
+  if (variable.sizes.empty()) return failed(Code::expression_invalid, "[ ] of no array");
+  expression.go_to(bracket);
+  std::size_t element = 0;
+  for (std::size_t index = 0; index < variable.sizes.size(); ++index) {
+    if (expression.peek() != (index == 0 ? '[' : ',')) return failed(Code::expression_invalid, "[");
+    expression.go_to(expression.at() + 1);
+    const double number = expression.expression().number;
+    if (expression.failed()) return 0;
+    const std::size_t size = variable.sizes[index];
+    if (number != std::round(number) || number < 0 || number >= static_cast<double>(size))
+      return failed(Code::value_invalid, "an index beyond its array");
+    element = element * size + static_cast<std::size_t>(number);
+  }
+  if (expression.peek() != ']') return failed(Code::expression_invalid, "[");
+  expression.go_to(expression.at() + 1);
+  return element;
+}
+
+bool SinumerikFlow::assign_at(ExpressionReader& expression) {
+  const std::size_t begin = expression.at();
+  const auto place = place_at(expression);
+  expression.pass_blanks();
+  if (!expression.failed() && expression.peek() != '=')
+    static_cast<void>(expression.fail(Code::expression_invalid, begin, "a variable without ="));
+  if (expression.failed()) return refuse(expression.fault());
+  expression.go_to(expression.at() + 1);
+  expression.pass_blanks();
+  const std::string word = in_upper_case(expression.name());
+  if (place->parameter < 0 && (word == "SET" || word == "REP"))
+    return initialise(expression, scopes_[place->scope][place->name], place->element);
+  const Value value = expression.expression();
+  if (expression.failed()) return refuse(expression.fault());
+  return store(*place, value, begin);
+}
+
+bool SinumerikFlow::store(const Place& place, const Value& value, std::size_t begin) {
+  Value converted = value;
+  const bool is_parameter = place.parameter >= 0;
+  Variable* const variable = is_parameter ? nullptr : &scopes_[place.scope][place.name];
+  if (!convert(converted, is_parameter ? Type::real : variable->type, begin)) return false;
+  if (is_parameter)
+    parameters_[place.parameter] = converted.number;
+  else
+    variable->elements[place.element] = std::move(converted);
+  return true;
+}
+
+// As the control does when a value is assigned.
+bool SinumerikFlow::convert(Value& value, Type type, std::size_t begin) {
+  constexpr double smallest = -2147483648.0;
+  constexpr double largest = 2147483647.0;
+  constexpr double largest_character = 255;
+  if (type == Type::text || value.is_text) {
+    if (type != Type::text || !value.is_text)
+      return refuse(Code::expression_invalid, begin, "a text and a number");
+    return value.text.size() <= longest_text ||
+           refuse(Code::value_invalid, begin, "a text that is too long");
+  }
+  if (type == Type::boolean) value.number = value.number != 0 ? 1 : 0;
+  if (type != Type::integer && type != Type::character) return true;
+  value.number = std::round(value.number);
+  const bool fits = type == Type::integer
+                        ? value.number >= smallest && value.number <= largest
+                        : value.number >= 0 && value.number <= largest_character;
+  return fits || refuse(Code::value_invalid, begin, "beyond the range of its type");
+}
+
+Value SinumerikFlow::content_of(const Place& place, ExpressionReader& expression,
+                                std::size_t begin) {
+  if (place.parameter < 0) return scopes_[place.scope][place.name].elements[place.element];
+  if (const auto known = parameters_.find(place.parameter); known != parameters_.end())
+    return {.number = known->second};
+  const std::string name = "R" + std::to_string(place.parameter);
+  if (const double* const value = given(name)) return {.number = *value};
+  return expression.fail(Code::variable_unset, begin, name);
+}
+
+Value SinumerikFlow::read(ExpressionReader& expression) {
+  if (expression.peek() == '$') return read_system_variable(expression);
+  const std::size_t begin = expression.at();
+  const std::string name = in_upper_case(expression.name());
+  if (declared(name) == nullptr && name != "R" && number_of_parameter(name) < 0) {
+    const std::string_view line = expression.line();
+    std::size_t end = begin + name.size();
+    std::string whole = name;
+    if (end < line.size() && line[end] == '[')
+      if (const std::size_t behind = behind_bracket(line, end); behind > 0) {
+        whole.append(line.substr(end, behind - end));
+        end = behind;
+      }
+    if (name == "TRUE" || name == "FALSE") {
+      expression.go_to(begin + name.size());
+      return {.number = name == "TRUE" ? 1.0 : 0.0};
+    }
+    whole = in_upper_case(whole);
+    std::erase(whole, ' ');
+    const double* const value = given(whole);
+    const bool is_call = end < line.size() && line[end] == '(';
+    if (value == nullptr)
+      return expression.fail(is_call ? Code::expression_invalid : Code::variable_unset, begin,
+                             whole);
+    expression.go_to(end);
+    return {.number = *value};
+  }
+  const auto place = place_at(expression);
+  return expression.failed() ? Value{} : content_of(*place, expression, begin);
+}
+
+// What only the machine knows, unless the setup does.
+Value SinumerikFlow::read_system_variable(ExpressionReader& expression) {
+  const std::string_view line = expression.line();
+  const std::size_t begin = expression.at();
+  std::string name = "$" + name_at(line, begin + 1);
+  std::size_t end = begin + name.size();
+  if (end < line.size() && line[end] == '[')
+    if (const std::size_t behind = behind_bracket(line, end); behind > 0) {
+      name.append(in_upper_case(line.substr(end, behind - end)));
+      end = behind;
+    }
+  std::erase(name, ' ');
+  expression.go_to(end);
+  if (name == "$PI") return {.number = std::numbers::pi};
+  if (const double* const value = given(name)) return {.number = *value};
+  return expression.fail(Code::machine_state, begin, name);
+}
+
+bool SinumerikFlow::exists(ExpressionReader& /*expression*/) { return false; }
+
+}  // namespace trc::program

@@ -1,0 +1,453 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "core/nc/dialect/sinumerik_words.h"
+#include "core/nc/program/code_line.h"
+#include "core/nc/program/sinumerik_flow.h"
+#include "core/nc/text/characters.h"
+
+// Lines of words whose values are computed, and calls.
+
+namespace trc::program {
+namespace {
+
+constexpr std::size_t npos = std::string_view::npos;
+
+char sign_at(std::string_view line, std::size_t at) { return at < line.size() ? line[at] : '\0'; }
+
+// X=AC(…) and the like, and PM(…) of a feed.
+bool is_reference(std::string_view name) {
+  constexpr auto references =
+      std::to_array<std::string_view>({"AC", "IC", "DC", "ACP", "ACN", "PM"});
+  return std::ranges::find(references, name) != references.end();
+}
+
+// The end of what was read, without the blanks behind it.
+std::size_t end_of(std::string_view line, std::size_t begin, std::size_t at) {
+  return begin + without_blanks_behind(line.substr(begin, at - begin)).size();
+}
+
+}  // namespace
+
+void SinumerikFlow::keep(std::size_t begin, std::size_t end) {
+  pieces_.push_back({.begin = begin, .end = end});
+}
+
+void SinumerikFlow::leave_out(std::size_t begin, std::size_t end) {
+  pieces_.push_back({.begin = begin, .end = end, .instead = std::string()});
+}
+
+bool SinumerikFlow::execute_words(std::string& flat) {
+  pieces_.clear();
+  has_computed_ = false;
+  std::vector<Call> calls;
+  for (std::size_t at = behind_blanks(line_, head_.behind); at < line_.size();
+       at = behind_blanks(line_, at)) {
+    if (line_[at] == ';') {
+      pieces_.push_back({.begin = at, .end = line_.size(), .is_comment = true});
+      break;
+    }
+    if (!scan_word(at, calls)) return false;
+  }
+  if (head_.to_skip && (has_computed_ || !calls.empty()))
+    return refuse(Code::nc_unsupported, 0, "/, a line to skip that computes");
+  if (calls.size() > 1)
+    return refuse(Code::expression_invalid, calls[1].begin, "a second call in one line");
+  bool ends = false;
+  bool returns = false;
+  for (Piece& piece : pieces_) {
+    if (piece.instead || piece.is_comment || upper(line_[piece.begin]) != 'M') continue;
+    double number = -1;
+    bool whole = false;
+    if (read_number(line_.substr(piece.begin + 1), number, whole) == 0) continue;
+    if (number != 2 && number != 17 && number != 30) continue;
+    const bool is_main = std::ranges::none_of(
+        frames_.begin() + 1, frames_.end(), [](const Frame& each) { return each.own_variables; });
+    if (!is_main && number != 17)
+      return refuse_word(Code::nc_unsupported, piece.begin, piece.end, " in a subprogram");
+    (is_main ? ends : returns) = true;
+    if (!is_main) piece.instead = std::string();
+  }
+  if (!calls.empty()) return call(flat, calls.front());
+  write_words(flat);
+  if (returns) return return_from(flat);
+  return !ends || end_of_program(flat);
+}
+
+bool SinumerikFlow::scan_word(std::size_t& at, std::vector<Call>& calls) {
+  const std::size_t begin = at;
+  if (line_[at] == '$') {
+    const std::string name = name_at(line_, at + 1);
+    return refuse(Code::machine_state, at, "$" + name);
+  }
+  if (!is_letter(line_[at]) && line_[at] != '_') {
+    at = line_.size();
+    keep(begin, at);
+    return true;
+  }
+  if (is_variable_at(at)) return scan_assignment(at);
+  const char second = sign_at(line_, at + 1);
+  const bool is_named = is_letter(second) || second == '_' || line_[at] == '_';
+  return is_named ? scan_name(at, name_at(line_, at), calls) : scan_address(at, calls);
+}
+
+bool SinumerikFlow::scan_assignment(std::size_t& at) {
+  const std::size_t begin = at;
+  const std::string name = name_at(line_, at);
+  // X=5 would mean the axis to one and the variable to another one.
+  if (name.size() == 1 && name != "R")
+    return refuse(Code::expression_invalid, at, name + ", a variable with the name of an address");
+  ExpressionReader expression = expression_at(at);
+  if (!assign_at(expression)) return false;
+  at = expression.at();
+  has_computed_ = true;
+  const char sign = sign_at(line_, at);
+  if (std::string_view(")]<>=").find(sign) != npos && sign != '\0')
+    return refuse(Code::expression_invalid, at, std::string(1, sign));
+  leave_out(begin, end_of(line_, begin, at));
+  return true;
+}
+
+bool SinumerikFlow::scan_address(std::size_t& at, std::vector<Call>& calls) {
+  const std::size_t begin = at++;
+  const char letter = upper(line_[begin]);
+  const std::size_t digits = behind_blanks(line_, at);
+  double number = 0;
+  bool whole = false;
+  const std::size_t length = read_number(line_.substr(digits), number, whole);
+  const std::size_t behind = behind_blanks(line_, digits + length);
+  const bool has_value = sign_at(line_, behind) == '=' && sign_at(line_, behind + 1) != '=';
+  if (letter == 'P' && !calls.empty() && (length > 0 || has_value)) {
+    at = begin + 1;
+    return scan_times(at, calls);
+  }
+  if (has_value) {
+    at = behind + 1;
+    return scan_value(begin, at);
+  }
+  at = digits + length;
+  if (letter == 'L' && length > 0 && is_digit(line_[digits])) {
+    const std::string name = "L" + std::string(line_.substr(digits, length));
+    const Unit* const unit = unit_named(name);
+    if (unit == nullptr) return refuse(Code::subprogram_unknown, begin, name);
+    calls.push_back({.unit = unit, .begin = begin});
+    leave_out(begin, at);
+    return true;
+  }
+  if (length == 0) at = line_.size();  // the reader says what is missing
+  keep(begin, at);
+  return true;
+}
+
+// P3, P=R1: how often what is called in the line is executed.
+bool SinumerikFlow::scan_times(std::size_t& at, std::vector<Call>& calls) {
+  const std::size_t begin = at - 1;
+  ExpressionReader expression = expression_at(at);
+  expression.pass_blanks();
+  if (expression.peek() == '=') expression.go_to(expression.at() + 1);
+  const Value value = expression.expression();
+  if (expression.failed()) return refuse(expression.fault());
+  at = expression.at();
+  constexpr double most = 9999;
+  if (value.is_text || value.number < 1 || value.number > most ||
+      value.number != std::round(value.number))
+    return refuse_word(Code::value_invalid, begin, at, "");
+  calls.back().times = static_cast<std::uint64_t>(value.number);
+  leave_out(begin, end_of(line_, begin, at));
+  return true;
+}
+
+// The value behind the `=` in front of `at`, of the word that begins at `begin`.
+bool SinumerikFlow::scan_value(std::size_t begin, std::size_t& at) {
+  std::size_t value_begin = behind_blanks(line_, at);
+  const std::string name = name_at(line_, value_begin);
+  const std::size_t behind_name = behind_blanks(line_, value_begin + name.size());
+  const bool refers = is_reference(name) && sign_at(line_, behind_name) == '(';
+  const std::size_t close = refers ? behind_bracket(line_, behind_name) : 0;
+  if (refers) value_begin = behind_blanks(line_, behind_name + 1);
+  // A variable of the machine: the reader copies the line where it can.
+  const char axis = upper(line_[begin]);
+  const bool is_main_axis = axis >= 'X' && axis <= 'Z' && !is_digit(sign_at(line_, begin + 1)) &&
+                            !is_letter(sign_at(line_, begin + 1));
+  const bool stands_alone = std::string_view("+-*/([<>=").find(sign_at(line_, behind_name)) ==
+                                npos ||
+                            behind_name >= line_.size();
+  if (is_main_axis && !name.empty() && stands_alone && declared(name) == nullptr &&
+      given(name) == nullptr && !is_variable_name(name)) {
+    at = value_begin + name.size();
+    keep(begin, at);
+    return true;
+  }
+  ExpressionReader expression = expression_at(value_begin);
+  const Value value = expression.expression();
+  if (expression.failed()) return refuse(expression.fault());
+  const std::size_t end = end_of(line_, value_begin, expression.at());
+  constexpr double largest = 1e9;
+  if (!value.is_text && std::abs(value.number) > largest)
+    return refuse_word(Code::value_invalid, begin, end, "");
+  at = refers ? close : end;
+  if (refers && (close == 0 || behind_blanks(line_, end) + 1 != close))
+    return refuse_word(Code::expression_invalid, begin, std::max(end, close), "");
+  double number = 0;
+  bool whole = false;
+  const bool is_literal = read_number(line_.substr(value_begin), number, whole) ==
+                              end - value_begin ||
+                          (value.is_text && line_.substr(value_begin, end - value_begin) ==
+                                                "\"" + value.text + "\"");
+  if (is_literal) {
+    keep(begin, at);
+    return true;
+  }
+  pieces_.push_back({.begin = begin,
+                     .end = at,
+                     .instead = std::string(line_.substr(begin, value_begin - begin)) +
+                                text_of_value(value) + (refers ? ")" : "")});
+  const char sign = sign_at(line_, at);
+  return std::string_view(")]<>=").find(sign) == npos || at >= line_.size() ||
+         refuse(Code::expression_invalid, at, std::string(1, sign));
+}
+
+bool SinumerikFlow::scan_name(std::size_t& at, const std::string& name, std::vector<Call>& calls) {
+  const std::size_t begin = at;
+  const std::size_t end = begin + name.size();
+  const std::size_t next = behind_blanks(line_, end);
+  const char sign = sign_at(line_, next);
+  if (name == "CALL" || name == "EXTCALL") return scan_call_of_text(at, calls);
+  if (sign == '=' || sign == '[') {
+    const std::size_t close = sign == '[' ? line_.find(']', next) : next;
+    const std::size_t equals = close == npos || sign == '=' ? close : behind_blanks(line_, close + 1);
+    if (equals != npos && sign_at(line_, equals) == '=' && is_sinumerik_word(name)) {
+      at = equals + 1;
+      return scan_value(begin, at);
+    }
+    if (sign == '=') return refuse(Code::variable_unset, begin, name + ", which DEF does not name");
+    at = line_.size();
+    keep(begin, at);
+    return true;
+  }
+  const Unit* const unit = is_sinumerik_name(name) ? nullptr : unit_named(name);
+  const bool has_arguments = sign == '(';
+  at = end;
+  if (has_arguments) {
+    at = behind_bracket(line_, next);
+    if (at == 0) return refuse(Code::expression_invalid, begin, name + "( without )");
+  }
+  if (unit != nullptr) {
+    const bool is_modal =
+        std::ranges::any_of(pieces_, [&](const Piece& piece) {
+          return in_upper_case(line_.substr(piece.begin, piece.end - piece.begin)) == "MCALL";
+        });
+    if (is_modal) return refuse(Code::nc_unsupported, begin, "MCALL of a subprogram");
+    calls.push_back({.unit = unit, .begin = begin, .arguments = has_arguments ? next : 0});
+    leave_out(begin, at);
+    return true;
+  }
+  if (has_arguments && is_sinumerik_call(name)) return scan_call_arguments(begin, at);
+  keep(begin, at);
+  return true;
+}
+
+// CALL "NAME", EXTCALL "NAME": as NAME, where it is there.
+bool SinumerikFlow::scan_call_of_text(std::size_t& at, std::vector<Call>& calls) {
+  const std::size_t begin = at;
+  const std::string word = name_at(line_, at);
+  const std::size_t behind = behind_blanks(line_, at + word.size());
+  std::string name;
+  if (sign_at(line_, behind) == '"' || sign_at(line_, behind) == '(') {
+    ExpressionReader expression = expression_at(behind);
+    const Value value = expression.expression();
+    if (expression.failed()) return refuse(expression.fault());
+    at = end_of(line_, begin, expression.at());
+    name = value.text;
+  }
+  name.erase(0, name.find_last_of("/\\") + 1);
+  const Unit* const unit = unit_named(in_upper_case(name.substr(0, name.find('.'))));
+  if (unit == nullptr) {
+    at = line_.size();
+    keep(begin, at);
+    return true;
+  }
+  calls.push_back({.unit = unit, .begin = begin});
+  leave_out(begin, at);
+  return true;
+}
+
+// What a call that is passed on is given: `at` stands behind it.
+bool SinumerikFlow::scan_call_arguments(std::size_t begin, std::size_t& at) {
+  std::size_t argument = line_.find('(', begin) + 1;
+  std::string text(line_.substr(begin, argument - begin));
+  bool changes = false;
+  while (argument < at) {
+    std::size_t end = argument;
+    bool quoted = false;
+    for (int depth = 0; end < at; ++end) {
+      const char sign = line_[end];
+      if (sign == '"') quoted = !quoted;
+      if (quoted) continue;
+      if (depth == 0 && (sign == ',' || sign == ')')) break;
+      if (sign == '(' || sign == '[') ++depth;
+      if (sign == ')' || sign == ']') --depth;
+    }
+    const std::size_t first = behind_blanks(line_, argument);
+    const std::string_view words = without_blanks_behind(line_.substr(first, end - first));
+    const std::string name = name_at(line_, first);
+    const bool is_name = !name.empty() && name.size() == words.size();
+    const bool is_known = declared(name) != nullptr || is_variable_name(name) ||
+                          given(name) != nullptr || name == "TRUE" || name == "FALSE";
+    double number = 0;
+    bool whole = false;
+    const bool is_text = words.size() > 1 && words.front() == '"' &&
+                         words.find('"', 1) == words.size() - 1;
+    if (words.empty() || is_text || (is_name && !is_known) ||
+        read_number(words, number, whole) == words.size()) {
+      text.append(line_.substr(argument, end - argument));
+    } else {
+      ExpressionReader expression = expression_at(first);
+      const Value value = expression.expression();
+      if (expression.failed()) return refuse(expression.fault());
+      if (expression.at() != end)
+        return refuse(Code::expression_invalid, first, std::string(words));
+      text.append(line_.substr(argument, first - argument)).append(text_of_value(value));
+      changes = true;
+    }
+    text += line_[end];
+    argument = end + 1;
+  }
+  pieces_.push_back({.begin = begin, .end = at});
+  if (changes) pieces_.back().instead = std::move(text);
+  return true;
+}
+
+std::string SinumerikFlow::text_of_value(const Value& value) const {
+  if (value.is_text) return "\"" + value.text + "\"";
+  std::string text;
+  append_value(text, value.number, PointStyle::as_whole);
+  return text;
+}
+
+bool SinumerikFlow::write_words(std::string& flat) {
+  const bool changes =
+      !head_.label.empty() ||
+      std::ranges::any_of(pieces_, [](const Piece& piece) { return piece.instead.has_value(); });
+  if (!changes) {
+    is_as_written_ = true;
+    flat.append(line_).append(line_end());
+    return true;
+  }
+  const bool is_left = std::ranges::any_of(
+      pieces_, [](const Piece& piece) { return !piece.instead || !piece.instead->empty(); });
+  if (!is_left) return true;
+  const std::size_t in_front =
+      head_.label.empty() ? behind_blanks(line_, head_.behind) : head_.label_begin;
+  flat.append(line_.substr(0, in_front));
+  std::size_t behind = npos;
+  for (const Piece& piece : pieces_) {
+    // What is left out goes with the blanks in front of it, the first one with those behind.
+    const bool is_out = piece.instead && piece.instead->empty();
+    if (!is_out) {
+      if (behind != npos) flat.append(line_.substr(behind, piece.begin - behind));
+      flat.append(piece.instead ? std::string_view(*piece.instead)
+                                : line_.substr(piece.begin, piece.end - piece.begin));
+    }
+    if (!is_out || behind != npos) behind = piece.end;
+  }
+  flat.append(line_end());
+  return true;
+}
+
+bool SinumerikFlow::call(std::string& flat, const Call& call) {
+  const Unit& unit = *call.unit;
+  const auto others = std::ranges::count_if(units_, [&](const Unit& each) {
+    return each.name == unit.name && (each.text == 0) == (unit.text == 0);
+  });
+  if (others > 1)
+    return refuse(Code::subprogram_unknown, call.begin, unit.name + ", which is there twice");
+  std::string comment = "; " + unit.name;
+  const bool is_alone = std::ranges::all_of(
+      pieces_, [](const Piece& piece) { return piece.is_comment || piece.instead == ""; });
+  if (is_alone && !pieces_.empty() && pieces_.back().is_comment)
+    comment.append(" ").append(line_.substr(pieces_.back().begin));
+  Scope scope;
+  if (!pass_arguments(call, scope)) return false;
+  if (is_alone) {
+    write_behind_number(flat, comment);
+  } else {
+    write_words(flat);
+    is_as_written_ = false;
+    flat.append(comment).append(line_end());
+  }
+  if (!enter({.text = unit.text,
+              .begin = unit.begin,
+              .end = unit.end,
+              .next = unit.begin,
+              .current = unit.begin,
+              .restart = unit.begin,
+              .repetitions_left = call.times.value_or(1) - 1,
+              .name = unit.name,
+              .own_variables = true}))
+    return false;
+  scopes_.push_back(std::move(scope));
+  return true;
+}
+
+// What is not given is what PROC says, else 0.
+bool SinumerikFlow::pass_arguments(const Call& call, Scope& scope) {
+  std::vector<Parameter> parameters;
+  if (!read_head(*call.unit, parameters)) return false;
+  const std::string_view head = texts_[call.unit->text].line(call.unit->head);
+  std::size_t at = call.arguments;
+  bool is_over = at == 0;
+  for (const Parameter& parameter : parameters) {
+    const bool is_text = parameter.type == Type::text;
+    Variable variable{.type = parameter.type, .elements = {Value{.is_text = is_text}}};
+    if (!is_over) at = behind_blanks(line_, at + 1);
+    const char sign = is_over ? ')' : sign_at(line_, at);
+    Value value{.is_text = is_text};
+    if (sign != ',' && sign != ')') {
+      ExpressionReader expression = expression_at(at);
+      if (parameter.by_reference) {
+        variable.stands_for = place_at(expression);
+        expression.pass_blanks();
+      } else {
+        value = expression.expression();
+      }
+      if (expression.failed()) return refuse(expression.fault());
+      at = expression.at();
+    } else if (parameter.default_begin > 0) {
+      ExpressionReader expression(sinumerik_grammar(), head, parameter.default_begin, *this);
+      value = expression.expression();
+    }
+    if (!convert(value, parameter.type, call.begin)) return false;
+    variable.elements.front() = std::move(value);
+    if (!is_over && sign_at(line_, at) != ',' && sign_at(line_, at) != ')')
+      return refuse(Code::expression_invalid, at, name_of_character(line_.substr(at)));
+    is_over |= sign_at(line_, at) == ')';
+    scope.insert_or_assign(parameter.name, std::move(variable));
+  }
+  if (is_over) return true;
+  // NAME() of a program without parameters.
+  if (parameters.empty() && sign_at(line_, behind_blanks(line_, at + 1)) == ')') return true;
+  return refuse(Code::value_invalid, call.begin,
+                call.unit->name + " with more values than it takes");
+}
+
+// From the subprogram that is executed, out of all that is repeated in it.
+bool SinumerikFlow::return_from(std::string& flat) {
+  while (frames_.size() > 1 && !frame().own_variables) frames_.pop_back();
+  if (frames_.size() == 1) {
+    if (!ended_ && name_at(line_, head_.behind) == "RET") write_behind_number(flat, "M17");
+    return end_of_program(flat);
+  }
+  if (frame().repetitions_left > 0) {
+    --frame().repetitions_left;
+    frame().next = frame().restart;
+    flat.append("; ").append(frame().name).append(line_end());
+    return true;
+  }
+  scopes_.pop_back();
+  frames_.pop_back();
+  return true;
+}
+
+}  // namespace trc::program
