@@ -219,13 +219,12 @@ Value ExpressionReader::named_operand() {
   const std::size_t behind = behind_blanks(line_, at_ + spelling.size());
   if (behind >= line_.size() || line_[behind] != grammar_.open) return variables_.read(*this);
   at_ = behind;
-  return function_of_list(*row);
+  return function_of_list(*row, begin);
 }
 
 // One argument or several ones in brackets.
-Value ExpressionReader::function_of_list(const FunctionRow& row) {
+Value ExpressionReader::function_of_list(const FunctionRow& row, std::size_t begin) {
   constexpr std::size_t most_arguments = 3;
-  const std::size_t begin = at_;
   std::array<Value, most_arguments> arguments{};
   if (++depth_ > most_brackets)
     return fail(Code::expression_invalid, begin, std::string(row.spelling));

@@ -2,7 +2,6 @@
 #include <array>
 #include <cmath>
 
-#include "core/nc/program/code_line.h"
 #include "core/nc/program/sinumerik_flow.h"
 #include "core/nc/text/characters.h"
 
@@ -230,6 +229,7 @@ std::optional<std::size_t> SinumerikFlow::line_of(const std::string& target, Dir
 }
 
 bool SinumerikFlow::jump(ExpressionReader& expression) {
+  expression.pass_blanks();
   const std::string word = in_upper_case(expression.name());
   const auto direction = direction_of(word);
   if (!direction)

@@ -182,6 +182,8 @@ class SinumerikFlow : public Flow, private Variables {
   NamedHead head_{};
   std::vector<Piece> pieces_{};
   bool has_computed_ = false;  // an assignment, or a call
+  // Where a variable is assigned a value that has the name of an address.
+  std::optional<std::size_t> addressed_{};
   bool ended_ = false;
 };
 

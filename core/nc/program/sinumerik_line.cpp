@@ -71,6 +71,8 @@ bool computes_word(const ProgramSetup& setup, const NamedWord& word) {
       if (word.name == "EXTCALL") return !setup.subprograms.empty();
       if (is_sinumerik_name(word.name)) return is_sinumerik_statement(word.name);
       return knows_programs;
+    case NamedWord::Kind::label:  // GOTOF :30 looks like one
+      return is_sinumerik_statement(word.name);
     case NamedWord::Kind::call:
       if (is_sinumerik_call(word.name)) return false;
       return is_sinumerik_statement(word.name) || knows_programs;

@@ -41,6 +41,7 @@ void SinumerikFlow::leave_out(std::size_t begin, std::size_t end) {
 bool SinumerikFlow::execute_words(std::string& flat) {
   pieces_.clear();
   has_computed_ = false;
+  addressed_.reset();
   std::vector<Call> calls;
   for (std::size_t at = behind_blanks(line_, head_.behind); at < line_.size();
        at = behind_blanks(line_, at)) {
@@ -54,6 +55,14 @@ bool SinumerikFlow::execute_words(std::string& flat) {
     return refuse(Code::nc_unsupported, 0, "/, a line to skip that computes");
   if (calls.size() > 1)
     return refuse(Code::expression_invalid, calls[1].begin, "a second call in one line");
+  // I=5 is a variable where DEF has named it, and a centre beside a motion: the reader of the
+  // program may take it for either. X=5 always looks like a motion.
+  const bool is_left = std::ranges::any_of(
+      pieces_, [](const Piece& piece) { return !piece.instead && !piece.is_comment; });
+  const bool names_axis = addressed_ && upper(line_[*addressed_]) >= 'X';
+  if (addressed_ && (is_left || !calls.empty() || names_axis))
+    return refuse_word(Code::expression_invalid, *addressed_, *addressed_ + 1,
+                       ", a variable with the name of an address");
   bool ends = false;
   bool returns = false;
   for (Piece& piece : pieces_) {
@@ -95,9 +104,7 @@ bool SinumerikFlow::scan_word(std::size_t& at, std::vector<Call>& calls) {
 bool SinumerikFlow::scan_assignment(std::size_t& at) {
   const std::size_t begin = at;
   const std::string name = name_at(line_, at);
-  // X=5 would mean the axis to one and the variable to another one.
-  if (name.size() == 1 && name != "R")
-    return refuse(Code::expression_invalid, at, name + ", a variable with the name of an address");
+  if (name.size() == 1 && name != "R") addressed_ = at;
   ExpressionReader expression = expression_at(at);
   if (!assign_at(expression)) return false;
   at = expression.at();
