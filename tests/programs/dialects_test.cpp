@@ -544,14 +544,13 @@ TEST(FaultsOfReading, AreAllToldInOneRunWithTheNumberOfTheirLines) {
   EXPECT_EQ(written.text.find("G0"), std::string::npos) << written.text;
 }
 
-// DEF and EXTCALL are one obstacle each, whatever stands behind them.
+// EXTCALL is one obstacle, whatever stands behind it.
 TEST(FaultsOfReading, NameAStatementOfSinumerikOnce) {
   ProgramSessionSetup setup;
   setup.session.program.dialect = DialectName::sinumerik;
-  const Written written = run("DEF REAL DEPTH\nEXTCALL \"SUB\"\nG0 X0\nM30\n", setup, true);
-  ASSERT_EQ(written.diagnostics.size(), 2u) << written.report();
-  EXPECT_EQ(written.diagnostics[0].detail, "DEF, a statement");
-  EXPECT_EQ(written.diagnostics[1].detail, "EXTCALL, a statement");
+  const Written written = run("EXTCALL \"SUB\"\nG0 X0\nM30\n", setup, true);
+  ASSERT_EQ(written.diagnostics.size(), 1u) << written.report();
+  EXPECT_EQ(written.diagnostics[0].detail, "EXTCALL, a statement");
 }
 
 TEST(FaultsOfReading, AreNoMoreThanTheLimit) {

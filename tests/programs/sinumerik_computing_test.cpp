@@ -172,17 +172,20 @@ TEST(SinumerikFlow, JumpsWhereItsWordsSay) {
   EXPECT_EQ(flat("GOTOC NOWHERE\nX1\n"), "X1\n");
   EXPECT_EQ(flat("GOTOF :30\nX1\n:30 X2\n"), ":30 X2\n");
   EXPECT_EQ(flat("DEF STRING[9] S=\"LB\"\nGOTOF S\nX1\nLB: X2\n"), "X2\n");
-  EXPECT_EQ(flat("R1=3\nCASE R1 OF 1 GOTOF LA 3 GOTOF LB DEFAULT GOTOF LC\nLA: X1\nLB: X2\nLC: X3\n"),
-            "X2\nX3\n");
+  EXPECT_EQ(
+      flat("R1=3\nCASE R1 OF 1 GOTOF LA 3 GOTOF LB DEFAULT GOTOF LC\nLA: X1\nLB: X2\nLC: X3\n"),
+      "X2\nX3\n");
   EXPECT_EQ(flat("R1=7\nCASE(R1) OF 1 GOTOF LA\nX5\nLA: X1\n"), "X5\nX1\n");
   EXPECT_EQ(flat("X0\nR9=R9_COUNT\n").substr(0, 2), "2:");
 }
 
 TEST(SinumerikFlow, RepeatsParts) {
-  EXPECT_EQ(flat("LA: X1\nX2\nREPEAT LA P=2\nX3\n"), "LA: X1\nX2\n; LA\nX1\nX2\n; LA\nX1\nX2\nX3\n");
+  EXPECT_EQ(flat("LA: X1\nX2\nREPEAT LA P=2\nX3\n"),
+            "LA: X1\nX2\n; LA\nX1\nX2\n; LA\nX1\nX2\nX3\n");
   EXPECT_EQ(flat("LA: X1\nX2\nREPEATB LA P2\n"), "LA: X1\nX2\n; LA\nX1\n; LA\nX1\n");
   EXPECT_EQ(flat("LA: X1\nLB: X2\nX3\nREPEAT LA LB\n"), "LA: X1\nLB: X2\nX3\n; LA\nX1\nX2\n");
-  EXPECT_EQ(flat("LA: X1\nENDLABEL: X2\nX3\nREPEAT LA\n"), "LA: X1\nENDLABEL: X2\nX3\n; LA\nX1\nX2\n");
+  EXPECT_EQ(flat("LA: X1\nENDLABEL: X2\nX3\nREPEAT LA\n"),
+            "LA: X1\nENDLABEL: X2\nX3\n; LA\nX1\nX2\n");
 }
 
 TEST(SinumerikCalls, PassTheirValues) {
@@ -207,9 +210,10 @@ TEST(SinumerikCalls, RepeatWithP) {
 
 TEST(SinumerikCalls, FindGivenSubprograms) {
   ProgramSessionSetup setup = sinumerik();
-  setup.session.program.subprograms = {{"sub/L12.SPF", "X=R1\nM17\n"},
-                                       {"_N_KONTUR_SPF", "PROC KONTUR(REAL W1)\nY=W1\nRET\n"},
-                                       {"other.mpf", "%_N_NAMED_SPF\n;$PATH=/_N_SPF_DIR\nZ1\nRET\n"}};
+  setup.session.program.subprograms = {
+      {"sub/L12.SPF", "X=R1\nM17\n"},
+      {"_N_KONTUR_SPF", "PROC KONTUR(REAL W1)\nY=W1\nRET\n"},
+      {"other.mpf", "%_N_NAMED_SPF\n;$PATH=/_N_SPF_DIR\nZ1\nRET\n"}};
   EXPECT_EQ(flat_of("R1=2\nL12\nKONTUR(3)\nNAMED\nOTHER\nCALL \"KONTUR\"\nM30\n", setup),
             "; L12\nX=2\n; KONTUR\nY=3\n; NAMED\n;$PATH=/_N_SPF_DIR\nZ1\n; OTHER\n"
             ";$PATH=/_N_SPF_DIR\nZ1\n; KONTUR\nY=0\nM30\n");
@@ -315,8 +319,8 @@ TEST(SinumerikRefusals, NameWhatCannotBeFollowed) {
 }
 
 TEST(SinumerikRefusals, AreToldWithTheirCalls) {
-  const Ran ran = run_computing("R1=0\nSUB\nM30\n%_N_SUB_SPF\nX=1/R1\nRET\n", sinumerik(),
-                                Output::nc_text);
+  const Ran ran =
+      run_computing("R1=0\nSUB\nM30\n%_N_SUB_SPF\nX=1/R1\nRET\n", sinumerik(), Output::nc_text);
   ASSERT_EQ(ran.diagnostics.size(), 1u) << ran.report();
   EXPECT_EQ(ran.diagnostics[0].calls,
             (std::vector<CallPlace>{{.subprogram = "SUB", .called_from = 2}}));

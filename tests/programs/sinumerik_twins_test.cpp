@@ -90,15 +90,15 @@ std::vector<Twin> hole_patterns() {
                  .computed = begin_of_holes + "R2=15\nREPEAT\nG0 X=18*COS(R2) Y=18*SIN(R2)\n" +
                              drill + "R2=R2+90\nUNTIL R2>=375\nM30\n",
                  .flat = holes(4, 18, 15)});
-  all.push_back({.name = "BoltCircleByLoop",
-                 .computed = begin_of_holes +
-                             "R2=0\nLOOP\nIF R2==6 GOTOF READY\nG0 X=22*COS(R2*60) Y=22*SIN(R2*60)\n" +
-                             drill + "R2=R2+1\nENDLOOP\nREADY: M30\n",
-                 .flat = holes(6, 22)});
+  all.push_back(
+      {.name = "BoltCircleByLoop",
+       .computed = begin_of_holes +
+                   "R2=0\nLOOP\nIF R2==6 GOTOF READY\nG0 X=22*COS(R2*60) Y=22*SIN(R2*60)\n" +
+                   drill + "R2=R2+1\nENDLOOP\nREADY: M30\n",
+       .flat = holes(6, 22)});
   all.push_back({.name = "BoltCircleByGotob",
-                 .computed = begin_of_holes +
-                             "R2=12 R3=0\nN100 G0 X=40*COS(R3) Y=40*SIN(R3)\n" + drill +
-                             "R3=R3+30 R2=R2-1\nIF R2>0 GOTOB N100\nM30\n",
+                 .computed = begin_of_holes + "R2=12 R3=0\nN100 G0 X=40*COS(R3) Y=40*SIN(R3)\n" +
+                             drill + "R3=R3+30 R2=R2-1\nIF R2>0 GOTOB N100\nM30\n",
                  .flat = holes(12, 40)});
   all.push_back({.name = "BoltCircleBySubprogram",
                  .computed = begin_of_holes +
@@ -121,14 +121,15 @@ std::vector<Twin> hole_patterns() {
                  .flat = begin_of_holes + hole(1, 2) + hole(30, 40) + "M30\n"});
   all.push_back({.name = "HolesFromParameters",
                  .computed = begin_of_holes +
-                             "R10=5 R11=15 R12=45\nFOR R1=10 TO 12\nG0 X=R[R1] Y=R[R1]/5\n" + drill +
-                             "ENDFOR\nM30\n",
+                             "R10=5 R11=15 R12=45\nFOR R1=10 TO 12\nG0 X=R[R1] Y=R[R1]/5\n" +
+                             drill + "ENDFOR\nM30\n",
                  .flat = begin_of_holes + hole(5, 1) + hole(15, 3) + hole(45, 9) + "M30\n"});
-  all.push_back({.name = "Grid",
-                 .computed = begin_of_holes +
-                             "DEF INT ROW, COL\nFOR ROW=0 TO 2\nFOR COL=0 TO 3\nG0 X=COL*12 Y=ROW*8\n" +
-                             drill + "ENDFOR\nENDFOR\nM30\n",
-                 .flat = grid(4, 3, 12, 8)});
+  all.push_back(
+      {.name = "Grid",
+       .computed = begin_of_holes +
+                   "DEF INT ROW, COL\nFOR ROW=0 TO 2\nFOR COL=0 TO 3\nG0 X=COL*12 Y=ROW*8\n" +
+                   drill + "ENDFOR\nENDFOR\nM30\n",
+       .flat = grid(4, 3, 12, 8)});
   all.push_back({.name = "GridByDivAndMod",
                  .computed = begin_of_holes +
                              "DEF INT K\nFOR K=0 TO 5\nG0 X=(K MOD 3)*10 Y=(K DIV 3)*15\n" + drill +
@@ -141,8 +142,7 @@ std::vector<Twin> hole_patterns() {
                              drill + "ENDIF\nBIT=BIT*2\nENDFOR\nM30\n",
                  .flat = begin_of_holes + hole(0, 0) + hole(10, 0) + hole(30, 0) + "M30\n"});
   all.push_back({.name = "HolesByRepeatedPart",
-                 .computed = begin_of_holes +
-                             "R1=0\nNEXT_HOLE: R1=R1+10\nG0 X=R1 Y=R1\n" + drill +
+                 .computed = begin_of_holes + "R1=0\nNEXT_HOLE: R1=R1+10\nG0 X=R1 Y=R1\n" + drill +
                              "REPEAT NEXT_HOLE P=3\nM30\n",
                  .flat = begin_of_holes + hole(10, 10) + hole(20, 20) + hole(30, 30) +
                          hole(40, 40) + "M30\n"});
@@ -163,9 +163,10 @@ std::vector<Twin> squares() {
   all.push_back({.name = "SquareOfTheUsualDepth",
                  .computed = begin + "R1=20\nSQUARE(R1*1.5)\nM30\n" + square_proc,
                  .flat = begin + square(30, -1) + "M30\n"});
-  all.push_back({.name = "SquareByNumber",
-                 .computed = begin + "R10=40 R11=-2\nL100\nR10=20\nL100\nM30\n" + square_by_parameters,
-                 .flat = begin + square(40, -2) + square(20, -2) + "M30\n"});
+  all.push_back(
+      {.name = "SquareByNumber",
+       .computed = begin + "R10=40 R11=-2\nL100\nR10=20\nL100\nM30\n" + square_by_parameters,
+       .flat = begin + square(40, -2) + square(20, -2) + "M30\n"});
   all.push_back({.name = "DepthPassesByP",
                  .computed = begin +
                              "R10=30 R11=0\nL200 P3\nM30\n%_N_L200_SPF\nR11=R11-1.5\nL100\nM17\n" +
@@ -177,12 +178,13 @@ std::vector<Twin> squares() {
                              "ENDWHILE\nM30\n" +
                              square_proc,
                  .flat = begin + square(30, -2) + square(30, -4) + square(30, -6) + "M30\n"});
-  all.push_back({.name = "LastPassToTheFullDepth",
-                 .computed = begin +
-                             "R1=0\nLOOP\nR1=MAXVAL(R1-2.5,-6)\nSQUARE(30,R1)\nIF R1<=-6 GOTOF OUT\n"
-                             "ENDLOOP\nOUT:\nM30\n" +
-                             square_proc,
-                 .flat = begin + square(30, -2.5) + square(30, -5) + square(30, -6) + "M30\n"});
+  all.push_back(
+      {.name = "LastPassToTheFullDepth",
+       .computed = begin +
+                   "R1=0\nLOOP\nR1=MAXVAL(R1-2.5,-6)\nSQUARE(30,R1)\nIF R1<=-6 GOTOF OUT\n"
+                   "ENDLOOP\nOUT:\nM30\n" +
+                   square_proc,
+       .flat = begin + square(30, -2.5) + square(30, -5) + square(30, -6) + "M30\n"});
   all.push_back({.name = "NestedCalls",
                  .computed = begin +
                              "PAIR(40,-1)\nPAIR(35,-5)\nM30\nPROC PAIR(REAL SIZE, REAL DEPTH)\n"
@@ -214,30 +216,28 @@ std::vector<Twin> squares() {
                              "R1=30 R2=R1/2\nG0 Z-1\nG41 G1 X=-R2 Y=-R2 F500\nY=IC(R1)\nX=IC(R1)\n"
                              "Y=IC(-R1)\nX=IC(-R1)\nG40 X=AC(0) Y=AC(-R1-10)\nM30\n",
                  .flat = begin + square(30, -1) + "M30\n"});
-  all.push_back({.name = "RoundedSquare",
-                 .computed = begin +
-                             "R1=15 R2=4\nG0 Z-1\nG41 G1 X=-R1 Y=-R1 F500\nY=R1 RND=R2\nX=R1 RND=R2\n"
-                             "Y=-R1 RND=R2/2\nX=-R1\nG40 X0 Y-40\nM30\n",
-                 .flat = begin +
-                         "G0 Z-1\nG41 G1 X-15 Y-15 F500\nY15 RND=4\nX15 RND=4\nY-15 RND=2\nX-15\n"
-                         "G40 X0 Y-40\nM30\n"});
-  all.push_back({.name = "Inches",
-                 .computed =
-                     "G70 G90 G0 X0 Y-2\nR1=1/2\nG41 G1 X=-R1 Y=-R1 F20\nY=R1\nX=R1\nY=-R1\nX=-R1\n"
-                     "G40 X0 Y-2\nM30\n",
-                 .flat = "G70 G90 G0 X0 Y-2\nG41 G1 X-.5 Y-.5 F20\nY.5\nX.5\nY-.5\nX-.5\nG40 X0 Y-2\n"
-                         "M30\n"});
+  all.push_back(
+      {.name = "RoundedSquare",
+       .computed = begin + "R1=15 R2=4\nG0 Z-1\nG41 G1 X=-R1 Y=-R1 F500\nY=R1 RND=R2\nX=R1 RND=R2\n"
+                           "Y=-R1 RND=R2/2\nX=-R1\nG40 X0 Y-40\nM30\n",
+       .flat = begin + "G0 Z-1\nG41 G1 X-15 Y-15 F500\nY15 RND=4\nX15 RND=4\nY-15 RND=2\nX-15\n"
+                       "G40 X0 Y-40\nM30\n"});
+  all.push_back(
+      {.name = "Inches",
+       .computed = "G70 G90 G0 X0 Y-2\nR1=1/2\nG41 G1 X=-R1 Y=-R1 F20\nY=R1\nX=R1\nY=-R1\nX=-R1\n"
+                   "G40 X0 Y-2\nM30\n",
+       .flat = "G70 G90 G0 X0 Y-2\nG41 G1 X-.5 Y-.5 F20\nY.5\nX.5\nY-.5\nX-.5\nG40 X0 Y-2\n"
+               "M30\n"});
   return all;
 }
 
 std::vector<Twin> contours() {
   std::vector<Twin> all;
   all.push_back({.name = "EllipseByFor",
-                 .computed =
-                     "DEF INT K\nDEF REAL HALF_X=30, HALF_Y=18\nG90 G0 X50 Y-10\n"
-                     "G42 G1 X=HALF_X Y-10 F400\nFOR K=0 TO 72\n"
-                     "G1 X=HALF_X*COS(K*5) Y=HALF_Y*SIN(K*5)\nENDFOR\n"
-                     "G1 X=HALF_X Y10\nG40 X50 Y10\nM30\n",
+                 .computed = "DEF INT K\nDEF REAL HALF_X=30, HALF_Y=18\nG90 G0 X50 Y-10\n"
+                             "G42 G1 X=HALF_X Y-10 F400\nFOR K=0 TO 72\n"
+                             "G1 X=HALF_X*COS(K*5) Y=HALF_Y*SIN(K*5)\nENDFOR\n"
+                             "G1 X=HALF_X Y10\nG40 X50 Y10\nM30\n",
                  .flat = ellipse(30, 18, 5)});
   all.push_back({.name = "EllipseByGotob",
                  .computed = "G90 G0 X50 Y-10\nR1=25 R2=20 R3=0\nG42 G1 X=R1 Y-10 F400\n"
@@ -245,14 +245,16 @@ std::vector<Twin> contours() {
                              "IF R3<=360 GOTOB MA1\nG1 X=R1 Y10\nG40 X50 Y10\nM30\n",
                  .flat = ellipse(25, 20, 7.5)});
   for (const int corners : {5, 6, 8})
-    all.push_back({.name = "PolygonOf" + std::to_string(corners),
-                   .computed = "R1=" + std::to_string(corners) +
-                               " R2=35\nG90 G0 X60 Y0\nG42 G1 X=R2 Y0 F400\nFOR R3=1 TO R1\n"
-                               "X=R2*COS(-360/R1*R3) Y=R2*SIN(-360/R1*R3)\nENDFOR\nG40 X60 Y0\nM30\n",
-                   .flat = polygon(corners, 35)});
+    all.push_back(
+        {.name = "PolygonOf" + std::to_string(corners),
+         .computed = "R1=" + std::to_string(corners) +
+                     " R2=35\nG90 G0 X60 Y0\nG42 G1 X=R2 Y0 F400\nFOR R3=1 TO R1\n"
+                     "X=R2*COS(-360/R1*R3) Y=R2*SIN(-360/R1*R3)\nENDFOR\nG40 X60 Y0\nM30\n",
+         .flat = polygon(corners, 35)});
   all.push_back({.name = "Facing",
-                 .computed = "DEF INT ROW\nG90 G0 X0 Y0 Z2\nG1 Z-1 F200\nFOR ROW=0 TO 4\n"
-                             "G1 Y=ROW*6\nIF ROW MOD 2==0\nX80\nELSE\nX0\nENDIF\nENDFOR\nG0 Z50\nM30\n",
+                 .computed =
+                     "DEF INT ROW\nG90 G0 X0 Y0 Z2\nG1 Z-1 F200\nFOR ROW=0 TO 4\n"
+                     "G1 Y=ROW*6\nIF ROW MOD 2==0\nX80\nELSE\nX0\nENDIF\nENDFOR\nG0 Z50\nM30\n",
                  .flat = zigzag(5, 6, 80)});
   all.push_back({.name = "RoundPocketInRings",
                  .computed = "G90 G0 X0 Y0\nR1=6\nWHILE R1<=18\nG41 G1 X=R1 Y0 F300\n"
@@ -263,8 +265,9 @@ std::vector<Twin> contours() {
   all.push_back({.name = "SlotOfArcs",
                  .computed = "R1=40 R2=12\nG90 G0 X0 Y0\nG41 G1 X0 Y=R2 F300\nG3 Y=-R2 CR=R2\n"
                              "G1 X=R1\nG3 X=R1 Y=R2 CR=R2\nG1 X0\nG40 X0 Y0\nM30\n",
-                 .flat = "G90 G0 X0 Y0\nG41 G1 X0 Y12 F300\nG3 Y-12 CR=12\nG1 X40\nG3 X40 Y12 CR=12\n"
-                         "G1 X0\nG40 X0 Y0\nM30\n"});
+                 .flat =
+                     "G90 G0 X0 Y0\nG41 G1 X0 Y12 F300\nG3 Y-12 CR=12\nG1 X40\nG3 X40 Y12 CR=12\n"
+                     "G1 X0\nG40 X0 Y0\nM30\n"});
   all.push_back({.name = "CentresByAc",
                  .computed = "R1=20\nG90 G0 X40 Y-10\nG42 G1 X=R1 Y-10 F300\nY0\n"
                              "G3 X=-R1 Y0 I=AC(R1-20) J=AC(0)\nG1 Y-10\nG40 X-40\nM30\n",
@@ -275,8 +278,9 @@ std::vector<Twin> contours() {
                              "FOR R2=1 TO 6\nRP=R1 AP=-60*R2\nENDFOR\nG40 X60 Y0\nM30\n",
                  .flat = polygon(6, 35)});
   all.push_back({.name = "TwoPartsByRepeat",
-                 .computed = "G90 G0 X0 Y-40\nG91\nPART: G41 G1 X-10 Y20 F500\nY20\nX20\nY-20\nX-20\n"
-                             "G40 X10 Y-20\nPART_END: G0 X50\nREPEAT PART PART_END P=1\nG90 M30\n",
+                 .computed =
+                     "G90 G0 X0 Y-40\nG91\nPART: G41 G1 X-10 Y20 F500\nY20\nX20\nY-20\nX-20\n"
+                     "G40 X10 Y-20\nPART_END: G0 X50\nREPEAT PART PART_END P=1\nG90 M30\n",
                  .flat = "G90 G0 X0 Y-40\nG91\nG41 G1 X-10 Y20 F500\nY20\nX20\nY-20\nX-20\n"
                          "G40 X10 Y-20\nG0 X50\nG41 G1 X-10 Y20 F500\nY20\nX20\nY-20\nX-20\n"
                          "G40 X10 Y-20\nG0 X50\nG90 M30\n"});

@@ -159,12 +159,12 @@ CodeWord as_code(const NamedWord& word) {
 }
 
 // Names that say more than the table above.
-constexpr auto names_of_motion = std::to_array<std::string_view>(
-    {"CDON", "CFC", "CFIN", "CIP", "CT", "KONT", "KONTC", "KONTT"});
+constexpr auto names_of_motion =
+    std::to_array<std::string_view>({"CDON", "CFC", "CFIN", "CIP", "CT", "KONT", "KONTC", "KONTT"});
 // Words with values that read_assignment() follows.
-constexpr auto followed_words = std::to_array<std::string_view>(
-    {"ANG", "AP", "AR", "CHF", "CHR", "CR", "DISC", "DISCL", "DISR", "DISRP", "FAD", "OFFN", "RND",
-     "RNDM", "RP", "RPL", "TURN"});
+constexpr auto followed_words =
+    std::to_array<std::string_view>({"ANG", "AP", "AR", "CHF", "CHR", "CR", "DISC", "DISCL", "DISR",
+                                     "DISRP", "FAD", "OFFN", "RND", "RNDM", "RP", "RPL", "TURN"});
 
 const Name* row_of(std::string_view name) {
   const auto found = std::ranges::lower_bound(names, name, {}, &Name::name);

@@ -104,26 +104,16 @@ constexpr auto sinumerik_operators = std::to_array<OperatorRow>({
 });
 
 constexpr auto sinumerik_functions = std::to_array<FunctionRow>({
-    {"NOT", Function::negation},
-    {"B_NOT", Function::bit_negation},
-    {"SIN", Function::sine},
-    {"COS", Function::cosine},
-    {"TAN", Function::tangent},
-    {"ASIN", Function::arc_sine},
-    {"ACOS", Function::arc_cosine},
-    {"ATAN2", Function::arc_tangent_of, 2},
-    {"SQRT", Function::root},
-    {"POT", Function::square},
-    {"ABS", Function::absolute},
-    {"TRUNC", Function::truncate},
-    {"ROUND", Function::round},
-    {"ROUNDUP", Function::up},
-    {"LN", Function::logarithm},
-    {"EXP", Function::exponential},
-    {"MINVAL", Function::least, 2},
-    {"MAXVAL", Function::greatest, 2},
-    {"BOUND", Function::bound, 3},
-    {"STRLEN", Function::length_of_text},
+    {"NOT", Function::negation},    {"B_NOT", Function::bit_negation},
+    {"SIN", Function::sine},        {"COS", Function::cosine},
+    {"TAN", Function::tangent},     {"ASIN", Function::arc_sine},
+    {"ACOS", Function::arc_cosine}, {"ATAN2", Function::arc_tangent_of, 2},
+    {"SQRT", Function::root},       {"POT", Function::square},
+    {"ABS", Function::absolute},    {"TRUNC", Function::truncate},
+    {"ROUND", Function::round},     {"ROUNDUP", Function::up},
+    {"LN", Function::logarithm},    {"EXP", Function::exponential},
+    {"MINVAL", Function::least, 2}, {"MAXVAL", Function::greatest, 2},
+    {"BOUND", Function::bound, 3},  {"STRLEN", Function::length_of_text},
 });
 
 }  // namespace

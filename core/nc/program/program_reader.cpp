@@ -97,8 +97,7 @@ bool ProgramReader::collect(std::string_view text) {
 bool ProgramReader::begin_to_execute() {
   if (flow_) return true;
   // A last line without an end may compute as well.
-  if (!computing_ && !passes_ && program::computes(setup_, partial_) &&
-      !interpreter_.has_ended()) {
+  if (!computing_ && !passes_ && program::computes(setup_, partial_) && !interpreter_.has_ended()) {
     computing_ = true;
     collect(std::exchange(partial_, {}));
   }

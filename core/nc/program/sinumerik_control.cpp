@@ -76,8 +76,8 @@ bool SinumerikFlow::follow_structure(std::string& flat, Structure structure) {
 std::optional<std::size_t> SinumerikFlow::partner(
     const std::map<std::size_t, std::size_t>& partners, std::string_view missing) {
   const auto found = partners.find(frame().current);
-  const bool is_there = found != partners.end() && found->second >= frame().begin &&
-                        found->second < frame().end;
+  const bool is_there =
+      found != partners.end() && found->second >= frame().begin && found->second < frame().end;
   if (is_there) return found->second;
   refuse(Code::block_structure, head_.behind,
          name_at(line_, head_.behind).append(" without ").append(missing));
@@ -296,7 +296,9 @@ bool SinumerikFlow::repeat(std::string& flat, std::size_t at, bool is_block) {
   const auto last = labels.size() < 2 ? first : place_of(labels.back());
   if (!first || !last)
     return refuse(Code::jump_target_unknown, at,
-                  labels.empty() ? "REPEAT without label" : first ? labels.back() : labels.front());
+                  labels.empty() ? "REPEAT without label"
+                  : first        ? labels.back()
+                                 : labels.front());
   std::size_t end = *last + 1;
   if (!is_block && labels.size() == 1) {
     const auto& all = outline_of(frame()).labels;

@@ -106,8 +106,7 @@ SinumerikFlow::Structure SinumerikFlow::structure_of(std::string_view line, std:
       {"UNTIL", Structure::until},
   });
   const std::string word = name_at(line, at);
-  const auto found =
-      std::ranges::find(words, word, &std::pair<std::string_view, Structure>::first);
+  const auto found = std::ranges::find(words, word, &std::pair<std::string_view, Structure>::first);
   if (found == words.end()) return none;
   const std::size_t behind = at + word.size();
   if (found->second == branch &&
@@ -242,11 +241,10 @@ bool SinumerikFlow::execute_statement(std::string& flat, std::string_view word,
   const std::size_t begin = head_.behind;
   const std::size_t behind = begin + word.size();
   const Structure structure = structure_of(line_, begin);
-  const bool begins_value = behind_blanks(line_, behind) < line_.size() &&
-                            line_[behind_blanks(line_, behind)] == '=';
-  const bool is_beside =
-      std::ranges::find(beside_the_program, word) != beside_the_program.end() &&
-      begins_value == word.starts_with("ID") && declared(word) == nullptr;
+  const bool begins_value =
+      behind_blanks(line_, behind) < line_.size() && line_[behind_blanks(line_, behind)] == '=';
+  const bool is_beside = std::ranges::find(beside_the_program, word) != beside_the_program.end() &&
+                         begins_value == word.starts_with("ID") && declared(word) == nullptr;
   is_statement = structure != Structure::none || direction_of(word) || is_beside;
   for (const std::string_view other :
        {"IF", "CASE", "DEF", "PROC", "EXTERN", "RET", "REPEAT", "REPEATB"})

@@ -27,9 +27,8 @@ bool pass_plain_value(std::string_view line, std::size_t& at) {
   const std::size_t digits = at;
   while (is_digit(sign_at(line, at)) || sign_at(line, at) == '.') ++at;
   const std::size_t behind = behind_blanks(line, at);
-  return at > digits &&
-         std::string_view("+-*/<>=([E").find(upper(sign_at(line, behind))) ==
-             std::string_view::npos;
+  return at > digits && std::string_view("+-*/<>=([E").find(upper(sign_at(line, behind))) ==
+                            std::string_view::npos;
 }
 
 // Few lines get past this: one of plain letters and numbers computes nothing.

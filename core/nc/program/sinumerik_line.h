@@ -15,7 +15,7 @@ struct NamedHead {
   std::int64_t number = -1;  // of N10 or :10; -1: none
   std::size_t number_begin = 0;
   std::size_t number_end = 0;
-  std::string label{};     // in capitals; empty: none
+  std::string label{};  // in capitals; empty: none
   std::size_t label_begin = 0;
   std::size_t behind = 0;  // the first sign behind all
 };

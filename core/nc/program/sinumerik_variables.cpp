@@ -51,11 +51,12 @@ bool SinumerikFlow::is_variable_at(std::size_t at) const {
 }
 
 std::optional<SinumerikFlow::Type> SinumerikFlow::type_at(ExpressionReader& expression) {
-  constexpr auto types = std::to_array<std::pair<std::string_view, Type>>({{"BOOL", Type::boolean},
-                                                                           {"CHAR", Type::character},
-                                                                           {"INT", Type::integer},
-                                                                           {"REAL", Type::real},
-                                                                           {"STRING", Type::text}});
+  constexpr auto types =
+      std::to_array<std::pair<std::string_view, Type>>({{"BOOL", Type::boolean},
+                                                        {"CHAR", Type::character},
+                                                        {"INT", Type::integer},
+                                                        {"REAL", Type::real},
+                                                        {"STRING", Type::text}});
   expression.pass_blanks();
   const std::size_t begin = expression.at();
   const std::string word = in_upper_case(expression.name());
@@ -167,8 +168,8 @@ bool SinumerikFlow::initialise(ExpressionReader& expression, Variable& variable,
   if (repeats && values.size() == 2 && values[1].number >= 1 &&
       values[1].number <= static_cast<double>(room))
     count = static_cast<std::size_t>(std::llround(values[1].number));
-  const bool is_right = repeats ? values.size() == 1 || (values.size() == 2 && count <= room)
-                                : count <= room;
+  const bool is_right =
+      repeats ? values.size() == 1 || (values.size() == 2 && count <= room) : count <= room;
   if (!is_right) return refuse(Code::value_invalid, begin, "more values than elements");
   if (repeats && !convert(values.front(), variable.type, begin)) return false;
   for (std::size_t index = 0; index < count; ++index)
@@ -266,8 +267,7 @@ std::optional<SinumerikFlow::Place> SinumerikFlow::place_at(ExpressionReader& ex
 std::size_t SinumerikFlow::element_at(ExpressionReader& expression, const Variable& variable) {
   const std::size_t begin = expression.at();
   const std::size_t bracket = behind_blanks(expression.line(), begin);
-  const bool has_bracket =
-      bracket < expression.line().size() && expression.line()[bracket] == '[';
+  const bool has_bracket = bracket < expression.line().size() && expression.line()[bracket] == '[';
   const auto failed = [&](Code code, std::string_view what) {
     static_cast<void>(expression.fail(code, begin, std::string(what)));
     return std::size_t{0};
@@ -335,9 +335,8 @@ bool SinumerikFlow::convert(Value& value, Type type, std::size_t begin) {
   if (type == Type::boolean) value.number = value.number != 0 ? 1 : 0;
   if (type != Type::integer && type != Type::character) return true;
   value.number = std::round(value.number);
-  const bool fits = type == Type::integer
-                        ? value.number >= smallest && value.number <= largest
-                        : value.number >= 0 && value.number <= largest_character;
+  const bool fits = type == Type::integer ? value.number >= smallest && value.number <= largest
+                                          : value.number >= 0 && value.number <= largest_character;
   return fits || refuse(Code::value_invalid, begin, "beyond the range of its type");
 }
 

@@ -1,8 +1,9 @@
+#include "core/nc/dialect/sinumerik_words.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 
-#include "core/nc/dialect/sinumerik_words.h"
 #include "core/nc/program/code_line.h"
 #include "core/nc/program/sinumerik_flow.h"
 #include "core/nc/text/characters.h"
@@ -71,8 +72,8 @@ bool SinumerikFlow::execute_words(std::string& flat) {
     bool whole = false;
     if (read_number(line_.substr(piece.begin + 1), number, whole) == 0) continue;
     if (number != 2 && number != 17 && number != 30) continue;
-    const bool is_main = std::ranges::none_of(
-        frames_.begin() + 1, frames_.end(), [](const Frame& each) { return each.own_variables; });
+    const bool is_main = std::ranges::none_of(frames_.begin() + 1, frames_.end(),
+                                              [](const Frame& each) { return each.own_variables; });
     if (!is_main && number != 17)
       return refuse_word(Code::nc_unsupported, piece.begin, piece.end, " in a subprogram");
     (is_main ? ends : returns) = true;
@@ -177,9 +178,9 @@ bool SinumerikFlow::scan_value(std::size_t begin, std::size_t& at) {
   const char axis = upper(line_[begin]);
   const bool is_main_axis = axis >= 'X' && axis <= 'Z' && !is_digit(sign_at(line_, begin + 1)) &&
                             !is_letter(sign_at(line_, begin + 1));
-  const bool stands_alone = std::string_view("+-*/([<>=").find(sign_at(line_, behind_name)) ==
-                                npos ||
-                            behind_name >= line_.size();
+  const bool stands_alone =
+      std::string_view("+-*/([<>=").find(sign_at(line_, behind_name)) == npos ||
+      behind_name >= line_.size();
   if (is_main_axis && !name.empty() && stands_alone && declared(name) == nullptr &&
       given(name) == nullptr && !is_variable_name(name)) {
     at = value_begin + name.size();
@@ -198,10 +199,9 @@ bool SinumerikFlow::scan_value(std::size_t begin, std::size_t& at) {
     return refuse_word(Code::expression_invalid, begin, std::max(end, close), "");
   double number = 0;
   bool whole = false;
-  const bool is_literal = read_number(line_.substr(value_begin), number, whole) ==
-                              end - value_begin ||
-                          (value.is_text && line_.substr(value_begin, end - value_begin) ==
-                                                "\"" + value.text + "\"");
+  const bool is_literal =
+      read_number(line_.substr(value_begin), number, whole) == end - value_begin ||
+      (value.is_text && line_.substr(value_begin, end - value_begin) == "\"" + value.text + "\"");
   if (is_literal) {
     keep(begin, at);
     return true;
@@ -223,7 +223,8 @@ bool SinumerikFlow::scan_name(std::size_t& at, const std::string& name, std::vec
   if (name == "CALL" || name == "EXTCALL") return scan_call_of_text(at, calls);
   if (sign == '=' || sign == '[') {
     const std::size_t close = sign == '[' ? line_.find(']', next) : next;
-    const std::size_t equals = close == npos || sign == '=' ? close : behind_blanks(line_, close + 1);
+    const std::size_t equals =
+        close == npos || sign == '=' ? close : behind_blanks(line_, close + 1);
     if (equals != npos && sign_at(line_, equals) == '=' && is_sinumerik_word(name)) {
       at = equals + 1;
       return scan_value(begin, at);
@@ -241,10 +242,9 @@ bool SinumerikFlow::scan_name(std::size_t& at, const std::string& name, std::vec
     if (at == 0) return refuse(Code::expression_invalid, begin, name + "( without )");
   }
   if (unit != nullptr) {
-    const bool is_modal =
-        std::ranges::any_of(pieces_, [&](const Piece& piece) {
-          return in_upper_case(line_.substr(piece.begin, piece.end - piece.begin)) == "MCALL";
-        });
+    const bool is_modal = std::ranges::any_of(pieces_, [&](const Piece& piece) {
+      return in_upper_case(line_.substr(piece.begin, piece.end - piece.begin)) == "MCALL";
+    });
     if (is_modal) return refuse(Code::nc_unsupported, begin, "MCALL of a subprogram");
     calls.push_back({.unit = unit, .begin = begin, .arguments = has_arguments ? next : 0});
     leave_out(begin, at);
@@ -304,8 +304,8 @@ bool SinumerikFlow::scan_call_arguments(std::size_t begin, std::size_t& at) {
                           given(name) != nullptr || name == "TRUE" || name == "FALSE";
     double number = 0;
     bool whole = false;
-    const bool is_text = words.size() > 1 && words.front() == '"' &&
-                         words.find('"', 1) == words.size() - 1;
+    const bool is_text =
+        words.size() > 1 && words.front() == '"' && words.find('"', 1) == words.size() - 1;
     if (words.empty() || is_text || (is_name && !is_known) ||
         read_number(words, number, whole) == words.size()) {
       text.append(line_.substr(argument, end - argument));
@@ -334,9 +334,9 @@ std::string SinumerikFlow::text_of_value(const Value& value) const {
 }
 
 bool SinumerikFlow::write_words(std::string& flat) {
-  const bool changes =
-      !head_.label.empty() ||
-      std::ranges::any_of(pieces_, [](const Piece& piece) { return piece.instead.has_value(); });
+  const bool changes = !head_.label.empty() || std::ranges::any_of(pieces_, [](const Piece& piece) {
+    return piece.instead.has_value();
+  });
   if (!changes) {
     is_as_written_ = true;
     flat.append(line_).append(line_end());
