@@ -13,7 +13,7 @@ namespace trc::program {
 namespace {
 
 constexpr std::int64_t most_parameters = 100'000;
-constexpr std::size_t most_elements = 100'000;  // of all arrays together
+constexpr std::size_t most_elements = 10'000;  // of all arrays together
 constexpr std::size_t longest_text = 400;
 constexpr std::size_t most_sizes = 3;
 
