@@ -159,8 +159,8 @@ CodeWord as_code(const NamedWord& word) {
 }
 
 // Names that say more than the table above.
-constexpr auto names_of_motion =
-    std::to_array<std::string_view>({"CDON", "CFC", "CFIN", "CIP", "CT", "KONT", "KONTC", "KONTT"});
+constexpr auto names_of_motion = std::to_array<std::string_view>(
+    {"CDOF", "CDOF2", "CDON", "CFC", "CFIN", "CIP", "CT", "KONT", "KONTC", "KONTT", "NORM"});
 // Words with values that read_assignment() follows.
 constexpr auto followed_words =
     std::to_array<std::string_view>({"ANG", "AP", "AR", "CHF", "CHR", "CR", "DISC", "DISCL", "DISR",

@@ -25,8 +25,7 @@ std::string name_of_file(std::string_view name) {
 
 // What the control does beside the program, or before it runs.
 constexpr auto beside_the_program = std::to_array<std::string_view>(
-    {"CANCEL", "DEFINE", "DO", "EVERY", "FROM", "ID", "IDS", "INIT", "REDEF", "SETINT", "START",
-     "WAITE", "WAITM", "WAITMC", "WHEN", "WHENEVER"});
+    {"DEFINE", "DO", "EVERY", "FROM", "ID", "IDS", "REDEF", "WHEN", "WHENEVER"});
 
 }  // namespace
 

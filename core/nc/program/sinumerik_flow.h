@@ -23,7 +23,7 @@ namespace trc::program {
 //   - Jumps, REPEAT and CASE look for labels and block numbers in their own program.
 //   - The control structures have lines of their own.
 //   - A variable that the program does not know passes as the whole value of X, Y or Z: the reader
-//     copies such a line while TRC is off.
+//     copies such a line while TRC is off (D-55).
 class SinumerikFlow : public Flow, private Variables {
  public:
   SinumerikFlow(const ProgramSetup& setup, CallPlaces& calls, ProgramText text, std::size_t start);
