@@ -89,6 +89,11 @@ void add_settings_options(CLI::App& command, ProgramOptions& options) {
       ->type_name("COUNT")
       ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1'000'000'000}));
   command
+      .add_option("--whole-numbers", options.whole_numbers,
+                  "What coordinates of fanuc without a decimal point count in: units (X10 is 10 "
+                  "mm) or increments (X10 is 0.010 mm, 0.0010 in)")
+      ->transform(CLI::IsMember({"units", "increments"}, CLI::ignore_case));
+  command
       .add_option("--tools", options.tools,
                   "Table of tools: CSV with the header number,radius, as wanted with name and edge "
                   "(mm, whatever the program "
@@ -155,6 +160,9 @@ bool setup_of(const ProgramOptions& options, v1::ProgramSetup& setup) {
     return false;
   }
   if (options.unknown_words == "copy") setup.set_unknown_words(v1::UNKNOWN_WORDS_COPY);
+  if (!options.whole_numbers.empty())
+    setup.set_whole_numbers(options.whole_numbers == "units" ? v1::WHOLE_NUMBERS_UNITS
+                                                             : v1::WHOLE_NUMBERS_INCREMENTS);
   if (options.unit == "inch") setup.set_unit(v1::LENGTH_UNIT_INCH);
   if (setup.path().language().empty() && language_for(options.language) == Language::german)
     setup.mutable_path()->set_language("de");
@@ -171,7 +179,8 @@ bool setup_of(const ProgramOptions& options, v1::ProgramSetup& setup) {
       std::cerr
           << "trc: note: the radii of " << options.tools
           << " are read in mm, as the file names no unit, though the program counts in inch; a "
-             "first line unit,inch or a column unit says otherwise\n";
+             "first line unit,inch or a column unit of a CSV says otherwise, --unit inch of other "
+             "tables\n";
   }
   // The server shows the name in its log; the end says more than the directory.
   constexpr std::size_t longest_name = 255;

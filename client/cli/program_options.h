@@ -23,6 +23,7 @@ struct ProgramOptions {
   std::optional<double> radius{};          // mm
   std::optional<double> wear{};            // mm
   std::string unknown_words{};             // empty: refuse
+  std::string whole_numbers{};             // empty: not said
   std::vector<std::string> variables{};    // name=value
   std::vector<std::string> subprograms{};  // files and folders
   std::optional<std::uint64_t> max_executed_lines{};

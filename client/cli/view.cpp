@@ -59,6 +59,7 @@ std::string query_of(const v1::ProgramSetup& setup, const ProgramOptions& option
   if (!options.dialect.empty()) append(query, "dialect", options.dialect);
   if (!options.unit.empty()) append(query, "unit", options.unit);
   if (!options.unknown_words.empty()) append(query, "unknown_words", options.unknown_words);
+  if (!options.whole_numbers.empty()) append(query, "whole_numbers", options.whole_numbers);
   return query;
 }
 

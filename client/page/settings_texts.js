@@ -65,6 +65,7 @@ const names = {
   nominal_radius: ['Radius of the centre path', 'Radius der Mittelpunktsbahn'],
   max_wear: ['Largest wear', 'Größter Verschleiß'],
   unknown_words: ['Unknown words', 'Unbekannte Wörter'],
+  whole_numbers: ['Numbers without a point', 'Zahlen ohne Punkt'],
 };
 
 // Words of a choice, and what a setting takes.

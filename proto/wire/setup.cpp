@@ -53,6 +53,11 @@ constexpr EnumTable<v1::UnknownWords, bool, 2> unknown_words{{
     {v1::UNKNOWN_WORDS_COPY, true},
 }};
 
+constexpr EnumTable<v1::WholeNumbers, WholeNumbers, 2> whole_numbers{{
+    {v1::WHOLE_NUMBERS_UNITS, WholeNumbers::units},
+    {v1::WHOLE_NUMBERS_INCREMENTS, WholeNumbers::increments},
+}};
+
 constexpr EnumTable<v1::KerfMethod, bool, 2> kerf_methods{{
     {v1::KERF_METHOD_LINEAR, false},
     {v1::KERF_METHOD_CIRCULAR, true},
@@ -283,6 +288,9 @@ void read_dialect(const v1::ProgramSetup& message, const FieldPath& path, Progra
   program.copies_unknown_words =
       unknown_words.from_proto(message.unknown_words(), FieldPath(path, "unknown_words"), faults)
           .value_or(program.copies_unknown_words);
+  program.whole_numbers =
+      whole_numbers.from_proto(message.whole_numbers(), FieldPath(path, "whole_numbers"), faults)
+          .value_or(program.whole_numbers);
   const Dialect& dialect = dialect_of(program.dialect);
   if (message.path().selection_mode() == v1::SELECTION_MODE_UNSPECIFIED)
     program.mode.selection = dialect.selection;
@@ -482,6 +490,8 @@ void to_proto(const ProgramSettings& settings, v1::ProgramSetup& message) {
   message.mutable_subprograms()->insert(program.subprograms.begin(), program.subprograms.end());
   if (program.max_executed_lines != ProgramSetup{}.max_executed_lines)
     message.set_max_executed_lines(program.max_executed_lines);
+  if (program.whole_numbers != WholeNumbers::unsaid)
+    message.set_whole_numbers(whole_numbers.to_proto(program.whole_numbers));
   if (program.dialect == DialectName::isg) return;
   message.set_dialect(dialects.to_proto(program.dialect));
   message.mutable_path()->set_selection_mode(selections.to_proto(program.mode.selection));

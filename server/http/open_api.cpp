@@ -196,6 +196,11 @@ void add_settings(const Route& route, Struct& operation) {
                .meaning = "words nobody knows: refuse stops there, copy leaves them in the program",
                .initial = "refuse"},
               "refuse, copy");
+  add_setting(operation,
+              {.key = "whole_numbers",
+               .meaning = "coordinates of fanuc without a decimal point: X10 is 10 mm in units, "
+                          "0.010 mm in increments"},
+              "units, increments");
   add_setting(
       operation,
       {.key = "decimals", .meaning = "decimal places of coordinates", .least = 1, .most = 8},

@@ -38,6 +38,13 @@ std::string read_one(const std::string& name, const std::string& value, v1::Prog
                                             : v1::UNKNOWN_WORDS_UNSPECIFIED);
     return {};
   }
+  if (name == "whole_numbers") {
+    if (value != "units" && value != "increments")
+      return "whole_numbers: it takes units, increments";
+    setup.set_whole_numbers(value == "units" ? v1::WHOLE_NUMBERS_UNITS
+                                             : v1::WHOLE_NUMBERS_INCREMENTS);
+    return {};
+  }
   if (name != "decimals") return wire::apply_setting(name + "=" + value, setup);
   std::uint32_t decimals = 0;
   const auto [end, fault] = std::from_chars(value.data(), value.data() + value.size(), decimals);

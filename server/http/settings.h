@@ -16,7 +16,7 @@ namespace trc::server::http {
 [[nodiscard]] std::string dialects();
 
 // The setup the query parameters describe: those of `--set`, `dialect`, `unit`,
-// `unknown_words`, `decimals` and `name`. The problem
+// `unknown_words`, `whole_numbers`, `decimals` and `name`. The problem
 // when one cannot be taken. Where they name no language, it is the one that the header
 // Accept-Language prefers.
 [[nodiscard]] std::optional<v1::Problem> read_settings(const Pairs& query,

@@ -1,3 +1,7 @@
+#include <cmath>
+#include <iomanip>
+#include <numbers>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -33,14 +37,39 @@ void words(benchmark::State& state) {
       });
 }
 
+// The lap in Klartext, a line a block too: arcs by their radius.
+std::string in_klartext() {
+  std::ostringstream text;
+  text << std::showpos << std::fixed << std::setprecision(4);
+  for (const Block& block : part().lap_blocks) {
+    const Segment& path = std::get<MotionBlock>(block).path;
+    const Point end = end_of(path);
+    const Arc* arc = std::get_if<Arc>(&path);
+    text << (arc == nullptr ? "L X" : "CR X") << end.x() << " Y" << end.y();
+    if (arc != nullptr)
+      text << " R" << (std::copysign(radius_of(*arc), std::numbers::pi - std::abs(arc->sweep)))
+           << (arc->sweep < 0 ? " DR-" : " DR+");
+    text << '\n';
+  }
+  return text.str();
+}
+
+std::string_view lap_of(DialectName dialect) {
+  static const std::string klartext = in_klartext();
+  return dialect == DialectName::heidenhain ? std::string_view(klartext) : part().lap;
+}
+
 // Text and blocks of a lap, read again and again.
 class Reading {
  public:
   explicit Reading(DialectName dialect = DialectName::isg)
-      : state_(setup_of(dialect), {}, diagnostics_, blocks),
+      : lap_(lap_of(dialect)),
+        state_(setup_of(dialect), {}, diagnostics_, blocks),
         interpreter_({}, state_, diagnostics_) {
-    require(
-        interpreter_.feed(dialect == DialectName::isg ? part().prologue : plain_prologue, lines));
+    require(interpreter_.feed(dialect == DialectName::isg          ? part().prologue
+                              : dialect == DialectName::heidenhain ? klartext_prologue
+                                                                   : plain_prologue,
+                              lines));
   }
 
   void forget() {
@@ -48,7 +77,7 @@ class Reading {
     lines.clear();
     blocks.clear();
   }
-  void lap() { require(interpreter_.feed(part().lap, lines)); }
+  void lap() { require(interpreter_.feed(lap_, lines)); }
 
  private:
   Diagnostics diagnostics_;
@@ -59,6 +88,7 @@ class Reading {
 
  private:
   // Of the dialects that know no words of ISG.
+  static constexpr std::string_view klartext_prologue = "L X+0 Y+0 R0 FMAX\nL X+1 Y+0 RL F600\n";
   static constexpr std::string_view plain_prologue = "G0 X0 Y0\nG1 F600\nG41 D1 X1 Y0\n";
   static ProgramSetup setup_of(DialectName dialect) {
     ProgramSetup setup;
@@ -67,6 +97,7 @@ class Reading {
     return setup;
   }
 
+  std::string_view lap_;
   ProgramState state_;
   Interpreter interpreter_;
 };
@@ -86,11 +117,12 @@ NcWriter::Meaning meaning_of(const Block& block) {
   return {.gives_block = true, .end = from_plane(Plane::xy, end_of(motion.path), motion.normal.to)};
 }
 
-void writing(benchmark::State& state) {
-  Reading reading;
+void writing_as(benchmark::State& state, DialectName dialect) {
+  Reading reading(dialect);
   Diagnostics diagnostics;
   Compensator compensator({}, diagnostics);
-  NcWriter writer({});
+  NcWriter writer({.spelling = {.points = dialect_of(dialect).writes_points,
+                                .klartext = dialect == DialectName::heidenhain}});
   std::vector<CompensatedBlock> compensated;
   std::vector<NcWriter::Meaning> meanings;
   std::string text;
@@ -169,7 +201,12 @@ const bool registered = [] {
       [](benchmark::State& state) { reading_as(state, DialectName::linuxcnc); });
   add("nc: reading, sinumerik",
       [](benchmark::State& state) { reading_as(state, DialectName::sinumerik); });
-  add("nc: writing", writing);
+  add("nc: reading, heidenhain",
+      [](benchmark::State& state) { reading_as(state, DialectName::heidenhain); });
+  add("nc: writing", [](benchmark::State& state) { writing_as(state, DialectName::isg); });
+  add("nc: writing, fanuc", [](benchmark::State& state) { writing_as(state, DialectName::fanuc); });
+  add("nc: writing, heidenhain",
+      [](benchmark::State& state) { writing_as(state, DialectName::heidenhain); });
   add("nc: motion words", motions);
   add("nc: text to blocks", [](benchmark::State& state) { program(state, false); });
   return add("nc: text to text", [](benchmark::State& state) { program(state, true); });

@@ -376,11 +376,13 @@ TEST_F(Program, AToolThatTheTableDoesNotHoldTakesTheRadiusAway) {
   ProgramState state = make_without_radius({.tools = {{1, 4.0}}});
   state.prepare_tool(1);
   state.load_tool(at(1));
-  state.prepare_tool(9);
+  state.prepare_tool(9, {.source = at(2), .column = 4});
   state.load_tool(at(2));
   state.select(Side::left, at(3));
   EXPECT_FALSE(state.move(line(10, 0)));
-  EXPECT_EQ(code(), Code::no_tool_radius);
+  EXPECT_EQ(code(), Code::tool_unknown);  // D-52: where the tool is called
+  EXPECT_EQ(diagnostics_.pending().back().source.number, 2);
+  EXPECT_EQ(diagnostics_.pending().back().column, 4U);
   EXPECT_NE(diagnostics_.pending().back().detail.find("T9"), std::string::npos);
 }
 

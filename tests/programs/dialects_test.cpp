@@ -23,9 +23,9 @@
 #include "tests/support/run.h"
 
 // Programs in the manner of each control. The first line of each says with which tools it runs, or
-// with which code it is refused and where: `; radius 5`, `; radius 0.25 in`, `; tool 1 5`, `;
-// refused 900003 line 7`. `; path -5 0 L; -5 60 A` says where the motions of the compensated path
-// end, from the first selection on: lines and arcs.
+// with which code it is refused and where: `; radius 5`, `; radius 0.25 in`, `; tool 1 5`,
+// `; whole increments`, `; refused 900003 line 7`. `; path -5 0 L; -5 60 A` says where the motions
+// of the compensated path end, from the first selection on: lines and arcs.
 
 namespace trc::support {
 namespace {
@@ -72,6 +72,7 @@ void read_head(DialectProgram& program) {
       words >> radius >> unit;
       program.setup.session.program.mode.tool_radius = radius * (unit == "in" ? mm_per_inch : 1);
     }
+    if (key == "whole") program.setup.session.program.whole_numbers = WholeNumbers::increments;
     if (key == "tool") {
       std::int64_t number = 0;
       double radius = 0;
@@ -332,6 +333,92 @@ TEST_P(OfADialect, IsTheSamePathInAnotherDialectOrRefused) {
       EXPECT_LT((place_at(path[k], 0.5) - place_at(wanted[k], 0.5)).norm(), 2e-3) << converted.text;
       EXPECT_LT((place_at(path[k], 1) - place_at(wanted[k], 1)).norm(), 2e-3) << converted.text;
     }
+  }
+}
+
+std::vector<Diagnostic> told(const std::string& text, DialectName dialect) {
+  ProgramSessionSetup setup;
+  setup.session.program.dialect = dialect;
+  setup.session.program.tools = {{1, ToolRow(2)}};
+  setup.session.program.mode.selection = dialect_of(dialect).selection;
+  return run(text, setup, true).diagnostics;
+}
+
+// What hangs on an obstacle that has been told is none of its own.
+TEST(ObstaclesOfADialect, AreToldOnceWithTheLineOfTheirCause) {
+  const auto polar =
+      told("G21 G90\nG0 X-60. Y0.\nG16\nG41 D1 G1 X50. Y180.\nY120.\nY60.\nG15\nG40 X80. Y0\nM30\n",
+           DialectName::fanuc);
+  ASSERT_EQ(polar.size(), 1U);
+  EXPECT_EQ(polar[0].source.line, 4U);
+  EXPECT_EQ(polar[0].detail, "TRC under polar coordinates of line 3");
+
+  const auto cycle = told(
+      "G21 G90\nG0 X-9. Y0.\nG41 D1 G1 X0 Y0 F100.\nY20.\nG81 X1. Y1. Z-5. R1. F100.\nX5.\nG80\n"
+      "G1 X9.\nG40 X20.\nM30\n",
+      DialectName::fanuc);
+  ASSERT_EQ(cycle.size(), 1U);
+  EXPECT_EQ(cycle[0].source.line, 5U);
+
+  const auto scaled = told(
+      "BEGIN PGM A MM\nTOOL CALL 1 Z\nL X-9 Y-9 R0 FMAX\nCYCL DEF 11.0 SCALING\n"
+      "CYCL DEF 11.1 SCL 0.99\nL X+0 Y+0 RL F100\nL Y+20\nL X+20\nL X+40 R0\nEND PGM A MM\n",
+      DialectName::heidenhain);
+  ASSERT_EQ(scaled.size(), 1U);
+  EXPECT_EQ(scaled[0].source.line, 6U);
+}
+
+// A tool that the table does not hold is told at the word that calls it, not where it is needed.
+TEST(ToolsWithoutARadius, AreToldAtTheWordThatCallsThem) {
+  const std::string contour = "G0 X-9 Y-9\nG41 G1 X0 Y0 F100\nY20\nX20\nG40 X40\nM30\n";
+  const auto expect = [](const std::vector<Diagnostic>& found, std::uint32_t line,
+                         std::uint32_t column, const std::string& tool) {
+    ASSERT_EQ(found.size(), 1U) << tool;
+    EXPECT_EQ(found[0].code, Code::tool_unknown);
+    EXPECT_EQ(found[0].source.line, line) << tool;
+    EXPECT_EQ(found[0].column, column) << tool;
+    EXPECT_EQ(found[0].detail, tool);
+  };
+  using enum DialectName;
+  expect(told("G21\nT5 M6\nT1\n" + contour, fanuc), 2, 1, "T5");
+  expect(told("G21\nT5 M6\nG43 H5 D5 Z5.\n" + contour, fanuc), 3, 8, "D5");
+  expect(told("G21\nM6 T5\nT1\n" + contour, linuxcnc), 2, 4, "T5");
+  expect(told("G71\nT5 D1\nM6\nT1\n" + contour, sinumerik), 2, 1, "T5");
+  expect(told("G71\nT1 D2\nM6\n" + contour, sinumerik), 2, 4, "D2 of T1");
+  expect(told("G71\nM6 T=\"ABC\"\n" + contour, sinumerik), 2, 4, "ABC");
+  expect(told("G71\nT5 M6\n" + contour, isg), 2, 1, "T5");
+  expect(told("BEGIN PGM A MM\n1 TOOL CALL 5 Z\nL X-9 Y-9 R0 FMAX\nL X+0 Y+0 RL F100\nL Y+20\n"
+              "L X+20 R0\nEND PGM A MM\n",
+              heidenhain),
+         2, 3, "5");
+}
+
+// H beside G41 is its register; left alone it would change the length.
+TEST(OffsetsOfFanuc, GoWithTheSelectionThatTheyBelongTo) {
+  ProgramSessionSetup setup;
+  setup.session.program.dialect = DialectName::fanuc;
+  setup.session.program.mode.selection = Selection::direct;
+  setup.session.program.mode.tool_radius = 2;
+  const Written written =
+      run("G21 G90\nG43 H4 Z5.\nG0 X-9. Y-9.\nG41 H24 G1 X0 Y0 F100.\nY20.\nX20.\nG40 X40.\nM30\n",
+          setup, true);
+  ASSERT_FALSE(written.stopped) << written.report();
+  EXPECT_NE(written.text.find("G43 H4 Z5."), std::string::npos);
+  EXPECT_EQ(written.text.find("H24"), std::string::npos) << written.text;
+}
+
+// D beside G96 of LinuxCNC is no tool, and an arc may be told by its angle: both stay as they are.
+TEST(LinesWithoutACorrection, ComeOutAsTheyStand) {
+  ProgramSessionSetup setup;
+  setup.session.program.tools = {{1, ToolRow(2)}};
+  for (const auto& [dialect, text] :
+       {std::pair{DialectName::linuxcnc, "G21 G90\nG96 D2500 S120\nG0 X1 Y1\nM2\n"},
+        std::pair{DialectName::sinumerik,
+                  "G71 G90\nG0 X0 Y0\nG3 AR=90 I5 J0 F500\nG2 X20 AR=120\nG1 X30\nM30\n"}}) {
+    setup.session.program.dialect = dialect;
+    const Written written = run(text, setup, true);
+    ASSERT_FALSE(written.stopped) << written.report();
+    EXPECT_EQ(written.text, text);
   }
 }
 

@@ -23,6 +23,16 @@ namespace trc {
 // CFIN of Sinumerik, among the numbers of the feed adaptation.
 inline constexpr int feed_at_inside = 1008;
 
+// The bits of BlockWords::whole; I J K and tracking axes have one for each word.
+struct WholeWord {
+  static constexpr unsigned axis = 0;
+  static constexpr unsigned center = 3;
+  static constexpr unsigned radius = 6;
+  static constexpr unsigned corner = 7;
+  static constexpr unsigned feed = 8;
+  static constexpr unsigned tracking = 9;
+};
+
 // What the words of one block say, before any of it takes effect: the order of
 // the words within a block does not matter.
 struct Interpreter::BlockWords {
@@ -70,23 +80,29 @@ struct Interpreter::BlockWords {
   std::optional<Value> tool_data{};         // L of G10
   std::optional<Value> tool_data_number{};  // P of G10
   bool changes_tool = false;                // M06
-  bool to_skip = false;                     // `/` in front
-  std::optional<std::uint32_t> corner{};    // ,R ,C RND= CHF= CHR=, G36 G39 with R
-  std::optional<Value> modal_rounding{};    // RNDM=
-  bool sets_position = false;               // G92: the axis words say where the machine stands
-  bool names_tool = false;                  // M61 of LinuxCNC: Q is the tool in the spindle
-  std::optional<Value> quantity{};          // Q
-  std::optional<Value> offset{};            // H
+  std::uint64_t whole = 0;  // coordinates without a decimal point: a bit each, as WholeWord has it
+  bool orients_spindle = false;           // M19: R is an angle
+  bool changes_length = false;            // G43, G44, G49
+  bool constant_speed = false;            // G96: D of LinuxCNC is the fastest turn
+  bool to_skip = false;                   // `/` in front
+  std::optional<std::uint32_t> corner{};  // ,R ,C RND= CHF= CHR=, G36 G39 with R
+  std::optional<Value> modal_rounding{};  // RNDM=
+  bool sets_position = false;             // G92: the axis words say where the machine stands
+  bool names_tool = false;                // M61 of LinuxCNC: Q is the tool in the spindle
+  std::optional<Value> quantity{};        // Q
+  std::optional<Value> offset{};          // H
   // Of Sinumerik. References: 1 for AC(), -1 for IC(), 0 as G90 and G91 say.
   std::array<std::int8_t, 3> end_reference{};
   std::array<std::int8_t, 3> center_reference{};
   std::optional<double> sweep{};                  // AR=, degrees
+  std::optional<Value> turns{};                   // TURN=, P - 1 of LinuxCNC: further ones
   std::array<std::optional<Value>, 3> through{};  // I1= J1= K1=
   std::optional<Value> polar_angle{};             // AP=, degrees
   std::optional<Value> polar_radius{};            // RP=
   bool polar_increment = false;                   // one of them is IC()
   bool is_through = false;                        // CIP
   bool begins_tangent_arcs = false;               // CT
+  std::optional<bool> masks{};                    // CDON; CDOF and CDOF2
   // Beside G147 … G348.
   std::optional<Value> soft_length{};     // DISR=, the radius of an arc
   std::optional<Value> soft_clearance{};  // DISCL=

@@ -23,25 +23,16 @@ constexpr std::array<MotionKind, 4> motions{MotionKind::rapid, MotionKind::linea
 
 // What the words mean together, before any of it takes effect.
 bool Interpreter::complete_code_block(ProgramLine& line, BlockWords& block) {
+  if (dialect_.name == DialectName::fanuc && block.whole != 0 && !block.has(dwell) &&
+      !count_whole_numbers(line, block))
+    return false;
   // T01T02M06 of Mazak: the first tool is changed, the second one fetched meanwhile. Radii come
   // from D, so nothing hangs on which of them a control loads.
   if (block.later_tool && !block.changes_tool)
     return refuse(line, TextFault{.code = Code::nc_word_twice,
                                   .begin = block.later_tool->begin,
                                   .detail = "T without M06"});
-  if (block.tool_number)
-    code_.next_tool = block.named_tool.value_or(whole_number(block.tool_number->value));
-  code_.tool_named |= block.tool_number.has_value();
-  code_.changes_by_m6 |= block.changes_tool;
-  if (block.changes_tool) {
-    code_.spindle_tool = code_.next_tool;
-    code_.spindle_empty = code_.tool_named && code_.next_tool == 0;
-    block.forget |= static_cast<AxisBits>(1U << axes_of(state_.mode().plane).third);
-  }
-  if (block.names_tool && block.quantity) {
-    code_.spindle_tool = whole_number(block.quantity->value);
-    code_.spindle_empty = code_.spindle_tool == 0;
-  }
+  take_tool_words(line, block);
   const bool spindle_limit = block.has(unfollowed_end) && block.of(unfollowed_end).is(50);
   const bool has_spindle = std::ranges::any_of(line.words, [&](const WordRange& word) {
     return line.text[word.begin] == 'S' || line.text[word.begin] == 's';
@@ -57,6 +48,12 @@ bool Interpreter::complete_code_block(ProgramLine& line, BlockWords& block) {
     for (WordRange& word : line.words)
       if (word.role == WordRole::feed) word.role = WordRole::technology;
   }
+  if (block.orients_spindle && !block.axis && block.move.radius) {
+    block.move.radius.reset();
+    block.center.reset();
+    for (WordRange& word : line.words)
+      if (word.role == WordRole::coordinate) word.role = WordRole::technology;
+  }
   if (block.has(dimension)) code_.dimension_uncertain = block.to_skip;
   if (code_.dimension_uncertain && block.axis && !block.to_skip)
     return refuse(line, TextFault{.code = Code::nc_unsupported,
@@ -68,6 +65,7 @@ bool Interpreter::complete_code_block(ProgramLine& line, BlockWords& block) {
                                   .detail = "a unit or a plane that may be skipped"});
   take_unit_of_old(line, block);
   forget_what_ends_nothing(block);
+  end_what_was_unfollowed(block);
   const bool deletes_frames = block.has(frame) && !block.axis;
   if (deletes_frames && code_.unfollowed == scale_tenths) code_.unfollowed = -1;
   if (block.has(unfollowed) && block.of(unfollowed).function->tenths() == scale_tenths &&
@@ -76,7 +74,11 @@ bool Interpreter::complete_code_block(ProgramLine& line, BlockWords& block) {
     block.forget |= all_axes;
     block.functions[static_cast<std::size_t>(unfollowed)] = {};
   }
-  if (block.has(unfollowed)) code_.unfollowed = block.of(unfollowed).function->tenths();
+  if (block.has(unfollowed)) {
+    code_.unfollowed = block.of(unfollowed).function->tenths();
+    code_.unfollowed_line = line.source.line;
+    code_.unfollowed_meaning = block.of(unfollowed).function->meaning;
+  }
   if (block.has(unfollowed_end)) code_.unfollowed = -1;
   if (dialect_.name == DialectName::sinumerik) {
     take_pole(block);
@@ -86,10 +88,35 @@ bool Interpreter::complete_code_block(ProgramLine& line, BlockWords& block) {
   if (!check_code_selection(line, block) || !take_corner(line, block)) return false;
   const bool goes_on = copy_code_block(line, block);
   if (block.has(cycle)) code_.cycle = true;
+  const WholeNumbers whole = state_.setup().whole_numbers;
+  const bool plain_whole_numbers = dialect_.name != DialectName::fanuc ||
+                                   whole == WholeNumbers::units ||
+                                   (whole == WholeNumbers::unsaid && code_.points_seen);
   reads_plain_lines_ = !code_.cycle && code_.unfollowed < 0 && !code_.tangent_arcs &&
                        !code_.dimension_uncertain && code_.y_seen && faults_.empty() &&
-                       code_.modal_rounding == 0 && !code_.soft_approach;
+                       plain_whole_numbers && code_.modal_rounding == 0 && !code_.soft_approach;
   return goes_on && take_tool_data(line, block);
+}
+
+// T, M06 and M61.
+void Interpreter::take_tool_words(const ProgramLine& line, BlockWords& block) {
+  if (block.tool_number) {
+    code_.next_tool = block.named_tool.value_or(whole_number(block.tool_number->value));
+    code_.next_tool_place = place_of_word(line, block.tool_number->begin);
+  }
+  code_.tool_named |= block.tool_number.has_value();
+  code_.changes_by_m6 |= block.changes_tool;
+  if (block.changes_tool) {
+    code_.spindle_tool = code_.next_tool;
+    code_.spindle_tool_place = code_.next_tool_place;
+    code_.spindle_empty = code_.tool_named && code_.next_tool == 0;
+    block.forget |= static_cast<AxisBits>(1U << axes_of(state_.mode().plane).third);
+  }
+  if (block.names_tool && block.quantity) {
+    code_.spindle_tool = whole_number(block.quantity->value);
+    code_.spindle_tool_place = place_of_word(line, block.quantity->begin);
+    code_.spindle_empty = code_.spindle_tool == 0;
+  }
 }
 
 // G70 and G71 alone are inch and mm of older controls; with words beside them they are cycles.
@@ -115,16 +142,36 @@ void Interpreter::forget_what_ends_nothing(BlockWords& block) {
   if (block.has(unfollowed_end) && code_.unfollowed < 0)
     block.functions[static_cast<std::size_t>(unfollowed_end)] = {};
   if (ends(frame, {501, 690, 1000})) {
-    if (!code_.turned && code_.unfollowed != 682) {
+    if (!code_.turned) {
       // The axes of G50.1 and G100 are those that are mirrored no longer; with T beside it G100 is
       // a tool change that goes there.
       block.copied |= block.axis && !block.tool_number && !block.of(frame).is(69);
       block.functions[static_cast<std::size_t>(frame)] = {};
     }
-    if (code_.unfollowed == 682) code_.unfollowed = -1;
     code_.turned = false;
   }
-  code_.turned |= ends(frame, {511, 680, 1010});
+  code_.turned |= ends(frame, {511, 531, 680, 682, 1010});
+  if (ends(frame, {2550}) && !code_.dynamic_offset)
+    block.functions[static_cast<std::size_t>(frame)] = {};
+  if (ends(frame, {2540, 2550})) code_.dynamic_offset = block.of(frame).is(254);
+}
+
+// G49 and G43 end the control of the tool tip, G07.1 with 0 its cylinder (D-51).
+void Interpreter::end_what_was_unfollowed(BlockWords& block) {
+  constexpr std::array led{431, 434, 435, 2340};
+  const bool ends_tip =
+      block.changes_length && std::ranges::find(led, code_.unfollowed) != led.end();
+  constexpr int cylinder = 71;
+  const bool ends_cylinder =
+      code_.unfollowed == cylinder && block.has(unfollowed) &&
+      block.of(unfollowed).function->tenths() == cylinder && !block.move.tracking.empty() &&
+      std::ranges::all_of(block.move.tracking,
+                          [](const auto& radius) { return radius.value_or(0) == 0; });
+  if (!ends_tip && !ends_cylinder) return;
+  code_.unfollowed = -1;
+  block.copied = true;
+  block.forget |= all_axes;
+  if (ends_cylinder) block.functions[static_cast<std::size_t>(unfollowed)] = {};
 }
 
 // Decides whether the line is copied as it stands, and which axes it may move. Returns what must
@@ -174,9 +221,12 @@ Interpreter::NotWhileActive Interpreter::find_what_is_copied(BlockWords& block) 
     block.copied = true;
     block.forget |= forget;
   };
+  // What began the cycle, or changed the coordinates, has been told where TRC is active.
+  const bool told = !block.copied || block.has(unfollowed_end);
   if (code_.cycle)
     copy_motion("a position of a drilling cycle", static_cast<AxisBits>(named | third));
   if (code_.unfollowed >= 0) copy_motion("a position that is not followed", all_axes);
+  const bool hangs_on_it = told && block.copied;
   // A pole moves nothing, nor does it count from where the tool stands.
   if (block.of(axis_technology).is(111) || block.of(axis_technology).is(112)) {
     block.copied = true;
@@ -193,13 +243,7 @@ Interpreter::NotWhileActive Interpreter::find_what_is_copied(BlockWords& block) 
   if (block.to_skip && block.has(side))
     begin = block.of(side).begin, meaning = "TRC in a block that may be skipped";
 
-  const MotionKind kind = block.has(motion)
-                              ? motions[static_cast<std::size_t>(block.of(motion).function->number)]
-                              : motion_;
-  const bool circle = kind == MotionKind::clockwise || kind == MotionKind::counter_clockwise;
-  if (dialect_.name == DialectName::linuxcnc && moves && circle && block.tool_data_number && !begin)
-    begin = block.tool_data_number->begin, meaning = "P, the turns of an arc";
-  return {.begin = begin, .meaning = std::move(meaning)};
+  return {.begin = begin, .meaning = std::move(meaning), .hangs_on_what_was_told = hangs_on_it};
 }
 
 bool Interpreter::copy_code_block(ProgramLine& line, BlockWords& block) {
@@ -207,11 +251,20 @@ bool Interpreter::copy_code_block(ProgramLine& line, BlockWords& block) {
     return refuse(line, TextFault{.code = Code::nc_unsupported,
                                   .begin = block.of(axis_technology).begin,
                                   .detail = "G5 or G8 with axis words"});
+  const bool shifts_zero =
+      code_.dynamic_offset &&
+      std::ranges::any_of(block.move.tracking, [](const auto& value) { return value.has_value(); });
+  if (shifts_zero && trc_active())
+    return refuse(line, TextFault{.code = Code::nc_unsupported,
+                                  .begin = *block.axis,
+                                  .detail = "a turning axis under G254 while TRC is active"});
+  if (shifts_zero) block.forget |= all_axes;
   NotWhileActive found = find_what_is_copied(block);
   // G40 beside G28 and the like ends TRC first.
   const bool active = trc_active() && !block.of(side).is(40);
   const bool selects_here = block.has(side) && !block.of(side).is(40);
   const bool may_be_skipped = block.to_skip && block.has(side) && (selects_here || contour_open());
+  if (found.hangs_on_what_was_told && !faults_.empty() && !selects_here && active) return false;
   if (found.begin && (active || (selects_here && block.copied) || may_be_skipped))
     return refuse(line, TextFault{.code = Code::nc_unsupported,
                                   .begin = *found.begin,

@@ -117,11 +117,21 @@ bool Interpreter::read_code_function(const CodeWord& word, ProgramLine& line, Bl
     return refuse_code(line, word,
                        group == side ? Code::compensation_side_twice : Code::nc_group_twice);
   seen = {.function = function, .begin = word.begin};
-  if (function->number == 96) code_.turning = true;
+  block.changes_length |=
+      function->tenth == 0 &&
+      (function->number == 43 || function->number == 44 || function->number == 49);
+  if (function->number == 96) code_.turning = block.constant_speed = true;
   // Where there is nothing to end, G40 is a line of the program like any other.
   const bool ends_nothing = group == side && function->number == 40 && !contour_open();
   add(line, word, ends_nothing ? WordRole::mode : role_of(group));
   return true;
+}
+
+// A coordinate; `bit`: as WholeWord has it.
+void Interpreter::see_whole(const CodeWord& word, std::size_t bit, BlockWords& block) {
+  constexpr std::size_t bits = 64;
+  if (word.whole && bit < bits) block.whole |= std::uint64_t{1} << bit;
+  if (!word.whole) code_.points_seen = true;
 }
 
 bool Interpreter::read_code_axis(const CodeWord& word, ProgramLine& line, BlockWords& block) {
@@ -133,6 +143,7 @@ bool Interpreter::read_code_axis(const CodeWord& word, ProgramLine& line, BlockW
   auto& coordinate = index < 3 ? block.move.end[index] : block.move.tracking[index - 3];
   if (coordinate) return refuse_code(line, word, Code::nc_word_twice);
   coordinate = word.value;
+  see_whole(word, index < 3 ? WholeWord::axis + index : WholeWord::tracking + index - 3, block);
   code_.y_seen |= word.letter == 'Y';
   if (!block.axis) block.axis = word.begin;
   add(line, word, WordRole::coordinate);
@@ -149,6 +160,7 @@ bool Interpreter::read_comma_word(const CodeWord& word, ProgramLine& line, Block
     block.corner = word.begin;
     block.move.corner = {.form = word.letter == 'R' ? CornerCut::Form::round : CornerCut::Form::leg,
                          .size = word.value};
+    see_whole(word, WholeWord::corner, block);
   } else if (trc_active()) {
     return refuse_code(line, word, Code::nc_unsupported,
                        angle ? "the angle of a motion while TRC is active"
@@ -180,6 +192,10 @@ bool Interpreter::read_code_address(const CodeWord& word, ProgramLine& line, Blo
                                    : block.move.center[static_cast<std::size_t>(letter - 'I')];
       if (target) return twice();
       target = word.value;
+      see_whole(word,
+                letter == 'R' ? WholeWord::radius
+                              : WholeWord::center + static_cast<std::size_t>(letter - 'I'),
+                block);
       if (!block.center) block.center = word.begin;
       add(line, word, WordRole::coordinate);
       return true;
@@ -188,6 +204,7 @@ bool Interpreter::read_code_address(const CodeWord& word, ProgramLine& line, Blo
       if (block.feed) return twice();
       if (word.value < 0) return refuse_code(line, word, Code::nc_number);
       block.feed = value;
+      if (word.whole) block.whole |= std::uint64_t{1} << WholeWord::feed;
       add(line, word, WordRole::feed);
       return true;
     case 'D':
@@ -237,6 +254,7 @@ bool Interpreter::read_code_machine_function(const CodeWord& word, ProgramLine& 
   const bool ends = m == 2 || m == 30 || m == 99;
   line.ends_program |= ends;
   block.changes_tool |= m == 6;
+  block.orients_spindle |= m == 19;
   block.loads_tool |= m == 6;
   add(line, word, ends || m == 0 || m == 1 ? WordRole::stop : WordRole::technology);
   return true;

@@ -32,8 +32,8 @@ bool Interpreter::check_code_selection(ProgramLine& line, BlockWords& block) {
         line, TextFault{.code = code, .begin = block.of(side).begin, .detail = std::move(detail)});
   };
   if (selects && code_.unfollowed >= 0)
-    return wrong(Code::nc_unsupported,
-                 "TRC while coordinates are not followed (polar, scaled or tilted)");
+    return wrong(Code::nc_unsupported, "TRC under " + code_.unfollowed_meaning + " of line " +
+                                           std::to_string(code_.unfollowed_line));
   if (dialect_.name == DialectName::sinumerik && !choose_tool_of_edge(line, block)) return false;
   // Only lathes work without Y.
   const bool turns = code_.turning && !code_.y_seen;
@@ -46,23 +46,29 @@ bool Interpreter::check_code_selection(ProgramLine& line, BlockWords& block) {
   const bool fanuc = dialect_.name == DialectName::fanuc;
   if (fanuc && selects && block.tool_data_number)
     return wrong(Code::nc_unsupported, "G41, G42 with a radius in P");
-  // Older controls have one table for lengths and radii, with H words for both.
-  if (fanuc && selects && !block.tool && block.offset && !has_length_offset(line))
-    block.tool = block.offset;
+  if (block.constant_speed) block.tool.reset();
+  // Older controls have one table for lengths and radii, with H words for both. Without G41 beside
+  // it H would change the length.
+  const bool by_offset =
+      fanuc && selects && !block.tool && block.offset && !has_length_offset(line);
+  if (by_offset) block.tool = block.offset;
+  const bool by_spindle = selects && block.of(side).function->tenth == 0 &&
+                          dialect_.tool_of_spindle && !block.tool &&
+                          (code_.spindle_tool != 0 || code_.spindle_empty);
   if (selects && block.of(side).function->tenth != 0) {
     if (!block.tool) return wrong(Code::nc_number, "G41.1, G42.1 without D, the diameter");
     block.tool_radius = {.value = block.tool->value / 2, .begin = block.tool->begin};
     block.tool.reset();
-  } else if (selects && dialect_.tool_of_spindle && !block.tool &&
-             (code_.spindle_tool != 0 || code_.spindle_empty)) {
+  } else if (by_spindle) {
     block.tool = {.value = static_cast<double>(code_.spindle_tool), .begin = block.of(side).begin};
   }
   if (selects && !block.tool && !block.tool_radius && code_.missing_tool >= 0)
-    return wrong(Code::tool_unknown, "D" + std::to_string(code_.missing_tool));
+    return refuse_at(code_.edge_place, Code::tool_unknown,
+                     "D" + std::to_string(code_.missing_tool));
   if (!block.tool && !block.tool_radius) return true;
   if ((selects || trc_active()) && dialect_.name != DialectName::sinumerik)
     for (WordRange& word : line.words)
-      if (line.text[word.begin] == 'D' || line.text[word.begin] == 'd') word.role = WordRole::trc;
+      if (upper(line.text[word.begin]) == (by_offset ? 'H' : 'D')) word.role = WordRole::trc;
   if (!block.tool) return true;
   const std::int64_t number = whole_number(block.tool->value);
   code_.missing_tool = -1;
@@ -80,9 +86,12 @@ bool Interpreter::check_code_selection(ProgramLine& line, BlockWords& block) {
   if (!selects && !trc_active()) {
     // H and D stand side by side in many programs: it matters only where G41 has no D of its own.
     code_.missing_tool = number;
+    code_.edge_place = place_of_word(line, block.tool->begin);
     block.tool.reset();
     return true;
   }
+  if (by_spindle)
+    return refuse_at(code_.spindle_tool_place, Code::tool_unknown, "T" + std::to_string(number));
   return refuse(line, TextFault{.code = Code::tool_unknown,
                                 .begin = block.tool->begin,
                                 .detail = "D" + std::to_string(number)});
@@ -91,7 +100,10 @@ bool Interpreter::check_code_selection(ProgramLine& line, BlockWords& block) {
 // Sinumerik: T is the tool, D its edge; D0 is none.
 bool Interpreter::choose_tool_of_edge(ProgramLine& line, BlockWords& block) {
   // A tool change chooses the first one.
-  if (block.tool || block.tool_number) code_.edge = block.tool ? block.tool->value : 1;
+  if (block.tool || block.tool_number) {
+    code_.edge = block.tool ? block.tool->value : 1;
+    code_.edge_place = block.tool ? place_of_word(line, block.tool->begin) : WordPlace{};
+  }
   block.tool.reset();
   const bool selects = block.has(side) && !block.of(side).is(40);
   if (!selects) return true;
@@ -101,18 +113,21 @@ bool Interpreter::choose_tool_of_edge(ProgramLine& line, BlockWords& block) {
     return true;
   }
   const std::int64_t number = code_.changes_by_m6 ? code_.spindle_tool : code_.next_tool;
+  const WordPlace& tool = code_.changes_by_m6 ? code_.spindle_tool_place : code_.next_tool_place;
   const auto unknown = [&](std::string detail) {
-    return refuse(
-        line, TextFault{.code = Code::tool_unknown, .begin = begin, .detail = std::move(detail)});
+    return refuse_at(tool, Code::tool_unknown, std::move(detail));
   };
   const bool table = !state_.setup().tools.empty();
   const std::int64_t edge = whole_number(code_.edge);
   const std::int64_t row = row_of_edge(number, edge);
   if (table && number == no_tool_number) return unknown(name_not_in_table(code_.tool_name));
   const bool is_plain = edge == 1 && code_.tool_name.empty();
+  const std::string called =
+      code_.tool_name.empty() ? "T" + std::to_string(number) : code_.tool_name;
   if (table && !is_plain && !state_.tool().has_tool(row))
-    return unknown("D" + std::to_string(edge) + " of " +
-                   (code_.tool_name.empty() ? "T" + std::to_string(number) : code_.tool_name));
+    return refuse_at(edge == 1 ? tool : code_.edge_place, Code::tool_unknown,
+                     "D" + std::to_string(edge) + " of " + called);
+  if (table && number > 0 && !state_.tool().has_tool(row)) return unknown(called);
   if (number == no_tool_number) {
     // The radius of the setup stands for the one tool that the program selects with.
     if (code_.only_tool_name.empty()) code_.only_tool_name = code_.tool_name;

@@ -65,7 +65,7 @@ constexpr auto functions = std::to_array<GFunction>({
     {51, frame, "mirroring", false, 1},
     {52, frame, "local coordinate system"},
     {53, single_move, "motion in machine coordinates"},
-    {53, unfollowed, "tool axis orientation", false, 1},
+    {53, frame, "tool axis orientation", false, 1},
     {54, zero_shift, "work coordinate system", true},
     {54, zero_shift, "work coordinate system", false, 1},
     {55, zero_shift, "work coordinate system"},
@@ -83,7 +83,7 @@ constexpr auto functions = std::to_array<GFunction>({
     {66, call, "modal macro call"},
     {67, technology, "no modal macro call", true},
     {68, frame, "rotation"},
-    {68, unfollowed, "tilted working plane", false, 2},
+    {68, frame, "tilted working plane", false, 2},
     {69, frame, "no rotation, no tilted working plane", true},
     {70, single_move, "holes on a circle"},
     {71, single_move, "holes on an arc"},
@@ -151,10 +151,10 @@ constexpr auto functions = std::to_array<GFunction>({
     {184, single_move, "left-hand tapping in space"},
     {187, technology, "smoothness"},
     {234, unfollowed, "tool centre point control"},
-    {254, unfollowed, "dynamic work offset"},
-    {255, unfollowed_end, "no dynamic work offset"},
-    {268, unfollowed, "feature coordinate system"},
-    {269, unfollowed_end, "no feature coordinate system"},
+    {254, frame, "dynamic work offset"},
+    {255, frame, "no dynamic work offset"},
+    {268, frame, "feature coordinate system"},
+    {269, frame, "no feature coordinate system"},
 });
 
 static_assert(std::ranges::is_sorted(functions, {}, &GFunction::tenths));

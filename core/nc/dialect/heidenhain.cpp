@@ -99,7 +99,9 @@ bool Interpreter::read_klartext(ProgramLine& line) {
   if (!found) return true;
   const std::size_t at = *found;
   const std::string_view rest = line.text;
-  if (rest[at] == ';' || rest[at] == '*') {
+  // Simulators write a setup sheet in parentheses in front of BEGIN PGM.
+  const bool setup_sheet = rest[at] == '(' && blocks_read_ == 0;
+  if (rest[at] == ';' || rest[at] == '*' || setup_sheet) {
     line.words.push_back({.begin = static_cast<std::uint32_t>(at),
                           .end = static_cast<std::uint32_t>(rest.size()),
                           .role = WordRole::comment});

@@ -271,9 +271,13 @@ void Interpreter::count_in(const ProgramLine& line, bool inch) {
 
 // Diagnostics of the state name the column too, where the block is one line.
 void Interpreter::place(const ProgramLine& line, std::uint32_t begin) {
+  state_.place(place_of_word(line, begin).column);
+}
+
+WordPlace Interpreter::place_of_word(const ProgramLine& line, std::uint32_t begin) const {
   const bool one_line = line.source.line == lines_read_;
   const bool in_first_line = one_line || line.text.find_first_of("\r\n") >= begin;
-  state_.place(in_first_line && knows_columns_ ? begin + 1 : 0);
+  return {.source = line.source, .column = in_first_line && knows_columns_ ? begin + 1 : 0};
 }
 
 bool Interpreter::read_line(ProgramLine& line) {

@@ -175,6 +175,8 @@ class Interpreter {
   bool read_code_words(ProgramLine& line, BlockWords& block);
   bool read_code_word(const CodeWord& word, ProgramLine& line, BlockWords& block);
   bool read_code_function(const CodeWord& word, ProgramLine& line, BlockWords& block);
+  void see_whole(const CodeWord& word, std::size_t bit, BlockWords& block);
+  bool count_whole_numbers(ProgramLine& line, BlockWords& block);
   bool read_code_axis(const CodeWord& word, ProgramLine& line, BlockWords& block);
   bool read_code_address(const CodeWord& word, ProgramLine& line, BlockWords& block);
   bool read_comma_word(const CodeWord& word, ProgramLine& line, BlockWords& block);
@@ -186,8 +188,11 @@ class Interpreter {
   struct NotWhileActive {
     std::optional<std::uint32_t> begin{};  // of the line
     std::string meaning{};
+    bool hangs_on_what_was_told = false;
   };
   [[nodiscard]] NotWhileActive find_what_is_copied(BlockWords& block) const;
+  void end_what_was_unfollowed(BlockWords& block);
+  void take_tool_words(const ProgramLine& line, BlockWords& block);
   bool copy_code_block(ProgramLine& line, BlockWords& block);
   bool check_code_selection(ProgramLine& line, BlockWords& block);
   bool take_corner(ProgramLine& line, BlockWords& block);
@@ -270,11 +275,15 @@ class Interpreter {
   void forget_position(const ProgramLine& line, const BlockWords& block);
   bool apply_trc(const ProgramLine& line, const BlockWords& block);
   bool apply_motion(ProgramLine& line, BlockWords& block);
+  bool leave_out_bottlenecks(bool on, const Source& source);
+  bool move_in_full_turns(ProgramLine& line, const BlockWords& block);
   bool move(ProgramLine& line, MoveRequest& request);
   void scale(MoveRequest& request) const;
   bool pass_words(const ProgramLine& line, WordRole role);
 
   bool refuse(const ProgramLine& line, const TextFault& given);
+  bool refuse_at(const WordPlace& place, Code code, std::string detail);
+  [[nodiscard]] WordPlace place_of_word(const ProgramLine& line, std::uint32_t begin) const;
   [[nodiscard]] static TextFault with_slip(const ProgramLine& line, TextFault fault);
   bool refuse(const ProgramLine& line, const Word& word, Code code, std::string detail = {});
   void guard_against_other_dialects(const ProgramLine& line, Diagnostic& fault) const;
@@ -302,17 +311,24 @@ class Interpreter {
 
   // What a program of a dialect of plain letters and numbers has in force besides.
   struct CodeModes {
-    bool cycle = false;                // each position is one of a drilling cycle
-    std::int32_t unfollowed = -1;      // the function, in tenths, under which coordinates mean
-                                       // something else; -1: none
+    bool cycle = false;            // each position is one of a drilling cycle
+    std::int32_t unfollowed = -1;  // the function, in tenths, under which coordinates mean
+                                   // something else; -1: none
+    std::uint32_t unfollowed_line = 0;
+    std::string unfollowed_meaning{};
+    bool points_seen = false;          // a coordinate had a decimal point
     bool turning = false;              // a word that only lathes have has been seen
     bool y_seen = false;               // a Y word has
     bool dimension_uncertain = false;  // the last G90 or G91 may be skipped
     bool turned = false;               // coordinates are rotated or mirrored
+    bool dynamic_offset = false;       // G254: the zero point goes with the turning axes
     std::int64_t next_tool = 0;        // T
     std::int64_t spindle_tool = 0;
-    bool tool_named = false;         // by a T word
-    bool spindle_empty = false;      // T0 M06
+    bool tool_named = false;     // by a T word
+    bool spindle_empty = false;  // T0 M06
+    WordPlace next_tool_place{};
+    WordPlace spindle_tool_place{};
+    WordPlace edge_place{};          // of the last D word; with a new tool none
     std::int64_t missing_tool = -1;  // of the last D word, which the table has not
     std::string tool_name{};         // of T="…"
     std::string only_tool_name{};
@@ -333,10 +349,12 @@ class Interpreter {
 
     template <class Archive>
     void serialize(Archive& archive) {
-      archive(cycle, unfollowed, turning, y_seen, dimension_uncertain, turned, next_tool,
-              spindle_tool, tool_name, edge, changes_by_m6, only_register, pole, polar_angle,
-              polar_radius, polar_rewritten, missing_tool, only_tool_name, tangent_arcs, tool_named,
-              spindle_empty, modal_rounding, soft_direction, soft_in_space, soft_approach);
+      archive(cycle, unfollowed, unfollowed_line, unfollowed_meaning, points_seen, turning, y_seen,
+              dimension_uncertain, turned, dynamic_offset, next_tool, spindle_tool, tool_name, edge,
+              changes_by_m6, only_register, pole, polar_angle, polar_radius, polar_rewritten,
+              missing_tool, only_tool_name, tangent_arcs, tool_named, spindle_empty, modal_rounding,
+              soft_direction, soft_in_space, soft_approach, next_tool_place, spindle_tool_place,
+              edge_place);
     }
   };
   // What a program in Klartext has in force besides.
@@ -354,6 +372,7 @@ class Interpreter {
     std::optional<std::int64_t> tool{};
     double radius_delta = 0;  // DR, mm
     std::string tool_name{};  // in quotes, or a parameter
+    WordPlace tool_place{};
     std::string only_tool_name{};
     // How many contours had been selected where a label stands, and which labels were called
     // before they stood anywhere.
@@ -365,8 +384,8 @@ class Interpreter {
     template <class Archive>
     void serialize(Archive& archive) {
       archive(pole, polar_radius, tangent, rapid, called_feed, feed_per_turn, modal_cycle,
-              unfollowed, tool, radius_delta, tool_name, only_tool_name, contours, labels, calls,
-              called_section);
+              unfollowed, tool, radius_delta, tool_name, tool_place, only_tool_name, contours,
+              labels, calls, called_section);
     }
   };
   // The first of its kind; the others only count.

@@ -115,6 +115,7 @@ bool Interpreter::apply_trc(const ProgramLine& line, const BlockWords& block) {
   if (has(masking) &&
       !state_.set_masking(block.of(masking).is(141) ? Masking::on : Masking::off, source))
     return false;
+  if (block.masks && at(0) && !leave_out_bottlenecks(*block.masks, source)) return false;
   if (has(feed_adaptation) &&
       !state_.set_feed_adaptation(block.of(feed_adaptation).is(11) ? FeedAdaptation::on
                                   : block.of(feed_adaptation).is(feed_at_inside)
@@ -139,7 +140,9 @@ bool Interpreter::apply_trc(const ProgramLine& line, const BlockWords& block) {
   if (block.allowance && at(block.allowance->begin) &&
       !state_.set_allowance_of_program(block.allowance->value * length_unit(), source))
     return false;
-  if (block.tool_number) state_.prepare_tool(static_cast<std::int64_t>(block.tool_number->value));
+  if (block.tool_number)
+    state_.prepare_tool(static_cast<std::int64_t>(block.tool_number->value),
+                        place_of_word(line, block.tool_number->begin));
   if (block.loads_tool && at(0) && !state_.load_tool(source)) return false;
   const bool zero = block.tool && block.tool->value == 0 && dialect_.zero_is_a_radius &&
                     !state_.tool().row_of_tool(0);
@@ -151,6 +154,16 @@ bool Interpreter::apply_trc(const ProgramLine& line, const BlockWords& block) {
   // A smooth retraction runs along the contour before it ends TRC.
   if (!has(side) || (block.leads_softly && block.of(side).is(40))) return true;
   return state_.select(side_of(block.of(side).function->number), source);
+}
+
+// CDON of Sinumerik, M120 of Heidenhain: G141 with REMOVE_MASKED_BLOCKS. Without them the setup
+// decides.
+bool Interpreter::leave_out_bottlenecks(bool on, const Source& source) {
+  const TrcMode& initial = state_.setup().mode;
+  TrcOptions options = state_.mode().options;
+  options.remove_masked_blocks = on || initial.options.remove_masked_blocks;
+  return state_.set_masking(on ? Masking::on : initial.masking, source) &&
+         state_.set_options(options, source);
 }
 
 bool Interpreter::apply_motion(ProgramLine& line, BlockWords& block) {
@@ -174,7 +187,8 @@ bool Interpreter::apply_motion(ProgramLine& line, BlockWords& block) {
                             .detail = std::string("G")
                                           .append(std::to_string(feed_mode_))
                                           .append(adapted ? " with G11" : " while TRC is active")});
-  return code_.soft_approach ? begin_contour_of_approach(line, block) : move(line, block.move);
+  if (code_.soft_approach) return begin_contour_of_approach(line, block);
+  return block.turns ? move_in_full_turns(line, block) : move(line, block.move);
 }
 
 // The words of `request` are those of the line; the rest is in force.

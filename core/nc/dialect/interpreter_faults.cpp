@@ -42,6 +42,12 @@ bool Interpreter::refuse(const ProgramLine& line, const TextFault& given) {
   return collect(std::move(refused));
 }
 
+bool Interpreter::refuse_at(const WordPlace& place, Code code, std::string detail) {
+  Diagnostic refused = diagnostic(code, place.source, std::move(detail));
+  refused.column = place.column;
+  return collect(std::move(refused));
+}
+
 // What cannot be read as ISG, in a program that has no word of its own, may be of another dialect.
 void Interpreter::guard_against_other_dialects(const ProgramLine& line, Diagnostic& fault) const {
   constexpr std::array codes{Code::nc_syntax, Code::nc_unknown_function, Code::nc_unsupported,

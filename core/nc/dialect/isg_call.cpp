@@ -26,7 +26,10 @@ bool calls_subprogram(std::string_view text) {
   while (letters < text.size() && letters < 2 && upper(text[letters]) == 'L') ++letters;
   if (letters == 0 || blank_at_start(text.substr(letters)) == 0) return false;
   const std::string_view rest = without_blanks_in_front(text.substr(letters));
-  const std::size_t end = std::min(rest.find_first_of(" \t[(;"), rest.size());
+  const bool quoted = rest.starts_with('"');
+  const std::size_t close = quoted ? rest.find('"', 1) : 0;
+  if (close == std::string_view::npos) return false;
+  const std::size_t end = std::min(rest.find_first_of(" \t[(;", close), rest.size());
   const std::string_view name = rest.substr(0, end);
   const std::string_view behind = without_blanks_in_front(rest.substr(end));
   return !name.empty() && !is_axis_word(name) &&

@@ -97,6 +97,7 @@ bool Interpreter::read_klartext_function(const KlartextWord& word, ProgramLine& 
       break;
     case 103:
     case 118:
+    case 124:
     case 138:
     case 140:
       block.ignores_words = true;

@@ -45,6 +45,9 @@ bool Interpreter::check_klartext(ProgramLine& line, KlartextBlock& block) {
   }
   // R0 beside M91 ends TRC first.
   const bool in_contour = (active && block.side != Side::off) || selects;
+  // RL under scaling or M128 has been told: what follows hangs on that.
+  const bool led = klartext_.unfollowed && block.unfollowed == block.begin;
+  if (block.unfollowed && in_contour && led && !selects && !faults_.empty()) return false;
   if (block.unfollowed && in_contour)
     return refuse_klartext(line, *block.unfollowed,
                            block.unfollowed_why + (active ? ", while TRC is active" : ""));
@@ -133,14 +136,8 @@ bool Interpreter::apply_klartext_modes(ProgramLine& line, KlartextBlock& block) 
   place(line, block.side ? block.side_begin : block.begin);
   if (block.adapts_feed && !state_.set_feed_adaptation(*block.adapts_feed, line.source))
     return false;
-  const TrcMode& initial = state_.setup().mode;
   const bool ends = block.side == Side::off || block.is(KlartextStatement::departure);
-  const auto mask = [&](bool on) {
-    TrcOptions options = state_.mode().options;
-    options.remove_masked_blocks = on || initial.options.remove_masked_blocks;
-    return state_.set_masking(on ? Masking::on : initial.masking, line.source) &&
-           state_.set_options(options, line.source);
-  };
+  const auto mask = [&](bool on) { return leave_out_bottlenecks(on, line.source); };
   if (block.masks && !mask(*block.masks)) return false;
   if (block.is_lead() || !block.side) return true;
   if (*block.side != Side::off) return select_in_klartext(line, *block.side, block.side_begin);
@@ -359,11 +356,7 @@ bool Interpreter::lead_in_klartext(ProgramLine& line, KlartextBlock& block) {
   if (!approaches) {
     if (block.rapid) request.kind = MotionKind::rapid;
     klartext_.rapid = block.rapid;
-    const TrcMode& initial = state_.setup().mode;
-    TrcOptions options = state_.mode().options;
-    options.remove_masked_blocks = initial.options.remove_masked_blocks;
-    return state_.depart_by(lead, request) && state_.set_masking(initial.masking, line.source) &&
-           state_.set_options(options, line.source);
+    return state_.depart_by(lead, request) && leave_out_bottlenecks(false, line.source);
   }
   MoveRequest way = request;
   way.kind = klartext_.rapid ? MotionKind::rapid : MotionKind::linear;

@@ -108,6 +108,7 @@ bool Interpreter::read_tool_call(ProgramLine& line, std::size_t begin, std::stri
   if (feed) modes.called_feed = *feed * (inch_ ? mm_per_inch / 10 : 1);
   if (called->named) {
     modes.tool_name = called->name;
+    modes.tool_place = place_of_word(line, static_cast<std::uint32_t>(begin));
     modes.tool = called->name.empty() ? called->number : state_.tool().tool_named(called->name);
     modes.modal_cycle = false;
     modes.radius_delta = 0;
@@ -147,7 +148,7 @@ bool Interpreter::choose_called_tool(const ProgramLine& line, std::size_t begin)
   if (!modes.tool) return true;
   const ProgramSetup& setup = state_.setup();
   const auto unknown = [&](const std::string& tool) {
-    return refuse_klartext(line, begin, tool, Code::tool_unknown);
+    return refuse_at(modes.tool_place, Code::tool_unknown, tool);
   };
   const auto number_text = [&](std::int64_t tool) {
     if (tool <= no_tool_number) return name_not_in_table(modes.tool_name);

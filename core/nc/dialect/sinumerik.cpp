@@ -60,6 +60,8 @@ constexpr auto functions = std::to_array<GFunction>({
     {153, single_move, "motion without zero shifts and base frames"},
     {247, soft_lead, "smooth approach along a quarter circle"},
     {248, soft_lead, "smooth retraction along a quarter circle"},
+    {290, technology, "Siemens mode", true},
+    {291, refused, "ISO mode: the program is one of --dialect fanuc"},
     {331, single_move, "tapping"},
     {332, single_move, "retract from tapping"},
     {340, soft_steps, "smooth approach in space", true},

@@ -40,8 +40,6 @@ constexpr auto names = std::to_array<Name>({
     {"ATRANS", Meaning::frame},
     {"BRISK", Meaning::technology},
     {"CASE", Meaning::statement},
-    {"CDOF", Meaning::technology},
-    {"CDOF2", Meaning::technology},
     {"CFTCP", Meaning::technology},
     {"COMPCAD", Meaning::technology},
     {"COMPCURV", Meaning::technology},
@@ -84,8 +82,10 @@ constexpr auto names = std::to_array<Name>({
     {"LOOP", Meaning::statement},
     {"MCALL", Meaning::modal_cycle},
     {"MIRROR", Meaning::frame},
-    {"NORM", Meaning::technology},
+    {"ORIAXES", Meaning::technology},
     {"ORIMKS", Meaning::technology},
+    {"ORIRESET", Meaning::technology},
+    {"ORIVECT", Meaning::technology},
     {"ORIWKS", Meaning::technology},
     {"PROC", Meaning::statement},
     {"REPEAT", Meaning::statement},
@@ -116,14 +116,15 @@ constexpr auto names = std::to_array<Name>({
 static_assert(std::ranges::is_sorted(names, {}, &Name::name));
 
 // Calls that say nothing about where the path runs.
-constexpr auto passing_calls = std::to_array<std::string_view>(
-    {"FGROUP", "GROUP_BEGIN", "GROUP_END", "MSG", "SETMS", "SPOS", "WAITS", "WORKPIECE"});
+constexpr auto passing_calls =
+    std::to_array<std::string_view>({"CYCLE832", "FGROUP", "GROUP_BEGIN", "GROUP_END", "MSG",
+                                     "ORIRESET", "SETMS", "SPOS", "WAITS", "WORKPIECE"});
 // CYCLE, HOLES, POCKET, SLOT and the like: what they move only the control knows.
 constexpr auto cycles = std::to_array<std::string_view>(
     {"CYCLE", "HOLES", "POCKET", "SLOT", "LONGHOLE", "TRANSMIT", "TRACYL", "F_"});
 // Words with values that say nothing about where the path runs.
 constexpr auto passing_assignments = std::to_array<std::string_view>(
-    {"ACC", "ADIS", "ADISPOS", "FA", "FZ", "LIMS", "SCC", "SPOS", "SVC"});
+    {"ACC", "ADIS", "ADISPOS", "FA", "FGREF", "FZ", "LIMS", "SCC", "SPOS", "SVC"});
 // Words with values that round or bevel corners.
 constexpr auto corner_words = std::to_array<std::string_view>({"FRC", "FRCM"});
 
@@ -136,6 +137,8 @@ constexpr GFunction unfollowed_end_name{.number = 1002, .group = unfollowed_end}
 constexpr GFunction single_name{
     .number = 1003, .group = single_move, .meaning = "a cycle or motion of its own"};
 constexpr GFunction cycle_name{.number = 1004, .group = cycle, .meaning = "a modal cycle"};
+constexpr GFunction around_the_corner{.number = 139, .group = selection};
+constexpr GFunction straight_to_the_contour{.number = 138, .group = selection};
 constexpr GFunction feed_at_contour{.number = 11, .group = feed_adaptation};
 constexpr GFunction feed_at_inside_arcs{.number = feed_at_inside, .group = feed_adaptation};
 constexpr GFunction feed_at_center{.number = 10, .group = feed_adaptation};
@@ -343,6 +346,12 @@ bool Interpreter::read_assignment(const NamedWord& word, ProgramLine& line, Bloc
     return read_soft_word(word, line, block);
   if (is("AP") || is("RP")) return read_polar_word(word, line, block);
   if (is("ANG") && trc_active()) return refused(Code::nc_unsupported, "the angle of a motion");
+  if (is("TURN") && contour_open()) {
+    if (block.turns) return refused(Code::nc_word_twice, "a second TURN=");
+    block.turns = {.value = word.value, .begin = word.begin};
+    add(line, word, WordRole::coordinate);
+    return true;
+  }
   if (is("TURN") || is("ANG")) {
     block.unfollowed_word = word.begin;
     add(line, word, WordRole::technology);
@@ -369,13 +378,14 @@ bool Interpreter::read_name(const NamedWord& word, ProgramLine& line, BlockWords
   };
   ++block.words;
   if (word.kind == NamedWord::Kind::call) {
-    if (begins_with_any(word.name, cycles)) {
+    const bool passes = std::ranges::find(passing_calls, word.name) != passing_calls.end();
+    if (begins_with_any(word.name, cycles) && !passes) {
       if (word.name.starts_with("TRA")) return stands_for(unfollowed_name);
       if (!block.has(cycle)) return stands_for(single_name);
       add(line, word, WordRole::technology);
       return true;
     }
-    if (std::ranges::find(passing_calls, word.name) == passing_calls.end() && word.name != "TRAORI")
+    if (!passes && word.name != "TRAORI")
       return state_.setup().copies_unknown_words ? stands_for(unknown_name) : refused("a call");
     if (word.name == "TRAORI") return stands_for(unfollowed_name);
     add(line, word, WordRole::technology);
@@ -392,9 +402,17 @@ bool Interpreter::read_name(const NamedWord& word, ProgramLine& line, BlockWords
   if (word.name == "CFTCP") return stands_for(feed_at_center);
   if (word.name == "CFIN") return stands_for(feed_at_inside_arcs);
   if (word.name == "CT") block.begins_tangent_arcs = true;
-  if (word.name == "KONT" || word.name == "KONTC" || word.name == "KONTT")
-    return refused("an approach round the corner: NORM");
-  if (word.name == "CDON") return refused("a search for bottlenecks: CDOF");
+  if (word.name == "KONTC" || word.name == "KONTT")
+    return refused("an approach that goes on smoothly: NORM or KONT");
+  if (word.name == "KONT" || word.name == "NORM") {
+    // D-51. Without G41 and G42 the word says nothing: it stays.
+    return stands_for(word.name == "KONT" ? around_the_corner : straight_to_the_contour);
+  }
+  if (word.name == "CDON" || word.name == "CDOF" || word.name == "CDOF2") {
+    block.masks = word.name == "CDON";
+    add(line, word, WordRole::technology);
+    return true;
+  }
   const auto found = std::ranges::lower_bound(names, word.name, {}, &Name::name);
   const bool known = found != names.end() && found->name == word.name;
   const bool copied = !known && state_.setup().copies_unknown_words;

@@ -113,13 +113,14 @@ struct ProgramLine {
   return !((second >= 'A' && second <= 'Z') || (second >= 'a' && second <= 'z'));
 }
 
-// AP= and RP= name both axes of the plane.
+// AP= and RP= name both axes of the plane, and so does AR=, which may stand for the end of an arc.
 [[nodiscard]] inline bool is_polar(const ProgramLine& line, const WordRange& word) {
   const auto is = [&](std::size_t at, char capital) {
     return at < line.text.size() &&
            (line.text[at] == capital || line.text[at] == capital - 'A' + 'a');
   };
-  return (is(word.begin, 'A') || is(word.begin, 'R')) && is(word.begin + 1, 'P');
+  return (is(word.begin, 'A') || is(word.begin, 'R')) &&
+         (is(word.begin + 1, 'P') || is(word.begin + 1, 'R'));
 }
 
 // Lines stay where they are on their way from the reader to the writer and back, with the memory

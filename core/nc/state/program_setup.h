@@ -25,6 +25,13 @@ inline constexpr std::int64_t first_named_tool = std::int64_t{1} << 31U;
 // The edge of such a row.
 [[nodiscard]] constexpr std::int64_t edge_of_row(std::int64_t row) { return (row >> 32U) + 1; }
 
+// What a coordinate of FANUC counts in where it has no decimal point.
+enum class WholeNumbers : std::uint8_t {
+  unsaid,      // as `units`, but far beyond any machine it is refused (900008)
+  units,       // X10 is 10 mm, or 10 in
+  increments,  // X10 is 0.010 mm, 0.0010 in or 0.010 degrees: the least input increment
+};
+
 // What holds before the first block.
 struct ProgramSetup {
   TrcMode mode{};                // plane, mode, radius, options; side must be off
@@ -54,6 +61,7 @@ struct ProgramSetup {
   std::map<std::string, double> variables{};
   std::map<std::string, std::string> subprograms{};
   std::uint64_t max_executed_lines = 10'000'000;  // 900301 beyond
+  WholeNumbers whole_numbers = WholeNumbers::unsaid;
 };
 
 }  // namespace trc

@@ -47,8 +47,9 @@ bool ProgramState::report(const Source& source, Code code, std::string detail,
 }
 
 bool ProgramState::refuse(const Source& source, Refusal refusal) {
-  Diagnostic refused = diagnostic(refusal.code, source, std::move(refusal.detail));
-  refused.column = column_;
+  Diagnostic refused = diagnostic(refusal.code, refusal.place ? refusal.place->source : source,
+                                  std::move(refusal.detail));
+  refused.column = refusal.place ? refusal.place->column : column_;
   refused.values = std::move(refusal.values);
   refused.point = refusal.point;
   return diagnostics_.report(std::move(refused));

@@ -110,7 +110,9 @@ class ProgramState {
     return set_allowance(setup_.allowance + allowance, source);
   }
   bool set_tool(std::int64_t number, const Source& source);
-  void prepare_tool(std::int64_t number) { tool_.prepare_tool(number); }
+  void prepare_tool(std::int64_t number, const WordPlace& place = {}) {
+    tool_.prepare_tool(number, place);
+  }
   bool load_tool(const Source& source);
   void define_tool(std::int64_t number, double radius) { tool_.define_tool(number, radius); }
   bool call_tool(const ToolRow& row, const Source& source);

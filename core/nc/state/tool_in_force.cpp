@@ -136,6 +136,7 @@ std::optional<Refusal> ToolInForce::take_tool(std::int64_t number) {
   if (giver_ == RadiusGiver::setup) return {};
   giver_ = RadiusGiver::nobody;
   missing_ = number;
+  missing_place_ = prepared_place_;
   return {};
 }
 
@@ -146,6 +147,10 @@ std::optional<Refusal> ToolInForce::check_at_first_motion(const Source& selected
 }
 
 std::optional<Refusal> ToolInForce::check(const Source& selected) {
+  if (giver_ == RadiusGiver::nobody && missing_ > 0 && !setup_.tools.empty())
+    return Refusal{.code = Code::tool_unknown,
+                   .detail = "T" + std::to_string(missing_),
+                   .place = missing_place_};
   if (giver_ == RadiusGiver::nobody)
     return Refusal{.code = Code::no_tool_radius, .detail = missing_radius(selected)};
   const bool wear_mode = terms_.nominal > 0;

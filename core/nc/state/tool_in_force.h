@@ -30,13 +30,17 @@ class ToolInForce {
   // T word: the tool is made ready. M06: it is the one in the spindle. Its radius in the tool table
   // holds as long as the program has neither a D word nor another radius of its own; without any
   // M06 a T word acts at once.
-  void prepare_tool(std::int64_t number) { prepared_ = number; }
+  void prepare_tool(std::int64_t number, const WordPlace& place) {
+    prepared_ = number;
+    prepared_place_ = place;
+  }
   std::optional<Refusal> load_tool();
   // The program itself gives a tool of the table its radius, mm.
   void define_tool(std::int64_t number, double radius) { defined_[number] = radius; }
 
   // What the first motion of a selection asks for: that there is a radius (900219) and that its
-  // wear is none of a whole radius (900222); 0 gets a warning once (900220). `selected`: by whom.
+  // wear is none of a whole radius (900222); 0 gets a warning once (900220). A tool that the table
+  // does not hold is told where the program calls it (900013, D-52). `selected`: by whom.
   std::optional<Refusal> check(const Source& selected);
   // The same; a tool made ready without any M06 takes its place first.
   std::optional<Refusal> check_at_first_motion(const Source& selected);
@@ -58,8 +62,8 @@ class ToolInForce {
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(defined_, terms_.radius, terms_.wear, terms_.allowance, giver_, prepared_, loads_tools_,
-            missing_, zero_reported_);
+    archive(defined_, terms_.radius, terms_.wear, terms_.allowance, giver_, prepared_,
+            prepared_place_, loads_tools_, missing_, missing_place_, zero_reported_);
   }
 
  private:
@@ -83,7 +87,9 @@ class ToolInForce {
   RadiusGiver giver_ = RadiusGiver::nobody;
   std::int64_t prepared_ = no_tool;  // of a T word, until it is loaded
   bool loads_tools_ = false;         // the program has an M06
+  WordPlace prepared_place_{};       // of the last T word
   std::int64_t missing_ = no_tool;   // asked for last, without a radius
+  WordPlace missing_place_{};
   bool zero_reported_ = false;
 };
 

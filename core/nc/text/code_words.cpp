@@ -61,18 +61,21 @@ CodeWord CodeReader::next() {
   if (begin >= line_.size()) return {};
   const char sign = peek();
   if (sign == '(' || sign == ';') return comment();
-  if (is_letter(sign)) return address(false);
-  if ((sign == ':' || sign == '$') && is_digit(peek(1))) return address(false);
+  if (is_letter(sign)) return address(begin);
+  const bool all_spindles = sign == '$' && peek(1) == '-' && is_digit(peek(2));
+  if (((sign == ':' || sign == '$') && is_digit(peek(1))) || all_spindles) return address(begin);
   if (sign == '<' && line_.find('>', begin) != std::string_view::npos) {  // the name of the program
     at_ = line_.find('>', begin) + 1;
     return {.kind = CodeWord::Kind::comment,
             .begin = static_cast<std::uint32_t>(begin),
             .end = static_cast<std::uint32_t>(at_)};
   }
-  if (sign == ',' && is_letter(peek(1))) {
+  if (sign == ',') {  // controls skip blanks, also between the two signs of ,R
     ++at_;
-    return address(true);
+    skip_blanks();
+    if (is_letter(peek())) return address(begin);
   }
+  if ((sign == '@' || sign == '^') && begins_number(peek(1))) return polar(begin);
   if (sign == '/') {
     ++at_;
     while (is_digit(peek())) ++at_;
@@ -110,8 +113,16 @@ CodeWord CodeReader::name(std::size_t begin) {
   return fail(Code::nc_unsupported, begin, line_.size(), detail + ", a statement");
 }
 
-CodeWord CodeReader::address(bool comma) {
-  const std::size_t begin = comma ? at_ - 1 : at_;
+// @12 ^30 of LinuxCNC.
+CodeWord CodeReader::polar(std::size_t begin) {
+  constexpr std::string_view signs = "@^+-.0123456789 \t";
+  const std::size_t end = std::min(line_.find_first_not_of(signs, begin), line_.size());
+  return fail(Code::nc_unsupported, begin, end, "@ and ^, polar coordinates");
+}
+
+// `begin`: of the word; `at_` stands on its letter.
+CodeWord CodeReader::address(std::size_t begin) {
+  const bool comma = begin != at_;
   CodeWord word{.kind = CodeWord::Kind::address,
                 .letter = upper(peek()),
                 .comma = comma,

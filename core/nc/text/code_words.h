@@ -37,7 +37,8 @@ class CodeReader {
     return at_ + ahead < line_.size() ? line_[at_ + ahead] : '\0';
   }
   [[nodiscard]] CodeWord comment();
-  [[nodiscard]] CodeWord address(bool comma);
+  [[nodiscard]] CodeWord address(std::size_t begin);
+  [[nodiscard]] CodeWord polar(std::size_t begin);
   [[nodiscard]] CodeWord name(std::size_t begin);
   [[nodiscard]] CodeWord fail(Code code, std::size_t begin, std::size_t end, std::string detail);
 

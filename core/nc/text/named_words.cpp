@@ -55,6 +55,15 @@ NamedWord NamedWordReader::next() {
             .begin = static_cast<std::uint32_t>(begin),
             .end = static_cast<std::uint32_t>(at_)};
   }
+  if (sign == '(') {  // 810 and 820: a comment; a call has its name right in front
+    const std::size_t close = line_.find(')', begin);
+    if (close == std::string_view::npos)
+      return fail(Code::nc_unclosed, begin, "(, a comment without )");
+    at_ = close + 1;
+    return {.kind = NamedWord::Kind::comment,
+            .begin = static_cast<std::uint32_t>(begin),
+            .end = static_cast<std::uint32_t>(at_)};
+  }
   if (sign == '/') {
     ++at_;
     while (is_digit(peek())) ++at_;

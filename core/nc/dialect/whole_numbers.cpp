@@ -1,0 +1,67 @@
+#include <bit>
+#include <cmath>
+#include <string>
+#include <string_view>
+
+#include "core/nc/dialect/block_words.h"
+
+// Numbers of Fanuc without a decimal point: millimetres on some controls, thousandths on others
+// (D-50).
+
+namespace trc {
+namespace {
+
+constexpr double increment_mm = 0.001;  // also of degrees
+constexpr double increment_inch = 0.0001;
+constexpr double feed_increment_inch = 0.01;  // F10 is 0.1 in/min; of mm F10 is 10 mm/min
+constexpr double longest_travel = 10'000;     // mm, of a milling machine
+
+bool turns(std::string_view axis) {
+  return axis.empty() || std::string_view("UVWXYZ").find(axis[0]) == std::string_view::npos;
+}
+
+}  // namespace
+
+bool Interpreter::count_whole_numbers(ProgramLine& line, BlockWords& block) {
+  const WholeNumbers rule = state_.setup().whole_numbers;
+  if (rule == WholeNumbers::units) return true;
+  const bool inch =
+      block.has(GGroup::unit) ? counts_in_inch(*block.of(GGroup::unit).function) : inch_;
+  MoveRequest& move = block.move;
+  const auto is_whole = [&](std::size_t bit) { return bit < 64 && (block.whole >> bit & 1) != 0; };
+  if (rule == WholeNumbers::unsaid) {
+    for (const GGroup group :
+         {GGroup::tool_data, GGroup::frame, GGroup::single_move, GGroup::axis_technology})
+      if (block.has(group)) return true;  // no positions of the program
+    const double in_mm = inch ? mm_per_inch : 1;
+    for (std::size_t axis = 0; axis < move.end.size(); ++axis)
+      if (move.end[axis] && is_whole(WholeWord::axis + axis) && !code_.points_seen &&
+          std::abs(*move.end[axis]) * in_mm >= longest_travel)
+        return refuse(line, TextFault{.code = Code::nc_number,
+                                      .begin = *block.axis,
+                                      .detail = "a place metres away without a decimal point: say "
+                                                "what whole numbers count in"});
+    return true;
+  }
+  const double length = inch ? increment_inch : increment_mm;
+  const auto scale = [&](auto& value, std::size_t bit, double increment) {
+    if (value && is_whole(bit)) *value *= increment;
+  };
+  for (std::size_t axis = 0; axis < move.end.size(); ++axis) {
+    scale(move.end[axis], WholeWord::axis + axis, length);
+    scale(move.center[axis], WholeWord::center + axis, length);
+  }
+  scale(move.radius, WholeWord::radius, length);
+  if (move.corner && is_whole(WholeWord::corner)) move.corner->size *= length;
+  const auto& names = state_.setup().tracking_axes;
+  for (std::size_t axis = 0; axis < move.tracking.size(); ++axis)
+    scale(move.tracking[axis], WholeWord::tracking + axis,
+          turns(names[axis]) ? increment_mm : length);
+  const int feed =
+      block.has(GGroup::feed_mode) ? block.of(GGroup::feed_mode).function->number : feed_mode_;
+  if (inch && feed == 94 && block.feed && is_whole(WholeWord::feed))
+    block.feed->value *= feed_increment_inch;
+  return true;
+}
+
+}  // namespace trc

@@ -1,0 +1,11 @@
+; radius 2
+; refused 900003 line 8
+O0038
+G21 G90 G17
+G254
+G0 X-20. Y-20. B90.
+G41 D1 G1 X0. Y0. F500.
+Y40. B91.
+X60.
+G40 X80.
+M30

@@ -1,0 +1,8 @@
+; radius 2
+; refused 900003 line 6
+G21 G90 G17
+G0 X-20 Y-20
+G41 D1 G1 X0 Y0 F300
+@10 ^45
+G40 X80
+M2

@@ -1,0 +1,7 @@
+; radius 2
+; refused 900003 line 4
+G290 G17 G90 G71
+G291
+G0 X-20 Y-20
+G41 G1 X0 Y0 F300
+M30
