@@ -276,6 +276,7 @@ TEST_P(OfADialect, WritesThePathInItsDialect) {
     EXPECT_EQ(path[k].origin, Origin::uncompensated);
     ASSERT_EQ(is_arc(path[k].path), is_arc(wanted[k].path)) << written.text;
     EXPECT_EQ(path[k].rapid, wanted[k].rapid) << text_of(wanted[k]) << '\n' << written.text;
+    EXPECT_NEAR(path[k].rapid ? 0 : path[k].feed - wanted[k].feed, 0, 1e-3) << written.text;
     for (const double t : {0.5, 1.0})
       EXPECT_LT((place_at(path[k], t) - place_at(wanted[k], t)).norm(), 2e-3)
           << text_of(wanted[k]) << '\n'

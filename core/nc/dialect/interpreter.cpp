@@ -216,6 +216,7 @@ void Interpreter::enter_modes(ProgramLine& line) const {
   line.motion = motion_;
   line.incremental = incremental_;
   line.inch = inch_;
+  line.feed_in_inch = inch_ && !feed_in_mm_;
   line.absolute_center = absolute_center_;
   line.plane = state_.programmed_plane();
   line.feed = feed_mode_ == 94 ? feed_ : 0;

@@ -96,6 +96,7 @@ struct ProgramLine {
   MotionKind motion = MotionKind::rapid;
   bool incremental = false;      // G91
   bool inch = false;             // G70
+  bool feed_in_inch = false;     // F counts in inch/min
   bool absolute_center = false;  // G161
   Plane plane = Plane::xy;
   double feed = 0;  // mm/min; 0: none programmed yet, or not per minute (G93, G95)

@@ -351,7 +351,7 @@ bool MotionWriter::same_feed(double a, double b, bool inch) const {
 }
 
 void MotionWriter::append_feed(TextBuffer& out, double feed, WrittenState& state) const {
-  const WrittenFeed word = written_feed(feed, state.inch);
+  const WrittenFeed word = written_feed(feed, state.feed_in_inch);
   out.end_at(write_word(out.room(room_of_word), 'F', word.units, word.decimals));
   state.feed = word.read;
 }

@@ -20,6 +20,7 @@ struct WrittenState {
   MotionKind motion = MotionKind::rapid;
   bool incremental = false;
   bool inch = false;
+  bool feed_in_inch = false;
   bool absolute_center = false;
   Plane plane = Plane::xy;
   double feed = 0;  // mm/min; 0: none written yet
@@ -34,8 +35,8 @@ struct WrittenState {
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(motion, incremental, inch, absolute_center, plane, feed, position, tracking, pole,
-            has_pole, pole_written, other_tangent, other_radius);
+    archive(motion, incremental, inch, feed_in_inch, absolute_center, plane, feed, position,
+            tracking, pole, has_pole, pole_written, other_tangent, other_radius);
   }
 };
 

@@ -246,7 +246,7 @@ void NcWriter::append_feed_and_rest(const CompensatedBlock& block) {
     } else if (word.role == WordRole::feed) {
       // FMAX stands for the feed of its block; that of the line comes with the next one.
       if (klartext_ && block.rapid) continue;
-      if (needs_feed && !motions_.same_feed(line.feed, block.feed, line.inch)) {
+      if (needs_feed && !motions_.same_feed(line.feed, block.feed, line.feed_in_inch)) {
         append_feed(block.feed);
       } else {
         append(line, word);
@@ -260,7 +260,7 @@ void NcWriter::append_feed_and_rest(const CompensatedBlock& block) {
 // of the program, also where that is per revolution and means nothing here.
 bool NcWriter::has_feed(const CompensatedBlock& block) const {
   if (feed_is_programmed_ && own_ != nullptr && own_->line->feed == block.feed) return true;
-  return motions_.same_feed(state_.feed, block.feed, state_.inch);
+  return motions_.same_feed(state_.feed, block.feed, state_.feed_in_inch);
 }
 
 void NcWriter::append_feed(double feed) {
