@@ -459,6 +459,7 @@ constexpr auto phrases = std::to_array<Phrase>({
     {"a subprogram without M99", "ein Unterprogramm ohne M99"},
     {"a subprogram without its end", "ein Unterprogramm ohne sein Ende"},
     {"a system variable", "eine Systemvariable"},
+    {"a tool change", "ein Werkzeugwechsel"},
     {"a text", "ein Text"},
     {"a text and a number", "ein Text und eine Zahl"},
     {"a text that is too long", "ein zu langer Text"},

@@ -77,9 +77,9 @@ struct Interpreter::BlockWords {
   // The line is copied as it stands; the axes of `forget` go where only the control knows.
   bool copied = false;
   AxisBits forget = 0;
-  std::optional<Value> tool_data{};         // L of G10
-  std::optional<Value> tool_data_number{};  // P of G10
-  bool changes_tool = false;                // M06
+  std::optional<Value> tool_data{};             // L of G10
+  std::optional<Value> tool_data_number{};      // P of G10
+  std::optional<std::uint32_t> changes_tool{};  // M06
   std::uint64_t whole = 0;  // coordinates without a decimal point: a bit each, as WholeWord has it
   bool orients_spindle = false;           // M19: R is an angle
   bool changes_length = false;            // G43, G44, G49

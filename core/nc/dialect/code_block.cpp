@@ -48,7 +48,11 @@ bool Interpreter::complete_code_block(ProgramLine& line, BlockWords& block) {
     for (WordRange& word : line.words)
       if (word.role == WordRole::feed) word.role = WordRole::technology;
   }
-  if (block.orients_spindle && !block.axis && block.move.radius) {
+  // R of M19 is an angle, that of G5.1 a level of smoothing.
+  constexpr int smoothing_tenths = 51;
+  const bool smooths =
+      block.has(technology) && block.of(technology).function->tenths() == smoothing_tenths;
+  if ((block.orients_spindle || smooths) && !block.axis && block.move.radius) {
     block.move.radius.reset();
     block.center.reset();
     for (WordRange& word : line.words)
@@ -105,7 +109,7 @@ void Interpreter::take_tool_words(const ProgramLine& line, BlockWords& block) {
     code_.next_tool_place = place_of_word(line, block.tool_number->begin);
   }
   code_.tool_named |= block.tool_number.has_value();
-  code_.changes_by_m6 |= block.changes_tool;
+  code_.changes_by_m6 |= block.changes_tool.has_value();
   if (block.changes_tool) {
     code_.spindle_tool = code_.next_tool;
     code_.spindle_tool_place = code_.next_tool_place;
@@ -240,6 +244,9 @@ Interpreter::NotWhileActive Interpreter::find_what_is_copied(BlockWords& block) 
   if (block.to_skip) copy_motion("a motion that may be skipped", named);
   if (block.has(zero_shift) && !begin)
     begin = block.of(zero_shift).begin, meaning = "work coordinate system";
+  // The contour would go on with the radius of the tool before.
+  if (block.changes_tool && dialect_.name != DialectName::isg && !begin)
+    begin = block.changes_tool, meaning = "a tool change";
   if (block.to_skip && block.has(side))
     begin = block.of(side).begin, meaning = "TRC in a block that may be skipped";
 

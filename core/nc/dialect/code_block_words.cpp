@@ -253,7 +253,7 @@ bool Interpreter::read_code_machine_function(const CodeWord& word, ProgramLine& 
   block.names_tool |= linuxcnc && m == 61;
   const bool ends = m == 2 || m == 30 || m == 99;
   line.ends_program |= ends;
-  block.changes_tool |= m == 6;
+  if (m == 6) block.changes_tool = word.begin;
   block.orients_spindle |= m == 19;
   block.loads_tool |= m == 6;
   add(line, word, ends || m == 0 || m == 1 ? WordRole::stop : WordRole::technology);

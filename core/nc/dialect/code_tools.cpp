@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -46,6 +47,15 @@ bool Interpreter::check_code_selection(ProgramLine& line, BlockWords& block) {
   const bool fanuc = dialect_.name == DialectName::fanuc;
   if (fanuc && selects && block.tool_data_number)
     return wrong(Code::nc_unsupported, "G41, G42 with a radius in P");
+  const bool linuxcnc = dialect_.name == DialectName::linuxcnc;
+  if (linuxcnc && selects && block.tool_data_number)
+    return refuse(line, TextFault{.code = Code::nc_unsupported,
+                                  .begin = block.tool_data_number->begin,
+                                  .detail = "P, which LinuxCNC does not have"});
+  if (linuxcnc && (selects || trc_active()) && block.tool_data && (block.axis || block.center))
+    return refuse(line, TextFault{.code = Code::nc_unsupported,
+                                  .begin = block.tool_data->begin,
+                                  .detail = "L, which LinuxCNC does not have"});
   if (block.constant_speed) block.tool.reset();
   // Older controls have one table for lengths and radii, with H words for both. Without G41 beside
   // it H would change the length.
@@ -99,15 +109,21 @@ bool Interpreter::check_code_selection(ProgramLine& line, BlockWords& block) {
 
 // Sinumerik: T is the tool, D its edge; D0 is none.
 bool Interpreter::choose_tool_of_edge(ProgramLine& line, BlockWords& block) {
-  // A tool change chooses the first one.
-  if (block.tool || block.tool_number) {
+  // A tool change chooses the first one; where M6 changes tools, T alone makes one ready.
+  const bool changes = block.changes_tool || (block.tool_number && !code_.changes_by_m6);
+  const bool keeps_edge = block.changes_tool && !block.tool_number && code_.edge_of_next_tool;
+  if (block.tool || (changes && !keeps_edge)) {
     code_.edge = block.tool ? block.tool->value : 1;
     code_.edge_place = block.tool ? place_of_word(line, block.tool->begin) : WordPlace{};
   }
-  block.tool.reset();
+  if (block.tool_number) code_.edge_of_next_tool = block.tool.has_value();
+  const std::optional<BlockWords::Value> edge_word = std::exchange(block.tool, {});
   const bool selects = block.has(side) && !block.of(side).is(40);
-  if (!selects) return true;
-  const std::uint32_t begin = block.of(side).begin;
+  const bool goes_on = trc_active() && !block.has(side);
+  if (!selects && !(goes_on && (edge_word || changes))) return true;
+  const std::uint32_t begin = selects     ? block.of(side).begin
+                              : edge_word ? edge_word->begin
+                                          : line.words.front().begin;
   if (code_.edge == 0) {
     block.tool = {.value = 0, .begin = begin};
     return true;

@@ -210,6 +210,7 @@ class Interpreter {
   bool read_klartext_value(const KlartextWord& word, ProgramLine& line, KlartextBlock& block);
   bool read_klartext_axis(const KlartextWord& word, ProgramLine& line, KlartextBlock& block);
   bool read_klartext_name(const KlartextWord& word, ProgramLine& line, KlartextBlock& block);
+  bool read_klartext_parameter(const KlartextWord& word, ProgramLine& line, KlartextBlock& block);
   bool read_klartext_feed(const KlartextWord& word, ProgramLine& line, KlartextBlock& block);
   bool read_klartext_function(const KlartextWord& word, ProgramLine& line, KlartextBlock& block);
   bool read_klartext_statement(ProgramLine& line, std::size_t begin);
@@ -329,6 +330,7 @@ class Interpreter {
     WordPlace next_tool_place{};
     WordPlace spindle_tool_place{};
     WordPlace edge_place{};          // of the last D word; with a new tool none
+    bool edge_of_next_tool = false;  // D stands beside the last T word
     std::int64_t missing_tool = -1;  // of the last D word, which the table has not
     std::string tool_name{};         // of T="…"
     std::string only_tool_name{};
@@ -354,7 +356,7 @@ class Interpreter {
               changes_by_m6, only_register, pole, polar_angle, polar_radius, polar_rewritten,
               missing_tool, only_tool_name, tangent_arcs, tool_named, spindle_empty, modal_rounding,
               soft_direction, soft_in_space, soft_approach, next_tool_place, spindle_tool_place,
-              edge_place);
+              edge_place, edge_of_next_tool);
     }
   };
   // What a program in Klartext has in force besides.

@@ -1,0 +1,9 @@
+; tool 1 2
+; refused 900003 line 6
+G21 G90 G17
+T1 M6
+G0 X-20 Y-20
+G41 P5 G1 X0 Y0 F300
+Y40
+G40 X80
+M2

@@ -1,0 +1,9 @@
+; radius 2
+; refused 900003 line 7
+G21 G90 G17
+T1 M6
+G0 X0 Y0
+G41 G1 X20 Y0 F300
+G3 I-20 Z-1 L5
+G40 G1 X0 Y0
+M2

@@ -1,0 +1,10 @@
+; tool 1 5 1
+; refused 900013 line 7
+G71 G90 G17
+T1 D1 M6
+G0 X-20 Y-20
+G41 G1 X0 Y0 F300
+D7 Y40
+X60
+G40 X80
+M30

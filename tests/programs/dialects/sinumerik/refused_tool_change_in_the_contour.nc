@@ -1,0 +1,11 @@
+; tool 1 5 1
+; tool 2 3 1
+; refused 900003 line 8
+G71 G90 G17
+T1 D1 M6
+G0 X-20 Y-20
+G41 G1 X0 Y0 F300
+T2 D1 M6
+Y40
+G40 X80
+M30
