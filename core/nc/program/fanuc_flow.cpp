@@ -31,6 +31,25 @@ std::int64_t number_of_unit(std::string_view line) {
   return static_cast<std::int64_t>(number);
 }
 
+// Whether one of the two stands in the line, outside of comments.
+bool has_function(std::string_view line, char letter, int first, int second) {
+  for (std::size_t at = 0; at < line.size() && line[at] != ';';) {
+    if (line[at] == '(') {
+      at = behind_comment(line, at);
+      if (at == 0) return false;
+      continue;
+    }
+    const bool is_letter_of_it = upper(line[at]) == letter;
+    at = behind_blanks(line, at + 1);
+    if (!is_letter_of_it || at >= line.size() || !is_digit(line[at])) continue;
+    double number = 0;
+    bool whole = false;
+    if (read_number(line.substr(at), number, whole) == 0) continue;
+    if (number == first || number == second) return true;
+  }
+  return false;
+}
+
 // The number in the name of a file: O1001, O1001.nc, 1001.
 std::int64_t number_of_name(std::string_view name) {
   const std::size_t folder = name.find_last_of("/\\");
@@ -85,6 +104,7 @@ FanucFlow::FanucFlow(const ProgramSetup& setup, CallPlaces& calls, ProgramText t
     texts_.emplace_back(name, given_text);
     add_units(texts_.size() - 1);
   }
+  entered_.resize(units_.size());
   frames_.push_back({.begin = main.begin, .end = main.end, .next = start, .current = start});
   for (std::size_t number = 1; number < locals_.front().size(); ++number)
     if (const double* value = given(std::to_string(number))) locals_.front()[number] = *value;
@@ -184,8 +204,36 @@ Flow::Step FanucFlow::step(std::string& flat) {
 }
 
 bool FanucFlow::end_of_unit(std::string& flat) {
-  if (frames_.size() == 1) return end_program(flat);
+  Frame& at = frame();
+  if (frames_.size() == 1 && at.end == texts_[at.text].size()) return end_main_program(flat);
+  if (frames_.size() == 1) {
+    // It runs into the next O.
+    at.current = at.end;
+    return refuse(Code::nc_unsupported, 0, "O, a second program in one text");
+  }
   return refuse(Code::block_structure, 0, frame().name + ", a subprogram without M99");
+}
+
+// Subprograms that nothing has called need not come out. A second main program, with an end of its
+// own, does: its contour must not be lost.
+bool FanucFlow::end_main_program(std::string& flat) {
+  const ProgramText& text = texts_.front();
+  for (const Unit& unit : units_) {
+    const auto index = static_cast<std::size_t>(&unit - units_.data());
+    if (unit.text > 0 || entered_[index] || unit.begin == frames_.front().begin) continue;
+    std::size_t selects = none;
+    bool ends = false;
+    for (std::size_t line = unit.begin; line < unit.end; ++line) {
+      const std::string_view content = text.line(line);
+      if (selects == none && has_function(content, 'G', 41, 42)) selects = line;
+      ends |= has_function(content, 'M', 2, 30);
+    }
+    if (!ends || selects == none) continue;
+    frames_.erase(frames_.begin() + 1, frames_.end());
+    frame().current = selects;
+    return refuse(Code::side_behind_end, 0, "G41, G42");
+  }
+  return end_program(flat);
 }
 
 bool FanucFlow::execute(std::string& flat) {

@@ -56,6 +56,7 @@ class FanucFlow : public CodeFlow {
 
   bool execute(std::string& flat);
   bool end_of_unit(std::string& flat);
+  bool end_main_program(std::string& flat);
   bool execute_statement(std::string& flat);
   bool branch(std::string& flat, ExpressionReader& expression);
   bool loop(std::string& flat, ExpressionReader& expression, bool has_condition);
@@ -82,6 +83,7 @@ class FanucFlow : public CodeFlow {
   std::vector<Unit> units_{};
   std::map<std::int64_t, std::vector<std::size_t>> units_of_number_{};
   std::map<std::pair<std::size_t, std::size_t>, Outline> outlines_{};
+  std::vector<bool> entered_{};  // by unit
   std::vector<Locals> locals_{1};
   std::map<std::int64_t, std::optional<double>> common_{};
 };

@@ -39,7 +39,7 @@ bool FanucFlow::execute_words(std::string& flat) {
     return refuse(Code::nc_unsupported, 0, "/, a line to skip that computes");
   if (call_word != nullptr) return call(flat, *call_word);
   write_line(flat);
-  return !ends || end_program(flat);
+  return !ends || end_main_program(flat);
 }
 
 bool FanucFlow::call(std::string& flat, ComputedWord& word) {
@@ -142,6 +142,9 @@ bool FanucFlow::enter_unit(std::string& flat, const Unit& unit, std::uint64_t ti
                .own_variables = locals != nullptr};
   write_call(flat, callee.name);
   if (!enter(std::move(callee))) return false;
+  const auto index = std::ranges::find_if(
+      units_, [&](const Unit& each) { return each.text == unit.text && each.begin == unit.begin; });
+  entered_[static_cast<std::size_t>(index - units_.begin())] = true;
   if (locals != nullptr) locals_.push_back(*locals);
   return true;
 }
@@ -151,7 +154,7 @@ bool FanucFlow::return_from(std::string& flat, ComputedWord& word) {
   const bool is_main = frames_.size() == 1;
   if (is_main && target == nullptr) {  // what ends it for the reader as well
     write_line(flat);
-    return end_program(flat);
+    return end_main_program(flat);
   }
   std::optional<std::int64_t> number;
   if (target != nullptr) {
