@@ -53,8 +53,10 @@ class Table {
     }
     take_edges();
     if (tools_.empty()) return "it names no tool with a radius";
-    unit_unsaid_ =
-        !columns_.empty() && !table_unit_ && std::ranges::find(columns_, "UNIT") == columns_.end();
+    if (!columns_.empty())
+      unit_unsaid_ = !table_unit_ && std::ranges::find(columns_, "UNIT") == columns_.end();
+    else
+      unit_unsaid_ = !heidenhain_ && !unit_said_ && setup_.unit() == v1::LENGTH_UNIT_UNSPECIFIED;
     for (const auto& [key, sizes] : tools_) {
       if (!sizes.has_radius) return text_of(key) + " has wear, but no radius";
       v1::Tool& tool = *setup_.add_tools();
@@ -120,6 +122,11 @@ class Table {
     if (sinumerik_) return {};
     const std::map<char, double> words = words_of(line);
     const auto has = [&](char letter) { return words.contains(letter); };
+    if (has('G') && (words.at('G') == 20 || words.at('G') == 21)) {
+      unit_ = words.at('G') == 20 ? mm_per_inch : 1;
+      unit_said_ = true;
+      return {};
+    }
     if (has('G') && words.at('G') == 10) {
       if (!has('L') || !has('P') || !has('R')) return {};
       const bool wear = words.at('L') == 13;
@@ -317,6 +324,7 @@ class Table {
   double unit_;
   std::optional<double> table_unit_{};  // of a CSV, for all of its rows
   bool unit_unsaid_ = false;
+  bool unit_said_ = false;  // by G20 or G21 of Fanuc
   std::vector<std::string> columns_{};
   bool heidenhain_ = false;
   std::vector<std::pair<std::string, std::size_t>> places_{};  // of its columns: name and begin

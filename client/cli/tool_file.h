@@ -16,8 +16,8 @@ namespace trc::cli {
 //     A line `unit,inch` above the header counts for all rows.
 //   - LinuxCNC: lines with T and D words, D the diameter in the unit of the setup; `;` begins a
 //     comment.
-//   - Fanuc: lines `G10 L12 P2 R5.` (radius) and `G10 L13 P2 R-0.02` (wear), in the
-//     unit of the setup; other lines are passed over.
+//   - Fanuc: lines `G10 L12 P2 R5.` (radius) and `G10 L13 P2 R-0.02` (wear), in the unit that a
+//     line with G20 or G21 in front says, else in that of the setup; other lines are passed over.
 //   - Sinumerik: lines `$TC_DP6[t,d]=5` (radius) and `$TC_DP15[t,d]=-0.02` (wear) in the unit of
 //     the setup, t the tool and d its edge, `$TC_TP2[t]="NAME"`, as a TOA file has them; other
 //     lines are passed over. Tools of turning (`$TC_DP1` 500 to 599) are left out.
@@ -26,8 +26,8 @@ namespace trc::cli {
 // Returns what is wrong, as a sentence; empty when all is read.
 [[nodiscard]] std::string read_tool_table(std::string_view text, v1::ProgramSetup& setup);
 
-// The same for a file; - reads nothing here. `unit_unsaid`: a CSV was read in mm as it names no
-// unit.
+// The same for a file; - reads nothing here. `unit_unsaid`: it was read in mm as neither it nor
+// the setup names a unit.
 [[nodiscard]] std::string read_tool_file(const std::string& path, v1::ProgramSetup& setup,
                                          bool& unit_unsaid);
 

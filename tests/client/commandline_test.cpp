@@ -454,6 +454,16 @@ TEST(Compensate, SaysThatItTookRadiiInMmForAProgramInInch) {
   EXPECT_TRUE(told("-", tools, {"--unit", "inch"}));
   EXPECT_FALSE(told("-", tools));
   EXPECT_FALSE(told(program, inches));
+  // Tables of controls say no unit either, but for G20 and G21 among the G10 lines of Fanuc.
+  const std::string spindles = write("tool.tbl", "T1 P1 D0.5 Z1.0\n");
+  EXPECT_TRUE(told(program, spindles));
+  EXPECT_FALSE(told("-", spindles, {"--unit", "inch"}));
+  EXPECT_TRUE(told(program, write("offsets.nc", "G10 L12 P1 R0.25\nM30\n")));
+  const std::string saying = write("saying.nc", "G20\nG10 L12 P1 R0.25\nM30\n");
+  EXPECT_FALSE(told(program, saying));
+  EXPECT_NE(trc({"compensate", program, "--dialect", "fanuc", "--tools", saying}, "")
+                .out.find("X-0.25 Y0"),
+            std::string::npos);
   std::filesystem::remove_all(folder);
 }
 
