@@ -180,10 +180,7 @@ bool Interpreter::read_klartext_word(const KlartextWord& word, ProgramLine& line
   }
   switch (word.kind) {
     case Kind::variable:
-      add(line, word, WordRole::coordinate);
-      block.unfollowed = word.begin;
-      block.unfollowed_why = text + ", a variable";
-      return true;
+      return read_klartext_parameter(word, line, block);
     case Kind::name:
       return read_klartext_name(word, line, block);
     case Kind::sign:
@@ -200,6 +197,34 @@ bool Interpreter::read_klartext_word(const KlartextWord& word, ProgramLine& line
     default:
       return refuse_klartext(line, word.begin, text, Code::nc_syntax);
   }
+}
+
+// XQ1, X+Q1, FQ1. A feed moves nothing, whatever it is.
+bool Interpreter::read_klartext_parameter(const KlartextWord& word, ProgramLine& line,
+                                          KlartextBlock& block) {
+  const std::string text(line.word({.begin = word.begin, .end = word.end}));
+  std::string_view name = word.name;
+  if (const std::size_t parameter = name.find('Q', 1); parameter != std::string_view::npos)
+    name = name.substr(0, parameter);
+  const bool of_the_corner =
+      block.is(KlartextStatement::rounding) || block.is(KlartextStatement::chamfer);
+  if (name == "F" && !(of_the_corner && contour_open())) {
+    if (block.feed || block.open_feed)
+      return refuse_klartext(line, word.begin, text, Code::nc_word_twice);
+    block.open_feed = word.begin;
+    add(line, word, WordRole::feed);
+    return true;
+  }
+  constexpr std::string_view main_axes = "XYZ";
+  const std::size_t axis = name.size() == 1 ? main_axes.find(name[0]) : std::string_view::npos;
+  if (axis < main_axes.size())
+    block.by_parameter.at(axis) = true;
+  else
+    block.other_parameter = true;
+  add(line, word, WordRole::coordinate);
+  block.unfollowed = word.begin;
+  block.unfollowed_why = text + ", a variable";
+  return true;
 }
 
 bool Interpreter::read_klartext_name(const KlartextWord& word, ProgramLine& line,
@@ -323,13 +348,23 @@ bool Interpreter::read_klartext_feed(const KlartextWord& word, ProgramLine& line
   if (word.name != "F") {
     if (word.name != "FU" && word.name != "FZ" && word.name != "FT" && word.name != "FMAXT")
       return refuse_klartext(line, word.begin, text);
+    const bool of_a_motion =
+        !block.is(KlartextStatement::rounding) && !block.is(KlartextStatement::chamfer);
+    if (of_a_motion && (word.name == "FU" || word.name == "FZ")) {
+      if (block.feed || block.open_feed)
+        return refuse_klartext(line, word.begin, text, Code::nc_word_twice);
+      block.open_feed = word.begin;
+      add(line, word, WordRole::feed);
+      return true;
+    }
     if (trc_active())
       return refuse_klartext(line, word.begin, text + ", no feed per minute, while TRC is active");
     block.feed_per_turn = true;
     add(line, word, WordRole::technology);
     return true;
   }
-  if (block.feed) return refuse_klartext(line, word.begin, text, Code::nc_word_twice);
+  if (block.feed || block.open_feed)
+    return refuse_klartext(line, word.begin, text, Code::nc_word_twice);
   block.feed = {.value = word.value, .begin = word.begin};
   const bool of_the_corner =
       block.is(KlartextStatement::rounding) || block.is(KlartextStatement::chamfer);

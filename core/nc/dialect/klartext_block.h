@@ -41,7 +41,8 @@ struct Interpreter::KlartextBlock {
            statement == KlartextStatement::polar_tangent_arc || polar_lead;
   }
   [[nodiscard]] bool names_axes() const {
-    return end[0] || end[1] || end[2] || !tracking.empty() || polar_radius || polar_angle;
+    return end[0] || end[1] || end[2] || by_parameter[0] || by_parameter[1] || by_parameter[2] ||
+           !tracking.empty() || polar_radius || polar_angle;
   }
 
   KlartextStatement statement = KlartextStatement::none;
@@ -69,6 +70,11 @@ struct Interpreter::KlartextBlock {
   bool calls_cycle = false;    // M99, M89
   bool machine_place = false;  // M91, M92
   bool feed_per_turn = false;
+  // A feed that is passed on as it stands: FQ1, FU, FZ.
+  std::optional<std::uint32_t> open_feed{};
+  // The axes whose place is a parameter, and whether something else is one.
+  std::array<bool, 3> by_parameter{};
+  bool other_parameter = false;
   bool feed_per_minute = false;
   std::optional<bool> masks{};                  // M120
   std::optional<FeedAdaptation> adapts_feed{};  // M109 M110 M111

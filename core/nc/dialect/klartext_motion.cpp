@@ -35,7 +35,19 @@ bool Interpreter::check_klartext(ProgramLine& line, KlartextBlock& block) {
   const bool selects = block.side && *block.side != Side::off;
   const bool moves = block.is_motion() || block.is_lead() ||
                      block.is(KlartextStatement::rounding) || block.is(KlartextStatement::chamfer);
-  if (block.to_skip && (moves || block.is(KlartextStatement::center)) && !block.unfollowed) {
+  const FeedAdaptation adaptation = block.adapts_feed.value_or(state_.mode().feed_adaptation);
+  if (block.open_feed && active && adaptation != FeedAdaptation::off)
+    return refuse_klartext(
+        line, *block.open_feed,
+        std::string(line.text.substr(
+            *block.open_feed,
+            line.text.find_first_of(" \t\r\n;", *block.open_feed) - *block.open_feed)) +
+            ", no feed per minute, while TRC is active");
+  // `/ L M8` moves nothing.
+  const bool moves_nothing = block.is(KlartextStatement::straight) && !block.names_axes() &&
+                             !block.side && !block.feed && !block.open_feed;
+  if (block.to_skip && (moves || block.is(KlartextStatement::center)) && !block.unfollowed &&
+      !moves_nothing) {
     block.unfollowed = block.begin;
     block.unfollowed_why = block.name + ", a motion that may be skipped";
   }
@@ -104,8 +116,12 @@ bool Interpreter::apply_klartext(ProgramLine& line, KlartextBlock& block) {
   if (copied) {
     std::array<bool, 3> axes{true, true, true};
     const bool named = block.end[0] || block.end[1] || block.end[2];
+    const bool by_parameters_alone =
+        block.is(KlartextStatement::straight) && !block.to_skip && !block.other_parameter &&
+        block.unfollowed_why.ends_with("variable") && !klartext_.unfollowed;
     for (std::size_t axis = 0; axis < axes.size(); ++axis)
-      axes[axis] = !block.machine_place || !named || block.end[axis];
+      axes[axis] = by_parameters_alone ? block.end[axis] || block.by_parameter.at(axis)
+                                       : !block.machine_place || !named || block.end[axis];
     forget_klartext_position(line, axes);
     if (block.is(KlartextStatement::center)) klartext_.pole.reset();
     klartext_.polar_radius.reset();
@@ -132,7 +148,7 @@ bool Interpreter::apply_klartext_modes(ProgramLine& line, KlartextBlock& block) 
   klartext_.feed_before = feed_;
   if (block.feed && !corner) feed_ = block.feed->value * (inch_ ? mm_per_inch / 10 : 1);
   if (block.called_feed) feed_ = klartext_.called_feed;
-  if (block.feed_per_turn) feed_ = 0;
+  if (block.feed_per_turn || block.open_feed) feed_ = 0;
   place(line, block.side ? block.side_begin : block.begin);
   if (block.adapts_feed && !state_.set_feed_adaptation(*block.adapts_feed, line.source))
     return false;

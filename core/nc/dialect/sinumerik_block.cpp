@@ -39,8 +39,11 @@ constexpr auto names = std::to_array<Name>({
     {"ASCALE", Meaning::unfollowed},
     {"ATRANS", Meaning::frame},
     {"BRISK", Meaning::technology},
+    {"BRISKA", Meaning::technology},
     {"CASE", Meaning::statement},
     {"CFTCP", Meaning::technology},
+    {"CLGOF", Meaning::technology},
+    {"CLGON", Meaning::technology},
     {"COMPCAD", Meaning::technology},
     {"COMPCURV", Meaning::technology},
     {"COMPOF", Meaning::technology},
@@ -49,10 +52,13 @@ constexpr auto names = std::to_array<Name>({
     {"CPRECOF", Meaning::technology},
     {"CPRECON", Meaning::technology},
     {"CUT2D", Meaning::technology},
+    {"CUTCONOF", Meaning::technology},
     {"DEF", Meaning::statement},
     {"DIAM90", Meaning::turning},
     {"DIAMOF", Meaning::technology},
     {"DIAMON", Meaning::turning},
+    {"DISPLOF", Meaning::technology},
+    {"DRFOF", Meaning::technology},
     {"DRIVE", Meaning::technology},
     {"DYNFINISH", Meaning::technology},
     {"DYNNORM", Meaning::technology},
@@ -70,6 +76,7 @@ constexpr auto names = std::to_array<Name>({
     {"FFWOF", Meaning::technology},
     {"FFWON", Meaning::technology},
     {"FIFOCTRL", Meaning::technology},
+    {"FLIN", Meaning::technology},
     {"FNORM", Meaning::technology},
     {"FOR", Meaning::statement},
     {"GOTO", Meaning::statement},
@@ -79,14 +86,19 @@ constexpr auto names = std::to_array<Name>({
     {"GOTOS", Meaning::statement},
     {"GROUP_END", Meaning::technology},
     {"IF", Meaning::statement},
+    {"LFOF", Meaning::technology},
+    {"LFON", Meaning::technology},
     {"LOOP", Meaning::statement},
     {"MCALL", Meaning::modal_cycle},
     {"MIRROR", Meaning::frame},
     {"ORIAXES", Meaning::technology},
     {"ORIMKS", Meaning::technology},
     {"ORIRESET", Meaning::technology},
+    {"ORISOF", Meaning::technology},
+    {"ORISON", Meaning::technology},
     {"ORIVECT", Meaning::technology},
     {"ORIWKS", Meaning::technology},
+    {"PAROTOF", Meaning::technology},
     {"PROC", Meaning::statement},
     {"REPEAT", Meaning::statement},
     {"REPEATB", Meaning::statement},
@@ -95,14 +107,20 @@ constexpr auto names = std::to_array<Name>({
     {"ROTS", Meaning::unfollowed},
     {"RTLIOF", Meaning::technology},
     {"RTLION", Meaning::technology},
+    {"SBLOF", Meaning::technology},
+    {"SBLON", Meaning::technology},
     {"SCALE", Meaning::unfollowed},
+    {"SETMS", Meaning::technology},
     {"SOFT", Meaning::technology},
+    {"SOFTA", Meaning::technology},
     {"SPCOF", Meaning::technology},
     {"SPCON", Meaning::technology},
     {"STARTFIFO", Meaning::technology},
     {"STOPFIFO", Meaning::technology},
     {"STOPRE", Meaning::technology},
     {"SUPA", Meaning::single_move},
+    {"TCOABS", Meaning::technology},
+    {"TOWSTD", Meaning::technology},
     {"TRAFOOF", Meaning::unfollowed_end},
     {"TRANS", Meaning::frame},
     {"TRAORI", Meaning::unfollowed},
@@ -116,15 +134,16 @@ constexpr auto names = std::to_array<Name>({
 static_assert(std::ranges::is_sorted(names, {}, &Name::name));
 
 // Calls that say nothing about where the path runs.
-constexpr auto passing_calls =
-    std::to_array<std::string_view>({"CYCLE832", "FGROUP", "GROUP_BEGIN", "GROUP_END", "MSG",
-                                     "ORIRESET", "SETMS", "SPOS", "WAITS", "WORKPIECE"});
+constexpr auto passing_calls = std::to_array<std::string_view>(
+    {"CYCLE832", "FGROUP", "GROUP_ADDEND", "GROUP_BEGIN", "GROUP_END", "MMC", "MSG", "ORIRESET",
+     "SETAL", "SETMS", "SPOS", "WAITM", "WAITS", "WORKPIECE"});
 // CYCLE, HOLES, POCKET, SLOT and the like: what they move only the control knows.
 constexpr auto cycles = std::to_array<std::string_view>(
     {"CYCLE", "HOLES", "POCKET", "SLOT", "LONGHOLE", "TRANSMIT", "TRACYL", "F_"});
 // Words with values that say nothing about where the path runs.
 constexpr auto passing_assignments = std::to_array<std::string_view>(
-    {"ACC", "ADIS", "ADISPOS", "FA", "FGREF", "FZ", "LIMS", "SCC", "SPOS", "SVC"});
+    {"ACC", "ADIS", "ADISPOS", "CTOL", "FA", "FB", "FGREF", "FL", "FZ", "JERKLIM", "LIMS", "OTOL",
+     "SCC", "SPOS", "SVC", "VELOLIM"});
 // Words with values that round or bevel corners.
 constexpr auto corner_words = std::to_array<std::string_view>({"FRC", "FRCM"});
 
