@@ -448,6 +448,8 @@ constexpr auto phrases = std::to_array<Phrase>({
      "ein Ort in Metern Entfernung ohne Dezimalpunkt: angeben, worin ganze Zahlen zählen"},
     {"a power without value", "eine Potenz ohne Wert"},
     {"a rounding or a chamfer", "eine Rundung oder Fase"},
+    {"a second block in the line, or a comment that reads as one",
+     "ein zweiter Satz in der Zeile oder ein Kommentar, der sich so liest"},
     {"a second call in one line", "ein zweiter Aufruf in einer Zeile"},
     {"a second program", "ein zweites Programm"},
     {"a second program in one text", "ein zweites Programm in einem Text"},

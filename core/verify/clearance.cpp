@@ -159,9 +159,9 @@ class Selection {
 
   // A margin from here on changes nothing of the report.
   [[nodiscard]] double margin_of_interest() const {
-    const double is_gouge =
+    const double of_gouge =
         gouges_ ? std::min(least_gouge_ - half_resolution, -allowed_) : -allowed_;
-    return std::max(least_ - half_resolution, is_gouge);
+    return std::max(least_ - half_resolution, of_gouge);
   }
 
   // Path that stands still, beside as many walls as a full circle has, or nearly so.

@@ -35,6 +35,21 @@ bool is_turning_tool(std::string_view word) {
 
 bool is_subprogram_call(double m) { return m == 96 || m == 97 || m == 98 || m == 198; }
 
+// `; Y20` behind other words: for many controls `;` ends the block, and what follows is the next
+// one. Of words that move or switch nothing, as in `; D10`, people make comments.
+bool reads_as_block(std::string_view comment) {
+  if (!comment.starts_with(';')) return false;
+  constexpr std::string_view telling = "GMXYZ";
+  bool tells = false;
+  CodeReader reader(comment.substr(1));
+  for (CodeWord word = reader.next(); word.kind != CodeWord::Kind::end; word = reader.next()) {
+    if (word.kind == CodeWord::Kind::comment) continue;
+    if (word.kind != CodeWord::Kind::address || !word.has_number) return false;
+    tells |= telling.find(word.letter) != std::string_view::npos;
+  }
+  return tells;
+}
+
 }  // namespace
 
 bool Interpreter::refuse_code(const ProgramLine& line, const CodeWord& word, Code code,
@@ -59,6 +74,13 @@ bool Interpreter::read_code_words(ProgramLine& line, BlockWords& block) {
         ++faults;
         break;
       case CodeWord::Kind::comment:
+        if (dialect_.name == DialectName::fanuc && block.words > 0 &&
+            reads_as_block(std::string_view(line.text).substr(word.begin, word.end - word.begin))) {
+          refuse_code(line, word, Code::nc_unsupported,
+                      "a second block in the line, or a comment that reads as one");
+          ++faults;
+          break;
+        }
         add(line, word, WordRole::comment);
         break;
       case CodeWord::Kind::skip:
