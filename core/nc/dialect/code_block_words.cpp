@@ -36,7 +36,7 @@ bool is_turning_tool(std::string_view word) {
 bool is_subprogram_call(double m) { return m == 96 || m == 97 || m == 98 || m == 198; }
 
 // `; Y20` behind other words: for many controls `;` ends the block, and what follows is the next
-// one. Of words that move or switch nothing, as in `; D10`, people make comments.
+// one (D-53). Of words that move or switch nothing, as in `; D10`, people make comments.
 bool reads_as_block(std::string_view comment) {
   if (!comment.starts_with(';')) return false;
   constexpr std::string_view telling = "GMXYZ";

@@ -109,7 +109,7 @@ bool Interpreter::check_code_selection(ProgramLine& line, BlockWords& block) {
 
 // Sinumerik: T is the tool, D its edge; D0 is none.
 bool Interpreter::choose_tool_of_edge(ProgramLine& line, BlockWords& block) {
-  // A tool change chooses the first one; where M6 changes tools, T alone makes one ready.
+  // A tool change chooses the first one; where M6 changes tools, T alone makes one ready (D-56).
   const bool changes = block.changes_tool || (block.tool_number && !code_.changes_by_m6);
   const bool keeps_edge = block.changes_tool && !block.tool_number && code_.edge_of_next_tool;
   if (block.tool || (changes && !keeps_edge)) {
