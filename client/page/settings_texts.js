@@ -141,6 +141,8 @@ const germanMeanings = {
   'what the program counts in where it does not say so itself': 'worin das Programm zählt, wo es das nicht selbst sagt',
   'words nobody knows: refuse stops there, copy leaves them in the program':
     'unbekannte Wörter: refuse hält dort an, copy lässt sie im Programm',
+  'coordinates of fanuc without a decimal point: X10 is 10 mm in units, 0.010 mm in increments':
+    'Koordinaten von fanuc ohne Dezimalpunkt: X10 ist 10 mm mit units, 0.010 mm mit increments',
   'arcs too small for the tool become lines (with G141)': 'Bögen, für die das Werkzeug zu groß ist, werden Strecken (mit G141)',
   'points in kerfs the tool cannot enter are moved': 'Punkte in Kerben, in die das Werkzeug nicht kommt, werden verschoben',
   'the side changes at points of reversal without a block': 'die Seite wechselt an Umkehrpunkten ohne Zwischensatz',

@@ -112,8 +112,7 @@ void reading_as(benchmark::State& state, DialectName dialect) {
       });
 }
 
-NcWriter::Meaning meaning_of(const Block& block) {
-  const auto& motion = std::get<MotionBlock>(block);
+NcWriter::Meaning meaning_of(const MotionBlock& motion) {
   return {.gives_block = true, .end = from_plane(Plane::xy, end_of(motion.path), motion.normal.to)};
 }
 
@@ -129,7 +128,9 @@ void writing_as(benchmark::State& state, DialectName dialect) {
   const auto prepare = [&] {
     std::vector<Block> blocks = std::exchange(reading.blocks, {});
     meanings.clear();
-    for (const Block& block : blocks) meanings.push_back(meaning_of(block));
+    for (const Block& block : blocks)
+      if (const auto* motion = std::get_if<MotionBlock>(&block))
+        meanings.push_back(meaning_of(*motion));
     compensated.clear();
     require(compensator.feed(blocks, compensated));
     text.clear();

@@ -352,7 +352,7 @@ TEST(ObstaclesOfADialect, AreToldOnceWithTheLineOfTheirCause) {
            DialectName::fanuc);
   ASSERT_EQ(polar.size(), 1U);
   EXPECT_EQ(polar[0].source.line, 4U);
-  EXPECT_EQ(polar[0].detail, "TRC under polar coordinates of line 3");
+  EXPECT_EQ(polar[0].detail, "TRC under polar coordinates, in line 3");
 
   const auto cycle = told(
       "G21 G90\nG0 X-9. Y0.\nG41 D1 G1 X0 Y0 F100.\nY20.\nG81 X1. Y1. Z-5. R1. F100.\nX5.\nG80\n"

@@ -188,6 +188,7 @@ TEST(MotionWords, RotaryAxesHaveNoInch) {
 std::string feed_word(double feed, int decimals, bool inch = false) {
   WrittenState state;
   state.inch = inch;
+  state.feed_in_inch = inch;
   TextBuffer text;
   MotionWriter(decimals, "").append_feed(text, feed, state);
   EXPECT_NEAR(state.feed, feed, feed / 1000) << text.view();

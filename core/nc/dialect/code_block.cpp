@@ -90,6 +90,7 @@ bool Interpreter::complete_code_block(ProgramLine& line, BlockWords& block) {
   }
   if (!take_fagor_words(line, block) || !take_modal_rounding(line, block)) return false;
   if (!check_code_selection(line, block) || !take_corner(line, block)) return false;
+  take_turns_of_arc(line, block);
   const bool goes_on = copy_code_block(line, block);
   if (block.has(cycle)) code_.cycle = true;
   const WholeNumbers whole = state_.setup().whole_numbers;
@@ -176,6 +177,20 @@ void Interpreter::end_what_was_unfollowed(BlockWords& block) {
   block.copied = true;
   block.forget |= all_axes;
   if (ends_cylinder) block.functions[static_cast<std::size_t>(unfollowed)] = {};
+}
+
+// P beside G2 and G3 of LinuxCNC: how many turns, the last of which may be a part of one.
+void Interpreter::take_turns_of_arc(ProgramLine& line, BlockWords& block) const {
+  if (dialect_.name != DialectName::linuxcnc || !block.tool_data_number || !contour_open()) return;
+  if (!block.axis && !block.center) return;
+  const MotionKind kind = block.has(motion)
+                              ? motions[static_cast<std::size_t>(block.of(motion).function->number)]
+                              : motion_;
+  if (kind != MotionKind::clockwise && kind != MotionKind::counter_clockwise) return;
+  block.turns = {.value = block.tool_data_number->value - 1,
+                 .begin = block.tool_data_number->begin};
+  for (WordRange& word : line.words)
+    if (word.begin == block.turns->begin) word.role = WordRole::coordinate;
 }
 
 // Decides whether the line is copied as it stands, and which axes it may move. Returns what must

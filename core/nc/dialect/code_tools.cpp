@@ -33,7 +33,7 @@ bool Interpreter::check_code_selection(ProgramLine& line, BlockWords& block) {
         line, TextFault{.code = code, .begin = block.of(side).begin, .detail = std::move(detail)});
   };
   if (selects && code_.unfollowed >= 0)
-    return wrong(Code::nc_unsupported, "TRC under " + code_.unfollowed_meaning + " of line " +
+    return wrong(Code::nc_unsupported, "TRC under " + code_.unfollowed_meaning + ", in line " +
                                            std::to_string(code_.unfollowed_line));
   if (dialect_.name == DialectName::sinumerik && !choose_tool_of_edge(line, block)) return false;
   // Only lathes work without Y.

@@ -193,6 +193,7 @@ class Interpreter {
   [[nodiscard]] NotWhileActive find_what_is_copied(BlockWords& block) const;
   void end_what_was_unfollowed(BlockWords& block);
   void take_tool_words(const ProgramLine& line, BlockWords& block);
+  void take_turns_of_arc(ProgramLine& line, BlockWords& block) const;
   bool copy_code_block(ProgramLine& line, BlockWords& block);
   bool check_code_selection(ProgramLine& line, BlockWords& block);
   bool take_corner(ProgramLine& line, BlockWords& block);

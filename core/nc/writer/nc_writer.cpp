@@ -31,6 +31,7 @@ NcWriter::NcWriter(const Setup& setup)
   state_.absolute_center = setup.absolute_center;
   state_.plane = setup.plane;
   state_.inch = setup.inch;
+  state_.feed_in_inch = setup.inch;
   state_.position = setup.start;
   state_.tracking.resize(setup.tracking_letters.size());
 }
@@ -322,6 +323,7 @@ void NcWriter::enter_modes(const Waiting& own) {
   if (!own.line->has(WordRole::mode)) return;
   state_.incremental = own.line->incremental;
   state_.inch = own.line->inch;
+  state_.feed_in_inch = own.line->feed_in_inch;
   state_.absolute_center = own.line->absolute_center;
   state_.plane = own.line->plane;
 }

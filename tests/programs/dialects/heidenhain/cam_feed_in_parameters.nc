@@ -7,7 +7,7 @@
 4 L Z-2 FQ50
 5 Q22 = -3
 6 L Z+Q22 F200
-7 / L M8
+/ 7 L M8
 8 L X-40 Y-6 RL FQ50
 9 L Y+30
 10 L X+40 FU0.2

@@ -1,5 +1,5 @@
 ; radius 5
-; refused 900013 line 10
+; refused 900013 line 9
 0 BEGIN PGM TWO MM
 1 TOOL CALL 1 Z S4000
 2 L X-20 Y-20 R0 FMAX

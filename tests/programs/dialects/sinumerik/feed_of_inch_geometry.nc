@@ -1,5 +1,5 @@
 ; radius 0.19685039370078741 in
-; path -5 0 L; -5 50.8 L; -5 50.8 L; 0 55.8 A; 76.2 55.8 L; 101.6 50.8 L
+; path -5 0 L; -5 50.8 L; 0 55.8 A; 76.2 55.8 L; 101.6 50.8 L
 ; G70 is of lengths alone: feeds stay mm/min, also where they are written anew.
 G90 G17 G40 G70
 T1 D1
