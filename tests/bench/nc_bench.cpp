@@ -1,4 +1,5 @@
 #include <cmath>
+#include <cstdint>
 #include <iomanip>
 #include <numbers>
 #include <sstream>
@@ -123,14 +124,14 @@ void writing_as(benchmark::State& state, DialectName dialect) {
   NcWriter writer({.spelling = {.points = dialect_of(dialect).writes_points,
                                 .klartext = dialect == DialectName::heidenhain}});
   std::vector<CompensatedBlock> compensated;
-  std::vector<NcWriter::Meaning> meanings;
+  std::vector<std::pair<std::uint64_t, NcWriter::Meaning>> meanings;  // by Source::index
   std::string text;
   const auto prepare = [&] {
     std::vector<Block> blocks = std::exchange(reading.blocks, {});
     meanings.clear();
     for (const Block& block : blocks)
       if (const auto* motion = std::get_if<MotionBlock>(&block))
-        meanings.push_back(meaning_of(*motion));
+        meanings.emplace_back(motion->source.index, meaning_of(*motion));
     compensated.clear();
     require(compensator.feed(blocks, compensated));
     text.clear();
@@ -139,7 +140,8 @@ void writing_as(benchmark::State& state, DialectName dialect) {
     std::size_t motion = 0;
     for (LinePointer& line : reading.lines) {
       NcWriter::Meaning meaning{};
-      if (line->is_motion) meaning = meanings[motion++];
+      if (motion < meanings.size() && meanings[motion].first == line->source.index)
+        meaning = meanings[motion++].second;
       writer.take(std::move(line), meaning);
     }
     for (const CompensatedBlock& block : compensated) writer.write(block, text);
