@@ -391,6 +391,23 @@ TEST(Walls, LeadsMayBeLongerThanTheContour) {  // D-38
   EXPECT_EQ((Ranges{{0, 1}, {2, 3}}), walls_of(boss_between_long_leads(2 * pi), Side::right).leads);
 }
 
+// Half circles that begin and end in one point, or cross, close nothing there.
+TEST(Walls, LongLeadsMayMeet) {  // D-38
+  const auto boss = [](double apart) {
+    return Drawing(21, 0).arc(13, 0, pi).arc(0, 0, -2 * pi).arc(13, 0, pi + apart);
+  };
+  for (const double apart : {0.0, 0.3})
+    EXPECT_EQ((Ranges{{0, 1}, {2, 3}}), walls_of(boss(apart), Side::left).leads) << apart;
+}
+
+TEST(Walls, LongLeadsMayHaveAnOverrunOfSeveralBlocks) {  // D-38
+  Drawing drawing = Drawing(25, 20).arc(25, 0, pi / 2);
+  for (int side = 1; side <= 15; ++side)
+    drawing.line(5 * std::cos(side * pi / 6), -5 * std::sin(side * pi / 6));
+  const Walls walls = walls_of(drawing.arc(20, -5, pi / 2), Side::left);
+  EXPECT_EQ((Ranges{{0, 2}, {14, 17}}), walls.leads) << "all of the twelve sides between";
+}
+
 // As it is put on at an outside corner, to keep that sharp: the tool is on its inside.
 TEST(Walls, ALoopAtACornerMakesNoLeads) {  // D-38
   const Drawing corner = Drawing(-40, 0).line(0, 0).arc(0, 5, 1.5 * pi).arc(0, 5, 0.5 * pi);
@@ -411,6 +428,51 @@ TEST(Walls, ALeadThatCutsAWallMakesNoLeadOfIt) {  // D-38
                                Side::left);
   EXPECT_EQ((Ranges{{0, 1}, {6, 7}}), walls.leads);
   EXPECT_TRUE(walls.parts.empty());
+}
+
+// The same behind the second of two laps.
+TEST(Walls, ALeadBehindLapsThatCutsAWallMakesNoLeadOfIt) {  // D-38
+  Drawing drawing = Drawing(18, -12).arc(26, -12, pi / 2);
+  for (int lap = 0; lap < 2; ++lap)
+    drawing.line(30, -20).line(30, 20).line(-30, 20).line(-30, -20).line(26, -20);
+  const Walls walls = walls_of(drawing.arc(26, -12, pi), Side::left);
+  EXPECT_EQ((Ranges{{0, 1}, {11, 12}}), walls.leads);
+  EXPECT_EQ((Numbers{6}), walls.rings);
+  EXPECT_TRUE(walls.parts.empty());
+}
+
+// In the inside corner the contour begins in, the arc in crosses the last wall beside it.
+TEST(Walls, ALeadInThatCutsTheLastWallMakesNoLeadOfIt) {  // D-38
+  for (const double rise : {1.8, 4.0, 10.0, 20.0}) {
+    const Walls walls = walls_of(Drawing(-5, 5)
+                                     .arc(0, 5, pi / 2)
+                                     .line(20, 0)
+                                     .line(20, 40)
+                                     .line(-20, 40)
+                                     .line(-20, rise)
+                                     .line(0, 0)
+                                     .line(0, 5),
+                                 Side::left);
+    EXPECT_EQ((Ranges{{0, 1}, {6, 7}}), walls.leads) << rise;
+    EXPECT_TRUE(walls.parts.empty()) << rise;
+  }
+}
+
+// A line out that runs into the first wall, an arc, and leaves through it.
+TEST(Walls, ALeadOutSlightlyIntoTheFirstWallMakesNoLeadOfIt) {  // D-38
+  for (const double angle : {0.03, 0.05, 0.1}) {
+    const Walls walls = walls_of(Drawing(-4, -4)
+                                     .arc(0, -4, -pi / 2)
+                                     .arc(0, 30, pi / 2)
+                                     .line(30, 50)
+                                     .line(-40, 50)
+                                     .line(-40, 0)
+                                     .line(0, 0)
+                                     .line(17 * std::cos(angle), 17 * std::sin(angle)),
+                                 Side::right);
+    EXPECT_EQ((Ranges{{0, 1}, {6, 7}}), walls.leads) << angle;
+    EXPECT_TRUE(walls.parts.empty()) << angle;
+  }
 }
 
 // Of a block without length both ends are the crossing: there is nothing beyond it.

@@ -7,6 +7,12 @@
 #include "core/geometry/distance.h"
 
 namespace trc {
+namespace {
+
+// How far from the closing, in tool radii, the path may run into what lies beyond it.
+constexpr double near_closing = 2;
+
+}  // namespace
 
 std::optional<LoopExit> LoopExits::find(const PathPiece& at, const Onset& onset,
                                         Nearness nearness) const {
@@ -29,6 +35,8 @@ std::optional<LoopExit> LoopExits::find(const PathPiece& at, const Onset& onset,
   }
   for (const std::size_t number : obstacles)
     if (auto exit = exit_behind_into_rest(at, {onset.along, number})) return exit;
+  for (const std::size_t number : obstacles)
+    if (auto exit = exit_by_lead_out(piece, {onset.along, number})) return exit;
   return std::nullopt;
 }
 
@@ -54,7 +62,7 @@ LoopExits::Stretch LoopExits::stretch_about(std::size_t obstacle, std::size_t at
   std::size_t behind = obstacle + 1;
   while (behind < end_of_contour() && obstacles_.is_lead(behind)) ++behind;
   const std::size_t end = behind < end_of_contour() ? contour(behind).block + 1 : path_.end();
-  return {std::max(begin, at + 1), end};
+  return {std::max(begin, at + 1), end, obstacles_.is_lead(obstacle) || behind > obstacle + 1};
 }
 
 std::optional<LoopExit> LoopExits::exit_here(const PathPiece& piece, std::size_t obstacle,
@@ -86,17 +94,40 @@ std::optional<LoopExit> LoopExits::exit_behind_into_rest(const PathPiece& at,
                                                          const Onset& onset) const {
   const std::size_t next = path_.number_of(at.block) + 1;
   const std::size_t end = next < end_of_contour() ? contour(next).block + 1 : path_.end();
-  return last_of_walked(onset, {at.block, end},
+  const bool by_lead =
+      onset.obstacle + 1 < end_of_contour() && obstacles_.is_lead(onset.obstacle + 1);
+  return last_of_walked(onset, {at.block, end, by_lead},
                         {at.block, onset.along + slack_of_places(tolerances_)});
+}
+
+std::optional<LoopExit> LoopExits::exit_by_lead_out(const PathPiece& piece,
+                                                    const Onset& onset) const {
+  const std::size_t number = path_.number_of(piece.block);
+  const std::size_t lead_out = obstacles_.begin_of_lead_out();
+  if (lead_out == end_of_contour() || number >= lead_out || onset.obstacle >= number)
+    return std::nullopt;
+  const double near = near_closing * path_.radius_of_tool(piece.block);
+  if (walls_between(obstacles_.walls().head.first, onset.obstacle, near) > near ||
+      walls_between(number + 1, lead_out, near) > near)
+    return std::nullopt;
+  const Stretch stretch{contour(lead_out).block, path_.end(), true};
+  ask_about(piece);
+  if (has_near(stretch))
+    if (auto exit = crossing_in(piece, walked_.end(), onset.obstacle, {})) return exit;
+  return last_of_walked(onset, stretch, {});
+}
+
+double LoopExits::walls_between(std::size_t first, std::size_t end, double most) const {
+  double length = 0;
+  for (; first < end && length <= most; ++first) length += obstacles_.wall_length(first);
+  return length;
 }
 
 std::optional<LoopExit> LoopExits::last_of_walked(const Onset& onset, const Stretch& stretch,
                                                   const PathPlace& least) const {
   const HeldPath::ContourBlock obstacle = contour(onset.obstacle);
   // A lead may come back to the path anywhere near.
-  const std::size_t behind = onset.obstacle + 1;
-  const bool by_lead = behind < end_of_contour() && obstacles_.is_lead(behind);
-  double rest = by_lead ? 8 * path_.largest_radius(obstacle) : 0;
+  double rest = stretch.holds_leads ? 8 * path_.largest_radius(obstacle) : 0;
   for (std::size_t number = walked_.end(); number-- > walked_.begin();) {
     const PathPiece walked = walked_[number];
     if (reaches_out(obstacle, walked.end) && rest <= 0) break;

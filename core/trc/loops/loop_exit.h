@@ -52,6 +52,7 @@ class LoopExits {
   struct Stretch {
     std::size_t first = 0;
     std::size_t end = 0;
+    bool holds_leads = false;
   };
 
   [[nodiscard, gnu::always_inline]] HeldPath::Block path(std::size_t block) const {
@@ -78,6 +79,12 @@ class LoopExits {
   // ends where it begins.
   [[nodiscard]] std::optional<LoopExit> exit_behind_into_rest(const PathPiece& at,
                                                               const Onset& onset) const;
+  // On it or before it, where the first walls, which lie behind the last ones, are in the way: the
+  // lead-out is what leads on there.
+  [[nodiscard]] std::optional<LoopExit> exit_by_lead_out(const PathPiece& piece,
+                                                         const Onset& onset) const;
+  // mm of these blocks; somewhat more than `most` where it is more.
+  [[nodiscard]] double walls_between(std::size_t first, std::size_t end, double most) const;
   // The last crossing of what has been walked with the stretch, as in crossing_in().
   [[nodiscard]] std::optional<LoopExit> last_of_walked(const Onset& onset, const Stretch& stretch,
                                                        const PathPlace& least) const;

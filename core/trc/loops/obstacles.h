@@ -53,6 +53,11 @@ class Obstacles {
   [[nodiscard]] bool is_lead(std::size_t number) const {
     return !all_are_walls_ && walls_.is_lead(number);
   }
+  // The first of the leads the contour ends with; the end of the contour where there are none.
+  [[nodiscard]] std::size_t begin_of_lead_out() const {
+    const bool has_some = !walls_.leads.empty() && walls_.leads.back().end == end_of_contour();
+    return has_some ? walls_.leads.back().first : end_of_contour();
+  }
   // What of a contour block is a wall.
   [[nodiscard]] Segment wall(std::size_t number) const;
   // mm

@@ -5,12 +5,14 @@
 #include <memory_resource>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "core/base/tolerances.h"
 #include "core/geometry/along.h"
 #include "core/geometry/box_tree.h"
 #include "core/trc/walls/contact.h"
+#include "core/trc/walls/long_leads.h"
 #include "core/trc/walls/rings.h"
 #include "core/trc/walls/scratch.h"
 
@@ -19,8 +21,6 @@ namespace {
 
 constexpr std::size_t first_few = 5;
 constexpr double reach_in_radii = 10;
-// Of leads that are longer than the contour: with what an overrun goes over.
-constexpr std::size_t most_lead_blocks = 4;
 // Up to here two places on a contour are one, mm.
 constexpr double same_place = 1e-7;
 
@@ -94,11 +94,6 @@ double length_of_all(const ContourView& contour) {
   return length;
 }
 
-// Whether they are so near the ends that leads longer than the contour may end there.
-bool are_few_outside(const ContourView& contour, std::size_t first, std::size_t second) {
-  return first <= most_lead_blocks && contour.count - 1 - second <= most_lead_blocks;
-}
-
 // Where the first blocks and the last ones meet with no more than `outside` mm of contour before
 // and behind, or as little more as may belong to an overrun from there, or few blocks. Short blocks
 // meet all their neighbours too, which would be many.
@@ -162,74 +157,9 @@ std::optional<Closing::Overrun> overrun_to(const ContourView& contour, const Can
   return overrun;
 }
 
-// The contour between the two visits of a candidate, as a polygon.
-class Ring {
- public:
-  Ring(const ContourView& contour, const Candidate& closing) {
-    for (std::size_t number = closing.first.number; number <= closing.second.number; ++number) {
-      const Segment segment = contour.segment(number);
-      const double length = length_of(segment);
-      const double from = number == closing.first.number ? closing.first.along : 0;
-      const double to = number == closing.second.number ? closing.second.along : length;
-      constexpr double chord = 0.25;  // rad
-      const auto* arc = std::get_if<Arc>(&segment);
-      const double turn = arc != nullptr ? std::abs(arc->sweep) * (to - from) / length : 0;
-      const auto chords = static_cast<int>(std::ceil(std::max(1.0, turn / chord)));
-      for (int part = 0; part < chords; ++part)
-        corners_.push_back(point_along(segment, from + (to - from) * part / chords));
-    }
-  }
-
-  // Whether the point is on that side of it. Inside, where the ring goes round it.
-  [[nodiscard]] bool has_on(Side side, const Point& point) const {
-    double area = 0;
-    int turns = 0;
-    for (std::size_t index = 0; index < corners_.size(); ++index) {
-      const Vector from = corners_[index] - point;
-      const Vector to = corners_[(index + 1) % corners_.size()] - point;
-      area += cross(from, to);
-      if (from.y() <= 0 && to.y() > 0 && cross(from, to) > 0) ++turns;
-      if (from.y() > 0 && to.y() <= 0 && cross(from, to) < 0) --turns;
-    }
-    const bool is_inside = turns != 0;
-    const bool tool_is_inside = (area > 0) == (side == Side::left);
-    return is_inside == tool_is_inside;
-  }
-
- private:
-  std::vector<Point> corners_;
-};
-
-// Where leads that are longer than the contour part from it.
-bool is_between_long_leads(const ContourView& contour, const Candidate& closing, double tolerance) {
-  const auto is_end = [&](const ContourPlace& place) {
-    return place.along <= same_place ||
-           place.along >= length_of(contour.segment(place.number)) - same_place;
-  };
-  const double shortest = 10 * tolerance;
-  if (contour.tool_side == Side::off ||
-      !are_few_outside(contour, closing.first.number, closing.second.number) ||
-      !(is_end(closing.first) || is_end(closing.second)))
-    return false;
-  // Straight on, the first and the last block may be walls that a circle stands beside.
-  const std::size_t last_in = closing.first.number - 1;
-  const std::size_t first_out = closing.second.number + 1;
-  if (closing.first.number == 0 || first_out == contour.count ||
-      !std::holds_alternative<Arc>(contour.segment(last_in)) ||
-      !std::holds_alternative<Arc>(contour.segment(first_out)))
-    return false;
-  double length = closing.second.along - closing.first.along;
-  for (std::size_t number = closing.first.number; number < closing.second.number; ++number)
-    length += length_of(contour.segment(number));
-  if (length <= shortest) return false;
-  const Ring ring(contour, closing);
-  return ring.has_on(contour.tool_side, start_of(contour.segment(0))) &&
-         ring.has_on(contour.tool_side, end_of(contour.segment(contour.count - 1)));
-}
-
-// What of the begin an overrun may go over: the same way, or, with laps that differ at their
-// corners, any that comes back to it.
-enum class Overruns { along_the_begin, any };
+// What an overrun goes along: the begin of the contour, or that of the last lap, as laps may differ
+// at their corners.
+enum class Overruns { along_the_begin, along_the_last_lap };
 
 // Goes from the outermost candidate inward.
 class InwardSearch {
@@ -253,8 +183,15 @@ class InwardSearch {
     if (earlier < 0) {
       // The end goes on along the begin: an overrun, or both part in an acute angle.
       if (next.gap > std::max(best_->gap, Tolerances{}.on_top)) return;
-      if (overruns_ == Overruns::along_the_begin && -earlier > tolerance_ && !runs_along(next))
+      // Where leads between laps begin in one point, the laps close inside of that.
+      const bool is_lap =
+          overruns_ == Overruns::along_the_last_lap && -earlier >= 0.5 * longest_ring();
+      if (is_lap) return take(next);
+      if (-earlier > tolerance_ && !runs_along(next)) {
+        // A lead-in that crosses the last walls does not hide the start of the contour.
+        if (is_crossing(*best_) && is_junction(next)) take(next);
         return;
+      }
       best_ = next;
       overrun_.push_back(next);
       return note(next);
@@ -277,14 +214,45 @@ class InwardSearch {
   }
 
  private:
+  [[nodiscard]] bool is_block_end(const ContourPlace& place) const {
+    return place.along <= same_place ||
+           place.along >= length_of(contour_.segment(place.number)) - same_place;
+  }
+  // In the middle of a last block, and of a first one or where the contour begins.
+  [[nodiscard]] bool is_crossing(const Candidate& candidate) const {
+    const ContourPlace& first = candidate.first;
+    const bool is_begin = first.number == 0 && first.along <= same_place;
+    return (is_begin || !is_block_end(first)) && !is_block_end(candidate.second);
+  }
+  [[nodiscard]] bool is_junction(const Candidate& candidate) const {
+    return is_block_end(candidate.first) && is_block_end(candidate.second);
+  }
   // Half way from the best one to the next, begin and end are in one place: a lead that leaves
-  // through the first walls meets them again too.
-  [[nodiscard]] bool runs_along(const Candidate& next) const {
+  // through the first walls meets them again too. Of several laps the end lies on the last one.
+  [[nodiscard]] bool runs_along(const Candidate& next) {
+    const double on = best_->behind - next.behind;
+    if (overruns_ == Overruns::along_the_last_lap) {
+      const double way = overrun_.front().behind - best_->behind + on / 2;
+      const Point begin = behind_by(begin_of_last_lap(), way);
+      return (begin - behind_by(overrun_.front().second, way)).norm() <= 2 * tolerance_;
+    }
     const double later = next.before - best_->before;
-    const double share = 0.02;  // of that way, in an acute angle
+    // Of that way, where begin and end part in an acute angle and an overrun ends on the begin.
+    const double share = is_crossing(*best_) || !is_block_end(next.second) ? 0 : 0.02;
     const Point begin = behind_by(best_->first, later / 2);
-    const Point end = behind_by(best_->second, (best_->behind - next.behind) / 2);
+    const Point end = behind_by(best_->second, on / 2);
     return (begin - end).norm() <= tolerance_ + share * later;
+  }
+  // Where the last lap comes by where the overrun begins.
+  [[nodiscard]] const ContourPlace& begin_of_last_lap() {
+    if (last_lap_) return *last_lap_;
+    const Candidate best = std::exchange(*best_, overrun_.front());
+    const Visits visits = visits_of(contour_, closing(), tolerance_, memory_);
+    best_ = best;
+    const double least = share_of_lead_ring * trc::longest_ring(visits);
+    std::size_t end = visits.size() - 1;
+    while (end > 1 && visits[end].way - visits[end - 1].way < least) --end;
+    return last_lap_.emplace(visits[end - 1].place);
   }
   [[nodiscard]] Point behind_by(const ContourPlace& place, double way) const {
     std::size_t number = place.number;
@@ -302,6 +270,7 @@ class InwardSearch {
     gap_ = next.gap;
     joins_ = next.second.number;
     longest_ring_.reset();
+    last_lap_.reset();
   }
   // On the same stretch as the one before.
   void note(const Candidate& next) {
@@ -352,7 +321,16 @@ class InwardSearch {
   double gap_ = 0;
   std::size_t joins_ = 0;
   std::optional<double> longest_ring_{};
+  std::optional<ContourPlace> last_lap_{};
 };
+
+// Whether what closes the contour in the other point are leads that begin and end there, or cross.
+bool lies_within(const Closing& inner, const Closing& outer) {
+  const auto is_before = [](const ContourPlace& a, const ContourPlace& b) {
+    return a.number != b.number ? a.number < b.number : a.along < b.along - same_place;
+  };
+  return is_before(outer.first, inner.first) && is_before(inner.second, outer.second);
+}
 
 }  // namespace
 
@@ -382,11 +360,15 @@ std::optional<Closing> find_closing(const ContourView& contour, double closing_t
   };
   auto closing = search(Overruns::along_the_begin, leaves_half);
   if (closing && visits_of(contour, *closing, closing_tolerance, memory).size() > 2)
-    closing = search(Overruns::any, leaves_half);
-  if (closing) return closing;
-  return search(Overruns::along_the_begin, [&](const Candidate& candidate) {
-    return is_between_long_leads(contour, candidate, closing_tolerance);
-  });
+    closing = search(Overruns::along_the_last_lap, leaves_half);
+  const auto between_long_leads =
+      search(Overruns::along_the_begin, [&](const Candidate& candidate) {
+        return is_between_long_leads(contour, candidate, closing_tolerance);
+      });
+  if (!closing || (between_long_leads && lies_within(*between_long_leads, *closing) &&
+                   visits_of(contour, *closing, closing_tolerance, memory).size() == 2))
+    return between_long_leads;
+  return closing;
 }
 
 }  // namespace trc
