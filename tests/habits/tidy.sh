@@ -1,7 +1,6 @@
 #!/usr/bin/env bash
-# clang-tidy over the sources of core, proto/wire, server and client: over those that differ from
-# the last commit and those of headers that do; with TRC_TEST_LONG over all of them; in CI over all
-# of them too, in any order, as far as it comes in TRC_TIDY_SECONDS (1200).
+# clang-tidy over the sources of core, proto/wire, server and client: over all of them with
+# TRC_TEST_LONG, else over those that differ from the last commit, and those of headers that do.
 # Usage, from the top of the source tree: tidy.sh <scratch folder>
 #
 # The scratch folder keeps a build description of its own (one command for each file, no
@@ -24,21 +23,10 @@ common=$({
     xargs -0 sha256sum
 } | sha256sum)
 
-# When to begin no more; 0: never.
-deadline=0
-if [ -z "${TRC_TEST_LONG:-}" ] && [ "${CI:-}" = true ]; then
-  deadline=$(($(date +%s) + ${TRC_TIDY_SECONDS:-1200}))
-fi
-: >"$work/left"
-
 check() {
-  local source=$1 work=$2 common=$3 deadline=$4 mark
+  local source=$1 work=$2 common=$3 mark
   mark="$work/clean/$( (echo "$common"; sha256sum "$source") | sha256sum | cut -c1-32)"
   [ ! -f "$mark" ] || return 0
-  if [ "$deadline" -gt 0 ] && [ "$(date +%s)" -ge "$deadline" ]; then
-    echo "$source" >>"$work/left"
-    return 0
-  fi
   clang-tidy-14 --quiet -p "$work" "$source" 2>"$mark.err" && touch "$mark" ||
     { grep -v 'warnings generated' "$mark.err"; rm -f "$mark.err"; return 1; }
   rm -f "$mark.err"
@@ -47,9 +35,7 @@ export -f check
 
 # Sources to check, of those on standard input.
 due() {
-  if [ "$deadline" -gt 0 ]; then
-    shuf
-  elif [ -n "${TRC_TEST_LONG:-}" ] || ! git rev-parse -q --verify HEAD >/dev/null 2>&1; then
+  if [ -n "${TRC_TEST_LONG:-}" ] || ! git rev-parse -q --verify HEAD >/dev/null 2>&1; then
     cat
   else
     grep -Fxf <({ git diff --name-only HEAD; git ls-files --others --exclude-standard; } |
@@ -59,6 +45,4 @@ due() {
 
 sed -n "s|^ *\"file\": \"$PWD/\(.*\)\".*|\1|p" "$work/compile_commands.json" |
   grep -E '^(core|proto/wire|server|client)/' | sort -u | due |
-  xargs -P "$(nproc)" -I{} bash -c 'check "$@"' check {} "$work" "$common" "$deadline"
-
-[ ! -s "$work/left" ] || echo "left for another run: $(wc -l <"$work/left") sources"
+  xargs -P "$(nproc)" -I{} bash -c 'check "$@"' check {} "$work" "$common"
