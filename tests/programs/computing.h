@@ -6,6 +6,7 @@
 #include <numbers>
 #include <ostream>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/nc/dialect/dialect.h"
@@ -84,6 +85,15 @@ inline Ran run_computing(const std::string& text, ProgramSessionSetup setup, Out
 inline std::string flat_of(const std::string& text, const ProgramSessionSetup& setup) {
   const Ran ran = run_computing(text, setup, Output::nc_text);
   return ran.stopped ? ran.report() : ran.text;
+}
+
+// Code and line of what stops the program; 0 where nothing does.
+inline std::pair<int, unsigned> refusal_of(const std::string& text,
+                                           const ProgramSessionSetup& setup) {
+  const Ran ran = run_computing(text, setup, Output::nc_text);
+  if (!ran.stopped || ran.diagnostics.empty()) return {};
+  const Diagnostic& last = ran.diagnostics.back();
+  return {static_cast<int>(last.code), last.source.line};
 }
 
 }  // namespace trc::support

@@ -60,16 +60,11 @@ TEST(FanucExpressions, KnowTheFunctions) {
 TEST(FanucPrograms, LoseNoContourBehindTheirEnd) {
   const std::string contour =
       "G21 G90 G17\nG0 X-20. Y-20.\nG41 D1 G1 X0 Y0 F300.\nY40.\nG40 X80.\n";
-  const auto told = [](const std::string& text) {
-    const Ran ran = run_computing(text, fanuc(), Output::nc_text);
-    EXPECT_TRUE(ran.stopped) << text << ran.text;
-    if (ran.diagnostics.empty()) return std::pair(0, 0U);
-    return std::pair(static_cast<int>(ran.diagnostics.back().code),
-                     ran.diagnostics.back().source.line);
-  };
+  const auto told = [](const std::string& text) { return refusal_of(text, fanuc()); };
   // A second program of a memory card.
   EXPECT_EQ(told("O0001\n#101=5\nG0 X#101\nM30\nO0002\n" + contour + "M30\n"),
             std::pair(900015, 8U));
+  EXPECT_EQ(told("#101=5\nG0 X#101\nM30\n" + contour + "M30\n"), std::pair(900015, 6U));
   // Without an end it runs into what comes next, whatever that is.
   EXPECT_EQ(told("#101=5\nG0 X#101\nO1000\n" + contour + "M99\n"), std::pair(900003, 3U));
   EXPECT_EQ(told("#101=5\nG21 G90 G17\no100 sub\n  G0 X#1\no100 endsub\n" + contour + "M2\n"),

@@ -46,6 +46,14 @@ TEST(LinuxcncExpressions, KnowTheFunctions) {
   EXPECT_EQ(value_of("#<_incremental>"), "0");
 }
 
+TEST(LinuxcncPrograms, LoseNoContourBehindTheirEnd) {
+  const std::string contour = "G0 X-20 Y-20\nG41.1 D4 G1 X0 Y0 F300\nY40\nG40 X80\n";
+  EXPECT_EQ(refusal_of("#31=5\nG0 X#31\nM2\n" + contour + "M2\n", linuxcnc()),
+            std::pair(900015, 5U));
+  EXPECT_EQ(refusal_of("#31=5\nG0 X#31\nM2\nO100\n" + contour + "M99\n", linuxcnc()),
+            std::pair(0, 0U));
+}
+
 TEST(LinuxcncParameters, TakeTheirValueBehindTheLine) {
   EXPECT_EQ(flat("#3=15\n#3=6 G0 X#3\nG0 X#3\n"), "G0 X15\nG0 X6\n");
   EXPECT_EQ(flat("#31=1 #32=2\n#31=#32 #32=#31 (SWAPPED)\nG0 X#31 Y#32\n"),

@@ -331,5 +331,18 @@ TEST(SinumerikWords, AreComputedInALineToSkip) {
   EXPECT_EQ(flat("R1=5\n/ G0 X=R1\n/2 N20 Y=R1\n"), "/ G0 X=5\n/2 N20 Y=5\n");
 }
 
+TEST(SinumerikPrograms, LoseNoContourBehindTheirEnd) {
+  const std::string contour = "G0 X-20 Y-20\nG41 D1 G1 X0 Y0 F300\nY40\nG40 X80\n";
+  EXPECT_EQ(refusal_of("R1=5\nG0 X=R1\nM30\n" + contour + "M30\n", sinumerik()),
+            std::pair(900015, 5U));
+  EXPECT_EQ(refusal_of("R1=5\nG0 X=R1\nM30\n%_N_OTHER_MPF\n" + contour + "M30\n", sinumerik()),
+            std::pair(900015, 6U));
+  // A jump leads there for another value, and nobody calls that subprogram.
+  EXPECT_EQ(refusal_of("R1=5\nIF R1==2 GOTOF PART\nG0 X=R1\nM30\nPART:\n" + contour + "M30\n" +
+                           "PROC OTHER\n" + contour + "M17\n",
+                       sinumerik()),
+            std::pair(0, 0U));
+}
+
 }  // namespace
 }  // namespace trc::support::sinumerik_computing

@@ -1,5 +1,7 @@
 #include "core/nc/program/code_line.h"
 
+#include <cmath>
+
 #include "core/nc/text/characters.h"
 #include "core/nc/text/code_words.h"
 #include "core/nc/text/number_format.h"
@@ -71,6 +73,24 @@ bool has_word_at(std::string_view line, std::size_t at, std::string_view word) {
   for (std::size_t sign = 0; sign < word.size(); ++sign)
     if (upper(line[at + sign]) != word[sign]) return false;
   return true;
+}
+
+bool has_function(std::string_view line, char letter, int first, int second) {
+  for (std::size_t at = 0; at < line.size() && line[at] != ';';) {
+    if (line[at] == '(') {
+      at = behind_comment(line, at);
+      if (at == 0) return false;
+      continue;
+    }
+    const bool is_letter_of_it = upper(line[at]) == letter;
+    at = behind_blanks(line, at + 1);
+    if (!is_letter_of_it || at >= line.size() || !is_digit(line[at])) continue;
+    double number = 0;
+    bool whole = false;
+    if (read_number(line.substr(at), number, whole) == 0) continue;
+    if (std::floor(number) == first || std::floor(number) == second) return true;
+  }
+  return false;
 }
 
 void append_value(std::string& out, double value, PointStyle style) {

@@ -31,25 +31,6 @@ std::int64_t number_of_unit(std::string_view line) {
   return static_cast<std::int64_t>(number);
 }
 
-// Whether one of the two stands in the line, outside of comments.
-bool has_function(std::string_view line, char letter, int first, int second) {
-  for (std::size_t at = 0; at < line.size() && line[at] != ';';) {
-    if (line[at] == '(') {
-      at = behind_comment(line, at);
-      if (at == 0) return false;
-      continue;
-    }
-    const bool is_letter_of_it = upper(line[at]) == letter;
-    at = behind_blanks(line, at + 1);
-    if (!is_letter_of_it || at >= line.size() || !is_digit(line[at])) continue;
-    double number = 0;
-    bool whole = false;
-    if (read_number(line.substr(at), number, whole) == 0) continue;
-    if (number == first || number == second) return true;
-  }
-  return false;
-}
-
 // The number in the name of a file: O1001, O1001.nc, 1001.
 std::int64_t number_of_name(std::string_view name) {
   const std::size_t folder = name.find_last_of("/\\");
@@ -214,24 +195,21 @@ bool FanucFlow::end_of_unit(std::string& flat) {
   return refuse(Code::block_structure, 0, frame().name + ", a subprogram without M99");
 }
 
-// Subprograms that nothing has called need not come out. A second main program, with an end of its
+// What stands behind an N word may be where a jump leads to for other values, and subprograms that
+// nothing has called need not come out. A second main program, with an end of its
 // own, does: its contour must not be lost.
 bool FanucFlow::end_main_program(std::string& flat) {
-  const ProgramText& text = texts_.front();
+  const Frame& main = frames_.front();
+  std::size_t behind = main.current + 1;
+  while (behind < main.end && head_of(texts_.front().line(behind)).number < 0) ++behind;
+  const std::size_t lost = first_with('G', 41, 42, main.current + 1, behind);
+  if (lost < behind) return refuse_contour_behind_end(lost);
   for (const Unit& unit : units_) {
     const auto index = static_cast<std::size_t>(&unit - units_.data());
     if (unit.text > 0 || entered_[index] || unit.begin == frames_.front().begin) continue;
-    std::size_t selects = none;
-    bool ends = false;
-    for (std::size_t line = unit.begin; line < unit.end; ++line) {
-      const std::string_view content = text.line(line);
-      if (selects == none && has_function(content, 'G', 41, 42)) selects = line;
-      ends |= has_function(content, 'M', 2, 30);
-    }
-    if (!ends || selects == none) continue;
-    frames_.erase(frames_.begin() + 1, frames_.end());
-    frame().current = selects;
-    return refuse(Code::side_behind_end, 0, "G41, G42");
+    const std::size_t selects = first_with('G', 41, 42, unit.begin, unit.end);
+    if (selects < unit.end && first_with('M', 2, 30, unit.begin, unit.end) < unit.end)
+      return refuse_contour_behind_end(selects);
   }
   return end_program(flat);
 }

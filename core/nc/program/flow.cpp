@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/nc/program/code_line.h"
 #include "core/nc/program/fanuc_flow.h"
 #include "core/nc/program/linuxcnc_flow.h"
 #include "core/nc/program/sinumerik_flow.h"
@@ -71,6 +72,18 @@ bool Flow::refuse(Code code, std::size_t begin, std::string detail) {
   refusal_ = diagnostic(code, {}, std::move(detail));
   refusal_.column = static_cast<std::uint32_t>(begin + 1);
   return false;
+}
+
+std::size_t Flow::first_with(char letter, int first, int second, std::size_t begin,
+                             std::size_t end) const {
+  while (begin < end && !has_function(texts_.front().line(begin), letter, first, second)) ++begin;
+  return begin;
+}
+
+bool Flow::refuse_contour_behind_end(std::size_t line) {
+  frames_.erase(frames_.begin() + 1, frames_.end());
+  frames_.front().current = line;
+  return refuse(Code::side_behind_end, 0, "G41, G42");
 }
 
 const double* Flow::given(std::string_view name) const {

@@ -85,6 +85,12 @@ class Flow {
   bool refuse(Code code, std::size_t begin, std::string detail);
   bool refuse(const TextFault& fault) { return refuse(fault.code, fault.begin, fault.detail); }
 
+  // The first line of the program from `begin` on that has a function, of two; `end`: none has.
+  [[nodiscard]] std::size_t first_with(char letter, int first, int second, std::size_t begin,
+                                       std::size_t end) const;
+  // Always false: nothing leads to that line of the program, whose contour would be lost.
+  bool refuse_contour_behind_end(std::size_t line);
+
   // The value the setup gives a variable, by its name in capitals without `#`, `<`, `>`; null:
   // none.
   [[nodiscard]] const double* given(std::string_view name) const;

@@ -101,7 +101,7 @@ bool LinuxcncFlow::execute_words(std::string& flat) {
   if (call_word != nullptr)
     return call_word->value.number == 98 ? call_program(*call_word, flat)
                                          : return_from_program(*call_word, flat);
-  return !ends || end_program(flat);
+  return !ends || end_main_program(flat);
 }
 
 bool LinuxcncFlow::call_sub(const std::string& label, std::size_t at, std::string& flat) {
@@ -189,7 +189,7 @@ bool LinuxcncFlow::call_program(ComputedWord& word, std::string& flat) {
 bool LinuxcncFlow::return_from_program(ComputedWord& word, std::string& flat) {
   if (frames_.size() == 1) {  // what ends it for the reader as well
     write_line(flat);
-    return end_program(flat);
+    return end_main_program(flat);
   }
   if (frame().own_variables) return refuse(Code::block_structure, word.begin, "M99 within a sub");
   word.left_out = true;

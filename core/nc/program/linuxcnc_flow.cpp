@@ -147,6 +147,19 @@ Flow::Step LinuxcncFlow::step(std::string& flat) {
   return ended_ ? Step::ended : Step::goes_on;
 }
 
+// What stands behind an O word may be a subprogram that nothing has called.
+bool LinuxcncFlow::end_main_program(std::string& flat) {
+  const Frame& main = frames_.front();
+  const ProgramText& text = texts_.front();
+  std::size_t behind = main.current + 1;
+  const auto is_part = [&](std::string_view line) {
+    return !is_percent(line) && !is_o_word_at(line, head_of(line).behind);
+  };
+  while (behind < main.end && is_part(text.line(behind))) ++behind;
+  const std::size_t lost = first_with('G', 41, 42, main.current + 1, behind);
+  return lost < behind ? refuse_contour_behind_end(lost) : end_program(flat);
+}
+
 bool LinuxcncFlow::execute(std::string& flat) {
   if (is_percent(line_)) {
     if (frame().current > 0 && frames_.size() == 1) return end_program(flat);

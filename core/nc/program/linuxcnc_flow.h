@@ -94,6 +94,7 @@ class LinuxcncFlow : public CodeFlow {
     return locals_.back().repetitions[{frame().text, line}];
   }
 
+  bool end_main_program(std::string& flat);
   bool execute(std::string& flat);
   bool execute_words(std::string& flat);
   bool execute_statement(std::string& flat);

@@ -212,8 +212,21 @@ bool SinumerikFlow::end_of_frame(std::string& flat) {
   return true;
 }
 
+// What stands behind a label may be meant for other values, and so may a subprogram that nothing
+// has called. A second main program, with an end of its own, is not.
 bool SinumerikFlow::end_of_program(std::string& /*flat*/) {
   ended_ = true;
+  const Frame& main = frames_.front();
+  std::size_t behind = main.current + 1;
+  while (behind < main.end && named_head_of(texts_.front().line(behind)).label.empty()) ++behind;
+  const std::size_t lost = first_with('G', 41, 42, main.current + 1, behind);
+  if (lost < behind) return refuse_contour_behind_end(lost);
+  for (const Unit& unit : units_) {
+    if (unit.text > 0 || unit.begin < main.end) continue;
+    const std::size_t selects = first_with('G', 41, 42, unit.begin, unit.end);
+    if (selects < unit.end && first_with('M', 2, 30, unit.begin, unit.end) < unit.end)
+      return refuse_contour_behind_end(selects);
+  }
   return true;
 }
 
