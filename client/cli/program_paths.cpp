@@ -1,13 +1,20 @@
 #include "client/cli/program_paths.h"
 
+#include <algorithm>
 #include <chrono>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <iostream>
+#include <map>
 #include <string>
 #include <string_view>
 
 #include "client/cli/progress.h"
 #include "client/cli/reporter.h"
 #include "client/cli/verbose_text.h"
+#include "core/geometry/along.h"
+#include "core/geometry/distance.h"
 #include "core/session/contour_reader.h"
 #include "proto/wire/setup.h"
 
@@ -23,6 +30,40 @@ bool is_inch(ContourReader& reader, const std::vector<Block>& blocks) {
     if (motion->mode->active()) break;
   }
   return first != nullptr && reader.is_inch(first->source.index);
+}
+
+// How far the middle of a path is from where that of the motion would be.
+double misfit(const CompensatedBlock& path, const MotionBlock& motion) {
+  const Point middle = point_along(path.path, length_of(path.path) / 2);
+  return std::abs(distance(middle, motion.path) - std::abs(motion.mode->cutting_radius()));
+}
+
+// A service does not say which of the motions that a line has become a block stems from (a corner
+// that it rounds, the arc of a lead): the one it lies beside, in their order.
+void tell_parts(const std::vector<Block>& programmed, std::vector<CompensatedBlock>& path) {
+  std::map<std::uint64_t, std::vector<const MotionBlock*>> motions_of_line;
+  for (const Block& block : programmed)
+    if (const auto* motion = std::get_if<MotionBlock>(&block); motion != nullptr && motion->mode)
+      motions_of_line[motion->source.index].push_back(motion);
+  std::erase_if(motions_of_line, [](const auto& line) { return line.second.size() < 2; });
+  std::uint64_t line = Source{}.index;
+  std::size_t at = 0;
+  for (CompensatedBlock& block : path) {
+    const auto found = motions_of_line.find(block.source.index);
+    if (found == motions_of_line.end()) continue;
+    const std::vector<const MotionBlock*>& motions = found->second;
+    if (block.source.index != line) at = 0;
+    line = block.source.index;
+    if (block.origin == Origin::programmed) {
+      const auto nearest =
+          std::min_element(motions.begin() + static_cast<std::ptrdiff_t>(at), motions.end(),
+                           [&](const MotionBlock* a, const MotionBlock* b) {
+                             return misfit(block, *a) < misfit(block, *b);
+                           });
+      at = static_cast<std::size_t>(nearest - motions.begin());
+    }
+    block.source.part = motions[at]->source.part;
+  }
 }
 
 }  // namespace
@@ -67,6 +108,7 @@ ProgramPaths read_paths(const ProgramOptions& options, v1::ProgramSetup setup, I
   if (reader) {
     paths.programmed = reader->finish();
     paths.inch = is_inch(*reader, paths.programmed);
+    tell_parts(paths.programmed, paths.compensated);
   }
   return paths;
 }

@@ -1052,6 +1052,16 @@ TEST(Plot, KnowsTheKindOfPictureByItsName) {
   EXPECT_TRUE(folder.names().empty());
 }
 
+// A rounding is a motion of its own in its line.
+TEST(Verify, TellsTheMotionsOfALineApart) {
+  const Ended ended = trc({"verify", "-", "--dialect", "sinumerik", "--radius", "2"},
+                          "N10 G17 G71 G90 T1 D1\nN20 G0 X-20 Y-20\nN30 G41 G1 X0 Y0 F300\n"
+                          "N40 Y50\nN50 X40 RND=6\nN60 Y0\nN70 X-10\nN80 G40 X-20 Y-20\nN90 M30\n");
+  EXPECT_EQ(ended.code, 0) << ended.err;
+  EXPECT_NE(ended.out.find("smallest clearance 2.0000 mm of 2.0000 mm"), std::string::npos)
+      << ended.out;
+}
+
 TEST(Verify, FindsTheToolRadiusOnAGoodPath) {
   const Ended ended = trc({"verify", "-"}, demo);
   EXPECT_EQ(ended.code, 0) << ended.err;

@@ -106,7 +106,8 @@ bool Interpreter::read_code_word(const CodeWord& word, ProgramLine& line, BlockW
       add(line, word, WordRole::number);
       return true;
     case 'O':  // the number of the program
-      if (blocks_read_ > 0 && dialect_.name == DialectName::linuxcnc)
+      if ((blocks_read_ > 0 || line.text[word.end - 1] == '>') &&
+          dialect_.name == DialectName::linuxcnc)
         return refuse_code(line, word, Code::nc_unsupported, "a subprogram or a loop");
       if (blocks_read_ > 0)
         return refuse(line, TextFault{.code = Code::nc_unsupported,

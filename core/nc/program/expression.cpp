@@ -269,7 +269,7 @@ Value ExpressionReader::function_of_list(const FunctionRow& row, std::size_t beg
 Value ExpressionReader::bracket() {
   const std::size_t open = at_++;
   if (++depth_ > most_brackets) return fail(Code::expression_invalid, open, "brackets too deep");
-  const Value value = expression();
+  Value value = expression();
   --depth_;
   pass_blanks();
   if (failed_) return {};

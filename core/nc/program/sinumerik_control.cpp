@@ -194,7 +194,7 @@ std::string SinumerikFlow::target_at(ExpressionReader& expression) {
     expression.go_to(end);
     return std::string("N").append(line_.substr(begin + 1, end - begin - 1));
   }
-  const std::string name = in_upper_case(expression.name());
+  std::string name = in_upper_case(expression.name());
   const Variable* const variable = declared(name);
   const bool is_text = variable != nullptr && variable->type == Type::text;
   if (is_text || expression.peek() == '"') {

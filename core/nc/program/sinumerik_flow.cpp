@@ -19,7 +19,7 @@ std::string name_of_file(std::string_view name) {
   const std::size_t folder = name.find_last_of("/\\");
   if (folder != std::string_view::npos) name.remove_prefix(folder + 1);
   std::string plain = in_upper_case(name.substr(0, name.find('.')));
-  if (const std::string named = program_of_header("%" + plain); !named.empty()) return named;
+  if (std::string named = program_of_header("%" + plain); !named.empty()) return named;
   return plain;
 }
 

@@ -120,6 +120,22 @@ CodeWord CodeReader::polar(std::size_t begin) {
   return fail(Code::nc_unsupported, begin, end, "@ and ^, polar coordinates");
 }
 
+// O<PART1>: a program may have a name in place of a number. With more behind it is an O word of
+// LinuxCNC.
+CodeWord CodeReader::name_of_program(CodeWord word) {
+  const std::size_t close = line_.find('>', at_);
+  const std::size_t behind =
+      close == std::string_view::npos ? close : line_.find_first_not_of(" \t", close + 1);
+  const bool is_name =
+      word.letter == 'O' && close != std::string_view::npos &&
+      (behind == std::string_view::npos || line_[behind] == '(' || line_[behind] == ';');
+  if (!is_name)
+    return fail(Code::nc_unsupported, word.begin, line_.size(), "O<…>, a subprogram or a loop");
+  at_ = close + 1;
+  word.end = static_cast<std::uint32_t>(at_);
+  return word;
+}
+
 // `begin`: of the word; `at_` stands on its letter.
 CodeWord CodeReader::address(std::size_t begin) {
   const bool comma = begin != at_;
@@ -134,8 +150,7 @@ CodeWord CodeReader::address(std::size_t begin) {
   const char sign = peek();
   if (sign == '#') return fail(Code::nc_unsupported, begin, line_.size(), "#, a variable");
   if (sign == '[') return fail(Code::nc_unsupported, begin, line_.size(), "[, an expression");
-  if (sign == '<')
-    return fail(Code::nc_unsupported, begin, line_.size(), "O<…>, a subprogram or a loop");
+  if (sign == '<') return name_of_program(word);
   // N12 without blanks is a number; a bare N stands for no number at all.
   const std::size_t length =
       begins_number(sign) ? read_number(line_.substr(at_), word.value, word.whole) : 0;

@@ -38,6 +38,7 @@ class CodeReader {
   }
   [[nodiscard]] CodeWord comment();
   [[nodiscard]] CodeWord address(std::size_t begin);
+  [[nodiscard]] CodeWord name_of_program(CodeWord word);
   [[nodiscard]] CodeWord polar(std::size_t begin);
   [[nodiscard]] CodeWord name(std::size_t begin);
   [[nodiscard]] CodeWord fail(Code code, std::size_t begin, std::size_t end, std::string detail);
