@@ -48,8 +48,8 @@ void serialize(Archive& archive, Walls::Part& part) {
 
 template <class Archive>
 void serialize(Archive& archive, Walls& walls) {
-  auto& [leads, parts, rings, head, tail, touch, touch_of_rings, blocks_of_overrun] = walls;
-  archive(leads, parts, rings, head, tail, touch, touch_of_rings, blocks_of_overrun);
+  auto& [leads, parts, rings, head, tail, touch, touch_of_rings, blocks_of_overrun, round] = walls;
+  archive(leads, parts, rings, head, tail, touch, touch_of_rings, blocks_of_overrun, round);
 }
 
 template <class Archive>

@@ -48,9 +48,16 @@ class Drawing {
     return *this;
   }
 
+  // Where the tool cuts; nobody knows, unless it is said.
+  Drawing& tool(Side side) {
+    tool_side_ = side;
+    return *this;
+  }
+
   [[nodiscard]] ContourView view() const {
     ContourView view{.count = blocks_.size(),
-                     .segment = [this](std::size_t number) { return blocks_[number]; }};
+                     .segment = [this](std::size_t number) { return blocks_[number]; },
+                     .tool_side = tool_side_};
     if (!roles_.empty())
       view.role = [this](std::size_t number) {
         return number < roles_.size() ? roles_[number] : ContourRole::unspecified;
@@ -65,6 +72,7 @@ class Drawing {
   Point at_;
   std::vector<Segment> blocks_;
   std::vector<ContourRole> roles_;
+  Side tool_side_ = Side::off;
 };
 
 using Ranges = std::vector<Walls::Range>;
@@ -337,6 +345,62 @@ TEST(Walls, LeadsBetweenDepthsMayComeNearTheEndOfTheOverrun) {
                           .line(5, -25)
                           .walls();
   EXPECT_EQ((Ranges{{0, 1}, {6, 7}, {13, 14}}), walls.leads);
+}
+
+// Two squares that touch in (0, 0), begun in the middle of the right side of the small one.
+TEST(Walls, APartThatTouchesAnotherOneIsNoLead) {  // D-38
+  const auto outline = [](double x, double quarter) {
+    return Drawing(x, 7)
+        .arc(x, 10, quarter)
+        .line(20, 20)
+        .line(0, 20)
+        .line(0, 0)
+        .line(-40, 0)
+        .line(-40, -40)
+        .line(0, -40)
+        .line(0, 0)
+        .line(20, 0)
+        .line(20, 10)
+        .arc(x, 10, quarter);
+  };
+  const Ranges quarters{{0, 1}, {10, 11}};
+  EXPECT_EQ(quarters, outline(23, -pi / 2).tool(Side::right).walls().leads) << "bosses";
+  EXPECT_EQ(quarters, outline(17, pi / 2).tool(Side::left).walls().leads) << "pockets";
+}
+
+TEST(Walls, PartsThatTouchInOnePointAreNoLaps) {  // D-38
+  const Walls walls = Drawing(10, -6)
+                          .line(0, 0)
+                          .line(0, -20)
+                          .line(-20, -20)
+                          .line(-20, 0)
+                          .line(0, 0)
+                          .line(0, 20)
+                          .line(20, 20)
+                          .line(20, 0)
+                          .line(0, 0)
+                          .line(-10, 10)
+                          .tool(Side::left)
+                          .walls();
+  EXPECT_EQ((Ranges{{0, 1}, {9, 10}}), walls.leads);
+  EXPECT_TRUE(walls.is_wall_for(1, 8)) << "the first part stands while the second one is cut";
+  EXPECT_TRUE(walls.is_wall_for(5, 4));
+}
+
+// Half circles about a slender boss, longer than a quarter of the way round it.
+TEST(Walls, LeadsBetweenDepthsMayBeLong) {  // D-38
+  const auto depth = [](Drawing& contour) {
+    contour.arc(0, -16, pi).arc(0, 0, -pi).line(42, 4).arc(42, 0, -pi).line(0, -4).arc(0, -17, pi);
+  };
+  Drawing contour(0, -28);
+  depth(contour);
+  contour.line(0, -28);
+  depth(contour);
+  contour.line(0, -28);
+  depth(contour);
+  const Walls walls = contour.tool(Side::left).walls();
+  EXPECT_EQ((Ranges{{0, 1}, {5, 8}, {12, 15}, {19, 20}}), walls.leads);
+  EXPECT_EQ((Numbers{5, 8, 12, 15}), walls.rings);
 }
 
 TEST(Walls, MarksWinOverTheSearch) {

@@ -264,6 +264,7 @@ const std::vector<std::size_t>& Obstacles::at(std::size_t block, const Point& pl
   constexpr std::size_t short_chain = 16;
   if (!is_in_group(block) || last > first + short_chain) {
     boxes_.for_each_four_near(Box(place), limit, BoxTree::Range{}, consider_four);
+    put_first_visits_in_front(block, place, limit);
     return numbers_;
   }
   const FourBoxes::Surroundings surroundings(Box(place), limit);
@@ -272,7 +273,25 @@ const std::vector<std::size_t>& Obstacles::at(std::size_t block, const Point& pl
   for (std::size_t number = std::max(first, path_.begin_of_contour()); number <= last; ++number)
     consider(number);
   std::sort(numbers_.begin() + 1, numbers_.end());
+  put_first_visits_in_front(block, place, limit);
   return numbers_;
+}
+
+// They lead on sooner: behind an inside corner the tool does not fit into, the path goes on along
+// the begin of the contour, which is a lead, not a whole way round later.
+void Obstacles::put_first_visits_in_front(std::size_t block, const Point& place,
+                                          double limit) const {
+  if (walls_.round == 0) return;
+  const std::size_t own = path_.number_of(block);
+  if (own >= walls_.head.end) return;
+  const std::size_t known = numbers_.size();
+  for (std::size_t index = 0; index < known; ++index) {
+    const auto first = first_visit_of(numbers_[index]);
+    if (first && *first > own && distance(place, path_.contour_block(*first).programmed) <= limit)
+      numbers_.push_back(*first);
+  }
+  std::rotate(numbers_.begin(), numbers_.begin() + static_cast<std::ptrdiff_t>(known),
+              numbers_.end());
 }
 
 bool Obstacles::is_in_group(std::size_t block) const {

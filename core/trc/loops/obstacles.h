@@ -58,6 +58,12 @@ class Obstacles {
     const bool has_some = !walls_.leads.empty() && walls_.leads.back().end == end_of_contour();
     return has_some ? walls_.leads.back().first : end_of_contour();
   }
+  // Of a block the contour ends with: the one at its begin that it goes over once more.
+  [[nodiscard]] std::optional<std::size_t> first_visit_of(std::size_t number) const {
+    const bool goes_over =
+        walls_.round > 0 && number >= walls_.round && number - walls_.round < walls_.head.end;
+    return goes_over ? std::optional(number - walls_.round) : std::nullopt;
+  }
   // What of a contour block is a wall.
   [[nodiscard]] Segment wall(std::size_t number) const;
   // mm
@@ -122,6 +128,8 @@ class Obstacles {
   }
 
  private:
+  // To numbers_, where the path of the block is before them.
+  void put_first_visits_in_front(std::size_t block, const Point& place, double limit) const;
   // mm.
   [[nodiscard]] double let_pass(double radius, Nearness nearness) const {
     const double size = std::max(radius, 1.0);

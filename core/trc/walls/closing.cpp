@@ -13,6 +13,7 @@
 #include "core/geometry/box_tree.h"
 #include "core/trc/walls/contact.h"
 #include "core/trc/walls/long_leads.h"
+#include "core/trc/walls/outline.h"
 #include "core/trc/walls/rings.h"
 #include "core/trc/walls/scratch.h"
 
@@ -196,6 +197,7 @@ class InwardSearch {
       overrun_.push_back(next);
       return note(next);
     }
+    if (goes_round_a_part(next)) return;
     // The same end of an overrun, met by the lead-out too.
     const bool is_same_end = later <= tolerance_ && earlier <= tolerance_;
     if (overrun_.size() > 1 && is_same_end) {
@@ -226,6 +228,22 @@ class InwardSearch {
   }
   [[nodiscard]] bool is_junction(const Candidate& candidate) const {
     return is_block_end(candidate.first) && is_block_end(candidate.second);
+  }
+  // Whether the contour goes round a part of its own between the best one and the next, in which it
+  // only touches itself. Leads go round nothing, or round what lies on the side of the tool (D-57).
+  [[nodiscard]] bool goes_round_a_part(const Candidate& next) const {
+    if (contour_.tool_side == Side::off || !is_junction(*best_)) return false;
+    Outline between(memory_);
+    between.append(contour_, best_->first, next.first);
+    between.append(contour_, next.second, best_->second);
+    const double length = next.before - best_->before + next.behind - best_->behind;
+    if (between.is_slender(length)) return false;
+    if ((between.area() > 0) != (contour_.tool_side == Side::left)) return true;
+    const Closing inner{.first = next.first, .second = next.second, .point = next.point};
+    const Visits visits = visits_of(contour_, inner, tolerance_, memory_);
+    Outline lap(memory_);
+    lap.append(contour_, visits[0].place, visits[1].place);
+    return !lap.has_on(contour_.tool_side, start_of(contour_.segment(0)));
   }
   // Half way from the best one to the next, begin and end are in one place: a lead that leaves
   // through the first walls meets them again too. Of several laps the end lies on the last one.

@@ -6,18 +6,16 @@
 #include <vector>
 
 #include "core/base/tolerances.h"
+#include "core/geometry/along.h"
 #include "core/trc/corner/bow_tie.h"
 #include "core/trc/walls/closing.h"
-#include "core/trc/walls/rings.h"
+#include "core/trc/walls/laps.h"
 #include "core/trc/walls/scratch.h"
 
 namespace trc {
 namespace {
 
 constexpr double same_place = 1e-7;  // mm
-
-// A ring between two depths: lead-out, step, lead-in.
-constexpr std::size_t blocks_of_lead_ring = 8;
 
 std::optional<Closing> closing_of(const ContourView& contour, const LeadSettings& settings,
                                   double tool_radius) {
@@ -117,20 +115,33 @@ class Leads {
   std::pmr::vector<std::size_t> walls_;  // marked
 };
 
-void add_rings(const ContourView& contour, std::span<const Visit> visits, Leads& leads,
-               Walls& walls) {
-  const double longest = longest_ring(visits);
-  for (std::size_t index = 1; index < visits.size(); ++index) {
-    const Visit& begin = visits[index - 1];
-    const Visit& end = visits[index];
-    const bool is_short = end.place.number - begin.place.number <= blocks_of_lead_ring &&
-                          end.way - begin.way < share_of_lead_ring * longest;
-    if (is_short) leads.add(begin.place, end.place);
-    if (index + 1 == visits.size()) break;
-    const bool is_at_end =
-        end.place.along >= length_of(contour.segment(end.place.number)) - same_place;
-    walls.rings.push_back(end.place.number + (is_at_end ? 1 : 0));
+// The block that goes on from there.
+std::size_t block_from(const ContourView& contour, const ContourPlace& place) {
+  const bool is_at_end = place.along >= length_of(contour.segment(place.number)) - same_place;
+  return place.number + (is_at_end ? 1 : 0);
+}
+
+void add_rings(const ContourView& contour, const Laps& laps, Leads& leads, Walls& walls) {
+  const std::span<const Visit> visits = laps.visits();
+  if (!laps.go_over_one_another()) return;
+  for (std::size_t ring = 1; ring < visits.size(); ++ring) {
+    const ContourPlace& end = visits[ring].place;
+    if (laps.is_lead(ring)) leads.add(visits[ring - 1].place, end);
+    if (ring + 1 == visits.size()) break;
+    walls.rings.push_back(block_from(contour, end));
   }
+}
+
+// How much nearer to the end of the contour than the tool its begin leads, mm, as both meet in a
+// slight kink; what is more than rounding makes is none of that (D-44).
+double kink_in(const ContourView& contour, const Closing& closing, double tool_radius,
+               double input_resolution) {
+  const Vector out = tangent_along(contour.segment(closing.first.number), closing.first.along);
+  const Vector in = tangent_along(contour.segment(closing.second.number), closing.second.along);
+  if (out.dot(in) <= 0) return 0;
+  const double sine = cross(in, out);
+  const double nearer = tool_radius * sine * sine / (1 + out.dot(in));
+  return nearer <= input_resolution ? nearer : 0;
 }
 
 // Of an overrun where it begins: what leads from one lap to the next need not come by where it
@@ -184,13 +195,16 @@ Walls find_walls(const ContourView& contour, const LeadSettings& settings, doubl
     leads.add_behind(closing->second);
     walls.head = {0, closing->first.number + 2};
     walls.tail = {closing->joins - std::min<std::size_t>(closing->joins, 1), contour.count};
-    walls.touch = closing->gap;
-    add_rings(
-        contour,
-        visits_of(contour, where_laps_meet(*closing), settings.closing_tolerance, scratch.memory()),
-        leads, walls);
-    if (closing->overrun)
+    walls.touch =
+        std::max(closing->gap, kink_in(contour, *closing, tool_radius, settings.input_resolution));
+    const Laps laps(contour, where_laps_meet(*closing), settings.closing_tolerance,
+                    scratch.memory());
+    add_rings(contour, laps, leads, walls);
+    if (closing->overrun) {
       walls.blocks_of_overrun = closing->first.number - closing->overrun->first.number;
+      walls.round = block_from(contour, closing->overrun->second) -
+                    block_from(contour, closing->overrun->first);
+    }
     if (!walls.rings.empty())
       walls.touch_of_rings = std::min(Tolerances{}.on_top, settings.closing_tolerance);
   }

@@ -1,11 +1,10 @@
 #include "core/trc/walls/long_leads.h"
 
-#include <algorithm>
-#include <cmath>
 #include <variant>
-#include <vector>
 
 #include "core/geometry/along.h"
+#include "core/trc/walls/outline.h"
+#include "core/trc/walls/scratch.h"
 
 namespace trc {
 namespace {
@@ -14,44 +13,6 @@ namespace {
 constexpr std::size_t most_lead_blocks = 4;
 // Up to here two places on a contour are one, mm.
 constexpr double same_place = 1e-7;
-
-// The contour between the two visits of a candidate, as a polygon.
-class Ring {
- public:
-  Ring(const ContourView& contour, const EndsMeeting& closing) {
-    for (std::size_t number = closing.first.number; number <= closing.second.number; ++number) {
-      const Segment segment = contour.segment(number);
-      const double length = length_of(segment);
-      const double from = number == closing.first.number ? closing.first.along : 0;
-      const double to = number == closing.second.number ? closing.second.along : length;
-      constexpr double chord = 0.25;  // rad
-      const auto* arc = std::get_if<Arc>(&segment);
-      const double turn = arc != nullptr ? std::abs(arc->sweep) * (to - from) / length : 0;
-      const auto chords = static_cast<int>(std::ceil(std::max(1.0, turn / chord)));
-      for (int part = 0; part < chords; ++part)
-        corners_.push_back(point_along(segment, from + (to - from) * part / chords));
-    }
-  }
-
-  // Whether the point is on that side of it. Inside, where the ring goes round it.
-  [[nodiscard]] bool has_on(Side side, const Point& point) const {
-    double area = 0;
-    int turns = 0;
-    for (std::size_t index = 0; index < corners_.size(); ++index) {
-      const Vector from = corners_[index] - point;
-      const Vector to = corners_[(index + 1) % corners_.size()] - point;
-      area += cross(from, to);
-      if (from.y() <= 0 && to.y() > 0 && cross(from, to) > 0) ++turns;
-      if (from.y() > 0 && to.y() <= 0 && cross(from, to) < 0) --turns;
-    }
-    const bool is_inside = turns != 0;
-    const bool tool_is_inside = (area > 0) == (side == Side::left);
-    return is_inside == tool_is_inside;
-  }
-
- private:
-  std::vector<Point> corners_;
-};
 
 // Whether an arc leads away from where the contour closes, at once or behind an overrun of blocks
 // that end where the first ones do.
@@ -91,7 +52,9 @@ bool is_between_long_leads(const ContourView& contour, const EndsMeeting& closin
   for (std::size_t number = closing.first.number; number < closing.second.number; ++number)
     length += length_of(contour.segment(number));
   if (length <= shortest) return false;
-  const Ring ring(contour, closing);
+  Scratch scratch;
+  Outline ring(scratch.memory());
+  ring.append(contour, closing.first, closing.second);
   return ring.has_on(contour.tool_side, start_of(contour.segment(0))) &&
          ring.has_on(contour.tool_side, end_of(contour.segment(contour.count - 1)));
 }

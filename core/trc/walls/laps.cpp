@@ -1,0 +1,111 @@
+#include "core/trc/walls/laps.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/geometry/along.h"
+#include "core/trc/walls/outline.h"
+
+namespace trc {
+namespace {
+
+constexpr std::size_t most_lead_blocks = 8;
+// So many places tell whether a ring goes over another one.
+constexpr int probes = 8;
+
+}  // namespace
+
+Laps::Laps(const ContourView& contour, const Closing& closing, double tolerance,
+           std::pmr::memory_resource* memory)
+    : contour_(contour),
+      near_(2 * (tolerance + closing.gap)),
+      memory_(memory),
+      visits_(visits_of(contour, closing, tolerance, memory)),
+      longest_(longest_ring(visits_)),
+      are_leads_(visits_.size(), false, memory) {
+  std::size_t lap = 0;
+  for (std::size_t ring = 1; ring < visits_.size() && visits_.size() > 2; ++ring) {
+    are_leads_[ring] = leads_on(ring);
+    if (are_leads_[ring]) continue;
+    if (lap > 0 && !goes_over(ring, lap)) go_over_one_another_ = false;
+    lap = ring;
+  }
+}
+
+bool Laps::is_short(std::size_t ring) const {
+  return length_of_ring(ring) < share_of_lead_ring * longest_;
+}
+
+bool Laps::leads_on(std::size_t ring) const {
+  const std::size_t blocks = visits_[ring].place.number - visits_[ring - 1].place.number;
+  if (blocks > most_lead_blocks) return false;
+  std::size_t before = ring - 1;
+  while (before > 0 && is_short(before)) --before;
+  std::size_t behind = ring + 1;
+  while (behind < visits_.size() && is_short(behind)) ++behind;
+  const bool is_between_laps = before > 0 && behind < visits_.size() && goes_over(behind, before);
+  if (is_short(ring)) return is_between_laps || side_of(ring, before > 0 ? before : behind) >= 0;
+  return is_between_laps && length_of_ring(ring) < length_of_ring(before) &&
+         length_of_ring(ring) < length_of_ring(behind) && !goes_over(ring, before) &&
+         side_of(ring, before) > 0;
+}
+
+int Laps::side_of(std::size_t ring, std::size_t lap) const {
+  if (contour_.tool_side == Side::off) return 0;
+  Outline around(memory_);
+  around.append(contour_, visits_[ring - 1].place, visits_[ring].place);
+  if (around.is_slender(length_of_ring(ring))) return 0;
+  if ((around.area() > 0) != (contour_.tool_side == Side::left)) return -1;
+  Outline of_lap(memory_);
+  of_lap.append(contour_, visits_[lap - 1].place, visits_[lap].place);
+  const double half = visits_[ring - 1].way + 0.5 * length_of_ring(ring);
+  const auto [number, along] = place_at(half, visits_[ring - 1]);
+  return of_lap.has_on(contour_.tool_side, point_along(contour_.segment(number), along)) ? 1 : -1;
+}
+
+ContourPlace Laps::place_at(double way, const Visit& from) const {
+  ContourPlace place = from.place;
+  way += place.along - from.way;
+  for (; place.number + 1 < contour_.count; ++place.number) {
+    contour_.pass();
+    const double length = length_of(contour_.segment(place.number));
+    if (way <= length) break;
+    way -= length;
+  }
+  place.along = way;
+  return place;
+}
+
+bool Laps::goes_over(std::size_t ring, std::size_t earlier) const {
+  Visit from = visits_[ring - 1];
+  int on_it = 0;
+  for (int probe = 0; probe < probes; ++probe) {
+    const double way = visits_[ring - 1].way + length_of_ring(ring) * (probe + 0.5) / probes;
+    from = {.place = place_at(way, from), .way = way};
+    const auto& [number, along] = from.place;
+    const std::size_t guess =
+        visits_[earlier - 1].place.number + number - visits_[ring - 1].place.number;
+    if (comes_by(earlier, point_along(contour_.segment(number), along), guess)) ++on_it;
+  }
+  return 2 * on_it >= probes;
+}
+
+bool Laps::comes_by(std::size_t ring, const Point& point, std::size_t guess) const {
+  const ContourPlace& begin = visits_[ring - 1].place;
+  const ContourPlace& end = visits_[ring].place;
+  const auto is_near = [&](std::size_t number) {
+    if (number < begin.number || number > end.number) return false;
+    contour_.pass();
+    const Segment segment = contour_.segment(number);
+    const double along = nearest_along(segment, point);
+    const bool is_of_ring = (number > begin.number || along > begin.along) &&
+                            (number < end.number || along < end.along);
+    return is_of_ring && (point_along(segment, along) - point).norm() <= near_;
+  };
+  const std::size_t middle = std::clamp(guess, begin.number, end.number);
+  for (std::size_t aside = 0; aside <= end.number - begin.number; ++aside)
+    if ((aside <= middle && is_near(middle - aside)) || is_near(middle + aside)) return true;
+  return false;
+}
+
+}  // namespace trc

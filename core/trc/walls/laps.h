@@ -1,0 +1,52 @@
+#pragma once
+
+#include <cstddef>
+#include <memory_resource>
+#include <span>
+#include <vector>
+
+#include "core/trc/walls/rings.h"
+
+namespace trc {
+
+// Which of the rings of a contour are laps and which lead from one to the next (D-38, D-57). A ring
+// is called by the number of the visit it ends with, from 1 on. O(n).
+class Laps {
+ public:
+  Laps(const ContourView& contour, const Closing& closing, double tolerance,
+       std::pmr::memory_resource* memory);
+
+  [[nodiscard]] std::span<const Visit> visits() const { return visits_; }
+  // Lead-out, step, lead-in: few blocks, shorter than a quarter of the longest ring, and between
+  // two laps that are the same, or not round what lies beyond the walls. Between two such laps a
+  // longer ring is one too, where it goes round what lies on the side of the tool.
+  [[nodiscard]] bool is_lead(std::size_t ring) const { return are_leads_[ring]; }
+  // Otherwise the contour goes round several parts that touch in one point.
+  [[nodiscard]] bool go_over_one_another() const { return go_over_one_another_; }
+
+ private:
+  [[nodiscard]] bool leads_on(std::size_t ring) const;
+  [[nodiscard]] bool is_short(std::size_t ring) const;
+  // Whether a ring goes round what lies on the side of the tool of a lap: above 0; below 0: round
+  // something else; 0: round nothing, or nobody knows where the tool cuts.
+  [[nodiscard]] int side_of(std::size_t ring, std::size_t lap) const;
+  // At `way` mm from the start of the contour, `from` or behind it.
+  [[nodiscard]] ContourPlace place_at(double way, const Visit& from) const;
+  // Whether at least half of a ring lies on another one.
+  [[nodiscard]] bool goes_over(std::size_t ring, std::size_t earlier) const;
+  // `guess`: the block that is likeliest to.
+  [[nodiscard]] bool comes_by(std::size_t ring, const Point& point, std::size_t guess) const;
+  [[nodiscard]] double length_of_ring(std::size_t ring) const {
+    return visits_[ring].way - visits_[ring - 1].way;
+  }
+
+  const ContourView& contour_;
+  double near_;
+  std::pmr::memory_resource* memory_;
+  Visits visits_;
+  double longest_ = 0;
+  std::pmr::vector<bool> are_leads_;
+  bool go_over_one_another_ = true;
+};
+
+}  // namespace trc

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <cmath>
+#include <memory_resource>
+#include <vector>
+
+#include "core/trc/walls/closing.h"
+
+namespace trc {
+
+// The polygon along stretches of a contour, one after the other, and back to its begin. Arcs are
+// chords of at most 0.25 rad.
+class Outline {
+ public:
+  explicit Outline(std::pmr::memory_resource* memory) : corners_(memory) {}
+
+  void append(const ContourView& contour, const ContourPlace& from, const ContourPlace& to);
+
+  // mm²; positive where it goes round it to the left.
+  [[nodiscard]] double area() const;
+  // Straight leads may go round a little on either side. `length`: of the stretches, mm.
+  [[nodiscard]] bool is_slender(double length) const {
+    return std::abs(area()) <= 0.01 * length * length;
+  }
+  // Whether the point is on that side of it. Inside, where it goes round the point.
+  [[nodiscard]] bool has_on(Side side, const Point& point) const;
+
+ private:
+  std::pmr::vector<Point> corners_;
+};
+
+}  // namespace trc

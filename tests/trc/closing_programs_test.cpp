@@ -1,0 +1,187 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <numbers>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "core/geometry/along.h"
+#include "core/geometry/distance.h"
+#include "core/session/program_session.h"
+
+// Programs whose contours come back to places they have been in: what counts as their begin and
+// end, as laps, and as parts that only touch (D-38, D-44).
+
+namespace trc {
+namespace {
+
+struct Result {
+  std::vector<CompensatedBlock> blocks{};
+  std::vector<Diagnostic> diagnostics{};
+  bool whole = false;
+
+  [[nodiscard]] bool tells(Code code) const {
+    return std::any_of(diagnostics.begin(), diagnostics.end(),
+                       [&](const Diagnostic& told) { return told.code == code; });
+  }
+  // The block numbers that have a path of their own.
+  [[nodiscard]] std::set<std::int64_t> travelled() const {
+    std::set<std::int64_t> numbers;
+    for (const CompensatedBlock& block : blocks)
+      if (block.origin == Origin::programmed) numbers.insert(block.source.number);
+    return numbers;
+  }
+  [[nodiscard]] double clearance_to(const std::vector<Segment>& walls) const {
+    double least = INFINITY;
+    for (const CompensatedBlock& block : blocks)
+      if (block.origin == Origin::programmed || block.origin == Origin::transition)
+        for (const Segment& wall : walls)
+          for (int step = 0; step <= 64; ++step)
+            least = std::min(
+                least, distance(point_along(block.path, length_of(block.path) * step / 64), wall));
+    return least;
+  }
+};
+
+Result run(const std::string& modes, double radius, const std::string& contour) {
+  ProgramSessionSetup setup;
+  setup.nc_text = false;
+  ProgramSession session(setup);
+  Answers out;
+  const std::string program =
+      "V.G.WZ_AKT.R=" + std::to_string(radius) + "\n" + modes + "\n" + contour + "N900 M30\n";
+  const bool whole = session.feed(program, out) && session.finish(out);
+  Answer answer = out.take();
+  return {.blocks = std::move(answer.blocks),
+          .diagnostics = std::move(answer.diagnostics),
+          .whole = whole};
+}
+
+constexpr const char* removing = "G141 G26\n#TRC[REMOVE_MASKED_BLOCKS=1]";
+
+// An outside contour begun on one side of an inside fillet of 1 mm, left on the other one.
+TEST(ClosingPrograms, AnOverrunMayGoPastAFilletTheToolDoesNotFitInto) {  // D-38
+  const Result outcome =
+      run(removing, 2.5,
+          "N10 G0 X27.5 Y34.25 F800\nN20 G41 G1 X23.75 Y34.25\n"
+          "N30 G3 X20 Y30.5 I0 J-3.75\nN40 G1 Y21\nN50 G3 X21 Y20 I1 J0\n"
+          "N60 G1 X40\nN70 Y0\nN80 X0\nN90 Y40\nN100 X20\nN110 Y30.5\nN120 Y21\n"
+          "N130 G3 X21 Y20 I1 J0\nN140 G1 X30.5\nN150 G3 X34.25 Y23.75 I0 J3.75\n"
+          "N160 G40 G1 X34.25 Y27.5\n");
+  ASSERT_TRUE(outcome.whole);
+  EXPECT_EQ(outcome.travelled(),
+            (std::set<std::int64_t>{30, 40, 60, 70, 80, 90, 100, 110, 120, 140, 150}));
+  const Line right{Point(20, 21), Point(20, 40)};
+  const Line bottom{Point(21, 20), Point(40, 20)};
+  EXPECT_NEAR(outcome.clearance_to({right, bottom}), 2.5, 1e-9);
+}
+
+// A slender boss by half circles, longer than three quarters of the way round it.
+TEST(ClosingPrograms, DepthsMayHaveLeadsNearlyAsLongAsALap) {  // D-57
+  std::string contour = "N1 G0 X-4 Y-28 F800\nN2 G41 G1 X0 Y-28\n";
+  const auto add = [&contour](int number, const std::string& words) {
+    contour += "N" + std::to_string(number) + " " + words + "\n";
+  };
+  for (int depth = 0; depth < 3; ++depth) {
+    const int first = 100 * depth + 10;
+    add(first, "G3 X0 Y-4 J12");
+    add(first + 10, "G2 Y4 J4");
+    add(first + 20, "G1 X42");
+    add(first + 30, "G2 Y-4 J-4");
+    add(first + 40, "G1 X0");
+    add(first + 50, "G3 Y-31 J-13.5");
+    if (depth == 2) break;
+    add(first + 60, "G1 Y-28");
+    add(first + 70, "G1 Z-" + std::to_string(2 * depth + 2));
+  }
+  const Result outcome = run(removing, 10, contour + "N400 G40 G1 X29\n");
+  ASSERT_TRUE(outcome.whole);
+  const std::set<std::int64_t> travelled = outcome.travelled();
+  for (int depth = 0; depth < 3; ++depth)
+    for (int block = 20; block <= 50; block += 10)
+      EXPECT_TRUE(travelled.contains(100 * depth + block)) << "depth " << depth << ' ' << block;
+  EXPECT_NEAR(
+      outcome.clearance_to({Line{Point(0, -4), Point(42, -4)}, Line{Point(0, 4), Point(42, 4)}}),
+      10, 1e-9);
+}
+
+// A hook of 3 mm: a lap of seven blocks, hardly longer than what leads from one to the next.
+TEST(ClosingPrograms, NoLapOfASlenderBossIsALead) {  // D-57
+  std::string contour = "N1 G0 X-4 Y-10 F800\nN2 G41 G1 X-2 Y-6\n";
+  const auto add = [&contour](int number, const std::string& words) {
+    contour += "N" + std::to_string(number) + " " + words + "\n";
+  };
+  for (int depth = 0; depth < 3; ++depth) {
+    const int first = 100 * depth + 10;
+    add(first, "G3 X-6 Y-2 I-4 J0");
+    add(first + 10, "G1 X-40 Y-2");
+    add(first + 20, "G1 Y1");
+    add(first + 30, "G1 X40");
+    add(first + 40, "G1 Y-2");
+    add(first + 50, "G1 X-6");
+    add(first + 60, "G3 X-10 Y-6 J-4");
+    if (depth == 2) break;
+    add(first + 70, "G1 Z-" + std::to_string(depth + 1));
+    add(first + 80, "G1 X-2 Y-6");
+  }
+  const Result outcome = run(removing, 1, contour + "N400 G40 G1 Y-10\n");
+  ASSERT_TRUE(outcome.whole);
+  const std::set<std::int64_t> travelled = outcome.travelled();
+  for (int depth = 0; depth < 3; ++depth)
+    for (int block = 20; block <= 60; block += 10)
+      EXPECT_TRUE(travelled.contains(100 * depth + block)) << "depth " << depth << ' ' << block;
+}
+
+// Two squares outside, one after the other from the corner in which they touch: the second would be
+// cut through the first.
+TEST(ClosingPrograms, PartsThatTouchAreNotTakenForLaps) {  // D-57
+  const std::string contour =
+      "N10 G0 X30 Y-10\nN20 G41 G1 X10 Y-6 F800\nN30 X0 Y0\nN40 Y-20\nN50 X-20\nN60 Y0\nN70 X0\n"
+      "N80 Y20\nN90 X20\nN100 Y0\nN110 X0\nN120 G40 G1 X-10 Y10\n";
+  const Result refused = run(removing, 3, contour);
+  EXPECT_FALSE(refused.whole);
+  EXPECT_TRUE(refused.tells(Code::line_reversed));
+  EXPECT_TRUE(run("G141 G26", 3, contour).tells(Code::bottleneck));
+}
+
+// The small part is begun with quarter circles; its neck of 10 mm is no place for the tool.
+TEST(ClosingPrograms, APartThatTouchesAnotherOneStaysAWall) {  // D-57
+  const std::string contour =
+      "N10 G0 X48.5 Y86.5 F800\nN20 G41 G1 X48.5 Y77.5\nN30 G3 X56 Y70 I7.5 J0\nN40 G1 X64 Y70\n"
+      "N50 Y40\nN60 X40\nN70 Y0\nN80 X0\nN90 Y40\nN100 X40\nN110 Y70\nN120 X43\nN130 Y67\n"
+      "N140 G3 X53 Y67 I5 J-4.1533\nN150 G1 Y70\nN160 X56\nN170 G3 X63.5 Y77.5 I0 J7.5\n"
+      "N180 G40 G1 X63.5 Y86.5\n";
+  const Result outcome = run(removing, 6, contour);
+  ASSERT_TRUE(outcome.whole);
+  EXPECT_GE(outcome.clearance_to(
+                {Line{Point(43, 70), Point(43, 67)}, Line{Point(53, 67), Point(53, 70)}}),
+            6 - 1e-6);
+  EXPECT_TRUE(outcome.tells(Code::blocks_masked));
+}
+
+// A pocket of chords, entered and left at one of its corners: what the kink there costs is below
+// the resolution of the input.
+TEST(ClosingPrograms, APocketOfChordsMayBeEnteredAtACorner) {  // D-44
+  for (const int chords : {300, 360, 720}) {
+    std::string contour = "N1 G0 X10 Y0 F800\nN2 G139 G41 G1 X20 Y0\n";
+    std::vector<Segment> walls;
+    Point from(20, 0);
+    for (int chord = 1; chord <= chords; ++chord) {
+      const double angle = 2 * std::numbers::pi * chord / chords;
+      const Point to(std::round(20'000 * std::cos(angle)) / 1'000,
+                     std::round(20'000 * std::sin(angle)) / 1'000);
+      contour += "X" + std::to_string(to.x()) + " Y" + std::to_string(to.y()) + "\n";
+      walls.emplace_back(Line{from, to});
+      from = to;
+    }
+    const Result outcome = run(removing, 3, contour + "G40 G1 X10 Y0\n");
+    ASSERT_TRUE(outcome.whole) << chords << " chords";
+    EXPECT_NEAR(outcome.clearance_to(walls), 3, 0.001) << chords << " chords";
+  }
+}
+
+}  // namespace
+}  // namespace trc
