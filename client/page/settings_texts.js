@@ -113,7 +113,7 @@ const germanMeanings = {
   'G165: a larger shift of a centre is told (900221)': 'G165: eine größere Verschiebung eines Mittelpunkts wird gemeldet (900221)',
   'SPLIT: by the travel of an axis, by the path, or not at all': 'SPLIT: nach dem Weg einer Achse, nach der Bahn oder gar nicht',
   'SPLIT: at selection, at deselection, or at both': 'SPLIT: bei der Anwahl, bei der Abwahl oder bei beiden',
-  'SPLIT: the axis, 0 for X, 1 for Y, 2 for Z': 'SPLIT: die Achse, 0 für X, 1 für Y, 2 für Z',
+  'SPLIT: the axis, 1 for X, 2 for Y, 3 for Z': 'SPLIT: die Achse, 1 für X, 2 für Y, 3 für Z',
   'window of contour masking in blocks; 0: the whole selection': 'Fenster der Konturausblendung in Sätzen; 0: die ganze Anwahl',
   'look for contour violations as G141 does, and stop at the first one': 'sucht Konturverletzungen wie G141 und hält bei der ersten an',
   'how KERF_MASKING finds the points it moves: lines alone, or arcs as well': 'wie KERF_MASKING die Punkte findet, die es verschiebt: nur Strecken oder auch Bögen',

@@ -47,7 +47,7 @@ constexpr auto meanings = std::to_array<German>({
      "G165: eine größere Verschiebung eines Mittelpunkts wird gemeldet (900221)"},
     {"options.split.measure", "SPLIT: nach dem Weg einer Achse, nach der Bahn oder gar nicht"},
     {"options.split.place", "SPLIT: bei der Anwahl, bei der Abwahl oder bei beiden"},
-    {"options.split.axis", "SPLIT: die Achse, 0 für X, 1 für Y, 2 für Z"},
+    {"options.split.axis", "SPLIT: die Achse, 1 für X, 2 für Y, 3 für Z"},
     {"look_ahead_blocks",
      "Fenster der Konturausblendung in Sätzen; 0: alles zwischen An- und Abwahl"},
     {"implicit_contour_masking", "Konturverletzungen suchen wie G141, und bei der ersten anhalten"},

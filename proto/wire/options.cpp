@@ -81,8 +81,8 @@ SplitOption from_proto(const Split& message, const FieldPath& path, FieldFaults&
   split.where = places.from_proto(message.place(), FieldPath(path, "place"), faults)
                     .value_or(SplitOption::Where::pre);
   split.along_path = message.measure() == Split::MEASURE_PATH;
-  if (!split.along_path && check_range(message.axis(), {0, 2}, FieldPath(path, "axis"), faults))
-    split.axis = static_cast<std::uint8_t>(message.axis());
+  if (!split.along_path && check_range(message.axis(), {1, 3}, FieldPath(path, "axis"), faults))
+    split.axis = static_cast<std::uint8_t>(message.axis() - 1);
   check_above(message.dist_seg1(), {0, largest, "mm"}, FieldPath(path, "dist_seg1"), faults);
   check_above(message.feed_seg1(), {0, largest_feed, "mm/min"}, FieldPath(path, "feed_seg1"),
               faults);
@@ -107,7 +107,7 @@ void to_proto(const SplitOption& split, Split& message) {
   }
   message.set_measure(split.along_path ? Split::MEASURE_PATH : Split::MEASURE_AXIS);
   message.set_place(places.to_proto(split.where));
-  message.set_axis(split.axis);
+  if (!split.along_path) message.set_axis(split.axis + 1U);
   message.set_dist_seg1(split.distance_1);
   message.set_feed_seg1(split.feed_1);
   message.set_dist_seg2(split.distance_2);

@@ -59,7 +59,7 @@ constexpr auto rows = std::to_array<SettingMeaning>({
     {"options.split.measure", "SPLIT: by the travel of an axis, by the path, or not at all", "",
      "off"},
     {"options.split.place", "SPLIT: at selection, at deselection, or at both", "", "pre"},
-    {"options.split.axis", "SPLIT: the axis, 0 for X, 1 for Y, 2 for Z", "", "0", 0, 2},
+    {"options.split.axis", "SPLIT: the axis, 1 for X, 2 for Y, 3 for Z", "", "", 1, 3},
     {"look_ahead_blocks", "window of contour masking in blocks; 0: the whole selection", "", "0", 0,
      largest_count},
     {"implicit_contour_masking",

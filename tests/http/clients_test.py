@@ -514,9 +514,8 @@ class Programs(unittest.TestCase):
             found = [p for p in document["paths"][path]["post"]["parameters"] if p["name"] == name]
             return {**found[0], **found[0]["schema"]}
         axis = schema("/v1/views", "options.split.axis")
-        self.assertEqual((axis["type"], axis["minimum"], axis["maximum"], axis["default"]),
-                         ("integer", 0, 2, 0))
-        self.assertIn("0 for X, 1 for Y, 2 for Z", axis["description"])
+        self.assertEqual((axis["type"], axis["minimum"], axis["maximum"]), ("integer", 1, 3))
+        self.assertIn("1 for X, 2 for Y, 3 for Z", axis["description"])
         share = schema("/v1/views", "max_masked_share")
         self.assertEqual((share["minimum"], share["maximum"], share["default"]), (0, 1, 0.5))
         self.assertEqual(schema("/v1/views", "transition")["enum"], ["linear", "circular"])

@@ -336,7 +336,7 @@ const tests = {
     const axis = page.locator('#more-settings label', {has: page.locator('[name="options.split.axis"]')});
     const tools = page.locator('#main-settings label', {has: page.locator('[name=tools]')});
     assert.match(await tools.textContent(), /the tools of D words.*as in 1:5,2:3\.5/);
-    assert.match(await axis.textContent(), /#TRC SPLIT: axis.*the axis, 0 for X, 1 for Y, 2 for Z; 0 … 2; default 0/);
+    assert.match(await axis.textContent(), /#TRC SPLIT: axis.*the axis, 1 for X, 2 for Y, 3 for Z; 1 … 3/);
     await page.selectOption('#language', 'de');
     assert.match(await page.textContent('#main-settings'), /Werkzeugradius, mm.*Dialekt.*nicht gesetzt.*sonst ISG/s);
     assert.match(await page.textContent('#more-settings'), /Konturschleifen werden entfernt/);

@@ -181,7 +181,15 @@ INSTANTIATE_TEST_SUITE_P(
                      "batch.blocks[1].command.options.stretch_factor"},
         RefusedBlock{"SplitWithoutMeasure",
                      "command { options { split { dist_seg1: 1 feed_seg1: 1 } } }",
-                     "batch.blocks[1].command.options.split.measure"}),
+                     "batch.blocks[1].command.options.split.measure"},
+        RefusedBlock{
+            "SplitWithoutAxis",
+            "command { options { split { measure: MEASURE_AXIS dist_seg1: 1 feed_seg1: 1 } } }",
+            "batch.blocks[1].command.options.split.axis"},
+        RefusedBlock{"SplitAxisBeyondZ",
+                     "command { options { split { measure: MEASURE_AXIS axis: 4 dist_seg1: 1 "
+                     "feed_seg1: 1 } } }",
+                     "batch.blocks[1].command.options.split.axis"}),
     [](const auto& tested) { return tested.param.name; });
 
 struct RefusedColumns {

@@ -40,7 +40,7 @@ TEST(Settings, AreWrittenAsTheyAreRead) {
       "tool_radius=4.98",
       "transition=circular",
       "options.stretch_factor=2.5",
-      "implicit_contour_masking=false",
+      "implicit_contour_masking=true",
       "axis_names=A,C",
       "max_passive_blocks=7",
       "verify=enforce",

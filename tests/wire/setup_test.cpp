@@ -126,6 +126,21 @@ TEST(Setup, EmptyMessageMeansTheInitialState) {
   EXPECT_EQ(read.decimals, 4);
 }
 
+TEST(Setup, AxesOfASplitCountAsAxnrDoes) {
+  for (std::uint32_t axnr = 1; axnr <= 3; ++axnr) {
+    v1::TrcOptions message;
+    v1::SplitOption& split = *message.mutable_split();
+    split.set_measure(v1::SplitOption::MEASURE_AXIS);
+    split.set_axis(axnr);
+    split.set_dist_seg1(5);
+    split.set_feed_seg1(200);
+    FieldFaults faults;
+    const TrcOptionChanges read = from_proto(message, FieldPath("options"), faults);
+    ASSERT_TRUE(faults.empty());
+    EXPECT_EQ(read.split->axis + 1U, axnr);
+  }
+}
+
 TEST(Setup, OptionsReadBackOneByOne) {
   // Each option alone, so that none can hide behind another.
   const auto changes_with = [](auto set) {
