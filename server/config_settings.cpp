@@ -124,7 +124,7 @@ void declare_sizes(Settings& settings, Config& config) {
                   "threads that compute; 0: one per core");
   settings.number("max-message-bytes", config.max_message_bytes, 4096, 1U << 30U,
                   "largest message in either direction");
-  settings.number("max-blocks-per-batch", config.max_blocks_per_batch, 1, 1'000'000,
+  settings.number("max-blocks-per-batch", config.max_blocks_per_batch, 1024, 1'000'000,
                   "most blocks in one request");
   settings.number("max-batches-in-flight", config.max_batches_in_flight, 1, 1024,
                   "batches a client may send ahead of the answers");

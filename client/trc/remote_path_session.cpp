@@ -13,9 +13,9 @@ namespace {
 using Request = v1::CompensatePathRequest;
 using Response = v1::CompensatePathResponse;
 
-// 1024 blocks a message is where a further block costs next to nothing; more only
-// adds delay.
-constexpr std::size_t best_batch = 1024;
+// Where a further block costs next to nothing; more only adds delay. Every server takes as many
+// (StreamAccepted): the first batch need not wait for its limits.
+constexpr std::size_t batch_blocks = 1024;
 
 v1::PathSetup message_of(const wire::PathSettings& settings) {
   v1::PathSetup setup;
@@ -69,10 +69,8 @@ bool RemotePathSession::feed(std::span<const wire::PathInput> items, Answers& ou
     parts.session.outgoing().mutable_setup()->Swap(&parts.unsent_setup);
     if (!parts.session.open(out)) return false;
   }
-  const std::size_t most = parts.session.limits().max_blocks_per_batch();
-  const std::size_t batch = most == 0 ? best_batch : std::min(most, best_batch);
   while (!items.empty()) {
-    const auto part = items.first(std::min(items.size(), batch));
+    const auto part = items.first(std::min(items.size(), batch_blocks));
     if (!parts.send_batch(part, false, out)) return false;
     items = items.subspan(part.size());
   }

@@ -57,7 +57,7 @@ bool RemoteProgramSession::feed(std::string_view text, Answers& out) {
   if (!parts.set_up) {
     parts.set_up = true;
     parts.session.outgoing().mutable_setup()->Swap(&parts.unsent_setup);
-    if (!parts.session.open_ahead(out)) return false;
+    if (!parts.session.open(out)) return false;
   }
   while (!text.empty()) {
     const std::string_view chunk = text.substr(0, std::min(text.size(), chunk_bytes));

@@ -51,15 +51,9 @@ class StreamSession {
   // The request to fill before `send`; keeps its memory from one to the next.
   [[nodiscard]] Request& outgoing() { return outgoing_; }
 
-  // Sends `outgoing`, a setup, and waits until the server has taken it: limits are known from then
-  // on.
+  // Sends `outgoing`, a setup, and does not wait until the server has taken it: the first piece of
+  // input follows at once.
   bool open(Answers& out) {
-    prepare();
-    return begin(out) || recover(out);
-  }
-
-  // The same for input that no limit concerns: its first piece follows the setup at once.
-  bool open_ahead(Answers& out) {
     prepare();
     return launch(out) || recover(out);
   }

@@ -68,44 +68,71 @@ wire::PathSettings small_tool(wire::Layout layout) {
   return settings;
 }
 
-// Takes a program only when its first text is there.
-class TextFirst final : public v1::TrcService::Service {
+// Takes a stream only when its first input is there.
+class InputFirst final : public v1::TrcService::Service {
   grpc::Status CompensateProgram(
       grpc::ServerContext* /*context*/,
       grpc::ServerReaderWriter<v1::CompensateProgramResponse, v1::CompensateProgramRequest>* stream)
       override {
-    v1::CompensateProgramRequest request;
-    if (!stream->Read(&request) || !request.has_setup() || !stream->Read(&request))
-      return {grpc::StatusCode::CANCELLED, "no text"};
-    v1::CompensateProgramResponse response;
+    v1::CompensateProgramResponse last;
+    last.set_nc_text("M30\n");
+    return serve<v1::CompensateProgramRequest>(*stream, last);
+  }
+  grpc::Status CompensatePath(
+      grpc::ServerContext* /*context*/,
+      grpc::ServerReaderWriter<v1::CompensatePathResponse, v1::CompensatePathRequest>* stream)
+      override {
+    return serve<v1::CompensatePathRequest>(*stream, v1::CompensatePathResponse());
+  }
+
+  template <class Request, class Response>
+  static grpc::Status serve(grpc::ServerReaderWriter<Response, Request>& stream, Response last) {
+    Request request;
+    if (!stream.Read(&request) || !request.has_setup() || !stream.Read(&request))
+      return {grpc::StatusCode::CANCELLED, "no input"};
+    Response response;
     response.mutable_accepted()->set_max_batches_in_flight(4);
-    stream->Write(response);
-    while (stream->Read(&request)) {
+    stream.Write(response);
+    while (stream.Read(&request)) {
     }
-    response.Clear();
-    response.set_nc_text("M30\n");
-    response.mutable_summary();
-    stream->Write(response);
+    last.mutable_summary();
+    stream.Write(last);
     return grpc::Status::OK;
   }
 };
 
-TEST(RemoteProgramSession, SendsItsFirstTextWithTheSetup) {
-  TextFirst service;
+// Whether `session`, which is given a connection, comes to its end there.
+template <class Session>
+bool ends_with_input_first(Session session) {
+  InputFirst service;
   grpc::ServerBuilder builder;
   builder.RegisterService(&service);
   const auto server = builder.BuildAndStart();
   const Connection connection(server->InProcessChannel({}));
-  Answers out;
-  auto done = std::async(std::launch::async, [&] {
-    RemoteProgramSession session(connection, {});
-    return session.feed("M30\n", out) && session.finish(out);
-  });
+  auto done = std::async(std::launch::async, [&] { return session(connection); });
   const auto ended = done.wait_for(seconds(30));
   // Who waits for the other one would wait for ever.
   if (ended != std::future_status::ready) server->Shutdown(std::chrono::system_clock::now());
-  EXPECT_TRUE(done.get());
+  return done.get();
+}
+
+TEST(RemoteProgramSession, SendsItsFirstTextWithTheSetup) {
+  Answers out;
+  EXPECT_TRUE(ends_with_input_first([&out](const Connection& connection) {
+    RemoteProgramSession session(connection, v1::ProgramSetup());
+    return session.feed("M30\n", out) && session.finish(out);
+  }));
   EXPECT_EQ(out.take().text, "M30\n");
+}
+
+TEST(RemotePathSession, SendsItsFirstBatchWithTheSetup) {
+  for (const wire::Layout layout : {wire::Layout::blocks, wire::Layout::columns}) {
+    EXPECT_TRUE(ends_with_input_first([layout](const Connection& connection) {
+      RemotePathSession session(connection, small_tool(layout));
+      Answers out;
+      return session.feed(meander(2, 1), out) && session.finish(out);
+    }));
+  }
 }
 
 class RemoteSession : public ::testing::Test {

@@ -255,11 +255,11 @@ TEST(LoadCommand, SaysWhatIsWrong) {
 }
 
 TEST(LoadCommand, KeepsToTheLimitsOfTheServer) {
-  const ServerProcess server({"--max-blocks-per-batch", "100", "--max-streams", "5"});
-  const Ended batch = load(server, {"--batch", "101"});
+  const ServerProcess server({"--max-blocks-per-batch", "1024", "--max-streams", "5"});
+  const Ended batch = load(server, {"--batch", "1025"});
   EXPECT_EQ(batch.code, 2);
-  EXPECT_NE(batch.err.find("the server admits 100"), std::string::npos) << batch.err;
-  const Ended streams = load(server, {"--batch", "100", "--streams", "6"});
+  EXPECT_NE(batch.err.find("the server admits 1024"), std::string::npos) << batch.err;
+  const Ended streams = load(server, {"--batch", "1024", "--streams", "6"});
   EXPECT_EQ(streams.code, 2);
   EXPECT_NE(streams.err.find("the server admits 5"), std::string::npos) << streams.err;
 }
