@@ -47,6 +47,11 @@ std::vector<std::string> values_of(const CLI::Option& option) {
   return values;
 }
 
+// By the value, as tool_radius= is.
+bool are_followed_at_once(const std::vector<std::string>& words) {
+  return !words.empty() && words.front().ends_with('=');
+}
+
 std::string joined(const std::vector<std::string>& words, std::string_view between) {
   std::string text;
   for (std::size_t i = 0; i < words.size(); ++i)
@@ -100,9 +105,7 @@ std::string for_bash(const CLI::App& app) {
       const std::vector<std::string> words = values_of(*option);
       values += "    " + joined(places, "|") + ") " +
                 (words.empty() ? "compopt -o default" : "words=" + quoted(joined(words, " "))) +
-                // A value follows at once.
-                (!words.empty() && words.front().ends_with('=') ? "; compopt -o nospace" : "") +
-                " ;;\n";
+                (are_followed_at_once(words) ? "; compopt -o nospace" : "") + " ;;\n";
     }
     options += "    " + command->get_name() + ") words=" + quoted(joined(names, " ")) + " ;;\n";
   }
@@ -142,6 +145,13 @@ std::string zsh_text(const std::string& text) {
   return result;
 }
 
+// What _arguments offers as the value of an option.
+std::string zsh_values(const std::vector<std::string>& words) {
+  if (words.empty()) return ":value:_files";
+  if (are_followed_at_once(words)) return ":value:{compadd -S \"\" - " + joined(words, " ") + "}";
+  return ":value:(" + joined(words, " ") + ")";
+}
+
 std::string for_zsh(const CLI::App& app) {
   std::string commands;
   std::string options;
@@ -154,9 +164,7 @@ std::string for_zsh(const CLI::App& app) {
       for (const std::string& name : spellings_of(*option))
         options +=
             " \\\n    " + quoted("*" + name + "[" + zsh_text(option->get_description()) + "]" +
-                                 (!takes_a_value(*option) ? ""
-                                  : words.empty()         ? ":value:_files"
-                                                          : ":value:(" + joined(words, " ") + ")"));
+                                 (takes_a_value(*option) ? zsh_values(words) : std::string()));
     }
     const std::vector<std::string> words = words_of(*command);
     options += " \\\n    " +
