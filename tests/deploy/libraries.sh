@@ -50,7 +50,7 @@ lrwxrwxrwx root/root $folder/libtrc.so -> libtrc.so.0
 LIST
 # All modules of the source tree, and those of every message.
 {
-  (cd client/python/src/trc && printf '%s\n' *.py py.typed)
+  (cd client/python/src/trc && printf '%s\n' *.py py.typed API.md)
   for proto in proto/trc/v1/*.proto; do
     name=v1/$(basename "$proto" .proto)_pb2
     printf '%s\n' "$name.py" "$name.pyi" "${name}_grpc.py"
