@@ -13,7 +13,7 @@
 namespace trc {
 namespace {
 
-enum class Measure { length, angle, share, feed, count, block_number };
+enum class Measure { length, angle, share, feed, count, lines, block_number };
 
 struct ValueWords {
   std::string_view name;
@@ -49,7 +49,7 @@ constexpr auto words_of_values = std::to_array<ValueWords>({
     {"largest_sweep", "largest sweep", "größter Bogenwinkel", Measure::angle},
     {"left_out_length", "length left out", "ausgelassene Länge", Measure::length},
     {"limit", "limit", "Grenze", Measure::count},
-    {"lines", "lines", "Zeilen", Measure::count},
+    {"lines", "lines", "Zeilen", Measure::lines},
     {"longest_line", "longest line in characters", "längste Zeile in Zeichen", Measure::count},
     {"look_ahead_blocks", "blocks of the window", "Sätze des Fensters", Measure::count},
     {"max_masked_share", "largest share", "größter Anteil", Measure::share},
@@ -158,6 +158,9 @@ std::string value_text(const DiagnosticValue& value, const Lengths& lengths, Lan
              written(lengths.in_unit(value.value), std::chars_format::general,
                      lengths.inch ? 6 : 9) +
              (lengths.inch ? " in/min" : " mm/min");
+    case Measure::lines:
+      return "in " + written(value.value, std::chars_format::general, 9) + " " +
+             words_of(value.name, language);
     case Measure::block_number:
       return words + "N" + written(value.value, std::chars_format::general, 9);
     case Measure::count:
@@ -284,7 +287,11 @@ std::string message_of(const Diagnostic& diagnostic, Language language) {
 std::string text_of(const std::vector<CallPlace>& calls, Language language) {
   const bool german = language == Language::german;
   std::string text;
-  for (const CallPlace& call : calls) {
+  for (auto place = calls.begin(); place != calls.end();) {
+    const CallPlace& call = *place;
+    const auto next =
+        std::find_if(place, calls.end(), [&call](const CallPlace& other) { return other != call; });
+    const auto times = next - place;
     text.append(text.empty() ? "in " : " in ");
     if (call.line_within > 0)
       text.append(german ? "Zeile " : "line ")
@@ -293,6 +300,9 @@ std::string text_of(const std::vector<CallPlace>& calls, Language language) {
     text.append(call.subprogram)
         .append(german ? ", aufgerufen in Zeile " : ", called from line ")
         .append(std::to_string(call.called_from));
+    if (times > 1)
+      text.append(" (").append(std::to_string(times)).append(german ? "-mal)" : " times)");
+    place = next;
   }
   return text;
 }

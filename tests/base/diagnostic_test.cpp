@@ -77,7 +77,7 @@ TEST(Message, SaysWhatAValueCounts) {
             "(turn 90.000 degrees, tool radius 4.000 mm)");
   EXPECT_EQ(values_in({{"left_out_length", 57.9043302}, {"max_masked_share", 0.5}}),
             "(length left out 57.904 mm, largest share 50 %)");
-  EXPECT_EQ(values_in({{"lines", 12}}), "(lines 12)");
+  EXPECT_EQ(values_in({{"lines", 12}}), "(in 12 lines)");
   EXPECT_EQ(values_in({{"feed", -1}}), "(feed -1 mm/min)");
 }
 

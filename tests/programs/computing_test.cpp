@@ -130,6 +130,20 @@ TEST(WhatIsTold, NamesTheCallsThatLedThere) {
             std::string::npos);
 }
 
+TEST(WhatIsTold, CountsEqualCalls) {
+  const Ran ran =
+      run_computing("G0 X0 Y0\nM98 P1\nM30\nO1\nM98 P1\nM99\n", fanuc(), Output::nc_text);
+  ASSERT_EQ(ran.diagnostics.size(), 1u) << ran.report();
+  const Diagnostic& found = ran.diagnostics[0];
+  EXPECT_EQ(found.code, Code::calls_too_deep);
+  EXPECT_EQ(found.calls.size(), 32u);
+  const std::string calls = "in O0001, called from line 5 (31 times) in O0001, called from line 2";
+  EXPECT_TRUE(message_of(found).ends_with(calls)) << message_of(found);
+  EXPECT_TRUE(message_of(found, Language::german)
+                  .ends_with("in O0001, aufgerufen in Zeile 5 (31-mal) in O0001, aufgerufen in "
+                             "Zeile 2"));
+}
+
 // A contour that the tool does not fit, in a subprogram: the compensation finds it.
 TEST(WhatIsTold, NamesTheCallsOfWhatLaterPassesFind) {
   ProgramSessionSetup setup = fanuc();
