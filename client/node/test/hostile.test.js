@@ -167,6 +167,33 @@ test("a server that is killed under a stream", async () => {
   });
 });
 
+test("an encrypted server is reached with its certificate alone", async () => {
+  const folder = mkdtempSync(join(tmpdir(), "trc-test-"));
+  for (const name of ["server", "other"]) {
+    const made = spawnSync("openssl", ["req", "-x509", "-newkey", "rsa:2048", "-nodes", "-days", "2",
+      "-subj", "/CN=localhost", "-addext", "subjectAltName=IP:127.0.0.1",
+      "-keyout", join(folder, `${name}.key`), "-out", join(folder, `${name}.pem`)]);
+    assert.equal(made.status, 0, String(made.stderr));
+  }
+  const server = spawn(process.env.TRC_TRCD, ["--listen", "127.0.0.1:0",
+    "--tls-cert-file", join(folder, "server.pem"), "--tls-key-file", join(folder, "server.key")],
+  { stdio: ["ignore", "pipe", "ignore"] });
+  try {
+    let said = "";
+    server.stdout.on("data", (data) => { said += data; });
+    await until(() => said.includes('"event":"started"'));
+    const address = `127.0.0.1:${/"ports":"(\d+)"/.exec(said)[1]}`;
+    const call = (tls) => compensate(pocket, { server: address, tls, radius: 5, timeout: 20 });
+    const right = await call({ ca: join(folder, "server.pem") });
+    assert.equal(right.text, (await compensate(pocket, { radius: 5 })).text);
+    for (const wrong of [undefined, { ca: join(folder, "other.pem") }, {}])
+      await assert.rejects(call(wrong), ServerError);
+  } finally {
+    server.kill("SIGKILL");
+    rmSync(folder, { recursive: true });
+  }
+});
+
 test("a deadline", async () => {
   await assert.rejects(compensate(wave(300_000), { radius: 0.2, timeout: 0.05 }), { code: 4 });
 });
