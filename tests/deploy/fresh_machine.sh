@@ -2,6 +2,7 @@
 # The promise "two commands on a bare Debian 12", tried: a minimal root file system is made for the
 # purpose, the committed source is copied in without its history, and inside
 #   - as root: ./run, again ./run without a network, ./test
+#   - strangers.sh: the first contour in each language, with the packages made there
 #   - as a user with sudo: ./run, again ./run without a network
 # Usage: fresh_machine.sh [--run-only]     (leaves ./test out)
 #
@@ -12,6 +13,7 @@ cd "$(dirname "$(readlink -f "$0")")/../.."
 
 run_only=
 [ "${1:-}" != --run-only ] || run_only=yes
+. tests/deploy/root.sh
 [ "$(id -u)" -eq 0 ] || { echo "error: a root file system is made by root only" >&2; exit 1; }
 
 work=$(mktemp -d "${TMPDIR:-/tmp}/fresh_machine.XXXXXX")
@@ -22,32 +24,10 @@ fail() {
   exit 1
 }
 
-# In a mount namespace of its own, so that an interrupted run leaves nothing mounted.
-make_root() {
-  local sources
-  mapfile -t sources < <(grep -lsE '^(deb |Suites:).*[[:space:]]bookworm([[:space:]]|$)' \
-    /etc/apt/sources.list /etc/apt/sources.list.d/*)
-  apt-config dump | grep -E '^Acquire::(http|https|Check|Retries)' >"$work/apt.conf" || true
-  timeout 600 unshare --mount mmdebstrap --quiet --variant=minbase --aptopt="$work/apt.conf" \
-    bookworm "$work/bare" "${sources[@]}" </dev/null
-}
-
-# in_root ROOT SECONDS COMMAND: mounts live in a namespace of their own and end with the command,
-# like every process it leaves behind.
-in_root() {
-  local root=$1 seconds=$2 command=$3
-  timeout --kill-after=30 "$seconds" unshare --mount --pid --fork --kill-child ${isolate:-} bash -c '
-    mount -t proc proc "$1/proc" && mkdir -p "$1/dev/shm" && mount -t tmpfs tmpfs "$1/dev/shm" &&
-      exec chroot "$1" /usr/bin/env -i HOME=/root TERM=dumb LANG=C.UTF-8 \
-        PATH=/usr/local/sbin:/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin \
-        ${http_proxy:+"http_proxy=$http_proxy"} bash -c "$2"' in_root "$root" "$command" </dev/null
-}
-
 # machine NAME HOME: a copy of the bare root with the source in HOME/trc.
 machine() {
   local root=$work/$1
-  cp -a "$work/bare" "$root"
-  cp /etc/resolv.conf /etc/hosts "$root/etc/"
+  copy_root "$work/bare" "$root"
   mkdir -p "$root/$2/trc"
   git archive HEAD | tar -x -C "$root/$2/trc"
 }
@@ -86,11 +66,15 @@ run_twice() {
   check_second_run
 }
 
-step "bare Debian 12" make_root
+step "bare Debian 12" make_root "$work/bare" "$work/apt.conf"
 
 machine root /root
 run_twice root /root "bash -c"
 [ -n "$run_only" ] || step "root: ./test" in_root "$work/root" 3600 "cd /root/trc && ./test"
+step "root: packages" in_root "$work/root" 2400 "cd /root/trc && cmake --build --preset release &&
+  apt-get -q -y install --no-install-recommends dpkg-dev file &&
+  tests/deploy/packages.sh build/release /root/packages"
+step "strangers" tests/deploy/strangers.sh "$work/bare" "$work/root/root/packages"
 rm -rf --one-file-system "$work/root"
 
 machine user /home/turner
