@@ -89,6 +89,18 @@ Words words_of(const Explanation& explanation, Language language) {
                            : Words{german->meaning, german->causes, german->no_example};
 }
 
+// Whether something of the contour is certain before the example is refused. Of these nothing is:
+// their first word of TRC is the fault.
+bool shows_a_contour(const Explanation& explanation) {
+  constexpr std::array refused_at_once{Code::compensation_side_twice, Code::selection_mode_twice,
+                                       Code::side_behind_end, Code::no_tool_radius};
+  const auto selects = [&](std::string_view word) {
+    return explanation.example.find(word) != std::string_view::npos;
+  };
+  return (selects("G41") || selects("G42")) &&
+         std::ranges::find(refused_at_once, explanation.code) == refused_at_once.end();
+}
+
 void print_example(std::string_view code, const Explanation& explanation, Language language) {
   const bool german = language == Language::german;
   if (explanation.example.empty()) {
@@ -96,9 +108,13 @@ void print_example(std::string_view code, const Explanation& explanation, Langua
               << folded(words_of(explanation, language).no_example, 0) << '\n';
     return;
   }
+  const std::string options =
+      (explanation.options.empty() ? "" : " ") + std::string(explanation.options);
   std::cout << (german ? "\nBeispiel" : "\nExample") << ": trc explain " << code
-            << " --example | trc compensate -" << (explanation.options.empty() ? "" : " ")
-            << explanation.options << "\n";
+            << " --example | trc compensate -" << options << '\n';
+  if (shows_a_contour(explanation))
+    std::cout << (german ? "Bild" : "Picture") << ": trc explain " << code
+              << " --example | trc plot -" << options << " -o " << code << ".svg\n";
   for (std::string_view text = explanation.example; !text.empty();) {
     const std::size_t end = text.find('\n');
     std::string line(text.substr(0, end));

@@ -909,13 +909,14 @@ TEST(Explain, SaysWhatACodeMeansAndWhatHelps) {
 }
 
 // Words of a call behind "| trc compensate -" in what explains a code; nothing: no example.
-std::optional<std::vector<std::string>> call_of(const std::string& explained) {
-  const std::string before = "--example | trc compensate -";
+std::optional<std::vector<std::string>> call_of(const std::string& explained,
+                                                const std::string& command = "compensate") {
+  const std::string before = "--example | trc " + command + " -";
   const std::size_t at = explained.find(before);
   if (at == std::string::npos) return std::nullopt;
   const std::size_t begin = at + before.size();
   std::istringstream line(explained.substr(begin, explained.find('\n', begin) - begin));
-  std::vector<std::string> call{"compensate", "-"};
+  std::vector<std::string> call{command, "-"};
   for (std::string word; line >> word;) call.push_back(word);
   return call;
 }
@@ -941,6 +942,24 @@ TEST(Explain, HasAnExampleThatRaisesEachCode) {
   }
   EXPECT_GT(codes, 75);
   EXPECT_GE(examples, codes - 3);
+}
+
+TEST(Explain, HasAPictureOfEachContour) {
+  const Folder folder;
+  int pictures = 0;
+  for (const std::string& line : lines_of(trc({"explain"}).out)) {
+    const std::string code = line.substr(0, line.find(' '));
+    if (code.empty() || code.find_first_not_of("0123456789") != std::string::npos) continue;
+    auto call = call_of(trc({"explain", code}).out, "plot");
+    const std::string program = trc({"explain", code, "--example"}).out;
+    if (!call) continue;
+    ++pictures;
+    EXPECT_EQ(call->back(), code + ".svg");
+    call->back() = folder.path(code + ".svg");
+    trc(*call, program);
+    EXPECT_NE(content_of(call->back()).find("<path"), std::string::npos) << code;
+  }
+  EXPECT_GT(pictures, 40);
 }
 
 TEST(Compensate, RemediesNameWhatTheCommandLineHas) {
