@@ -232,7 +232,7 @@ void add_compensate(CLI::App& app, Action& action) {
       "The path is measured against the contour on its way (verify=report): where it comes nearer "
       "than the tool\nradius, warning 900216 says where. verify=enforce refuses such a program, "
       "verify=off measures nothing.\n\n" +
-      settings_help());
+      settings_help(Language::english));
   command->callback([call, command, directory, &action] {
     if (call->worker) {
       action = [call] { return work(*call); };

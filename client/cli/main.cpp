@@ -11,6 +11,8 @@
 
 #include "client/cli/command.h"
 #include "client/cli/completion.h"
+#include "client/cli/german_help.h"
+#include "client/cli/program_options.h"
 #include "client/cli/wrong_call.h"
 #include "core/base/version.h"
 
@@ -25,6 +27,16 @@ int ended(int code) {
     std::cerr << "trc: cannot write standard output"
               << (errno != 0 ? std::string(": ") + std::strerror(errno) : "") << '\n';
   return code != 0 ? code : static_cast<int>(trc::cli::Exit::wrong_call);
+}
+
+// Of the help that is asked for: --lang counts here as well.
+trc::Language language_of(const CLI::App& app) {
+  for (const CLI::App* command : app.get_subcommands()) {
+    const CLI::Option* language = command->get_option_no_throw("--lang");
+    if (language != nullptr && language->count() > 0)
+      return trc::cli::language_for(language->results().back());
+  }
+  return trc::cli::language_for("");
 }
 
 int run(int argc, char** argv) {
@@ -52,7 +64,10 @@ int run(int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    if (error.get_exit_code() == 0) return ended(app.exit(error));
+    if (error.get_exit_code() == 0) {
+      if (language_of(app) == trc::Language::german) trc::cli::speak_german(app);
+      return ended(app.exit(error));
+    }
     std::cerr << trc::cli::text_of_wrong_call(app, error);
     return static_cast<int>(trc::cli::Exit::wrong_call);
   }

@@ -147,7 +147,7 @@ void add_plot(CLI::App& app, Action& action) {
       "An .html file is the page of trc view with the program inside: contour, path, listings and "
       "what\nwas found. It opens from the disk, loads nothing and holds at most 250000 blocks of "
       "contour and path.\n\n" +
-      settings_help());
+      settings_help(Language::english));
   command->callback([call, &action] { action = [call] { return run(*call); }; });
 }
 

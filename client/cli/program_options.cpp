@@ -208,8 +208,8 @@ void report_clearance(v1::ProgramSetup& setup) {
     setup.mutable_path()->set_verify(v1::VERIFICATION_REPORT);
 }
 
-std::string settings_help() {
-  const bool german = language_for("") == Language::german;
+std::string settings_help(Language language) {
+  const bool german = language == Language::german;
   std::string text = german ? "Einstellungen (--set NAME=WERT), mit dem, was ohne sie gilt:\n"
                             : "Settings (--set KEY=VALUE), with what they are without it:\n";
   for (const wire::SettingRow& row : wire::settings()) {

@@ -60,6 +60,6 @@ void report_clearance(v1::ProgramSetup& setup);
 [[nodiscard]] bool counts_in_inch(const ProgramOptions& options, const v1::ProgramSetup& setup);
 
 // "Settings (--set): …", for the end of a help text.
-[[nodiscard]] std::string settings_help();
+[[nodiscard]] std::string settings_help(Language language);
 
 }  // namespace trc::cli

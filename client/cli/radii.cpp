@@ -196,7 +196,7 @@ void add_radii(CLI::App& app, Action& action) {
       "With --tools the radii are those of the table, wear added. A radius takes the place of "
       "every one that\nthe program gives, by D and T words as well; --wear and allowance are added "
       "to each. Exit code 1 when\nthe program cannot be read with any radius.\n\n" +
-      settings_help());
+      settings_help(Language::english));
   command->callback([call, &action] { action = [call] { return run(*call); }; });
 }
 

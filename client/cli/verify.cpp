@@ -169,7 +169,7 @@ void add_verify(CLI::App& app, Action& action) {
       "Every block between approach and retract is measured against every contour block of its "
       "selection,\nby a method of its own that knows nothing of how the path was made. Exit code 1 "
       "when the path comes\nnearer than the tool radius.\n\n" +
-      settings_help());
+      settings_help(Language::english));
   command->callback([call, record, file, &action] {
     if (file->empty() && record->empty()) throw CLI::RequiredError("FILE or --record");
     action = [call] { return call->record.empty() ? run(call->program) : check_record(*call); };

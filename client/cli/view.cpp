@@ -148,7 +148,7 @@ void add_view(CLI::App& app, Action& action) {
       ->type_name("HOST:PORT")
       ->capture_default_str();
   command->add_flag("--no-browser", call->no_browser, "Print the address only");
-  command->footer(settings_help());
+  command->footer(settings_help(Language::english));
   command->callback([call, &action] { action = [call] { return run(*call); }; });
 }
 

@@ -13,6 +13,7 @@
 #include <functional>
 #include <optional>
 #include <regex>
+#include <set>
 #include <sstream>
 #include <string>
 #include <thread>
@@ -1392,6 +1393,42 @@ std::vector<std::string> listed(const std::string& help, const std::string& titl
   for (std::sregex_iterator it(part.begin(), part.end(), name), end; it != end; ++it)
     names.push_back((*it)[1]);
   return names;
+}
+
+TEST(Help, IsGermanWhereThatIsAskedFor) {
+  const auto german = [](std::vector<std::string> words) {
+    words.insert(words.begin(), {"/usr/bin/env", "LC_ALL=de_DE.UTF-8", trc_program()});
+    words.emplace_back("--help");
+    const Ended ended = run(words);
+    EXPECT_EQ(ended.code, 0) << ended.err;
+    return ended.out;
+  };
+  // What all commands and options are described as.
+  const std::string script = trc({"completion", "fish"}).out;
+  const std::regex description(" -d '([^']+)'\n");
+  std::set<std::string> english;
+  for (std::sregex_iterator it(script.begin(), script.end(), description), end; it != end; ++it)
+    if ((*it)[1].length() > 2) english.insert((*it)[1]);  // not "mm"
+  ASSERT_GT(english.size(), 60u);
+  english.erase("columns or blocks (CompensatePath), text (CompensateProgram)");  // in both
+  const auto none_is_left = [&](const std::string& help) {
+    for (const std::string& text : english)
+      EXPECT_EQ(help.find(" " + text + "\n"), std::string::npos) << text << '\n' << help;
+    for (const char* text :
+         {"Usage:", "Options:", "Exit code", "The path", "The same", "with what"})
+      EXPECT_EQ(help.find(text), std::string::npos) << text << '\n' << help;
+  };
+  const std::regex command_name("\n  ([a-z]+) ");
+  const std::string all = german({});
+  none_is_left(all);
+  EXPECT_NE(all.find("\nRückgabewerte: 0 erledigt, "), std::string::npos) << all;
+  const auto commands = listed(all, "Befehle", command_name);
+  ASSERT_EQ(commands.size(), listed(trc({"--help"}).out, "Subcommands", command_name).size());
+  for (const std::string& command : commands) none_is_left(german({command}));
+  const std::string option = trc({"compensate", "--lang", "de", "--help"}).out;
+  EXPECT_EQ(option, german({"compensate"}));
+  EXPECT_NE(option.find("Aufruf: trc compensate [OPTIONEN] file..."), std::string::npos) << option;
+  EXPECT_NE(option.find("Einstellungen (--set NAME=WERT)"), std::string::npos) << option;
 }
 
 TEST(Completion, HasEveryCommandAndOption) {
