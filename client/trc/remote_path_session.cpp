@@ -14,7 +14,7 @@ using Request = v1::CompensatePathRequest;
 using Response = v1::CompensatePathResponse;
 
 // Where a further block costs next to nothing; more only adds delay. Every server takes as many
-// (StreamAccepted): the first batch need not wait for its limits.
+// (D-58): the first batch need not wait for its limits.
 constexpr std::size_t batch_blocks = 1024;
 
 v1::PathSetup message_of(const wire::PathSettings& settings) {

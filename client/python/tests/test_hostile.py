@@ -62,12 +62,15 @@ class Server:
 
     def __init__(self, *settings):
         self._folder = tempfile.TemporaryDirectory()
-        own = File(self._folder.name, "socket")
-        self.address = f"unix:{own}"
-        self.process = subprocess.Popen(
-            [os.environ["TRC_TRCD"], "--listen", self.address, *settings],
-            stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-        while not own.exists():
+        self.address = f"unix:{self._folder.name}/socket"
+        log = File(self._folder.name, "log")
+        with log.open("wb") as said:
+            self.process = subprocess.Popen(
+                [os.environ["TRC_TRCD"], "--listen", self.address, *settings],
+                stdout=said, stderr=subprocess.DEVNULL)
+        # On all addresses, not on the first one alone.
+        while b'"event":"started"' not in log.read_bytes():
+            assert self.process.poll() is None, "trcd has ended"
             time.sleep(0.01)
 
     def __enter__(self):
