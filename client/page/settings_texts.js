@@ -65,6 +65,7 @@ const names = {
   nominal_radius: ['Radius of the centre path', 'Radius der Mittelpunktsbahn'],
   max_wear: ['Largest wear', 'Größter Verschleiß'],
   unknown_words: ['Unknown words', 'Unbekannte Wörter'],
+  block_skip: ['Lines behind /', 'Zeilen hinter /'],
   whole_numbers: ['Numbers without a point', 'Zahlen ohne Punkt'],
 };
 
@@ -79,7 +80,7 @@ const germanWords = {
   direct: 'direkt', indirect: 'indirekt', on_path: 'auf der Bahn', perpendicular: 'senkrecht',
   inside_corner: 'in der Innenecke', without_block: 'ohne Satz', linear: 'linear', circular: 'zirkular',
   absolute: 'absolut', start: 'Startpunkt', axis: 'Achse', path: 'Bahn', pre: 'Anwahl', post: 'Abwahl',
-  combined: 'beide', enforce: 'und ablehnen, was zu nah kommt', report: 'und melden', refuse: 'ablehnen', copy: 'übernehmen',
+  combined: 'beide', enforce: 'und ablehnen, was zu nah kommt', report: 'und melden', refuse: 'ablehnen', copy: 'übernehmen', execute: 'ausführen', leave_out: 'weglassen',
   inch: 'Zoll', degrees: 'Grad',
 };
 const englishWords = {true: 'yes', false: 'no', on_path: 'on the path', inside_corner: 'inside corner', without_block: 'without block'};
@@ -136,6 +137,8 @@ const germanMeanings = {
   'a larger wear is refused (900222)': 'ein größerer Verschleiß wird abgelehnt (900222)',
   'what the tool is larger by; negative: worn off; max_wear allows more than 1':
     'um so viel ist das Werkzeug größer; negativ: abgenutzt; max_wear erlaubt mehr als 1',
+  'lines behind /, as the switch of the machine stands: execute is off, leave_out on; refuse what hangs on it (900017)':
+    'Zeilen hinter /, wie der Schalter der Maschine steht: execute aus, leave_out ein; refuse lehnt ab, was davon abhängt (900017)',
   'the tools of D words, and of T words in a program without D': 'die Werkzeuge der D-Wörter, ohne D im Programm der T-Wörter',
   'the control the program is for': 'die Steuerung, für die das Programm ist',
   'what the program counts in where it does not say so itself': 'worin das Programm zählt, wo es das nicht selbst sagt',

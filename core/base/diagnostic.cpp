@@ -149,6 +149,10 @@ constexpr auto rows = std::to_array<CodeRow>({
      "the word means something else in the dialect the program looks like",
      "Declare the dialect of the program (--dialect, `dialect` in the setup). If it is ISG, remove "
      "the word."},
+    {Code::block_skip_undecided, error, "BLOCK_SKIP_UNDECIDED",
+     "the path hangs on the switch for block skip",
+     "Say how it stands: `block_skip` EXECUTE in the setup where lines behind `/` are executed, "
+     "LEAVE_OUT where they are not."},
     {Code::turning, error, "TURNING",
      "this is a program of a lathe: turning is not compensated here",
      "Let the lathe compensate the nose of its tool."},

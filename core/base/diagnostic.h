@@ -76,6 +76,7 @@ enum class Code : std::int32_t {
   program_empty = 900014,
   side_behind_end = 900015,
   other_dialect = 900016,
+  block_skip_undecided = 900017,
   turning = 900018,
 
   // program rules

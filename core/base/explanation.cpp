@@ -515,6 +515,17 @@ constexpr auto rows = std::to_array<Explanation>({
      .example = "G90 G17\n"
                 "G20 G40\n"
                 "G00 X1 Y2\n"},
+    {.code = Code::block_skip_undecided,
+     .meaning = "A switch of the machine decides whether lines behind `/` are executed. The "
+                "contour has one path with them and another without, and only one of them can be "
+                "written.",
+     .causes = {"A leading `/` in front of G41, G40 or a motion of the contour.",
+                "A line behind `/` that computes, or says what the coordinates behind it mean."},
+     .on_command_line = "Say how it stands: --set block_skip=execute where lines behind `/` are "
+                        "executed, leave_out where they are not.",
+     .example = "N10 G00 X0 Y0\n"
+                "/ N20 G01 X10 F500\n"
+                "N30 M30\n"},
     {.code = Code::turning,
      .meaning = "A lathe compensates the nose of its tool in the plane of the spindle, by "
                 "quadrants of the tool. This program mills.",

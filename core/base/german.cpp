@@ -212,6 +212,12 @@ constexpr auto rows = std::to_array<GermanRow>({
              "Wort streichen.",
      .on_command_line = "Den Dialekt des Programms angeben: --dialect fanuc, linuxcnc, sinumerik "
                         "oder heidenhain. Ist es ISG, das Wort streichen."},
+    {.code = Code::block_skip_undecided,
+     .title = "die Bahn hängt vom Schalter für das Ausblenden von Sätzen ab",
+     .help = "Sagen, wie er steht: `block_skip` EXECUTE im Setup, wo Sätze hinter `/` ausgeführt "
+             "werden, LEAVE_OUT, wo nicht.",
+     .on_command_line = "Sagen, wie er steht: --set block_skip=execute, wo Sätze hinter `/` "
+                        "ausgeführt werden, leave_out, wo nicht."},
     {.code = Code::turning,
      .title = "das ist ein Drehprogramm: Drehen wird hier nicht korrigiert",
      .help = "Die Schneidenradiuskorrektur der Drehmaschine überlassen."},

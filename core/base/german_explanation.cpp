@@ -262,6 +262,13 @@ constexpr auto rows = std::to_array<GermanExplanation>({
                 "anderen etwas anderes. Was hier steht, sieht nach einem anderen Dialekt aus als "
                 "dem angegebenen.",
      .causes = {"Der Dialekt wurde nicht angegeben; dann ist es ISG."}},
+    {.code = Code::block_skip_undecided,
+     .meaning = "Ein Schalter der Maschine entscheidet, ob Sätze hinter `/` ausgeführt werden. Die "
+                "Kontur hat mit ihnen eine andere Bahn als ohne sie, und nur eine davon kann "
+                "geschrieben werden.",
+     .causes = {"Ein `/` vor G41, G40 oder einer Bewegung der Kontur.",
+                "Ein Satz hinter `/`, der rechnet oder sagt, was die Koordinaten hinter ihm "
+                "bedeuten."}},
     {.code = Code::turning,
      .meaning = "Eine Drehmaschine korrigiert die Schneidenspitze in der Ebene der Spindel, nach "
                 "der Lage der Schneide. Dieses Programm fräst.",

@@ -80,6 +80,9 @@ constexpr auto meanings = std::to_array<German>({
     {"max_wear", "ein größerer Verschleiß wird abgelehnt (900222)"},
     {"wear", "um was das Werkzeug größer ist; negativ: abgenutzt; max_wear lässt mehr als 1 zu"},
     {"language", "der Meldungen, en oder de"},
+    {"block_skip",
+     "Zeilen hinter /, wie der Schalter der Maschine steht: execute aus, leave_out ein; refuse "
+     "lehnt ab, was davon abhängt (900017)"},
     {"tools", "die Werkzeuge der D-Wörter, und der T-Wörter in einem Programm ohne D"},
     {"options.conv_cir_to_lin",
      "Bögen, für die das Werkzeug zu groß ist, werden Geraden (mit G141)"},

@@ -100,6 +100,10 @@ constexpr auto rows = std::to_array<SettingMeaning>({
     {"wear", "what the tool is larger by; negative: worn off; max_wear allows more than 1", "mm",
      "0", -largest_radius, largest_radius},
     {"language", "of messages, en or de", "", "en"},
+    {"block_skip",
+     "lines behind /, as the switch of the machine stands: execute is off, leave_out on; refuse "
+     "what hangs on it (900017)",
+     "", "refuse"},
     {"tools", "the tools of D words, and of T words in a program without D", "", ""},
 });
 

@@ -112,6 +112,13 @@ const std::vector<Route>& all_routes() {
   return routes;
 }
 
+// Of NC programs, beside those of their paths.
+const std::vector<const FieldDescriptor*>& program_fields() {
+  static const std::vector<const FieldDescriptor*> fields{
+      v1::ProgramSetup::descriptor()->FindFieldByName("block_skip")};
+  return fields;
+}
+
 std::string key_of(const Route& route) {
   std::string key;
   for (const FieldDescriptor* field : route) key += (key.empty() ? "" : ".") + field->name();
@@ -348,6 +355,7 @@ std::string unknown_key(const std::string& key) {
     near.emplace_back(distance, full);
   };
   for (const Route& route : all_routes()) consider(key_of(route));
+  for (const FieldDescriptor* field : program_fields()) consider(field->name());
   consider("tools");
   std::stable_sort(near.begin(), near.end(),
                    [](const auto& a, const auto& b) { return a.first < b.first; });
@@ -371,6 +379,12 @@ std::string apply_setting(std::string_view assignment, v1::ProgramSetup& setup) 
   const std::string key = lower(trimmed(assignment.substr(0, equals)));
   const std::string_view value = trimmed(assignment.substr(equals + 1));
   if (key == "tools") return set_tools(value, setup);
+  const auto impossible = [&](const std::string& whole, const FieldDescriptor& field) {
+    return whole + ": \"" + std::string(value) + "\" is not possible; it takes " + values_of(field);
+  };
+  for (const FieldDescriptor* field : program_fields())
+    if (field->name() == key)
+      return set_field(setup, *field, value) ? std::string() : impossible(key, *field);
 
   const std::vector<const Route*> found = routes_named(key);
   if (found.empty()) return unknown_key(key);
@@ -384,8 +398,7 @@ std::string apply_setting(std::string_view assignment, v1::ProgramSetup& setup) 
     owner = owner->GetReflection()->MutableMessage(owner, route[i]);
   const FieldDescriptor& field = *route.back();
   if (set_field(*owner, field, value)) return {};
-  return key_of(route) + ": \"" + std::string(value) + "\" is not possible; it takes " +
-         values_of(field);
+  return impossible(key_of(route), field);
 }
 
 std::string apply_variable(std::string_view assignment, v1::ProgramSetup& setup) {
@@ -417,6 +430,9 @@ std::vector<std::string> assignments_of(const v1::ProgramSetup& setup) {
                                             : reflection.HasField(*owner, &field);
     if (is_set && !is_part) found.push_back(key_of(route) + "=" + value_of(*owner, field));
   }
+  for (const FieldDescriptor* field : program_fields())
+    if (setup.GetReflection()->HasField(setup, field))
+      found.push_back(field->name() + "=" + value_of(setup, *field));
   std::string tools;
   for (const v1::Tool& tool : setup.tools()) {
     tools +=
@@ -430,6 +446,8 @@ std::vector<std::string> assignments_of(const v1::ProgramSetup& setup) {
 std::vector<SettingRow> settings() {
   std::vector<SettingRow> rows;
   for (const Route& route : all_routes()) rows.push_back({key_of(route), values_of(*route.back())});
+  for (const FieldDescriptor* field : program_fields())
+    rows.push_back({field->name(), values_of(*field)});
   rows.push_back(
       {"tools",
        "the tool table, number of the D or T word:radius in mm, as in 1:5,2:3.5, or with the wear "

@@ -58,6 +58,12 @@ constexpr EnumTable<v1::WholeNumbers, WholeNumbers, 2> whole_numbers{{
     {v1::WHOLE_NUMBERS_INCREMENTS, WholeNumbers::increments},
 }};
 
+constexpr EnumTable<v1::BlockSkip, BlockSkip, 3> block_skips{{
+    {v1::BLOCK_SKIP_REFUSE, BlockSkip::refuse},
+    {v1::BLOCK_SKIP_EXECUTE, BlockSkip::execute},
+    {v1::BLOCK_SKIP_LEAVE_OUT, BlockSkip::leave_out},
+}};
+
 constexpr EnumTable<v1::KerfMethod, bool, 2> kerf_methods{{
     {v1::KERF_METHOD_LINEAR, false},
     {v1::KERF_METHOD_CIRCULAR, true},
@@ -291,6 +297,9 @@ void read_dialect(const v1::ProgramSetup& message, const FieldPath& path, Progra
   program.whole_numbers =
       whole_numbers.from_proto(message.whole_numbers(), FieldPath(path, "whole_numbers"), faults)
           .value_or(program.whole_numbers);
+  program.block_skip =
+      block_skips.from_proto(message.block_skip(), FieldPath(path, "block_skip"), faults)
+          .value_or(program.block_skip);
   const Dialect& dialect = dialect_of(program.dialect);
   if (message.path().selection_mode() == v1::SELECTION_MODE_UNSPECIFIED)
     program.mode.selection = dialect.selection;
@@ -492,6 +501,8 @@ void to_proto(const ProgramSettings& settings, v1::ProgramSetup& message) {
     message.set_max_executed_lines(program.max_executed_lines);
   if (program.whole_numbers != WholeNumbers::unsaid)
     message.set_whole_numbers(whole_numbers.to_proto(program.whole_numbers));
+  if (program.block_skip != BlockSkip::refuse)
+    message.set_block_skip(block_skips.to_proto(program.block_skip));
   if (program.dialect == DialectName::isg) return;
   message.set_dialect(dialects.to_proto(program.dialect));
   message.mutable_path()->set_selection_mode(selections.to_proto(program.mode.selection));

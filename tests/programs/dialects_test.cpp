@@ -24,7 +24,7 @@
 
 // Programs in the manner of each control. The first line of each says with which tools it runs, or
 // with which code it is refused and where: `; radius 5`, `; radius 0.25 in`, `; tool 1 5`,
-// `; whole increments`, `; refused 900003 line 7`. `; path -5 0 L; -5 60 A` says where the motions
+// `; whole increments`, `; block_skip execute`, `; refused 900003 line 7`. `; path -5 0 L; -5 60 A` says where the motions
 // of the compensated path end, from the first selection on: lines and arcs.
 
 namespace trc::support {
@@ -73,6 +73,11 @@ void read_head(DialectProgram& program) {
       program.setup.session.program.mode.tool_radius = radius * (unit == "in" ? mm_per_inch : 1);
     }
     if (key == "whole") program.setup.session.program.whole_numbers = WholeNumbers::increments;
+    if (key == "block_skip") {
+      words >> unit;
+      program.setup.session.program.block_skip =
+          unit == "execute" ? BlockSkip::execute : BlockSkip::leave_out;
+    }
     if (key == "tool") {
       std::int64_t number = 0;
       double radius = 0;
@@ -289,6 +294,7 @@ TEST_P(OfADialect, ComesOutAsItIsWithoutSelections) {
   const DialectProgram& program = GetParam();
   if (program.refused != 0) return;
   if (program.text.find("APPR") != std::string::npos) return;  // is one without a side, too
+  if (program.setup.session.program.block_skip != BlockSkip::refuse) return;  // its `/` go
   const std::string plain = std::regex_replace(
       program.text,
       std::regex("G ?4[12](\\.1)?( D ?[0-9.]+)? ?| R[LR]| M109| M110| M111| M120 LA20",

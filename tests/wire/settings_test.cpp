@@ -45,6 +45,7 @@ TEST(Settings, AreWrittenAsTheyAreRead) {
       "max_passive_blocks=7",
       "verify=enforce",
       "leads=blocks:2,1",
+      "block_skip=leave_out",
       "tools=1:5,2:3.5:-0.02",
   };
   v1::ProgramSetup setup;
@@ -136,7 +137,7 @@ TEST(Settings, ListEveryFieldOfAPathSetup) {
        {"plane ", "start_position ", "tool_radius ", "selection_mode ", "transition ",
         "contour_masking ", "feed_adaptation ", "circle_center_mode.max_shift ",
         "options.stretch_factor ", "look_ahead_blocks ", "kerf_method ", "axis_names ",
-        "client_tag ", "tools "})
+        "client_tag ", "block_skip ", "tools "})
     EXPECT_NE(keys.find(key), std::string::npos) << key;
   EXPECT_EQ(keys.find("resume_token "), std::string::npos);
 }

@@ -40,6 +40,7 @@ PathSettings every_setting() {
   program.allowance = -0.2;
   program.nominal_radius = 5;
   program.max_wear = 0.5;
+  program.block_skip = BlockSkip::leave_out;
   CompensatorSetup& compensator = settings.session.compensator;
   compensator.limits.look_ahead_blocks = 200;
   compensator.limits.passive_blocks = 7;
@@ -89,6 +90,7 @@ TEST(Setup, ReadsBackEveryField) {
   EXPECT_EQ(program.allowance, expected.allowance);
   EXPECT_EQ(program.nominal_radius, expected.nominal_radius);
   EXPECT_EQ(program.max_wear, expected.max_wear);
+  EXPECT_EQ(program.block_skip, expected.block_skip);
   const CompensatorSetup& compensator = read.path.session.compensator;
   EXPECT_EQ(compensator.start, expected.start);
   EXPECT_EQ(compensator.limits.look_ahead_blocks, 200U);

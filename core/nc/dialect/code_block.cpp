@@ -60,11 +60,11 @@ bool Interpreter::complete_code_block(ProgramLine& line, BlockWords& block) {
   }
   if (block.has(dimension)) code_.dimension_uncertain = block.to_skip;
   if (code_.dimension_uncertain && block.axis && !block.to_skip)
-    return refuse(line, TextFault{.code = Code::nc_unsupported,
+    return refuse(line, TextFault{.code = Code::block_skip_undecided,
                                   .begin = *block.axis,
                                   .detail = "a motion behind G90 or G91 that may be skipped"});
   if (block.to_skip && (block.has(unit) || block.has(plane)))
-    return refuse(line, TextFault{.code = Code::nc_unsupported,
+    return refuse(line, TextFault{.code = Code::block_skip_undecided,
                                   .begin = line.words.front().begin,
                                   .detail = "a unit or a plane that may be skipped"});
   take_unit_of_old(line, block);
@@ -256,16 +256,21 @@ Interpreter::NotWhileActive Interpreter::find_what_is_copied(BlockWords& block) 
   if (code_.tangent_arcs) copy_motion("CT", named);
   const bool fanuc = dialect_.name == DialectName::fanuc;
   if (fanuc && block.tool_data) copy_motion("a motion with L, which is repeated", all_axes);
-  if (block.to_skip) copy_motion("a motion that may be skipped", named);
+  Code code = Code::nc_unsupported;
+  if (block.to_skip && !block.copied) {
+    copy_motion("a motion that may be skipped", named);
+    if (block.copied) code = Code::block_skip_undecided;
+  }
   if (block.has(zero_shift) && !begin)
     begin = block.of(zero_shift).begin, meaning = "work coordinate system";
   // The contour would go on with the radius of the tool before.
   if (block.changes_tool && dialect_.name != DialectName::isg && !begin)
     begin = block.changes_tool, meaning = "a tool change";
-  if (block.to_skip && block.has(side))
+  if (block.to_skip && block.has(side)) {
     begin = block.of(side).begin, meaning = "TRC in a block that may be skipped";
-
-  return {.begin = begin, .meaning = std::move(meaning), .hangs_on_what_was_told = hangs_on_it};
+    code = Code::block_skip_undecided;
+  }
+  return {.code = code, .begin = begin, .meaning = std::move(meaning), .hangs_on_what_was_told = hangs_on_it};
 }
 
 bool Interpreter::copy_code_block(ProgramLine& line, BlockWords& block) {
@@ -288,9 +293,11 @@ bool Interpreter::copy_code_block(ProgramLine& line, BlockWords& block) {
   const bool may_be_skipped = block.to_skip && block.has(side) && (selects_here || contour_open());
   if (found.hangs_on_what_was_told && !faults_.empty() && !selects_here && active) return false;
   if (found.begin && (active || (selects_here && block.copied) || may_be_skipped))
-    return refuse(line, TextFault{.code = Code::nc_unsupported,
+    return refuse(line, TextFault{.code = found.code,
                                   .begin = *found.begin,
-                                  .detail = found.meaning.append(" while TRC is active")});
+                                  .detail = found.code == Code::nc_unsupported
+                                                ? found.meaning.append(" while TRC is active")
+                                                : found.meaning});
   if (!block.copied) return true;
   for (WordRange& word : line.words)
     if (word.role == WordRole::coordinate || word.role == WordRole::trc)

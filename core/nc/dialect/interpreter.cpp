@@ -278,10 +278,25 @@ void Interpreter::place(const ProgramLine& line, std::uint32_t begin) {
 WordPlace Interpreter::place_of_word(const ProgramLine& line, std::uint32_t begin) const {
   const bool one_line = line.source.line == lines_read_;
   const bool in_first_line = one_line || line.text.find_first_of("\r\n") >= begin;
-  return {.source = line.source, .column = in_first_line && knows_columns_ ? begin + 1 : 0};
+  return {.source = line.source, .column = in_first_line && knows_columns_ ? column_of(begin) : 0};
+}
+
+// Where the setup says how the switch of the machine stands: on, nothing of the line remains; off,
+// all but its `/`.
+bool Interpreter::is_left_out(ProgramLine& line) {
+  const BlockSkip decided = decided_about(line.text, state_.setup(), cut_);
+  if (decided == BlockSkip::execute) line.text.erase(cut_.begin, cut_.end - cut_.begin);
+  if (decided == BlockSkip::refuse) cut_ = {};
+  if (decided != BlockSkip::leave_out) return false;
+  line.has_trc_words = true;
+  return true;
 }
 
 bool Interpreter::read_line(ProgramLine& line) {
+  cut_ = {};
+  const bool may_be_skipped = state_.setup().block_skip != BlockSkip::refuse && !ended_ &&
+                              comment_block_ == 0 && !in_subprogram_;
+  if (may_be_skipped && is_left_out(line)) return true;
   if (PlainMotion plain; is_plain(line, plain)) return apply(line, plain);
   line.words.clear();
   const std::string_view text = without_blanks_in_front(line.text);

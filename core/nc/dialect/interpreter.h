@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/base/diagnostics.h"
+#include "core/nc/dialect/block_skip.h"
 #include "core/nc/dialect/dialect.h"
 #include "core/nc/dialect/plain_motion.h"
 #include "core/nc/state/program_line.h"
@@ -156,6 +157,7 @@ class Interpreter {
                            std::vector<LinePointer>& lines);
   void enter_modes(ProgramLine& line) const;
   bool read_line(ProgramLine& line);
+  [[nodiscard]] bool is_left_out(ProgramLine& line);
   bool read_line_of_subprogram(const ProgramLine& line);
   bool read_line_behind_end(ProgramLine& line);
   bool read_comment_block(ProgramLine& line);
@@ -186,6 +188,7 @@ class Interpreter {
   void forget_what_ends_nothing(BlockWords& block);
   // Empty: nothing.
   struct NotWhileActive {
+    Code code = Code::nc_unsupported;
     std::optional<std::uint32_t> begin{};  // of the line
     std::string meaning{};
     bool hangs_on_what_was_told = false;
@@ -304,6 +307,11 @@ class Interpreter {
   bool refuse_long_line();
   bool refuse_open_line();
   void place(const ProgramLine& line, std::uint32_t begin);
+  // 1-based, of a byte of the first line as it was given.
+  [[nodiscard]] std::uint32_t column_of(std::size_t begin) const {
+    const std::size_t cut = begin < cut_.begin ? 0 : cut_.end - cut_.begin;
+    return static_cast<std::uint32_t>(begin + cut + 1);
+  }
   [[nodiscard]] double length_unit() const { return inch_ ? mm_per_inch : 1; }
   // Under G70 of Sinumerik feeds stay in mm.
   [[nodiscard]] double feed_unit(bool inch) const { return inch && !feed_in_mm_ ? mm_per_inch : 1; }
@@ -421,6 +429,7 @@ class Interpreter {
   std::vector<LinePointer> spare_{};
   std::uint64_t lines_read_ = 0;
   bool knows_columns_ = true;  // of the text that was given
+  SkipSign cut_{};             // out of the line that is read
   std::uint64_t blocks_read_ = 0;
   std::uint32_t comment_block_ = 0;  // line of #COMMENT BEGIN; 0: not in one
   bool ended_ = false;

@@ -131,6 +131,11 @@ bool Interpreter::apply_trc(const ProgramLine& line, const BlockWords& block) {
   if (has(selection) &&
       !state_.set_selection(selection_of(block.of(selection).function->number), source))
     return false;
+  // A smooth retraction runs along the contour before it ends TRC.
+  const bool ends = has(side) && block.of(side).is(40) && !block.leads_softly;
+  if (has(tangential) && !state_.set_tangential(source)) return false;
+  // The tool of such a block is no longer one of the contour: D0 takes it out of force.
+  if (ends && at(block.of(side).begin) && !state_.select(Side::off, source)) return false;
   if (block.tool_radius && at(block.tool_radius->begin)) {
     const double value = block.tool_radius->value * length_unit();
     if (!(block.radius_is_change ? state_.change_tool_radius(value, source)
@@ -150,9 +155,7 @@ bool Interpreter::apply_trc(const ProgramLine& line, const BlockWords& block) {
   if (block.tool && !zero && at(block.tool->begin) &&
       !state_.set_tool(static_cast<std::int64_t>(block.tool->value), source))
     return false;
-  if (has(tangential) && !state_.set_tangential(source)) return false;
-  // A smooth retraction runs along the contour before it ends TRC.
-  if (!has(side) || (block.leads_softly && block.of(side).is(40))) return true;
+  if (!has(side) || block.of(side).is(40)) return true;
   return state_.select(side_of(block.of(side).function->number), source);
 }
 

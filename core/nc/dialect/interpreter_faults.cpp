@@ -36,7 +36,10 @@ bool Interpreter::refuse(const ProgramLine& line, const TextFault& given) {
     line_begin = at + 1;
   }
   Diagnostic refused = diagnostic(fault.code, source, fault.detail);
-  if (knows_columns_) refused.column = static_cast<std::uint32_t>(fault.begin - line_begin + 1);
+  if (knows_columns_)
+    refused.column = line_begin == 0
+                         ? column_of(fault.begin)
+                         : static_cast<std::uint32_t>(fault.begin - line_begin + 1);
   refused.slip = fault.slip;
   guard_against_other_dialects(line, refused);
   return collect(std::move(refused));

@@ -74,6 +74,14 @@ bool Interpreter::read_words(ProgramLine& line, BlockWords& block) {
       case WordKind::comment:
         add(line, word, WordRole::comment);
         continue;
+      case WordKind::skip:
+        if (const SkipSign sign = skip_sign_of(line.text, DialectName::isg);
+            sign.begin != word.begin || !is_beside_the_path(line.text, sign, DialectName::isg))
+          return refuse(line, TextFault{.code = Code::block_skip_undecided,
+                                        .begin = word.begin,
+                                        .detail = "/, a block to skip on demand"});
+        add(line, word, WordRole::technology);
+        continue;
       case WordKind::address:
         if (word.letter == 'N') {
           if (!read_number(word, line, block)) return false;

@@ -82,6 +82,7 @@ struct Interpreter::KlartextBlock {
   // What keeps the block from being followed: a parameter, M91 … It is copied while TRC is off.
   std::optional<std::uint32_t> unfollowed{};
   std::string unfollowed_why{};
+  Code unfollowed_code = Code::nc_unsupported;
 };
 
 }  // namespace trc

@@ -50,6 +50,7 @@ bool Interpreter::check_klartext(ProgramLine& line, KlartextBlock& block) {
       !moves_nothing) {
     block.unfollowed = block.begin;
     block.unfollowed_why = block.name + ", a motion that may be skipped";
+    block.unfollowed_code = Code::block_skip_undecided;
   }
   if (klartext_.unfollowed && moves && !block.unfollowed) {
     block.unfollowed = block.begin;
@@ -62,7 +63,8 @@ bool Interpreter::check_klartext(ProgramLine& line, KlartextBlock& block) {
   if (block.unfollowed && in_contour && led && !selects && !faults_.empty()) return false;
   if (block.unfollowed && in_contour)
     return refuse_klartext(line, *block.unfollowed,
-                           block.unfollowed_why + (active ? ", while TRC is active" : ""));
+                           block.unfollowed_why + (active ? ", while TRC is active" : ""),
+                           block.unfollowed_code);
   if (block.unfollowed) return true;
   if ((is_arc_of(block.statement)) && !block.clockwise)
     return wrong(" without DR", Code::circle_incomplete);

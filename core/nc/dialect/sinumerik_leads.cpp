@@ -95,7 +95,10 @@ bool Interpreter::check_soft_lead(ProgramLine& line, const BlockWords& block) {
   if (!approaches && !block.of(side).is(40))
     return wrong(lead.begin, " without G40: write G40 beside it");
   if (approaches && block.of(side).is(40)) return wrong(lead.begin, " beside G40");
-  if (block.to_skip) return wrong(lead.begin, " in a block that may be skipped");
+  if (block.to_skip)
+    return refuse(line, TextFault{.code = Code::block_skip_undecided,
+                                  .begin = lead.begin,
+                                  .detail = name + " in a block that may be skipped"});
   if (block.center || block.corner)
     return wrong(lead.begin, " beside words of an arc, a rounding or a chamfer");
   if (feed_mode_ != 94 || block.has(feed_mode))

@@ -25,6 +25,7 @@ void CodeFlow::begin_line() {
   at.current = at.next++;
   line_ = text_of(at).line(at.current);
   head_ = head_of(line_);
+  head_.to_skip = may_be_skipped(head_.to_skip);
   is_as_written_ = false;
 }
 

@@ -178,7 +178,7 @@ Flow::Step FanucFlow::step(std::string& flat) {
     goes_on = end_of_unit(flat);
   } else {
     begin_line();
-    goes_on = count_line() && execute(flat);
+    goes_on = count_line() && (is_left_out(line_) || execute(flat));
   }
   if (!goes_on) return Step::refused;
   return ended_ ? Step::ended : Step::goes_on;
@@ -223,7 +223,7 @@ bool FanucFlow::execute(std::string& flat) {
   const std::size_t at = head_.behind;
   const bool assigns = at < line_.size() && line_[at] == '#';
   if (!assigns && !is_statement_at(line_, at)) return execute_words(flat);
-  if (head_.to_skip) return refuse(Code::nc_unsupported, 0, "/, a line to skip that computes");
+  if (head_.to_skip) return refuse(Code::block_skip_undecided, 0, "/, a line to skip that computes");
   return assigns ? assign(flat, at) : execute_statement(flat);
 }
 

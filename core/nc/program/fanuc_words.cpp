@@ -36,7 +36,7 @@ bool FanucFlow::execute_words(std::string& flat) {
       call_word = &word;
   }
   if (head_.to_skip && (has_computed_ || call_word != nullptr))
-    return refuse(Code::nc_unsupported, 0, "/, a line to skip that computes");
+    return refuse(Code::block_skip_undecided, 0, "/, a line to skip that computes");
   if (call_word != nullptr) return call(flat, *call_word);
   write_line(flat);
   return !ends || end_main_program(flat);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/nc/dialect/block_skip.h"
 #include "core/nc/program/code_line.h"
 #include "core/nc/program/fanuc_flow.h"
 #include "core/nc/program/linuxcnc_flow.h"
@@ -45,6 +46,11 @@ std::string_view Flow::line_end() const {
   if (!own.empty()) return own;
   // The last line of a text may have none.
   return texts_[0].size() > 1 ? texts_[0].line_end(0) : "\n";
+}
+
+bool Flow::is_left_out(std::string_view line) const {
+  SkipSign sign;
+  return decided_about(line, setup_, sign) == BlockSkip::leave_out;
 }
 
 bool Flow::count_line() {

@@ -77,6 +77,12 @@ class Flow {
   [[nodiscard]] const ProgramText& text_of(const Frame& frame) const { return texts_[frame.text]; }
   [[nodiscard]] std::string_view line_end() const;
 
+  // Of the line that is executed: whether the setup leaves it out, and whether it says that lines
+  // behind `/` are executed.
+  [[nodiscard]] bool is_left_out(std::string_view line) const;
+  [[nodiscard]] bool may_be_skipped(bool behind_slash) const {
+    return behind_slash && setup_.block_skip != BlockSkip::execute;
+  }
   // Counts the line that is executed. False beyond what the setup allows.
   bool count_line();
   // False beyond what is allowed.

@@ -94,7 +94,7 @@ bool LinuxcncFlow::execute_words(std::string& flat) {
     if (word.is('M', 98) || word.is('M', 99)) call_word = &word;
   }
   if (head_.to_skip && (has_computed_ || call_word != nullptr))
-    return refuse(Code::nc_unsupported, 0, "/, a line to skip that computes");
+    return refuse(Code::block_skip_undecided, 0, "/, a line to skip that computes");
   if (call_word == nullptr) write_line(flat);
   for (const Assignment& assignment : assignments_)
     if (!assign(assignment)) return false;

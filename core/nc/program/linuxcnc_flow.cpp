@@ -141,7 +141,7 @@ Flow::Step LinuxcncFlow::step(std::string& flat) {
                                            frame().name + ", a subprogram without its end");
   } else {
     begin_line();
-    goes_on = count_line() && execute(flat);
+    goes_on = count_line() && (is_left_out(line_) || execute(flat));
   }
   if (!goes_on) return Step::refused;
   return ended_ ? Step::ended : Step::goes_on;
@@ -167,7 +167,7 @@ bool LinuxcncFlow::execute(std::string& flat) {
     return true;
   }
   if (!is_o_word_at(line_, head_.behind)) return execute_words(flat);
-  if (head_.to_skip) return refuse(Code::nc_unsupported, 0, "/, a line to skip that computes");
+  if (head_.to_skip) return refuse(Code::block_skip_undecided, 0, "/, a line to skip that computes");
   return execute_statement(flat);
 }
 

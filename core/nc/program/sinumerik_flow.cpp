@@ -181,6 +181,7 @@ void SinumerikFlow::take_line() {
   at.current = at.next++;
   line_ = text_of(at).line(at.current);
   head_ = named_head_of(line_);
+  head_.to_skip = may_be_skipped(head_.to_skip);
   is_as_written_ = false;
 }
 
@@ -190,7 +191,7 @@ Flow::Step SinumerikFlow::step(std::string& flat) {
     goes_on = end_of_frame(flat);
   } else {
     take_line();
-    goes_on = count_line() && execute(flat);
+    goes_on = count_line() && (is_left_out(line_) || execute(flat));
   }
   if (!goes_on) return Step::refused;
   return ended_ ? Step::ended : Step::goes_on;
@@ -263,7 +264,7 @@ bool SinumerikFlow::execute_statement(std::string& flat, std::string_view word,
     is_statement |= word == other;
   if (!is_statement) return true;
   if (is_beside) return refuse_word(Code::nc_unsupported, begin, behind, ", not in the program");
-  if (head_.to_skip) return refuse(Code::nc_unsupported, 0, "/, a line to skip that computes");
+  if (head_.to_skip) return refuse(Code::block_skip_undecided, 0, "/, a line to skip that computes");
   if (structure != Structure::none) return follow_structure(flat, structure);
   ExpressionReader expression = expression_at(behind);
   if (word == "IF") return branch(flat, expression);

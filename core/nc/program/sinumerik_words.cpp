@@ -53,7 +53,7 @@ bool SinumerikFlow::execute_words(std::string& flat) {
     if (!scan_word(at, calls)) return false;
   }
   if (head_.to_skip && (has_computed_ || !calls.empty()))
-    return refuse(Code::nc_unsupported, 0, "/, a line to skip that computes");
+    return refuse(Code::block_skip_undecided, 0, "/, a line to skip that computes");
   if (calls.size() > 1)
     return refuse(Code::expression_invalid, calls[1].begin, "a second call in one line");
   // I=5 is a variable where DEF has named it, and a centre beside a motion: the reader of the

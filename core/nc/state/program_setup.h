@@ -32,6 +32,13 @@ enum class WholeNumbers : std::uint8_t {
   increments,  // X10 is 0.010 mm, 0.0010 in or 0.010 degrees: the least input increment
 };
 
+// How the switch for block skip stands: lines behind `/` (D-57).
+enum class BlockSkip : std::uint8_t {
+  refuse,     // nobody knows: what hangs on it is refused (900017)
+  execute,    // off: they are lines like any other
+  leave_out,  // on: they are none
+};
+
 // What holds before the first block.
 struct ProgramSetup {
   TrcMode mode{};                // plane, mode, radius, options; side must be off
@@ -62,6 +69,7 @@ struct ProgramSetup {
   std::map<std::string, std::string> subprograms{};
   std::uint64_t max_executed_lines = 10'000'000;  // 900301 beyond
   WholeNumbers whole_numbers = WholeNumbers::unsaid;
+  BlockSkip block_skip = BlockSkip::refuse;
 };
 
 }  // namespace trc

@@ -235,7 +235,11 @@ Word WordReader::other_sign() {
   const std::string_view rest(at_, static_cast<std::size_t>(end_ - at_));
   if (class_of(*at_) == Class::control || utf8_character(rest) == 0) return no_text(at_, 0);
   if (*at_ == '$') return fail(Code::nc_unsupported, at_, "$, a control statement");
-  if (*at_ == '/') return fail(Code::nc_unsupported, at_, "/, a block to skip on demand");
+  if (*at_ == '/') {
+    const std::uint32_t begin = place_of(at_);
+    while (++at_ != end_ && is_digit(*at_)) continue;
+    return {.kind = WordKind::skip, .begin = begin, .end = place_of(at_)};
+  }
   return fail(Code::nc_syntax, at_, name_of_character(rest));
 }
 

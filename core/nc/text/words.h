@@ -16,6 +16,7 @@ enum class WordKind : std::uint8_t {
   number,    // a number without letter (G04 2.5)
   variable,  // V.G.WZ_AKT.R= or V.G.WZR=, the tool radius
   command,   // #…, up to a comment outside its brackets
+  skip,      // /, and the number of its switch
   fault,
 };
 

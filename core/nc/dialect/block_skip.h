@@ -1,0 +1,29 @@
+#pragma once
+
+#include <cstddef>
+#include <string_view>
+
+#include "core/nc/state/program_setup.h"
+
+namespace trc {
+
+// The `/` of a line that a switch of the machine leaves out, with its number (`/2`) and the blanks
+// behind: bytes [begin, end). Nothing stands in front of it but blanks and the number of the block.
+struct SkipSign {
+  std::size_t begin = 0;
+  std::size_t end = 0;  // 0: the line has none
+
+  [[nodiscard]] bool is_there() const { return end > 0; }
+};
+
+// Stops, spindle and coolant alone stand behind it: the switch does not matter.
+[[nodiscard]] bool is_beside_the_path(std::string_view line, const SkipSign& sign,
+                                      DialectName dialect);
+[[nodiscard]] SkipSign skip_sign_of(std::string_view line, DialectName dialect);
+
+// What the setup has decided about the line, as BlockSkip says it. `refuse`: nothing, or the line
+// has no sign, or one that stays, since what stands behind it is beside the path (D-57).
+[[nodiscard]] BlockSkip decided_about(std::string_view line, const ProgramSetup& setup,
+                                      SkipSign& sign);
+
+}  // namespace trc

@@ -1,0 +1,10 @@
+; radius 5
+; path -5 0 L; -5 40 L; -20 60 L
+/N10 M8 S100
+N20 G0 X-20 Y-20
+/ M1
+N30 G138 G41 G1 X0 Y0 F300
+/10 N40 M9 (coolant)
+N50 Y40
+N60 G40 X-20 Y60
+N70 M30

@@ -1,0 +1,12 @@
+; block_skip execute
+; tool 1 5
+; path -5 0 L; -5 40 L; -20 60 L
+N10 G17 G90 G71
+N20 T1 D1
+/2 N30 R1=40
+N40 G0 X-20 Y-20
+/N50 G41 G1 X0 Y0 F300
+/1 N60 Y=R1
+N65 M8
+/8 N70 G40 X-20 Y60
+N80 M30

@@ -1,0 +1,16 @@
+; block_skip leave_out
+; tool 1 5
+; path -5 0 L; -5 40 L; -20 60 L
+N10 G17 G90 G71
+N20 T1 D1
+N25 R1=40
+/2 N30 R1=70
+/ N31 GOTOF ENDE
+N40 G0 X-20 Y-20
+N50 G41 G1 X0 Y0 F300
+/ N55 X=R1
+N60 Y=R1
+/1 N61 MSG("NEVER")
+N70 G40 X-20 Y60
+ENDE:
+N80 M30
