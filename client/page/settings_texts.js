@@ -65,6 +65,9 @@ const names = {
   nominal_radius: ['Radius of the centre path', 'Radius der Mittelpunktsbahn'],
   max_wear: ['Largest wear', 'Größter Verschleiß'],
   unknown_words: ['Unknown words', 'Unbekannte Wörter'],
+  pass_words: ['Words that pass', 'Wörter, die bleiben'],
+  encoding: ['Bytes in comments', 'Bytes in Kommentaren'],
+  renumber: ['Number blocks anew', 'Sätze neu nummerieren'],
   block_skip: ['Lines behind /', 'Zeilen hinter /'],
   whole_numbers: ['Numbers without a point', 'Zahlen ohne Punkt'],
 };
@@ -139,6 +142,11 @@ const germanMeanings = {
     'um so viel ist das Werkzeug größer; negativ: abgenutzt; max_wear erlaubt mehr als 1',
   'lines behind /, as the switch of the machine stands: execute is off, leave_out on; refuse what hangs on it (900017)':
     'Zeilen hinter /, wie der Schalter der Maschine steht: execute aus, leave_out ein; refuse lehnt ab, was davon abhängt (900017)',
+  'words unknown here that say nothing about the path, as POPEN,G777: they pass, also in a contour':
+    'hier unbekannte Wörter, die über den Weg nichts sagen, wie POPEN,G777: sie bleiben, auch in einer Kontur',
+  'bytes in comments: utf8 alone (900007), latin1 and auto any; isg utf8, else auto':
+    'Bytes in Kommentaren: utf8 allein (900007), latin1 und auto beliebige; isg utf8, sonst auto',
+  'number the blocks anew, also those that are inserted': 'die Sätze neu nummerieren, auch die eingefügten',
   'the tools of D words, and of T words in a program without D': 'die Werkzeuge der D-Wörter, ohne D im Programm der T-Wörter',
   'the control the program is for': 'die Steuerung, für die das Programm ist',
   'what the program counts in where it does not say so itself': 'worin das Programm zählt, wo es das nicht selbst sagt',

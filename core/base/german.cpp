@@ -493,7 +493,6 @@ constexpr auto phrases = std::to_array<Phrase>({
     {"an unknown function", "eine unbekannte Funktion"},
     {"ISO mode: the program is one of --dialect fanuc",
      "ISO-Modus: das Programm ist eines für --dialect fanuc"},
-    {"@ and ^, polar coordinates", "@ und ^, Polarkoordinaten"},
     {"back boring", "Rückwärtsbohren"},
     {"behind other words", "hinter anderen Wörtern"},
     {"beside G65", "neben G65"},

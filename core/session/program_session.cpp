@@ -35,7 +35,8 @@ NcWriter::Setup writer_setup(const ProgramSessionSetup& setup) {
       .absolute_center = program.absolute_center || klartext,
       .plane = program.mode.plane,
       .inch = program.inch,
-      .spelling = {.points = dialect_of(program.dialect).writes_points, .klartext = klartext}};
+      .spelling = {.points = dialect_of(program.dialect).writes_points, .klartext = klartext},
+      .renumbers = program.renumbers};
   // Text has no word for an axis with a longer name.
   for (const std::string& axis : program.tracking_axes)
     writer.tracking_letters += axis.size() == 1 ? axis.front() : '?';

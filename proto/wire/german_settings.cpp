@@ -83,6 +83,12 @@ constexpr auto meanings = std::to_array<German>({
     {"block_skip",
      "Zeilen hinter /, wie der Schalter der Maschine steht: execute aus, leave_out ein; refuse "
      "lehnt ab, was davon abhängt (900017)"},
+    {"pass_words",
+     "hier unbekannte Wörter, die über den Weg nichts sagen, wie POPEN,G777: sie bleiben, auch in "
+     "einer Kontur"},
+    {"encoding",
+     "Bytes in Kommentaren: utf8 allein (900007), latin1 und auto beliebige; isg utf8, sonst auto"},
+    {"renumber", "die Sätze neu nummerieren, auch die eingefügten"},
     {"tools", "die Werkzeuge der D-Wörter, und der T-Wörter in einem Programm ohne D"},
     {"options.conv_cir_to_lin",
      "Bögen, für die das Werkzeug zu groß ist, werden Geraden (mit G141)"},

@@ -104,6 +104,13 @@ constexpr auto rows = std::to_array<SettingMeaning>({
      "lines behind /, as the switch of the machine stands: execute is off, leave_out on; refuse "
      "what hangs on it (900017)",
      "", "refuse"},
+    {"pass_words",
+     "words unknown here that say nothing about the path, as POPEN,G777: they pass, also in a "
+     "contour",
+     "", ""},
+    {"encoding", "bytes in comments: utf8 alone (900007), latin1 and auto any; isg utf8, else auto",
+     "", ""},
+    {"renumber", "number the blocks anew, also those that are inserted", "", "false"},
     {"tools", "the tools of D words, and of T words in a program without D", "", ""},
 });
 

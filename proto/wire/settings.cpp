@@ -112,10 +112,19 @@ const std::vector<Route>& all_routes() {
   return routes;
 }
 
+bool is_set_in(const Message& owner, const FieldDescriptor& field) {
+  const auto& reflection = *owner.GetReflection();
+  return field.is_repeated() ? reflection.FieldSize(owner, &field) > 0
+                             : reflection.HasField(owner, &field);
+}
+
 // Of NC programs, beside those of their paths.
 const std::vector<const FieldDescriptor*>& program_fields() {
   static const std::vector<const FieldDescriptor*> fields{
-      v1::ProgramSetup::descriptor()->FindFieldByName("block_skip")};
+      v1::ProgramSetup::descriptor()->FindFieldByName("block_skip"),
+      v1::ProgramSetup::descriptor()->FindFieldByName("pass_words"),
+      v1::ProgramSetup::descriptor()->FindFieldByName("encoding"),
+      v1::ProgramSetup::descriptor()->FindFieldByName("renumber")};
   return fields;
 }
 
@@ -425,13 +434,10 @@ std::vector<std::string> assignments_of(const v1::ProgramSetup& setup) {
       owner = &owner->GetReflection()->GetMessage(*owner, route[i]);
     }
     const FieldDescriptor& field = *route.back();
-    const auto& reflection = *owner->GetReflection();
-    const bool is_set = field.is_repeated() ? reflection.FieldSize(*owner, &field) > 0
-                                            : reflection.HasField(*owner, &field);
-    if (is_set && !is_part) found.push_back(key_of(route) + "=" + value_of(*owner, field));
+    if (is_set_in(*owner, field) && !is_part) found.push_back(key_of(route) + "=" + value_of(*owner, field));
   }
   for (const FieldDescriptor* field : program_fields())
-    if (setup.GetReflection()->HasField(setup, field))
+    if (is_set_in(setup, *field))
       found.push_back(field->name() + "=" + value_of(setup, *field));
   std::string tools;
   for (const v1::Tool& tool : setup.tools()) {

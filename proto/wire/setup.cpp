@@ -10,6 +10,7 @@
 
 #include "core/base/tolerances.h"
 #include "core/nc/dialect/dialect.h"
+#include "core/nc/dialect/pass_words.h"
 #include "core/nc/text/characters.h"
 #include "proto/wire/geometry.h"
 #include "proto/wire/modes.h"
@@ -62,6 +63,12 @@ constexpr EnumTable<v1::BlockSkip, BlockSkip, 3> block_skips{{
     {v1::BLOCK_SKIP_REFUSE, BlockSkip::refuse},
     {v1::BLOCK_SKIP_EXECUTE, BlockSkip::execute},
     {v1::BLOCK_SKIP_LEAVE_OUT, BlockSkip::leave_out},
+}};
+
+constexpr EnumTable<v1::Encoding, Encoding, 3> encodings{{
+    {v1::ENCODING_UTF8, Encoding::utf8},
+    {v1::ENCODING_AUTO, Encoding::any},
+    {v1::ENCODING_LATIN1, Encoding::any},
 }};
 
 constexpr EnumTable<v1::KerfMethod, bool, 2> kerf_methods{{
@@ -284,6 +291,19 @@ void read_tools(const v1::ProgramSetup& message, const FieldPath& path, ProgramS
   }
 }
 
+void read_pass_words(const v1::ProgramSetup& message, const FieldPath& path, ProgramSetup& program,
+                     FieldFaults& faults) {
+  constexpr int most_words = 1000;
+  if (message.pass_words_size() > most_words)
+    add_fault(FieldPath(path, "pass_words"), "has more than 1000 entries", faults);
+  for (int i = 0; i < std::min(message.pass_words_size(), most_words); ++i) {
+    std::string word = in_upper_case(message.pass_words(i));
+    if (const std::string fault = fault_of_pass_word(word, program.dialect); !fault.empty())
+      add_fault(FieldPath(path, "pass_words", static_cast<std::size_t>(i)), fault, faults);
+    program.pass_words.insert(std::move(word));
+  }
+}
+
 // What the dialect has in force at the start, where the setup does not say so itself.
 void read_dialect(const v1::ProgramSetup& message, const FieldPath& path, ProgramSetup& program,
                   FieldFaults& faults) {
@@ -300,6 +320,10 @@ void read_dialect(const v1::ProgramSetup& message, const FieldPath& path, Progra
   program.block_skip =
       block_skips.from_proto(message.block_skip(), FieldPath(path, "block_skip"), faults)
           .value_or(program.block_skip);
+  program.encoding = encodings.from_proto(message.encoding(), FieldPath(path, "encoding"), faults)
+                         .value_or(program.encoding);
+  program.renumbers = message.renumber();
+  read_pass_words(message, path, program, faults);
   const Dialect& dialect = dialect_of(program.dialect);
   if (message.path().selection_mode() == v1::SELECTION_MODE_UNSPECIFIED)
     program.mode.selection = dialect.selection;
@@ -503,6 +527,10 @@ void to_proto(const ProgramSettings& settings, v1::ProgramSetup& message) {
     message.set_whole_numbers(whole_numbers.to_proto(program.whole_numbers));
   if (program.block_skip != BlockSkip::refuse)
     message.set_block_skip(block_skips.to_proto(program.block_skip));
+  message.mutable_pass_words()->Assign(program.pass_words.begin(), program.pass_words.end());
+  if (program.encoding != Encoding::of_dialect)
+    message.set_encoding(encodings.to_proto(program.encoding));
+  message.set_renumber(program.renumbers);
   if (program.dialect == DialectName::isg) return;
   message.set_dialect(dialects.to_proto(program.dialect));
   message.mutable_path()->set_selection_mode(selections.to_proto(program.mode.selection));

@@ -24,7 +24,7 @@
 
 // Programs in the manner of each control. The first line of each says with which tools it runs, or
 // with which code it is refused and where: `; radius 5`, `; radius 0.25 in`, `; tool 1 5`,
-// `; whole increments`, `; block_skip execute`, `; refused 900003 line 7`. `; path -5 0 L; -5 60 A` says where the motions
+// `; whole increments`, `; block_skip execute`, `; pass G777 POPEN`, `; refused 900003 line 7`. `; path -5 0 L; -5 60 A` says where the motions
 // of the compensated path end, from the first selection on: lines and arcs.
 
 namespace trc::support {
@@ -73,6 +73,8 @@ void read_head(DialectProgram& program) {
       program.setup.session.program.mode.tool_radius = radius * (unit == "in" ? mm_per_inch : 1);
     }
     if (key == "whole") program.setup.session.program.whole_numbers = WholeNumbers::increments;
+    if (key == "pass")
+      while (words >> unit) program.setup.session.program.pass_words.insert(unit);
     if (key == "block_skip") {
       words >> unit;
       program.setup.session.program.block_skip =
@@ -412,6 +414,57 @@ TEST(OffsetsOfFanuc, GoWithTheSelectionThatTheyBelongTo) {
   ASSERT_FALSE(written.stopped) << written.report();
   EXPECT_NE(written.text.find("G43 H4 Z5."), std::string::npos);
   EXPECT_EQ(written.text.find("H24"), std::string::npos) << written.text;
+}
+
+// Lines that are inserted have numbers too, and the first one stays.
+TEST(BlocksNumberedAnew, CountFromTheFirstNumberOn) {
+  const auto written = [](DialectName dialect, const std::string& text) {
+    ProgramSessionSetup setup;
+    setup.session.program.dialect = dialect;
+    setup.session.program.mode.selection = Selection::direct;
+    setup.session.program.mode.transition = dialect_of(dialect).transition;
+    setup.session.program.mode.tool_radius = 5;
+    setup.session.program.renumbers = true;
+    const Written whole = run(text, setup, true);
+    EXPECT_FALSE(whole.stopped) << whole.report();
+    EXPECT_EQ(run(text, setup, true, 1).text, whole.text);
+    EXPECT_EQ(run_resumed(text, setup, 7).text, whole.text);
+    return whole.text;
+  };
+  EXPECT_EQ(written(DialectName::sinumerik,
+                    "; a plate\nN5 G71 G90\nN6  G0 X-20 Y-20\nN7 G41 G1 X0 Y0 F300\nN8 Y40\nX40\n"
+                    "N10 G40 X60 Y60\nN12 M30\n"),
+            "; a plate\nN5 G71 G90\nN15  G0 X-20 Y-20\nN25 G01 X-5 Y0 F300\nN35 G01 X-5 Y40\n"
+            "N45 G02 X0 Y45 I5 J0\nG01 X40 Y45\nN55 G01 X60 Y60\nN65 M30\n");
+  EXPECT_EQ(written(DialectName::heidenhain,
+                    "0 BEGIN PGM A MM\n1 L X-20 Y-20 R0 FMAX\n2 L X+0 Y+0 RL F300\n3 L Y+40\n"
+                    "4 L X+40\n5 L X+60 Y+60 R0\n6 END PGM A MM\n"),
+            "0 BEGIN PGM A MM\n1 L X-20 Y-20 R0 FMAX\n2 L X-5 Y+0 F300\n3 L X-5 Y+40\n"
+            "4 CC X+0 Y+40\n5 C X+0 Y+45 DR-\n6 L X+40 Y+45\n7 L X+60 Y+60 R0\n8 END PGM A MM\n");
+  const std::string unnumbered =
+      "G21 G90\nG0 X-20. Y-20.\nG41 G1 X0 Y0 F300.\nY40.\nG40 X60. Y60.\nM30\n";
+  EXPECT_EQ(written(DialectName::fanuc, unnumbered).find('N'), std::string::npos);
+}
+
+// Bytes of other encodings stay in comments, unless UTF-8 is asked for.
+TEST(BytesOfComments, AreKeptAsTheEncodingSays) {
+  const auto runs = [](DialectName dialect, Encoding encoding, const std::string& comment) {
+    ProgramSessionSetup setup;
+    setup.session.program.dialect = dialect;
+    setup.session.program.encoding = encoding;
+    const std::string text = "G90 " + comment + "\nG0 X1 Y1\nM30\n" + comment + "\n";
+    const Written written = run(text, setup, true);
+    if (!written.stopped) EXPECT_EQ(written.text, text);
+    return !written.stopped;
+  };
+  const std::string latin = "(Fl\xE4" "che)";
+  for (const DialectName dialect : {DialectName::isg, DialectName::fanuc, DialectName::linuxcnc}) {
+    EXPECT_TRUE(runs(dialect, Encoding::any, latin));
+    EXPECT_FALSE(runs(dialect, Encoding::utf8, latin));
+    EXPECT_TRUE(runs(dialect, Encoding::utf8, "(Fl\xC3\xA4" "che)"));
+  }
+  EXPECT_FALSE(runs(DialectName::isg, Encoding::of_dialect, latin));
+  EXPECT_TRUE(runs(DialectName::fanuc, Encoding::of_dialect, latin));
 }
 
 // D beside G96 of LinuxCNC is no tool, and an arc may be told by its angle: both stay as they are.

@@ -75,6 +75,16 @@ TEST(FanucPrograms, LoseNoContourBehindTheirEnd) {
   EXPECT_FALSE(called.stopped) << called.report();
 }
 
+// Controls from the 30i on: a name in place of the number.
+TEST(FanucPrograms, MayHaveNames) {
+  EXPECT_EQ(flat("O<MAIN>\nM98 <SUB1> L2 (A)\nM30\nO<SUB1>\nG91 X1.\nM99\n"),
+            "O<MAIN>\n(O<SUB1>) (A)\nG91 X1.\n(O<SUB1>)\nG91 X1.\nM30\n");
+  EXPECT_EQ(flat("<MAIN>\nN5 m98<sub1>\nM30\n<SUB1>\nG0 X1.\nM99\n"),
+            "<MAIN>\nN5 (O<SUB1>)\nG0 X1.\nM30\n");
+  EXPECT_EQ(refusal_of("M98 <SUB2>\nM30\nO<SUB1>\nM99\n", fanuc()), std::pair(900306, 1U));
+  EXPECT_EQ(refusal_of("M98 <SUB1> X5\nM30\nO<SUB1>\nM99\n", fanuc()), std::pair(900309, 1U));
+}
+
 // D-48: 0.1 ten times is not quite 1 in binary digits, but it is in those of the control.
 TEST(FanucExpressions, CountInDecimalDigits) {
   EXPECT_EQ(flat("#1=0\nWHILE [#1 LT 1] DO1\nG0 X#1\n#1=#1+0.1\nEND1\nM30\n"),

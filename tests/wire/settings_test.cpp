@@ -46,6 +46,9 @@ TEST(Settings, AreWrittenAsTheyAreRead) {
       "verify=enforce",
       "leads=blocks:2,1",
       "block_skip=leave_out",
+      "pass_words=POPEN,G777",
+      "encoding=latin1",
+      "renumber=true",
       "tools=1:5,2:3.5:-0.02",
   };
   v1::ProgramSetup setup;

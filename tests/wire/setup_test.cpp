@@ -41,6 +41,9 @@ PathSettings every_setting() {
   program.nominal_radius = 5;
   program.max_wear = 0.5;
   program.block_skip = BlockSkip::leave_out;
+  program.pass_words = {"G777", "POPEN"};
+  program.encoding = Encoding::utf8;
+  program.renumbers = true;
   CompensatorSetup& compensator = settings.session.compensator;
   compensator.limits.look_ahead_blocks = 200;
   compensator.limits.passive_blocks = 7;
@@ -91,6 +94,9 @@ TEST(Setup, ReadsBackEveryField) {
   EXPECT_EQ(program.nominal_radius, expected.nominal_radius);
   EXPECT_EQ(program.max_wear, expected.max_wear);
   EXPECT_EQ(program.block_skip, expected.block_skip);
+  EXPECT_EQ(program.pass_words, expected.pass_words);
+  EXPECT_EQ(program.encoding, expected.encoding);
+  EXPECT_EQ(program.renumbers, expected.renumbers);
   const CompensatorSetup& compensator = read.path.session.compensator;
   EXPECT_EQ(compensator.start, expected.start);
   EXPECT_EQ(compensator.limits.look_ahead_blocks, 200U);
@@ -242,6 +248,13 @@ INSTANTIATE_TEST_SUITE_P(
         RefusedSetup{"Wear", "path { wear: nan }", "setup.path.wear"},
         RefusedSetup{"Allowance", "path { allowance: 3e5 }", "setup.path.allowance"},
         RefusedSetup{"NominalRadius", "path { nominal_radius: 0 }", "setup.path.nominal_radius"},
+        RefusedSetup{"PassWordOfAnAxis", "pass_words: \"XY\"", "setup.pass_words[0]"},
+        RefusedSetup{"PassWordOfAnAddress", "pass_words: \"x10\"", "setup.pass_words[0]"},
+        RefusedSetup{"PassWordOfAFunction", "pass_words: \"G777\" pass_words: \"G41\"",
+                     "setup.pass_words[1]"},
+        RefusedSetup{"PassWordOfAStatement", "dialect: DIALECT_FANUC pass_words: \"GOTO\"",
+                     "setup.pass_words[0]"},
+        RefusedSetup{"PassWordOfTwoWords", "pass_words: \"G777 X10\"", "setup.pass_words[0]"},
         RefusedSetup{"MaxWear", "path { max_wear: -1 }", "setup.path.max_wear"},
         RefusedSetup{"Decimals", "decimals: 9", "setup.decimals"},
         RefusedSetup{"Output", "output: 3", "setup.output"}),

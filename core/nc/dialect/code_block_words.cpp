@@ -3,6 +3,8 @@
 #include <utility>
 
 #include "core/nc/dialect/block_words.h"
+#include "core/nc/dialect/pass_words.h"
+#include "core/nc/text/characters.h"
 
 // How the words of a block of plain letters and numbers are read: the dialects of Fanuc and of
 // LinuxCNC.
@@ -34,6 +36,21 @@ bool is_turning_tool(std::string_view word) {
 }
 
 bool is_subprogram_call(double m) { return m == 96 || m == 97 || m == 98 || m == 198; }
+
+// POPEN, DPRNT[TEXT], PCLOS: what they print goes elsewhere; not the value of a variable, which
+// the written program does not have.
+bool prints_text(std::string_view line, std::size_t begin) {
+  const std::string word = word_to_pass(line, begin);
+  return (word == "POPEN" || word == "PCLOS" || word == "DPRNT" || word == "BPRNT") &&
+         line.find('#', begin) == std::string_view::npos;
+}
+
+// `:0030 T01 M06`: the number of a block where a program may be entered. Alone `:` begins a program.
+bool is_alignment_block(std::string_view line, const CodeWord& word) {
+  const std::string_view behind = without_blanks_in_front(line.substr(word.end));
+  return line[word.begin] == ':' && !behind.empty() && behind.front() != '(' &&
+         behind.front() != ';';
+}
 
 // `; Y20` behind other words: for many controls `;` ends the block, and what follows is the next
 // one (D-53). Of words that move or switch nothing, as in `; D10`, people make comments.
@@ -70,6 +87,15 @@ bool Interpreter::read_code_words(ProgramLine& line, BlockWords& block) {
       case CodeWord::Kind::end:
         return complete_code_block(line, block) && faults == 0;
       case CodeWord::Kind::fault:
+        // What follows belongs to it.
+        if (reader.fault().code == Code::nc_unsupported &&
+            (passes_word(state_.setup(), line.text, word.begin) ||
+             (dialect_.name == DialectName::fanuc && prints_text(line.text, word.begin)))) {
+          line.words.push_back({.begin = word.begin,
+                                .end = static_cast<std::uint32_t>(
+                                    without_blanks_behind(line.text).size())});
+          break;
+        }
         refuse(line, reader.fault());
         ++faults;
         break;
@@ -106,6 +132,10 @@ bool Interpreter::read_code_word(const CodeWord& word, ProgramLine& line, BlockW
       add(line, word, WordRole::number);
       return true;
     case 'O':  // the number of the program
+      if (is_alignment_block(line.text, word)) {
+        add(line, word, WordRole::number);
+        return true;
+      }
       if ((blocks_read_ > 0 || line.text[word.end - 1] == '>') &&
           dialect_.name == DialectName::linuxcnc)
         return refuse_code(line, word, Code::nc_unsupported, "a subprogram or a loop");
@@ -128,6 +158,10 @@ bool Interpreter::read_code_function(const CodeWord& word, ProgramLine& line, Bl
   const GFunction* function = dialect_.function(word.value);
   static constexpr GFunction unknown{
       .number = 1007, .group = single_move, .meaning = "an unknown function"};
+  static constexpr GFunction passing{
+      .number = 1007, .group = technology, .meaning = "a word that passes"};
+  if (function == nullptr && passes_word(state_.setup(), line.text, word.begin))
+    function = &passing;
   if (function == nullptr && state_.setup().copies_unknown_words) function = &unknown;
   if (function == nullptr) return refuse_code(line, word, Code::nc_unknown_function);
   const GGroup group = function->group;
@@ -202,6 +236,13 @@ bool Interpreter::read_code_address(const CodeWord& word, ProgramLine& line, Blo
   const char letter = word.letter;
   if (letter == '$') {
     if (dialect_.name != DialectName::linuxcnc) return refuse_code(line, word, Code::nc_syntax);
+    add(line, word, WordRole::technology);
+    return true;
+  }
+  if (letter == '@') {
+    if (dialect_.name != DialectName::linuxcnc || trc_active())
+      return refuse_code(line, word, Code::nc_unsupported, "polar coordinates");
+    block.unfollowed_word = word.begin;
     add(line, word, WordRole::technology);
     return true;
   }

@@ -112,9 +112,16 @@ std::optional<DialectName> looks_like(std::string_view line) {
     return DialectName::heidenhain;
   if (starts_with_any(words, {"TRANS ", "ATRANS ", "PROC ", "DEF REAL", "DEF INT", "CYCLE", "MCALL",
                               "ROT ", "AROT ", "WORKPIECE"}) ||
-      contains_any(words, {"CR=", "AC(", "IC(", " CYCLE", " TRANS ", "T=\"", " MCALL",
+      contains_any(words, {"CR=", "AC(", "IC(", " CYCLE", " TRANS ", "T=\"", " MCALL", "DISCL=", "DISR=",
                            "RND=", "CHF=", "CHR="}))
     return DialectName::sinumerik;
+  // O100 SUB, O100 CALL
+  const std::size_t keyword =
+      words.starts_with('O') ? words.find_first_not_of("0123456789 \t", 1) : std::string::npos;
+  if (keyword != std::string::npos && keyword > 1 &&
+      starts_with_any(std::string_view(words).substr(keyword),
+                      {"SUB", "ENDSUB", "CALL", "IF", "ELSE", "WHILE", "DO", "REPEAT", "RETURN"}))
+    return DialectName::linuxcnc;
   if (has_word(words, 'G', "41.1") || has_word(words, 'G', "42.1") ||
       has_word(words, 'G', "90.1") || has_word(words, 'G', "91.1") ||
       starts_with_any(words, {"O<", "#<"}))
@@ -123,7 +130,7 @@ std::optional<DialectName> looks_like(std::string_view line) {
   if (numbered && (words[0] == 'O' || words[0] == '#')) return DialectName::fanuc;
   for (const std::string_view function :
        {"20", "21", "28", "30", "43", "49", "54.1", "65", "73",  "80",  "81",  "82", "83",
-        "84", "85", "86", "87", "88", "89", "98",   "99", "110", "154", "187", "53", "64"})
+        "84", "85", "86", "87", "88", "89", "98",   "99", "110", "154", "187", "53"})
     if (has_word(words, 'G', function)) return DialectName::fanuc;
   for (const std::string_view function : {"97", "98", "99"})
     if (has_word(words, 'M', function)) return DialectName::fanuc;

@@ -75,7 +75,9 @@ Interpreter::Interpreter(const ReaderLimits& limits, ProgramState& state, Diagno
       diagnostics_(diagnostics),
       inch_(state.setup().inch),
       absolute_center_(state.setup().absolute_center),
-      reads_plain_lines_(state.setup().dialect == DialectName::isg) {
+      reads_plain_lines_(state.setup().dialect == DialectName::isg),
+      in_front_of_tape_(state.setup().dialect == DialectName::fanuc ||
+                        state.setup().dialect == DialectName::linuxcnc) {
   diagnostics_.units().count_in(inch_, 0);
   state_.set_inch(inch_);
   if (dialect_.name == DialectName::heidenhain) {
@@ -185,6 +187,8 @@ bool Interpreter::take_line(std::string_view text, std::string_view line_end,
   const bool goes_on = read_line(line);
   enter_modes(line);
   if (faults_.empty()) return goes_on;
+  // It may turn out to stand in front of the tape.
+  if (in_front_of_tape_ && blocks_read_ == 0 && !diagnostics_.stopped()) return true;
   recycle(std::move(lines.back()));
   lines.pop_back();
   return !diagnostics_.stopped();
@@ -299,13 +303,22 @@ bool Interpreter::read_line(ProgramLine& line) {
   if (may_be_skipped && is_left_out(line)) return true;
   if (PlainMotion plain; is_plain(line, plain)) return apply(line, plain);
   line.words.clear();
+  if (state_.setup().encoding == Encoding::utf8)
+    if (const std::size_t bad = first_byte_that_is_no_utf8(line.text);
+        bad != std::string_view::npos)
+      return refuse(line, TextFault{.code = Code::nc_not_text,
+                                    .begin = static_cast<std::uint32_t>(bad),
+                                    .detail = "no UTF-8"});
   const std::string_view text = without_blanks_in_front(line.text);
   const bool is_name = text.starts_with('%') && dialect_.name != DialectName::heidenhain;
   if (dialect_.name != DialectName::isg && (ended_ || is_name)) {
     // The `%` in front of the first block begins the tape, the next one ends it. What stands
     // behind may be in any encoding.
     if (ended_) return read_line_behind_end(line);
+    // What stands in front of a tape is for people.
+    if (blocks_read_ == 0 && in_front_of_tape_) faults_.clear();
     ended_ |= blocks_read_ > 0;
+    in_front_of_tape_ = false;
     return true;
   }
   if (!ended_ && comment_block_ == 0 && !is_name && !in_subprogram_)
@@ -313,7 +326,7 @@ bool Interpreter::read_line(ProgramLine& line) {
 
   const std::size_t bad =
       ended_ ? first_byte_that_is_no_utf8(line.text) : first_byte_that_is_no_text(line.text);
-  if (bad != std::string_view::npos)
+  if (bad != std::string_view::npos && state_.setup().demands_utf8())
     return refuse(line, TextFault{.code = Code::nc_not_text,
                                   .begin = static_cast<std::uint32_t>(bad),
                                   .detail = "in a text that is only passed on"});
@@ -341,13 +354,21 @@ bool Interpreter::read_line_of_subprogram(const ProgramLine& line) {
 }
 
 bool Interpreter::read_line_behind_end(ProgramLine& line) {
-  const std::size_t place = dialect_.name == DialectName::heidenhain
-                                ? place_of_klartext_side(line.text)
-                                : place_of_side(line.text);
+  const bool klartext = dialect_.name == DialectName::heidenhain;
+  if (klartext) enter_label_behind_end(line);
+  const std::size_t place =
+      klartext ? place_of_klartext_side(line.text) : place_of_side(line.text);
   if (place == std::string::npos) return true;
-  const std::size_t behind = dialect_.name == DialectName::heidenhain
-                                 ? place + 2
-                                 : line.text.find_first_not_of("Gg0123456789 ", place);
+  if (klartext && klartext_.called_section != 0)
+    return refuse(line,
+                  TextFault{.code = Code::nc_unsupported,
+                            .begin = static_cast<std::uint32_t>(place),
+                            .detail = "CALL LBL in line " +
+                                      std::to_string(klartext_.called_section) +
+                                      ", whose contour stands behind the end: write the lines of "
+                                      "the label in its place"});
+  const std::size_t behind = klartext ? place + 2
+                                      : line.text.find_first_not_of("Gg0123456789 ", place);
   std::string side = line.text.substr(place, behind - place);
   side.erase(side.find_last_not_of(' ') + 1);
   return refuse(line, TextFault{.code = Code::side_behind_end,
@@ -377,6 +398,7 @@ bool Interpreter::read_block(ProgramLine& line) {
   const bool readable = passes || read_words_of_dialect(line, block);
   sum_up_words(line);
   if (!faults_.empty() && block.has(GGroup::side)) scanned_trc_ = !block.of(GGroup::side).is(40);
+  in_front_of_tape_ &= !readable || (line.roles & ~bit(WordRole::comment)) == 0;
   if (!readable || !faults_.empty()) return false;
   if ((line.roles & ~bit(WordRole::comment)) == 0) return true;
   line.has_words = true;

@@ -146,7 +146,7 @@ class Interpreter {
     archive(partial_, continued_, carriage_return_, lines_read_, blocks_read_, comment_block_,
             ended_, motion_, incremental_, inch_, absolute_center_, feed_mode_, feed_,
             isg_word_seen_, reads_plain_lines_, feed_in_mm_, code_, klartext_, faults_,
-            scanned_trc_, called_motion_, called_dimension_, in_subprogram_);
+            scanned_trc_, in_front_of_tape_, called_motion_, called_dimension_, in_subprogram_);
   }
 
  private:
@@ -219,6 +219,7 @@ class Interpreter {
   bool read_klartext_function(const KlartextWord& word, ProgramLine& line, KlartextBlock& block);
   bool read_klartext_statement(ProgramLine& line, std::size_t begin);
   bool copy_klartext(ProgramLine& line, std::size_t begin, WordRole role);
+  void enter_label_behind_end(const ProgramLine& line);
   bool read_label(ProgramLine& line, std::size_t begin, std::string_view statement);
   bool read_tool_call(ProgramLine& line, std::size_t begin, std::string_view statement);
   bool read_tool_definition(ProgramLine& line, std::size_t begin, std::string_view statement);
@@ -453,6 +454,8 @@ class Interpreter {
   KlartextModes klartext_{};
   std::vector<Fault> faults_{};
   bool scanned_trc_ = false;  // behind the first fault: TRC is active
+  // No line so far was a block: what does not read as one may stand in front of the tape.
+  bool in_front_of_tape_ = false;
 };
 
 }  // namespace trc

@@ -2,6 +2,7 @@
 #include <string>
 
 #include "core/nc/dialect/block_words.h"
+#include "core/nc/dialect/pass_words.h"
 #include "core/nc/dialect/trc_command.h"
 #include "core/nc/text/characters.h"
 #include "core/nc/text/number_format.h"
@@ -57,7 +58,7 @@ Code twice_code(GGroup group) {
 }  // namespace
 
 bool Interpreter::read_words(ProgramLine& line, BlockWords& block) {
-  WordReader reader(line.text);
+  WordReader reader(line.text, state_.setup().demands_utf8());
   for (;;) {
     const Word word = reader.next();
     switch (word.kind) {
@@ -131,6 +132,10 @@ bool Interpreter::read_number(const Word& word, ProgramLine& line, BlockWords&) 
 bool Interpreter::read_g_function(const Word& word, ProgramLine& line, BlockWords& block) {
   const GFunction* function =
       word.has_argument || word.whole ? find_g_function(word.value) : nullptr;
+  if (function == nullptr && passes_word(state_.setup(), line.text, word.begin)) {
+    add(line, word, WordRole::technology);
+    return true;
+  }
   if (function == nullptr) return refuse(line, word, Code::nc_unknown_function);
   const GGroup group = function->group;
   isg_word_seen_ |= is_of_isg_alone(group);

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/nc/dialect/block_words.h"
+#include "core/nc/dialect/pass_words.h"
 #include "core/nc/dialect/trc_command.h"
 #include "core/nc/text/characters.h"
 #include "core/nc/text/number_format.h"
@@ -54,12 +55,14 @@ constexpr auto forbidden_commands = std::to_array<ForbiddenCommand>({
 // Commands that say nothing about where the path runs.
 constexpr auto passing_commands = std::to_array<std::string_view>(
     {"MSG ", "FLUSH ", "SLOPE ", "CONTOUR MODE", "HSC ", "TRANSVELLIM ", "VECTOR ", "FILTER ",
-     "FRICTION ", "OVERRIDE ", "TIMER ", "WAIT ", "SIGNAL ", "ERROR ", "FILE ", "TOOL LIFE"});
+     "FRICTION ", "OVERRIDE ", "TIMER ", "WAIT ", "SIGNAL ", "ERROR ", "FILE ", "TOOL LIFE",
+     "SINGLESTEP ", "SET SLOPE", "SET ASPLINE", "SPLINE OFF", "PTP OFF"});
 
 // Commands behind which an axis stands, or counts from, where only the control knows.
 constexpr auto unfollowed_commands =
     std::to_array<std::string_view>({"RTCP ", "TLC ", "KIN ", "WCS ", "ECS ", "BCS ", "CALL AX",
-                                     "PUT AX", "SET AX", "GANTRY ", "CHANNEL ", "HANDWHEEL"});
+                                     "PUT AX", "SET AX", "GANTRY ", "CHANNEL ", "HANDWHEEL", "TRAFO OFF",
+                                     "ROTATION "});
 
 }  // namespace
 
@@ -103,6 +106,10 @@ bool Interpreter::read_command(const Word& word, ProgramLine& line, BlockWords& 
   }
   if (std::ranges::any_of(passing_commands,
                           [&](std::string_view passing) { return name.starts_with(passing); })) {
+    add(line, word, WordRole::technology);
+    return true;
+  }
+  if (passes_word(state_.setup(), command, 0)) {
     add(line, word, WordRole::technology);
     return true;
   }

@@ -231,23 +231,34 @@ bool Interpreter::find_polar_end(ProgramLine& line, KlartextBlock& block, const 
     return refuse_klartext(line, block.begin, block.name + why, code);
   };
   if (!klartext_.pole) return wrong(" without CC, or behind what moves it");
+  const PlaneAxes axes = axes_of(state_.mode().plane);
+  const auto stands_at_known_place = [&] {
+    return state_.is_known(axes.first) && state_.is_known(axes.second);
+  };
+  constexpr const char* unknown_start = ", from a place that is not known";
+  constexpr Code unknown = Code::position_unknown;
   const Vector arm = start - *klartext_.pole;
   const bool circle = block.is(KlartextStatement::polar_circle);
   says.needs_pole = true;
   double radius = arm.norm();
   if (!circle) {
     says.sets_polar_radius = block.polar_radius.has_value();
-    says.needs_polar_radius = !block.polar_radius || block.polar_radius->increment;
-    if (says.needs_polar_radius && !klartext_.polar_radius) return wrong(" without PR");
-    radius = (says.needs_polar_radius ? *klartext_.polar_radius : 0) +
+    const bool counts_on = !block.polar_radius || block.polar_radius->increment;
+    says.needs_polar_radius = counts_on && klartext_.polar_radius;
+    // IPR without a PR before it counts from where the tool stands.
+    const bool from_tool = counts_on && block.polar_radius && !klartext_.polar_radius;
+    says.counts_from_start |= from_tool;
+    if (counts_on && !says.needs_polar_radius && !from_tool) return wrong(" without PR");
+    if (from_tool && !stands_at_known_place()) return wrong(unknown_start, unknown);
+    radius = (says.needs_polar_radius ? *klartext_.polar_radius
+              : from_tool             ? arm.norm()
+                                      : 0) +
              (block.polar_radius ? block.polar_radius->value * length_unit() : 0);
     klartext_.polar_radius = radius;
   }
   const bool from_start = !block.polar_angle || block.polar_angle->increment;
   says.counts_from_start |= from_start || circle;
-  const PlaneAxes axes = axes_of(state_.mode().plane);
-  if ((from_start || circle) && !(state_.is_known(axes.first) && state_.is_known(axes.second)))
-    return wrong(", from a place that is not known", Code::position_unknown);
+  if ((from_start || circle) && !stands_at_known_place()) return wrong(unknown_start, unknown);
   if ((from_start || circle) && arm.norm() < 1e-6) return wrong(", from the pole itself");
   const double begin = std::atan2(arm.y(), arm.x());
   const double angle =

@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "core/nc/dialect/klartext_block.h"
+#include "core/nc/dialect/pass_words.h"
 #include "core/nc/text/characters.h"
 
 // Statements of Klartext that are no motion: what passes, what moves the machine, labels and calls.
@@ -15,14 +16,30 @@ using Kind = KlartextWord::Kind;
 
 // Statements that neither move an axis nor change what coordinates mean.
 constexpr auto passing = std::to_array<std::string_view>(
-    {"BLK", "STOP", "TCH", "OPEN", "SEL", "POLARKIN", "STRETCH", "WRITE", "CYCL DEF"});
+    {"BLK",
+     "STOP",
+     "TCH",
+     "OPEN",
+     "SEL",
+     "POLARKIN",
+     "STRETCH",
+     "WRITE",
+     "CYCL DEF",
+     "GLOBAL DEF",
+     "PATTERN DEF",
+     "CONTOUR DEF",
+     "FUNCTION MODE MILL",
+     "FUNCTION FEED",
+     "FUNCTION S-PULSE",
+     "FUNCTION DWELL",
+     "FUNCTION COUNT"});
 
 // Statements behind which the axes stand where only the control knows.
 constexpr auto moving = std::to_array<std::string_view>(
     {"CYCL CALL", "CALL", "PGM", "PLANE", "TRANS",   "FUNCTION", "LN",  "FL",
      "FLT",       "FC",   "FCT", "FPOL",  "FSELECT", "SPL",      "SPC", "PATTERN",
      "CONTOUR",   "X",    "Y",   "Z",     "A",       "B",        "U",   "V",
-     "W",         "IX",   "IY",  "IZ",    "G",       "TCHPROBE"});
+     "W",         "IX",   "IY",  "IZ",    "G",       "TCHPROBE", "PRESET"});
 
 // Cycles that change what coordinates mean as soon as they are defined.
 constexpr auto frame_cycles = std::to_array<std::string_view>(
@@ -50,6 +67,18 @@ bool assigns(std::string_view statement) {
   return begins_with_word(statement, "FN") || begins_with_word(statement, "Q") ||
          begins_with_word(statement, "QL") || begins_with_word(statement, "QR") ||
          begins_with_word(statement, "QS") || begins_with_word(statement, "DECLARE");
+}
+
+// Of LBL 1, LBL "A", CALL LBL 1 REP 3.
+std::string label_of(std::string_view text, std::size_t begin, std::string_view statement) {
+  const std::string_view name =
+      without_blanks_in_front(statement.substr(statement.starts_with("CALL") ? 8 : 3));
+  std::string label(name.substr(0, name.find(' ')));
+  if (label.starts_with('"')) {  // its letters are hidden there
+    const std::size_t open = text.find('"', begin);
+    label = text.substr(open, text.find('"', open + 1) - open);
+  }
+  return label;
 }
 
 }  // namespace
@@ -123,10 +152,8 @@ bool Interpreter::read_klartext_statement(ProgramLine& line, std::size_t begin) 
   if (begins_with_word(statement, "LBL") || begins_with_word(statement, "CALL LBL"))
     return read_label(line, begin, statement);
   if (jumps(statement)) return refuse_klartext(line, begin, first + ", a jump");
-  if (assigns(statement)) {
-    if (trc_active()) return while_active(first + ", a variable");
-    return copy_klartext(line, begin, WordRole::technology);
-  }
+  // A coordinate that needs it is refused at its own word.
+  if (assigns(statement)) return copy_klartext(line, begin, WordRole::technology);
   const bool scales = statement.find(" SCL") != std::string::npos ||
                       begins_with_word(statement, "TRANS SCALE") ||
                       begins_with_word(statement, "FUNCTION TCPM");
@@ -144,30 +171,37 @@ bool Interpreter::read_klartext_statement(ProgramLine& line, std::size_t begin) 
       if (statement.find(side) != std::string::npos)
         return refuse_klartext(line, begin,
                                std::string(side).substr(1) + ", a compensation along one axis");
-  const bool moves = defines_frame(statement) || is_any(statement, moving);
+  const bool moves =
+      defines_frame(statement) || (is_any(statement, moving) && !is_any(statement, passing));
   if (moves && trc_active()) return while_active(first);
   if (moves) {
     forget_klartext_position(line);
     klartext_.pole.reset();
     return copy_klartext(line, begin, WordRole::technology);
   }
-  if (is_any(statement, passing) || state_.setup().copies_unknown_words)
+  if (is_any(statement, passing) || state_.setup().copies_unknown_words ||
+      passes_word(state_.setup(), line.text, begin))
     return copy_klartext(line, begin, WordRole::technology);
   return refuse_klartext(line, begin, first, Code::nc_unsupported);
+}
+
+// Behind the end subprograms stand: one that is called is no leftover.
+void Interpreter::enter_label_behind_end(const ProgramLine& line) {
+  const std::size_t begin = line.text.find_first_not_of("0123456789 \tNn/");
+  if (begin == std::string::npos) return;
+  const std::string statement = statement_of(std::string_view(line.text).substr(begin));
+  if (!begins_with_word(statement, "LBL")) return;
+  const std::string label = label_of(line.text, begin, statement);
+  const auto call = klartext_.calls.find(label);
+  if (label == "0" || call != klartext_.calls.end())
+    klartext_.called_section = label == "0" ? 0 : call->second;
 }
 
 // LBL 1 … LBL 0, CALL LBL 1 REP 3. What a call repeats is not written anew, so that no contour may
 // be within it.
 bool Interpreter::read_label(ProgramLine& line, std::size_t begin, std::string_view statement) {
   const bool calls = statement.starts_with("CALL");
-  std::string_view name = statement.substr(calls ? 8 : 3);
-  name = without_blanks_in_front(name);
-  const std::size_t end = name.find(' ');
-  std::string label(name.substr(0, end));
-  if (label.starts_with('"')) {  // its letters are hidden there
-    const std::size_t open = line.text.find('"', begin);
-    label = line.text.substr(open, line.text.find('"', open + 1) - open);
-  }
+  const std::string label = label_of(line.text, begin, statement);
   const std::uint64_t contours = klartext_.contours;
   if (!calls) {
     if (label == "0") klartext_.called_section = 0;

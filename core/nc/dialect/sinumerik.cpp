@@ -96,6 +96,9 @@ constexpr auto functions = std::to_array<GFunction>({
     {645, technology, "continuous path with rounding"},
     {700, unit, "inch, also for feeds"},
     {710, unit, "mm, also for feeds"},
+    {961, technology, "constant cutting speed, feed per minute"},
+    {971, technology, "constant spindle speed, feed per minute"},
+    {973, technology, "constant spindle speed without limit"},
 });
 
 static_assert(std::ranges::is_sorted(functions, {}, &GFunction::tenths));

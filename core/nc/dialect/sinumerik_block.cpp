@@ -4,6 +4,7 @@
 
 #include "core/nc/dialect/block_words.h"
 #include "core/nc/dialect/sinumerik_words.h"
+#include "core/nc/text/characters.h"
 #include "core/nc/text/named_words.h"
 
 // What Sinumerik's language has beside plain letters and numbers: names, calls, values behind `=`,
@@ -52,12 +53,16 @@ constexpr auto names = std::to_array<Name>({
     {"CPRECOF", Meaning::technology},
     {"CPRECON", Meaning::technology},
     {"CUT2D", Meaning::technology},
+    {"CUT2DF", Meaning::technology},
     {"CUTCONOF", Meaning::technology},
     {"DEF", Meaning::statement},
+    {"DELAYFSTOF", Meaning::technology},
+    {"DELAYFSTON", Meaning::technology},
     {"DIAM90", Meaning::turning},
     {"DIAMOF", Meaning::technology},
     {"DIAMON", Meaning::turning},
     {"DISPLOF", Meaning::technology},
+    {"DISPLON", Meaning::technology},
     {"DRFOF", Meaning::technology},
     {"DRIVE", Meaning::technology},
     {"DYNFINISH", Meaning::technology},
@@ -73,6 +78,7 @@ constexpr auto names = std::to_array<Name>({
     {"ENDWHILE", Meaning::statement},
     {"EXTCALL", Meaning::statement},
     {"EXTERN", Meaning::statement},
+    {"FENDNORM", Meaning::technology},
     {"FFWOF", Meaning::technology},
     {"FFWON", Meaning::technology},
     {"FIFOCTRL", Meaning::technology},
@@ -92,12 +98,26 @@ constexpr auto names = std::to_array<Name>({
     {"MCALL", Meaning::modal_cycle},
     {"MIRROR", Meaning::frame},
     {"ORIAXES", Meaning::technology},
+    {"ORICURVE", Meaning::technology},
+    {"ORIEULER", Meaning::technology},
     {"ORIMKS", Meaning::technology},
+    {"ORIPLANE", Meaning::technology},
     {"ORIRESET", Meaning::technology},
+    {"ORIROTA", Meaning::technology},
+    {"ORIRPY", Meaning::technology},
     {"ORISOF", Meaning::technology},
     {"ORISON", Meaning::technology},
     {"ORIVECT", Meaning::technology},
+    {"ORIVIRT1", Meaning::technology},
     {"ORIWKS", Meaning::technology},
+    {"OSB", Meaning::technology},
+    {"OSC", Meaning::technology},
+    {"OSD", Meaning::technology},
+    {"OSOF", Meaning::technology},
+    {"OSS", Meaning::technology},
+    {"OSSE", Meaning::technology},
+    {"OST", Meaning::technology},
+    {"PAROT", Meaning::frame},
     {"PAROTOF", Meaning::technology},
     {"PROC", Meaning::statement},
     {"REPEAT", Meaning::statement},
@@ -113,19 +133,27 @@ constexpr auto names = std::to_array<Name>({
     {"SETMS", Meaning::technology},
     {"SOFT", Meaning::technology},
     {"SOFTA", Meaning::technology},
+    {"SPATH", Meaning::technology},
     {"SPCOF", Meaning::technology},
     {"SPCON", Meaning::technology},
+    {"SPIF1", Meaning::technology},
+    {"SPIF2", Meaning::technology},
     {"STARTFIFO", Meaning::technology},
     {"STOPFIFO", Meaning::technology},
     {"STOPRE", Meaning::technology},
     {"SUPA", Meaning::single_move},
     {"TCOABS", Meaning::technology},
+    {"TOFRAME", Meaning::frame},
+    {"TOROT", Meaning::frame},
+    {"TOROTOF", Meaning::frame},
     {"TOWSTD", Meaning::technology},
     {"TRAFOOF", Meaning::unfollowed_end},
+    {"TRAFOON", Meaning::unfollowed},
     {"TRANS", Meaning::frame},
     {"TRAORI", Meaning::unfollowed},
     {"UNTIL", Meaning::statement},
     {"UPATH", Meaning::technology},
+    {"WAITENC", Meaning::technology},
     {"WAITS", Meaning::technology},
     {"WALIMOF", Meaning::technology},
     {"WALIMON", Meaning::technology},
@@ -135,8 +163,9 @@ static_assert(std::ranges::is_sorted(names, {}, &Name::name));
 
 // Calls that say nothing about where the path runs.
 constexpr auto passing_calls = std::to_array<std::string_view>(
-    {"CYCLE832", "FGROUP", "GROUP_ADDEND", "GROUP_BEGIN", "GROUP_END", "MMC", "MSG", "ORIRESET",
-     "SETAL", "SETMS", "SPOS", "WAITM", "WAITS", "WORKPIECE"});
+    {"COUPOF", "COUPON", "CYCLE832", "FGROUP", "FPRAOF", "FPRAON", "GROUP_ADDEND",
+     "GROUP_BEGIN", "GROUP_END", "MMC", "MSG", "ORIRESET", "SETAL", "SETMS", "SPOS", "WAITM", "WAITS",
+     "WORKPIECE", "WRITE"});
 // CYCLE, HOLES, POCKET, SLOT and the like: what they move only the control knows.
 constexpr auto cycles = std::to_array<std::string_view>(
     {"CYCLE", "HOLES", "POCKET", "SLOT", "LONGHOLE", "TRANSMIT", "TRACYL", "F_"});
@@ -186,11 +215,19 @@ constexpr auto names_of_motion = std::to_array<std::string_view>(
 // Words with values that read_assignment() follows.
 constexpr auto followed_words =
     std::to_array<std::string_view>({"ANG", "AP", "AR", "CHF", "CHR", "CR", "DISC", "DISCL", "DISR",
-                                     "DISRP", "FAD", "OFFN", "RND", "RNDM", "RP", "RPL", "TURN"});
+                                     "DISRP", "FAD", "OFFN", "RND", "RNDM", "RP", "RPL", "TURN",
+                                     "CUTMOD", "POS", "POSA", "TCARR"});
 
 const Name* row_of(std::string_view name) {
   const auto found = std::ranges::lower_bound(names, name, {}, &Name::name);
   return found != names.end() && found->name == name ? &*found : nullptr;
+}
+
+// POS[X]=10; POS[A]=10 and POS[Q1]=10 move what has no part in the path.
+bool moves_main_axis(std::string_view assignment) {
+  const std::size_t index = assignment.find_first_not_of("[ \t", assignment.find('['));
+  return index != std::string_view::npos && upper(assignment[index]) >= 'X' &&
+         upper(assignment[index]) <= 'Z';
 }
 
 bool is_statement(const NamedWord& word) {
@@ -218,6 +255,10 @@ bool is_sinumerik_word(std::string_view name) {
   return begins_with_any(name, passing_assignments) ||
          std::ranges::find(corner_words, name) != corner_words.end() ||
          std::ranges::find(followed_words, name) != followed_words.end();
+}
+
+bool is_sinumerik_word_of_any_kind(std::string_view name) {
+  return is_sinumerik_name(name) || is_sinumerik_call(name) || is_sinumerik_word(name);
 }
 
 bool Interpreter::read_named_words(ProgramLine& line, BlockWords& block) {
@@ -376,7 +417,19 @@ bool Interpreter::read_assignment(const NamedWord& word, ProgramLine& line, Bloc
     add(line, word, WordRole::technology);
     return true;
   }
-  const bool passes = begins_with_any(word.name, passing_assignments) || is("DISC") ||
+  // 0 ends them: the kinematics of the tool holder, the tool that is turned with it.
+  const bool turns_tool = is("TCARR") || is("CUTMOD");
+  if (turns_tool && word.value != 0) {
+    block.functions[static_cast<std::size_t>(frame)] = {.function = &frame_name,
+                                                        .begin = word.begin};
+    add(line, word, WordRole::technology);
+    return true;
+  }
+  const bool moves_axis = is("POS") || is("POSA");
+  if (moves_axis && moves_main_axis(name))
+    return refused(Code::nc_unsupported, "a motion of an axis by itself");
+  const bool passes = begins_with_any(word.name, passing_assignments) || turns_tool || moves_axis ||
+                      state_.setup().pass_words.contains(word.name) || is("DISC") ||
                       std::ranges::find(corner_words, word.name) != corner_words.end() || is("RPL");
   if (!passes) return refused(Code::nc_unsupported, "a variable");
   add(line, word, WordRole::technology);
@@ -404,7 +457,8 @@ bool Interpreter::read_name(const NamedWord& word, ProgramLine& line, BlockWords
       add(line, word, WordRole::technology);
       return true;
     }
-    if (!passes && word.name != "TRAORI")
+    const bool declared = state_.setup().pass_words.contains(word.name);
+    if (!passes && !declared && word.name != "TRAORI")
       return state_.setup().copies_unknown_words ? stands_for(unknown_name) : refused("a call");
     if (word.name == "TRAORI") return stands_for(unfollowed_name);
     add(line, word, WordRole::technology);
@@ -434,6 +488,10 @@ bool Interpreter::read_name(const NamedWord& word, ProgramLine& line, BlockWords
   }
   const auto found = std::ranges::lower_bound(names, word.name, {}, &Name::name);
   const bool known = found != names.end() && found->name == word.name;
+  if (!known && state_.setup().pass_words.contains(word.name)) {
+    add(line, word, WordRole::technology);
+    return true;
+  }
   const bool copied = !known && state_.setup().copies_unknown_words;
   if (copied && word.name != "CT") return stands_for(unknown_name);
   if (!known && word.name != "CT") return refused("a name");

@@ -31,13 +31,29 @@ std::int64_t number_of_unit(std::string_view line) {
   return static_cast<std::int64_t>(number);
 }
 
-// The number in the name of a file: O1001, O1001.nc, 1001.
-std::int64_t number_of_name(std::string_view name) {
+// Of a file, without its folder and what its kind is.
+std::string_view stem_of(std::string_view name) {
   const std::size_t folder = name.find_last_of("/\\");
   if (folder != std::string_view::npos) name.remove_prefix(folder + 1);
-  std::string line(name.substr(0, name.find('.')));
+  return name.substr(0, name.find('.'));
+}
+
+// The number in the name of a file: O1001, O1001.nc, 1001.
+std::int64_t number_of_name(std::string_view name) {
+  std::string line(stem_of(name));
   if (line.empty() || upper(line.front()) != 'O') line.insert(0, "O");
   return number_of_unit(line);
+}
+
+// O<PART1>, <PART1>; empty: the line is something else.
+std::string_view name_in(std::string_view line) {
+  std::size_t at = behind_blanks(line, 0);
+  if (at < line.size() && upper(line[at]) == 'O') at = behind_blanks(line, at + 1);
+  const std::size_t close = line.find('>', at);
+  if (at >= line.size() || line[at] != '<' || close == std::string_view::npos ||
+      !is_over(line, close + 1))
+    return {};
+  return line.substr(at + 1, close - at - 1);
 }
 
 }  // namespace
@@ -91,6 +107,19 @@ FanucFlow::FanucFlow(const ProgramSetup& setup, CallPlaces& calls, ProgramText t
     if (const double* value = given(std::to_string(number))) locals_.front()[number] = *value;
 }
 
+std::int64_t FanucFlow::number_of_program(std::string_view line) {
+  if (const std::string_view name = name_in(line); !name.empty()) return number_of_named(name);
+  return number_of_unit(line);
+}
+
+std::int64_t FanucFlow::number_of_named(std::string_view name) {
+  const std::string capitals = in_upper_case(name);
+  const auto known = std::ranges::find(names_, capitals);
+  const auto index = known - names_.begin();
+  if (known == names_.end()) names_.push_back(capitals);
+  return first_named + index;
+}
+
 // A text is divided where an O stands.
 void FanucFlow::add_units(std::size_t text) {
   const ProgramText& lines = texts_[text];
@@ -98,7 +127,7 @@ void FanucFlow::add_units(std::size_t text) {
   const std::size_t known = units_.size();
   bool begun = false;  // something but names has been seen
   for (std::size_t line = 0; line < lines.size(); ++line) {
-    const std::int64_t number = number_of_unit(lines.line(line));
+    const std::int64_t number = number_of_program(lines.line(line));
     if (number >= 0 && begun) {
       unit.end = line;
       units_.push_back(unit);
@@ -117,7 +146,10 @@ void FanucFlow::add_units(std::size_t text) {
   units_.push_back(unit);
   const bool is_named = std::any_of(units_.begin() + static_cast<std::ptrdiff_t>(known),
                                     units_.end(), [](const Unit& u) { return u.number >= 0; });
-  if (!is_named && text > 0) units_[known].number = number_of_name(lines.name());
+  if (!is_named && text > 0) {
+    const std::int64_t number = number_of_name(lines.name());
+    units_[known].number = number < 0 ? number_of_named(stem_of(lines.name())) : number;
+  }
   for (std::size_t unit_index = known; unit_index < units_.size(); ++unit_index)
     units_of_number_[units_[unit_index].number].push_back(unit_index);
 }

@@ -34,6 +34,8 @@ class FanucFlow : public CodeFlow {
   [[nodiscard]] Step step(std::string& flat) override;
 
  private:
+  // Programs with a name count from here on.
+  static constexpr std::int64_t first_named = 1'000'000'000'000;
   // #0 is not used; nothing: vacant.
   using Locals = std::array<std::optional<double>, 34>;
   // An O program, or the one without number that a text begins with.
@@ -50,6 +52,10 @@ class FanucFlow : public CodeFlow {
     std::map<std::size_t, std::size_t> heads{};                 // by their feet
   };
 
+  // Of O1001 and O<NAME>; -1: the line begins no program.
+  std::int64_t number_of_program(std::string_view line);
+  std::int64_t number_of_named(std::string_view name);
+  [[nodiscard]] std::string name_of(std::int64_t number) const;
   void add_units(std::size_t text);
   [[nodiscard]] const Outline& outline_of(const Frame& frame);
   [[nodiscard]] std::size_t number_of_loop(std::string_view line, std::size_t at) const;
@@ -67,6 +73,8 @@ class FanucFlow : public CodeFlow {
   bool go_to(std::int64_t number, std::size_t begin);
   bool execute_words(std::string& flat);
   bool call(std::string& flat, ComputedWord& word);
+  // M98 <NAME>; nothing: the line is none.
+  [[nodiscard]] std::optional<bool> call_by_name(std::string& flat);
   bool call_own_lines(std::string& flat, const ProgramCall& call);
   bool call_macro(std::string& flat, const ComputedWord& word);
   bool take_arguments(const ComputedWord& word, Locals& locals);
@@ -81,6 +89,7 @@ class FanucFlow : public CodeFlow {
   [[nodiscard]] std::int64_t number_of_variable(ExpressionReader& expression);
 
   std::vector<Unit> units_{};
+  std::vector<std::string> names_{};  // of programs without a number, in capitals
   std::map<std::int64_t, std::vector<std::size_t>> units_of_number_{};
   std::map<std::pair<std::size_t, std::size_t>, Outline> outlines_{};
   std::vector<bool> entered_{};  // by unit

@@ -13,16 +13,19 @@ namespace {
 constexpr std::array<std::uint8_t, 26> variable_of_argument{
     1, 2, 3, 7, 8, 9, 0, 11, 4, 5, 6, 0, 13, 0, 0, 0, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26};
 
-std::string name_of_unit(std::int64_t number) {
+}  // namespace
+
+std::string FanucFlow::name_of(std::int64_t number) const {
+  if (number >= first_named)
+    return "O<" + names_[static_cast<std::size_t>(number - first_named)] + ">";
   std::string digits = std::to_string(number);
   constexpr std::size_t usual_digits = 4;
   if (digits.size() < usual_digits) digits.insert(0, usual_digits - digits.size(), '0');
   return "O" + digits;
 }
 
-}  // namespace
-
 bool FanucFlow::execute_words(std::string& flat) {
+  if (const auto called = call_by_name(flat)) return *called;
   if (!scan_words()) return false;
   if (is_read_by_the_reader_) {
     write_as_it_is(flat);
@@ -57,6 +60,34 @@ bool FanucFlow::call(std::string& flat, ComputedWord& word) {
   unit = unit_of(call->number % of_four_digits, call->begin);
   return unit && enter_unit(flat, *unit, static_cast<std::uint64_t>(call->number / of_four_digits),
                             nullptr);
+}
+
+std::optional<bool> FanucFlow::call_by_name(std::string& flat) {
+  constexpr std::string_view function = "M98";
+  if (!has_word_at(line_, head_.behind, function)) return {};
+  const std::size_t open = behind_blanks(line_, head_.behind + function.size());
+  const std::size_t close = line_.find('>', open);
+  if (open >= line_.size() || line_[open] != '<' || close == std::string_view::npos) return {};
+  if (head_.to_skip) return refuse(Code::block_skip_undecided, 0, "/, a line to skip that computes");
+  std::size_t at = behind_blanks(line_, close + 1);
+  double times = 1;
+  if (at < line_.size() && upper(line_[at]) == 'L') {
+    bool whole = false;
+    const std::size_t begin = behind_blanks(line_, at + 1);
+    at = begin + read_number(line_.substr(begin), times, whole);
+  }
+  if (!is_whole(times) || !is_over(line_, at))
+    return refuse(Code::value_invalid, behind_blanks(line_, at),
+                  std::string(line_.substr(behind_blanks(line_, at))).append(" beside M98"));
+  words_.clear();
+  for (std::size_t comment = behind_blanks(line_, at); comment < line_.size();
+       comment = behind_blanks(line_, at)) {
+    at = behind_comment(line_, comment);
+    words_.push_back({.kind = ComputedWord::Kind::comment, .begin = comment, .end = at});
+  }
+  called_alone_ = true;
+  const auto unit = unit_of(number_of_named(line_.substr(open + 1, close - open - 1)), open);
+  return unit && enter_unit(flat, *unit, static_cast<std::uint64_t>(times), nullptr);
 }
 
 // M97: lines of the program that calls.
@@ -117,14 +148,14 @@ bool FanucFlow::take_arguments(const ComputedWord& word, Locals& locals) {
 std::optional<FanucFlow::Unit> FanucFlow::unit_of(std::int64_t number, std::size_t begin) {
   const auto known = units_of_number_.find(number);
   if (known == units_of_number_.end()) {
-    refuse(Code::subprogram_unknown, begin, name_of_unit(number));
+    refuse(Code::subprogram_unknown, begin, name_of(number));
     return {};
   }
   // What stands in the program itself is meant, else what is given.
   const std::vector<std::size_t>& all = known->second;
   const Unit& found = units_[all.front()];
   if (all.size() == 1 || (found.text == 0 && units_[all[1]].text > 0)) return found;
-  refuse(Code::subprogram_unknown, begin, name_of_unit(number) + ", which is there twice");
+  refuse(Code::subprogram_unknown, begin, name_of(number) + ", which is there twice");
   return {};
 }
 
@@ -138,7 +169,7 @@ bool FanucFlow::enter_unit(std::string& flat, const Unit& unit, std::uint64_t ti
                .current = unit.begin,
                .restart = unit.begin,
                .repetitions_left = times - 1,
-               .name = name_of_unit(unit.number),
+               .name = name_of(unit.number),
                .own_variables = locals != nullptr};
   write_call(flat, callee.name);
   if (!enter(std::move(callee))) return false;

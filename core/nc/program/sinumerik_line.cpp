@@ -65,15 +65,17 @@ bool computes_word(const ProgramSetup& setup, const NamedWord& word) {
     case NamedWord::Kind::address:
       return word.letter == 'L' || (word.is_variable && !setup.variables.empty());
     case NamedWord::Kind::assignment:
+      if (setup.pass_words.contains(word.name)) return false;
       return !word.is_text && !is_sinumerik_word(word.name);
     case NamedWord::Kind::name:
       if (word.name == "EXTCALL") return !setup.subprograms.empty();
+      if (setup.pass_words.contains(word.name)) return false;
       if (is_sinumerik_name(word.name)) return is_sinumerik_statement(word.name);
       return knows_programs;
     case NamedWord::Kind::label:  // GOTOF :30 looks like one
       return is_sinumerik_statement(word.name);
     case NamedWord::Kind::call:
-      if (is_sinumerik_call(word.name)) return false;
+      if (is_sinumerik_call(word.name) || setup.pass_words.contains(word.name)) return false;
       return is_sinumerik_statement(word.name) || knows_programs;
     default:
       return false;

@@ -4,6 +4,7 @@
 #include <functional>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -39,6 +40,13 @@ enum class BlockSkip : std::uint8_t {
   leave_out,  // on: they are none
 };
 
+// What bytes comments may hold. Outside of them text is ASCII in any case.
+enum class Encoding : std::uint8_t {
+  of_dialect,  // ISG: UTF-8; the others: any
+  utf8,
+  any,  // they are kept as they are
+};
+
 // What holds before the first block.
 struct ProgramSetup {
   TrcMode mode{};                // plane, mode, radius, options; side must be off
@@ -70,6 +78,16 @@ struct ProgramSetup {
   std::uint64_t max_executed_lines = 10'000'000;  // 900301 beyond
   WholeNumbers whole_numbers = WholeNumbers::unsaid;
   BlockSkip block_skip = BlockSkip::refuse;
+  // Words that nobody knows here and that say nothing about the path: `POPEN`, `G777`, `SOFTA`. In
+  // capitals; fault_of_pass_word() says which may be.
+  std::set<std::string, std::less<>> pass_words{};
+  Encoding encoding = Encoding::of_dialect;
+  bool renumbers = false;  // the blocks of NC text that comes out
+
+  [[nodiscard]] bool demands_utf8() const {
+    return encoding == Encoding::utf8 ||
+           (encoding == Encoding::of_dialect && dialect == DialectName::isg);
+  }
 };
 
 }  // namespace trc

@@ -76,6 +76,12 @@ CodeWord CodeReader::next() {
     if (is_letter(peek())) return address(begin);
   }
   if ((sign == '@' || sign == '^') && begins_number(peek(1))) return polar(begin);
+  if (is_digit(sign)) {
+    const std::size_t end = std::min(line_.find_first_not_of("0123456789.", begin), line_.size());
+    return fail(Code::nc_syntax, begin, end,
+                std::string(line_.substr(begin, end - begin))
+                    .append(", a number without a letter: that of a program begins with O"));
+  }
   if (sign == '/') {
     ++at_;
     while (is_digit(peek())) ++at_;
@@ -116,8 +122,13 @@ CodeWord CodeReader::name(std::size_t begin) {
 // @12 ^30 of LinuxCNC.
 CodeWord CodeReader::polar(std::size_t begin) {
   constexpr std::string_view signs = "@^+-.0123456789 \t";
-  const std::size_t end = std::min(line_.find_first_not_of(signs, begin), line_.size());
-  return fail(Code::nc_unsupported, begin, end, "@ and ^, polar coordinates");
+  at_ = std::min(line_.find_first_not_of(signs, begin), line_.size());
+  return {.kind = CodeWord::Kind::address,
+          .letter = '@',
+          .has_number = true,
+          .begin = static_cast<std::uint32_t>(begin),
+          .end = static_cast<std::uint32_t>(begin + without_blanks_behind(line_.substr(
+                                                        begin, at_ - begin)).size())};
 }
 
 // O<PART1>: a program may have a name in place of a number. With more behind it is an O word of
@@ -136,6 +147,15 @@ CodeWord CodeReader::name_of_program(CodeWord word) {
   return word;
 }
 
+// `X - 10.`: the sign and the blanks between it and the digits; 0: the number stands together.
+std::size_t CodeReader::blanks_behind_sign() const {
+  if (peek() != '+' && peek() != '-') return 0;
+  const std::size_t digits = line_.find_first_not_of(" \t", at_ + 1);
+  const bool apart = digits != std::string_view::npos && digits > at_ + 1 &&
+                     (is_digit(line_[digits]) || line_[digits] == '.');
+  return apart ? digits - at_ : 0;
+}
+
 // `begin`: of the word; `at_` stands on its letter.
 CodeWord CodeReader::address(std::size_t begin) {
   const bool comma = begin != at_;
@@ -152,9 +172,11 @@ CodeWord CodeReader::address(std::size_t begin) {
   if (sign == '[') return fail(Code::nc_unsupported, begin, line_.size(), "[, an expression");
   if (sign == '<') return name_of_program(word);
   // N12 without blanks is a number; a bare N stands for no number at all.
+  const std::size_t blanks = blanks_behind_sign();
   const std::size_t length =
-      begins_number(sign) ? read_number(line_.substr(at_), word.value, word.whole) : 0;
-  at_ += length;
+      begins_number(sign) ? read_number(line_.substr(at_ + blanks), word.value, word.whole) : 0;
+  if (blanks > 0 && sign == '-') word.value = -word.value;
+  at_ += length > 0 ? blanks + length : 0;
   word.has_number = length > 0;
   word.end = static_cast<std::uint32_t>(at_);
   const bool needs_number = word.letter != 'N' && word.letter != 'O';

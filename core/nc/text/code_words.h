@@ -14,7 +14,7 @@ namespace trc {
 struct CodeWord {
   enum class Kind : std::uint8_t { end, comment, skip, address, fault };
   Kind kind = Kind::end;
-  char letter = 0;          // upper case; `$`: the spindle that M03 and the like mean
+  char letter = 0;          // upper case; `$`: the spindle of M03; `@`: polar coordinates, @ and ^
   bool comma = false;       // ,R ,C
   bool has_number = false;  // false only behind N and O
   bool whole = false;       // without decimal point
@@ -39,6 +39,7 @@ class CodeReader {
   [[nodiscard]] CodeWord comment();
   [[nodiscard]] CodeWord address(std::size_t begin);
   [[nodiscard]] CodeWord name_of_program(CodeWord word);
+  [[nodiscard]] std::size_t blanks_behind_sign() const;
   [[nodiscard]] CodeWord polar(std::size_t begin);
   [[nodiscard]] CodeWord name(std::size_t begin);
   [[nodiscard]] CodeWord fail(Code code, std::size_t begin, std::size_t end, std::string detail);

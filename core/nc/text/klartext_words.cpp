@@ -26,9 +26,9 @@ std::size_t length_of_name(std::string_view letters) {
 bool is_continued_klartext(std::string_view line) {
   std::string_view block = without_blanks_behind(line);
   if (!block.ends_with('~')) return false;
-  block = without_blanks_in_front(block);
+  // A structure block is a title; a comment goes on as blocks do.
   const std::size_t statement = block.find_first_not_of("0123456789 \t/Nn");
-  return statement != std::string_view::npos && block[statement] != ';' && block[statement] != '*';
+  return statement != std::string_view::npos && block[statement] != '*';
 }
 
 void KlartextReader::skip_blanks() {

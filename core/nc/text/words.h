@@ -49,8 +49,12 @@ struct TextFault {
 // decimal without exponent: E is a letter of its own.
 class WordReader {
  public:
-  explicit WordReader(std::string_view line)
-      : line_(line), at_(line.data()), end_(line.data() + line.size()) {}
+  // `demands_utf8`: of comments.
+  explicit WordReader(std::string_view line, bool demands_utf8 = true)
+      : line_(line),
+        at_(line.data()),
+        end_(line.data() + line.size()),
+        demands_utf8_(demands_utf8) {}
 
   [[nodiscard]] Word next();
   // Says what is wrong after a word of kind `fault`.
@@ -81,6 +85,7 @@ class WordReader {
   std::string_view line_;
   const char* at_;
   const char* end_;
+  bool demands_utf8_;
   TextFault fault_{};
 };
 

@@ -39,7 +39,7 @@ bool NcWriter::copy_motion(const Waiting& own, const CompensatedBlock& block, st
   state_.tracking = after_.tracking;
   if (own.line->has(WordRole::feed)) enter_feed(line);
   state_.motion = line.motion;
-  write_text(line.text, line.line_end, out);
+  write_line(line, out);
   own_ = nullptr;
   return true;
 }

@@ -27,7 +27,8 @@ NcWriter::NcWriter(const Setup& setup)
     : motions_(setup.decimals, setup.tracking_letters, setup.spelling),
       klartext_(setup.spelling.klartext),
       tracking_letters_(setup.tracking_letters),
-      center_letters_are_axes_(setup.tracking_letters.find_first_of("IJKR") != std::string::npos) {
+      center_letters_are_axes_(setup.tracking_letters.find_first_of("IJKR") != std::string::npos),
+      renumbers_(setup.renumbers) {
   state_.absolute_center = setup.absolute_center;
   state_.plane = setup.plane;
   state_.inch = setup.inch;
@@ -105,10 +106,11 @@ void NcWriter::write(const CompensatedBlock& block, std::string& out) {
 void NcWriter::write_without_motion(const Waiting& own, std::string& out) {
   const ProgramLine& line = *own.line;
   if (!line.has_trc_words && !line.is_motion) {
-    write_text(line.text, line.line_end, out);
+    write_line(line, out);
   } else {
     begin_words();
     bool has_more_than_number = false;
+    const std::uint64_t number = next_number_;
     for (const WordRange& word : line.words) {
       if (word.role == WordRole::trc || word.role == WordRole::coordinate) continue;
       if (klartext_ && word.role == WordRole::mode) continue;
@@ -117,7 +119,10 @@ void NcWriter::write_without_motion(const Waiting& own, std::string& out) {
       has_more_than_number |= word.role != WordRole::number;
       append(line, word);
     }
-    if (has_more_than_number) write_words(line.line_end, out);
+    if (has_more_than_number)
+      write_words(line.line_end, out);
+    else
+      next_number_ = number;
   }
   enter_modes(own);
   if (line.klartext) enter_klartext(line, !line.has_trc_words && !line.is_motion);
@@ -139,6 +144,7 @@ void NcWriter::enter_klartext(const ProgramLine& line, bool copied) {
 
 void NcWriter::write_pole(const Point& pole, Plane plane, std::string& out) {
   begin_words();
+  append_number_of_inserted();
   motions_.append_pole(words_, pole, plane, state_);
   write_words(line_end_, out);
   state_.pole_written = true;
@@ -207,6 +213,7 @@ void NcWriter::write_piece(const CompensatedBlock& block, const Segment& piece,
       if (word.role == WordRole::number || (word.role == WordRole::mode && !klartext_))
         append(*own_->line, word);
   }
+  if (own_ == nullptr) append_number_of_inserted();
   const MotionKind kind = kind_of(block);
   const MotionWriter::Axes axes{.end = end, .tracking = tracking, .always = always};
   if (arc != nullptr) {
@@ -277,6 +284,7 @@ void NcWriter::enter_feed(const ProgramLine& line) {
 void NcWriter::write_plane(Plane plane, std::string& out) {
   if (klartext_) return;  // its plane is that of the tool
   begin_words();
+  append_number_of_inserted();
   words_.append(plane == Plane::xy ? " G17" : plane == Plane::zx ? " G18" : " G19");
   write_words(line_end_, out);
   state_.plane = plane;
@@ -292,7 +300,45 @@ void NcWriter::append(const ProgramLine& line, const WordRange& word) {
   const bool ends_line = word.role == WordRole::comment && line.text[word.begin] == ';';
   TextBuffer& words = ends_line ? last_comment_ : words_;
   words.append(' ');
+  if (word.role == WordRole::number && renumbers_) return append_number(line, word, words);
   words.append(line.word(word));
+}
+
+void NcWriter::write_line(const ProgramLine& line, std::string& out) {
+  const auto number = renumbers_
+                          ? std::ranges::find(line.words, WordRole::number, &WordRange::role)
+                          : line.words.end();
+  if (number == line.words.end()) return write_text(line.text, line.line_end, out);
+  begin_words();
+  words_.append(std::string_view(line.text).substr(0, number->begin));
+  append_number(line, *number, words_);
+  words_.append(std::string_view(line.text).substr(number->end));
+  write_text(words_.view(), line.line_end, out);
+}
+
+// The first number is that of the program.
+void NcWriter::append_number(const ProgramLine& line, const WordRange& word, TextBuffer& words) {
+  if (!numbered_ && line.source.number != Source::no_number)
+    next_number_ = static_cast<std::uint64_t>(line.source.number);
+  numbered_ = true;
+  const char sign = line.text[word.begin];
+  if (!is_digit(sign)) words.append(sign);
+  words.append(take_number());
+}
+
+void NcWriter::append_number_of_inserted() {
+  if (!renumbers_ || !numbered_) return;
+  words_.append(klartext_ ? " " : " N");
+  words_.append(take_number());
+}
+
+// Five digits are what all controls take.
+std::string NcWriter::take_number() {
+  constexpr std::uint64_t largest = 99'990;
+  const std::uint64_t number = next_number_;
+  next_number_ += klartext_ ? 1 : 10;
+  if (next_number_ > largest && !klartext_) next_number_ = 10;
+  return std::to_string(number);
 }
 
 void NcWriter::write_words(std::string_view line_end, std::string& out) {

@@ -36,6 +36,7 @@ class NcWriter {
     bool inch = false;
     Spelling spelling{};
     std::string tracking_letters{};  // one per tracking axis
+    bool renumbers = false;
   };
   explicit NcWriter(const Setup& setup);
 
@@ -73,7 +74,7 @@ class NcWriter {
   template <class Archive>
   void serialize(Archive& archive) {
     archive(state_, feed_is_programmed_, waiting_, first_, waiting_for_blocks_, silent_bytes_,
-            rewritten_index_, copied_index_, line_end_missing_);
+            rewritten_index_, copied_index_, line_end_missing_, next_number_, numbered_);
     serialize_line_end(archive, line_end_);
   }
 
@@ -123,6 +124,12 @@ class NcWriter {
     last_comment_.clear();
   }
   void append(const ProgramLine& line, const WordRange& word);
+  // The line as it is, but for its number where those are written anew.
+  void write_line(const ProgramLine& line, std::string& out);
+  void append_number(const ProgramLine& line, const WordRange& word, TextBuffer& words);
+  // In front of a line that is inserted.
+  void append_number_of_inserted();
+  [[nodiscard]] std::string take_number();
   void append_feed_and_rest(const CompensatedBlock& block);
   void append_feed(double feed);
   void enter_feed(const ProgramLine& line);
@@ -167,6 +174,9 @@ class NcWriter {
   TrackingTravel tracking_{};         // of the piece being written
   std::string_view line_end_ = "\n";  // of the lines TRC inserts: that of the line before
   bool line_end_missing_ = false;     // the text so far ends with a line without
+  bool renumbers_;
+  std::uint64_t next_number_ = 0;
+  bool numbered_ = false;  // a number has come out
 };
 
 }  // namespace trc

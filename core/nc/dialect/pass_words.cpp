@@ -1,0 +1,65 @@
+#include "core/nc/dialect/pass_words.h"
+
+#include <algorithm>
+#include <array>
+
+#include "core/nc/dialect/dialect.h"
+#include "core/nc/dialect/sinumerik_words.h"
+#include "core/nc/text/characters.h"
+#include "core/nc/text/words.h"
+
+namespace trc {
+namespace {
+
+constexpr std::string_view axis_and_center_letters = "ABCIJKQRUVWXYZ";
+
+// What programs are made of in one dialect or another.
+constexpr auto statements = std::to_array<std::string_view>(
+    {"APPR", "BEGIN", "CALL", "CASE", "CHF", "CYCL",  "DEF",   "DEP",  "DO",     "ELSE", "END",
+     "FN",   "FOR",   "GOTO", "GOTOB", "GOTOC", "GOTOF", "GOTOS", "IF",   "LBL",    "LOOP", "LP",
+     "PROC", "REPEAT", "RET", "RND", "SUB",  "THEN",  "TOOL",  "TRANS", "WHILE"});
+
+bool is_name_sign(char sign) { return is_letter(sign) || is_digit(sign) || sign == '_'; }
+
+}  // namespace
+
+std::string word_to_pass(std::string_view line, std::size_t begin) {
+  std::size_t at = begin;
+  std::string word;
+  if (at < line.size() && line[at] == '#') word += line[at++];
+  while (at < line.size() && (is_letter(line[at]) || line[at] == '_')) word += upper(line[at++]);
+  const bool is_function = word.size() == 1 && word != "#";
+  if (is_function) {
+    while (blank_at_start(line.substr(at)) > 0) ++at;
+    while (at + 1 < line.size() && line[at] == '0' && is_digit(line[at + 1])) ++at;
+  }
+  while (at < line.size() && (is_function ? is_digit(line[at]) || line[at] == '.'
+                                          : is_name_sign(line[at])))
+    word += upper(line[at++]);
+  return word;
+}
+
+std::string fault_of_pass_word(std::string_view word, DialectName dialect) {
+  constexpr std::size_t longest = 32;
+  if (word.empty() || word.size() > longest || word_to_pass(word, 0) != word)
+    return "is no name and no function in capitals, such as SOFTA or G777";
+  const bool is_function = word.size() > 1 && !is_letter(word[1]) && word[1] != '_';
+  if (word.front() != '#' && (word.size() == 1 || (is_function && word.front() != 'G')))
+    return "is the word of an address";
+  if (is_function && word.front() == 'G') {
+    double number = 0;
+    bool whole = false;
+    const std::size_t length = read_number(word.substr(1), number, whole);
+    if (length + 1 != word.size()) return "is no function";
+    return dialect_of(dialect).function(number) == nullptr ? "" : "is known";
+  }
+  const bool of_axes = std::ranges::all_of(word, [](char letter) {
+    return axis_and_center_letters.find(letter) != std::string_view::npos;
+  });
+  if (of_axes) return "names axes";
+  const bool known = std::ranges::find(statements, word) != statements.end() || word == "#TRC" ||
+                     (dialect == DialectName::sinumerik && is_sinumerik_word_of_any_kind(word));
+  return known ? "is known" : "";
+}
+
+}  // namespace trc

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "core/nc/state/program_setup.h"
+
+namespace trc {
+
+// What speaks against a word of ProgramSetup::pass_words: that it is known and may say something
+// about the path, or is none. Empty: nothing.
+[[nodiscard]] std::string fault_of_pass_word(std::string_view word, DialectName dialect);
+
+// The function or name that begins at a byte of the line, in capitals; its number without zeros in
+// front: G777 of `g0777 X1`, POPEN, #LASER.
+[[nodiscard]] std::string word_to_pass(std::string_view line, std::size_t begin);
+
+// Whether the setup says that it passes.
+[[nodiscard]] inline bool passes_word(const ProgramSetup& setup, std::string_view line,
+                                      std::size_t begin) {
+  return !setup.pass_words.empty() && setup.pass_words.contains(word_to_pass(line, begin));
+}
+
+}  // namespace trc

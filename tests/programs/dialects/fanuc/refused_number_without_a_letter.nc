@@ -1,0 +1,9 @@
+; refused 900001 line 3
+; radius 5
+00001 ;
+G21 G90 G17
+G0 X-20. Y-20.
+G41 D1 G1 X0 Y0 F300.
+Y40.
+G40 X-20. Y60.
+M30

@@ -1,0 +1,10 @@
+; refused 900003 line 6
+; radius 5
+0 BEGIN PGM A MM
+1 TOOL CALL 1 Z S3000
+; ~~~~~~
+2 L X-20 Y-20 R0 FMAX
+4 L X+0 Y+0 RL F300
+6 L Y+40
+7 L X-20 Y+60 R0
+8 END PGM A MM
