@@ -29,7 +29,6 @@ constexpr auto fragments = std::to_array<Fragment>({
     {"TRC while coordinates are not followed (polar, scaled or tilted)",
      "Werkzeugradiuskorrektur, während Koordinaten nicht verfolgt werden (polar, skaliert oder "
      "geschwenkt)"},
-    {"a block in a comment that goes on with ~", "ein Satz in einem Kommentar, der mit ~ weitergeht"},
     {"a byte order mark, which cannot be seen", "eine Bytereihenfolge-Marke, die man nicht sieht"},
     {"a call", "ein Aufruf"},
     {"a circle word in a straight motion", "ein Kreiswort in einer Geraden"},
@@ -46,6 +45,7 @@ constexpr auto fragments = std::to_array<Fragment>({
     {"a minus sign that is not the one of the keyboard",
      "ein Minuszeichen, das nicht das der Tastatur ist"},
     {"a modal cycle", "ein modaler Zyklus"},
+    {"a motion of an axis by itself", "eine Bewegung einer Achse für sich"},
     {"a motion that may be skipped", "eine Bewegung, die ausgeblendet sein kann"},
     {"a motion with L, which is repeated", "eine Bewegung mit L, die wiederholt wird"},
     {"a name", "ein Name"},

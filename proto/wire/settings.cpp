@@ -434,11 +434,11 @@ std::vector<std::string> assignments_of(const v1::ProgramSetup& setup) {
       owner = &owner->GetReflection()->GetMessage(*owner, route[i]);
     }
     const FieldDescriptor& field = *route.back();
-    if (is_set_in(*owner, field) && !is_part) found.push_back(key_of(route) + "=" + value_of(*owner, field));
+    if (is_set_in(*owner, field) && !is_part)
+      found.push_back(key_of(route) + "=" + value_of(*owner, field));
   }
   for (const FieldDescriptor* field : program_fields())
-    if (is_set_in(setup, *field))
-      found.push_back(field->name() + "=" + value_of(setup, *field));
+    if (is_set_in(setup, *field)) found.push_back(field->name() + "=" + value_of(setup, *field));
   std::string tools;
   for (const v1::Tool& tool : setup.tools()) {
     tools +=

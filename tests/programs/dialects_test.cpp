@@ -24,8 +24,9 @@
 
 // Programs in the manner of each control. The first line of each says with which tools it runs, or
 // with which code it is refused and where: `; radius 5`, `; radius 0.25 in`, `; tool 1 5`,
-// `; whole increments`, `; block_skip execute`, `; pass G777 POPEN`, `; refused 900003 line 7`. `; path -5 0 L; -5 60 A` says where the motions
-// of the compensated path end, from the first selection on: lines and arcs.
+// `; whole increments`, `; block_skip execute`, `; pass G777 POPEN`, `; refused 900003 line 7`. `;
+// path -5 0 L; -5 60 A` says where the motions of the compensated path end, from the first
+// selection on: lines and arcs.
 
 namespace trc::support {
 namespace {
@@ -440,7 +441,7 @@ TEST(BlocksNumberedAnew, CountFromTheFirstNumberOn) {
                     "0 BEGIN PGM A MM\n1 L X-20 Y-20 R0 FMAX\n2 L X+0 Y+0 RL F300\n3 L Y+40\n"
                     "4 L X+40\n5 L X+60 Y+60 R0\n6 END PGM A MM\n"),
             "0 BEGIN PGM A MM\n1 L X-20 Y-20 R0 FMAX\n2 L X-5 Y+0 F300\n3 L X-5 Y+40\n"
-            "4 CC X+0 Y+40\n5 C X+0 Y+45 DR-\n6 L X+40 Y+45\n7 L X+60 Y+60 R0\n8 END PGM A MM\n");
+            "4 CC X+0 Y+40\n5 C X+0 Y+45 DR-\n6 L X+40 Y+45\n7 L X+60 Y+60\n8 END PGM A MM\n");
   const std::string unnumbered =
       "G21 G90\nG0 X-20. Y-20.\nG41 G1 X0 Y0 F300.\nY40.\nG40 X60. Y60.\nM30\n";
   EXPECT_EQ(written(DialectName::fanuc, unnumbered).find('N'), std::string::npos);
@@ -454,14 +455,20 @@ TEST(BytesOfComments, AreKeptAsTheEncodingSays) {
     setup.session.program.encoding = encoding;
     const std::string text = "G90 " + comment + "\nG0 X1 Y1\nM30\n" + comment + "\n";
     const Written written = run(text, setup, true);
-    if (!written.stopped) EXPECT_EQ(written.text, text);
+    if (!written.stopped) {
+      EXPECT_EQ(written.text, text);
+    }
     return !written.stopped;
   };
-  const std::string latin = "(Fl\xE4" "che)";
+  const std::string latin =
+      "(Fl\xE4"
+      "che)";
   for (const DialectName dialect : {DialectName::isg, DialectName::fanuc, DialectName::linuxcnc}) {
     EXPECT_TRUE(runs(dialect, Encoding::any, latin));
     EXPECT_FALSE(runs(dialect, Encoding::utf8, latin));
-    EXPECT_TRUE(runs(dialect, Encoding::utf8, "(Fl\xC3\xA4" "che)"));
+    EXPECT_TRUE(runs(dialect, Encoding::utf8,
+                     "(Fl\xC3\xA4"
+                     "che)"));
   }
   EXPECT_FALSE(runs(DialectName::isg, Encoding::of_dialect, latin));
   EXPECT_TRUE(runs(DialectName::fanuc, Encoding::of_dialect, latin));

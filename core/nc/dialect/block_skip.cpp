@@ -54,9 +54,8 @@ bool is_beside_the_path(std::string_view line, const SkipSign& sign, DialectName
     bool whole = false;
     const std::size_t digits = read_number(line.substr(at + 1), value, whole);
     const bool passes =
-        letter == 'S' ||
-        (letter == 'M' && std::ranges::find(functions_beside_the_path, value) !=
-                              functions_beside_the_path.end());
+        letter == 'S' || (letter == 'M' && std::ranges::find(functions_beside_the_path, value) !=
+                                               functions_beside_the_path.end());
     if (digits == 0 || !passes) return false;
     at = behind_blanks(line, at + 1 + digits);
   }
@@ -69,8 +68,7 @@ bool is_beside_the_path(std::string_view line, const SkipSign& sign, DialectName
 BlockSkip decided_about(std::string_view line, const ProgramSetup& setup, SkipSign& sign) {
   if (setup.block_skip == BlockSkip::refuse) return BlockSkip::refuse;
   sign = skip_sign_of(line, setup.dialect);
-  if (!sign.is_there() || is_beside_the_path(line, sign, setup.dialect))
-    return BlockSkip::refuse;
+  if (!sign.is_there() || is_beside_the_path(line, sign, setup.dialect)) return BlockSkip::refuse;
   return setup.block_skip;
 }
 

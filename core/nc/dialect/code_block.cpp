@@ -270,7 +270,10 @@ Interpreter::NotWhileActive Interpreter::find_what_is_copied(BlockWords& block) 
     begin = block.of(side).begin, meaning = "TRC in a block that may be skipped";
     code = Code::block_skip_undecided;
   }
-  return {.code = code, .begin = begin, .meaning = std::move(meaning), .hangs_on_what_was_told = hangs_on_it};
+  return {.code = code,
+          .begin = begin,
+          .meaning = std::move(meaning),
+          .hangs_on_what_was_told = hangs_on_it};
 }
 
 bool Interpreter::copy_code_block(ProgramLine& line, BlockWords& block) {

@@ -45,7 +45,8 @@ bool prints_text(std::string_view line, std::size_t begin) {
          line.find('#', begin) == std::string_view::npos;
 }
 
-// `:0030 T01 M06`: the number of a block where a program may be entered. Alone `:` begins a program.
+// `:0030 T01 M06`: the number of a block where a program may be entered. Alone `:` begins a
+// program.
 bool is_alignment_block(std::string_view line, const CodeWord& word) {
   const std::string_view behind = without_blanks_in_front(line.substr(word.end));
   return line[word.begin] == ':' && !behind.empty() && behind.front() != '(' &&
@@ -91,9 +92,9 @@ bool Interpreter::read_code_words(ProgramLine& line, BlockWords& block) {
         if (reader.fault().code == Code::nc_unsupported &&
             (passes_word(state_.setup(), line.text, word.begin) ||
              (dialect_.name == DialectName::fanuc && prints_text(line.text, word.begin)))) {
-          line.words.push_back({.begin = word.begin,
-                                .end = static_cast<std::uint32_t>(
-                                    without_blanks_behind(line.text).size())});
+          line.words.push_back(
+              {.begin = word.begin,
+               .end = static_cast<std::uint32_t>(without_blanks_behind(line.text).size())});
           break;
         }
         refuse(line, reader.fault());

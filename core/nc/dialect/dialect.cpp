@@ -112,8 +112,8 @@ std::optional<DialectName> looks_like(std::string_view line) {
     return DialectName::heidenhain;
   if (starts_with_any(words, {"TRANS ", "ATRANS ", "PROC ", "DEF REAL", "DEF INT", "CYCLE", "MCALL",
                               "ROT ", "AROT ", "WORKPIECE"}) ||
-      contains_any(words, {"CR=", "AC(", "IC(", " CYCLE", " TRANS ", "T=\"", " MCALL", "DISCL=", "DISR=",
-                           "RND=", "CHF=", "CHR="}))
+      contains_any(words, {"CR=", "AC(", "IC(", " CYCLE", " TRANS ", "T=\"", " MCALL",
+                           "DISCL=", "DISR=", "RND=", "CHF=", "CHR="}))
     return DialectName::sinumerik;
   // O100 SUB, O100 CALL
   const std::size_t keyword =

@@ -63,33 +63,30 @@ std::optional<std::size_t> begin_of_statement(ProgramLine& line, bool& to_skip) 
   const std::size_t end = std::min(text.find_first_not_of("0123456789", digits), text.size());
   if (end - digits < 16) line.source.number = std::stoll(std::string(text, digits, end - digits));
   add_word(end, WordRole::number);
+  if (!to_skip && skip_blanks() && text[at] == '/') {
+    to_skip = true;
+    add_word(at + 1, WordRole::technology);
+  }
   if (skip_blanks()) return at;
   line.words.clear();
   return {};
 }
 
-// Of a comment that goes on below: a line of it that is numbered as blocks are, or moves; npos:
-// none. The `~` of a line drawn with signs must not swallow what follows.
-std::size_t place_of_block_in_comment(std::string_view text, std::size_t at) {
-  constexpr std::size_t none = std::string_view::npos;
-  if (text[at] != ';') return none;
-  for (std::size_t end = text.find_first_of("\r\n", at); end != none;
-       end = text.find_first_of("\r\n", at)) {
-    at = text.find_first_not_of(" \t\r\n", end);
-    if (at == none) return none;
-    const std::string statement =
-        statement_of(text.substr(at, text.find_first_of("\r\n", at) - at));
-    const bool moves = std::ranges::any_of(motions, [&](const Motion& motion) {
-      return begins_with_word(statement, motion.name);
-    });
-    if (is_digit(text[at]) || moves || begins_with_word(statement, "TOOL") ||
-        begins_with_word(statement, "CYCL") || begins_with_word(statement, "END"))
-      return at;
-  }
-  return none;
-}
-
 }  // namespace
+
+bool begins_klartext_block(std::string_view line) {
+  const std::size_t at = line.find_first_not_of(" \t");
+  if (at == std::string_view::npos) return false;
+  if (is_digit(line[at]) || line[at] == ';' || line[at] == '*' || line[at] == '/') return true;
+  const std::string statement = statement_of(line.substr(at));
+  const bool has_number = statement.size() > 1 && is_digit(statement[1]);
+  constexpr auto others =
+      std::to_array<std::string_view>({"BEGIN", "BLK", "CALL", "CYCL", "END", "FN", "FUNCTION",
+                                       "LBL", "PLANE", "SEL", "STOP", "TOOL", "TRANS"});
+  const auto begins = [&](std::string_view word) { return begins_with_word(statement, word); };
+  return ((statement[0] == 'M' || statement[0] == 'Q' || statement[0] == 'N') && has_number) ||
+         std::ranges::any_of(others, begins) || std::ranges::any_of(motions, begins, &Motion::name);
+}
 
 // RL, RR, and R+ R- beside a single axis: not RLENGTH, nor the radius R+30 of CR.
 std::size_t place_of_klartext_side(std::string_view block) {
@@ -122,9 +119,6 @@ bool Interpreter::read_klartext(ProgramLine& line) {
   const std::string_view rest = line.text;
   // Simulators write a setup sheet in parentheses in front of BEGIN PGM.
   const bool setup_sheet = rest[at] == '(' && blocks_read_ == 0;
-  if (const std::size_t block_within = place_of_block_in_comment(rest, at);
-      block_within != std::string_view::npos)
-    return refuse_klartext(line, block_within, "a block in a comment that goes on with ~");
   if (rest[at] == ';' || rest[at] == '*' || setup_sheet) {
     line.words.push_back({.begin = static_cast<std::uint32_t>(at),
                           .end = static_cast<std::uint32_t>(rest.size()),

@@ -169,7 +169,12 @@ bool Interpreter::take_line(std::string_view text, std::string_view line_end,
     enter_modes(append_line(byte_order_mark, {}, lines));
     text.remove_prefix(byte_order_mark.size());
   }
-  const std::string_view last_line = continued_ == 0 ? text : last_line_of(text);
+  std::string_view last_line = continued_ == 0 ? text : last_line_of(text);
+  if (continued_ > 0 && dialect_.name == DialectName::heidenhain && is_klartext_comment(text) &&
+      begins_klartext_block(last_line)) {
+    if (!take_comment_before(last_line, lines)) return false;
+    last_line = text = partial_;
+  }
   const bool goes_on_below = dialect_.name == DialectName::heidenhain
                                  ? is_continued_klartext(last_line)
                                  : may_be_continued(last_line) && is_continued(last_line);
@@ -181,9 +186,25 @@ bool Interpreter::take_line(std::string_view text, std::string_view line_end,
     ++continued_;
     return true;
   }
-  ProgramLine& line = append_line(text, line_end, lines);
-  lines_read_ += 1 + std::exchange(continued_, 0U);
+  const bool goes_on = take_block(text, line_end, 1 + std::exchange(continued_, 0U), lines);
   partial_.clear();
+  return goes_on;
+}
+
+bool Interpreter::take_comment_before(std::string_view last_line, std::vector<LinePointer>& lines) {
+  const std::string whole = std::exchange(partial_, std::string(last_line));
+  std::string_view comment(whole.data(), whole.size() - last_line.size());
+  const std::string_view line_end = comment.ends_with("\r\n") ? "\r\n"
+                                    : comment.ends_with('\n') ? "\n"
+                                                              : "\r";
+  comment.remove_suffix(line_end.size());
+  return take_block(comment, line_end, std::exchange(continued_, 0U), lines);
+}
+
+bool Interpreter::take_block(std::string_view text, std::string_view line_end,
+                             std::uint32_t lines_of_it, std::vector<LinePointer>& lines) {
+  ProgramLine& line = append_line(text, line_end, lines);
+  lines_read_ += lines_of_it;
   const bool goes_on = read_line(line);
   enter_modes(line);
   if (faults_.empty()) return goes_on;
@@ -238,7 +259,11 @@ bool Interpreter::finish(std::vector<LinePointer>& lines) {
     if (!take_line({}, "\r", lines)) return false;
   }
   const bool continued_to_nothing = !partial_.empty() && is_line_end(partial_.back());
-  if (continued_to_nothing) return refuse_open_line();
+  if (continued_to_nothing) {
+    const bool comment = dialect_.name == DialectName::heidenhain && is_klartext_comment(partial_);
+    if (!comment) return refuse_open_line();
+    if (!take_comment_before({}, lines)) return false;
+  }
   if (!partial_.empty() && !take_line({}, {}, lines)) return false;
   if (!faults_.empty()) return report_faults();
   const auto last_line = static_cast<std::uint32_t>(std::max<std::uint64_t>(lines_read_, 1));
@@ -315,7 +340,7 @@ bool Interpreter::read_line(ProgramLine& line) {
     // The `%` in front of the first block begins the tape, the next one ends it. What stands
     // behind may be in any encoding.
     if (ended_) return read_line_behind_end(line);
-    // What stands in front of a tape is for people.
+    // What stands in front of a tape is for people (D-59).
     if (blocks_read_ == 0 && in_front_of_tape_) faults_.clear();
     ended_ |= blocks_read_ > 0;
     in_front_of_tape_ = false;
@@ -356,19 +381,17 @@ bool Interpreter::read_line_of_subprogram(const ProgramLine& line) {
 bool Interpreter::read_line_behind_end(ProgramLine& line) {
   const bool klartext = dialect_.name == DialectName::heidenhain;
   if (klartext) enter_label_behind_end(line);
-  const std::size_t place =
-      klartext ? place_of_klartext_side(line.text) : place_of_side(line.text);
+  const std::size_t place = klartext ? place_of_klartext_side(line.text) : place_of_side(line.text);
   if (place == std::string::npos) return true;
   if (klartext && klartext_.called_section != 0)
-    return refuse(line,
-                  TextFault{.code = Code::nc_unsupported,
-                            .begin = static_cast<std::uint32_t>(place),
-                            .detail = "CALL LBL in line " +
-                                      std::to_string(klartext_.called_section) +
-                                      ", whose contour stands behind the end: write the lines of "
-                                      "the label in its place"});
-  const std::size_t behind = klartext ? place + 2
-                                      : line.text.find_first_not_of("Gg0123456789 ", place);
+    return refuse(
+        line, TextFault{.code = Code::nc_unsupported,
+                        .begin = static_cast<std::uint32_t>(place),
+                        .detail = "CALL LBL in line " + std::to_string(klartext_.called_section) +
+                                  ", whose contour stands behind the end: write the lines of "
+                                  "the label in its place"});
+  const std::size_t behind =
+      klartext ? place + 2 : line.text.find_first_not_of("Gg0123456789 ", place);
   std::string side = line.text.substr(place, behind - place);
   side.erase(side.find_last_not_of(' ') + 1);
   return refuse(line, TextFault{.code = Code::side_behind_end,

@@ -153,6 +153,10 @@ class Interpreter {
   struct BlockWords;
 
   bool take_line(std::string_view text, std::string_view line_end, std::vector<LinePointer>& lines);
+  bool take_block(std::string_view text, std::string_view line_end, std::uint32_t lines_of_it,
+                  std::vector<LinePointer>& lines);
+  // Of Klartext: partial_ is a comment that has turned out to end in front of its last line.
+  bool take_comment_before(std::string_view last_line, std::vector<LinePointer>& lines);
   ProgramLine& append_line(std::string_view text, std::string_view line_end,
                            std::vector<LinePointer>& lines);
   void enter_modes(ProgramLine& line) const;

@@ -37,9 +37,8 @@ bool Interpreter::refuse(const ProgramLine& line, const TextFault& given) {
   }
   Diagnostic refused = diagnostic(fault.code, source, fault.detail);
   if (knows_columns_)
-    refused.column = line_begin == 0
-                         ? column_of(fault.begin)
-                         : static_cast<std::uint32_t>(fault.begin - line_begin + 1);
+    refused.column = line_begin == 0 ? column_of(fault.begin)
+                                     : static_cast<std::uint32_t>(fault.begin - line_begin + 1);
   refused.slip = fault.slip;
   guard_against_other_dialects(line, refused);
   return collect(std::move(refused));

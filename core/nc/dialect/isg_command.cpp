@@ -54,15 +54,15 @@ constexpr auto forbidden_commands = std::to_array<ForbiddenCommand>({
 
 // Commands that say nothing about where the path runs.
 constexpr auto passing_commands = std::to_array<std::string_view>(
-    {"MSG ", "FLUSH ", "SLOPE ", "CONTOUR MODE", "HSC ", "TRANSVELLIM ", "VECTOR ", "FILTER ",
-     "FRICTION ", "OVERRIDE ", "TIMER ", "WAIT ", "SIGNAL ", "ERROR ", "FILE ", "TOOL LIFE",
-     "SINGLESTEP ", "SET SLOPE", "SET ASPLINE", "SPLINE OFF", "PTP OFF"});
+    {"MSG ",        "FLUSH ",     "SLOPE ",    "CONTOUR MODE", "HSC ",        "TRANSVELLIM ",
+     "VECTOR ",     "FILTER ",    "FRICTION ", "OVERRIDE ",    "TIMER ",      "WAIT ",
+     "SIGNAL ",     "ERROR ",     "FILE ",     "TOOL LIFE",    "SINGLESTEP ", "SET SLOPE",
+     "SET ASPLINE", "SPLINE OFF", "PTP OFF"});
 
 // Commands behind which an axis stands, or counts from, where only the control knows.
-constexpr auto unfollowed_commands =
-    std::to_array<std::string_view>({"RTCP ", "TLC ", "KIN ", "WCS ", "ECS ", "BCS ", "CALL AX",
-                                     "PUT AX", "SET AX", "GANTRY ", "CHANNEL ", "HANDWHEEL", "TRAFO OFF",
-                                     "ROTATION "});
+constexpr auto unfollowed_commands = std::to_array<std::string_view>(
+    {"RTCP ", "TLC ", "KIN ", "WCS ", "ECS ", "BCS ", "CALL AX", "PUT AX", "SET AX", "GANTRY ",
+     "CHANNEL ", "HANDWHEEL", "TRAFO OFF", "ROTATION "});
 
 }  // namespace
 

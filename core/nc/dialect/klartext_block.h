@@ -16,6 +16,10 @@ namespace trc {
 // Where RL or RR stands in a block of Klartext that is not read; npos: nowhere.
 [[nodiscard]] std::size_t place_of_klartext_side(std::string_view block);
 
+// Whether a line is numbered as blocks are, or says what blocks say: a comment that seems to go on
+// has ended before it (D-59).
+[[nodiscard]] bool begins_klartext_block(std::string_view line);
+
 // A block in capitals, with single blanks, without what stands in quotes and behind `;`.
 [[nodiscard]] std::string statement_of(std::string_view text);
 [[nodiscard]] bool begins_with_word(std::string_view statement, std::string_view word);

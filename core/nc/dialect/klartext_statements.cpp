@@ -16,29 +16,15 @@ using Kind = KlartextWord::Kind;
 
 // Statements that neither move an axis nor change what coordinates mean.
 constexpr auto passing = std::to_array<std::string_view>(
-    {"BLK",
-     "STOP",
-     "TCH",
-     "OPEN",
-     "SEL",
-     "POLARKIN",
-     "STRETCH",
-     "WRITE",
-     "CYCL DEF",
-     "GLOBAL DEF",
-     "PATTERN DEF",
-     "CONTOUR DEF",
-     "FUNCTION MODE MILL",
-     "FUNCTION FEED",
-     "FUNCTION S-PULSE",
-     "FUNCTION DWELL",
-     "FUNCTION COUNT"});
+    {"BLK", "STOP", "TCH", "OPEN", "SEL", "POLARKIN", "STRETCH", "WRITE", "CYCL DEF", "GLOBAL DEF",
+     "PATTERN DEF", "CONTOUR DEF", "FUNCTION MODE MILL", "FUNCTION FEED", "FUNCTION S-PULSE",
+     "FUNCTION DWELL", "FUNCTION COUNT"});
 
 // Statements behind which the axes stand where only the control knows.
 constexpr auto moving = std::to_array<std::string_view>(
-    {"CYCL CALL", "CALL", "PGM", "PLANE", "TRANS",   "FUNCTION", "LN",  "FL",
-     "FLT",       "FC",   "FCT", "FPOL",  "FSELECT", "SPL",      "SPC", "PATTERN",
-     "CONTOUR",   "X",    "Y",   "Z",     "A",       "B",        "U",   "V",
+    {"CYCL CALL", "CALL", "PGM", "PLANE", "TRANS",   "FUNCTION", "LN",    "FL",
+     "FLT",       "FC",   "FCT", "FPOL",  "FSELECT", "SPL",      "SPC",   "PATTERN",
+     "CONTOUR",   "X",    "Y",   "Z",     "A",       "B",        "U",     "V",
      "W",         "IX",   "IY",  "IZ",    "G",       "TCHPROBE", "PRESET"});
 
 // Cycles that change what coordinates mean as soon as they are defined.

@@ -13,11 +13,11 @@ namespace {
 
 constexpr std::string_view axis_and_center_letters = "ABCIJKQRUVWXYZ";
 
-// What programs are made of in one dialect or another.
+// What programs are made of in one dialect or another: not to be declared (D-58).
 constexpr auto statements = std::to_array<std::string_view>(
-    {"APPR", "BEGIN", "CALL", "CASE", "CHF", "CYCL",  "DEF",   "DEP",  "DO",     "ELSE", "END",
-     "FN",   "FOR",   "GOTO", "GOTOB", "GOTOC", "GOTOF", "GOTOS", "IF",   "LBL",    "LOOP", "LP",
-     "PROC", "REPEAT", "RET", "RND", "SUB",  "THEN",  "TOOL",  "TRANS", "WHILE"});
+    {"APPR", "BEGIN",  "CALL", "CASE",  "CHF",   "CYCL",  "DEF",   "DEP",   "DO",   "ELSE", "END",
+     "FN",   "FOR",    "GOTO", "GOTOB", "GOTOC", "GOTOF", "GOTOS", "IF",    "LBL",  "LOOP", "LP",
+     "PROC", "REPEAT", "RET",  "RND",   "SUB",   "THEN",  "TOOL",  "TRANS", "WHILE"});
 
 bool is_name_sign(char sign) { return is_letter(sign) || is_digit(sign) || sign == '_'; }
 
@@ -33,8 +33,8 @@ std::string word_to_pass(std::string_view line, std::size_t begin) {
     while (blank_at_start(line.substr(at)) > 0) ++at;
     while (at + 1 < line.size() && line[at] == '0' && is_digit(line[at + 1])) ++at;
   }
-  while (at < line.size() && (is_function ? is_digit(line[at]) || line[at] == '.'
-                                          : is_name_sign(line[at])))
+  while (at < line.size() &&
+         (is_function ? is_digit(line[at]) || line[at] == '.' : is_name_sign(line[at])))
     word += upper(line[at++]);
   return word;
 }

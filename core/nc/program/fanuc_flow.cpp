@@ -255,7 +255,8 @@ bool FanucFlow::execute(std::string& flat) {
   const std::size_t at = head_.behind;
   const bool assigns = at < line_.size() && line_[at] == '#';
   if (!assigns && !is_statement_at(line_, at)) return execute_words(flat);
-  if (head_.to_skip) return refuse(Code::block_skip_undecided, 0, "/, a line to skip that computes");
+  if (head_.to_skip)
+    return refuse(Code::block_skip_undecided, 0, "/, a line to skip that computes");
   return assigns ? assign(flat, at) : execute_statement(flat);
 }
 

@@ -68,7 +68,8 @@ std::optional<bool> FanucFlow::call_by_name(std::string& flat) {
   const std::size_t open = behind_blanks(line_, head_.behind + function.size());
   const std::size_t close = line_.find('>', open);
   if (open >= line_.size() || line_[open] != '<' || close == std::string_view::npos) return {};
-  if (head_.to_skip) return refuse(Code::block_skip_undecided, 0, "/, a line to skip that computes");
+  if (head_.to_skip)
+    return refuse(Code::block_skip_undecided, 0, "/, a line to skip that computes");
   std::size_t at = behind_blanks(line_, close + 1);
   double times = 1;
   if (at < line_.size() && upper(line_[at]) == 'L') {

@@ -167,7 +167,8 @@ bool LinuxcncFlow::execute(std::string& flat) {
     return true;
   }
   if (!is_o_word_at(line_, head_.behind)) return execute_words(flat);
-  if (head_.to_skip) return refuse(Code::block_skip_undecided, 0, "/, a line to skip that computes");
+  if (head_.to_skip)
+    return refuse(Code::block_skip_undecided, 0, "/, a line to skip that computes");
   return execute_statement(flat);
 }
 

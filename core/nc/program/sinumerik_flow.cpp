@@ -264,7 +264,8 @@ bool SinumerikFlow::execute_statement(std::string& flat, std::string_view word,
     is_statement |= word == other;
   if (!is_statement) return true;
   if (is_beside) return refuse_word(Code::nc_unsupported, begin, behind, ", not in the program");
-  if (head_.to_skip) return refuse(Code::block_skip_undecided, 0, "/, a line to skip that computes");
+  if (head_.to_skip)
+    return refuse(Code::block_skip_undecided, 0, "/, a line to skip that computes");
   if (structure != Structure::none) return follow_structure(flat, structure);
   ExpressionReader expression = expression_at(behind);
   if (word == "IF") return branch(flat, expression);

@@ -127,8 +127,8 @@ CodeWord CodeReader::polar(std::size_t begin) {
           .letter = '@',
           .has_number = true,
           .begin = static_cast<std::uint32_t>(begin),
-          .end = static_cast<std::uint32_t>(begin + without_blanks_behind(line_.substr(
-                                                        begin, at_ - begin)).size())};
+          .end = static_cast<std::uint32_t>(
+              begin + without_blanks_behind(line_.substr(begin, at_ - begin)).size())};
 }
 
 // O<PART1>: a program may have a name in place of a number. With more behind it is an O word of

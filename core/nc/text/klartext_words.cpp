@@ -31,6 +31,11 @@ bool is_continued_klartext(std::string_view line) {
   return statement != std::string_view::npos && block[statement] != '*';
 }
 
+bool is_klartext_comment(std::string_view block) {
+  const std::size_t statement = block.find_first_not_of("0123456789 \t/Nn");
+  return statement != std::string_view::npos && block[statement] == ';';
+}
+
 void KlartextReader::skip_blanks() {
   for (;; ++at_) {
     const char sign = peek();

@@ -56,6 +56,9 @@ class KlartextReader {
   TextFault fault_{};
 };
 
+// Whether the block is a comment alone.
+[[nodiscard]] bool is_klartext_comment(std::string_view block);
+
 // Whether the block goes on behind `line`, one physical line: it ends in `~` and is no comment.
 [[nodiscard]] bool is_continued_klartext(std::string_view line);
 

@@ -305,9 +305,8 @@ void NcWriter::append(const ProgramLine& line, const WordRange& word) {
 }
 
 void NcWriter::write_line(const ProgramLine& line, std::string& out) {
-  const auto number = renumbers_
-                          ? std::ranges::find(line.words, WordRole::number, &WordRange::role)
-                          : line.words.end();
+  const auto number = renumbers_ ? std::ranges::find(line.words, WordRole::number, &WordRange::role)
+                                 : line.words.end();
   if (number == line.words.end()) return write_text(line.text, line.line_end, out);
   begin_words();
   words_.append(std::string_view(line.text).substr(0, number->begin));
@@ -332,7 +331,7 @@ void NcWriter::append_number_of_inserted() {
   words_.append(take_number());
 }
 
-// Five digits are what all controls take.
+// Five digits are what all controls take (D-58).
 std::string NcWriter::take_number() {
   constexpr std::uint64_t largest = 99'990;
   const std::uint64_t number = next_number_;
