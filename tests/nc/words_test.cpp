@@ -164,7 +164,7 @@ TEST(Words, ExpressionsAndVariablesAreRefusedAtTheirPlace) {
   EXPECT_EQ(words_of("V.G.WZ_AKT.R=P5"), "fault 900003 at 0");
   EXPECT_EQ(words_of("$IF V.L.A"), "fault 900003 at 0");
   EXPECT_EQ(words_of("L SUB"), "fault 900003 at 0");
-  EXPECT_EQ(words_of("/ X1"), "fault 900003 at 0");
+  EXPECT_EQ(words_of("/2 X1"), "/2 X1");
 }
 
 TEST(Expressions, NameWhatTheyDoNotKnow) {

@@ -1,0 +1,5 @@
+; expect: 900017 at line 4
+N10 G00 X0 Y0
+/ N20 M8
+/ N30 G01 X10 F500
+N40 M30
