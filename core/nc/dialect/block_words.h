@@ -70,6 +70,7 @@ struct Interpreter::BlockWords {
   std::optional<TrcOptions> options{};  // #TRC
   std::optional<double> tangfeed{};     // #TANGFEED
   std::optional<std::uint32_t> number_alone{};
+  std::optional<std::uint32_t> passed_function{};  // a G function of ProgramSetup::pass_words
   std::uint32_t command = 0;  // where a # command stands
   bool has_command = false;
   bool has_spindle = false;

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <utility>
@@ -45,6 +46,18 @@ bool prints_text(std::string_view line, std::size_t begin) {
          line.find('#', begin) == std::string_view::npos;
 }
 
+// Behind NAME or NAME[…] nothing stands but comments.
+bool is_name_alone(std::string_view line, std::size_t begin) {
+  std::size_t at = begin + word_to_pass(line, begin).size();
+  if (at < line.size() && line[at] == '[') {
+    const std::size_t close = line.rfind(']');
+    if (close == std::string_view::npos || close < at) return false;
+    at = close + 1;
+  }
+  const std::string_view behind = without_blanks_in_front(line.substr(std::min(at, line.size())));
+  return behind.empty() || behind.front() == '(' || behind.front() == ';';
+}
+
 // `:0030 T01 M06`: the number of a block where a program may be entered. Alone `:` begins a
 // program.
 bool is_alignment_block(std::string_view line, const CodeWord& word) {
@@ -88,10 +101,8 @@ bool Interpreter::read_code_words(ProgramLine& line, BlockWords& block) {
       case CodeWord::Kind::end:
         return complete_code_block(line, block) && faults == 0;
       case CodeWord::Kind::fault:
-        // What follows belongs to it.
         if (reader.fault().code == Code::nc_unsupported &&
-            (passes_word(state_.setup(), line.text, word.begin) ||
-             (dialect_.name == DialectName::fanuc && prints_text(line.text, word.begin)))) {
+            names_what_passes(line.text, word.begin)) {
           line.words.push_back(
               {.begin = word.begin,
                .end = static_cast<std::uint32_t>(without_blanks_behind(line.text).size())});
@@ -120,6 +131,13 @@ bool Interpreter::read_code_words(ProgramLine& line, BlockWords& block) {
     }
     if (diagnostics_.stopped() || faults >= limits_.most_faults) return false;
   }
+}
+
+// A name that nobody knows here and that has nothing to do with the path.
+bool Interpreter::names_what_passes(std::string_view line, std::uint32_t begin) const {
+  return is_name_alone(line, begin) &&
+         (passes_word(state_.setup(), line, begin) ||
+          (dialect_.name == DialectName::fanuc && prints_text(line, begin)));
 }
 
 bool Interpreter::read_code_word(const CodeWord& word, ProgramLine& line, BlockWords& block) {
@@ -160,7 +178,7 @@ bool Interpreter::read_code_function(const CodeWord& word, ProgramLine& line, Bl
   static constexpr GFunction unknown{
       .number = 1007, .group = single_move, .meaning = "an unknown function"};
   static constexpr GFunction passing{
-      .number = 1007, .group = technology, .meaning = "a word that passes"};
+      .number = 1007, .group = axis_technology, .meaning = "an unknown function"};
   if (function == nullptr && passes_word(state_.setup(), line.text, word.begin))
     function = &passing;
   if (function == nullptr && state_.setup().copies_unknown_words) function = &unknown;

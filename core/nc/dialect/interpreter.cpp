@@ -333,7 +333,7 @@ bool Interpreter::read_line(ProgramLine& line) {
         bad != std::string_view::npos)
       return refuse(line, TextFault{.code = Code::nc_not_text,
                                     .begin = static_cast<std::uint32_t>(bad),
-                                    .detail = "no UTF-8"});
+                                    .detail = "within a comment"});
   const std::string_view text = without_blanks_in_front(line.text);
   const bool is_name = text.starts_with('%') && dialect_.name != DialectName::heidenhain;
   if (dialect_.name != DialectName::isg && (ended_ || is_name)) {

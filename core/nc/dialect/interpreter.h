@@ -180,6 +180,7 @@ class Interpreter {
   // Of the dialects of plain letters and numbers: code_block_words.cpp and code_block.cpp.
   bool read_code_words(ProgramLine& line, BlockWords& block);
   bool read_code_word(const CodeWord& word, ProgramLine& line, BlockWords& block);
+  [[nodiscard]] bool names_what_passes(std::string_view line, std::uint32_t begin) const;
   bool read_code_function(const CodeWord& word, ProgramLine& line, BlockWords& block);
   void see_whole(const CodeWord& word, std::size_t bit, BlockWords& block);
   bool count_whole_numbers(ProgramLine& line, BlockWords& block);

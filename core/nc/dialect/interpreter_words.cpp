@@ -133,6 +133,7 @@ bool Interpreter::read_g_function(const Word& word, ProgramLine& line, BlockWord
   const GFunction* function =
       word.has_argument || word.whole ? find_g_function(word.value) : nullptr;
   if (function == nullptr && passes_word(state_.setup(), line.text, word.begin)) {
+    block.passed_function = word.begin;
     add(line, word, WordRole::technology);
     return true;
   }
@@ -275,6 +276,11 @@ bool Interpreter::check_block(ProgramLine& line, BlockWords& block) {
             .detail =
                 std::string("G").append(std::to_string(function.function->number)).append(why)});
   };
+  if (block.passed_function && (block.axis || block.center))
+    return refuse(line, TextFault{.code = Code::nc_unsupported,
+                                  .begin = *block.passed_function,
+                                  .detail = word_to_pass(line.text, *block.passed_function) +
+                                            " with axis words"});
   const bool main_axis_only = std::ranges::none_of(
       block.move.tracking, [](const auto& value) { return value.has_value(); });
   if (block.has(dwell)) {

@@ -1,0 +1,10 @@
+; refused 900003 line 6
+; pass PROBEON
+; radius 5
+G21 G90 G17
+G0 X-20. Y-20.
+PROBEON X5.
+G41 D1 G1 X0 Y0 F300.
+Y40.
+G40 X-20. Y60.
+M30

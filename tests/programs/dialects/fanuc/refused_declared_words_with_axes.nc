@@ -1,0 +1,10 @@
+; refused 900003 line 7
+; pass G777 PROBEON
+; radius 5
+G21 G90 G17
+G0 X-20. Y-20.
+G41 D1 G1 X0 Y0 F300.
+G777 X5.
+Y40.
+G40 X-20. Y60.
+M30

@@ -1,0 +1,9 @@
+; refused 900003 line 5
+; pass G777
+; radius 5
+N20 G0 X-20 Y-20
+N30 G777 X5
+N40 G41 G1 X0 Y0 F300
+N50 Y40
+N60 G40 X-20 Y60
+N70 M30
