@@ -293,6 +293,9 @@ AxisSet Conversion::axes_named(const ProgramLine& line) const {
 // A bracket would end a comment in brackets, and what is behind it would be words.
 std::string Conversion::spelled_comment(std::string comment) const {
   if (comment.empty()) return comment;
+  // One of Klartext may have several lines, others end with theirs.
+  std::ranges::replace_if(
+      comment, [](char sign) { return sign == '\r' || sign == '\n'; }, ' ');
   if (klartext_ || to_.name == DialectName::sinumerik) return "; " + comment;
   std::replace(comment.begin(), comment.end(), '(', '[');
   std::replace(comment.begin(), comment.end(), ')', ']');

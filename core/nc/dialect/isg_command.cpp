@@ -62,7 +62,7 @@ constexpr auto passing_commands = std::to_array<std::string_view>(
 // Commands behind which an axis stands, or counts from, where only the control knows.
 constexpr auto unfollowed_commands = std::to_array<std::string_view>(
     {"RTCP ", "TLC ", "KIN ", "WCS ", "ECS ", "BCS ", "CALL AX", "PUT AX", "SET AX", "GANTRY ",
-     "CHANNEL ", "HANDWHEEL", "TRAFO OFF", "ROTATION "});
+     "CHANNEL ", "HANDWHEEL", "TRAFO OFF", "ROTATION OFF"});
 
 }  // namespace
 
