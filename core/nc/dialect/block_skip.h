@@ -22,7 +22,7 @@ struct SkipSign {
 [[nodiscard]] SkipSign skip_sign_of(std::string_view line, DialectName dialect);
 
 // What the setup has decided about the line, as BlockSkip says it. `refuse`: nothing, or the line
-// has no sign, or one that stays, since what stands behind it is beside the path (D-58).
+// has no sign, or one that stays, since what stands behind it is beside the path (D-59).
 [[nodiscard]] BlockSkip decided_about(std::string_view line, const ProgramSetup& setup,
                                       SkipSign& sign);
 

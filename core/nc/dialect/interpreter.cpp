@@ -340,7 +340,7 @@ bool Interpreter::read_line(ProgramLine& line) {
     // The `%` in front of the first block begins the tape, the next one ends it. What stands
     // behind may be in any encoding.
     if (ended_) return read_line_behind_end(line);
-    // What stands in front of a tape is for people (D-60).
+    // What stands in front of a tape is for people (D-61).
     if (blocks_read_ == 0 && in_front_of_tape_) faults_.clear();
     ended_ |= blocks_read_ > 0;
     in_front_of_tape_ = false;

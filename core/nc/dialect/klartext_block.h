@@ -17,7 +17,7 @@ namespace trc {
 [[nodiscard]] std::size_t place_of_klartext_side(std::string_view block);
 
 // Whether a line is numbered as blocks are, or says what blocks say: a comment that seems to go on
-// has ended before it (D-60).
+// has ended before it (D-61).
 [[nodiscard]] bool begins_klartext_block(std::string_view line);
 
 // A block in capitals, with single blanks, without what stands in quotes and behind `;`.

@@ -331,7 +331,7 @@ void NcWriter::append_number_of_inserted() {
   words_.append(take_number());
 }
 
-// Five digits are what all controls take (D-59).
+// Five digits are what all controls take (D-60).
 std::string NcWriter::take_number() {
   constexpr std::uint64_t largest = 99'990;
   const std::uint64_t number = next_number_;
