@@ -71,7 +71,7 @@ struct Interpreter::BlockWords {
   std::optional<double> tangfeed{};     // #TANGFEED
   std::optional<std::uint32_t> number_alone{};
   std::optional<std::uint32_t> passed_function{};  // a G function of ProgramSetup::pass_words
-  std::uint32_t command = 0;  // where a # command stands
+  std::uint32_t command = 0;                       // where a # command stands
   bool has_command = false;
   bool has_spindle = false;
   std::uint32_t words = 0;  // without N and comments
