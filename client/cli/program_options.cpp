@@ -1,5 +1,7 @@
 #include "client/cli/program_options.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
@@ -146,6 +148,21 @@ void add_language_option(CLI::App& command, std::string& language) {
       });
 }
 
+namespace {
+
+bool says_a_radius(const ProgramOptions& options) {
+  constexpr std::array<std::string_view, 5> of_tools{"tool_radius", "tools", "wear", "allowance",
+                                                     "nominal_radius"};
+  return options.radius || options.wear ||
+         std::ranges::any_of(options.assignments, [&](const std::string& assignment) {
+           const std::string_view key =
+               std::string_view(assignment).substr(0, assignment.find('='));
+           return std::ranges::find(of_tools, key) != of_tools.end();
+         });
+}
+
+}  // namespace
+
 bool setup_of(const ProgramOptions& options, v1::ProgramSetup& setup) {
   for (const std::string& assignment : options.assignments) {
     const std::string fault = wire::apply_setting(assignment, setup);
@@ -182,6 +199,9 @@ bool setup_of(const ProgramOptions& options, v1::ProgramSetup& setup) {
              "first line unit,inch or a column unit of a CSV says otherwise, --unit inch of other "
              "tables\n";
   }
+  if (says_a_radius(options) && counts_in_inch(options, setup))
+    std::cerr << "trc: note: radii and wear of --radius, --wear and --set are in mm, though the "
+                 "program counts in inch: 0.25 inch are 6.35\n";
   // The server shows the name in its log; the end says more than the directory.
   constexpr std::size_t longest_name = 255;
   std::string name = text_of_name(options.file);

@@ -104,8 +104,8 @@ const germanMeanings = {
     'was an Außenecken eingefügt wird; linuxcnc und sinumerik beginnen mit circular',
   'what becomes of contour that the tool cannot cut: off stops there, on leaves it out':
     'was mit Kontur geschieht, die das Werkzeug nicht schneiden kann: off hält dort an, on lässt sie aus',
-  'where the programmed feed holds: off at the tool centre, on at the contour':
-    'wo der programmierte Vorschub gilt: off im Werkzeugmittelpunkt, on an der Kontur',
+  'where the programmed feed holds: off at the tool centre, on at the contour; sinumerik begins with on':
+    'wo der programmierte Vorschub gilt: off an der Werkzeugmitte, on an der Kontur; sinumerik beginnt mit on',
   'smallest radius of arcs on which G11 adapts the feed; 0: all': 'kleinster Radius von Bögen, auf denen G11 den Vorschub anpasst; 0: alle',
   'smallest factor that G11 puts on a feed': 'kleinster Faktor, mit dem G11 einen Vorschub ändert',
   'what circle centres I, J, K count from': 'ab wo Kreismittelpunkte I, J, K zählen',

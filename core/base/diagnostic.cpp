@@ -156,6 +156,9 @@ constexpr auto rows = std::to_array<CodeRow>({
     {Code::turning, error, "TURNING",
      "this is a program of a lathe: turning is not compensated here",
      "Let the lathe compensate the nose of its tool."},
+    {Code::motion_unknown, error, "MOTION_UNKNOWN",
+     "a contour moves though the program has not said whether at the feed or at rapid",
+     "Program G01 (or G00) in front of the contour, or in its first block."},
 
     {Code::circle_incomplete, error, "CIRCLE_INCOMPLETE",
      "a circular block has neither centre nor radius",

@@ -78,6 +78,7 @@ enum class Code : std::int32_t {
   other_dialect = 900016,
   block_skip_undecided = 900017,
   turning = 900018,
+  motion_unknown = 900019,
 
   // program rules
   circle_incomplete = 900101,

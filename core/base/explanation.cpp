@@ -535,6 +535,17 @@ constexpr auto rows = std::to_array<Explanation>({
                 "G42 X20. Z0.\n"
                 "G1 Z-20. F0.2\n",
      .options = "--dialect fanuc"},
+    {.code = Code::motion_unknown,
+     .meaning = "Without a word before it a control moves with G00 or with G01, as it is set. "
+                "The path is written with the word, and no contour may be cut at rapid.",
+     .causes = {"The program is a part of another one, which has the G01.",
+                "G01 has been forgotten."},
+     .example = "G21 G17 G90\n"
+                "T1 D1 M6 F300\n"
+                "X-20. Y-20.\n"
+                "G41 D1 X0 Y0\n"
+                "Y40.\n",
+     .options = "--dialect fanuc --radius 5"},
     {.code = Code::circle_incomplete,
      .meaning = "An arc needs a centre or a radius in its own block: those of the block "
                 "before do not hold on.",

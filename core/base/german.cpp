@@ -221,6 +221,10 @@ constexpr auto rows = std::to_array<GermanRow>({
     {.code = Code::turning,
      .title = "das ist ein Drehprogramm: Drehen wird hier nicht korrigiert",
      .help = "Die Schneidenradiuskorrektur der Drehmaschine überlassen."},
+    {.code = Code::motion_unknown,
+     .title = "eine Kontur fährt, obwohl das Programm nicht gesagt hat, ob im Vorschub oder im "
+              "Eilgang",
+     .help = "G01 (oder G00) vor der Kontur oder in ihrem ersten Satz programmieren."},
 
     {.code = Code::circle_incomplete,
      .title = "ein Kreissatz hat weder Mittelpunkt noch Radius",

@@ -273,6 +273,12 @@ constexpr auto rows = std::to_array<GermanExplanation>({
      .meaning = "Eine Drehmaschine korrigiert die Schneidenspitze in der Ebene der Spindel, nach "
                 "der Lage der Schneide. Dieses Programm fräst.",
      .causes = {"Ein Programm einer Drehmaschine wurde angegeben."}},
+    {.code = Code::motion_unknown,
+     .meaning = "Ohne ein Wort davor fährt eine Steuerung mit G00 oder mit G01, je nach ihrer "
+                "Einstellung. Der Weg wird hier mit dem Wort geschrieben, und im Eilgang darf "
+                "keine Kontur gefräst werden.",
+     .causes = {"Das Programm ist ein Teil eines anderen, in dem G01 steht.",
+                "G01 wurde vergessen."}},
     {.code = Code::circle_incomplete,
      .meaning = "Ein Bogen braucht in seinem Satz einen Mittelpunkt oder einen Radius: die des "
                 "Satzes davor gelten nicht weiter.",

@@ -31,6 +31,7 @@ constexpr auto fragments = std::to_array<Fragment>({
      "geschwenkt)"},
     {"a byte order mark, which cannot be seen", "eine Bytereihenfolge-Marke, die man nicht sieht"},
     {"a call", "ein Aufruf"},
+    {"a chamfer beside an arc", "eine Fase neben einem Bogen"},
     {"a circle word in a straight motion", "ein Kreiswort in einer Geraden"},
     {"a compensation along one axis", "eine Korrektur längs einer Achse"},
     {"a contour of X and Z in the plane X Y", "eine Kontur aus X und Z in der Ebene X Y"},
@@ -67,9 +68,8 @@ constexpr auto fragments = std::to_array<Fragment>({
      "plane",
      "eine Rundung oder Fase, die nicht zwischen zwei Bewegungen einer Kontur steht, im Vorschub "
      "und in der Ebene"},
-    {"a rounding or a chamfer the motions have no room for, or a chamfer beside an arc",
-     "eine Rundung oder Fase, für die in den Bewegungen kein Platz ist, oder eine Fase an einem "
-     "Bogen"},
+    {"a rounding or a chamfer the motions have no room for",
+     "eine Rundung oder Fase, für die in den Bewegungen kein Platz ist"},
     {"a search for bottlenecks: CDOF", "eine Suche nach Engstellen: CDOF"},
     {"a second OFFN", "ein zweites OFFN"},
     {"a second rounding or chamfer", "eine zweite Rundung oder Fase"},
@@ -142,6 +142,8 @@ constexpr auto fragments = std::to_array<Fragment>({
     {"known are", "bekannt sind"},
     {"machine coordinates", "Maschinenkoordinaten"},
     {"modes as they were at M70", "die Zustände, wie sie bei M70 waren"},
+    {"modes as they were in front of a subprogram",
+     "die Zustände, wie sie vor einem Unterprogramm waren"},
     {"more than 0 and at most 360", "mehr als 0 und höchstens 360"},
     {"no feed per minute", "kein Vorschub je Minute"},
     {"not alone in its block", "nicht allein in seinem Satz"},

@@ -54,6 +54,7 @@ class Conversion {
         klartext_(to == DialectName::heidenhain),
         writer_({.decimals = decimals,
                  .start = setup.start,
+                 .motion = to_.motion.value_or(MotionKind::rapid),
                  .absolute_center = klartext_,
                  .plane = setup.mode.plane,
                  .spelling = {.points = to_.writes_points, .klartext = klartext_},

@@ -27,16 +27,17 @@ constexpr std::size_t most_silent_bytes = 16 * 1024 * 1024;
 
 NcWriter::Setup writer_setup(const ProgramSessionSetup& setup) {
   const ProgramSetup& program = setup.session.program;
-  const bool klartext = program.dialect == DialectName::heidenhain;
+  const Dialect& dialect = dialect_of(program.dialect);
+  const bool klartext = dialect.name == DialectName::heidenhain;
   // Decimals out of range are refused before anything is written.
-  NcWriter::Setup writer{
-      .decimals = std::clamp(setup.decimals, 0, most_decimals - 1),
-      .start = program.start,
-      .absolute_center = program.absolute_center || klartext,
-      .plane = program.mode.plane,
-      .inch = program.inch,
-      .spelling = {.points = dialect_of(program.dialect).writes_points, .klartext = klartext},
-      .renumbers = program.renumbers};
+  NcWriter::Setup writer{.decimals = std::clamp(setup.decimals, 0, most_decimals - 1),
+                         .start = program.start,
+                         .motion = dialect.motion.value_or(MotionKind::rapid),
+                         .absolute_center = program.absolute_center || klartext,
+                         .plane = program.mode.plane,
+                         .inch = program.inch,
+                         .spelling = {.points = dialect.writes_points, .klartext = klartext},
+                         .renumbers = program.renumbers};
   // Text has no word for an axis with a longer name.
   for (const std::string& axis : program.tracking_axes)
     writer.tracking_letters += axis.size() == 1 ? axis.front() : '?';

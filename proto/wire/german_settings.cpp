@@ -29,7 +29,8 @@ constexpr auto meanings = std::to_array<German>({
     {"contour_masking",
      "was aus Kontur wird, die das Werkzeug nicht fräsen kann: off hält dort an, on lässt sie aus"},
     {"feed_adaptation",
-     "wo der programmierte Vorschub gilt: off an der Werkzeugmitte, on an der Kontur"},
+     "wo der programmierte Vorschub gilt: off an der Werkzeugmitte, on an der Kontur; sinumerik "
+     "beginnt mit on"},
     {"tangfeed_min_radius",
      "kleinster Radius von Bögen, auf denen G11 den Vorschub anpasst; 0: alle"},
     {"min_feed_factor", "kleinster Faktor, den G11 auf einen Vorschub gibt"},

@@ -38,7 +38,9 @@ constexpr auto rows = std::to_array<SettingMeaning>({
      "what becomes of contour that the tool cannot cut: off stops there, on leaves it out", "",
      "off"},
     {"feed_adaptation",
-     "where the programmed feed holds: off at the tool centre, on at the contour", "", "off"},
+     "where the programmed feed holds: off at the tool centre, on at the contour; sinumerik begins "
+     "with on",
+     "", "off"},
     {"tangfeed_min_radius", "smallest radius of arcs on which G11 adapts the feed; 0: all", "mm",
      "0", 0, largest_length},
     {"min_feed_factor", "smallest factor that G11 puts on a feed", "", "0.01", 1e-6, 1},

@@ -329,6 +329,8 @@ void read_dialect(const v1::ProgramSetup& message, const FieldPath& path, Progra
     program.mode.selection = dialect.selection;
   if (message.path().transition() == v1::TRANSITION_UNSPECIFIED)
     program.mode.transition = dialect.transition;
+  if (message.path().feed_adaptation() == v1::FEED_ADAPTATION_UNSPECIFIED)
+    program.mode.feed_adaptation = dialect.feed_adaptation;
 }
 
 // Of programs that compute.
@@ -443,12 +445,13 @@ void to_proto(const PathSettings& settings, v1::PathSetup& message) {
   if (program.start != Position{}) to_proto(program.start, *message.mutable_start_position());
   if (mode.tool_radius != 0 || program.tool_radius_given) message.set_tool_radius(mode.tool_radius);
   to_proto(program, message);
-  if (mode.selection != Selection::indirect)
+  const Dialect& dialect = dialect_of(program.dialect);
+  if (mode.selection != dialect.selection)
     message.set_selection_mode(selections.to_proto(mode.selection));
-  if (mode.transition != Transition::linear)
+  if (mode.transition != dialect.transition)
     message.set_transition(transitions.to_proto(mode.transition));
   if (mode.masking != Masking::off) message.set_contour_masking(maskings.to_proto(mode.masking));
-  if (mode.feed_adaptation != FeedAdaptation::off)
+  if (mode.feed_adaptation != dialect.feed_adaptation)
     message.set_feed_adaptation(feed_adaptations.to_proto(mode.feed_adaptation));
   if (mode.tangfeed_minimum != 0) message.set_tangfeed_min_radius(mode.tangfeed_minimum);
   if (compensator.smallest_feed_factor != compensator_initial.smallest_feed_factor)

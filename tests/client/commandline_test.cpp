@@ -465,6 +465,14 @@ TEST(Compensate, SaysThatItTookRadiiInMmForAProgramInInch) {
   EXPECT_NE(trc({"compensate", program, "--dialect", "fanuc", "--tools", saying}, "")
                 .out.find("X-0.25 Y0"),
             std::string::npos);
+  const auto told_of_options = [&](const std::string& option, const std::string& value) {
+    const Ended ended = trc({"compensate", program, "--dialect", "fanuc", option, value}, "");
+    EXPECT_EQ(ended.code, 0) << ended.err;
+    return ended.err.find("--radius, --wear and --set are in mm") != std::string::npos;
+  };
+  EXPECT_TRUE(told_of_options("--radius", "0.25"));
+  EXPECT_TRUE(told_of_options("--set", "tools=1:0.25"));
+  EXPECT_FALSE(told_of_options("--tools", inches));
   std::filesystem::remove_all(folder);
 }
 

@@ -46,8 +46,7 @@ void check(std::string_view text, bool nc_text, std::size_t piece) {
     ProgramSetup& program = setup.session.program;
     program.dialect = dialect.name;
     program.max_executed_lines = 2000;
-    program.mode.selection = dialect.selection;
-    program.mode.transition = dialect.transition;
+    dialect.begin(program.mode);
     program.mode.tool_radius = 3;
     const Given whole = given_by(text, setup, std::max<std::size_t>(text.size(), 1));
     const Given pieces = given_by(text, setup, piece);

@@ -39,8 +39,7 @@ inline ProgramSessionSetup computing_setup(DialectName name) {
   ProgramSessionSetup setup;
   const Dialect& dialect = dialect_of(name);
   setup.session.program.dialect = name;
-  setup.session.program.mode.selection = dialect.selection;
-  setup.session.program.mode.transition = dialect.transition;
+  dialect.begin(setup.session.program.mode);
   setup.session.program.mode.tool_radius = 2;
   setup.session.compensator.limits.passive_blocks = 10'000;
   return setup;

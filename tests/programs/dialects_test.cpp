@@ -107,8 +107,7 @@ std::vector<DialectProgram> all_programs() {
           .text = text.str()};
       ProgramSetup& setup = program.setup.session.program;
       setup.dialect = dialect.name;
-      setup.mode.selection = dialect.selection;
-      setup.mode.transition = dialect.transition;
+      dialect.begin(setup.mode);
       read_head(program);
       programs.push_back(std::move(program));
     }
@@ -404,6 +403,23 @@ TEST(ToolsWithoutARadius, AreToldAtTheWordThatCallsThem) {
 }
 
 // H beside G41 is its register; left alone it would change the length.
+// A drill is never compensated: its D word is missed where a radius is needed, not before.
+TEST(ToolsWithoutARadius, AreNotMissedByMotionsWithoutCorrection) {
+  ProgramSessionSetup setup;
+  setup.session.program.tools = {{1, ToolRow(5)}};
+  const std::string drill = "N10 T17 D17\nN20 G0 X50 Y20\nN30 G1 Z-10 F100\nN40 G0 Z5\n";
+  const Written milled = run(
+      drill + "N50 T1 D1\nN60 G0 X-20 Y-20\nN70 G41 G1 X0 Y0 F300\nN80 Y40\nN90 G40 X-20\nM30\n",
+      setup, true);
+  EXPECT_FALSE(milled.stopped) << milled.report();
+  const Written missed =
+      run(drill + "N60 G0 X-20 Y-20\nN70 G41 G1 X0 Y0 F300\nN80 Y40\nM30\n", setup, true);
+  ASSERT_TRUE(missed.stopped);
+  EXPECT_EQ(missed.diagnostics.back().code, Code::tool_unknown);
+  EXPECT_EQ(missed.diagnostics.back().source.line, 1U);
+  EXPECT_EQ(missed.diagnostics.back().detail, "D17");
+}
+
 TEST(OffsetsOfFanuc, GoWithTheSelectionThatTheyBelongTo) {
   ProgramSessionSetup setup;
   setup.session.program.dialect = DialectName::fanuc;
@@ -875,12 +891,11 @@ TEST(FeedAtInsideArcs, IsThatOfTheContactPointThereAlone) {
       "X50\nG3 X60 Y10 CR=10\nG1 Y30\nG2 X70 Y40 CR=10\nG1 X90\nG40 X99 Y60\n";
   for (const auto& [word, inside, outside] :
        {std::tuple{"CFIN", 60.0, 100.0}, std::tuple{"CFC", 60.0, 140.0},
-        std::tuple{"CFTCP", 100.0, 100.0}}) {
+        std::tuple{"CFTCP", 100.0, 100.0}, std::tuple{"", 60.0, 140.0}}) {
     ProgramSessionSetup setup;
     setup.session.program.dialect = DialectName::sinumerik;
     setup.session.program.mode.tool_radius = 4;
-    setup.session.program.mode.selection = Selection::direct;
-    setup.session.program.mode.transition = Transition::circular;
+    dialect_of(DialectName::sinumerik).begin(setup.session.program.mode);
     const Written written =
         run("G0 X30 Y30\n" + std::string(word) + "\nG41 G1 X40 Y0 F100\n" + contour + "M30\n",
             setup, false);
@@ -891,6 +906,67 @@ TEST(FeedAtInsideArcs, IsThatOfTheContactPointThereAlone) {
     ASSERT_EQ(feeds.size(), 2u);
     EXPECT_NEAR(feeds[0], inside, 1e-9) << word;
     EXPECT_NEAR(feeds[1], outside, 1e-9) << word;
+  }
+}
+
+// Sinumerik begins with G1, ISG with G0; elsewhere the program has to say it (D-62).
+TEST(MotionsBeforeAnyFunction, AreThoseOfTheControlOrRefused) {
+  const std::string words = "G90 G17 F300\nX-20. Y-20.\nG41 X0. Y0.\nY40.\nX60.\n";
+  for (const Dialect& dialect : all_dialects()) {
+    if (dialect.name == DialectName::heidenhain) continue;
+    ProgramSessionSetup setup;
+    setup.session.program.dialect = dialect.name;
+    setup.session.program.mode.tool_radius = 5;
+    dialect.begin(setup.session.program.mode);
+    const Written written = run(words + "G40 X80. Y60.\nM30\n", setup, false);
+    if (dialect.motion) {
+      ASSERT_FALSE(written.stopped) << dialect.spelling << written.report();
+      for (const CompensatedBlock& block : moving(written.blocks, 1e-3))
+        EXPECT_EQ(block.rapid, dialect.motion == MotionKind::rapid) << dialect.spelling;
+      continue;
+    }
+    ASSERT_TRUE(written.stopped) << dialect.spelling;
+    EXPECT_EQ(written.diagnostics.back().code, Code::motion_unknown);
+    EXPECT_EQ(written.diagnostics.back().source.line, 3U);
+    const Written said = run("G1\n" + words + "G40 X80. Y60.\nM30\n", setup, false);
+    EXPECT_FALSE(said.stopped) << dialect.spelling << said.report();
+  }
+}
+
+// The feed of TOOL CALL holds until another one is programmed.
+TEST(Klartext, TakesTheFeedOfTheToolCall) {
+  const std::string program =
+      "BEGIN PGM A MM\nTOOL CALL 1 Z S3000 F500\nL X-20 Y-20 R0 FMAX M3\nL Z-3\nL X+0 Y+0 RL\n"
+      "L Y+50\nL X+40 F200\nL Y+0\nL X+0\nL X-20 Y-20 R0\nEND PGM A MM\n";
+  ProgramSessionSetup setup;
+  setup.session.program.dialect = DialectName::heidenhain;
+  setup.session.program.mode.tool_radius = 5;
+  dialect_of(DialectName::heidenhain).begin(setup.session.program.mode);
+  const Written written = run(program, setup, false);
+  ASSERT_FALSE(written.stopped) << written.report();
+  for (const CompensatedBlock& block : moving(written.blocks, 1e-3)) {
+    if (block.rapid) continue;
+    EXPECT_EQ(block.feed, block.source.line < 7 ? 500 : 200) << block.source.line;
+  }
+  const Written text = run(program, setup, true);
+  EXPECT_NE(text.text.find("TOOL CALL 1 Z S3000 F500\nL X-20 Y-20 R0 FMAX M3\nL Z-3\n"),
+            std::string::npos)
+      << text.text;
+  EXPECT_EQ(text.text.find("F500", text.text.find("L Z-3")), std::string::npos) << text.text;
+}
+
+// In G91 the R of G10 is a sum, wherever in the block the G91 stands.
+TEST(ToolDataOfAProgram, ThatAreASumAreRefused) {
+  for (const char* sum :
+       {"G91 G10 L12 P1 R0.5\nG90\n", "G10 L12 G91 P1 R0.5\nG90\n", "G91 G10 P1 R0.5\nG90\n"}) {
+    ProgramSessionSetup setup;
+    setup.session.program.dialect = DialectName::fanuc;
+    setup.session.program.tools = {{1, ToolRow(5)}};
+    const Written written = run("G21 G90 G17\nG0 X-20. Y-20.\n" + std::string(sum) +
+                                    "G41 D1 G1 X0. Y0. F300.\nY40.\nX60.\nG40 X80.\nM30\n",
+                                setup, false);
+    ASSERT_TRUE(written.stopped) << sum;
+    EXPECT_EQ(written.diagnostics.back().code, Code::nc_unsupported) << sum;
   }
 }
 

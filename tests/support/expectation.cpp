@@ -188,8 +188,7 @@ ProgramSessionSetup read_setup(std::string_view program) {
     } else if (key == "dialect") {
       ProgramSetup& start = setup.session.program;
       start.dialect = dialect_spelled(words.word()).value();
-      start.mode.selection = dialect_of(start.dialect).selection;
-      start.mode.transition = dialect_of(start.dialect).transition;
+      dialect_of(start.dialect).begin(start.mode);
     } else if (key == "leads") {
       LeadSettings& leads = setup.session.compensator.leads;
       leads.find = LeadSettings::Find::none;

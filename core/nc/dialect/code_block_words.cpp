@@ -333,6 +333,9 @@ bool Interpreter::read_code_machine_function(const CodeWord& word, ProgramLine& 
   const bool linuxcnc = dialect_.name == DialectName::linuxcnc;
   if (linuxcnc && m == 72)
     return refuse_code(line, word, Code::nc_unsupported, "modes as they were at M70");
+  if (linuxcnc && m == 73)
+    return refuse_code(line, word, Code::nc_unsupported,
+                       "modes as they were in front of a subprogram");
   block.names_tool |= linuxcnc && m == 61;
   const bool ends = m == 2 || m == 30 || m == 99;
   line.ends_program |= ends;

@@ -172,7 +172,8 @@ bool Interpreter::take_tool_data(ProgramLine& line, BlockWords& block) {
       linuxcnc ? data == 1 || data == 10 || data == 11 : data == 12 || data == 13;
   if (!radius_data || !block.move.radius) return true;
   if (data == 13 && *block.move.radius == 0) return true;
-  if (data != (linuxcnc ? 1 : 12) || !block.tool_data_number || incremental_)
+  const bool adds = block.has(dimension) ? block.of(dimension).is(91) : incremental_;
+  if (data != (linuxcnc ? 1 : 12) || !block.tool_data_number || adds)
     return refuse(line, TextFault{.code = Code::nc_unsupported,
                                   .begin = block.of(tool_data).begin,
                                   .detail = "G10 L" + std::to_string(data) +

@@ -17,7 +17,8 @@ const std::array<Dialect, 5>& dialects() {
       {.name = DialectName::isg,
        .spelling = "isg",
        .words = ControlWords::isg,
-       .functions = g_function_table()},
+       .functions = g_function_table(),
+       .motion = MotionKind::rapid},
       {.name = DialectName::fanuc,
        .spelling = "fanuc",
        .functions = fanuc_functions(),
@@ -38,7 +39,9 @@ const std::array<Dialect, 5>& dialects() {
        .spelling = "sinumerik",
        .functions = sinumerik_functions(),
        .selection = Selection::direct,
-       .transition = Transition::circular},
+       .transition = Transition::circular,
+       .feed_adaptation = FeedAdaptation::on,
+       .motion = MotionKind::linear},
       {.name = DialectName::heidenhain,
        .spelling = "heidenhain",
        .words = ControlWords::klartext,
@@ -92,6 +95,12 @@ std::optional<DialectName> dialect_spelled(std::string_view spelling) {
   for (const Dialect& dialect : dialects())
     if (std::ranges::equal(dialect.spelling, spelling, {}, upper, upper)) return dialect.name;
   return {};
+}
+
+void Dialect::begin(TrcMode& mode) const {
+  mode.selection = selection;
+  mode.transition = transition;
+  mode.feed_adaptation = feed_adaptation;
 }
 
 const GFunction* Dialect::function(double number) const {

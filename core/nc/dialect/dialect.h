@@ -8,6 +8,7 @@
 #include "core/base/control_words.h"
 #include "core/nc/dialect/g_function.h"
 #include "core/nc/state/dialect_name.h"
+#include "core/nc/state/program_state.h"
 #include "core/nc/state/trc_mode.h"
 
 namespace trc {
@@ -21,6 +22,9 @@ struct Dialect {
   std::int16_t inch_function = 70;                 // counts in inch from here on
   Selection selection = Selection::indirect;       // how the tool reaches the contour
   Transition transition = Transition::linear;      // at outside corners
+  FeedAdaptation feed_adaptation = FeedAdaptation::off;
+  // How a line moves before the program has said it; nothing: no contour begins before.
+  std::optional<MotionKind> motion{};
   // Numbers are written with a decimal point: without it some controls count increments.
   bool writes_points = false;
   // G41 without a D word takes the tool that the last M06 brought.
@@ -31,6 +35,8 @@ struct Dialect {
   bool arcs_to_the_contour = false;
   bool available = true;
 
+  // Puts in force what holds at the start of a program (D-62).
+  void begin(TrcMode& mode) const;
   // Null when there is no such function.
   [[nodiscard]] const GFunction* function(double number) const;
 };

@@ -78,6 +78,8 @@ Interpreter::Interpreter(const ReaderLimits& limits, ProgramState& state, Diagno
       reads_plain_lines_(state.setup().dialect == DialectName::isg),
       in_front_of_tape_(state.setup().dialect == DialectName::fanuc ||
                         state.setup().dialect == DialectName::linuxcnc) {
+  motion_ = dialect_.motion.value_or(motion_);
+  motion_given_ = dialect_.motion.has_value();
   diagnostics_.units().count_in(inch_, 0);
   state_.set_inch(inch_);
   if (dialect_.name == DialectName::heidenhain) {
@@ -435,6 +437,7 @@ bool Interpreter::read_block(ProgramLine& line) {
 bool Interpreter::is_plain(ProgramLine& line, PlainMotion& plain) const {
   return !ended_ && comment_block_ == 0 && !in_subprogram_ && feed_mode_ == 94 &&
          reads_plain_lines_ && plain.read(line.text, line.words) &&
+         (motion_given_ || plain.has_function()) &&
          (!plain.has_feed() || state_.is_feed(plain.feed() * feed_unit(inch_)));
 }
 
@@ -445,6 +448,7 @@ bool Interpreter::apply(ProgramLine& line, const PlainMotion& plain) {
   line.has_words = true;
   ++blocks_read_;
   if (plain.has_function()) motion_ = plain.motion();
+  motion_given_ = true;
   if (plain.has_feed()) feed_ = plain.feed() * feed_unit(inch_);
   state_.place(plain.first_coordinate() + 1);
   MoveRequest request;

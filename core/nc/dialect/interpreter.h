@@ -144,8 +144,8 @@ class Interpreter {
   template <class Archive>
   void serialize(Archive& archive) {
     archive(partial_, continued_, carriage_return_, lines_read_, blocks_read_, comment_block_,
-            ended_, motion_, incremental_, inch_, absolute_center_, feed_mode_, feed_,
-            isg_word_seen_, reads_plain_lines_, feed_in_mm_, code_, klartext_, faults_,
+            ended_, motion_, motion_given_, incremental_, inch_, absolute_center_, feed_mode_,
+            feed_, isg_word_seen_, reads_plain_lines_, feed_in_mm_, code_, klartext_, faults_,
             scanned_trc_, in_front_of_tape_, called_motion_, called_dimension_, in_subprogram_);
   }
 
@@ -441,6 +441,7 @@ class Interpreter {
   bool ended_ = false;
 
   MotionKind motion_ = MotionKind::rapid;
+  bool motion_given_ = false;  // by the program, or by its control at the start
   bool incremental_ = false;
   bool inch_ = false;
   bool feed_in_mm_ = false;  // whatever lengths count in

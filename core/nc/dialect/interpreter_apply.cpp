@@ -53,8 +53,10 @@ bool Interpreter::apply(ProgramLine& line, BlockWords& block) {
 
 bool Interpreter::apply_modes(const ProgramLine& line, const BlockWords& block) {
   using enum GGroup;
-  if (block.has(motion))
+  if (block.has(motion)) {
     motion_ = motions[static_cast<std::size_t>(block.of(motion).function->number)];
+    motion_given_ = true;
+  }
   if (block.has(unit)) {
     count_in(line, counts_in_inch(*block.of(unit).function));
     feed_in_mm_ = dialect_.name == DialectName::sinumerik && block.of(unit).function->number < 100;
@@ -153,7 +155,8 @@ bool Interpreter::apply_trc(const ProgramLine& line, const BlockWords& block) {
                     !state_.tool().row_of_tool(0);
   if (zero && at(block.tool->begin) && !state_.set_tool_radius(0, source)) return false;
   if (block.tool && !zero && at(block.tool->begin) &&
-      !state_.set_tool(static_cast<std::int64_t>(block.tool->value), source))
+      !state_.set_tool(static_cast<std::int64_t>(block.tool->value), source,
+                       place_of_word(line, block.tool->begin)))
     return false;
   if (!has(side) || block.of(side).is(40)) return true;
   return state_.select(side_of(block.of(side).function->number), source);
@@ -181,15 +184,18 @@ bool Interpreter::apply_motion(ProgramLine& line, BlockWords& block) {
   if ((!block.axis || !axis_is_position) && !block.center) return true;
   const std::uint32_t begin = std::min(block.axis.value_or(~0U), block.center.value_or(~0U));
   place(line, begin);
+  if (!motion_given_ && state_.contour_open())
+    return refuse(line, TextFault{.code = Code::motion_unknown, .begin = begin});
   const bool per_minute = feed_mode_ == 94;
   const bool adapted = state_.mode().feed_adaptation != FeedAdaptation::off;
   if (!per_minute && state_.contour_open() && (feed_mode_ == 93 || adapted))
-    return refuse(line,
-                  TextFault{.code = Code::nc_unsupported,
-                            .begin = begin,
-                            .detail = std::string("G")
-                                          .append(std::to_string(feed_mode_))
-                                          .append(adapted ? " with G11" : " while TRC is active")});
+    return refuse(
+        line, TextFault{.code = Code::nc_unsupported,
+                        .begin = begin,
+                        .detail = std::string("G")
+                                      .append(std::to_string(feed_mode_))
+                                      .append(adapted ? " with the feed at the contour (G11, CFC)"
+                                                      : " while TRC is active")});
   if (code_.soft_approach) return begin_contour_of_approach(line, block);
   return block.turns ? move_in_full_turns(line, block) : move(line, block.move);
 }

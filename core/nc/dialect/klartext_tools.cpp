@@ -105,7 +105,8 @@ bool Interpreter::read_tool_call(ProgramLine& line, std::size_t begin, std::stri
   if (trc_active() && (called->named || changes_delta))
     return refuse_klartext(line, begin, "TOOL CALL while TRC is active");
   if (!faults_.empty()) return false;
-  if (feed) modes.called_feed = *feed * (inch_ ? mm_per_inch / 10 : 1);
+  // It holds from here on, not only for F AUTO.
+  if (feed) feed_ = modes.called_feed = *feed * (inch_ ? mm_per_inch / 10 : 1);
   if (called->named) {
     modes.tool_name = called->name;
     modes.tool_place = place_of_word(line, static_cast<std::uint32_t>(begin));
@@ -122,7 +123,9 @@ bool Interpreter::read_tool_call(ProgramLine& line, std::size_t begin, std::stri
     modes.tangent.reset();
     if (!state_.set_plane(plane, line.source)) return false;
   }
-  return copy_klartext(line, begin, WordRole::technology);
+  const bool goes_on = copy_klartext(line, begin, WordRole::technology);
+  if (feed) line.roles |= bit(WordRole::feed);
+  return goes_on;
 }
 
 // TOOL DEF 5 L+0 R+4 gives a tool its radius; TOOL DEF 5 prepares it.

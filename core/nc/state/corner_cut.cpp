@@ -105,7 +105,7 @@ std::optional<CutCorner> round_corner(const Segment& before, const Segment& afte
 }
 
 std::optional<CutCorner> cut_lines(const Line& before, const Line& after, const CornerCut& cut,
-                                   double same_point) {
+                                   const Tolerances& tolerances) {
   const Vector in = tangent_of(before);
   const Vector out = tangent_of(after);
   const double turn = turn_between(in, out);
@@ -113,9 +113,16 @@ std::optional<CutCorner> cut_lines(const Line& before, const Line& after, const 
   if (cut.form == CornerCut::Form::round) leg = cut.size * std::tan(std::abs(turn) / 2);
   if (cut.form == CornerCut::Form::width) leg = cut.size / (2 * std::cos(turn / 2));
   const double shorter = std::min(length_of(before), length_of(after));
-  if (!(leg > same_point && leg + same_point < shorter)) return {};
-  const Point begin = before.end - leg * in;
-  const Point end = after.start + leg * out;
+  if (!(leg > tolerances.same_point && leg <= shorter + tolerances.input_resolution)) return {};
+  // Two roundings may meet, as at the end of a slot: what rounding of coordinates leaves between
+  // them goes (D-62).
+  double size = cut.size;
+  if (std::abs(shorter - leg) <= tolerances.input_resolution) {
+    size *= shorter / leg;
+    leg = shorter;
+  }
+  const Point begin = leg == length_of(before) ? before.start : Point(before.end - leg * in);
+  const Point end = leg == length_of(after) ? after.end : Point(after.start + leg * out);
   CutCorner corner{.before = Line{before.start, begin}, .after = Line{end, after.end}};
   if (cut.form != CornerCut::Form::round) {
     corner.between = Line{.start = begin, .end = end};
@@ -123,7 +130,7 @@ std::optional<CutCorner> cut_lines(const Line& before, const Line& after, const 
   }
   const Vector to_center = turn > 0 ? left_of(in) : Vector(-left_of(in));
   corner.between =
-      Arc{.start = begin, .end = end, .center = begin + cut.size * to_center, .sweep = turn};
+      Arc{.start = begin, .end = end, .center = begin + size * to_center, .sweep = turn};
   return corner;
 }
 
@@ -136,7 +143,7 @@ std::optional<CutCorner> cut_corner(const Segment& before, const Segment& after,
   const double turn = turn_between(tangent_at_end(before), tangent_at_start(after));
   if (std::abs(turn) > nearly_back) return {};
   if (!is_arc(before) && !is_arc(after))
-    return cut_lines(std::get<Line>(before), std::get<Line>(after), cut, same_point);
+    return cut_lines(std::get<Line>(before), std::get<Line>(after), cut, tolerances);
   if (cut.form != CornerCut::Form::round || std::abs(turn) <= tolerances.tangent) return {};
   return round_corner(before, after, turn, cut.size, same_point);
 }

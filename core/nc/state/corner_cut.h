@@ -24,7 +24,7 @@ struct CornerCut {
 };
 
 struct CutCorner {
-  Segment before{};
+  Segment before{};  // a point where the corner takes all of it, as `after` may be
   Segment between{};
   Segment after{};
 };

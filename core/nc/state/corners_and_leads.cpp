@@ -61,11 +61,31 @@ bool ProgramState::cut_corner_before(const MoveRequest& request, Segment& path, 
   }
   if (!alone || !in_contour) return refuse_corner(request.source);
   const auto corner = cut_corner(before.path, path, *corner_, tolerances_);
-  if (!corner)
-    return report(request.source, Code::nc_unsupported,
-                  "a rounding or a chamfer the motions have no room for, or a chamfer beside an "
-                  "arc");
+  const bool beside_arc =
+      corner_->form != CornerCut::Form::round && (is_arc(before.path) || is_arc(path));
+  const bool takes_all_behind = corner && length_of(corner->after) <= tolerances_.same_point;
+  const bool takes_all_before = corner && length_of(corner->before) <= tolerances_.same_point;
+  // The corner takes the place of the motion behind it: that has one feed, and no corner of its
+  // own.
+  const bool has_place = !takes_all_behind || (!takes_all_before && !request.corner &&
+                                               !corner_source_ && corner_feed_ == 0);
+  if (!corner || !has_place)
+    return report(corner_source_.value_or(before.source), Code::nc_unsupported,
+                  beside_arc ? "a chamfer beside an arc"
+                             : "a rounding or a chamfer the motions have no room for");
+  if (takes_all_before) {
+    before.path = corner->between;
+    if (corner_feed_ != 0) before.feed = corner_feed_;
+    path = corner->after;
+    release_held();
+    return true;
+  }
   before.path = corner->before;
+  if (takes_all_behind) {
+    path = corner->between;
+    release_held();
+    return true;
+  }
   path = corner->after;
   MotionBlock between = before;
   between.path = corner->between;

@@ -173,8 +173,8 @@ bool ProgramState::set_allowance(double allowance, const Source& source) {
   return follow_tool(tool_.set_allowance(allowance), source);
 }
 
-bool ProgramState::set_tool(std::int64_t number, const Source& source) {
-  return follow_tool(tool_.set_tool(number), source);
+bool ProgramState::set_tool(std::int64_t number, const Source& source, const WordPlace& place) {
+  return follow_tool(tool_.set_tool(number, place), source);
 }
 
 bool ProgramState::call_tool(const ToolRow& row, const Source& source) {

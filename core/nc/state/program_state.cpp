@@ -272,7 +272,8 @@ bool ProgramState::append_between_corners(const MoveRequest& request, const Shap
   Segment path = shape;
   if (!check_corner(request, alone) || !cut_corner_before(request, path, alone)) return false;
   if (lead_ && !approach_contour(path)) return false;
-  append_motion(request, std::get<Shape>(path), end, std::move(tracking));
+  // An arc that rounds a corner may have taken the place of the motion.
+  std::visit([&](const auto& way) { append_motion(request, way, end, std::move(tracking)); }, path);
   hold_for_corner(request);
   return true;
 }

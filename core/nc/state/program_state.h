@@ -109,7 +109,7 @@ class ProgramState {
   bool set_allowance_of_program(double allowance, const Source& source) {
     return set_allowance(setup_.allowance + allowance, source);
   }
-  bool set_tool(std::int64_t number, const Source& source);
+  bool set_tool(std::int64_t number, const Source& source, const WordPlace& place = {});
   void prepare_tool(std::int64_t number, const WordPlace& place = {}) {
     tool_.prepare_tool(number, place);
   }

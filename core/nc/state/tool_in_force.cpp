@@ -61,13 +61,14 @@ std::optional<Refusal> ToolInForce::set_allowance(double allowance) {
   return change_terms(terms);
 }
 
-std::optional<Refusal> ToolInForce::set_tool(std::int64_t number) {
+std::optional<Refusal> ToolInForce::set_tool(std::int64_t number, const WordPlace& place) {
   if (const auto row = row_of_tool(number)) return call_tool(*row);
-  if (number != 0)
-    return Refusal{.code = Code::tool_unknown,
-                   .detail = std::string("D").append(std::to_string(number))};
+  if (number != 0 && setup_.tools.empty())
+    return Refusal{.code = Code::tool_unknown, .detail = "D" + std::to_string(number)};
   giver_ = RadiusGiver::nobody;
-  missing_ = 0;
+  missing_ = number;
+  missing_letter_ = 'D';
+  missing_place_ = place;
   prepared_ = no_tool;
   return {};
 }
@@ -136,6 +137,7 @@ std::optional<Refusal> ToolInForce::take_tool(std::int64_t number) {
   if (giver_ == RadiusGiver::setup) return {};
   giver_ = RadiusGiver::nobody;
   missing_ = number;
+  missing_letter_ = 'T';
   missing_place_ = prepared_place_;
   return {};
 }
@@ -149,7 +151,7 @@ std::optional<Refusal> ToolInForce::check_at_first_motion(const Source& selected
 std::optional<Refusal> ToolInForce::check(const Source& selected) {
   if (giver_ == RadiusGiver::nobody && missing_ > 0 && !setup_.tools.empty())
     return Refusal{.code = Code::tool_unknown,
-                   .detail = "T" + std::to_string(missing_),
+                   .detail = missing_letter_ + std::to_string(missing_),
                    .place = missing_place_};
   if (giver_ == RadiusGiver::nobody)
     return Refusal{.code = Code::no_tool_radius, .detail = missing_radius(selected)};

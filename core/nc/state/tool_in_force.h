@@ -23,8 +23,9 @@ class ToolInForce {
   std::optional<Refusal> change_radius(double more);
   std::optional<Refusal> set_wear(double wear);            // mm
   std::optional<Refusal> set_allowance(double allowance);  // mm
-  // D word; D0 without a row is no tool, and there is no radius. 900013.
-  std::optional<Refusal> set_tool(std::int64_t number);
+  // D word; D0 without a row is no tool, and there is no radius. One that the table does not hold
+  // is missed where a radius is needed (D-52); with no table at once: 900013.
+  std::optional<Refusal> set_tool(std::int64_t number, const WordPlace& place);
   // A tool with its sizes, called by the program.
   std::optional<Refusal> call_tool(const ToolRow& row);
   // T word: the tool is made ready. M06: it is the one in the spindle. Its radius in the tool table
@@ -63,7 +64,8 @@ class ToolInForce {
   template <class Archive>
   void serialize(Archive& archive) {
     archive(defined_, terms_.radius, terms_.wear, terms_.allowance, giver_, prepared_,
-            prepared_place_, loads_tools_, missing_, missing_place_, zero_reported_);
+            prepared_place_, loads_tools_, missing_, missing_letter_, missing_place_,
+            zero_reported_);
   }
 
  private:
@@ -89,6 +91,7 @@ class ToolInForce {
   bool loads_tools_ = false;         // the program has an M06
   WordPlace prepared_place_{};       // of the last T word
   std::int64_t missing_ = no_tool;   // asked for last, without a radius
+  char missing_letter_ = 'T';        // of the word that asked for it
   WordPlace missing_place_{};
   bool zero_reported_ = false;
 };

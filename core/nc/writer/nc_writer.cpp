@@ -29,6 +29,7 @@ NcWriter::NcWriter(const Setup& setup)
       tracking_letters_(setup.tracking_letters),
       center_letters_are_axes_(setup.tracking_letters.find_first_of("IJKR") != std::string::npos),
       renumbers_(setup.renumbers) {
+  state_.motion = setup.motion;
   state_.absolute_center = setup.absolute_center;
   state_.plane = setup.plane;
   state_.inch = setup.inch;

@@ -29,8 +29,9 @@ namespace trc {
 class NcWriter {
  public:
   struct Setup {
-    int decimals = 4;  // mm; one more for inch; below most_decimals
-    Position start{};  // mm
+    int decimals = 4;                       // mm; one more for inch; below most_decimals
+    Position start{};                       // mm
+    MotionKind motion = MotionKind::rapid;  // of lines that do not say it
     bool absolute_center = false;
     Plane plane = Plane::xy;
     bool inch = false;

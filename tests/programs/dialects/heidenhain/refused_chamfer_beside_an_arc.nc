@@ -1,5 +1,5 @@
 ; radius 5
-; refused 900003 line 13
+; refused 900003 line 12
 0 BEGIN PGM REFUSED_ MM
 1 BLK FORM 0.1 Z X+0 Y+0 Z-20
 2 BLK FORM 0.2 X+100 Y+100 Z+0
