@@ -23,6 +23,8 @@ constexpr auto fragments = std::to_array<Fragment>({
      "segment",
      "SPLIT braucht eine Hauptachse (oder SPLIT_PATH) und für jeden Abschnitt DIST_SEG und "
      "FEED_SEG größer 0"},
+    {"TRC behind what may be skipped, in line",
+     "Korrektur hinter dem, was ausgeblendet sein kann, in Zeile"},
     {"TRC in a block that may be skipped",
      "Werkzeugradiuskorrektur in einem Satz, der ausgeblendet sein kann"},
     {"TRC of DIN/ISO", "Werkzeugradiuskorrektur von DIN/ISO"},

@@ -25,6 +25,18 @@ bool has_length_offset(const ProgramLine& line) {
 
 }  // namespace
 
+void Interpreter::note_what_may_be_skipped(const ProgramLine& line, const BlockWords& block) {
+  const std::uint32_t skipped = block.to_skip ? line.source.line : 0;
+  const bool sinumerik = dialect_.name == DialectName::sinumerik;
+  const bool names_tool =
+      block.tool_number || block.named_tool || block.loads_tool || block.names_tool;
+  // An edge of Sinumerik is one of the tool.
+  if (names_tool || (block.tool && (skipped > 0 || !sinumerik))) code_.skipped_tool = skipped;
+  if ((block.has(tool_data) && block.move.radius) || block.allowance)
+    code_.skipped_tool_data = skipped;
+  if (block.has(selection) || block.has(transition)) code_.skipped_approach = skipped;
+}
+
 // What G41 and G42 need, and D words.
 bool Interpreter::check_code_selection(ProgramLine& line, BlockWords& block) {
   const bool selects = block.has(side) && !block.of(side).is(40);
@@ -32,6 +44,12 @@ bool Interpreter::check_code_selection(ProgramLine& line, BlockWords& block) {
     return refuse(
         line, TextFault{.code = code, .begin = block.of(side).begin, .detail = std::move(detail)});
   };
+  note_what_may_be_skipped(line, block);
+  for (const std::uint32_t skipped :
+       {code_.skipped_tool, code_.skipped_tool_data, code_.skipped_approach})
+    if (selects && skipped > 0)
+      return wrong(Code::block_skip_undecided,
+                   "TRC behind what may be skipped, in line " + std::to_string(skipped));
   if (selects && code_.unfollowed >= 0)
     return wrong(Code::nc_unsupported, "TRC under " + code_.unfollowed_meaning + ", in line " +
                                            std::to_string(code_.unfollowed_line));

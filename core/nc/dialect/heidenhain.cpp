@@ -135,6 +135,8 @@ bool Interpreter::read_klartext(ProgramLine& line) {
                           (statement[1] == '+' || statement[1] == '-' || is_digit(statement[1]));
   const bool functions = statement.size() > 1 && statement[0] == 'M' &&
                          (is_digit(statement[1]) || statement[1] == ' ');
+  if (begins_with_word(statement, "TOOL CALL"))
+    code_.skipped_tool = block.to_skip ? line.source.line : 0;
   if ((motion == motions.end() || axis_alone) && !functions)
     return read_klartext_statement(line, at);
   if (!functions) {

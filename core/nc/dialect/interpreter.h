@@ -203,6 +203,8 @@ class Interpreter {
   void take_tool_words(const ProgramLine& line, BlockWords& block);
   void take_turns_of_arc(ProgramLine& line, BlockWords& block) const;
   bool copy_code_block(ProgramLine& line, BlockWords& block);
+  // What a selection hangs on, where the line may be skipped (D-59).
+  void note_what_may_be_skipped(const ProgramLine& line, const BlockWords& block);
   bool check_code_selection(ProgramLine& line, BlockWords& block);
   bool take_corner(ProgramLine& line, BlockWords& block);
   bool take_modal_rounding(ProgramLine& line, BlockWords& block);
@@ -336,9 +338,14 @@ class Interpreter {
     bool turning = false;              // a word that only lathes have has been seen
     bool y_seen = false;               // a Y word has
     bool dimension_uncertain = false;  // the last G90 or G91 may be skipped
-    bool turned = false;               // coordinates are rotated or mirrored
-    bool dynamic_offset = false;       // G254: the zero point goes with the turning axes
-    std::int64_t next_tool = 0;        // T
+    // In which line a tool, the data of tools, or how the contour is reached and its corners are
+    // rounded was said, where that may be skipped; 0: in none.
+    std::uint32_t skipped_tool = 0;
+    std::uint32_t skipped_tool_data = 0;
+    std::uint32_t skipped_approach = 0;
+    bool turned = false;          // coordinates are rotated or mirrored
+    bool dynamic_offset = false;  // G254: the zero point goes with the turning axes
+    std::int64_t next_tool = 0;   // T
     std::int64_t spindle_tool = 0;
     bool tool_named = false;     // by a T word
     bool spindle_empty = false;  // T0 M06
@@ -367,9 +374,10 @@ class Interpreter {
     template <class Archive>
     void serialize(Archive& archive) {
       archive(cycle, unfollowed, unfollowed_line, unfollowed_meaning, points_seen, turning, y_seen,
-              dimension_uncertain, turned, dynamic_offset, next_tool, spindle_tool, tool_name, edge,
-              changes_by_m6, only_register, pole, polar_angle, polar_radius, polar_rewritten,
-              missing_tool, only_tool_name, tangent_arcs, tool_named, spindle_empty, modal_rounding,
+              dimension_uncertain, skipped_tool, skipped_tool_data, skipped_approach, turned,
+              dynamic_offset, next_tool, spindle_tool, tool_name, edge, changes_by_m6,
+              only_register, pole, polar_angle, polar_radius, polar_rewritten, missing_tool,
+              only_tool_name, tangent_arcs, tool_named, spindle_empty, modal_rounding,
               soft_direction, soft_in_space, soft_approach, next_tool_place, spindle_tool_place,
               edge_place, edge_of_next_tool);
     }

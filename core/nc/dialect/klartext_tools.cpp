@@ -181,6 +181,11 @@ bool Interpreter::choose_called_tool(const ProgramLine& line, std::size_t begin)
 }
 
 bool Interpreter::select_in_klartext(const ProgramLine& line, Side side, std::size_t begin) {
+  if (side != Side::off && code_.skipped_tool > 0)
+    return refuse_klartext(
+        line, begin,
+        "TRC behind what may be skipped, in line " + std::to_string(code_.skipped_tool),
+        Code::block_skip_undecided);
   if (klartext_.unfollowed)
     return refuse_klartext(line, begin,
                            "RL, RR while coordinates are scaled or the tool tip is led");

@@ -1,0 +1,10 @@
+; tool 1 5
+; tool 2 3
+; refused 900017 line 7
+BEGIN PGM A MM
+TOOL CALL 1 Z S3000 F500
+/TOOL CALL 2 Z
+L X+0 Y+0 RL
+L Y+50
+L X-20 Y-20 R0
+END PGM A MM

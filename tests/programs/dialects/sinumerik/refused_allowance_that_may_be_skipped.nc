@@ -1,0 +1,10 @@
+; radius 5
+; refused 900017 line 8
+G71 G90 G17
+T1 D1
+M6
+G0 X-20 Y-20
+/OFFN=2
+G41 G1 X0 Y0 F300
+Y40
+M30
