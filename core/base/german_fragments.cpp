@@ -60,6 +60,8 @@ constexpr auto fragments = std::to_array<Fragment>({
     {"a plane: Klartext has it with TOOL CALL", "eine Ebene: in Klartext steht sie bei TOOL CALL"},
     {"a position of a drilling cycle", "eine Position eines Bohrzyklus"},
     {"a position that is not followed", "eine Position, die nicht verfolgt wird"},
+    {"a radius or a corner that may be skipped",
+     "ein Radius oder eine Ecke, die ausgeblendet sein können"},
     {"a radius that is changed has to be there",
      "ein Radius, der geändert wird, muss vorher da sein"},
     {"a reference that it cannot have", "ein Bezug, den es nicht haben kann"},

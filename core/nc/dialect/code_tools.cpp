@@ -25,16 +25,32 @@ bool has_length_offset(const ProgramLine& line) {
 
 }  // namespace
 
-void Interpreter::note_what_may_be_skipped(const ProgramLine& line, const BlockWords& block) {
+bool Interpreter::check_what_may_be_skipped(const ProgramLine& line, const BlockWords& block) {
   const std::uint32_t skipped = block.to_skip ? line.source.line : 0;
   const bool sinumerik = dialect_.name == DialectName::sinumerik;
   const bool names_tool =
       block.tool_number || block.named_tool || block.loads_tool || block.names_tool;
+  const bool gives_radius = (block.has(tool_data) && block.move.radius) || block.allowance;
+  const bool leads = block.has(selection) || block.has(transition);
   // An edge of Sinumerik is one of the tool.
   if (names_tool || (block.tool && (skipped > 0 || !sinumerik))) code_.skipped_tool = skipped;
-  if ((block.has(tool_data) && block.move.radius) || block.allowance)
-    code_.skipped_tool_data = skipped;
-  if (block.has(selection) || block.has(transition)) code_.skipped_approach = skipped;
+  if (gives_radius) code_.skipped_tool_data = skipped;
+  if (leads) code_.skipped_approach = skipped;
+  // Of other dialects a T word changes nothing in a contour.
+  const bool changes_contour = block.tool || gives_radius || leads || (sinumerik && names_tool);
+  if (skipped > 0 && changes_contour && trc_active())
+    return refuse(line, TextFault{.code = Code::block_skip_undecided,
+                                  .begin = line.words.front().begin,
+                                  .detail = "a radius or a corner that may be skipped"});
+  const bool selects = block.has(side) && !block.of(side).is(40);
+  for (const std::uint32_t before :
+       {code_.skipped_tool, code_.skipped_tool_data, code_.skipped_approach})
+    if (selects && before > 0)
+      return refuse(line, TextFault{.code = Code::block_skip_undecided,
+                                    .begin = block.of(side).begin,
+                                    .detail = "TRC behind what may be skipped, in line " +
+                                              std::to_string(before)});
+  return true;
 }
 
 // What G41 and G42 need, and D words.
@@ -44,12 +60,7 @@ bool Interpreter::check_code_selection(ProgramLine& line, BlockWords& block) {
     return refuse(
         line, TextFault{.code = code, .begin = block.of(side).begin, .detail = std::move(detail)});
   };
-  note_what_may_be_skipped(line, block);
-  for (const std::uint32_t skipped :
-       {code_.skipped_tool, code_.skipped_tool_data, code_.skipped_approach})
-    if (selects && skipped > 0)
-      return wrong(Code::block_skip_undecided,
-                   "TRC behind what may be skipped, in line " + std::to_string(skipped));
+  if (!check_what_may_be_skipped(line, block)) return false;
   if (selects && code_.unfollowed >= 0)
     return wrong(Code::nc_unsupported, "TRC under " + code_.unfollowed_meaning + ", in line " +
                                            std::to_string(code_.unfollowed_line));

@@ -203,8 +203,8 @@ class Interpreter {
   void take_tool_words(const ProgramLine& line, BlockWords& block);
   void take_turns_of_arc(ProgramLine& line, BlockWords& block) const;
   bool copy_code_block(ProgramLine& line, BlockWords& block);
-  // What a selection hangs on, where the line may be skipped (D-59).
-  void note_what_may_be_skipped(const ProgramLine& line, const BlockWords& block);
+  // Whether a contour hangs on what a line says that may be skipped (D-59).
+  bool check_what_may_be_skipped(const ProgramLine& line, const BlockWords& block);
   bool check_code_selection(ProgramLine& line, BlockWords& block);
   bool take_corner(ProgramLine& line, BlockWords& block);
   bool take_modal_rounding(ProgramLine& line, BlockWords& block);

@@ -36,13 +36,38 @@ bool calls_subprogram(std::string_view text) {
          (behind.empty() || std::string_view("[(;").find(behind.front()) != std::string_view::npos);
 }
 
+// Whether words of a block stand in or behind the value of an assignment, as in V.P.A=5 G01 X9:
+// they would pass as text and be lost. P1 is a variable, 1E5 a number, V.L.X1 a name.
+bool holds_words(std::string_view value) {
+  int brackets = 0;
+  for (std::size_t at = 0; at < value.size() && value[at] != '(' && value[at] != ';'; ++at) {
+    const char sign = upper(value[at]);
+    const char next = at + 1 < value.size() ? upper(value[at + 1]) : ' ';
+    if (sign == '[') ++brackets;
+    if (sign == ']') --brackets;
+    if (sign == '"') at = std::min(value.find('"', at + 1), value.size() - 1);
+    const bool begins_name = is_letter(sign) && (is_letter(next) || next == '.' || next == '_');
+    if (begins_name) {
+      while (at + 1 < value.size() && (is_letter(value[at + 1]) || is_digit(value[at + 1]) ||
+                                       value[at + 1] == '.' || value[at + 1] == '_'))
+        ++at;
+      continue;
+    }
+    const bool exponent = sign == 'E' && at > 0 && is_digit(value[at - 1]);
+    const bool is_word = is_letter(sign) && sign != 'P' && !exponent && next != '[';
+    if (brackets == 0 && (is_word || sign == '#' || sign == '$')) return true;
+  }
+  return false;
+}
+
 // V.P.DEPTH = 3; not of the tool in force, V.G., which says the radius.
 bool assigns_variable(std::string_view text) {
   if (text.size() < 5 || upper(text[0]) != 'V' || text[1] != '.' || text[3] != '.') return false;
   if (std::string_view("PLSE").find(upper(text[2])) == std::string_view::npos) return false;
   const std::size_t behind = text.find_first_of("= \t(;", 4);
-  return behind != std::string_view::npos &&
-         without_blanks_in_front(text.substr(behind)).starts_with('=');
+  if (behind == std::string_view::npos) return false;
+  const std::string_view value = without_blanks_in_front(text.substr(behind));
+  return value.starts_with('=') && !holds_words(value.substr(1));
 }
 
 }  // namespace

@@ -60,9 +60,9 @@ class Obstacles {
   }
   // Of a block the contour ends with: the one at its begin that it goes over once more.
   [[nodiscard]] std::optional<std::size_t> first_visit_of(std::size_t number) const {
-    const bool goes_over =
-        walls_.round > 0 && number >= walls_.round && number - walls_.round < walls_.head.end;
-    return goes_over ? std::optional(number - walls_.round) : std::nullopt;
+    const bool goes_over = walls_.blocks_of_round > 0 && number >= walls_.blocks_of_round &&
+                           number - walls_.blocks_of_round < walls_.head.end;
+    return goes_over ? std::optional(number - walls_.blocks_of_round) : std::nullopt;
   }
   // What of a contour block is a wall.
   [[nodiscard]] Segment wall(std::size_t number) const;

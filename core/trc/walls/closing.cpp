@@ -233,15 +233,16 @@ class InwardSearch {
   // only touches itself. Leads go round nothing, or round what lies on the side of the tool (D-57).
   [[nodiscard]] bool goes_round_a_part(const Candidate& next) const {
     if (contour_.tool_side == Side::off || !is_junction(*best_)) return false;
-    Outline between(memory_);
+    Scratch scratch;
+    Outline between(scratch.memory());
     between.append(contour_, best_->first, next.first);
     between.append(contour_, next.second, best_->second);
     const double length = next.before - best_->before + next.behind - best_->behind;
     if (between.is_slender(length)) return false;
     if ((between.area() > 0) != (contour_.tool_side == Side::left)) return true;
     const Closing inner{.first = next.first, .second = next.second, .point = next.point};
-    const Visits visits = visits_of(contour_, inner, tolerance_, memory_);
-    Outline lap(memory_);
+    const Visits visits = visits_of(contour_, inner, tolerance_, scratch.memory());
+    Outline lap(scratch.memory());
     lap.append(contour_, visits[0].place, visits[1].place);
     return !lap.has_on(contour_.tool_side, start_of(contour_.segment(0)));
   }

@@ -202,8 +202,8 @@ Walls find_walls(const ContourView& contour, const LeadSettings& settings, doubl
     add_rings(contour, laps, leads, walls);
     if (closing->overrun) {
       walls.blocks_of_overrun = closing->first.number - closing->overrun->first.number;
-      walls.round = block_from(contour, closing->overrun->second) -
-                    block_from(contour, closing->overrun->first);
+      walls.blocks_of_round = block_from(contour, closing->overrun->second) -
+                              block_from(contour, closing->overrun->first);
     }
     if (!walls.rings.empty())
       walls.touch_of_rings = std::min(Tolerances{}.on_top, settings.closing_tolerance);

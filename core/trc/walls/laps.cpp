@@ -5,6 +5,7 @@
 
 #include "core/geometry/along.h"
 #include "core/trc/walls/outline.h"
+#include "core/trc/walls/scratch.h"
 
 namespace trc {
 namespace {
@@ -19,13 +20,14 @@ Laps::Laps(const ContourView& contour, const Closing& closing, double tolerance,
            std::pmr::memory_resource* memory)
     : contour_(contour),
       near_(2 * (tolerance + closing.gap)),
-      memory_(memory),
       visits_(visits_of(contour, closing, tolerance, memory)),
       longest_(longest_ring(visits_)),
       are_leads_(visits_.size(), false, memory) {
   std::size_t lap = 0;
+  Neighbours about{};
   for (std::size_t ring = 1; ring < visits_.size() && visits_.size() > 2; ++ring) {
-    are_leads_[ring] = leads_on(ring);
+    find_neighbours(ring, about);
+    are_leads_[ring] = leads_on(ring, about);
     if (are_leads_[ring]) continue;
     if (lap > 0 && !goes_over(ring, lap)) go_over_one_another_ = false;
     lap = ring;
@@ -36,27 +38,36 @@ bool Laps::is_short(std::size_t ring) const {
   return length_of_ring(ring) < share_of_lead_ring * longest_;
 }
 
-bool Laps::leads_on(std::size_t ring) const {
+// Many short rings may lie between two long ones.
+void Laps::find_neighbours(std::size_t ring, Neighbours& about) const {
+  const Neighbours known = about;
+  if (ring > 1 && !is_short(ring - 1)) about.before = ring - 1;
+  about.behind = std::max(about.behind, ring + 1);
+  while (about.behind < visits_.size() && is_short(about.behind)) ++about.behind;
+  if (about.before == known.before && about.behind == known.behind) return;
+  about.are_one_lap =
+      about.before > 0 && about.behind < visits_.size() && goes_over(about.behind, about.before);
+}
+
+bool Laps::leads_on(std::size_t ring, const Neighbours& about) const {
   const std::size_t blocks = visits_[ring].place.number - visits_[ring - 1].place.number;
   if (blocks > most_lead_blocks) return false;
-  std::size_t before = ring - 1;
-  while (before > 0 && is_short(before)) --before;
-  std::size_t behind = ring + 1;
-  while (behind < visits_.size() && is_short(behind)) ++behind;
-  const bool is_between_laps = before > 0 && behind < visits_.size() && goes_over(behind, before);
-  if (is_short(ring)) return is_between_laps || side_of(ring, before > 0 ? before : behind) >= 0;
-  return is_between_laps && length_of_ring(ring) < length_of_ring(before) &&
-         length_of_ring(ring) < length_of_ring(behind) && !goes_over(ring, before) &&
+  const std::size_t before = about.before;
+  if (is_short(ring))
+    return about.are_one_lap || side_of(ring, before > 0 ? before : about.behind) >= 0;
+  return about.are_one_lap && length_of_ring(ring) < length_of_ring(before) &&
+         length_of_ring(ring) < length_of_ring(about.behind) && !goes_over(ring, before) &&
          side_of(ring, before) > 0;
 }
 
 int Laps::side_of(std::size_t ring, std::size_t lap) const {
   if (contour_.tool_side == Side::off) return 0;
-  Outline around(memory_);
+  Scratch scratch;
+  Outline around(scratch.memory());
   around.append(contour_, visits_[ring - 1].place, visits_[ring].place);
   if (around.is_slender(length_of_ring(ring))) return 0;
   if ((around.area() > 0) != (contour_.tool_side == Side::left)) return -1;
-  Outline of_lap(memory_);
+  Outline of_lap(scratch.memory());
   of_lap.append(contour_, visits_[lap - 1].place, visits_[lap].place);
   const double half = visits_[ring - 1].way + 0.5 * length_of_ring(ring);
   const auto [number, along] = place_at(half, visits_[ring - 1]);

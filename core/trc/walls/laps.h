@@ -10,7 +10,7 @@
 namespace trc {
 
 // Which of the rings of a contour are laps and which lead from one to the next (D-38, D-57). A ring
-// is called by the number of the visit it ends with, from 1 on. O(n).
+// is called by the number of the visit it ends with, from 1 on.
 class Laps {
  public:
   Laps(const ContourView& contour, const Closing& closing, double tolerance,
@@ -25,7 +25,17 @@ class Laps {
   [[nodiscard]] bool go_over_one_another() const { return go_over_one_another_; }
 
  private:
-  [[nodiscard]] bool leads_on(std::size_t ring) const;
+  // The next rings in front of a ring and behind it that are not short, and whether the one behind
+  // goes over the one in front; 0 and the number of visits where there are none.
+  struct Neighbours {
+    std::size_t before = 0;
+    std::size_t behind = 0;
+    bool are_one_lap = false;
+  };
+
+  // `about`: those of the ring before.
+  void find_neighbours(std::size_t ring, Neighbours& about) const;
+  [[nodiscard]] bool leads_on(std::size_t ring, const Neighbours& about) const;
   [[nodiscard]] bool is_short(std::size_t ring) const;
   // Whether a ring goes round what lies on the side of the tool of a lap: above 0; below 0: round
   // something else; 0: round nothing, or nobody knows where the tool cuts.
@@ -42,7 +52,6 @@ class Laps {
 
   const ContourView& contour_;
   double near_;
-  std::pmr::memory_resource* memory_;
   Visits visits_;
   double longest_ = 0;
   std::pmr::vector<bool> are_leads_;

@@ -66,9 +66,9 @@ struct Walls {
   double touch_of_rings = 0;
   // How many blocks an overrun goes over before the one it ends on.
   std::size_t blocks_of_overrun = 0;
-  // How many blocks behind the begin of the contour those come that go along it; 0: there is no
-  // overrun.
-  std::size_t round = 0;
+  // How many blocks behind the begin of the contour its overrun goes along it again; 0: there is
+  // none.
+  std::size_t blocks_of_round = 0;
 
   [[nodiscard]] bool are_all() const { return leads.empty() && parts.empty() && rings.empty(); }
   // Nothing is set.

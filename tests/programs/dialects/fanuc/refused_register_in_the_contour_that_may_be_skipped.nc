@@ -1,0 +1,13 @@
+; tool 1 5
+; tool 2 3
+; refused 900017 line 9
+G21 G90 G17
+T1 M6
+G0 X-20. Y-20.
+G41 D1 G1 X0 Y0 F300.
+Y40.
+/D2
+X60.
+Y0.
+G40 X100.
+M30
