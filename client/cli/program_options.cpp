@@ -38,6 +38,17 @@ std::string unit_and_range(const wire::SettingMeaning& about, bool german) {
   return text + (german ? " allein" : " alone");
 }
 
+bool says_a_radius(const ProgramOptions& options) {
+  constexpr std::array<std::string_view, 5> of_tools{"tool_radius", "tools", "wear", "allowance",
+                                                     "nominal_radius"};
+  return options.radius || options.wear ||
+         std::ranges::any_of(options.assignments, [&](const std::string& assignment) {
+           const std::string_view key =
+               std::string_view(assignment).substr(0, assignment.find('='));
+           return std::ranges::find(of_tools, key) != of_tools.end();
+         });
+}
+
 }  // namespace
 
 void add_program_options(CLI::App& command, ProgramOptions& options) {
@@ -147,21 +158,6 @@ void add_language_option(CLI::App& command, std::string& language) {
         return language_of_tag(tag) ? std::string() : "it takes en, de";
       });
 }
-
-namespace {
-
-bool says_a_radius(const ProgramOptions& options) {
-  constexpr std::array<std::string_view, 5> of_tools{"tool_radius", "tools", "wear", "allowance",
-                                                     "nominal_radius"};
-  return options.radius || options.wear ||
-         std::ranges::any_of(options.assignments, [&](const std::string& assignment) {
-           const std::string_view key =
-               std::string_view(assignment).substr(0, assignment.find('='));
-           return std::ranges::find(of_tools, key) != of_tools.end();
-         });
-}
-
-}  // namespace
 
 bool setup_of(const ProgramOptions& options, v1::ProgramSetup& setup) {
   for (const std::string& assignment : options.assignments) {

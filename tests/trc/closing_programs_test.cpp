@@ -79,60 +79,49 @@ TEST(ClosingPrograms, AnOverrunMayGoPastAFilletTheToolDoesNotFitInto) {  // D-38
   EXPECT_NEAR(outcome.clearance_to({right, bottom}), 2.5, 1e-9);
 }
 
-// A slender boss by half circles, longer than three quarters of the way round it.
-TEST(ClosingPrograms, DepthsMayHaveLeadsNearlyAsLongAsALap) {  // D-57
-  std::string contour = "N1 G0 X-4 Y-28 F800\nN2 G41 G1 X0 Y-28\n";
-  const auto add = [&contour](int number, const std::string& words) {
-    contour += "N" + std::to_string(number) + " " + words + "\n";
-  };
+// The lap in three depths, N10 to N90, N110 …; `back` leads from one to the next.
+std::string in_three_depths(const std::vector<std::string>& lap, const std::string& back) {
+  std::string contour;
   for (int depth = 0; depth < 3; ++depth) {
-    const int first = 100 * depth + 10;
-    add(first, "G3 X0 Y-4 J12");
-    add(first + 10, "G2 Y4 J4");
-    add(first + 20, "G1 X42");
-    add(first + 30, "G2 Y-4 J-4");
-    add(first + 40, "G1 X0");
-    add(first + 50, "G3 Y-31 J-13.5");
-    if (depth == 2) break;
-    add(first + 60, "G1 Y-28");
-    add(first + 70, "G1 Z-" + std::to_string(2 * depth + 2));
+    if (depth > 0) contour += "G1 " + back + "\nZ-" + std::to_string(depth) + "\n";
+    for (std::size_t block = 0; block < lap.size(); ++block)
+      contour += "N" + std::to_string(100 * depth + 10 * static_cast<int>(block + 1)) + " " +
+                 lap[block] + "\n";
   }
-  const Result outcome = run(removing, 10, contour + "N400 G40 G1 X29\n");
+  return contour;
+}
+
+// All of the lap is, but for its first and last block, which are leads.
+void expect_all_depths(const Result& outcome, int blocks) {
   ASSERT_TRUE(outcome.whole);
   const std::set<std::int64_t> travelled = outcome.travelled();
   for (int depth = 0; depth < 3; ++depth)
-    for (int block = 20; block <= 50; block += 10)
-      EXPECT_TRUE(travelled.contains(100 * depth + block)) << "depth " << depth << ' ' << block;
+    for (int block = 2; block < blocks; ++block)
+      EXPECT_TRUE(travelled.contains(100 * depth + 10 * block))
+          << "depth " << depth << ' ' << block;
+}
+
+// A slender boss by half circles, longer than three quarters of the way round it.
+TEST(ClosingPrograms, DepthsMayHaveLeadsNearlyAsLongAsALap) {  // D-57
+  const std::vector<std::string> lap{"G3 X0 Y-4 J12", "G2 Y4 J4", "G1 X42",
+                                     "G2 Y-4 J-4",    "G1 X0",    "G3 Y-31 J-13.5"};
+  const Result outcome =
+      run(removing, 10,
+          "G0 X-4 Y-28 F800\nG41 G1 X0 Y-28\n" + in_three_depths(lap, "Y-28") + "G40 G1 X29\n");
+  expect_all_depths(outcome, 6);
   EXPECT_NEAR(
       outcome.clearance_to({Line{Point(0, -4), Point(42, -4)}, Line{Point(0, 4), Point(42, 4)}}),
       10, 1e-9);
 }
 
-// A hook of 3 mm: a lap of seven blocks, hardly longer than what leads from one to the next.
+// A bar of 3 mm, whose laps have few blocks, as the leads between them.
 TEST(ClosingPrograms, NoLapOfASlenderBossIsALead) {  // D-57
-  std::string contour = "N1 G0 X-4 Y-10 F800\nN2 G41 G1 X-2 Y-6\n";
-  const auto add = [&contour](int number, const std::string& words) {
-    contour += "N" + std::to_string(number) + " " + words + "\n";
-  };
-  for (int depth = 0; depth < 3; ++depth) {
-    const int first = 100 * depth + 10;
-    add(first, "G3 X-6 Y-2 I-4 J0");
-    add(first + 10, "G1 X-40 Y-2");
-    add(first + 20, "G1 Y1");
-    add(first + 30, "G1 X40");
-    add(first + 40, "G1 Y-2");
-    add(first + 50, "G1 X-6");
-    add(first + 60, "G3 X-10 Y-6 J-4");
-    if (depth == 2) break;
-    add(first + 70, "G1 Z-" + std::to_string(depth + 1));
-    add(first + 80, "G1 X-2 Y-6");
-  }
-  const Result outcome = run(removing, 1, contour + "N400 G40 G1 Y-10\n");
-  ASSERT_TRUE(outcome.whole);
-  const std::set<std::int64_t> travelled = outcome.travelled();
-  for (int depth = 0; depth < 3; ++depth)
-    for (int block = 20; block <= 60; block += 10)
-      EXPECT_TRUE(travelled.contains(100 * depth + block)) << "depth " << depth << ' ' << block;
+  const std::vector<std::string> lap{
+      "G3 X-6 Y-2 I-4 J0", "G1 X-40 Y-2", "G1 Y1", "G1 X40", "G1 Y-2", "G1 X-6", "G3 X-10 Y-6 J-4"};
+  const Result outcome =
+      run(removing, 1,
+          "G0 X-4 Y-10 F800\nG41 G1 X-2 Y-6\n" + in_three_depths(lap, "X-2 Y-6") + "G40 G1 Y-10\n");
+  expect_all_depths(outcome, 7);
 }
 
 // Two squares outside, one after the other from the corner in which they touch: the second would be

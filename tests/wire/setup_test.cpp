@@ -5,6 +5,7 @@
 
 #include <string>
 
+#include "core/nc/dialect/dialect.h"
 #include "proto/wire/options.h"
 
 namespace trc::wire {
@@ -132,6 +133,30 @@ TEST(Setup, EmptyMessageMeansTheInitialState) {
   EXPECT_EQ(read.path.response_layout, Layout::blocks);
   EXPECT_TRUE(read.nc_text);
   EXPECT_EQ(read.decimals, 4);
+}
+
+// What a dialect begins with is left out of the message, and nothing else.
+TEST(Setup, ModesAtTheStartReadBackInEveryDialect) {
+  for (const Dialect& dialect : all_dialects())
+    for (const Selection selection : {Selection::direct, Selection::indirect})
+      for (const Transition transition : {Transition::linear, Transition::circular})
+        for (const FeedAdaptation feed : {FeedAdaptation::off, FeedAdaptation::on}) {
+          ProgramSettings settings;
+          ProgramSetup& program = settings.path.session.program;
+          program.dialect = dialect.name;
+          program.mode.selection = selection;
+          program.mode.transition = transition;
+          program.mode.feed_adaptation = feed;
+          v1::ProgramSetup message;
+          to_proto(settings, message);
+          FieldFaults faults;
+          const TrcMode mode =
+              from_proto(message, FieldPath("setup"), faults).path.session.program.mode;
+          EXPECT_TRUE(faults.empty());
+          EXPECT_EQ(selection, mode.selection) << dialect.spelling;
+          EXPECT_EQ(transition, mode.transition) << dialect.spelling;
+          EXPECT_EQ(feed, mode.feed_adaptation) << dialect.spelling;
+        }
 }
 
 TEST(Setup, AxesOfASplitCountAsAxnrDoes) {

@@ -23,7 +23,7 @@ struct Dialect {
   Selection selection = Selection::indirect;       // how the tool reaches the contour
   Transition transition = Transition::linear;      // at outside corners
   FeedAdaptation feed_adaptation = FeedAdaptation::off;
-  // How a line moves before the program has said it; nothing: no contour begins before.
+  // How a line moves before the program has said it; nothing: a contour there is refused (900019).
   std::optional<MotionKind> motion{};
   // Numbers are written with a decimal point: without it some controls count increments.
   bool writes_points = false;

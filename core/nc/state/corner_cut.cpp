@@ -115,7 +115,7 @@ std::optional<CutCorner> cut_lines(const Line& before, const Line& after, const 
   const double shorter = std::min(length_of(before), length_of(after));
   if (!(leg > tolerances.same_point && leg <= shorter + tolerances.input_resolution)) return {};
   // Two roundings may meet, as at the end of a slot: what rounding of coordinates leaves between
-  // them goes (D-62).
+  // them goes (D-63).
   double size = cut.size;
   if (std::abs(shorter - leg) <= tolerances.input_resolution) {
     size *= shorter / leg;

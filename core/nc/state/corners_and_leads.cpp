@@ -63,32 +63,38 @@ bool ProgramState::cut_corner_before(const MoveRequest& request, Segment& path, 
   const auto corner = cut_corner(before.path, path, *corner_, tolerances_);
   const bool beside_arc =
       corner_->form != CornerCut::Form::round && (is_arc(before.path) || is_arc(path));
-  const bool takes_all_behind = corner && length_of(corner->after) <= tolerances_.same_point;
-  const bool takes_all_before = corner && length_of(corner->before) <= tolerances_.same_point;
+  const bool takes_all_behind = corner && is_point(corner->after);
   // The corner takes the place of the motion behind it: that has one feed, and no corner of its
   // own.
-  const bool has_place = !takes_all_behind || (!takes_all_before && !request.corner &&
+  const bool has_place = !takes_all_behind || (!is_point(corner->before) && !request.corner &&
                                                !corner_source_ && corner_feed_ == 0);
   if (!corner || !has_place)
     return report(corner_source_.value_or(before.source), Code::nc_unsupported,
                   beside_arc ? "a chamfer beside an arc"
                              : "a rounding or a chamfer the motions have no room for");
-  if (takes_all_before) {
-    before.path = corner->between;
+  path = takes_all_behind ? corner->between : corner->after;
+  put_in_front(*corner, takes_all_behind);
+  release_held();
+  return true;
+}
+
+bool ProgramState::is_point(const Segment& path) const {
+  return length_of(path) <= tolerances_.same_point;
+}
+
+// Into the block that is held, and behind it the corner itself, unless the motion behind has become
+// that.
+void ProgramState::put_in_front(const CutCorner& corner, bool takes_all_behind) {
+  auto& before = *std::get_if<MotionBlock>(&held_.front());
+  if (is_point(corner.before)) {
+    before.path = corner.between;
     if (corner_feed_ != 0) before.feed = corner_feed_;
-    path = corner->after;
-    release_held();
-    return true;
+    return;
   }
-  before.path = corner->before;
-  if (takes_all_behind) {
-    path = corner->between;
-    release_held();
-    return true;
-  }
-  path = corner->after;
+  before.path = corner.before;
+  if (takes_all_behind) return;
   MotionBlock between = before;
-  between.path = corner->between;
+  between.path = corner.between;
   ++between.source.part;
   if (corner_feed_ != 0) between.feed = corner_feed_;
   auto place = held_.begin() + 1;
@@ -97,8 +103,6 @@ bool ProgramState::cut_corner_before(const MoveRequest& request, Segment& path, 
     while (place != held_.end() && index_of(*place) <= between.source.index) ++place;
   }
   held_.insert(place, std::move(between));
-  release_held();
-  return true;
 }
 
 // In Klartext the corner stands in the next line.

@@ -243,6 +243,8 @@ class ProgramState {
                                           const TrackingTravel& tracking) const;
   bool check_corner(const MoveRequest& request, bool alone);
   bool cut_corner_before(const MoveRequest& request, Segment& path, bool alone);
+  [[nodiscard]] bool is_point(const Segment& path) const;
+  void put_in_front(const CutCorner& corner, bool takes_all_behind);
   void hold_for_corner(const MoveRequest& request);
   void release_held();
   bool approach_contour(const Segment& contour);
