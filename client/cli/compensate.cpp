@@ -177,6 +177,54 @@ Exit work(const Call& call) {
   });
 }
 
+void add_output_options(CLI::App& command, Call& call) {
+  command
+      .add_option("--format", call.format,
+                  "nc: NC program, jsonl: one JSON object per block, listing: one line per block")
+      ->check(CLI::IsMember({"nc", "jsonl", "listing"}))
+      ->capture_default_str();
+  command.add_option("-o,--output", call.output,
+                     "File to write, else standard output. An NC program appears there, too, only "
+                     "when all of it was compensated");
+  command.add_flag("--force", call.force, "Let -o replace the program itself");
+  command.add_option("--decimals", call.decimals, "Decimal places of coordinates, 1 to 8")
+      ->check(CLI::Range(1, 8))
+      ->capture_default_str();
+}
+
+// Returns the one that names the folder.
+CLI::Option* add_folder_options(CLI::App& command, Call& call) {
+  auto* directory =
+      command
+          .add_option("--output-dir", call.directory,
+                      "Directory for the results of all programs, under their names, and a "
+                      "record of each. What has not changed since is left out")
+          ->type_name("DIR")
+          ->excludes("--output");
+  command.add_option("--jobs", call.jobs, "Programs at a time, with --output-dir")
+      ->check(CLI::Range(1, 256))
+      ->capture_default_str()
+      ->needs(directory);
+  // How --output-dir calls the processes beside it; for nobody else.
+  command.add_flag("--worker", call.worker)->group("")->needs(directory);
+  command
+      .add_option("--record", call.record,
+                  "File to write a record of the job to: what was made of which bytes with which "
+                  "settings, and how it was measured. trc verify --record checks it")
+      ->type_name("FILE.json")
+      ->excludes(directory);
+  std::vector<std::string> dialects;
+  for (const Dialect& dialect : all_dialects()) dialects.emplace_back(dialect.spelling);
+  command
+      .add_option("--to", call.to,
+                  "Dialect to write: motions, feeds, M, S and T in its words, absolute and in mm. "
+                  "A program that says more is refused by the word")
+      ->transform(CLI::IsMember(dialects, CLI::ignore_case))
+      ->excludes(directory)
+      ->excludes("--record");
+  return directory;
+}
+
 }  // namespace
 
 void add_compensate(CLI::App& app, Action& action) {
@@ -188,46 +236,8 @@ void add_compensate(CLI::App& app, Action& action) {
   files->type_name("FILE")->required();
   add_setup_options(*command, call->program);
   add_loudness_options(*command, call->program.loudness);
-  command
-      ->add_option("--format", call->format,
-                   "nc: NC program, jsonl: one JSON object per block, listing: one line per block")
-      ->check(CLI::IsMember({"nc", "jsonl", "listing"}))
-      ->capture_default_str();
-  command->add_option("-o,--output", call->output,
-                      "File to write, else standard output. An NC program appears there, too, only "
-                      "when all of it was compensated");
-  command->add_flag("--force", call->force, "Let -o replace the program itself");
-  command->add_option("--decimals", call->decimals, "Decimal places of coordinates, 1 to 8")
-      ->check(CLI::Range(1, 8))
-      ->capture_default_str();
-  auto* directory =
-      command
-          ->add_option("--output-dir", call->directory,
-                       "Directory for the results of all programs, under their names, and a "
-                       "record of each. What has not changed since is left out")
-          ->type_name("DIR")
-          ->excludes("--output");
-  command->add_option("--jobs", call->jobs, "Programs at a time, with --output-dir")
-      ->check(CLI::Range(1, 256))
-      ->capture_default_str()
-      ->needs(directory);
-  // How --output-dir calls the processes beside it; for nobody else.
-  command->add_flag("--worker", call->worker)->group("")->needs(directory);
-  command
-      ->add_option("--record", call->record,
-                   "File to write a record of the job to: what was made of which bytes with which "
-                   "settings, and how it was measured. trc verify --record checks it")
-      ->type_name("FILE.json")
-      ->excludes(directory);
-  std::vector<std::string> dialects;
-  for (const Dialect& dialect : all_dialects()) dialects.emplace_back(dialect.spelling);
-  command
-      ->add_option("--to", call->to,
-                   "Dialect to write: motions, feeds, M, S and T in its words, absolute and in mm. "
-                   "A program that says more is refused by the word")
-      ->transform(CLI::IsMember(dialects, CLI::ignore_case))
-      ->excludes(directory)
-      ->excludes("--record");
+  add_output_options(*command, *call);
+  auto* directory = add_folder_options(*command, *call);
   command->footer(
       "The path is measured against the contour on its way (verify=report): where it comes nearer "
       "than the tool\nradius, warning 900216 says where. verify=enforce refuses such a program, "

@@ -260,24 +260,75 @@ void drop_present_if_implied(Columns& message) {
   }
 }
 
+// Where the reading of a message stands in each of its lists.
+struct ColumnCursors {
+  explicit ColumnCursors(const Columns& columns)
+      : ends{{{columns.x(), "x"}, {columns.y(), "y"}, {columns.z(), "z"}}},
+        centers{{{columns.i(), "i"}, {columns.j(), "j"}, {columns.k(), "k"}}},
+        feeds(columns.feed(), "feed"),
+        numbers(columns.source_number(), "source_number") {}
+
+  CoordinateCursors ends;
+  CoordinateCursors centers;
+  Cursor<double> feeds;
+  Cursor<std::uint64_t> numbers;
+  int command = 0;
+  int passthrough = 0;
+  int other = 0;
+};
+
+bool read_number(unsigned bits, ColumnCursors& cursors, const FieldPath& path,
+                 std::int64_t& source_number, FieldFaults& faults) {
+  source_number = Source::no_number;
+  if ((bits & number_bit) == 0) return true;
+  const std::uint64_t number = cursors.numbers.next();
+  if (!is_number(number)) [[unlikely]]
+    return check_number(number, cursors.numbers.place(path), faults);
+  source_number = static_cast<std::int64_t>(number);
+  return true;
+}
+
+bool read_command(const Columns& columns, ColumnCursors& cursors, const FieldPath& path,
+                  TrcCommand& item, FieldFaults& faults) {
+  const FieldPath entry(path, "commands", static_cast<std::size_t>(cursors.command));
+  return from_proto(columns.commands(cursors.command++).command(), FieldPath(entry, "command"),
+                    item, faults);
+}
+
+bool read_passthrough(const Columns& columns, ColumnCursors& cursors, const FieldPath& path,
+                      Passthrough& item, FieldFaults& faults) {
+  const FieldPath entry(path, "passthroughs", static_cast<std::size_t>(cursors.passthrough));
+  item.text = columns.passthroughs(cursors.passthrough++).passthrough().text();
+  return check_text(item.text, FieldPath(FieldPath(entry, "passthrough"), "text"), faults);
+}
+
+// `feed`: the one in force.
+bool read_move(unsigned bits, ColumnCursors& cursors, const FieldPath& path, double& feed,
+               MoveRequest& move, FieldFaults& faults) {
+  if (!read_coordinates(bits & end_bits, cursors.ends, path, move.end, faults) ||
+      !read_coordinates((bits & center_bits) >> center_shift, cursors.centers, path, move.center,
+                        faults))
+    return false;
+  if ((bits & feed_bit) != 0) {
+    feed = cursors.feeds.next();
+    if (!check_feed(feed, cursors.feeds.place(path), faults)) return false;
+  }
+  move.feed = feed;
+  return true;
+}
+
 }  // namespace
 
 bool BlockReader::read(const v1::BlockColumns& columns, const Sink& sink, FieldFaults& faults) {
   const FieldPath path("columns");
   if (!check_columns(columns, path, faults)) return false;
   const Presence presence(columns);
-  CoordinateCursors ends{{{columns.x(), "x"}, {columns.y(), "y"}, {columns.z(), "z"}}};
-  CoordinateCursors centers{{{columns.i(), "i"}, {columns.j(), "j"}, {columns.k(), "k"}}};
-  Cursor<double> feeds(columns.feed(), "feed");
-  Cursor<std::uint64_t> numbers(columns.source_number(), "source_number");
-  int command = 0;
-  int passthrough = 0;
-  int other = 0;
+  ColumnCursors cursors(columns);
   for (std::size_t i = 0; i < columns.kinds().size(); ++i) {
     const unsigned kind = byte_at(columns.kinds(), i);
     if (kind == Columns::KIND_OTHER) {
-      const FieldPath entry(path, "others", static_cast<std::size_t>(other));
-      const v1::Block& block = columns.others(other++).block();
+      const FieldPath entry(path, "others", static_cast<std::size_t>(cursors.other));
+      const v1::Block& block = columns.others(cursors.other++).block();
       if (!block.has_linear() && !block.has_circular()) {
         add_fault(FieldPath(entry, "block"), "is neither a linear nor a circular move", faults);
         return false;
@@ -287,43 +338,25 @@ bool BlockReader::read(const v1::BlockColumns& columns, const Sink& sink, FieldF
     }
     const unsigned bits = presence.of(i, kind);
     std::int64_t source_number = Source::no_number;
-    if ((bits & number_bit) != 0) {
-      const std::uint64_t number = numbers.next();
-      if (!is_number(number)) [[unlikely]]
-        return check_number(number, numbers.place(path), faults);
-      source_number = static_cast<std::int64_t>(number);
-    }
+    if (!read_number(bits, cursors, path, source_number, faults)) return false;
     // Field by field: a whole one would be copied while its fields are still being stored.
     const auto name_source = [&](Source& source) {
       source.index = next_block_;
       source.number = source_number;
     };
     if (kind == Columns::KIND_COMMAND) {
-      const FieldPath entry(path, "commands", static_cast<std::size_t>(command));
       auto& item = item_.emplace<TrcCommand>();
-      if (!from_proto(columns.commands(command++).command(), FieldPath(entry, "command"), item,
-                      faults))
-        return false;
+      if (!read_command(columns, cursors, path, item, faults)) return false;
       name_source(item.source);
     } else if (kind == Columns::KIND_PASSTHROUGH) {
-      const FieldPath entry(path, "passthroughs", static_cast<std::size_t>(passthrough));
-      const std::string& text = columns.passthroughs(passthrough++).passthrough().text();
-      if (!check_text(text, FieldPath(FieldPath(entry, "passthrough"), "text"), faults))
-        return false;
-      name_source(item_.emplace<Passthrough>(Passthrough{.text = text}).source);
+      auto& item = item_.emplace<Passthrough>();
+      if (!read_passthrough(columns, cursors, path, item, faults)) return false;
+      name_source(item.source);
     } else {
       MoveRequest& move = fresh_move();
       name_source(move.source);
       move.kind = motion_kinds[kind];
-      if (!read_coordinates(bits & end_bits, ends, path, move.end, faults) ||
-          !read_coordinates((bits & center_bits) >> center_shift, centers, path, move.center,
-                            faults))
-        return false;
-      if ((bits & feed_bit) != 0) {
-        feed_ = feeds.next();
-        if (!check_feed(feed_, feeds.place(path), faults)) return false;
-      }
-      move.feed = feed_;
+      if (!read_move(bits, cursors, path, feed_, move, faults)) return false;
       if (!columns.roles().empty() && columns.roles()[i] != 0)
         move.role = static_cast<v1::BlockRole>(columns.roles()[i]) == v1::BLOCK_ROLE_LEAD
                         ? ContourRole::lead

@@ -82,6 +82,20 @@ std::string_view kind_of(Method method) {
 }
 
 Metrics::Metrics() : registry_(std::make_shared<prometheus::Registry>()) {
+  register_rpcs();
+  register_resources();
+  register_connections();
+  register_log();
+  register_certificates();
+  prometheus::BuildGauge()
+      .Name("trc_build_info")
+      .Help("Always 1; the labels name the build.")
+      .Register(*registry_)
+      .Add({{"version", std::string(version())}, {"commit", std::string(commit())}})
+      .Set(1);
+}
+
+void Metrics::register_rpcs() {
   prometheus::Registry& registry = *registry_;
   auto& started = counters(registry, "grpc_server_started_total", "RPCs started.");
   auto& received =
@@ -117,6 +131,10 @@ Metrics::Metrics() : registry_(std::make_shared<prometheus::Registry>()) {
   }
   handled_ = &counters(registry, "grpc_server_handled_total", "RPCs ended, by status.");
   errors_ = &counters(registry, "trc_errors_total", "RPCs that ended with an error, by reason.");
+}
+
+void Metrics::register_resources() {
+  prometheus::Registry& registry = *registry_;
   streams_active_ = &gauge(registry, "trc_streams_active", "Open streams.");
   session_memory_ = &gauge(registry, "trc_session_memory_bytes", "Memory that all streams hold.");
   resident_memory_ = &gauge(registry, "trc_resident_memory_bytes",
@@ -126,6 +144,15 @@ Metrics::Metrics() : registry_(std::make_shared<prometheus::Registry>()) {
                          "Streams ended because the process came close to its memory.")
                     .Add({});
   queue_depth_ = &gauge(registry, "trc_pool_queue_depth", "Streams that wait for a worker.");
+  longest_wait_ = &gauge(registry, "trc_pool_longest_wait_seconds",
+                         "How long the stream that waits longest has waited for a worker.");
+  threads_missed_ = &counters(registry, "trc_pool_threads_missed_total",
+                              "Threads the system refused: a long turn kept its worker.")
+                         .Add({});
+}
+
+void Metrics::register_connections() {
+  prometheus::Registry& registry = *registry_;
   connections_accepted_ =
       &counters(registry, "trc_connections_accepted_total", "Connections accepted.").Add({});
   connections_refused_ = &counters(registry, "trc_connections_refused_total",
@@ -136,30 +163,25 @@ Metrics::Metrics() : registry_(std::make_shared<prometheus::Registry>()) {
   for (std::size_t i = 0; i < Connections::reason_count; ++i)
     connections_closed_->Add(
         {{"reason", std::string(name_of(static_cast<Connections::Reason>(i)))}});
-  longest_wait_ = &gauge(registry, "trc_pool_longest_wait_seconds",
-                         "How long the stream that waits longest has waited for a worker.");
-  threads_missed_ = &counters(registry, "trc_pool_threads_missed_total",
-                              "Threads the system refused: a long turn kept its worker.")
-                         .Add({});
-  auto& log_dropped = counters(registry, "trc_log_lines_dropped_total",
-                               "Log lines dropped: as nobody read them, or more than a second may "
-                               "have of a kind.");
-  log_overwritten_ = &log_dropped.Add({{"cause", "unread"}});
-  log_over_rate_ = &log_dropped.Add({{"cause", "rate"}});
-  log_blocked_ = &gauge(registry, "trc_log_blocked_seconds",
+}
+
+void Metrics::register_log() {
+  auto& dropped = counters(*registry_, "trc_log_lines_dropped_total",
+                           "Log lines dropped: as nobody read them, or more than a second may "
+                           "have of a kind.");
+  log_overwritten_ = &dropped.Add({{"cause", "unread"}});
+  log_over_rate_ = &dropped.Add({{"cause", "rate"}});
+  log_blocked_ = &gauge(*registry_, "trc_log_blocked_seconds",
                         "How long whoever reads the log has taken nothing.");
+}
+
+void Metrics::register_certificates() {
   certificate_expiry_ = &prometheus::BuildGauge()
                              .Name("trc_tls_certificate_expiry_timestamp_seconds")
                              .Help("When the certificate in use expires.")
-                             .Register(registry);
-  certificate_reloads_ = &counters(registry, "trc_tls_certificate_reloads_total",
+                             .Register(*registry_);
+  certificate_reloads_ = &counters(*registry_, "trc_tls_certificate_reloads_total",
                                    "Changed PEM files, by whether they were taken into use.");
-  prometheus::BuildGauge()
-      .Name("trc_build_info")
-      .Help("Always 1; the labels name the build.")
-      .Register(registry)
-      .Add({{"version", std::string(version())}, {"commit", std::string(commit())}})
-      .Set(1);
 }
 
 Metrics::~Metrics() = default;

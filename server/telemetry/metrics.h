@@ -87,6 +87,12 @@ class Metrics {
   [[nodiscard]] std::string exposition() const;
 
  private:
+  void register_rpcs();
+  void register_resources();
+  void register_connections();
+  void register_log();
+  void register_certificates();
+
   std::shared_ptr<prometheus::Registry> registry_;
   std::array<OfMethod, method_count> methods_{};
   prometheus::Family<prometheus::Counter>* handled_ = nullptr;
