@@ -114,6 +114,8 @@ std::pmr::vector<Candidate> candidates_of(const ContourView& contour, double rea
       contour.pass();
       const bool few = are_few_outside(contour, begin.number, end.number);
       if (begin.number > end.number || (!few && begin.before + end.before > most)) return;
+      // Between two lines that follow each other there is nothing.
+      if (begin.number + 1 >= end.number && !is_arc(begin.path) && !is_arc(end.path)) return;
       contacts.clear();
       find_contacts(begin.path, end.path, tolerance, contacts);
       for (const Contact& contact : contacts) {
