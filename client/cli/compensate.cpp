@@ -18,6 +18,7 @@
 #include "client/cli/result_text.h"
 #include "client/cli/service.h"
 #include "client/cli/summary_line.h"
+#include "client/cli/told.h"
 #include "client/cli/verbose_text.h"
 #include "core/nc/dialect/dialect.h"
 #include "core/session/conversion.h"
@@ -44,8 +45,7 @@ struct Call {
 bool may_write(const Call& call) {
   if (call.force || call.output.empty() || !is_same_file(call.program.file, call.output))
     return true;
-  std::cerr << "trc: -o " << call.output
-            << " is the program itself; write another file, or say --force\n";
+  complain("-o " + call.output + " is the program itself; write another file, or say --force");
   return false;
 }
 
@@ -121,7 +121,7 @@ Exit run(const Call& call) {
   if (!may_write(call)) return Exit::wrong_call;
   const bool as_nc = call.format == "nc";
   if (!as_nc && !call.to.empty()) {
-    std::cerr << "trc: --to writes an NC program: leave out --format " << call.format << '\n';
+    complain("--to writes an NC program: leave out --format " + call.format);
     return Exit::wrong_call;
   }
 

@@ -8,6 +8,7 @@
 
 #include "client/cli/command.h"
 #include "client/cli/program_options.h"
+#include "client/cli/told.h"
 #include "core/base/diagnostic.h"
 #include "core/base/explanation.h"
 #include "core/base/german_explanation.h"
@@ -80,13 +81,12 @@ void print_list(Language language) {
 struct Words {
   std::string_view meaning;
   std::array<std::string_view, 3> causes{};
-  std::string_view no_example;
 };
 Words words_of(const Explanation& explanation, Language language) {
   const GermanExplanation* german =
       language == Language::german ? german_explanation_of(explanation.code) : nullptr;
-  return german == nullptr ? Words{explanation.meaning, explanation.causes, explanation.no_example}
-                           : Words{german->meaning, german->causes, german->no_example};
+  return german == nullptr ? Words{explanation.meaning, explanation.causes}
+                           : Words{german->meaning, german->causes};
 }
 
 // Whether something of the contour is certain before the example is refused. Of these nothing is:
@@ -103,11 +103,6 @@ bool shows_a_contour(const Explanation& explanation) {
 
 void print_example(std::string_view code, const Explanation& explanation, Language language) {
   const bool german = language == Language::german;
-  if (explanation.example.empty()) {
-    std::cout << (german ? "\nKein Beispiel. " : "\nThere is no example. ")
-              << folded(words_of(explanation, language).no_example, 0) << '\n';
-    return;
-  }
   const std::string options =
       (explanation.options.empty() ? "" : " ") + std::string(explanation.options);
   std::cout << (german ? "\nBeispiel" : "\nExample") << ": trc explain " << code
@@ -123,6 +118,11 @@ void print_example(std::string_view code, const Explanation& explanation, Langua
     std::cout << "  " << line << '\n';
     text.remove_prefix(end + 1);
   }
+  if (explanation.times == 1) return;
+  const std::string_view repeated =
+      explanation.repeated.substr(0, explanation.repeated.find_last_not_of(" \n") + 1);
+  std::cout << (german ? "Darin steht " : "In it ") << repeated << ' ' << (german ? "" : "stands ")
+            << explanation.times << (german ? "-mal hintereinander.\n" : " times in a row.\n");
 }
 
 void print(const CodeRow& row, const Explanation& explanation, Language language) {
@@ -149,19 +149,14 @@ Exit run(const Call& call) {
   const CodeRow* row = row_named(call.code);
   const Explanation* explanation = row == nullptr ? nullptr : explanation_of(row->code);
   if (explanation == nullptr) {
-    std::cerr << "trc: there is no code " << call.code << "; trc explain lists all\n";
+    complain("there is no code " + call.code + "; trc explain lists all");
     return Exit::wrong_call;
   }
   if (!call.example) {
     print(*row, *explanation, language);
     return Exit::done;
   }
-  if (explanation->example.empty()) {
-    std::cerr << "trc: there is no example of " << call.code << ". "
-              << words_of(*explanation, language).no_example << '\n';
-    return Exit::wrong_call;
-  }
-  std::cout << explanation->example;
+  std::cout << example_of(*explanation);
   return Exit::done;
 }
 

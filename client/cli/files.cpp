@@ -14,6 +14,7 @@
 #include <utility>
 
 #include "client/cli/file_name.h"
+#include "client/cli/told.h"
 
 namespace trc::cli {
 namespace {
@@ -102,7 +103,7 @@ bool Input::open() {
       size_ = static_cast<std::uint64_t>(about.st_size);
     return true;
   }
-  std::cerr << "trc: cannot read " << name_ << ": " << std::strerror(errno) << '\n';
+  complain("cannot read " + name_ + ": " + std::strerror(errno));
   return false;
 }
 
@@ -115,7 +116,7 @@ std::string_view Input::read() {
       return piece_read;
     }
     if (errno == EINTR) continue;
-    std::cerr << "trc: cannot read " << name_ << ": " << std::strerror(errno) << '\n';
+    complain("cannot read " + name_ + ": " + std::strerror(errno));
     failed_ = true;
     return {};
   }
@@ -136,9 +137,9 @@ bool Output::complain(const char* what) {
   const int reason = errno;
   // Who reads our output has gone; there is nobody to tell.
   if (!(is_standard_output() && reason == EPIPE))
-    std::cerr << "trc: cannot " << what << ' '
-              << (is_standard_output() ? std::string("standard output") : path_) << ": "
-              << std::strerror(reason) << '\n';
+    cli::complain(std::string("cannot ") + what + ' ' +
+                  (is_standard_output() ? std::string("standard output") : path_) + ": " +
+                  std::strerror(reason));
   failed_ = true;
   return false;
 }

@@ -18,6 +18,7 @@
 #include "client/cli/program_options.h"
 #include "client/cli/progress.h"
 #include "client/cli/signals.h"
+#include "client/cli/told.h"
 #include "client/cli/workers.h"
 #include "core/base/version.h"
 #include "core/nc/text/number_format.h"
@@ -175,7 +176,7 @@ class Work {
 
   void fail(Item& item, Exit exit, const std::string& why) {
     progress_.clear();
-    std::cerr << "trc: " << item.file << ": " << why << '\n';
+    complain(item.file + ": " + why);
     item.code = static_cast<int>(exit);
     count(item, Result::failed);
   }
@@ -237,7 +238,7 @@ Exit compensate_folder(const FolderRun& run) {
   std::error_code fault;
   fs::create_directories(run.directory, fault);
   if (fault) {
-    std::cerr << "trc: cannot make " << run.directory << ": " << fault.message() << '\n';
+    complain("cannot make " + run.directory + ": " + fault.message());
     return Exit::wrong_call;
   }
   std::vector<Item> items;
@@ -245,12 +246,12 @@ Exit compensate_folder(const FolderRun& run) {
   for (const std::string& file : run.files) {
     const std::string name = fs::path(file).filename().string();
     if (!names.insert(name).second) {
-      std::cerr << "trc: " << name << " is given twice; its results would have one name\n";
+      complain(name + " is given twice; its results would have one name");
       return Exit::wrong_call;
     }
     const std::string output = result_in(run.directory, file);
     if (fs::equivalent(file, output, fault)) {
-      std::cerr << "trc: " << output << " would be written over the program itself\n";
+      complain(output + " would be written over the program itself");
       return Exit::wrong_call;
     }
     items.push_back({.file = file, .output = output, .record = record_in(run.directory, file)});

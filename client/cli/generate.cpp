@@ -3,6 +3,7 @@
 
 #include "client/cli/command.h"
 #include "client/cli/files.h"
+#include "client/cli/told.h"
 #include "client/load/sample_program.h"
 
 namespace trc::cli {
@@ -22,7 +23,7 @@ Exit run(const Call& call) {
     return written;
   });
   if (!fault.empty()) {
-    std::cerr << "trc: " << fault << '\n';
+    complain(fault);
     return Exit::wrong_call;
   }
   return written && output.commit() ? Exit::done : Exit::wrong_call;

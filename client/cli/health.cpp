@@ -4,6 +4,7 @@
 
 #include "client/cli/command.h"
 #include "client/cli/service.h"
+#include "client/cli/told.h"
 
 namespace trc::cli {
 namespace {
@@ -18,7 +19,7 @@ Exit run(const Options& options) {
   const Exit exit =
       server_health(options.service, std::chrono::seconds(options.timeout_s), serving);
   if (exit != Exit::done) return exit;
-  std::cout << (serving ? "serving\n" : "not serving\n");
+  std::cout << told(serving ? "serving" : "not serving") << '\n';
   return serving ? Exit::done : Exit::refused;
 }
 

@@ -7,6 +7,7 @@
 #include "client/cli/program_info.h"
 #include "client/cli/program_options.h"
 #include "client/cli/service.h"
+#include "client/cli/told.h"
 #include "proto/wire/setup.h"
 
 namespace trc::cli {
@@ -25,7 +26,7 @@ Exit describe_file(const Call& call) {
   const wire::ProgramSettings settings =
       wire::from_proto(message, wire::FieldPath("setup"), faults);
   for (const wire::FieldFault& fault : faults.listed())
-    std::cerr << "trc: " << fault.field << ": " << fault.description << '\n';
+    complain(fault.field + ": " + fault.description);
   Input input(call.program.file);
   if (!faults.empty() || !input.open()) return Exit::wrong_call;
   std::string text;

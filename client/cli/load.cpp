@@ -11,6 +11,7 @@
 #include "client/cli/command.h"
 #include "client/cli/program_options.h"
 #include "client/cli/service.h"
+#include "client/cli/told.h"
 #include "client/load/generator.h"
 #include "client/load/load_report.h"
 #include "client/load/process_meter.h"
@@ -74,7 +75,7 @@ bool read_setup(const Call& call, v1::ProgramSetup& setup) {
   for (const std::string& assignment : call.assignments) {
     const std::string fault = wire::apply_setting(assignment, setup);
     if (fault.empty()) continue;
-    std::cerr << "trc: " << fault << '\n';
+    complain(fault);
     return false;
   }
   return true;
@@ -82,16 +83,16 @@ bool read_setup(const Call& call, v1::ProgramSetup& setup) {
 
 // What the server would refuse is said before anything is sent.
 bool fits(const Call& call, const v1::Limits& limits) {
-  const auto complain = [](const char* option, std::uint64_t value, std::uint64_t most,
-                           const char* limit) {
-    std::cerr << "trc: --" << option << " " << value << ": the server admits " << most << " ("
-              << limit << ")\n";
+  const auto is_too_many = [](const std::string& option, std::uint64_t value, std::uint64_t most,
+                              const std::string& limit) {
+    complain("--" + option + " " + std::to_string(value) + ": the server admits " +
+             std::to_string(most) + " (" + limit + ")");
     return false;
   };
   if (call.layout != load::Layout::text && call.batch > limits.max_blocks_per_batch())
-    return complain("batch", call.batch, limits.max_blocks_per_batch(), "max_blocks_per_batch");
+    return is_too_many("batch", call.batch, limits.max_blocks_per_batch(), "max_blocks_per_batch");
   if (call.plan.streams > limits.max_streams())
-    return complain("streams", call.plan.streams, limits.max_streams(), "max_streams");
+    return is_too_many("streams", call.plan.streams, limits.max_streams(), "max_streams");
   return true;
 }
 
@@ -107,7 +108,7 @@ Exit exit_of(const load::Tally& tally) {
 
 Exit run(const Call& call) {
   if (const std::string fault = fault_of(call.shape); !fault.empty()) {
-    std::cerr << "trc: " << fault << '\n';
+    complain(fault);
     return Exit::wrong_call;
   }
   v1::ProgramSetup setup;
@@ -135,7 +136,7 @@ Exit run(const Call& call) {
   if (plan.verify > 0) {
     expected = load::expected_of(job, refused);
     if (!refused.empty()) {
-      std::cerr << "trc: the core refuses this contour: " << refused << '\n';
+      complain("the core refuses this contour: " + refused);
       return Exit::refused;
     }
   }

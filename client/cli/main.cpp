@@ -7,12 +7,15 @@
 #include <exception>
 #include <iostream>
 #include <new>
+#include <span>
 #include <string>
+#include <string_view>
 
 #include "client/cli/command.h"
 #include "client/cli/completion.h"
 #include "client/cli/german_help.h"
 #include "client/cli/program_options.h"
+#include "client/cli/told.h"
 #include "client/cli/wrong_call.h"
 #include "core/base/version.h"
 
@@ -24,22 +27,27 @@ int ended(int code) {
   if (std::cout.flush()) return code;
   // A pipe that nobody reads any more says no more than that.
   if (errno != EPIPE)
-    std::cerr << "trc: cannot write standard output"
-              << (errno != 0 ? std::string(": ") + std::strerror(errno) : "") << '\n';
+    trc::cli::complain(std::string("cannot write standard output") +
+                       (errno != 0 ? std::string(": ") + std::strerror(errno) : ""));
   return code != 0 ? code : static_cast<int>(trc::cli::Exit::wrong_call);
 }
 
-// Of the help that is asked for: --lang counts here as well.
-trc::Language language_of(const CLI::App& app) {
-  for (const CLI::App* command : app.get_subcommands()) {
-    const CLI::Option* language = command->get_option_no_throw("--lang");
-    if (language != nullptr && language->count() > 0)
-      return trc::cli::language_for(language->results().back());
+// That of --lang, else of the environment. Read before the rest is: a call that cannot be read is
+// told of in it too.
+trc::Language language_of(std::span<char* const> words) {
+  constexpr std::string_view option = "--lang";
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    const std::string_view word(words[i]);
+    if (word == option && i + 1 < words.size()) return trc::cli::language_for(words[i + 1]);
+    if (word.starts_with(option) && word.substr(option.size()).starts_with('='))
+      return trc::cli::language_for(std::string(word.substr(option.size() + 1)));
   }
   return trc::cli::language_for("");
 }
 
 int run(int argc, char** argv) {
+  const trc::Language language = language_of({argv, static_cast<std::size_t>(argc)});
+  trc::cli::speak(language);
   CLI::App app("Tool radius compensation: computes the path of the tool centre beside a contour.",
                "trc");
   app.set_version_flag(
@@ -65,7 +73,7 @@ int run(int argc, char** argv) {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) {
-      if (language_of(app) == trc::Language::german) trc::cli::speak_german(app);
+      if (language == trc::Language::german) trc::cli::speak_german(app);
       return ended(app.exit(error));
     }
     std::cerr << trc::cli::text_of_wrong_call(app, error);
@@ -89,10 +97,10 @@ int main(int argc, char** argv) {
   try {
     return run(argc, argv);
   } catch (const std::bad_alloc&) {
-    std::cerr << "trc: there is not enough memory for this program\n";
+    trc::cli::complain("there is not enough memory for this program");
     return static_cast<int>(trc::cli::Exit::limit);
   } catch (const std::exception& error) {
-    std::cerr << "trc: internal error: " << error.what() << '\n';
+    trc::cli::complain(std::string("internal error: ") + error.what());
     return static_cast<int>(trc::cli::Exit::internal);
   }
 }

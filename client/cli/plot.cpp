@@ -12,6 +12,7 @@
 #include "client/cli/program_paths.h"
 #include "client/cli/reporter.h"
 #include "client/cli/standalone_page.h"
+#include "client/cli/told.h"
 #include "client/plot/picture.h"
 #include "client/plot/svg.h"
 #include "proto/wire/diagnostic.h"
@@ -35,9 +36,9 @@ std::optional<std::string> page_of(std::string text, const v1::ProgramSetup& set
                                    const std::string& name, const ProgramPaths& paths) {
   const std::size_t blocks = paths.programmed.size() + paths.compensated.size();
   if (blocks > most_page_blocks) {
-    std::cerr << "trc: " << name << " has " << blocks
-              << " blocks of contour and path, a page holds " << most_page_blocks
-              << "; use trc view, or write .svg\n";
+    complain(name + " has " + std::to_string(blocks) +
+             " blocks of contour and path, a page holds " + std::to_string(most_page_blocks) +
+             "; use trc view, or write .svg");
     return std::nullopt;
   }
   wire::FieldFaults faults;
@@ -72,12 +73,12 @@ Exit run(const Call& call) {
   const bool as_page =
       call.format.empty() ? ending == ".html" || ending == ".htm" : call.format == "html";
   if (call.format.empty() && !as_page && ending != ".svg" && call.output != "-") {
-    std::cerr << "trc: -o " << call.output
-              << ": the name must end in .svg or .html, or --format must say which it is\n";
+    complain("-o " + call.output +
+             ": the name must end in .svg or .html, or --format must say which it is");
     return Exit::wrong_call;
   }
   if (is_same_file(call.program.file, call.output)) {
-    std::cerr << "trc: -o " << call.output << " is the program itself; write another file\n";
+    complain("-o " + call.output + " is the program itself; write another file");
     return Exit::wrong_call;
   }
   Input input(call.program.file);

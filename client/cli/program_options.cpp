@@ -10,6 +10,7 @@
 
 #include "client/cli/computing_options.h"
 #include "client/cli/file_name.h"
+#include "client/cli/told.h"
 #include "client/cli/tool_file.h"
 #include "core/nc/dialect/dialect.h"
 #include "core/nc/text/characters.h"
@@ -163,13 +164,13 @@ bool setup_of(const ProgramOptions& options, v1::ProgramSetup& setup) {
   for (const std::string& assignment : options.assignments) {
     const std::string fault = wire::apply_setting(assignment, setup);
     if (fault.empty()) continue;
-    std::cerr << "trc: --set: " << fault << '\n';
+    complain("--set: " + fault);
     return false;
   }
   if (const auto dialect = dialect_spelled(options.dialect))
     setup.set_dialect(wire::to_proto(*dialect));
   if (const std::string fault = add_computing_options(options, setup); !fault.empty()) {
-    std::cerr << "trc: " << fault << '\n';
+    complain(fault);
     return false;
   }
   if (options.unknown_words == "copy") setup.set_unknown_words(v1::UNKNOWN_WORDS_COPY);
@@ -185,19 +186,19 @@ bool setup_of(const ProgramOptions& options, v1::ProgramSetup& setup) {
     bool unit_unsaid = false;
     const std::string fault = read_tool_file(options.tools, setup, unit_unsaid);
     if (!fault.empty()) {
-      std::cerr << "trc: --tools: " << fault << '\n';
+      complain("--tools: " + fault);
       return false;
     }
     if (unit_unsaid && counts_in_inch(options, setup))
-      std::cerr
-          << "trc: note: the radii of " << options.tools
-          << " are read in mm, as the file names no unit, though the program counts in inch; a "
-             "first line unit,inch or a column unit of a CSV says otherwise, --unit inch of other "
-             "tables\n";
+      complain("note: the radii of " + options.tools +
+               " are read in mm, as the file names no unit, though the program counts in inch; a "
+               "first line unit,inch or a column unit of a CSV says otherwise, --unit inch of "
+               "other tables");
   }
   if (says_a_radius(options) && counts_in_inch(options, setup))
-    std::cerr << "trc: note: radii and wear of --radius, --wear and --set are in mm, though the "
-                 "program counts in inch: 0.25 inch are 6.35\n";
+    complain(
+        "note: radii and wear of --radius, --wear and --set are in mm, though the program counts "
+        "in inch: 0.25 inch are 6.35");
   // The server shows the name in its log; the end says more than the directory.
   constexpr std::size_t longest_name = 255;
   std::string name = text_of_name(options.file);

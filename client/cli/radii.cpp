@@ -16,6 +16,7 @@
 #include "client/cli/reporter.h"
 #include "client/cli/service.h"
 #include "client/cli/survey_text.h"
+#include "client/cli/told.h"
 #include "client/cli/verbose_text.h"
 #include "client/plot/survey_svg.h"
 #include "core/survey/reading.h"
@@ -52,7 +53,7 @@ bool survey_setup(const Call& call, v1::SurveySetup& setup, ToolNames& names) {
   for (const std::string& text : call.radii) {
     const std::string fault = wire::read_radii(text, setup);
     if (fault.empty()) continue;
-    std::cerr << "trc: --radii: " << fault << '\n';
+    complain("--radii: " + fault);
     return false;
   }
   setup.set_without_largest(call.without_largest);
@@ -136,8 +137,7 @@ Exit run(const Call& call) {
   ToolNames names;
   if (!survey_setup(call, setup, names)) return Exit::wrong_call;
   if (!call.picture.empty() && is_same_file(call.program.file, call.picture)) {
-    std::cerr << "trc: --picture " << call.picture
-              << " is the program itself; write another file\n";
+    complain("--picture " + call.picture + " is the program itself; write another file");
     return Exit::wrong_call;
   }
   Input input(call.program.file);

@@ -1,7 +1,9 @@
 #include "client/cli/reporter.h"
 
+#include <array>
 #include <iostream>
 #include <memory>
+#include <string_view>
 #include <utility>
 
 #include "core/base/explanation.h"
@@ -15,14 +17,33 @@ DialectName dialect_of(const v1::ProgramSetup& setup) {
   return wire::from_proto(setup, wire::FieldPath("setup"), faults).path.session.program.dialect;
 }
 
+namespace {
+
+// Of help that has no words of its own for the command line, those that it has otherwise.
+std::string without_names_of_fields(std::string help) {
+  constexpr auto names = std::to_array<std::pair<std::string_view, std::string_view>>(
+      {{"SurveyRadii (trc radii)", "trc radii"},
+       {", `dialect` in the setup", ""},
+       {", `dialect` im Setup", ""},
+       {"the radius of the setup", "that of --radius and --tools"},
+       {"der Radius der Einstellungen", "der von --radius und --tools"}});
+  for (const auto& [field, own] : names)
+    if (const std::size_t at = help.find(field); at != std::string::npos)
+      help.replace(at, field.size(), own);
+  return help;
+}
+
+}  // namespace
+
 Diagnostic for_command_line(Diagnostic found, DialectName dialect) {
   const ControlWords words = dialect_of(dialect).words;
-  if (!help_in(words, found.code, found.language).empty()) return found;
   const std::string_view own = help_on_command_line(found.code, found.language);
+  const bool has_own = !own.empty() && help_in(words, found.code, found.language).empty();
   DiagnosticTexts texts = texts_of(found);
-  if (own.empty() || texts.help != help_of({.code = found.code, .words = words}, found.language))
-    return found;
-  texts.help = in_words_of(words, std::string(own));
+  const bool is_of_row =
+      texts.help == help_of({.code = found.code, .words = words}, found.language);
+  texts.help = has_own && is_of_row ? in_words_of(words, std::string(own))
+                                    : without_names_of_fields(std::move(texts.help));
   found.texts = std::make_shared<const DiagnosticTexts>(std::move(texts));
   return found;
 }

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <utility>
 
+#include "client/cli/told.h"
 #include "client/trc/connection.h"
 #include "client/trc/remote_program_session.h"
 #include "client/trc/survey.h"
@@ -57,11 +58,11 @@ class Service {
   [[nodiscard]] Exit explain(const client::Failure& failure, bool answered) const {
     if (failure.reason == "CALLER_STOPPED") return Exit::wrong_call;
     for (const wire::FieldFault& field : failure.fields)
-      std::cerr << "trc: " << as_setting(field.field) << ": " << field.description << '\n';
+      complain(std::string(as_setting(field.field)) + ": " + field.description);
     if (failure.unreachable())
       explain_unreachable(failure, answered);
     else if (failure.fields.empty())
-      std::cerr << "trc: " << failure.message << '\n';
+      complain(failure.message);
     return exit_of(failure, name_.empty());
   }
 
@@ -102,18 +103,17 @@ class Service {
   void explain_unreachable(const client::Failure& failure, bool answered) const {
     // A server that gives a reason speaks for itself; the transport does not.
     if (failure.reason == "SERVER_DRAINING" && !name_.empty()) {
-      std::cerr << "trc: the server at " << name_
-                << " is there, but shuts down and takes no new programs\n";
+      complain("the server at " + name_ + " is there, but shuts down and takes no new programs");
     } else if (!failure.reason.empty()) {
-      std::cerr << "trc: " << failure.message << '\n';
+      complain(failure.message);
     } else if (failure.status == "UNAUTHENTICATED" || failure.status == "PERMISSION_DENIED") {
-      std::cerr << "trc: the server at " << name_ << " does not let this client in\n";
+      complain("the server at " + name_ + " does not let this client in");
     } else if (answered) {
-      std::cerr << "trc: lost the connection to the server" << (name_.empty() ? "" : " at ")
-                << name_ << "; the path is not complete\n";
+      complain("lost the connection to the server" + (name_.empty() ? "" : " at " + name_) +
+               "; the path is not complete");
     } else {
-      std::cerr << "trc: cannot reach a server at " << name_
-                << "; is trcd running there, and do the --tls files fit?\n";
+      complain("cannot reach a server at " + name_ +
+               "; is trcd running there, and do the --tls files fit?");
     }
   }
 
@@ -140,7 +140,7 @@ class Patience {
  private:
   void tell(const client::Failure& why) {
     if (reporter_.is_quiet() || !told_.insert(why.status + why.reason).second) return;
-    std::string text = "trc: the server at " + options_.server;
+    std::string text = "the server at " + options_.server;
     if (why.reason == "SERVER_DRAINING")
       text += " shuts down";
     else if (why.asks_to_wait())
@@ -150,7 +150,7 @@ class Patience {
     reporter_.progress().clear();
     std::ostringstream seconds;
     seconds << options_.wait_s;
-    std::cerr << text << "; waiting for up to " << seconds.str() << " s (--wait)\n";
+    complain(text + "; waiting for up to " + seconds.str() + " s (--wait)");
   }
 
   const ServiceOptions& options_;

@@ -43,8 +43,13 @@ std::string summary_line(const wire::PathSummary& summary, bool in_inch, double 
     line += german ? ", Abstand " : ", clearance ";
     line +=
         in_inch ? fixed(worst->distance / inch, 4) + " inch" : fixed(worst->distance, 3) + " mm";
+    line += german ? " bei " : " at ";
     if (worst->path.number != Source::no_number)
-      line += (german ? " bei N" : " at N") + std::to_string(worst->path.number);
+      line += "N" + std::to_string(worst->path.number);
+    else if (worst->path.line > 0)
+      line += (german ? "Zeile " : "line ") + std::to_string(worst->path.line);
+    else
+      line += (german ? "Satz " : "block ") + std::to_string(worst->path.index);
   }
   return line + ", " + fixed(seconds, 2) + " s";
 }

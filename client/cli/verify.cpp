@@ -13,6 +13,7 @@
 #include "client/cli/program_paths.h"
 #include "client/cli/progress.h"
 #include "client/cli/reporter.h"
+#include "client/cli/told.h"
 #include "client/cli/verbose_text.h"
 #include "core/base/tolerances.h"
 #include "core/nc/text/number_format.h"
@@ -59,7 +60,9 @@ std::string fault_of_output(const v1::JobRecord& filed) {
   const std::string path = name_of_text(filed.output().name());
   std::error_code missing;
   if (!std::filesystem::exists(path, missing)) {
-    std::cout << filed.output().name() << " is not here: only the bytes made anew were compared\n";
+    std::cout << told(filed.output().name() +
+                      " is not here: only the bytes made anew were compared")
+              << '\n';
     return {};
   }
   // A device keeps nothing.
@@ -75,12 +78,12 @@ Exit check_record(const Call& call) {
   for (std::string_view piece = file.read(); !piece.empty(); piece = file.read()) text += piece;
   v1::JobRecord filed;
   if (const std::string fault = record_from(text, filed); file.failed() || !fault.empty()) {
-    if (!fault.empty()) std::cerr << "trc: " << call.record << ": " << fault << '\n';
+    if (!fault.empty()) complain(call.record + ": " + fault);
     return Exit::wrong_call;
   }
   // Told first: what it names may have been changed, too.
   const std::string changed = fault_of_seal(text, filed);
-  if (!changed.empty()) std::cerr << "trc: " << call.record << ": " << changed << '\n';
+  if (!changed.empty()) complain(call.record + ": " + changed);
   const std::string name =
       call.program.file.empty() ? name_of_text(filed.input().name()) : call.program.file;
   Input input(name);
@@ -100,17 +103,17 @@ Exit check_record(const Call& call) {
   if (exit != Exit::done && exit != Exit::refused) return exit;
   std::vector<std::string> found = differences(filed, job.record);
   if (std::string fault = fault_of_output(filed); !fault.empty()) found.push_back(std::move(fault));
-  for (const std::string& sentence : found)
-    std::cerr << "trc: " << call.record << ": " << sentence << '\n';
+  for (const std::string& sentence : found) complain(call.record + ": " + sentence);
   const bool same_version = filed.server_version() == job.record.server_version() &&
                             filed.server_commit() == job.record.server_commit();
   if (!same_version)
-    std::cerr << "trc: " << call.record << ": it was made by version " << filed.server_version()
-              << " (" << filed.server_commit() << "), this is " << job.record.server_version()
-              << " (" << job.record.server_commit() << ")\n";
+    complain(call.record + ": it was made by version " + filed.server_version() + " (" +
+             filed.server_commit() + "), this is " + job.record.server_version() + " (" +
+             job.record.server_commit() + ")");
   if (!found.empty() || !changed.empty()) return Exit::refused;
-  std::cout << "the record holds: " << filed.output().bytes() << " bytes, SHA-256 "
-            << filed.output().sha256() << ", " << filed.outcome() << '\n';
+  std::cout << told("the record holds: " + std::to_string(filed.output().bytes()) +
+                    " bytes, SHA-256 " + filed.output().sha256() + ", " + filed.outcome())
+            << '\n';
   return Exit::done;
 }
 
@@ -131,19 +134,23 @@ Exit run(const ProgramOptions& options) {
        .progress = [&](std::size_t done, std::size_t all) { progress.measured(done, all); }});
   progress.clear();
   if (!report.worst) {
-    std::cout << "nothing to verify: no compensated contour\n";
+    std::cout << told("nothing to verify: no compensated contour") << '\n';
     return Exit::done;
   }
-  std::cout << report.checked << " blocks of the path checked, " << worst_line(*report.worst)
+  std::cout << told(std::to_string(report.checked) + " blocks of the path checked, " +
+                    worst_line(*report.worst))
             << '\n';
   if (report.wall_length > 0)
-    std::cout << "the path touches " << percent(report.coverage()) << " of "
-              << mm(report.wall_length) << " mm of wall\n";
+    std::cout << told("the path touches " + percent(report.coverage()) + " of " +
+                      mm(report.wall_length) + " mm of wall")
+              << '\n';
   if (report.gouging == 0) return Exit::done;
   const verify::Clearance& gouge = *report.gouge;
-  std::cerr << input.name() << ':' << gouge.path.line << ": gouge: " << report.gouging
-            << (report.gouging == 1 ? " block comes" : " blocks come")
-            << " nearer to the contour than the tool radius, " << worst_line(gouge) << '\n';
+  std::cerr << told(input.name() + ':' + std::to_string(gouge.path.line) +
+                    ": gouge: " + std::to_string(report.gouging) +
+                    (report.gouging == 1 ? " block comes" : " blocks come") +
+                    " nearer to the contour than the tool radius, " + worst_line(gouge))
+            << '\n';
   return Exit::refused;
 }
 

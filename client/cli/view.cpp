@@ -15,6 +15,7 @@
 #include "client/cli/command.h"
 #include "client/cli/files.h"
 #include "client/cli/program_options.h"
+#include "client/cli/told.h"
 #include "proto/wire/settings.h"
 #include "server/http/view/store.h"
 #include "server/server.h"
@@ -85,8 +86,9 @@ Exit run(const Call& call) {
   v1::ProgramSetup setup;
   if (!setup_of(call.program, setup)) return Exit::wrong_call;
   if (!are_numbered(setup)) {
-    std::cerr << "trc: --tools: the page takes tools by number, none with a name or an edge; trc "
-                 "plot -o part.html takes them all\n";
+    complain(
+        "--tools: the page takes tools by number, none with a name or an edge; trc plot -o "
+        "part.html takes them all");
     return Exit::wrong_call;
   }
   Input input(call.program.file);
@@ -106,7 +108,7 @@ Exit run(const Call& call) {
   config.log_level = "off";
   config.http_listen = call.listen;
   if (const auto fault = server::first_fault(config)) {
-    std::cerr << "trc: " << *fault << '\n';
+    complain(*fault);
     return Exit::wrong_call;
   }
   const std::string token = server::http::ViewStore::new_id();
@@ -117,7 +119,7 @@ Exit run(const Call& call) {
                                           .settings = query_of(setup, call.program),
                                           .text = std::move(text)});
   if (server == nullptr) {
-    std::cerr << "trc: " << fault << '\n';
+    complain(fault);
     return Exit::wrong_call;
   }
   const std::string host = call.listen.substr(0, call.listen.rfind(':'));

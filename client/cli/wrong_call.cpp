@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "client/cli/told.h"
 #include "core/base/likely_meant.h"
 #include "proto/wire/settings.h"
 
@@ -30,14 +31,14 @@ std::string list_of_commands(const CLI::App& app) {
     text += between + name;
     between = ", ";
   }
-  return text + "\n";
+  return text;
 }
 
 std::string meant_command(const CLI::App& app, const std::string& word) {
-  const std::string text = "trc: there is no command " + word + "; ";
+  const std::string text = "there is no command " + word + "; ";
   if (const auto meant = likely_meant(word, commands_of(app)))
-    return text + "did you mean " + *meant + "?\n";
-  return text + list_of_commands(app);
+    return "trc: " + told(text + "did you mean " + *meant + "?") + "\n";
+  return "trc: " + told(text + list_of_commands(app)) + "\n";
 }
 
 // "trc", "trc compensate"
@@ -53,15 +54,19 @@ std::string meant_option(const CLI::App& command, const std::string& word) {
     for (const std::string& one : option->get_lnames()) names.push_back("--" + one);
   std::string text = spelled(command) + ": there is no option " + name;
   if (const auto meant = likely_meant(name, names))
-    return text + "; did you mean " + *meant + "?\n";
+    return told(text + "; did you mean " + *meant + "?") + "\n";
   if (command.get_option_no_throw("--set") != nullptr) {
     for (const wire::SettingRow& row : wire::settings()) {
       if (!likely_meant(name, {as_option(row.key)})) continue;
       const std::string setting = row.key.substr(row.key.rfind('.') + 1);
-      return text.append("; did you mean --set ").append(setting).append("=…?\n");
+      return told(text.append("; did you mean --set ").append(setting).append("=…?")) + "\n";
     }
   }
-  return text + "; " + spelled(command) + " --help lists all\n";
+  return told(text + "; " + spelled(command) + " --help lists all") + "\n";
+}
+
+std::string more_about(const std::string& name) {
+  return told("Run " + name + " --help for more information.") + "\n";
 }
 
 }  // namespace
@@ -76,10 +81,9 @@ std::string text_of_wrong_call(const CLI::App& app, const CLI::ParseError& fault
       return meant_option(commands.empty() ? app : *commands.front(), word);
   }
   if (commands.empty() && unknown.empty())
-    return "trc: say what to do: " + list_of_commands(app) +
-           "Run trc --help for more information.\n";
+    return "trc: " + told("say what to do: " + list_of_commands(app)) + "\n" + more_about("trc");
   const std::string name = spelled(commands.empty() ? app : *commands.front());
-  return name + ": " + fault.what() + "\nRun " + name + " --help for more information.\n";
+  return name + ": " + told(fault.what()) + "\n" + more_about(name);
 }
 
 }  // namespace trc::cli

@@ -1,5 +1,5 @@
 // What was found in a program: messages, the certificate, and the ways to a line.
-import {api} from './api.js';
+import {api, inside} from './api.js';
 import {Listing} from './listing.js';
 import {motionsOf, textOf} from './motions.js';
 import {boundsOf, cornersOf, redraw, zoomTo} from './picture.js';
@@ -61,7 +61,7 @@ function item(diagnostic) {
   head.textContent = `${t(kind)} ${diagnostic.code}` + (diagnostic.line ? `, ${t('line')} ${diagnostic.line}` : '');
   const remedy = document.createElement('span');
   remedy.className = 'remedy';
-  remedy.textContent = diagnostic.help ?? diagnostic.remedy ?? '';
+  remedy.textContent = (diagnostic.help ?? diagnostic.remedy ?? '').replace('SurveyRadii (trc radii)', inside ? 'trc radii' : `“${t('largest')}”`);
   const message = document.createElement('span');
   message.textContent = ` ${diagnostic.text ?? diagnostic.message ?? ''}`;
   message.lang = remedy.lang = diagnostic.language || 'en';
@@ -136,7 +136,7 @@ function showCertificate(view) {
   if (hasOwnRadius(view, shown.current.settings)) add('', t('ownRadius', {radius: withUnit(view.toolRadius)}));
   if (!view.pathBlocks) return $('certificate').replaceChildren(...rows);
   add(t('plane'), axesOf(view.plane).slice(0, 2).join('').toUpperCase());
-  add(t('length'), `${withUnit(view.pathLength)}, ${view.pathBlocks ?? 0} ${t('blocks')}`);
+  add(t('length'), `${withUnit(view.pathLength)}, ${view.pathBlocks} ${t(view.pathBlocks === 1 ? 'block' : 'blocks')}`);
   add(t('height'), `${axesOf(view.plane)[2].toUpperCase()} ${inUnit(view.lowest)} … ${withUnit(view.highest)}`);
   $('certificate').replaceChildren(...rows);
 }

@@ -34,6 +34,8 @@ export class Options {
     this.inputs = new Map();
     this.parameters = new Map();
     this.translations = [];
+    this.about = form.querySelector('#about');
+    this.translations.push(() => { this.about.textContent = t('aboutSettings'); });
     const orderOf = ({name}) => (mainSettings.indexOf(name) + 1) || mainSettings.length + 1;
     for (const parameter of [...parameters].sort((a, b) => orderOf(a) - orderOf(b))) {
       const place = form.querySelector(mainSettings.includes(parameter.name) ? '#main-settings' : '#more-settings');
@@ -57,6 +59,8 @@ export class Options {
       title.textContent = titleOf(name, parameter);
       label.title = note.textContent = noteOf(parameter, input.tagName === 'SELECT');
     });
+    for (const comes of ['focusin', 'pointerenter'])
+      label.addEventListener(comes, () => { this.about.textContent = `${title.textContent}: ${note.textContent}`; });
     return label;
   }
 

@@ -15,7 +15,7 @@ export const words = {
     error: 'Error', warning: 'Warning', note: 'Note', leftOut: 'more are not shown',
     smallest: 'smallest distance', required: 'needed', at: 'at', checked: 'blocks measured', tooNear: 'too near',
     noDifference: 'no difference', ownRadius: 'the program has its own radius: {radius}; wear changes it',
-    none: 'nothing to measure', measuring: 'being measured …', notMeasured: 'not measured: a large program, set “Measure the path”', notMeasuredRefused: 'not measured: refused', length: 'path length', blocks: 'blocks', tool: 'tool radius', plane: 'plane', seenIn: 'Plane',
+    none: 'nothing to measure', measuring: 'being measured …', notMeasured: 'not measured: a large program, set “Measure the path”', notMeasuredRefused: 'not measured: refused', length: 'path length', blocks: 'blocks', block: 'block', tool: 'tool radius', plane: 'plane', seenIn: 'Plane',
     height: 'height', pending: 'being written …', noOutput: 'refused: there is no compensated program',
     layerContour: 'contour', layerMasked: 'not travelled', layerPath: 'path', layerTransition: 'inserted',
     layerLead: 'approach, retract', layerPlain: 'not compensated', layerRapid: 'rapid',
@@ -39,6 +39,7 @@ export const words = {
     uncut: 'stay uncut with {radius}',
     of: 'of',
     insideNote: 'This file holds one program as it was compensated. trc view computes it anew, with other settings too.',
+    aboutSettings: 'What a setting means is said here, when you point at it.',
     unset: 'not set', initially: 'default {value}', offline: 'the server cannot be reached',
   },
   de: {
@@ -56,7 +57,7 @@ export const words = {
     error: 'Fehler', warning: 'Warnung', note: 'Hinweis', leftOut: 'weitere werden nicht gezeigt',
     smallest: 'kleinster Abstand', required: 'nötig', at: 'bei', checked: 'Sätze gemessen', tooNear: 'zu nah',
     noDifference: 'kein Unterschied', ownRadius: 'das Programm hat einen eigenen Radius: {radius}; Verschleiß ändert ihn',
-    none: 'nichts zu messen', measuring: 'wird gemessen …', notMeasured: 'nicht gemessen: großes Programm, „Bahn nachmessen“ setzen', notMeasuredRefused: 'nicht gemessen: abgelehnt', length: 'Bahnlänge', blocks: 'Sätze', tool: 'Werkzeugradius', plane: 'Ebene', seenIn: 'Ebene',
+    none: 'nichts zu messen', measuring: 'wird gemessen …', notMeasured: 'nicht gemessen: großes Programm, „Bahn nachmessen“ setzen', notMeasuredRefused: 'nicht gemessen: abgelehnt', length: 'Bahnlänge', blocks: 'Sätze', block: 'Satz', tool: 'Werkzeugradius', plane: 'Ebene', seenIn: 'Ebene',
     height: 'Höhe', pending: 'wird geschrieben …', noOutput: 'abgelehnt: es gibt kein korrigiertes Programm',
     layerContour: 'Kontur', layerMasked: 'nicht befahren', layerPath: 'Bahn', layerTransition: 'eingefügt',
     layerLead: 'An- und Abfahren', layerPlain: 'ohne Korrektur', layerRapid: 'Eilgang',
@@ -80,6 +81,7 @@ export const words = {
     uncut: 'bleiben mit {radius} stehen',
     of: 'von',
     insideNote: 'Diese Datei enthält ein Programm, wie es korrigiert wurde. trc view rechnet es neu, auch mit anderen Einstellungen.',
+    aboutSettings: 'Was eine Einstellung bedeutet, steht hier, wenn Sie auf sie zeigen.',
     unset: 'nicht gesetzt', initially: 'sonst {value}', offline: 'der Server ist nicht erreichbar',
   },
 };

@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "core/base/diagnostic.h"
+#include "core/base/entry_help.h"
 #include "core/base/german.h"
 
 namespace trc {
@@ -60,6 +61,7 @@ constexpr auto words_of_values = std::to_array<ValueWords>({
     {"programmed_length", "programmed length", "programmierte Länge", Measure::length},
     {"radius", "radius", "Radius", Measure::length},
     {"selection_block", "selection block", "Anwahlsatz", Measure::block_number},
+    {"slot_width", "width of the slot", "Breite der Nut", Measure::length},
     {"smallest_difference", "smallest difference", "kleinster Unterschied", Measure::length},
     {"smallest_radius", "smallest radius", "kleinster Radius", Measure::length},
     {"start_radius", "start radius", "Anfangsradius", Measure::length},
@@ -187,6 +189,60 @@ RelatedPlace take_place(std::span<const DiagnosticValue>& values) {
   return place;
 }
 
+// What is said of a place that is too narrow for the tool before anything else is, with the values
+// it takes.
+struct Narrowness {
+  std::string english{};
+  std::string german{};
+  std::string_view said{};  // name of the value
+};
+
+std::optional<double> value_named(const Diagnostic& diagnostic, std::string_view name) {
+  const auto found = std::ranges::find(diagnostic.values, name, &DiagnosticValue::name);
+  if (found == diagnostic.values.end()) return std::nullopt;
+  return found->value;
+}
+
+// "tool ⌀12.000 mm does not fit, the slot is 8.000 mm wide here: ", where that is known.
+Narrowness narrowness_of(const Diagnostic& diagnostic) {
+  const bool does_not_fit = diagnostic.code == Code::line_reversed ||
+                            diagnostic.code == Code::arc_wrapped ||
+                            diagnostic.code == Code::bottleneck;
+  const auto radius = value_named(diagnostic, "tool_radius");
+  const auto width = value_named(diagnostic, "slot_width");
+  const auto largest = value_named(diagnostic, "largest_radius");
+  if (!does_not_fit || !radius || !(width || largest)) return {};
+  const std::array<DiagnosticValue, 2> both{
+      {{"", 2 * *radius}, {"", width ? *width : 2 * *largest}}};
+  const Lengths lengths = lengths_for(both, diagnostic.inch);
+  const auto text = [&](double length) {
+    return length_text(length, lengths) + (lengths.inch ? " in" : " mm");
+  };
+  const std::string tool = text(both[0].value);
+  const std::string room = text(both[1].value);
+  if (width)
+    return {.english = "tool ⌀" + tool + " does not fit, the slot is " + room + " wide here: ",
+            .german = "Werkzeug ⌀" + tool + " passt nicht, die Nut ist hier " + room + " breit: ",
+            .said = "slot_width"};
+  constexpr double none = 1e-3;  // mm
+  if (*largest < none)
+    return {.english = "tool ⌀" + tool + " does not fit, there is no room for any here: ",
+            .german = "Werkzeug ⌀" + tool + " passt nicht, hier ist Platz für keines: ",
+            .said = "largest_radius"};
+  return {.english = "tool ⌀" + tool + " does not fit, there is room for ⌀" + room + " here: ",
+          .german = "Werkzeug ⌀" + tool + " passt nicht, hier ist Platz für ⌀" + room + ": ",
+          .said = "largest_radius"};
+}
+
+// The title, behind how narrow it is.
+std::string with_narrowness(const Narrowness& narrow, std::string title, Language language) {
+  if (narrow.said.empty()) return title;
+  const bool german = language == Language::german;
+  const std::string_view same = german ? "das Werkzeug passt nicht: " : "the tool does not fit: ";
+  if (title.starts_with(same)) title.erase(0, same.size());
+  return (german ? narrow.german : narrow.english) + title;
+}
+
 // What helps against a slip; {instead} is what was meant.
 struct SlipHelp {
   SlipKind kind = SlipKind::none;
@@ -259,14 +315,20 @@ std::string_view title_of(Code code, Language language) {
 
 std::string message_of(const Diagnostic& diagnostic, Language language) {
   const bool german = language == Language::german;
-  std::string text =
-      in_words_of(diagnostic.words, std::string(title_of(diagnostic.code, language)));
+  const Narrowness narrow = narrowness_of(diagnostic);
+  std::string text = with_narrowness(
+      narrow, in_words_of(diagnostic.words, std::string(title_of(diagnostic.code, language))),
+      language);
   if (!diagnostic.detail.empty())
     text.append(": ").append(german ? german_detail(diagnostic.detail) : diagnostic.detail);
   const char* separator = " (";
   std::span<const DiagnosticValue> values(diagnostic.values);
   const Lengths lengths = lengths_for(values, diagnostic.inch);
   while (!values.empty()) {
+    if (values.front().name == narrow.said) {
+      values = values.subspan(1);
+      continue;
+    }
     text.append(separator);
     if (values.front().name.ends_with("_index")) {
       const RelatedPlace place = take_place(values);
@@ -279,7 +341,7 @@ std::string message_of(const Diagnostic& diagnostic, Language language) {
     }
     separator = ", ";
   }
-  if (!diagnostic.values.empty()) text.append(")");
+  if (separator[0] == ',') text.append(")");
   if (!diagnostic.calls.empty()) text.append(", ").append(text_of(diagnostic.calls, language));
   return text;
 }
@@ -307,6 +369,28 @@ std::string text_of(const std::vector<CallPlace>& calls, Language language) {
   return text;
 }
 
+namespace {
+
+// An inside corner, in which G138 and G139 begin, is too narrow for a smaller tool as well.
+std::string help_in_corner(ControlWords words, bool german) {
+  std::string text(german ? "So nicht fertigen. Die Kontur an einer anderen Stelle beginnen"
+                          : "Do not machine it so. Begin the contour in another place");
+  if (words == ControlWords::isg)
+    text += german ? " oder mit G238 anwählen" : ", or select with G238";
+  return text + (german ? ": in einer Innenecke hat kein Fräser Platz, wie klein er auch ist."
+                        : ": in an inside corner no tool has room, however small.");
+}
+
+bool begins_in_corner(const Diagnostic& diagnostic) {
+  const auto is_in_corner = [](const EntryProposal& proposal) {
+    return proposal.shape == EntryProposal::Shape::inside_corner;
+  };
+  return diagnostic.entry_help &&
+         std::ranges::any_of(diagnostic.entry_help->proposals, is_in_corner);
+}
+
+}  // namespace
+
 DiagnosticTexts texts_of(const Diagnostic& diagnostic) {
   if (diagnostic.texts) return *diagnostic.texts;
   return {.message = message_of(diagnostic),
@@ -320,6 +404,7 @@ DiagnosticTexts texts_of(const Diagnostic& diagnostic) {
 
 std::string help_of(const Diagnostic& diagnostic, Language language) {
   const bool german = language == Language::german;
+  if (begins_in_corner(diagnostic)) return help_in_corner(diagnostic.words, german);
   const auto* const slip = std::ranges::find(slip_helps, diagnostic.slip.kind, &SlipHelp::kind);
   if (slip == slip_helps.end()) {
     std::string_view help = help_in(diagnostic.words, diagnostic.code, language);

@@ -437,7 +437,11 @@ constexpr auto rows = std::to_array<Explanation>({
      .meaning = "Lines are kept whole, so that their length is limited.",
      .causes = {"The file is no NC program.", "The line ends were lost when the file was copied."},
      .on_command_line = "Check that this is an NC program with line ends.",
-     .no_example = "It takes a line of more than 65536 bytes."},
+     .example = "N10 G00 X0 Y0\n"
+                "N20 (- )\n"
+                "N30 M30\n",
+     .repeated = "- ",
+     .times = 33'000},
     {.code = Code::nc_not_text,
      .meaning = "NC programs are plain text. A control character, or a byte that is no "
                 "UTF-8, says that this one is not, or was damaged.",
@@ -728,8 +732,16 @@ constexpr auto rows = std::to_array<Explanation>({
      .causes = {"One selection over a whole surface.", "G40 was forgotten."},
      .on_command_line = "Divide the contour, or raise the limit: --max-blocks-per-selection, where "
                         "a server is asked its setting of that name.",
-     .no_example = "It takes more blocks in one selection than a service allows, 20 million "
-                   "unless its operator says otherwise."},
+     .example = "N10 G00 X0 Y-20\n"
+                "N20 G141 V.G.WZ_AKT.R = 5\n"
+                "N30 G41 G01 X0 Y0 F1000\n"
+                "N40 X40\n"
+                "N50 Y40\n"
+                "N60 X80\n"
+                "N70 Y80\n"
+                "N80 G40 X100\n"
+                "N90 M30\n",
+     .options = "--max-blocks-per-selection 3"},
     {.code = Code::blocks_masked,
      .meaning = "Under G141 blocks that the tool cannot reach are passed by: the contour "
                 "there stays uncut. Nothing is cut too deep.",
@@ -1015,7 +1027,12 @@ constexpr auto rows = std::to_array<Explanation>({
      .meaning = "From its first line with a variable, a jump or a call on a program is held as a "
                 "whole, as any line may be jumped to.",
      .causes = {"One line that computes in front of the output of a CAM system."},
-     .no_example = "It takes a program of more than 16 MiB."},
+     .example = "#1=0\n"
+                "G01 X1 F500\n"
+                "M30\n",
+     .options = "--dialect fanuc",
+     .repeated = "G01 X1 F500\n",
+     .times = 1'500'000},
     {.code = Code::program_alarm,
      .meaning = "#3000 stops a machine with a text. A program uses it where its data are not as "
                 "it needs them.",
@@ -1034,6 +1051,15 @@ std::span<const Explanation> explanations() { return rows; }
 const Explanation* explanation_of(Code code) {
   const auto found = std::ranges::lower_bound(rows, code, {}, &Explanation::code);
   return found != rows.end() && found->code == code ? &*found : nullptr;
+}
+
+std::string example_of(const Explanation& explanation) {
+  const std::size_t at =
+      explanation.repeated.empty() ? 0 : explanation.example.find(explanation.repeated);
+  std::string program(explanation.example.substr(0, at));
+  program.reserve(explanation.example.size() + explanation.repeated.size() * explanation.times);
+  for (std::uint32_t i = 1; i < explanation.times; ++i) program += explanation.repeated;
+  return program.append(explanation.example.substr(at));
 }
 
 std::string_view help_on_command_line(Code code, Language language) {

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <span>
+#include <string>
 #include <string_view>
 
 #include "core/base/diagnostic.h"
@@ -15,15 +17,20 @@ struct Explanation {
   std::array<std::string_view, 3> causes{};  // what usually leads to it; empty behind the last
   // How to help oneself on the command line, with the names that has; empty: as the row says.
   std::string_view on_command_line{};
-  std::string_view example{};     // an ISG program that raises it; empty: see `no_example`
-  std::string_view options{};     // of `trc compensate`, which the example needs
-  std::string_view no_example{};  // why there is none, a sentence
+  std::string_view example{};  // a program that raises it, of ISG unless the options say otherwise
+  std::string_view options{};  // of `trc compensate`, which the example needs
+  // A part of the example that stands there so many times, too many to be shown; empty: none.
+  std::string_view repeated{};
+  std::uint32_t times = 1;
 };
 
 // One of each row of the table of codes, in its order.
 [[nodiscard]] std::span<const Explanation> explanations();
 // Null for a code that is not in the table.
 [[nodiscard]] const Explanation* explanation_of(Code code);
+
+// The whole example.
+[[nodiscard]] std::string example_of(const Explanation& explanation);
 
 // How to help oneself on the command line. Empty: as help_of() says.
 [[nodiscard]] std::string_view help_on_command_line(Code code, Language language);

@@ -215,8 +215,7 @@ constexpr auto rows = std::to_array<GermanExplanation>({
     {.code = Code::nc_line_too_long,
      .meaning = "Zeilen werden als Ganzes gehalten; ihre Länge ist deshalb begrenzt.",
      .causes = {"Die Datei ist kein NC-Programm.",
-                "Beim Kopieren der Datei gingen die Zeilenenden verloren."},
-     .no_example = "Dazu braucht es eine Zeile von mehr als 65536 Byte."},
+                "Beim Kopieren der Datei gingen die Zeilenenden verloren."}},
     {.code = Code::nc_not_text,
      .meaning = "NC-Programme sind einfacher Text. Ein Steuerzeichen, oder ein Byte, das kein "
                 "UTF-8 ist, zeigt, dass dieses keiner ist oder beschädigt wurde.",
@@ -354,9 +353,7 @@ constexpr auto rows = std::to_array<GermanExplanation>({
     {.code = Code::selection_too_long,
      .meaning = "Was vor dem Ende der Kontur nicht bekannt sein kann, hält ihre Sätze zurück, und "
                 "nur so viele.",
-     .causes = {"Eine einzige Anwahl über eine ganze Fläche.", "G40 wurde vergessen."},
-     .no_example = "Dazu braucht es mehr Sätze in einer Anwahl, als ein Dienst zulässt: 20 "
-                   "Millionen, wenn sein Betreiber nichts anderes sagt."},
+     .causes = {"Eine einzige Anwahl über eine ganze Fläche.", "G40 wurde vergessen."}},
     {.code = Code::blocks_masked,
      .meaning = "Unter G141 werden Sätze, die das Werkzeug nicht erreicht, ausgelassen: die Kontur "
                 "bleibt dort stehen. Zu tief geschnitten wird nichts.",
@@ -473,8 +470,7 @@ constexpr auto rows = std::to_array<GermanExplanation>({
      .meaning = "Von seiner ersten Zeile mit einer Variablen, einem Sprung oder einem Aufruf an "
                 "wird ein Programm als Ganzes vorgehalten, da jede Zeile angesprungen werden "
                 "kann.",
-     .causes = {"Eine Zeile, die rechnet, vor der Ausgabe eines CAM-Systems."},
-     .no_example = "Dazu braucht es ein Programm von mehr als 16 MiB."},
+     .causes = {"Eine Zeile, die rechnet, vor der Ausgabe eines CAM-Systems."}},
     {.code = Code::program_alarm,
      .meaning = "#3000 hält eine Maschine mit einem Text an. Ein Programm verwendet das, wo "
                 "seine Daten nicht so sind, wie es sie braucht.",

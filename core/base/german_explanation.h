@@ -13,7 +13,6 @@ struct GermanExplanation {
   Code code{};
   std::string_view meaning;
   std::array<std::string_view, 3> causes{};  // as many as in English
-  std::string_view no_example{};
 };
 
 // One of each row of the table of codes, in its order.

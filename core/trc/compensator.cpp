@@ -120,7 +120,9 @@ struct Compensator::Passes {
     if (blocks.size() < worthwhile || held == nullptr || open == nullptr) return 0;
     if (diagnostics.stopped() || !short_way.may_begin(*open, *held) || !idle_for(*held)) return 0;
     const std::size_t count = short_way.take(*open, *held, blocks, out);
-    if (count > 0) relevant_blocks.go_on_from_held();
+    if (count == 0) return 0;
+    relevant_blocks.go_on_from_held();
+    transitions.goes_on_behind(short_way.last_out());
     return count;
   }
   [[nodiscard]] bool idle_for(const PathBlock& block) const {

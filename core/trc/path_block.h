@@ -67,6 +67,12 @@ struct PathBlock {
   double cut_at_end = 0;
   bool splittable = false;  // an approach or retract line that SPLIT may divide
 
+  // Set by Transitions where the corners take more than there is of the block: how wide the slot is
+  // that its neighbours make, or else the largest tool they leave a path beside the block, both
+  // radii beside the programmed contour; 0: not known, or of no use.
+  double half_slot = 0;
+  double largest_radius = 0;
+
   // Set by ContourMasking (G141): programmed, but not travelled; and the joint of
   // the first block behind masked ones with the last one before them.
   bool masked = false;

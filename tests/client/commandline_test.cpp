@@ -888,6 +888,75 @@ TEST(Health, TellsAServerThatIsAboutToStopFromOneThatServes) {
   EXPECT_EQ(server.wait(), 0);
 }
 
+// The first word that only English has; empty: none.
+std::string english_word_in(const std::string& text) {
+  static const std::regex english(
+      R"(\b(the|or|of|with|not|has|is|are|that|which|and|to|line|there|cannot|did|Run|more|required|missing|names|no|allowed|value|Value|File|does|exist|unknown|range)\b)");
+  std::smatch found;
+  return std::regex_search(text, found, english) ? found.str() : std::string();
+}
+
+TEST(WrongCall, IsToldInGerman) {
+  const Folder folder;
+  folder.write("a.nc", "G0 X0\nM30\n");
+  folder.write("bad.csv", "number,radius\n1,x\n");
+  folder.write("twice.csv", "number,radius\n1,2\n1,3\n");
+  folder.write("column.csv", "number,size\n1,2\n");
+  const std::string nc = folder.path("a.nc");
+  const std::vector<std::vector<std::string>> calls{
+      {"compensat", nc},
+      {},
+      {"frobnicate"},
+      {"compensate"},
+      {"compensate", nc, "--tool-raduis", "5"},
+      {"compensate", nc, "--tool-radius", "5"},
+      {"compensate", nc, "--frob"},
+      {"compensate", nc, "--decimals", "9"},
+      {"compensate", nc, "--decimals", "x"},
+      {"compensate", nc, "--format", "pdf"},
+      {"compensate", nc, "--tools", folder.path("none.csv")},
+      {"compensate", nc, "--tools", folder.path("bad.csv")},
+      {"compensate", nc, "--tools", folder.path("twice.csv")},
+      {"compensate", nc, "--tools", folder.path("column.csv")},
+      {"compensate", nc, "--set", "radus=5"},
+      {"compensate", nc, "--set", "tool_radius"},
+      {"compensate", nc, "--set", "tool_radius=x"},
+      {"compensate", nc, "--set", "stretch_factor=10"},
+      {"compensate", nc, "--set", "tool_radius=1e9"},
+      {"compensate", nc, "--variable", "#500"},
+      {"compensate", nc, "--subprograms", folder.path("none")},
+      {"compensate", nc, "-o", nc},
+      {"compensate", nc, "-q", "-v"},
+      {"compensate", nc, "--worker"},
+      {"compensate", nc, nc},
+      {"compensate", nc, nc, "--output-dir", folder.path("out")},
+      {"compensate", folder.path("none.nc")},
+      {"compensate", nc, "-o", folder.path("none/out.nc")},
+      {"compensate", nc, "--server", "127.0.0.1:1", "--wait", "0"},
+      {"compensate", nc, "--server", "127.0.0.1:1", "--memory-limit-mib", "100"},
+      {"plot", nc, "-o", folder.path("out.pdf")},
+      {"radii", nc, "--radii", "3:x"},
+      {"radii", nc, "--radii", "1:2"},
+      {"verify"},
+      {"verify", "--record", nc},
+      {"explain", "1"},
+      {"generate", "--shape", "dog"},
+      {"health", "--server", "127.0.0.1:1"}};
+  setenv("LC_ALL", "de_DE.UTF-8", 1);
+  for (const std::vector<std::string>& call : calls) {
+    const Ended ended = trc(call);
+    std::string all;
+    for (const std::string& word : call) all += word + " ";
+    EXPECT_GE(ended.code, 2) << all;
+    EXPECT_FALSE(ended.err.empty()) << all;
+    EXPECT_EQ(english_word_in(ended.err), "") << all << '\n' << ended.err;
+  }
+  setenv("LC_ALL", "C", 1);
+  // The option counts where nothing else of the call can be read.
+  EXPECT_EQ(english_word_in(trc({"compensat", "--lang=de"}).err), "");
+  EXPECT_NE(english_word_in(trc({"compensat"}).err), "");
+}
+
 TEST(Info, PrintsTheTablesOfTheDocumentation) {
   const Ended info = trc({"info"});
   EXPECT_EQ(info.code, 0) << info.err;
@@ -913,7 +982,6 @@ TEST(Explain, SaysWhatACodeMeansAndWhatHelps) {
     EXPECT_EQ(refused.code, 2) << unknown;
     EXPECT_NE(refused.err.find(unknown), std::string::npos);
   }
-  EXPECT_EQ(trc({"explain", "900006", "--example"}).code, 2);
   EXPECT_EQ(trc({"explain", "--example"}).code, 2);
 }
 
@@ -934,7 +1002,6 @@ TEST(Explain, HasAnExampleThatRaisesEachCode) {
   const Ended list = trc({"explain"});
   ASSERT_EQ(list.code, 0);
   int codes = 0;
-  int examples = 0;
   for (const std::string& line : lines_of(list.out)) {
     const std::string code = line.substr(0, line.find(' '));
     if (code.empty() || code.find_first_not_of("0123456789") != std::string::npos) continue;
@@ -942,15 +1009,14 @@ TEST(Explain, HasAnExampleThatRaisesEachCode) {
     const Ended explained = trc({"explain", code});
     EXPECT_EQ(explained.code, 0) << code << explained.err;
     const auto call = call_of(explained.out);
-    if (!call) continue;
-    ++examples;
+    ASSERT_TRUE(call) << code;
     const std::string program = trc({"explain", code, "--example"}).out;
     const Ended raised = trc(*call, program);
     const std::regex told("(^|\n)[^\n]*: (error|warning|note) " + code + ": ");
-    EXPECT_TRUE(std::regex_search(raised.err, told)) << code << '\n' << program << raised.err;
+    EXPECT_TRUE(std::regex_search(raised.err, told)) << code << '\n'
+                                                     << program.substr(0, 1000) << raised.err;
   }
   EXPECT_GT(codes, 75);
-  EXPECT_GE(examples, codes - 3);
 }
 
 TEST(Explain, HasAPictureOfEachContour) {

@@ -3,8 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <memory>
 #include <string>
+#include <utility>
+
+#include "core/nc/dialect/dialect.h"
 
 namespace trc::cli {
 namespace {
@@ -35,6 +39,27 @@ Told told_by(const Tell& tell) {
   Told told{.text = ::testing::internal::GetCapturedStderr()};
   told.lines = std::count(told.text.begin(), told.text.end(), '\n');
   return told;
+}
+
+TEST(Reporter, HelpsWithWhatTheCommandLineHas) {
+  constexpr std::array<std::pair<DialectName, ControlWords>, 3> controls{
+      {{DialectName::isg, ControlWords::isg},
+       {DialectName::fanuc, ControlWords::g_functions},
+       {DialectName::heidenhain, ControlWords::klartext}}};
+  for (const CodeRow& row : code_table())
+    for (const auto& [dialect, words] : controls)
+      for (const Language language : {Language::english, Language::german}) {
+        Diagnostic found = diagnostic(row.code, {});
+        found.words = words;
+        found.language = language;
+        for (const SlipKind kind : {SlipKind::none, SlipKind::unit_of_another}) {
+          found.slip = {.kind = kind, .instead = "G71"};
+          const std::string help = texts_of(for_command_line(found, dialect)).help;
+          for (const char* of_messages :
+               {"SurveyRadii", "GetServerInfo", "setup", "Setup", "der Einstellungen"})
+            EXPECT_EQ(help.find(of_messages), std::string::npos) << help;
+        }
+      }
 }
 
 TEST(Reporter, CountsAMillionEqualMessages) {

@@ -35,7 +35,16 @@ TEST(SummaryLine, LeavesOutWhatThereIsNot) {
   summary.summary.blocks_out = 1;
   summary.clearance.worst->path.number = Source::no_number;
   EXPECT_EQ(summary_line(summary, false, 0, Language::english),
-            "1 block, 3 masked, clearance 6.000 mm, 0.00 s");
+            "1 block, 3 masked, clearance 6.000 mm at block 0, 0.00 s");
+}
+
+TEST(SummaryLine, SaysTheLineWhereBlocksHaveNoNumbers) {
+  wire::PathSummary summary = measured();
+  summary.clearance.worst->path = {.index = 11, .line = 12};
+  EXPECT_EQ(summary_line(summary, false, 0.04, Language::english),
+            "1,204 blocks, 3 masked, clearance 6.000 mm at line 12, 0.04 s");
+  EXPECT_EQ(summary_line(summary, false, 0.04, Language::german),
+            "1 204 Sätze, 3 ausgeblendet, Abstand 6.000 mm bei Zeile 12, 0.04 s");
 }
 
 }  // namespace

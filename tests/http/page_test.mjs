@@ -346,6 +346,32 @@ const tests = {
     assert.deepEqual(left, []);
   },
 
+  async 'what a setting means is said without hiding another one'(page) {
+    for (const name of ['tool_radius', 'dialect', 'tools', 'contour_masking']) {
+      await page.locator(`[name="${name}"]`).focus();
+      const found = await page.evaluate(name => {
+        const inputs = [...document.querySelectorAll('#main-settings :is(input, select)')];
+        const covered = inputs.filter(input => {
+          const {left, top, width, height} = input.getBoundingClientRect();
+          return document.elementFromPoint(left + width / 2, top + height / 2) !== input;
+        });
+        const about = document.getElementById('about');
+        return {covered: covered.map(input => input.name), cut: about.scrollHeight - about.clientHeight,
+          said: about.textContent === `${document.querySelector(`[name="${name}"]`).parentNode.firstChild.textContent}: ${document.querySelector(`[name="${name}"]`).parentNode.querySelector('small').textContent}`};
+      }, name);
+      assert.deepEqual(found, {covered: [], cut: 0, said: true}, name);
+    }
+  },
+
+  async 'a program that is refused while it is read shows what was read'(page) {
+    await show(page, file('read.nc', notch.replace('N80 G40 G01', 'N80 G777 G01')), {tool_radius: '1'});
+    assert.match(await page.textContent('#state'), /Refused/);
+    assert.equal(await page.locator('#diagnostics button.error').getAttribute('data-code'), '900002');
+    // The notch with its walls, and the path beside the first of them.
+    assert.ok(Number(await page.evaluate(() => document.body.dataset.segments)) >= 10);
+    assert.match(await page.textContent('#certificate'), /path length.*[6-9] blocks/);
+  },
+
   async 'each tool sweeps its own band, also where its path is out of sight'(page) {
     // Two squares of 50 mm beside each other, the left one with 6 mm, the right one with 3 mm.
     const square = (d, x) => `G00 X${x - 20} Y-20\nG41 D${d} G01 X${x} Y0 F500\nY50\nX${x + 50}\nY0\nX${x}\nG40 X${x - 20} Y-20\n`;

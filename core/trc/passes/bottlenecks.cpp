@@ -5,6 +5,7 @@
 #include <iterator>
 #include <utility>
 
+#include "core/geometry/along.h"
 #include "core/geometry/box_tree.h"
 #include "core/geometry/distance.h"
 #include "core/trc/selection/selection_limit.h"
@@ -169,6 +170,12 @@ bool Bottlenecks::report(const PathBlock& path, const MotionBlock& contour, doub
   const TrcMode& mode = path.mode();
   found.values = {{"clearance", mode.cutting_radius(distance)},
                   {"tool_radius", mode.cutting_radius(tool_radius(path))}};
+  if (is_contour(path) && !mode.below_nominal) {
+    const Segment& own = path.programmed.path;
+    const Point touched = point_along(own, nearest_along(own, place));
+    found.values.push_back(
+        {"slot_width", 2 * mode.cutting_radius(trc::distance(touched, contour.path) / 2)});
+  }
   append_place(found.values, "other", contour.source);
   const Position position = from_plane(path.mode().plane, place, path.programmed.normal.to);
   found.point = DiagnosticPoint{.x = position[0], .y = position[1], .z = position[2]};

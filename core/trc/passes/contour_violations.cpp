@@ -65,6 +65,11 @@ bool ContourViolations::report(Diagnostic violation, const PathBlock& block) {
   const Position place =
       from_plane(block.mode().plane, start_of(block.tool_path), block.programmed.normal.from);
   violation.point = DiagnosticPoint{.x = place[0], .y = place[1], .z = place[2]};
+  if (block.half_slot > 0)
+    violation.values.push_back({"slot_width", 2 * block.mode().cutting_radius(block.half_slot)});
+  else if (block.largest_radius > 0)
+    violation.values.push_back(
+        {"largest_radius", block.mode().cutting_radius(block.largest_radius)});
   if (block.mode().options.ignore_cont_damage) violation.severity = Severity::warning;
   return diagnostics_.report(std::move(violation));
 }

@@ -65,6 +65,7 @@ class ContourViolations {
   bool report_reversed(const PathBlock& block, double along);
   bool report_wrapped(const PathBlock& block, double left, double sweep);
   bool report_out_of_range(const PathBlock& block, Code code);
+  // With how wide it is there, as far as that is known.
   bool report(Diagnostic violation, const PathBlock& block);
 
   Tolerances tolerances_;

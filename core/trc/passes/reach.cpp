@@ -64,4 +64,13 @@ double largest_radius_for(const PathBlock& before, const PathBlock& block, const
              : std::floor(low / micrometre) * micrometre;
 }
 
+double slot_width(const Segment& before, const Segment& after) {
+  constexpr double parallel = 1e-6;  // rad
+  if (is_arc(before) || is_arc(after)) return 0;
+  const Vector along = tangent_at_start(before);
+  const Vector back = tangent_at_start(after);
+  if (along.dot(back) > 0 || std::abs(cross(along, back)) > parallel) return 0;
+  return std::abs(cross(along, start_of(after) - end_of(before)));
+}
+
 }  // namespace trc

@@ -14,4 +14,8 @@ namespace trc {
 [[nodiscard]] double largest_radius_for(const PathBlock& before, const PathBlock& block,
                                         const PathBlock& after, const Tolerances& tolerances);
 
+// How wide the slot is that the blocks before and behind a block make, mm, where they are lines
+// that run against each other; 0: they are not.
+[[nodiscard]] double slot_width(const Segment& before, const Segment& after);
+
 }  // namespace trc

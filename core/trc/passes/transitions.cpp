@@ -10,6 +10,7 @@
 #include "core/trc/corner/joints.h"
 #include "core/trc/corner/tool_path.h"
 #include "core/trc/passes/radius_change.h"
+#include "core/trc/passes/reach.h"
 #include "core/trc/selection/on_path.h"
 
 namespace trc {
@@ -144,12 +145,15 @@ bool Transitions::take(PathBlockPtr&& block, PathBlocks& out) {
     masked_.push_back(std::move(block));
     return true;
   }
+  std::optional<Segment> wall;
   if (held_ && continues(*block)) {
+    if (is_contour(*held_) && is_contour(*block) && !block->rejoin) wall = held_->programmed.path;
     if (!join(*block, out)) return false;
   } else {
     if (held_) leave(&start_of(block->programmed.path), out);
     enter(*block, out);
   }
+  wall_before_ = wall;
   if (block->at_end.active) {
     held_ = std::move(block);
   } else {
@@ -250,6 +254,7 @@ bool Transitions::join(PathBlock& after, PathBlocks& out) {
                      may_split(corner, after, after.mode().deselection, tolerances_);
   before.cut_at_end = joint.cut_before;
   complete(before, joint.end, tolerances_);
+  if (left_of_block(before, before.cut_at_start, before.cut_at_end) < 0) measure_room(after);
   const Origin origin = origin_of_insertions(before, after);
   const bool radius_changes = is_contour(before) && is_contour(after) &&
                               after.at_start != after.at_end &&
@@ -272,6 +277,25 @@ bool Transitions::join(PathBlock& after, PathBlocks& out) {
   if (radius_changes)
     insert_here(Line{.start = contour_start, .end = joint.start}, Origin::radius_change);
   return true;
+}
+
+void Transitions::measure_room(const PathBlock& after) {
+  PathBlock& block = *held_;
+  if (!wall_before_ || !is_contour(block) || !is_contour(after) || block.removes_loops() ||
+      block.mode().below_nominal || block.at_start != block.at_end ||
+      after.at_start != after.at_end)
+    return;
+  const double half = slot_width(*wall_before_, after.programmed.path) / 2;
+  if (half > 0 && half < std::abs(block.at_end.shift)) {
+    block.half_slot = half;
+    return;
+  }
+  PathBlock before;
+  before.programmed.path = *wall_before_;
+  before.programmed.mode = block.programmed.mode;
+  before.role = Role::contour;
+  before.at_start = before.at_end = block.at_start;
+  block.largest_radius = largest_radius_for(before, block, after, tolerances_);
 }
 
 // Wear mode: a smaller tool turns about the corner of the centre path, where it could go deeper.

@@ -39,10 +39,12 @@ class Transitions {
   [[nodiscard]] PathBlock* open_block() {
     return masked_.empty() && !short_ ? held_.get() : nullptr;
   }
+  // Of the contour, before the open block: ShortWay has gone on to that.
+  void goes_on_behind(const Segment& wall) { wall_before_ = wall; }
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(held_, short_, masked_, deepest_told_);
+    archive(held_, short_, masked_, wall_before_, deepest_told_);
   }
 
  private:
@@ -71,6 +73,8 @@ class Transitions {
   void join_anew(PathBlock& after, PathBlocks& out);
   void change_radius_at_once(const Corner& corner, PathBlock& after, Joint& joint) const;
 
+  // Of the held block, which its corners leave less than nothing of.
+  void measure_room(const PathBlock& after);
   bool tell_depth(const PathBlock& before, const PathBlock& after, const Joint& joint);
   bool refuse(const JointRefusal& refusal, const Corner& corner, const PathBlock& after);
   // What is known of a selection or deselection block that is too short.
@@ -80,8 +84,10 @@ class Transitions {
   Diagnostics& diagnostics_;
   selection::RefusedWay& refused_way_;
   PathBlockPtr held_;
-  PathBlockPtr short_;       // behind the held block, of a bow tie where the next one crosses that
-  PathBlocks masked_;        // behind the held block
+  PathBlockPtr short_;  // behind the held block, of a bow tie where the next one crosses that
+  PathBlocks masked_;   // behind the held block
+  // The contour block that the held block, of the contour too, goes on from by a corner.
+  std::optional<Segment> wall_before_;
   double deepest_told_ = 0;  // mm, of corners that wear mode does not reach
 };
 

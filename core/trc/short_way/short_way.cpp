@@ -92,6 +92,7 @@ std::size_t ShortWay::take(PathBlock& open, PathBlock& held, std::span<Block> bl
     ++count;
   }
   if (count == 0) return 0;
+  last_out_ = after->programmed->path;
   open.programmed = std::move(*before->programmed);
   give_offsets(open);
   open.tool_start = before->tool_start;

@@ -44,9 +44,11 @@ class ShortWay {
   // holds the contour before them.
   [[nodiscard]] bool may_begin(const PathBlock& open, const PathBlock& held) const;
   // Takes blocks from the front of `blocks`, which then stand in `open` and `held`, and puts out
-  // what lay before them. Returns how many.
+  // what lay before them. Returns how many; where any, last_out() is the one before `open`.
   std::size_t take(PathBlock& open, PathBlock& held, std::span<Block> blocks,
                    std::vector<CompensatedBlock>& out);
+
+  [[nodiscard]] const Segment& last_out() const { return last_out_; }
 
  private:
   // A block between its two corners.
@@ -99,6 +101,7 @@ class ShortWay {
   bool removes_loops_ = false;
   Tolerances exact_{};  // for the meetings of a contour whose loops are removed
   bool going_ = true;
+  Segment last_out_{};
   MotionBlock inserted_{};  // one after the other
   PathBlocks leaving_;      // between LoopRemoval and the passes behind it
 };

@@ -1,0 +1,298 @@
+#include "client/cli/told.h"
+
+#include <array>
+#include <iostream>
+#include <optional>
+#include <vector>
+
+namespace trc::cli {
+namespace {
+
+Language spoken = Language::english;  // by main(), before anything is said
+
+// A gap, {}, takes any text that is not empty. The order of gaps is the same in both languages.
+// The first row that fits holds: what says more stands in front.
+struct Row {
+  std::string_view english;
+  std::string_view german;
+};
+
+constexpr auto rows = std::to_array<Row>({
+    // Wrong calls.
+    {"there is no command {}; did you mean {}?", "es gibt keinen Befehl {}; ist {} gemeint?"},
+    {"there is no command {}; commands are {}", "es gibt keinen Befehl {}; Befehle sind {}"},
+    {"{}: there is no option {}; did you mean {}?", "{}: es gibt keine Option {}; ist {} gemeint?"},
+    {"{}: there is no option {}; {} --help lists all",
+     "{}: es gibt keine Option {}; alle nennt {} --help"},
+    {"say what to do: commands are {}", "es fehlt, was zu tun ist: Befehle sind {}"},
+    {"Run {} --help for more information.", "Mehr sagt {} --help."},
+    {"FILE or --record is required", "FILE oder --record muss angegeben werden"},
+    {"{} is required", "{} muss angegeben werden"},
+    {"{}: File does not exist: {}", "{}: die Datei gibt es nicht: {}"},
+    {"{}: File is actually a directory: {}", "{}: die Datei ist ein Verzeichnis: {}"},
+    {"{}: Path does not exist: {}", "{}: das gibt es nicht: {}"},
+    {"{}: Value {} not in range {} to {}", "{}: der Wert {} liegt nicht zwischen {} und {}"},
+    {"Could not convert: {} = {}", "{} passt nicht zu {}"},
+    {"{}: it takes {}", "{}: möglich sind {}"},
+    {"{}: {} not in {{}}", "{}: {} gehört nicht zu {{}}"},
+    {"{}: {} required {} missing", "{}: es fehlen Angaben ({} × {})"},
+    {"{}: At Most {} required but received {}", "{}: höchstens {} erlaubt, angegeben sind {}"},
+    {"{} requires {}", "{} gilt nur mit {}"},
+    {"{} excludes {}", "{} gilt nicht zusammen mit {}"},
+    {"The following argument was not expected: {}", "dieses Argument ist zu viel: {}"},
+    {"The following arguments were not expected: {}", "diese Argumente sind zu viel: {}"},
+    {"{}: several programs need --output-dir, where their results go",
+     "{}: mehrere Programme brauchen --output-dir, wohin die Ergebnisse gehen"},
+    {"there is no code {}; trc explain lists all",
+     "es gibt keinen Code {}; trc explain nennt alle"},
+    // Settings.
+    {"--set: {}", "--set: {}"},
+    {"--radii: {}", "--radii: {}"},
+    {"--variable: {}", "--variable: {}"},
+    {"unknown setting {}; nearest: {} (all of them: trc compensate --help)",
+     "unbekannte Einstellung {}; am ähnlichsten: {} (alle: trc compensate --help)"},
+    {"{} is no setting; write key=value", "{} ist keine Einstellung; NAME=WERT schreiben"},
+    {"{} is no value; write NAME=VALUE", "{} ist kein Wert; NAME=WERT schreiben"},
+    {"{}: {} is not possible; it takes {}", "{}: {} ist nicht möglich; es nimmt {}"},
+    {"{} is not possible; it takes {}", "{} ist nicht möglich; es nimmt {}"},
+    {"{} may be {} or {}; write the whole key",
+     "{} kann {} oder {} sein; den ganzen Namen schreiben"},
+    {"{} is no D or T word with its radius in mm, as in {}, or with its wear too, as in {}",
+     "{} ist kein D- oder T-Wort mit seinem Radius in mm, wie in {}, oder dazu seinem Verschleiß, "
+     "wie in {}"},
+    {"{} is no from:to:step", "{} ist kein von:bis:Schritt"},
+    {"{}: is {}, allowed is above {} to {}", "{}: ist {}, erlaubt ist über {} bis {}"},
+    {"{}: is {}, allowed is {} to {}", "{}: ist {}, erlaubt ist {} bis {}"},
+    {"{}: is {}, which the enum has not", "{}: ist {}, was es nicht gibt"},
+    {"{}: has {} entries, allowed are {}", "{}: hat {} Einträge, erlaubt sind {}"},
+    {"{}: has more than {} entries", "{}: hat mehr als {} Einträge"},
+    {"{}: has a name that is not 1 to {} bytes long",
+     "{}: hat einen Namen, der nicht 1 bis {} Byte lang ist"},
+    {"{}: is not a letter followed by up to 15 letters, digits or '_'",
+     "{}: ist kein Buchstabe mit bis zu 15 weiteren Buchstaben, Ziffern oder '_'"},
+    {"{}: names the axis {} a second time", "{}: nennt die Achse {} ein zweites Mal"},
+    {"{}: names the tool {} a second time", "{}: nennt das Werkzeug {} ein zweites Mal"},
+    {"{}: is the name of another tool", "{}: ist der Name eines anderen Werkzeugs"},
+    {"{}: is longer than {} bytes", "{}: ist länger als {} Byte"},
+    {"{}: counts blocks, which only FIND_BLOCKS does", "{}: zählt Sätze, was nur FIND_BLOCKS tut"},
+    {"{}: is not at most 64 bytes of printable ASCII",
+     "{}: sind nicht höchstens 64 Byte druckbares ASCII"},
+    {"{}: is neither en nor de", "{}: ist weder en noch de"},
+    {"{}: stands there a second time", "{}: steht ein zweites Mal da"},
+    {"{}: are more than {} radii", "{}: sind mehr als {} Radien"},
+    {"{}: are more than {} with the range", "{}: sind mit dem Bereich mehr als {}"},
+    {"{}: is empty, and the largest one is not asked for",
+     "{}: ist leer, und nach dem größten wird nicht gefragt"},
+    {"{}: is missing", "{}: fehlt"},
+    {"{}: is not available, only {} is allowed", "{}: gibt es hier nicht, nur {} ist erlaubt"},
+    {"a number", "eine Zahl"},
+    {"a whole number", "eine ganze Zahl"},
+    {"true or false", "true oder false"},
+    {"text", "Text"},
+    {"names with commas between", "Namen mit Kommas dazwischen"},
+    {"auto, none or blocks:IN,OUT", "auto, none oder blocks:EIN,AUS"},
+    {"3,5,8 or 3:8:0.5, mm", "3,5,8 oder 3:8:0.5, mm"},
+    // Tables of tools and subprograms.
+    {"--tools: the page takes tools by number, none with a name or an edge; trc plot -o part.html "
+     "takes them all",
+     "--tools: die Seite nimmt Werkzeuge mit Nummer, keine mit Namen oder Schneide; trc plot -o "
+     "part.html nimmt alle"},
+    {"--tools: {}", "--tools: {}"},
+    {"note: the radii of {} are read in mm, as the file names no unit, though the program counts "
+     "in inch; a first line unit,inch or a column unit of a CSV says otherwise, --unit inch of "
+     "other tables",
+     "Hinweis: die Radien von {} werden in mm gelesen, da die Datei keine Einheit nennt, obwohl "
+     "das Programm in Zoll rechnet; anders sagt es eine erste Zeile unit,inch oder eine Spalte "
+     "unit einer CSV, --unit inch bei anderen Tabellen"},
+    {"note: radii and wear of --radius, --wear and --set are in mm, though the program counts in "
+     "inch: 0.25 inch are 6.35",
+     "Hinweis: Radien und Verschleiß von --radius, --wear und --set gelten in mm, obwohl das "
+     "Programm in Zoll rechnet: 0.25 Zoll sind 6.35"},
+    {"{}: line {}: {}", "{}: Zeile {}: {}"},
+    {"it names no tool with a radius", "sie nennt kein Werkzeug mit einem Radius"},
+    {"{}: it names no tool with a radius", "{}: nennt kein Werkzeug mit einem Radius"},
+    {"{} has wear, but no radius", "{} hat Verschleiß, aber keinen Radius"},
+    {"tool {}, edge {}", "Werkzeug {}, Schneide {}"},
+    {"{} a second time", "{} ein zweites Mal"},
+    {"tool {}", "Werkzeug {}"},
+    {"unit is {}, not mm or inch", "unit ist {}, nicht mm oder inch"},
+    {"{} is no number of a tool", "{} ist keine Nummer eines Werkzeugs"},
+    {"{} is no row of a table of tools; a CSV begins with a header such as number,radius",
+     "{} ist keine Zeile einer Werkzeugtabelle; eine CSV beginnt mit einem Kopf wie "
+     "number,radius"},
+    {"{} names no tool and edge, as in {}", "{} nennt kein Werkzeug mit Schneide, wie in {}"},
+    {"{} is {}, which is no number", "{} ist {}, und das ist keine Zahl"},
+    {"the table has no column {}", "die Tabelle hat keine Spalte {}"},
+    {"unknown column {}", "unbekannte Spalte {}"},
+    {"the header needs number or name, and one of radius, diameter",
+     "der Kopf braucht number oder name, und radius oder diameter"},
+    {"edge is {}, which is none", "edge ist {}, und das ist keine Schneide"},
+    {"holds is {}, not RADIUS or DIAMETER", "holds ist {}, nicht RADIUS oder DIAMETER"},
+    {"the tool has neither number nor name", "das Werkzeug hat weder Nummer noch Namen"},
+    {"--subprograms: {} cannot be read", "--subprograms: {} lässt sich nicht lesen"},
+    {"--subprograms: more than 900 KiB; name the files that the program calls",
+     "--subprograms: mehr als 900 KiB; die Dateien nennen, die das Programm aufruft"},
+    // Files.
+    {"cannot read standard input: {}", "die Standardeingabe lässt sich nicht lesen: {}"},
+    {"cannot read {}: {}", "{} lässt sich nicht lesen: {}"},
+    {"cannot read {}", "{} lässt sich nicht lesen"},
+    {"cannot write standard output: {}", "die Standardausgabe lässt sich nicht schreiben: {}"},
+    {"cannot write standard output", "die Standardausgabe lässt sich nicht schreiben"},
+    {"cannot hold back {}: {}", "{} lässt sich nicht zurückhalten: {}"},
+    {"cannot write {}: {}", "{} lässt sich nicht schreiben: {}"},
+    {"cannot make {}: {}", "{} lässt sich nicht anlegen: {}"},
+    {"-o {}: the name must end in .svg or .html, or --format must say which it is",
+     "-o {}: der Name muss auf .svg oder .html enden, oder --format muss es sagen"},
+    {"-o {} is the program itself; write another file, or say --force",
+     "-o {} ist das Programm selbst; eine andere Datei schreiben, oder --force angeben"},
+    {"{} is the program itself; write another file",
+     "{} ist das Programm selbst; eine andere Datei schreiben"},
+    {"--to writes an NC program: leave out --format {}",
+     "--to schreibt ein NC-Programm: --format {} weglassen"},
+    {"{} has {} blocks of contour and path, a page holds {}; use trc view, or write .svg",
+     "{} hat {} Sätze an Kontur und Bahn, eine Seite fasst {}; trc view nehmen, oder .svg "
+     "schreiben"},
+    {"{} is given twice; its results would have one name",
+     "{} ist zweimal angegeben; die Ergebnisse hätten denselben Namen"},
+    {"{} would be written over the program itself", "{} würde das Programm selbst überschreiben"},
+    {"{}: no process can be started for it", "{}: dafür lässt sich kein Prozess starten"},
+    {"{}: the process was ended by signal {}", "{}: der Prozess wurde durch Signal {} beendet"},
+    {"No such file or directory", "die Datei oder das Verzeichnis gibt es nicht"},
+    {"Permission denied", "keine Berechtigung"},
+    {"Is a directory", "es ist ein Verzeichnis"},
+    {"No space left on device", "kein Platz mehr auf dem Gerät"},
+    {"Not a directory", "es ist kein Verzeichnis"},
+    {"File exists", "die Datei gibt es schon"},
+    {"Input/output error", "Ein-/Ausgabefehler"},
+    // Shapes of trc generate and trc load.
+    {"unknown shape {}", "unbekannte Form {}"},
+    {"a {} of this tool radius has at most {} blocks",
+     "{} hat bei diesem Werkzeugradius höchstens {} Sätze"},
+    {"--{} {}: the server admits {} ({})", "--{} {}: der Server lässt {} zu ({})"},
+    {"the core refuses this contour: {}", "der Kern lehnt diese Kontur ab: {}"},
+    // Records of jobs.
+    {"{}: it is no record of a job: {}", "{}: das ist kein Auftragsprotokoll: {}"},
+    {"format is {}", "format ist {}"},
+    {"{}: it has been changed: its own SHA-256 is not there",
+     "{}: es wurde verändert: seine eigene SHA-256 fehlt"},
+    {"{}: it has been changed since it was written: its SHA-256 is {}, the one in it says {}",
+     "{}: es wurde verändert, seit es geschrieben wurde: seine SHA-256 ist {}, die darin ist {}"},
+    {"{}: it was made by version {} ({}), this is {} ({})",
+     "{}: es stammt von Version {} ({}), dies ist {} ({})"},
+    {"{}: {} does not hold what came out when this record was made",
+     "{}: {} enthält nicht, was herauskam, als dieses Protokoll entstand"},
+    {"{} is not here: only the bytes made anew were compared",
+     "{} ist nicht hier: nur die neu erzeugten Bytes wurden verglichen"},
+    {"the record holds: {} bytes, SHA-256 {}, {}", "das Protokoll stimmt: {} Byte, SHA-256 {}, {}"},
+    {"{}: {}: SHA-256 is {} of {} bytes, the record says {} of {}",
+     "{}: {}: SHA-256 ist {} von {} Byte, im Protokoll steht {} von {}"},
+    {"{}: outcome: {}, the record says {}", "{}: Ausgang: {}, im Protokoll steht {}"},
+    // trc verify.
+    {"nothing to verify: no compensated contour", "nichts zu messen: keine korrigierte Kontur"},
+    {"{} blocks of the path checked, {}", "{} Sätze der Bahn gemessen, {}"},
+    {"smallest clearance {} mm of {} mm at {}, path of {} beside contour block {}",
+     "kleinster Abstand {} mm von {} mm bei {}, Bahn von {} neben Kontursatz {}"},
+    {"the path touches {} of {} mm of wall", "die Bahn berührt {} von {} mm Wand"},
+    {"{}: gouge: {} block comes nearer to the contour than the tool radius, {}",
+     "{}: Konturverletzung: {} Satz kommt der Kontur näher als der Werkzeugradius, {}"},
+    {"{}: gouge: {} blocks come nearer to the contour than the tool radius, {}",
+     "{}: Konturverletzung: {} Sätze kommen der Kontur näher als der Werkzeugradius, {}"},
+    {"{} (line {})", "{} (Zeile {})"},
+    {"line {}", "Zeile {}"},
+    // Servers and limits.
+    {"serving", "nimmt Arbeit an"},
+    {"not serving", "nimmt keine Arbeit an"},
+    {"the server at {} is there, but shuts down and takes no new programs",
+     "der Server {} ist da, fährt aber herunter und nimmt keine neuen Programme"},
+    {"the server at {} does not let this client in", "der Server {} lässt diesen Client nicht ein"},
+    {"lost the connection to the server at {}; the path is not complete",
+     "die Verbindung zum Server {} ging verloren; die Bahn ist nicht vollständig"},
+    {"lost the connection to the server; the path is not complete",
+     "die Verbindung zum Server ging verloren; die Bahn ist nicht vollständig"},
+    {"cannot reach a server at {}; is trcd running there, and do the --tls files fit?",
+     "kein Server unter {} erreichbar; läuft dort trcd, und passen die Dateien von --tls?"},
+    {"the server at {} shuts down; waiting for up to {} s (--wait)",
+     "der Server {} fährt herunter; bis zu {} s wird gewartet (--wait)"},
+    {"the server at {} has no room now: {}; waiting for up to {} s (--wait)",
+     "der Server {} hat gerade keinen Platz: {}; bis zu {} s wird gewartet (--wait)"},
+    {"the server at {} was lost; waiting for up to {} s (--wait)",
+     "der Server {} ging verloren; bis zu {} s wird gewartet (--wait)"},
+    {"--memory-limit-mib, --max-session-memory-mib and --max-blocks-per-selection are of a run in "
+     "this process; a server has limits of its own (trc info --server)",
+     "--memory-limit-mib, --max-session-memory-mib und --max-blocks-per-selection gelten für einen "
+     "Lauf in diesem Prozess; ein Server hat eigene Grenzen (trc info --server)"},
+    {"a client certificate and its key belong together",
+     "ein Client-Zertifikat und sein Schlüssel gehören zusammen"},
+    {"in a list of servers {} must be an IP address and a port",
+     "in einer Liste von Servern muss {} eine IP-Adresse mit Port sein"},
+    {"{} mixes IPv4 and IPv6", "{} mischt IPv4 und IPv6"},
+    {"with TLS give one name that stands for all servers, dns:///NAME:PORT: {} has none their "
+     "certificates could be checked against",
+     "mit TLS einen Namen angeben, der für alle Server steht, dns:///NAME:PORT: {} hat keinen, an "
+     "dem sich ihre Zertifikate prüfen ließen"},
+    {"listen: {} is not HOST:PORT", "listen: {} ist nicht HOST:PORT"},
+    {"http-listen: {} is not HOST:PORT", "http-listen: {} ist nicht HOST:PORT"},
+    {"http-listen: {} can be reached by other machines; give tls-cert-file and tls-key-file, or "
+     "allow plain text with insecure-http",
+     "http-listen: {} ist von anderen Rechnern erreichbar; tls-cert-file und tls-key-file angeben, "
+     "oder Klartext mit insecure-http erlauben"},
+    {"there is not enough memory for this program",
+     "für dieses Programm reicht der Speicher nicht"},
+    {"internal error: {}", "innerer Fehler: {}"},
+});
+
+constexpr std::string_view gap = "{}";
+
+// What stands in the gaps; nothing: the text is no such sentence.
+std::optional<std::vector<std::string_view>> filled(std::string_view pattern,
+                                                    std::string_view text) {
+  std::vector<std::string_view> found;
+  std::size_t at = pattern.find(gap);
+  if (!text.starts_with(pattern.substr(0, at))) return std::nullopt;
+  if (at == pattern.npos) return text == pattern ? std::optional(found) : std::nullopt;
+  text.remove_prefix(at);
+  while (at != pattern.npos) {
+    pattern.remove_prefix(at + gap.size());
+    at = pattern.find(gap);
+    const std::string_view behind = pattern.substr(0, at);
+    std::size_t end = text.size();
+    if (at == pattern.npos) {
+      if (!text.ends_with(behind)) return std::nullopt;
+      end -= behind.size();
+    } else {
+      end = text.find(behind, 1);
+    }
+    if (end == text.npos || end == 0) return std::nullopt;
+    found.push_back(text.substr(0, end));
+    text.remove_prefix(end + behind.size());
+  }
+  return found;
+}
+
+std::string in_german(std::string_view english) {
+  for (const Row& row : rows) {
+    const auto gaps = filled(row.english, english);
+    if (!gaps) continue;
+    std::string text;
+    std::string_view pattern = row.german;
+    for (const std::string_view given : *gaps) {
+      const std::size_t at = pattern.find(gap);
+      text.append(pattern.substr(0, at)).append(in_german(given));
+      pattern.remove_prefix(at + gap.size());
+    }
+    return text.append(pattern);
+  }
+  return std::string(english);
+}
+
+}  // namespace
+
+void speak(Language language) { spoken = language; }
+
+std::string told(std::string_view english) {
+  return spoken == Language::german ? in_german(english) : std::string(english);
+}
+
+void complain(std::string_view english) { std::cerr << "trc: " << told(english) << '\n'; }
+
+}  // namespace trc::cli

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "core/base/language.h"
+
+namespace trc::cli {
+
+// The language of what `trc` says of a call, as of files, options and servers; English until then.
+// What is told of a program has the language of its setup.
+void speak(Language language);
+
+// A sentence of the table of German ones in the language of speak(); any other as it is. What
+// stands in its gaps may be a sentence of the table in turn.
+[[nodiscard]] std::string told(std::string_view english);
+
+// "trc: " and the sentence, as told, in a line on standard error.
+void complain(std::string_view english);
+
+}  // namespace trc::cli

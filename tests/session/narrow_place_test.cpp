@@ -1,0 +1,90 @@
+#include <gtest/gtest.h>
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/session/program_session.h"
+
+namespace trc {
+namespace {
+
+Diagnostic refused(std::string_view program, const ProgramSessionSetup& setup = {},
+                   std::size_t cut = 1000) {
+  ProgramSession session(setup);
+  Answers out;
+  for (std::size_t at = 0; at < program.size(); at += cut)
+    if (!session.feed(program.substr(at, cut), out)) break;
+  session.finish(out);
+  const std::vector<Diagnostic> found = out.take().diagnostics;
+  return found.empty() ? Diagnostic{} : found.back();
+}
+
+// A slot of this width, mm, whose floor is `rise` higher at its end, far behind the begin.
+std::string slot(double width, double rise, const std::string& head = "G138") {
+  std::string text = "G0 X-20 Y0 F500\nV.G.WZ_AKT.R=6\n" + head + "\nG42 G1 X0 Y0\n";
+  for (int x = 1; x <= 40; ++x) text += "X" + std::to_string(x) + "\n";
+  text += "Y30\nX" + std::to_string(40 + width) + " Y" + std::to_string(30 + rise) + "\nY0\n";
+  return text + "X90\nG40 X120\nM30\n";
+}
+
+std::string begin_of(const Diagnostic& found, Language language = Language::english) {
+  const std::string text = message_of(found, language);
+  return text.substr(0, text.find(": "));
+}
+
+TEST(NarrowPlace, OfASlotIsTheDistanceOfItsWalls) {
+  for (const double rise : {0.0, 3.0, -3.0})
+    for (const std::size_t cut : {std::size_t{1}, std::size_t{1000}}) {
+      const Diagnostic found = refused(slot(8, rise), {}, cut);
+      EXPECT_EQ(found.code, Code::line_reversed);
+      EXPECT_EQ(begin_of(found), "tool ⌀12.000 mm does not fit, the slot is 8.000 mm wide here");
+      EXPECT_EQ(begin_of(found, Language::german),
+                "Werkzeug ⌀12.000 mm passt nicht, die Nut ist hier 8.000 mm breit");
+    }
+}
+
+TEST(NarrowPlace, OfASlotIsSaidInTheUnitOfTheProgram) {
+  ProgramSessionSetup setup;
+  setup.session.program.inch = true;
+  std::string program = slot(8, 0);
+  EXPECT_EQ(begin_of(refused(program, setup)),
+            "tool ⌀12.0000 in does not fit, the slot is 8.0000 in wide here");
+}
+
+// A chamfer between walls that open: what tool leaves it a length.
+TEST(NarrowPlace, BetweenOtherWallsIsTheLargestToolThere) {
+  const std::string chamfer =
+      "G0 X-30 Y0 F1000\nV.G.WZ_AKT.R=10\nG41 G1 X0\nX50\nX55 Y5\nX55 Y50\nG40 Y80\nM30\n";
+  const Diagnostic found = refused(chamfer);
+  EXPECT_EQ(found.code, Code::line_reversed);
+  // 5·√2 / (2·tan 22.5°) = 8.536
+  EXPECT_EQ(begin_of(found), "tool ⌀20.000 mm does not fit, there is room for ⌀17.072 mm here");
+}
+
+TEST(NarrowPlace, IsToldOfABottleneckToo) {
+  const std::string two_walls =
+      "G0 X-20 Y0 F500\nV.G.WZ_AKT.R=6\nG42 G1 X0 Y0\nX40\nY20\nX30\nY60\nX58\nY20\nX50\nY0\nX90\n"
+      "G40 X120\nM30\n";
+  ProgramSessionSetup setup;
+  setup.session.compensator.implicit_contour_masking = true;
+  const Diagnostic found = refused(two_walls, setup);
+  EXPECT_EQ(found.code, Code::bottleneck) << message_of(found);
+  EXPECT_EQ(begin_of(found), "tool ⌀12.000 mm does not fit, the slot is 10.000 mm wide here");
+}
+
+TEST(NarrowPlace, OfAnInsideCornerHelpsNoSmallerTool) {
+  const std::string square =
+      "G0 X20 Y20 F1000\nV.G.WZ_AKT.R=5\nG138\nG41 G1 X0 Y0\nX50\nY50\nX0\nY0\nG40 X20 Y20\nM30\n";
+  ProgramSessionSetup setup;
+  setup.session.verify = Verify::enforce;
+  const Diagnostic found = refused(square, setup);
+  ASSERT_TRUE(found.entry_help);
+  EXPECT_EQ(help_of(found),
+            "Do not machine it so. Begin the contour in another place, or select with G238: in an "
+            "inside corner no tool has room, however small.");
+  EXPECT_EQ(help_of(found, Language::german).find("kleineren"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace trc
