@@ -90,10 +90,11 @@ Words words_of(const Explanation& explanation, Language language) {
 }
 
 // Whether something of the contour is certain before the example is refused. Of these nothing is:
-// their first word of TRC is the fault.
+// their first word of TRC is the fault, or a limit is met, of which no picture is made.
 bool shows_a_contour(const Explanation& explanation) {
   constexpr std::array refused_at_once{Code::compensation_side_twice, Code::selection_mode_twice,
-                                       Code::side_behind_end, Code::no_tool_radius};
+                                       Code::side_behind_end, Code::selection_too_long,
+                                       Code::no_tool_radius};
   const auto selects = [&](std::string_view word) {
     return explanation.example.find(word) != std::string_view::npos;
   };

@@ -58,8 +58,8 @@ TEST(NarrowPlace, BetweenOtherWallsIsTheLargestToolThere) {
       "G0 X-30 Y0 F1000\nV.G.WZ_AKT.R=10\nG41 G1 X0\nX50\nX55 Y5\nX55 Y50\nG40 Y80\nM30\n";
   const Diagnostic found = refused(chamfer);
   EXPECT_EQ(found.code, Code::line_reversed);
-  // 5·√2 / (2·tan 22.5°) = 8.536
-  EXPECT_EQ(begin_of(found), "tool ⌀20.000 mm does not fit, there is room for ⌀17.072 mm here");
+  // 5·√2 / (2·tan 22.5°) = 8.5355, of which whole micrometres.
+  EXPECT_EQ(begin_of(found), "tool ⌀20.000 mm does not fit, there is room for ⌀17.070 mm here");
 }
 
 TEST(NarrowPlace, IsToldOfABottleneckToo) {

@@ -77,6 +77,7 @@ std::size_t ShortWay::take(PathBlock& open, PathBlock& held, std::span<Block> bl
   before->tool_start = open.tool_start;
   before->cut_at_start = open.cut_at_start;
   MotionBlock* last = &held.programmed;
+  const MotionBlock* put_out = nullptr;
   std::size_t count = 0;
   for (Block& block : blocks) {
     auto* motion = std::get_if<MotionBlock>(&block);
@@ -86,13 +87,14 @@ std::size_t ShortWay::take(PathBlock& open, PathBlock& held, std::span<Block> bl
     if (!removes_loops_ && equidistant.circular && vanishes(equidistant.circle.radius, tolerances_))
       break;
     if (!join(*corner, *before, *after, out)) break;
+    put_out = before->programmed;
     std::swap(before, after);
     std::swap(corner, next_corner);
     last = motion;
     ++count;
   }
   if (count == 0) return 0;
-  last_out_ = after->programmed->path;
+  last_out_ = put_out->path;
   open.programmed = std::move(*before->programmed);
   give_offsets(open);
   open.tool_start = before->tool_start;
