@@ -398,7 +398,7 @@ TEST(PublishedValues, ComeWithTheirMessage) {
   EXPECT_EQ(
       values(program_of("X-30 Y0", "V.G.WZ_AKT.R=10", "G41 G1 X0 Y0\nX50\nX55 Y5\nY50\nG40 Y80")),
       "90019: compensated_length -1.213; largest_radius 8.535; programmed_length 7.071; "
-            "tool_radius 10.000; ");
+      "tool_radius 10.000; ");
   EXPECT_EQ(values(program_of("X-30 Y0", "V.G.WZ_AKT.R=12",
                               "G41 G1 X0 Y0\nX50\nG3 X60 Y10 J10\nG1 Y50\nG40 Y80")),
             "90017: contour_radius 10.000; difference -2.000; smallest_difference 0.000; "
