@@ -96,8 +96,10 @@ Exit write_converted(const Call& call, const v1::ProgramSetup& setup, const std:
   const ConvertedProgram converted = convert_program(
       text, read.path.session.program, *dialect_spelled(call.to), static_cast<int>(call.decimals));
   if (!converted.fault.empty()) {
-    std::cerr << call.program.file << ": error: --to " << call.to << " does not convert "
-              << converted.fault << " (line " << converted.line << " of the compensated program)\n";
+    std::cerr << told(call.program.file + ": error: --to " + call.to + " does not convert " +
+                      converted.fault + " (line " + std::to_string(converted.line) +
+                      " of the compensated program)")
+              << '\n';
     return Exit::refused;
   }
   return output.write(converted.text) && output.commit() ? Exit::done : Exit::wrong_call;

@@ -219,15 +219,15 @@ void print_table(const std::vector<Item>& items) {
   for (const Item& item : items) width = std::max(width, item.file.size());
   std::map<std::string, int> counts;
   for (const Item& item : items) {
-    const std::string result = text_of(item.result);
+    const std::string result = told(text_of(item.result));
     ++counts[result];
     std::cout << item.file << std::string(width + 2 - item.file.size(), ' ') << result;
     constexpr std::size_t widest_result = 13;
     if (!item.about.empty())
-      std::cout << std::string(widest_result - result.size(), ' ') << item.about;
+      std::cout << std::string(widest_result - result.size(), ' ') << told(item.about);
     std::cout << '\n';
   }
-  std::cout << items.size() << " programs";
+  std::cout << told(std::to_string(items.size()) + " programs");
   for (const auto& [result, count] : counts) std::cout << ", " << count << ' ' << result;
   std::cout << '\n';
 }
