@@ -104,7 +104,10 @@ class Programs(unittest.TestCase):
         self.assertGreater(error["line"], 0)
         self.assertTrue(error["remedy"])
         self.assertEqual(error["place"]["line"], error["line"])
-        self.assertTrue(error["text"].startswith(error["title"]))
+        kind, what = error["title"].split(": ")
+        self.assertEqual(kind, "the tool does not fit")
+        self.assertRegex(
+            error["text"], f"^tool ⌀10.000 mm does not fit, the slot is .* wide here: {what}")
 
     def test_texts_are_in_the_language_that_is_preferred(self):
         def error(query, headers):
