@@ -136,7 +136,7 @@ function showCertificate(view) {
   if (hasOwnRadius(view, shown.current.settings)) add('', t('ownRadius', {radius: withUnit(view.toolRadius)}));
   if (!view.pathBlocks) return $('certificate').replaceChildren(...rows);
   add(t('plane'), axesOf(view.plane).slice(0, 2).join('').toUpperCase());
-  add(t('length'), `${withUnit(view.pathLength)}, ${view.pathBlocks} ${t(view.pathBlocks === 1 ? 'block' : 'blocks')}`);
+  add(t('length'), `${withUnit(view.pathLength)}, ${view.pathBlocks} ${t(Number(view.pathBlocks) === 1 ? 'block' : 'blocks')}`);
   add(t('height'), `${axesOf(view.plane)[2].toUpperCase()} ${inUnit(view.lowest)} … ${withUnit(view.highest)}`);
   $('certificate').replaceChildren(...rows);
 }

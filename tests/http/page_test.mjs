@@ -425,6 +425,8 @@ const tests = {
     assert.ok(await page.evaluate(() => document.getElementById('state').classList.contains('error')));
     await show(page, file('rapids.nc', 'N10 G00 X10 Y10\nN20 G00 X50\nN30 M30\n'));
     assert.match(await page.textContent('#state'), /Nothing is compensated/);
+    await show(page, file('rapid.nc', 'N10 G00 X10 Y10\nN20 M30\n'));
+    assert.match(await page.textContent('#certificate'), /, 1 blockheight/);
   },
 
   async 'a radius of the program is said where another one was asked for'(page) {
