@@ -87,12 +87,10 @@ Exit run(const Call& call) {
 
   std::string text;
   if (as_page) input.watch([&](std::string_view piece) { text += piece; });
-  const ProgramPaths paths = read_paths(call.program, setup, input);
+  ProgramPaths paths = read_paths(call.program, setup, input);
   if (paths.exit != Exit::done && paths.exit != Exit::refused) return paths.exit;
-  std::vector<Diagnostic> told;
   const DialectName dialect = dialect_of(setup);
-  for (const Diagnostic& found : paths.diagnostics)
-    told.push_back(for_command_line(found, dialect));
+  for (Diagnostic& found : paths.diagnostics) found = for_command_line(std::move(found), dialect);
   const std::string title = std::filesystem::path(input.name()).filename().string();
   std::optional<std::string> drawing;
   if (as_page)
@@ -103,7 +101,7 @@ Exit run(const Call& call) {
             {.title = title,
              .programmed = paths.programmed,
              .path = paths.compensated,
-             .diagnostics = told,
+             .diagnostics = paths.diagnostics,
              .language = language_of_tag(setup.path().language()).value_or(Language::english),
              .inch = paths.inch,
              .leads = paths.leads}),

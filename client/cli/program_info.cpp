@@ -7,6 +7,8 @@
 #include <utility>
 #include <variant>
 
+#include "client/cli/reporter.h"
+#include "client/cli/told.h"
 #include "core/geometry/segment.h"
 #include "core/nc/dialect/dialect.h"
 
@@ -64,10 +66,12 @@ ProgramInfo describe_program(const std::string& program, ProgramSessionSetup set
   ProgramInfo info;
   std::ostringstream text;
   const Dialect& declared = dialect_of(setup.session.program.dialect);
-  text << "dialect: " << declared.spelling;
+  const auto say = [&text](const std::string& line) { text << told(line) << '\n'; };
+  std::string dialect = "dialect: " + std::string(declared.spelling);
   if (const auto other = suggestion(program); other && *other != declared.name)
-    text << ", but it looks like " << dialect_of(*other).spelling;
-  text << "\nunit at the start: " << (setup.session.program.inch ? "inch" : "mm") << '\n';
+    dialect += ", but it looks like " + std::string(dialect_of(*other).spelling);
+  say(dialect);
+  say(std::string("unit at the start: ") + (setup.session.program.inch ? "inch" : "mm"));
 
   setup.nc_text = false;
   ProgramSession session(setup);
@@ -76,17 +80,18 @@ ProgramInfo describe_program(const std::string& program, ProgramSessionSetup set
   const Answer whole = answers.take();
   info.refused = session.diagnostics().stopped();
   const Contours contours = contours_of(whole.blocks);
-  text << "lines: " << session.lines_read() << '\n';
+  say("lines: " + std::to_string(session.lines_read()));
   if (session.is_computing())
-    text << "computes: yes, " << session.executed_lines() << " lines executed\n";
-  text << "selections: " << contours.selections << ", " << contours.blocks << " blocks, "
-       << rounded(contours.length) << " mm\n";
+    say("computes: yes, " + std::to_string(session.executed_lines()) + " lines executed");
+  say("selections: " + std::to_string(contours.selections) + ", " +
+      std::to_string(contours.blocks) + " blocks, " + rounded(contours.length) + " mm");
   const std::vector<Diagnostic>& found = whole.diagnostics;
-  text << (info.refused ? "refused:\n" : found.empty() ? "nothing to refuse\n" : "to look at:\n");
-  for (const Diagnostic& diagnostic : found)
-    text << "  line " << diagnostic.source.line << ": " << static_cast<int>(diagnostic.code) << ' '
-         << message_of(diagnostic, diagnostic.language) << " ("
-         << help_of(diagnostic, diagnostic.language) << ")\n";
+  say(info.refused ? "refused:" : found.empty() ? "nothing to refuse" : "to look at:");
+  for (const Diagnostic& diagnostic : found) {
+    const DiagnosticTexts texts = texts_of(for_command_line(diagnostic, declared.name));
+    text << "  " << told("line " + std::to_string(diagnostic.source.line)) << ": "
+         << static_cast<int>(diagnostic.code) << ' ' << texts.text << " (" << texts.help << ")\n";
+  }
   info.text = text.str();
   return info;
 }

@@ -215,6 +215,17 @@ constexpr auto rows = std::to_array<Row>({
      "{}: Konturverletzung: {} Sätze kommen der Kontur näher als der Werkzeugradius, {}"},
     {"{} (line {})", "{} (Zeile {})"},
     {"line {}", "Zeile {}"},
+    // trc info FILE.
+    {"dialect: {}, but it looks like {}", "Dialekt: {}, sieht aber aus wie {}"},
+    {"dialect: {}", "Dialekt: {}"},
+    {"unit at the start: inch", "Maßeinheit am Anfang: Zoll"},
+    {"unit at the start: mm", "Maßeinheit am Anfang: mm"},
+    {"lines: {}", "Zeilen: {}"},
+    {"computes: yes, {} lines executed", "rechnet: ja, {} Zeilen ausgeführt"},
+    {"selections: {}, {} blocks, {} mm", "Anwahlen: {}, {} Sätze, {} mm"},
+    {"refused:", "abgelehnt:"},
+    {"nothing to refuse", "nichts abzulehnen"},
+    {"to look at:", "zu beachten:"},
     // Servers and limits.
     {"serving", "nimmt Arbeit an"},
     {"not serving", "nimmt keine Arbeit an"},

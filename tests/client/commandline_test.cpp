@@ -951,6 +951,19 @@ TEST(WrongCall, IsToldInGerman) {
     EXPECT_FALSE(ended.err.empty()) << all;
     EXPECT_EQ(english_word_in(ended.err), "") << all << '\n' << ended.err;
   }
+  folder.write("refused.nc", "G0 X0 Y0\n#TRC [REVERS=1]\nM30\n");
+  folder.write("square.nc",
+               "V.G.WZ_AKT.R=5\nG0 X-20 Y-20\nG41 G1 X0 Y0 F500\nY40\nX60\nY0\nX0\nG40 X-20 "
+               "Y-20\nM30\n");
+  for (const std::vector<std::string>& call :
+       std::vector<std::vector<std::string>>{{"info", folder.path("refused.nc")},
+                                             {"verify", folder.path("square.nc")},
+                                             {"info", nc}}) {
+    const Ended ended = trc(call);
+    EXPECT_FALSE(ended.out.empty());
+    EXPECT_EQ(english_word_in(ended.out), "") << ended.out;
+    EXPECT_EQ(ended.out.find("GetServerInfo"), std::string::npos) << ended.out;
+  }
   setenv("LC_ALL", "C", 1);
   // The option counts where nothing else of the call can be read.
   EXPECT_EQ(english_word_in(trc({"compensat", "--lang=de"}).err), "");
