@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
@@ -86,13 +87,13 @@ inline std::string flat_of(const std::string& text, const ProgramSessionSetup& s
   return ran.stopped ? ran.report() : ran.text;
 }
 
-// Code and line of what stops the program; 0 where nothing does.
+// Code and line of what stops the program, of several the first; 0 where nothing does.
 inline std::pair<int, unsigned> refusal_of(const std::string& text,
                                            const ProgramSessionSetup& setup) {
   const Ran ran = run_computing(text, setup, Output::nc_text);
   if (!ran.stopped || ran.diagnostics.empty()) return {};
-  const Diagnostic& last = ran.diagnostics.back();
-  return {static_cast<int>(last.code), last.source.line};
+  const auto first = std::ranges::find(ran.diagnostics, Severity::error, &Diagnostic::severity);
+  return {static_cast<int>(first->code), first->source.line};
 }
 
 }  // namespace trc::support

@@ -221,13 +221,12 @@ TEST(SinumerikCalls, FindGivenSubprograms) {
 
 TEST(SinumerikCalls, LeaveWhatTheyDoNotKnowToTheReader) {
   const Ran ran = run_computing("FOO\nBAR(1)\nG0 X1\nM30\n", sinumerik(), Output::nc_text);
-  ASSERT_EQ(ran.diagnostics.size(), 2u) << ran.report();
+  ASSERT_EQ(ran.diagnostics.size(), 1u) << ran.report();
   EXPECT_EQ(ran.diagnostics[0].detail, "FOO, a name");
-  EXPECT_EQ(ran.diagnostics[1].detail, "BAR, a call");
   ProgramSessionSetup setup = sinumerik();
   setup.session.program.copies_unknown_words = true;
   EXPECT_EQ(flat_of("FOO\nBAR(1)\nR1=3\nBAR(R1)\nG0 X1\nM30\n", setup),
-            "FOO\nBAR(1)\nBAR(R1)\nG0 X1\nM30\n");
+            "FOO\nBAR(1)\nBAR(3)\nG0 X1\nM30\n");
 }
 
 TEST(SinumerikPrograms, EndWhereTheyReturn) {
@@ -309,7 +308,7 @@ TEST(SinumerikRefusals, NameWhatCannotBeFollowed) {
     ProgramSessionSetup setup = sinumerik();
     setup.session.program.max_executed_lines = 1000;
     const Ran ran = run_computing(refusal.text, setup, Output::nc_text);
-    ASSERT_EQ(ran.diagnostics.size(), 1u) << ran.report() << ran.text;
+    ASSERT_FALSE(ran.diagnostics.empty()) << ran.text;
     EXPECT_EQ(ran.diagnostics[0].code, refusal.code) << ran.report();
     EXPECT_EQ(ran.diagnostics[0].source.line, refusal.line);
     if (refusal.code != Code::too_many_lines_executed) {

@@ -77,6 +77,7 @@ struct Interpreter::BlockWords {
   std::uint32_t words = 0;  // without N and comments
   // The line is copied as it stands; the axes of `forget` go where only the control knows.
   bool copied = false;
+  bool calls_the_machine = false;  // NAME(…) of Sinumerik, which the program does not have
   AxisBits forget = 0;
   std::optional<Value> tool_data{};             // L of G10
   std::optional<Value> tool_data_number{};      // P of G10

@@ -91,6 +91,8 @@ bool Interpreter::complete_code_block(ProgramLine& line, BlockWords& block) {
   if (!take_fagor_words(line, block) || !take_modal_rounding(line, block)) return false;
   if (!check_code_selection(line, block) || !take_corner(line, block)) return false;
   take_turns_of_arc(line, block);
+  restate_modes(line, block);
+  if (block.calls_the_machine) forget_what_a_call_may_change(block);
   const bool goes_on = copy_code_block(line, block);
   if (block.has(cycle)) code_.cycle = true;
   const WholeNumbers whole = state_.setup().whole_numbers;
@@ -99,7 +101,8 @@ bool Interpreter::complete_code_block(ProgramLine& line, BlockWords& block) {
                                    (whole == WholeNumbers::unsaid && code_.points_seen);
   reads_plain_lines_ = !code_.cycle && code_.unfollowed < 0 && !code_.tangent_arcs &&
                        !code_.dimension_uncertain && code_.y_seen && faults_.empty() &&
-                       plain_whole_numbers && code_.modal_rounding == 0 && !code_.soft_approach;
+                       plain_whole_numbers && code_.modal_rounding == 0 && !code_.soft_approach &&
+                       !called_motion_ && !called_dimension_;
   return goes_on && take_tool_data(line, block);
 }
 

@@ -149,7 +149,10 @@ bool Interpreter::read(const FlatLine& line, std::vector<LinePointer>& lines) {
                                     : line.line_end == "\r\n" ? "\r\n"
                                     : line.line_end == "\r"   ? "\r"
                                                               : "";
-  return take_line(line.text, line_end, lines);
+  calls_the_machine_ = line.calls_the_machine;
+  const bool goes_on = take_line(line.text, line_end, lines);
+  calls_the_machine_ = false;
+  return goes_on;
 }
 
 bool Interpreter::stop(Diagnostic error) {
@@ -158,6 +161,12 @@ bool Interpreter::stop(Diagnostic error) {
   std::vector<Diagnostic> all = told_faults();
   all.push_back(std::move(error));
   return diagnostics_.report_together(std::move(all));
+}
+
+bool Interpreter::note(Diagnostic error) {
+  error.source.index = blocks_read_;
+  collect(std::move(error));
+  return !diagnostics_.stopped();
 }
 
 // Takes the rest of a line, with its end; what came before of it is in partial_.
@@ -420,7 +429,8 @@ bool Interpreter::read_block(ProgramLine& line) {
   BlockWords block;
   const bool is_isg = dialect_.name == DialectName::isg;
   const bool passes = is_isg && !contour_open() && read_passing_line(line, block);
-  const bool readable = passes || read_words_of_dialect(line, block);
+  const bool readable = calls_the_machine_ ? read_call_of_machine(line, block)
+                                           : passes || read_words_of_dialect(line, block);
   sum_up_words(line);
   if (!faults_.empty() && block.has(GGroup::side)) scanned_trc_ = !block.of(GGroup::side).is(40);
   in_front_of_tape_ &= !readable || (line.roles & ~bit(WordRole::comment)) == 0;

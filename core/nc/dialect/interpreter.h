@@ -119,11 +119,15 @@ class Interpreter {
     std::string_view line_end{};
     std::uint32_t number = 0;   // of the line it comes from, 1-based
     bool is_as_written = true;  // that line itself: columns say where in it
+    bool calls_the_machine = false;  // what only the machine has: passes as ISG's calls do
   };
   // Reads it as `feed` does a whole line.
   bool read(const FlatLine& line, std::vector<LinePointer>& lines);
   // Tells what stands against the program, with all faults of reading found so far. False.
   bool stop(Diagnostic error);
+  // Takes what stands against the program for a fault of reading, told with those found before it
+  // and behind it. Returns whether reading goes on.
+  bool note(Diagnostic error);
 
   // Blocks read so far, the index of the next one (Source::index).
   [[nodiscard]] std::uint64_t blocks_read() const { return blocks_read_; }
@@ -278,8 +282,10 @@ class Interpreter {
       const std::optional<SoftClearance>& clearance, double plane, double away);
 
   bool check_block(ProgramLine& line, BlockWords& block);
-  // Of ISG: isg_call.cpp.
+  // Calls of what is not followed: passing_calls.cpp.
   bool read_passing_line(ProgramLine& line, BlockWords& block);
+  bool read_call_of_machine(ProgramLine& line, BlockWords& block);
+  void forget_what_a_call_may_change(BlockWords& block);
   void restate_modes(ProgramLine& line, BlockWords& block);
 
   bool apply(ProgramLine& line, const PlainMotion& plain);
@@ -422,6 +428,9 @@ class Interpreter {
     Slip slip{};
     std::uint64_t lines = 1;
     std::uint32_t last_line = 0;
+    // Of a program that computes, whose state is never saved while it is executed.
+    std::vector<CallPlace> calls{};
+    std::vector<DiagnosticValue> values{};
 
     template <class Archive>
     void serialize(Archive& archive) {
@@ -458,6 +467,7 @@ class Interpreter {
   double feed_ = 0;  // mm/min
   // A line of a motion and nothing else means what its words say.
   bool reads_plain_lines_ = true;
+  bool calls_the_machine_ = false;  // the line that is read
   // A subprogram has been called, and the program has not said anew which motion holds and how
   // dimensions count.
   bool called_motion_ = false;

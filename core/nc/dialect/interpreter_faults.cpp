@@ -83,19 +83,26 @@ bool Interpreter::collect(Diagnostic fault) {
                      .column = fault.column,
                      .detail = std::move(fault.detail),
                      .slip = std::move(fault.slip),
-                     .last_line = fault.source.line});
+                     .last_line = fault.source.line,
+                     .calls = fault.calls.empty() ? diagnostics_.calls().of(fault.source.index)
+                                                  : std::move(fault.calls),
+                     .values = std::move(fault.values)});
   return faults_.size() >= limits_.most_faults && report_faults();
 }
 
 bool Interpreter::report_faults() { return diagnostics_.report_together(told_faults()); }
 
 std::vector<Diagnostic> Interpreter::told_faults() const {
+  // Which call each stands in has been seen when it was found.
+  diagnostics_.calls().stand(blocks_read_, CallPlaces::main_program, 0);
   std::vector<Diagnostic> all;
   for (const Fault& fault : faults_) {
     Diagnostic found = diagnostic(fault.code, fault.source, fault.detail);
     found.column = fault.column;
     found.slip = fault.slip;
-    if (fault.lines > 1) found.values = {{"lines", static_cast<double>(fault.lines)}};
+    found.calls = fault.calls;
+    found.values = fault.values;
+    if (fault.lines > 1) found.values.push_back({"lines", static_cast<double>(fault.lines)});
     all.push_back(std::move(found));
   }
   return all;

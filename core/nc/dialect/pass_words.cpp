@@ -44,6 +44,9 @@ std::string fault_of_pass_word(std::string_view word, DialectName dialect) {
   if (word.empty() || word.size() > longest || word_to_pass(word, 0) != word)
     return "is no name and no function in capitals, such as SOFTA or G777";
   const bool is_function = word.size() > 1 && !is_letter(word[1]) && word[1] != '_';
+  const bool is_program = word.front() == 'O' && is_function &&
+                          word.find_first_not_of("0123456789", 1) == std::string_view::npos;
+  if (is_program && dialect == DialectName::fanuc) return "";
   if (word.front() != '#' && (word.size() == 1 || (is_function && word.front() != 'G')))
     return "is the word of an address";
   if (is_function && word.front() == 'G') {

@@ -130,6 +130,7 @@ constexpr GFunction feed_at_inside_arcs{.number = feed_at_inside, .group = feed_
 constexpr GFunction feed_at_center{.number = 10, .group = feed_adaptation};
 constexpr GFunction unknown_name{
     .number = 1007, .group = single_move, .meaning = "an unknown name"};
+constexpr GFunction call_name{.number = 1007, .group = single_move, .meaning = "a call"};
 constexpr GFunction cycle_end_name{.number = 1005, .group = cycle_end};
 
 bool begins_with_any(std::string_view name, std::span<const std::string_view> beginnings) {
@@ -395,8 +396,10 @@ bool Interpreter::read_name(const NamedWord& word, ProgramLine& line, BlockWords
       return true;
     }
     const bool declared = state_.setup().pass_words.contains(word.name);
-    if (!passes && !declared && word.name != "TRAORI")
-      return state_.setup().copies_unknown_words ? stands_for(unknown_name) : refused("a call");
+    if (!passes && !declared && word.name != "TRAORI") {
+      block.calls_the_machine = true;
+      return stands_for(call_name);
+    }
     if (word.name == "TRAORI") return stands_for(unfollowed_name);
     add(line, word, WordRole::technology);
     return true;

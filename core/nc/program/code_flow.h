@@ -65,7 +65,6 @@ class CodeFlow : public Flow, protected Variables {
   bool called_alone_ = false;           // nothing but the call stands in it
   bool is_read_by_the_reader_ = false;  // it holds what is refused there by its name
   bool has_computed_ = false;           // a value, or an assignment
-  bool ended_ = false;
 
  private:
   bool scan_value(ComputedWord& word, std::size_t& at);

@@ -203,20 +203,20 @@ std::size_t FanucFlow::number_of_loop(std::string_view line, std::size_t at) con
   return none;
 }
 
-Flow::Step FanucFlow::step(std::string& flat) {
+Flow::Step FanucFlow::execute_next(std::string& flat) {
   Frame& at = frame();
-  bool goes_on = false;
-  if (at.next >= at.end) {
-    goes_on = end_of_unit(flat);
-  } else {
-    begin_line();
-    goes_on = count_line() && (is_left_out(line_) || execute(flat));
-  }
+  const bool goes_on = at.next >= at.end ? end_of_unit(flat) : execute_line(flat);
   if (!goes_on) return Step::refused;
   return ended_ ? Step::ended : Step::goes_on;
 }
 
+bool FanucFlow::execute_line(std::string& flat) {
+  begin_line();
+  return count_line() && (is_left_out(line_) || execute(flat));
+}
+
 bool FanucFlow::end_of_unit(std::string& flat) {
+  if (looks_ahead()) return ended_ = true;
   Frame& at = frame();
   if (frames_.size() == 1 && at.end == texts_[at.text].size()) return end_main_program(flat);
   if (frames_.size() == 1) {
@@ -231,6 +231,7 @@ bool FanucFlow::end_of_unit(std::string& flat) {
 // nothing has called need not come out. A second main program, with an end of its
 // own, does: its contour must not be lost.
 bool FanucFlow::end_main_program(std::string& flat) {
+  if (looks_ahead()) return ended_ = true;
   const Frame& main = frames_.front();
   std::size_t behind = main.current + 1;
   while (behind < main.end && head_of(texts_.front().line(behind)).number < 0) ++behind;
@@ -412,25 +413,39 @@ std::optional<double> FanucFlow::modal_value(std::int64_t number) const {
   }
 }
 
+// Where lines are looked at, what is vacant might have been given a value.
+Value FanucFlow::content_or_vacant(const std::optional<double>& content) const {
+  if (looks_ahead() && !content) return {.number = 1};
+  return {.number = content.value_or(0), .vacant = !content};
+}
+
+Value FanucFlow::lost(ExpressionReader& expression, std::int64_t number, std::size_t begin) {
+  return without_value(expression, Code::variable_unset, begin,
+                       "#" + std::to_string(number) + ", which may have been set by " + lost_to_);
+}
+
 Value FanucFlow::read(ExpressionReader& expression) {
+  suppose();
   const std::size_t begin = expression.at();
   const std::int64_t number = number_of_variable(expression);
   if (expression.failed() || number == 0) return {.vacant = true};
   const auto locals = static_cast<std::int64_t>(locals_.back().size());
   if (number < locals) {
     const auto& content = locals_.back()[static_cast<std::size_t>(number)];
-    return {.number = content.value_or(0), .vacant = !content};
+    if (locals_.back().are_lost && !content) return lost(expression, number, begin);
+    return content_or_vacant(content);
   }
   if (const auto known = common_.find(number); known != common_.end())
-    return {.number = known->second.value_or(0), .vacant = !known->second};
+    return content_or_vacant(known->second);
   const std::string name = std::to_string(number);
   if (const double* value = given(name)) return {.number = *value};
   if (const auto value = modal_value(number)) return {.number = *value};
-  if (number >= 100 && number < 500) return {.vacant = true};
+  if (number < 1000 && !lost_to_.empty()) return lost(expression, number, begin);
+  if (number >= 100 && number < 500) return content_or_vacant({});
   const Code code = number >= 1000  ? Code::machine_state
                     : number >= 500 ? Code::variable_unset
                                     : Code::value_invalid;
-  return expression.fail(code, begin, "#" + name);
+  return without_value(expression, code, begin, "#" + name);
 }
 
 bool FanucFlow::exists(ExpressionReader& /*expression*/) { return false; }

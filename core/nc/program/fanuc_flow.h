@@ -31,13 +31,16 @@ class FanucFlow : public CodeFlow {
  public:
   FanucFlow(const ProgramSetup& setup, CallPlaces& calls, ProgramText text, std::size_t start);
 
-  [[nodiscard]] Step step(std::string& flat) override;
-
  private:
+  [[nodiscard]] Step execute_next(std::string& flat) override;
+  [[nodiscard]] bool execute_line(std::string& flat) override;
+  void keep_variables(std::size_t levels) override { locals_.resize(levels); }
   // Programs with a name count from here on.
   static constexpr std::int64_t first_named = 1'000'000'000'000;
   // #0 is not used; nothing: vacant.
-  using Locals = std::array<std::optional<double>, 34>;
+  struct Locals : std::array<std::optional<double>, 34> {
+    bool are_lost = false;  // the machine may have set any of them
+  };
   // An O program, or the one without number that a text begins with.
   struct Unit {
     std::size_t text = 0;
@@ -82,8 +85,13 @@ class FanucFlow : public CodeFlow {
   [[nodiscard]] std::optional<std::size_t> line_of(const Frame& frame, std::int64_t number);
   bool enter_unit(std::string& flat, const Unit& unit, std::uint64_t times, Locals* locals);
   [[nodiscard]] std::optional<Unit> unit_of(std::int64_t number, std::size_t begin);
+  // A macro that the program has not, and that the machine has: O8000 to O9999, or as declared.
+  [[nodiscard]] bool is_of_the_machine(std::int64_t number) const;
+  bool pass_call(std::int64_t number, bool sees_locals);
 
   [[nodiscard]] std::optional<double> modal_value(std::int64_t number) const;
+  Value lost(ExpressionReader& expression, std::int64_t number, std::size_t begin);
+  [[nodiscard]] Value content_or_vacant(const std::optional<double>& content) const;
   Value read(ExpressionReader& expression) override;
   bool exists(ExpressionReader& expression) override;
   [[nodiscard]] std::int64_t number_of_variable(ExpressionReader& expression);
@@ -95,6 +103,7 @@ class FanucFlow : public CodeFlow {
   std::vector<bool> entered_{};  // by unit
   std::vector<Locals> locals_{1};
   std::map<std::int64_t, std::optional<double>> common_{};
+  std::string lost_to_{};  // the last macro of the machine, which may have set all common ones
 };
 
 }  // namespace trc::program

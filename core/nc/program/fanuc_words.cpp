@@ -51,6 +51,17 @@ bool FanucFlow::call(std::string& flat, ComputedWord& word) {
   const auto call = take_call(word, flat);
   if (!call) return false;
   if (word.value.number == 97) return call_own_lines(flat, *call);
+  if (is_of_the_machine(call->number)) {
+    if (called_alone_ && !has_computed_) {
+      write_as_it_is(flat);
+    } else {
+      std::string text = "M98 P" + std::to_string(call->number);
+      if (call->says_times) text += " L" + std::to_string(call->times);
+      called_alone_ ? write_behind_number(flat, text)
+                    : static_cast<void>(flat.append(text).append(line_end()));
+    }
+    return pass_call(call->number, true);
+  }
   auto unit = unit_of(call->number, call->begin);
   // Of older controls: repetitions in front of the four digits of the program.
   constexpr std::int64_t of_four_digits = 10'000;
@@ -114,7 +125,12 @@ bool FanucFlow::call_macro(std::string& flat, const ComputedWord& word) {
   const auto program = whole_value(number, word);
   const auto repetitions = times == nullptr ? 1 : whole_value(times, word);
   Locals locals{};
-  if (!program || !repetitions || !take_arguments(word, locals)) return false;
+  if (!program || !repetitions) return false;
+  if (is_of_the_machine(*program)) {
+    write_line(flat);
+    return pass_call(*program, false);
+  }
+  if (!take_arguments(word, locals)) return false;
   const auto unit = unit_of(*program, number->begin);
   called_alone_ = true;
   return unit && enter_unit(flat, *unit, static_cast<std::uint64_t>(*repetitions), &locals);
@@ -146,6 +162,25 @@ bool FanucFlow::take_arguments(const ComputedWord& word, Locals& locals) {
   return true;
 }
 
+bool FanucFlow::is_of_the_machine(std::int64_t number) const {
+  constexpr std::int64_t first_of_machine = 8000;
+  constexpr std::int64_t last_of_machine = 9999;
+  if (units_of_number_.contains(number) || number >= first_named) return false;
+  return (number >= first_of_machine && number <= last_of_machine) ||
+         setup_.pass_words.contains("O" + std::to_string(number));
+}
+
+// The line passes; what the variables of the program hold behind it is not known.
+bool FanucFlow::pass_call(std::int64_t number, bool sees_locals) {
+  calls_the_machine_ = true;
+  lost_to_ = name_of(number);
+  common_.clear();
+  if (!sees_locals) return true;
+  locals_.back().fill({});
+  locals_.back().are_lost = true;
+  return true;
+}
+
 std::optional<FanucFlow::Unit> FanucFlow::unit_of(std::int64_t number, std::size_t begin) {
   const auto known = units_of_number_.find(number);
   if (known == units_of_number_.end()) {
@@ -174,6 +209,7 @@ bool FanucFlow::enter_unit(std::string& flat, const Unit& unit, std::uint64_t ti
                .own_variables = locals != nullptr};
   write_call(flat, callee.name);
   if (!enter(std::move(callee))) return false;
+  if (looks_ahead()) return true;
   const auto index = std::ranges::find_if(
       units_, [&](const Unit& each) { return each.text == unit.text && each.begin == unit.begin; });
   entered_[static_cast<std::size_t>(index - units_.begin())] = true;
@@ -197,6 +233,7 @@ bool FanucFlow::return_from(std::string& flat, ComputedWord& word) {
   word.left_out = true;
   const std::size_t place = target == nullptr ? word.begin : target->begin;
   write_line(flat);
+  if (looks_ahead()) return true;
   if (is_main) return go_to(*number, place);
   if (number) {
     const bool here = line_of(frame(), *number).has_value();

@@ -54,30 +54,120 @@ bool Flow::is_left_out(std::string_view line) const {
 }
 
 bool Flow::count_line() {
-  if (++executed_ <= setup_.max_executed_lines) return true;
+  see_line(true);
+  if (looks_ahead_ || ++executed_ <= setup_.max_executed_lines) return true;
   refuse(Code::too_many_lines_executed, 0, {});
-  refusal_.column = 0;
-  refusal_.values = {{"limit", static_cast<double>(setup_.max_executed_lines)}};
+  refusals_.back().column = 0;
+  refusals_.back().values = {{"limit", static_cast<double>(setup_.max_executed_lines)}};
   return false;
+}
+
+void Flow::see_line(bool seen) {
+  const Frame& frame = frames_.back();
+  if (seen_.size() < texts_.size()) seen_.resize(texts_.size());
+  std::vector<bool>& lines = seen_[frame.text];
+  if (lines.empty()) lines.resize(texts_[frame.text].size());
+  lines[frame.current] = seen;
+}
+
+bool Flow::was_seen(const Frame& frame, std::size_t line) const {
+  return frame.text < seen_.size() && line < seen_[frame.text].size() && seen_[frame.text][line];
 }
 
 bool Flow::enter(Frame callee) {
   if (frames_.size() > deepest_call) {
+    if (looks_ahead_) return true;
     refuse(Code::calls_too_deep, 0, callee.name);
-    refusal_.values = {{"limit", static_cast<double>(deepest_call)}};
+    refusals_.back().values = {{"limit", static_cast<double>(deepest_call)}};
     return false;
   }
   const Frame& caller = frames_.back();
   callee.chain =
       calls_.enter(caller.chain, callee.name, texts_[caller.text].number(caller.current));
+  if (looks_ahead_) {
+    ahead_.push_back({.frames = frames_});
+    ahead_.back().frames.push_back(std::move(callee));
+    return true;
+  }
   frames_.push_back(std::move(callee));
   return true;
 }
 
+Flow::Step Flow::step(std::string& flat) {
+  refusals_.clear();
+  calls_the_machine_ = false;
+  return looks_ahead_ ? look_at_next(flat) : execute_next(flat);
+}
+
+// The line that was refused is looked at again, for what else stands in it and for the variable it
+// gives a value.
+void Flow::look_ahead() {
+  if (std::exchange(looks_ahead_, true)) return;
+  for (std::size_t depth = frames_.size(); depth > 0; --depth)
+    ahead_.push_back(
+        {.frames = {frames_.begin(), frames_.begin() + static_cast<std::ptrdiff_t>(depth)},
+         .knows_values = true});
+  Frame& innermost = ahead_.front().frames.back();
+  innermost.next = innermost.current;
+  see_line(false);
+}
+
+Flow::Step Flow::look_at_next(std::string& flat) {
+  while (!ahead_.empty()) {
+    frames_ = ahead_.front().frames;
+    Frame& at = frames_.back();
+    while (at.next < at.end && was_seen(at, at.next)) ++at.next;
+    if (at.next >= at.end) {
+      ahead_.pop_front();
+      continue;
+    }
+    std::size_t levels = 1;
+    for (std::size_t depth = 1; depth < frames_.size(); ++depth)
+      levels += frames_[depth].own_variables ? 1 : 0;
+    keep_variables(levels);
+    std::size_t& next = ahead_.front().frames.back().next;
+    next = at.next + 1;
+    supposes_ = ended_ = false;
+    passed_over_ = 0;
+    const bool goes_on = execute_line(flat);
+    next = std::max(next, passed_over_);
+    if (ended_) next = at.end;
+    return goes_on && refusals_.empty() ? Step::goes_on : Step::refused;
+  }
+  return Step::ended;
+}
+
+bool Flow::may_be_a_consequence(Code code) const {
+  switch (code) {
+    case Code::variable_unset:
+      return !ahead_.front().knows_values;
+    case Code::jump_target_unknown:
+    case Code::subprogram_unknown:
+      return supposes_;
+    case Code::division_by_zero:
+    case Code::value_invalid:
+    case Code::program_alarm:
+      return true;
+    case Code::block_structure:
+      return misread_;
+    default:
+      return false;
+  }
+}
+
 bool Flow::refuse(Code code, std::size_t begin, std::string detail) {
-  refusal_ = diagnostic(code, {}, std::move(detail));
-  refusal_.column = static_cast<std::uint32_t>(begin + 1);
+  if (looks_ahead_ && may_be_a_consequence(code)) return false;
+  misread_ |= code == Code::expression_invalid;
+  refusals_.push_back(diagnostic(code, {}, std::move(detail)));
+  refusals_.back().column = static_cast<std::uint32_t>(begin + 1);
   return false;
+}
+
+Value Flow::without_value(ExpressionReader& expression, Code code, std::size_t begin,
+                          std::string detail) {
+  if (!looks_ahead_) return expression.fail(code, begin, std::move(detail));
+  refuse(code, begin, std::move(detail));
+  return {.number = 1};
 }
 
 std::size_t Flow::first_with(char letter, int first, int second, std::size_t begin,

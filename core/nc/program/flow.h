@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <deque>
 #include <functional>
 #include <map>
 #include <memory>
@@ -41,12 +42,18 @@ class Flow {
   Flow& operator=(const Flow&) = delete;
 
   // Executes the next line and appends the lines that it becomes, with their ends. Behind an end
-  // or a refusal nothing more may be asked for.
-  [[nodiscard]] virtual Step step(std::string& flat) = 0;
+  // nothing more may be asked for, behind a refusal nothing but look_ahead().
+  [[nodiscard]] Step step(std::string& flat);
+  // Behind a refusal: from now on step() looks at what lies ahead, a line at a time, for whatever
+  // else stands against the program, so that all of it is told in one run. Jumps lead nowhere,
+  // what is called is looked at in its turn, and a value that is not known is taken for 1.
+  void look_ahead();
 
   // Before each step.
   void hold(const ModalState& modes) { modes_ = modes; }
 
+  // The last of the lines that it has become calls what the machine alone has: it passes.
+  [[nodiscard]] bool calls_the_machine() const { return calls_the_machine_; }
   // What the line executed last has become is that line itself.
   [[nodiscard]] bool is_as_written() const { return is_as_written_; }
   // Of the line that was executed last: its line in the program, of a given subprogram that of the
@@ -55,8 +62,8 @@ class Flow {
   [[nodiscard]] CallPlaces::Chain chain() const { return frames_.back().chain; }
   [[nodiscard]] std::uint32_t line_within() const;
   [[nodiscard]] std::uint64_t executed_lines() const { return executed_; }
-  // What stands against it, without its place in the program.
-  [[nodiscard]] const Diagnostic& refusal() const { return refusal_; }
+  // What stands against it, without its place in the program: one at most where it is executed.
+  [[nodiscard]] const std::vector<Diagnostic>& refusals() const { return refusals_; }
 
  protected:
   // What is being executed: the main program, or a call.
@@ -72,6 +79,15 @@ class Flow {
     std::string name{};
     bool own_variables = false;
   };
+
+  [[nodiscard]] virtual Step execute_next(std::string& flat) = 0;
+  // Takes the line at frame().next and does what it says; false where it is refused.
+  [[nodiscard]] virtual bool execute_line(std::string& flat) = 0;
+  // So many levels of variables are known from now on: the main program has the first.
+  virtual void keep_variables(std::size_t levels) = 0;
+  [[nodiscard]] bool looks_ahead() const { return looks_ahead_; }
+  // Where lines lie ahead they are passed over, whatever holds: a subprogram that is defined here.
+  void pass_over(std::size_t line) { passed_over_ = line; }
 
   [[nodiscard]] Frame& frame() { return frames_.back(); }
   [[nodiscard]] const ProgramText& text_of(const Frame& frame) const { return texts_[frame.text]; }
@@ -90,6 +106,13 @@ class Flow {
   // Always false. `begin`: byte of the line.
   bool refuse(Code code, std::size_t begin, std::string detail);
   bool refuse(const TextFault& fault) { return refuse(fault.code, fault.begin, fault.detail); }
+  // Of a variable without a value: fails, or supposes one where lines are looked at.
+  Value without_value(ExpressionReader& expression, Code code, std::size_t begin,
+                      std::string detail);
+  // A variable is read: where lines are looked at it need not have the value it would have.
+  void suppose() { supposes_ = true; }
+  // Whether what was refused hangs on values that the program would have had.
+  [[nodiscard]] bool may_be_a_consequence(Code code) const;
 
   // The first line of the program from `begin` on that has a function, of two; `end`: none has.
   [[nodiscard]] std::size_t first_with(char letter, int first, int second, std::size_t begin,
@@ -107,11 +130,28 @@ class Flow {
   std::vector<Frame> frames_{};
   ModalState modes_{};
   bool is_as_written_ = true;
+  bool calls_the_machine_ = false;
+  bool ended_ = false;
 
  private:
+  // What lies ahead: from the next line of the innermost frame to its end.
+  struct Stretch {
+    std::vector<Frame> frames{};
+    bool knows_values = false;  // the frames of the refusal, whose variables are known
+  };
+  Step look_at_next(std::string& flat);
+  void see_line(bool seen);
+  [[nodiscard]] bool was_seen(const Frame& frame, std::size_t line) const;
+
   std::map<std::string, double, std::less<>> given_{};
   std::uint64_t executed_ = 0;
-  Diagnostic refusal_{};
+  std::vector<Diagnostic> refusals_{};
+  std::vector<std::vector<bool>> seen_{};  // by text: lines that were executed or looked at
+  bool looks_ahead_ = false;
+  std::deque<Stretch> ahead_{};
+  bool supposes_ = false;        // the line that is looked at has a variable
+  bool misread_ = false;         // a statement that may begin or end something
+  std::size_t passed_over_ = 0;  // line behind it; 0: nothing is
 };
 
 // Whether a line makes its program one that computes.

@@ -140,7 +140,7 @@ bool LinuxcncFlow::call_sub(const std::string& label, std::size_t at, std::strin
                 .name = "o" + label,
                 .own_variables = true}))
       return false;
-    locals_.push_back(std::move(locals));
+    if (!looks_ahead()) locals_.push_back(std::move(locals));
     return true;
   }
   return refuse(Code::subprogram_unknown, head_.behind, "o" + label);
@@ -158,6 +158,7 @@ bool LinuxcncFlow::return_from_sub(std::size_t at, std::string& flat) {
     globals_["_value_returned"] = 1;
   }
   if (!finish_statement(flat, expression.at())) return false;
+  if (looks_ahead()) return true;
   locals_.pop_back();
   frames_.pop_back();
   return true;
@@ -194,6 +195,7 @@ bool LinuxcncFlow::return_from_program(ComputedWord& word, std::string& flat) {
   if (frame().own_variables) return refuse(Code::block_structure, word.begin, "M99 within a sub");
   word.left_out = true;
   write_line(flat);
+  if (looks_ahead()) return true;
   if (frame().repetitions_left > 0) {
     --frame().repetitions_left;
     frame().next = frame().restart;
@@ -281,14 +283,15 @@ std::optional<double> LinuxcncFlow::content_of(const Target& target) const {
 }
 
 Value LinuxcncFlow::read(ExpressionReader& expression) {
+  suppose();
   const std::size_t begin = expression.at();
   const Target target = target_at(expression);
   if (expression.failed()) return {};
   if (const auto content = content_of(target)) return {.number = *content};
   const bool is_state =
       target.name.empty() ? target.number > last_number_of_programs : names_a_state(target.name);
-  return expression.fail(
-      is_state ? Code::machine_state : Code::variable_unset, begin,
+  return without_value(
+      expression, is_state ? Code::machine_state : Code::variable_unset, begin,
       target.name.empty() ? "#" + std::to_string(target.number) : "#<" + target.name + ">");
 }
 

@@ -133,22 +133,26 @@ void LinuxcncFlow::add_o_words(std::size_t text) {
   }
 }
 
-Flow::Step LinuxcncFlow::step(std::string& flat) {
+Flow::Step LinuxcncFlow::execute_next(std::string& flat) {
   bool goes_on = false;
-  if (frame().next >= frame().end) {
+  if (frame().next < frame().end)
+    goes_on = execute_line(flat);
+  else
     goes_on = frames_.size() == 1 ? end_program(flat)
                                   : refuse(Code::block_structure, 0,
                                            frame().name + ", a subprogram without its end");
-  } else {
-    begin_line();
-    goes_on = count_line() && (is_left_out(line_) || execute(flat));
-  }
   if (!goes_on) return Step::refused;
   return ended_ ? Step::ended : Step::goes_on;
 }
 
+bool LinuxcncFlow::execute_line(std::string& flat) {
+  begin_line();
+  return count_line() && (is_left_out(line_) || execute(flat));
+}
+
 // What stands behind an O word may be a subprogram that nothing has called.
 bool LinuxcncFlow::end_main_program(std::string& flat) {
+  if (looks_ahead()) return ended_ = true;
   const Frame& main = frames_.front();
   const ProgramText& text = texts_.front();
   std::size_t behind = main.current + 1;
@@ -162,6 +166,7 @@ bool LinuxcncFlow::end_main_program(std::string& flat) {
 
 bool LinuxcncFlow::execute(std::string& flat) {
   if (is_percent(line_)) {
+    if (looks_ahead()) return ended_ = true;
     if (frame().current > 0 && frames_.size() == 1) return end_program(flat);
     write_as_it_is(flat);
     return true;
@@ -210,6 +215,7 @@ bool LinuxcncFlow::follow(Statement statement, const std::string& label, std::si
   switch (statement) {
     case sub:
       if (!skip_behind(next_of(label, {endsub}), "sub")) return false;
+      pass_over(frame().next);
       break;
     case endsub:
     case give_back:

@@ -34,9 +34,10 @@ class LinuxcncFlow : public CodeFlow {
  public:
   LinuxcncFlow(const ProgramSetup& setup, CallPlaces& calls, ProgramText text, std::size_t start);
 
-  [[nodiscard]] Step step(std::string& flat) override;
-
  private:
+  [[nodiscard]] Step execute_next(std::string& flat) override;
+  [[nodiscard]] bool execute_line(std::string& flat) override;
+  void keep_variables(std::size_t levels) override { locals_.resize(levels); }
   enum class Statement : std::uint8_t {
     none,  // the number of a program
     sub,

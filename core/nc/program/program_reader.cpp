@@ -25,6 +25,12 @@ std::string_view without_line_end(std::string_view line) {
   return line;
 }
 
+// Behind these nothing that follows is the program's.
+bool tells_all_alone(Code code) {
+  return code == Code::too_many_lines_executed || code == Code::calls_too_deep ||
+         code == Code::program_alarm || code == Code::side_behind_end;
+}
+
 }  // namespace
 
 ProgramReader::ProgramReader(const ReaderLimits& limits, ProgramState& state,
@@ -119,7 +125,7 @@ bool ProgramReader::resolve(std::vector<LinePointer>& lines) {
     flat_.clear();
     flow_->hold(modes());
     const program::Flow::Step step = flow_->step(flat_);
-    if (step == program::Flow::Step::refused) return refuse(flow_->refusal());
+    if (step == program::Flow::Step::refused && !take_refusals()) return false;
     if (!read_flat_lines(lines)) return false;
     executed_ = step == program::Flow::Step::ended;
     if (executed_) return false;
@@ -145,19 +151,27 @@ bool ProgramReader::read_flat_lines(std::vector<LinePointer>& lines) {
     const Interpreter::FlatLine line{.text = flat.substr(begin, end - begin),
                                      .line_end = flat.substr(end, next - end),
                                      .number = flow_->line_in_program(),
-                                     .is_as_written = flow_->is_as_written()};
+                                     .is_as_written = flow_->is_as_written(),
+                                     .calls_the_machine =
+                                         flow_->calls_the_machine() && next == flat.size()};
     if (!interpreter_.read(line, lines)) return false;
     begin = next;
   }
   return true;
 }
 
-bool ProgramReader::refuse(Diagnostic refusal) {
-  refusal.source.line = flow_->line_in_program();
-  refusal.calls = diagnostics_.calls().of(flow_->chain(), flow_->line_within());
-  // Of a line of another text the column says nothing.
-  if (flow_->line_within() > 0) refusal.column = 0;
-  return interpreter_.stop(std::move(refusal));
+// Whether the rest of the program is looked at.
+bool ProgramReader::take_refusals() {
+  for (Diagnostic refusal : flow_->refusals()) {
+    refusal.source.line = flow_->line_in_program();
+    refusal.calls = diagnostics_.calls().of(flow_->chain(), flow_->line_within());
+    // Of a line of another text the column says nothing.
+    if (flow_->line_within() > 0) refusal.column = 0;
+    if (tells_all_alone(refusal.code)) return interpreter_.stop(std::move(refusal));
+    if (!interpreter_.note(std::move(refusal))) return false;
+  }
+  flow_->look_ahead();
+  return true;
 }
 
 bool ProgramReader::finish(std::vector<LinePointer>& lines) {

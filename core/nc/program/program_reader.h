@@ -62,7 +62,7 @@ class ProgramReader {
   bool begin_to_execute();
   [[nodiscard]] program::ModalState modes() const;
   bool read_flat_lines(std::vector<LinePointer>& lines);
-  bool refuse(Diagnostic refusal);
+  bool take_refusals();
 
   ReaderLimits limits_;
   const ProgramSetup& setup_;

@@ -185,16 +185,15 @@ void SinumerikFlow::take_line() {
   is_as_written_ = false;
 }
 
-Flow::Step SinumerikFlow::step(std::string& flat) {
-  bool goes_on = false;
-  if (frame().next >= frame().end) {
-    goes_on = end_of_frame(flat);
-  } else {
-    take_line();
-    goes_on = count_line() && (is_left_out(line_) || execute(flat));
-  }
+Flow::Step SinumerikFlow::execute_next(std::string& flat) {
+  const bool goes_on = frame().next >= frame().end ? end_of_frame(flat) : execute_line(flat);
   if (!goes_on) return Step::refused;
   return ended_ ? Step::ended : Step::goes_on;
+}
+
+bool SinumerikFlow::execute_line(std::string& flat) {
+  take_line();
+  return count_line() && (is_left_out(line_) || execute(flat));
 }
 
 bool SinumerikFlow::end_of_frame(std::string& flat) {
@@ -217,6 +216,7 @@ bool SinumerikFlow::end_of_frame(std::string& flat) {
 // has called. A second main program, with an end of its own, is not.
 bool SinumerikFlow::end_of_program(std::string& /*flat*/) {
   ended_ = true;
+  if (looks_ahead()) return true;
   const Frame& main = frames_.front();
   std::size_t behind = main.current + 1;
   while (behind < main.end && named_head_of(texts_.front().line(behind)).label.empty()) ++behind;

@@ -28,9 +28,10 @@ class SinumerikFlow : public Flow, private Variables {
  public:
   SinumerikFlow(const ProgramSetup& setup, CallPlaces& calls, ProgramText text, std::size_t start);
 
-  [[nodiscard]] Step step(std::string& flat) override;
-
  private:
+  [[nodiscard]] Step execute_next(std::string& flat) override;
+  [[nodiscard]] bool execute_line(std::string& flat) override;
+  void keep_variables(std::size_t levels) override { scopes_.resize(levels); }
   enum class Type : std::uint8_t { boolean, character, integer, real, text };
   // Where a variable has its value: an R parameter, or an element of one that is declared.
   struct Place {
@@ -44,6 +45,7 @@ class SinumerikFlow : public Flow, private Variables {
     std::vector<std::size_t> sizes{};  // of an array, by dimension
     std::vector<Value> elements{};
     std::optional<Place> stands_for{};  // VAR: the variable of the caller
+    bool is_lost = false;               // the machine may have set it
   };
   using Scope = std::map<std::string, Variable, std::less<>>;
   // Of PROC.
@@ -134,6 +136,7 @@ class SinumerikFlow : public Flow, private Variables {
   bool scan_name(std::size_t& at, const std::string& name, std::vector<Call>& calls);
   bool scan_value(std::size_t begin, std::size_t& at);
   bool scan_call_arguments(std::size_t begin, std::size_t& at);
+  void lose_values();
   bool scan_times(std::size_t& at, std::vector<Call>& calls);
   bool scan_call_of_text(std::size_t& at, std::vector<Call>& calls);
   bool scan_assignment(std::size_t& at);
@@ -182,9 +185,11 @@ class SinumerikFlow : public Flow, private Variables {
   NamedHead head_{};
   std::vector<Piece> pieces_{};
   bool has_computed_ = false;  // an assignment, or a call
+  std::vector<std::string> calls_of_line_{};   // of what only the machine has
+  std::vector<std::string> given_to_calls_{};  // variables, which such a call may change
+  std::string lost_to_{};  // the last of all of these, which may have set any R parameter
   // Where a variable is assigned a value that has the name of an address.
   std::optional<std::size_t> addressed_{};
-  bool ended_ = false;
 };
 
 }  // namespace trc::program

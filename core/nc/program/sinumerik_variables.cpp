@@ -317,7 +317,7 @@ bool SinumerikFlow::store(const Place& place, const Value& value, std::size_t be
   if (is_parameter)
     parameters_[place.parameter] = converted.number;
   else
-    variable->elements[place.element] = std::move(converted);
+    variable->elements[place.element] = std::move(converted), variable->is_lost = false;
   return true;
 }
 
@@ -342,15 +342,23 @@ bool SinumerikFlow::convert(Value& value, Type type, std::size_t begin) {
 
 Value SinumerikFlow::content_of(const Place& place, ExpressionReader& expression,
                                 std::size_t begin) {
-  if (place.parameter < 0) return scopes_[place.scope][place.name].elements[place.element];
+  const std::string lost = lost_to_.empty() ? "" : ", which may have been set by " + lost_to_;
+  if (place.parameter < 0) {
+    const Variable& variable = scopes_[place.scope][place.name];
+    return variable.is_lost
+               ? without_value(expression, Code::variable_unset, begin, place.name + lost)
+               : variable.elements[place.element];
+  }
   if (const auto known = parameters_.find(place.parameter); known != parameters_.end())
     return {.number = known->second};
   const std::string name = "R" + std::to_string(place.parameter);
   if (const double* const value = given(name)) return {.number = *value};
-  return expression.fail(Code::variable_unset, begin, name);
+  return without_value(expression, Code::variable_unset, begin,
+                       name + lost);
 }
 
 Value SinumerikFlow::read(ExpressionReader& expression) {
+  suppose();
   if (expression.peek() == '$') return read_system_variable(expression);
   const std::size_t begin = expression.at();
   const std::string name = in_upper_case(expression.name());
@@ -371,10 +379,10 @@ Value SinumerikFlow::read(ExpressionReader& expression) {
     std::erase(whole, ' ');
     const double* const value = given(whole);
     const bool is_call = end < line.size() && line[end] == '(';
-    if (value == nullptr)
-      return expression.fail(is_call ? Code::expression_invalid : Code::variable_unset, begin,
-                             whole);
+    if (value == nullptr && is_call)
+      return expression.fail(Code::expression_invalid, begin, whole);
     expression.go_to(end);
+    if (value == nullptr) return without_value(expression, Code::variable_unset, begin, whole);
     return {.number = *value};
   }
   const auto place = place_at(expression);
@@ -396,7 +404,7 @@ Value SinumerikFlow::read_system_variable(ExpressionReader& expression) {
   expression.go_to(end);
   if (name == "$PI") return {.number = std::numbers::pi};
   if (const double* const value = given(name)) return {.number = *value};
-  return expression.fail(Code::machine_state, begin, name);
+  return without_value(expression, Code::machine_state, begin, name);
 }
 
 bool SinumerikFlow::exists(ExpressionReader& /*expression*/) { return false; }

@@ -42,6 +42,8 @@ void SinumerikFlow::leave_out(std::size_t begin, std::size_t end) {
 bool SinumerikFlow::execute_words(std::string& flat) {
   pieces_.clear();
   has_computed_ = false;
+  calls_of_line_.clear();
+  given_to_calls_.clear();
   addressed_.reset();
   std::vector<Call> calls;
   for (std::size_t at = behind_blanks(line_, head_.behind); at < line_.size();
@@ -81,6 +83,7 @@ bool SinumerikFlow::execute_words(std::string& flat) {
   }
   if (!calls.empty()) return call(flat, calls.front());
   write_words(flat);
+  lose_values();
   if (returns) return return_from(flat);
   return !ends || end_of_program(flat);
 }
@@ -250,9 +253,23 @@ bool SinumerikFlow::scan_name(std::size_t& at, const std::string& name, std::vec
     leave_out(begin, at);
     return true;
   }
-  if (has_arguments && is_sinumerik_call(name)) return scan_call_arguments(begin, at);
-  keep(begin, at);
+  if (!has_arguments) {
+    keep(begin, at);
+    return true;
+  }
+  if (!scan_call_arguments(begin, at)) return false;
+  // Which of them the machine changes is not known (D-64).
+  if (!is_sinumerik_name(name) && !is_sinumerik_call(name) && !setup_.pass_words.contains(name))
+    calls_of_line_.push_back(name);
   return true;
+}
+
+// R parameters, and what the calls were given by its name.
+void SinumerikFlow::lose_values() {
+  if (calls_of_line_.empty()) return;
+  lost_to_ = calls_of_line_.back();
+  parameters_.clear();
+  for (const std::string& name : given_to_calls_) declared(name)->is_lost = true;
 }
 
 // CALL "NAME", EXTCALL "NAME": as NAME, where it is there.
@@ -306,6 +323,7 @@ bool SinumerikFlow::scan_call_arguments(std::size_t begin, std::size_t& at) {
     bool whole = false;
     const bool is_text =
         words.size() > 1 && words.front() == '"' && words.find('"', 1) == words.size() - 1;
+    if (is_name && declared(name) != nullptr) given_to_calls_.push_back(name);
     if (words.empty() || is_text || (is_name && !is_known) ||
         read_number(words, number, whole) == words.size()) {
       text.append(line_.substr(argument, end - argument));
@@ -377,6 +395,7 @@ bool SinumerikFlow::call(std::string& flat, const Call& call) {
     comment.append(" ").append(line_.substr(pieces_.back().begin));
   Scope scope;
   if (!pass_arguments(call, scope)) return false;
+  if (looks_ahead()) return write_words(flat);  // what its parameters are is not known
   if (is_alone) {
     write_behind_number(flat, comment);
   } else {
@@ -441,6 +460,7 @@ bool SinumerikFlow::pass_arguments(const Call& call, Scope& scope) {
 
 // From the subprogram that is executed, out of all that is repeated in it.
 bool SinumerikFlow::return_from(std::string& flat) {
+  if (looks_ahead()) return true;
   while (frames_.size() > 1 && !frame().own_variables) frames_.pop_back();
   if (frames_.size() == 1) {
     if (!ended_ && name_at(line_, head_.behind) == "RET") write_behind_number(flat, "M17");

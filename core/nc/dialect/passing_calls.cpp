@@ -5,8 +5,9 @@
 #include "core/nc/dialect/block_words.h"
 #include "core/nc/text/characters.h"
 
-// Lines of ISG that pass while TRC is off (D-47): calls of subprograms, which are not looked into,
-// and assignments to variables, which nothing that is read here depends on.
+// Lines that pass while TRC is off. Of ISG (D-47): calls of subprograms, which are not looked into,
+// and assignments to variables, which nothing that is read here depends on. Of the other dialects
+// calls of what only the machine has (D-64).
 
 namespace trc {
 namespace {
@@ -100,11 +101,45 @@ bool Interpreter::read_passing_line(ProgramLine& line, BlockWords& block) {
   line.words.push_back({.begin = static_cast<std::uint32_t>(begin),
                         .end = static_cast<std::uint32_t>(text.size()),
                         .role = WordRole::technology});
-  if (!calls) return true;
+  if (calls) forget_what_a_call_may_change(block);
+  return true;
+}
+
+bool Interpreter::read_call_of_machine(ProgramLine& line, BlockWords& block) {
+  const std::string_view text = line.text;
+  std::size_t begin = 0;
+  while (begin < text.size() && blank_at_start(text.substr(begin)) > 0) ++begin;
+  const std::size_t number = begin;
+  if (begin < text.size() && upper(text[begin]) == 'N') {
+    begin = std::min(text.find_first_not_of(digits, begin + 1), text.size());
+    while (begin < text.size() && blank_at_start(text.substr(begin)) > 0) ++begin;
+    line.words.push_back({.begin = static_cast<std::uint32_t>(number),
+                          .end = static_cast<std::uint32_t>(begin),
+                          .role = WordRole::number});
+  }
+  const char comment = dialect_.name == DialectName::sinumerik ? ';' : '(';
+  const std::string_view call = without_blanks_behind(text.substr(begin, text.find(comment, begin) - begin));
+  if (contour_open())
+    return refuse(line, TextFault{.code = Code::nc_unsupported,
+                                  .begin = static_cast<std::uint32_t>(begin),
+                                  .detail = std::string(call) +
+                                            ", a call of what only the machine has while TRC is "
+                                            "active"});
+  line.words.push_back({.begin = static_cast<std::uint32_t>(begin),
+                        .end = static_cast<std::uint32_t>(begin + call.size()),
+                        .role = WordRole::technology});
+  if (begin + call.size() < text.size())
+    line.words.push_back({.begin = static_cast<std::uint32_t>(begin + call.size()),
+                          .end = static_cast<std::uint32_t>(text.size()),
+                          .role = WordRole::comment});
+  forget_what_a_call_may_change(block);
+  return true;
+}
+
+void Interpreter::forget_what_a_call_may_change(BlockWords& block) {
   block.forget = all_axes;
   called_motion_ = called_dimension_ = true;
   reads_plain_lines_ = false;
-  return true;
 }
 
 // Whether G00 or G01, G90 or G91 holds behind a call, the subprogram has decided: until the program
@@ -117,7 +152,11 @@ void Interpreter::restate_modes(ProgramLine& line, BlockWords& block) {
     reads_plain_lines_ = faults_.empty();
     return;
   }
-  if (contour_open() || block.has(GGroup::side) || !(block.axis || block.center)) return;
+  if (contour_open() || !(block.axis || block.center)) return;
+  if (block.has(GGroup::side) && !block.of(GGroup::side).is(40)) {
+    block.forget = all_axes;
+    return;
+  }
   block.copied = true;
   block.forget = all_axes;
   for (WordRange& word : line.words)

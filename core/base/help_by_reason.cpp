@@ -1,0 +1,79 @@
+#include "core/base/help_by_reason.h"
+
+#include <algorithm>
+#include <array>
+
+namespace trc {
+namespace {
+
+struct ReasonHelp {
+  std::string_view reason;  // part of the detail
+  std::string_view english;
+  std::string_view german;
+};
+
+// The first one that fits counts.
+constexpr auto helps = std::to_array<ReasonHelp>({
+    {"a call of what only the machine has", "End the contour in front of the call with G40, and begin "
+     "it anew with G41 or G42 behind it.",
+     "Die Kontur vor dem Aufruf mit G40 beenden und dahinter mit G41 oder G42 neu beginnen."},
+    {"a rounding or a chamfer", "Write the corner as blocks of its own: the lines up to it, the arc or the "
+     "chamfer, the line behind it.",
+     "Die Ecke als eigene Sätze schreiben: die Gerade bis dorthin, den Bogen oder die Fase, die "
+     "Gerade dahinter."},
+    {"the angle of a motion", "Write the end point of the line with both axes.",
+     "Den Endpunkt der Geraden mit beiden Achsen schreiben."},
+    {"while TRC is active", "It has no place within a contour: end the contour in front of it with "
+     "G40, and begin it anew with G41 or G42 behind it.",
+     "In einer Kontur hat es keinen Platz: die Kontur davor mit G40 beenden und dahinter mit G41 "
+     "oder G42 neu beginnen."},
+    {"that may be skipped", "Take the `/` out, or say by block_skip of the setup whether such lines are executed.",
+     "Den `/` streichen, oder mit block_skip im Setup sagen, ob solche Sätze ausgeführt werden."},
+    {"a second program", "Give each program as a text of its own.",
+     "Jedes Programm als eigenen Text übergeben."},
+    {"a second block in the line", "Write each block in a line of its own, and comments in ( ).",
+     "Jeden Satz in eine eigene Zeile schreiben, Kommentare in ( )."},
+    {"behind other words", "Write the number in front of its block; a jump or a call by N is not known in "
+     "this dialect.",
+     "Die Nummer vor ihren Satz schreiben; einen Sprung oder Aufruf mit N kennt dieser Dialekt "
+     "nicht."},
+    {"a subprogram", "Write the lines of the subprogram in the place of its call.",
+     "Die Zeilen des Unterprogramms an die Stelle seines Aufrufs schreiben."},
+    {"macro call", "Write the motion of the macro in the place of its call.",
+     "Die Bewegungen des Makros an die Stelle seines Aufrufs schreiben."},
+    {"modes as they were", "Program the functions that held before once more: G90 or G91, G20 or G21, the plane, F.",
+     "Die Funktionen von vorher noch einmal programmieren: G90 oder G91, G20 oder G21, die Ebene, "
+     "F."},
+    {"a variable", "Write its value in its place, or assign it in the program.",
+     "Ihren Wert an ihre Stelle schreiben oder sie im Programm setzen."},
+    {"an expression", "Write its value in its place.", "Seinen Wert an seine Stelle schreiben."},
+    {"a parameter", "Write its value in its place.", "Seinen Wert an seine Stelle schreiben."},
+    {"a statement", "What it does has to be written out: the blocks in the order in which they run.",
+     "Was sie bewirkt, muss ausgeschrieben sein: die Sätze in der Reihenfolge, in der sie laufen."},
+    {"a name", "Correct its spelling. Where it does not change the path, declare it in pass_words of the "
+     "setup; a subprogram is given in `subprograms`.",
+     "Die Schreibweise berichtigen. Wo er den Weg nicht ändert, ihn in pass_words des Setups "
+     "angeben; ein Unterprogramm gehört in `subprograms`."},
+    {"thread cutting", "A thread is no contour of a mill: take it into a program of its own.",
+     "Ein Gewinde ist keine Kontur zum Fräsen: es in ein eigenes Programm auslagern."},
+    {"tool offset increase", "Write the coordinates with the offset in them.",
+     "Die Koordinaten mit der Korrektur darin schreiben."},
+    {"tool offset decrease", "Write the coordinates with the offset in them.",
+     "Die Koordinaten mit der Korrektur darin schreiben."},
+    {"a reference that it cannot have", "Write the value without AC( ) or IC( ).",
+     "Den Wert ohne AC( ) oder IC( ) schreiben."},
+    {"LinuxCNC does not have", "Take the word out, or declare the dialect that has it.",
+     "Das Wort streichen oder den Dialekt angeben, der es hat."},
+});
+
+}  // namespace
+
+std::string_view help_by_reason(std::string_view detail, Language language) {
+  const auto* const found = std::ranges::find_if(helps, [&](const ReasonHelp& each) {
+    return detail.find(each.reason) != std::string_view::npos;
+  });
+  if (found == helps.end()) return {};
+  return language == Language::german ? found->german : found->english;
+}
+
+}  // namespace trc

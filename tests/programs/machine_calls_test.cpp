@@ -1,0 +1,101 @@
+#include <gtest/gtest.h>
+
+#include <string>
+#include <utility>
+
+#include "tests/programs/computing.h"
+
+// Calls of what only the machine has, such as the macros of a probe: they pass while TRC is off,
+// and what they may have changed is not known behind them (D-64).
+
+namespace trc::support {
+namespace {
+
+std::string flat(const std::string& text, DialectName dialect) {
+  return flat_of(text, computing_setup(dialect));
+}
+
+std::pair<int, unsigned> refused(const std::string& text, DialectName dialect) {
+  return refusal_of(text, computing_setup(dialect));
+}
+
+constexpr DialectName fanuc = DialectName::fanuc;
+constexpr DialectName sinumerik = DialectName::sinumerik;
+const std::string contour = "G41 D1 G1 X0 Y0 F300.\nY40.\nG40 X-20.\nM30\n";
+const std::string contour_of_edge = "G41 G1 X0 Y0 F300\nY40\nG40 X-20\nM30\n";
+
+TEST(MachineCalls, OfFanucPassWithTheirValues) {
+  const std::string probing =
+      "G21 G90 G17\nN5 G65 P9810 Z10. F3000. (SAFE)\nG65 P9811 X[1+2] A1. I5. I6. W1.\n"
+      "M98 P8000\nM98 P9023 L2\nM30\n";
+  std::string written = probing;
+  written.replace(written.find("[1+2]"), 5, "3.");
+  EXPECT_EQ(flat(probing, fanuc), written);
+  EXPECT_EQ(flat("G90 G0 X0 Y0 M98 P9001\nN7 #1=9001\nN8 M98 P#1 L2 (A)\nM30\n", fanuc),
+            "G90 G0 X0 Y0\nM98 P9001\nN8 M98 P9001 L2\nM30\n");
+}
+
+TEST(MachineCalls, AreNoCallsOfPrograms) {
+  EXPECT_EQ(refused("G90 G17\nM98 P1000\nM30\n", fanuc), std::pair(900306, 2U));
+  EXPECT_EQ(refused("G90 G17\nG65 P7999 A1.\nM30\n", fanuc), std::pair(900306, 2U));
+  ProgramSessionSetup setup = computing_setup(fanuc);
+  setup.session.program.pass_words = {"O1000"};
+  const std::string text = "G90 G17\nM98 P1000\nM30\n";
+  EXPECT_EQ(flat_of(text, setup), text);
+  // What is there is executed, whatever its number.
+  EXPECT_EQ(flat("M98 P9001\nM30\nO9001\nG0 X1.\nM99\n", fanuc), "(O9001)\nG0 X1.\nM30\n");
+}
+
+TEST(MachineCalls, ForgetWhereTheToolIs) {
+  EXPECT_EQ(refused("G21 G90 G17\nG0 X-20. Y0\nG65 P9810 Z10.\n" + contour, fanuc),
+            std::pair(900106, 4U));
+  // G90 and a motion function hold anew, and the place is known.
+  EXPECT_EQ(refused("G21 G90 G17\nG0 X-20. Y0\nG65 P9810 Z10.\nX-20. Y0\n" + contour, fanuc),
+            std::pair(900106, 5U));
+  EXPECT_EQ(refused("G21 G90 G17\nG0 X-20. Y0\nG65 P9810 Z10.\nG92 X-20. Y0 Z0\n" + contour, fanuc),
+            std::pair(900106, 5U));
+  EXPECT_EQ(refused("G21 G90 G17\nG0 X-20. Y0\nG65 P9810 Z10.\nG90 G0 X-20. Y0 Z1.\n" + contour,
+                    fanuc),
+            std::pair(0, 0U));
+}
+
+TEST(MachineCalls, DoNotPassWithinAContour) {
+  const std::string within = "G21 G90 G17\nG0 X-20. Y0 Z1.\nG41 D1 G1 X0 Y0 F300.\nY40.\n";
+  EXPECT_EQ(refused(within + "G65 P9810 Z10.\nG40 X-20.\nM30\n", fanuc), std::pair(900003, 5U));
+  EXPECT_EQ(refused(within + "M98 P9001\nG40 X-20.\nM30\n", fanuc), std::pair(900003, 5U));
+}
+
+TEST(MachineCalls, ForgetWhatTheyMaySet) {
+  EXPECT_EQ(refused("#1=5\n#100=5\nG65 P9810 Z1.\nG90 G0 X#1\nG90 G0 X#100\nM30\n", fanuc),
+            std::pair(900303, 5U));
+  EXPECT_EQ(refused("#1=5\nM98 P9810\nG90 G0 X#1\nM30\n", fanuc), std::pair(900303, 3U));
+  EXPECT_EQ(flat("#1=5\nM98 P9810\n#1=6\n#100=7\nG90 G0 X#1 Y#100\nM30\n", fanuc),
+            "M98 P9810\nG90 G0 X6. Y7.\nM30\n");
+  EXPECT_EQ(refused("M98 P9810\nIF [#135 GT 0.1] GOTO 5\nN5 M30\n", fanuc), std::pair(900303, 2U));
+}
+
+TEST(MachineCalls, OfSinumerikPass) {
+  const std::string text =
+      "G17 G90 G71\nTOOLCHECK()\nN5 PROBE_Z(1, \"A\",, 2.5) ; Z\nG90 G0 X-20 Y0 Z1\n";
+  EXPECT_EQ(flat(text + "M30\n", sinumerik), text + "M30\n");
+  EXPECT_EQ(flat("DEF REAL DEPTH=5\nCHECK_IT(DEPTH, 2*R1)\nM30\n", sinumerik).substr(0, 9),
+            "2: 900303");
+  EXPECT_EQ(flat("DEF REAL DEPTH=5\nR1=2\nCHECK_IT(1+1, 2*R1)\nM30\n", sinumerik),
+            "CHECK_IT(2, 4)\nM30\n");
+  EXPECT_EQ(refused("G17 G90 G71\nG0 X-20 Y0 Z1\nTOOLCHECK()\n" + contour_of_edge, sinumerik),
+            std::pair(900106, 4U));
+  EXPECT_EQ(refused(text + contour_of_edge, sinumerik), std::pair(0, 0U));
+  EXPECT_EQ(refused(text + "G41 G1 X0 Y0 F300\nTOOLCHECK()\nG40 X-20\nM30\n", sinumerik),
+            std::pair(900003, 6U));
+}
+
+TEST(MachineCalls, OfSinumerikForgetWhatTheyMaySet) {
+  EXPECT_EQ(refused("R1=5\nTOOLCHECK()\nG90 G0 X=R1\nM30\n", sinumerik), std::pair(900303, 3U));
+  EXPECT_EQ(flat("DEF REAL A1=5\nTOOLCHECK()\nG90 G0 X=A1\nM30\n", sinumerik),
+            "TOOLCHECK()\nG90 G0 X=5\nM30\n");
+  EXPECT_EQ(refused("DEF REAL A1=5\nTOOLCHECK(A1)\nG90 G0 X=A1\nM30\n", sinumerik),
+            std::pair(900303, 3U));
+}
+
+}  // namespace
+}  // namespace trc::support

@@ -1,0 +1,87 @@
+#include <gtest/gtest.h>
+
+#include <map>
+#include <string>
+
+#include "tests/programs/computing.h"
+
+// All that stands against a program which computes is told in one run.
+
+namespace trc::support {
+namespace {
+
+// `code line detail` of each error, in the order in which they are told.
+std::string told(const std::string& text, DialectName dialect,
+                 const std::map<std::string, std::string>& subprograms = {}) {
+  ProgramSessionSetup setup = computing_setup(dialect);
+  setup.session.program.subprograms = {subprograms.begin(), subprograms.end()};
+  const Ran ran = run_computing(text, setup, Output::nc_text);
+  std::string all;
+  for (const Diagnostic& found : ran.diagnostics) {
+    if (found.severity != Severity::error) continue;
+    all += std::to_string(static_cast<int>(found.code)) + ' ' + std::to_string(found.source.line) +
+           ' ' + found.detail;
+    for (const CallPlace& call : found.calls)
+      all += " in " + call.subprogram + ':' + std::to_string(call.line_within);
+    all += '\n';
+  }
+  return ran.stopped ? all : "accepted\n";
+}
+
+TEST(ToldTogether, OfFanucAreStateAndWordsAndCalls) {
+  EXPECT_EQ(told("G21 G90 G17\n#1=#5041\nG0 X#1 Y#5042\nIF [#1 GT 5] GOTO 10\nG33 Z5.\n"
+                 "M98 P1234\nN10 G777\nM98 P1235\nG0 X#501\nM30\nG888\n",
+                 DialectName::fanuc),
+            "900307 2 #5041\n900307 3 #5042\n900003 5 G33, thread cutting\n900306 6 O1234\n"
+            "900002 7 G777\n900306 8 O1235\n900303 9 #501\n");
+}
+
+// What a value decides is no error while the value is not known.
+TEST(ToldTogether, AreNoConsequences) {
+  EXPECT_EQ(told("#1=#5041\n#2=1/[#1-1]\nGOTO#1\nM98 P#1\nIF [#1 EQ 1] THEN #3000=1(NO)\n"
+                 "F[#4] X[#5]\nG#1\nM30\n",
+                 DialectName::fanuc),
+            "900307 1 #5041\n");
+}
+
+TEST(ToldTogether, OfFanucAreThoseOfSubprograms) {
+  EXPECT_EQ(told("#1=#5041\nM98 P100\nG65 P200 A1.\nM30\nO100\nG778\nM99\nO200\nX#1\nG779\nM99\n"
+                 "O300\nG780\nM99\n",
+                 DialectName::fanuc),
+            "900307 1 #5041\n900002 6 G778 in O0100:0\n900002 10 G779 in O0200:0\n");
+  EXPECT_EQ(told("#1=#5041\nM98 P100\nM30\n", DialectName::fanuc, {{"O100", "G1\nG778\nM99\n"}}),
+            "900307 1 #5041\n900002 2 G778 in O0100:2\n");
+  // The refusal stands within what is called.
+  EXPECT_EQ(told("M98 P100\nG779\nM30\nO100\nX#5041\nG778\nM99\n", DialectName::fanuc),
+            "900307 5 #5041 in O0100:0\n900002 6 G778 in O0100:0\n900002 2 G779\n");
+}
+
+TEST(ToldTogether, AreCountedByTheirLines) {
+  EXPECT_EQ(told("#1=#5041\n#2=#5041\nX#5041 Y#5041\nM30\n", DialectName::fanuc),
+            "900307 1 #5041\n");
+}
+
+TEST(ToldTogether, OfLinuxcncAreStateAndWordsAndCalls) {
+  EXPECT_EQ(told("G21 G90 G17\n#1=#5420\no100 sub\nG123\no100 endsub\nG0 X#<depth> Y#<_x>\n"
+                 "o200 call [1]\no101 if [#1 GT 5]\nG334 Z5\no101 endif\no100 call\nM2\n",
+                 DialectName::linuxcnc),
+            "900307 2 #5420\n900303 6 #<depth>\n900307 6 #<_x>\n900306 7 o200\n"
+            "900002 9 G334\n900002 4 G123 in o100:0\n");
+}
+
+TEST(ToldTogether, OfSinumerikAreStateAndWordsAndCalls) {
+  EXPECT_EQ(told("DEF REAL DEPTH\nG17 G90\nR1=$AA_IM[X]\nIF R1>5 GOTOF ENDE\nDEPTH=R1+R7\n"
+                 "G777\nX=DEPTH+$AA_IW[Y]\nL12\nWHILE R1<7\nG778\nENDWHILE\nENDE: M30\n",
+                 DialectName::sinumerik),
+            "900307 3 $AA_IM[X]\n900303 5 R7\n900002 6 G777\n900307 7 $AA_IW[Y]\n900306 8 L12\n"
+            "900002 10 G778\n");
+}
+
+// A program that ends by itself, or for ever, has said what it has to say.
+TEST(ToldTogether, AreNotThoseBehindAnAlarm) {
+  EXPECT_EQ(told("#3000=1 (NO TOOL)\nG777\nM30\n", DialectName::fanuc),
+            "900312 1 #3000=1 (NO TOOL)\n");
+}
+
+}  // namespace
+}  // namespace trc::support
