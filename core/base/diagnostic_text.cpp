@@ -409,8 +409,7 @@ std::string help_of(const Diagnostic& diagnostic, Language language) {
   const auto* const slip = std::ranges::find(slip_helps, diagnostic.slip.kind, &SlipHelp::kind);
   if (slip == slip_helps.end()) {
     std::string_view help = help_in(diagnostic.words, diagnostic.code, language);
-    if (diagnostic.code == Code::nc_unsupported)
-      help = help_by_reason(diagnostic.detail, language);
+    if (diagnostic.code == Code::nc_unsupported) help = help_by_reason(diagnostic.detail, language);
     if (help.empty())
       help = german ? german_row_of(diagnostic.code).help : row_of(diagnostic.code).remedy;
     return in_words_of(diagnostic.words, std::string(help));

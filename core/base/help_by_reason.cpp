@@ -14,26 +14,43 @@ struct ReasonHelp {
 
 // The first one that fits counts.
 constexpr auto helps = std::to_array<ReasonHelp>({
-    {"a call of what only the machine has", "End the contour in front of the call with G40, and begin "
+    {"a call of what only the machine has",
+     "End the contour in front of the call with G40, and begin "
      "it anew with G41 or G42 behind it.",
      "Die Kontur vor dem Aufruf mit G40 beenden und dahinter mit G41 oder G42 neu beginnen."},
-    {"a rounding or a chamfer", "Write the corner as blocks of its own: the lines up to it, the arc or the "
+    {"CT while TRC is active", "Write the arc with its centre or its radius.",
+     "Den Bogen mit seinem Mittelpunkt oder seinem Radius schreiben."},
+    {"CT, TURN=", "Write the motion with both axes of the plane, an arc with its centre or radius.",
+     "Die Bewegung mit beiden Achsen der Ebene schreiben, einen Bogen mit Mittelpunkt oder "
+     "Radius."},
+    {"a position of a drilling cycle", "End the cycle with G80 in front of the contour.",
+     "Den Zyklus vor der Kontur mit G80 beenden."},
+    {"a position that is not followed",
+     "End in front of the contour what gives coordinates another meaning.",
+     "Vor der Kontur beenden, was Koordinaten eine andere Bedeutung gibt."},
+    {"a motion with L, which is repeated", "Write the motion as often as it runs.",
+     "Die Bewegung so oft schreiben, wie sie läuft."},
+    {"a rounding or a chamfer",
+     "Write the corner as blocks of its own: the lines up to it, the arc or the "
      "chamfer, the line behind it.",
      "Die Ecke als eigene Sätze schreiben: die Gerade bis dorthin, den Bogen oder die Fase, die "
      "Gerade dahinter."},
     {"the angle of a motion", "Write the end point of the line with both axes.",
      "Den Endpunkt der Geraden mit beiden Achsen schreiben."},
-    {"while TRC is active", "It has no place within a contour: end the contour in front of it with "
+    {"while TRC is active",
+     "It has no place within a contour: end the contour in front of it with "
      "G40, and begin it anew with G41 or G42 behind it.",
      "In einer Kontur hat es keinen Platz: die Kontur davor mit G40 beenden und dahinter mit G41 "
      "oder G42 neu beginnen."},
-    {"that may be skipped", "Take the `/` out, or say by block_skip of the setup whether such lines are executed.",
+    {"that may be skipped",
+     "Take the `/` out, or say by block_skip of the setup whether such lines are executed.",
      "Den `/` streichen, oder mit block_skip im Setup sagen, ob solche Sätze ausgeführt werden."},
     {"a second program", "Give each program as a text of its own.",
      "Jedes Programm als eigenen Text übergeben."},
     {"a second block in the line", "Write each block in a line of its own, and comments in ( ).",
      "Jeden Satz in eine eigene Zeile schreiben, Kommentare in ( )."},
-    {"behind other words", "Write the number in front of its block; a jump or a call by N is not known in "
+    {"behind other words",
+     "Write the number in front of its block; a jump or a call by N is not known in "
      "this dialect.",
      "Die Nummer vor ihren Satz schreiben; einen Sprung oder Aufruf mit N kennt dieser Dialekt "
      "nicht."},
@@ -41,16 +58,19 @@ constexpr auto helps = std::to_array<ReasonHelp>({
      "Die Zeilen des Unterprogramms an die Stelle seines Aufrufs schreiben."},
     {"macro call", "Write the motion of the macro in the place of its call.",
      "Die Bewegungen des Makros an die Stelle seines Aufrufs schreiben."},
-    {"modes as they were", "Program the functions that held before once more: G90 or G91, G20 or G21, the plane, F.",
+    {"modes as they were",
+     "Program the functions that held before once more: G90 or G91, G20 or G21, the plane, F.",
      "Die Funktionen von vorher noch einmal programmieren: G90 oder G91, G20 oder G21, die Ebene, "
      "F."},
     {"a variable", "Write its value in its place, or assign it in the program.",
      "Ihren Wert an ihre Stelle schreiben oder sie im Programm setzen."},
     {"an expression", "Write its value in its place.", "Seinen Wert an seine Stelle schreiben."},
     {"a parameter", "Write its value in its place.", "Seinen Wert an seine Stelle schreiben."},
-    {"a statement", "What it does has to be written out: the blocks in the order in which they run.",
+    {"a statement",
+     "What it does has to be written out: the blocks in the order in which they run.",
      "Was sie bewirkt, muss ausgeschrieben sein: die Sätze in der Reihenfolge, in der sie laufen."},
-    {"a name", "Correct its spelling. Where it does not change the path, declare it in pass_words of the "
+    {"a name",
+     "Correct its spelling. Where it does not change the path, declare it in pass_words of the "
      "setup; a subprogram is given in `subprograms`.",
      "Die Schreibweise berichtigen. Wo er den Weg nicht ändert, ihn in pass_words des Setups "
      "angeben; ein Unterprogramm gehört in `subprograms`."},
