@@ -150,8 +150,9 @@ std::string_view state_of(GGroup group) {
     case GGroup::unfollowed:
     case GGroup::unfollowed_end:
       return "copied while TRC is off";
-    case GGroup::turning:
     case GGroup::call:
+      return "resolved";
+    case GGroup::turning:
     case GGroup::refused:
     case GGroup::spatial_circle:
       return "refused";

@@ -103,7 +103,7 @@ INSTANTIATE_TEST_SUITE_P(
         Refused{"Mirroring", "G22 X1", "1:1 900003"},
         Refused{"ContourRotation", "G68 X1", "1:1 900003"},
         Refused{"Splines", "G151", "1:1 900003"}, Refused{"Chamfers", "G301 I5", "1:1 900003"},
-        Refused{"Homing", "G74 X1", "1:1 900003"},
+        Refused{"HomingWithinAContour", "G41 G01 X0 Y10\nG74 X1", "2:1 900003"},
         Refused{"RadiusProgramming", "G163", "1:1 900003"},
         Refused{"AnUnknownCommand", "#ROTATION ON", "1:1 900003"},
         Refused{"AxisWeightsWithPositions", "G130 X50", "1:1 900003"},

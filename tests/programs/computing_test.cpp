@@ -106,7 +106,7 @@ TEST(AProgramThatComputes, StopsWithAllThatCannotBeReadInIt) {
   const Ran ran =
       run_computing("G0 X0\n#1=3\nG66 P5\nY#1\nG46 X1.\n#2=1/0\nM30\n", fanuc(), Output::nc_text);
   ASSERT_EQ(ran.diagnostics.size(), 3u) << ran.report();
-  EXPECT_EQ(ran.diagnostics[0].code, Code::nc_unsupported);
+  EXPECT_EQ(ran.diagnostics[0].code, Code::subprogram_unknown);
   EXPECT_EQ(ran.diagnostics[0].source.line, 3u);
   EXPECT_EQ(ran.diagnostics[1].source.line, 5u);
   EXPECT_EQ(ran.diagnostics[2].code, Code::division_by_zero);

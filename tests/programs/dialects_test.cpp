@@ -14,6 +14,7 @@
 
 #include "core/base/archive.h"
 #include "core/nc/dialect/dialect.h"
+#include "core/nc/program/flow.h"
 #include "core/nc/text/number_format.h"
 #include "core/session/conversion.h"
 #include "core/session/program_session.h"
@@ -297,9 +298,15 @@ TEST_P(OfADialect, ComesOutAsItIsWithoutSelections) {
   if (program.refused != 0) return;
   if (program.text.find("APPR") != std::string::npos) return;  // is one without a side, too
   if (program.setup.session.program.block_skip != BlockSkip::refuse) return;  // its `/` go
+  // Of a program that computes the flat one comes out.
+  const std::vector<std::string> lines = lines_of(program.text);
+  if (std::ranges::any_of(lines, [&](const std::string& line) {
+        return program::computes(program.setup.session.program, line);
+      }))
+    return;
   const std::string plain = std::regex_replace(
       program.text,
-      std::regex("G ?4[12](\\.1)?( D ?[0-9.]+)? ?| R[LR]| M109| M110| M111| M120 LA20",
+      std::regex("G ?4[12](\\.1)?( D ?[0-9.]+)? ?|G13[89] ?| R[LR]| M109| M110| M111| M120 LA20",
                  std::regex::ECMAScript | std::regex::icase),
       "");
   const Written written = run(plain, program.setup, true);

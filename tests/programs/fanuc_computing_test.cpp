@@ -94,6 +94,18 @@ TEST(FanucExpressions, CountInDecimalDigits) {
   EXPECT_EQ(flat("IF [0.1+0.2 EQ 0.3] GOTO 5\nG0 X1.\nN5 M30\n"), "N5 M30\n");
 }
 
+TEST(FanucBranches, MayTakeSeveralLines) {
+  const auto taken = [](const std::string& condition) {
+    return flat("#1=3\nIF [" + condition +
+                "] THEN\nG0 X1.\nIF [#1 EQ 3] THEN (A)\nG0 X2.\nENDIF\nELSE\nG0 X3.\nENDIF\n"
+                "IF [#1 EQ 4] THEN\nG0 X4.\nENDIF (B)\nIF [#1 EQ 3] THEN #1=5\nG0 X#1\nM30\n");
+  };
+  EXPECT_EQ(taken("#1 EQ 3"), "G0 X1.\n(A)\nG0 X2.\nG0 X5.\nM30\n");
+  EXPECT_EQ(taken("#1 EQ 2"), "G0 X3.\nG0 X5.\nM30\n");
+  EXPECT_EQ(refusal_of("#1=3\nIF [#1 EQ 2] THEN\nG0 X1.\nM30\n", fanuc()), std::pair(900310, 2U));
+  EXPECT_EQ(refusal_of("#1=3\nELSE\nG0 X1.\nM30\n", fanuc()), std::pair(900310, 2U));
+}
+
 TEST(FanucVariables, ThatAreVacantLeaveTheirWordsOut) {
   EXPECT_EQ(flat("G0 X#1 Y2. Z#0 (A)\nM30\n"), "G0 Y2. (A)\nM30\n");
   EXPECT_EQ(flat("#1=#2\nG0 X#1 Y[#1+1]\n#1=#2*1\nG0 X#1\n"), "G0 Y1.\nG0 X0.\n");
@@ -260,8 +272,7 @@ TEST(FanucRefusals, NameTheirLine) {
       {"M98 P1\nM30\nO1\nM98 P1\nM99\n", Code::calls_too_deep, 4},
       {"/#1=5\n", Code::block_skip_undecided, 1},
       {"/M98 P1\nM30\nO1\nM99\n", Code::block_skip_undecided, 1},
-      {"#1=1\nDPRNT[X#1[53]]\n", Code::nc_unsupported, 2},
-      {"#1=1\nG66 P5\n", Code::nc_unsupported, 2},
+      {"#1=1\nG66 P5\n", Code::subprogram_unknown, 2},
       {"#1=1\nM96 P5\n", Code::nc_unsupported, 2},
   };
   for (const Refusal& refusal : refusals) {

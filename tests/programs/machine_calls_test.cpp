@@ -54,9 +54,9 @@ TEST(MachineCalls, ForgetWhereTheToolIs) {
             std::pair(900106, 5U));
   EXPECT_EQ(refused("G21 G90 G17\nG0 X-20. Y0\nG65 P9810 Z10.\nG92 X-20. Y0 Z0\n" + contour, fanuc),
             std::pair(900106, 5U));
-  EXPECT_EQ(refused("G21 G90 G17\nG0 X-20. Y0\nG65 P9810 Z10.\nG90 G0 X-20. Y0 Z1.\n" + contour,
-                    fanuc),
-            std::pair(0, 0U));
+  EXPECT_EQ(
+      refused("G21 G90 G17\nG0 X-20. Y0\nG65 P9810 Z10.\nG90 G0 X-20. Y0 Z1.\n" + contour, fanuc),
+      std::pair(0, 0U));
 }
 
 TEST(MachineCalls, DoNotPassWithinAContour) {

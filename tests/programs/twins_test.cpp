@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <string>
+#include <string_view>
+
 namespace trc::support {
 namespace {
 
@@ -66,6 +70,21 @@ TEST_P(Twins, ComputeWhereTheFlatOneDoesNot) {
   EXPECT_TRUE(flat.feed(twin().flat, answers));
   EXPECT_TRUE(computed.is_computing());
   EXPECT_FALSE(flat.is_computing());
+}
+
+// A program without faults has none when its lines are looked at behind one that was put in.
+TEST_P(Twins, TellNothingElseBehindAnError) {
+  const DialectName dialect = GetParam().dialect;
+  const std::string fault = dialect == DialectName::fanuc      ? "#33=#5041\n"
+                            : dialect == DialectName::linuxcnc ? "#4999=#5420\n"
+                                                               : "R999=$AA_IM[X]\n";
+  std::string text = twin().computed;
+  const bool has_head = std::string_view("%OoP(").find(text.front()) != std::string_view::npos;
+  text.insert(has_head ? text.find('\n') + 1 : 0, fault);
+  const Ran ran = run_computing(text, setup(), Output::nc_text);
+  ASSERT_TRUE(ran.stopped) << text;
+  EXPECT_EQ(std::ranges::count(ran.diagnostics, Severity::error, &Diagnostic::severity), 1)
+      << ran.report() << text;
 }
 
 }  // namespace trc::support

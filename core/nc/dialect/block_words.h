@@ -77,6 +77,7 @@ struct Interpreter::BlockWords {
   std::uint32_t words = 0;  // without N and comments
   // The line is copied as it stands; the axes of `forget` go where only the control knows.
   bool copied = false;
+  bool homes = false;              // G74 of ISG
   bool calls_the_machine = false;  // NAME(…) of Sinumerik, which the program does not have
   AxisBits forget = 0;
   std::optional<Value> tool_data{};             // L of G10
@@ -101,7 +102,8 @@ struct Interpreter::BlockWords {
   std::array<std::optional<Value>, 3> through{};  // I1= J1= K1=
   std::optional<Value> polar_angle{};             // AP=, degrees
   std::optional<Value> polar_radius{};            // RP=
-  bool polar_increment = false;                   // one of them is IC()
+  bool increments_angle = false;                  // AP=IC()
+  bool increments_radius = false;                 // RP=IC()
   bool is_through = false;                        // CIP
   bool begins_tangent_arcs = false;               // CT
   std::optional<bool> masks{};                    // CDON; CDOF and CDOF2

@@ -38,12 +38,11 @@ bool is_turning_tool(std::string_view word) {
 
 bool is_subprogram_call(double m) { return m == 96 || m == 97 || m == 98 || m == 198; }
 
-// POPEN, DPRNT[TEXT], PCLOS: what they print goes elsewhere; not the value of a variable, which
-// the written program does not have.
+// POPEN, DPRNT[TEXT], PCLOS: what they print goes elsewhere. Values of variables stand in it
+// already, but for those of the machine.
 bool prints_text(std::string_view line, std::size_t begin) {
   const std::string word = word_to_pass(line, begin);
-  return (word == "POPEN" || word == "PCLOS" || word == "DPRNT" || word == "BPRNT") &&
-         line.find('#', begin) == std::string_view::npos;
+  return word == "POPEN" || word == "PCLOS" || word == "DPRNT" || word == "BPRNT";
 }
 
 // Behind NAME or NAME[…] nothing stands but comments.

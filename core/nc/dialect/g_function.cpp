@@ -51,7 +51,7 @@ constexpr auto functions = std::to_array<GFunction>({
     {69, technology, "no contour rotation", true},
     {70, unit, "inch"},
     {71, unit, "mm", true},
-    {74, refused, "homing"},
+    {74, zero_shift, "homing"},
     {80, refused, "implicit subprogram call"},
     {81, refused, "implicit subprogram call"},
     {82, refused, "implicit subprogram call"},

@@ -439,8 +439,26 @@ bool Interpreter::read_block(ProgramLine& line) {
   line.has_words = true;
   ++blocks_read_;
   if (!(is_isg ? check_block(line, block) : check_feed(line, block))) return false;
+  copy_plunge_from_nowhere(line, block);
   sum_up_words(line);
   return apply(line, block);
+}
+
+// An increment of the third axis, whose place is not known: while TRC is off nothing hangs on it.
+void Interpreter::copy_plunge_from_nowhere(ProgramLine& line, BlockWords& block) const {
+  using enum GGroup;
+  const std::size_t third = axes_of(state_.programmed_plane()).third;
+  const bool incremental = block.has(dimension) ? block.of(dimension).is(91) : incremental_;
+  const bool straight =
+      block.has(motion) ? block.of(motion).function->number < 2 : motion_ <= MotionKind::linear;
+  if (block.copied || contour_open() || block.has(side) || block.has(plane) || !incremental ||
+      !straight || block.center || state_.is_known(third) || !block.move.end[third])
+    return;
+  for (std::size_t axis = 0; axis < block.move.end.size(); ++axis)
+    if (axis != third && block.move.end[axis]) return;
+  block.copied = true;
+  for (WordRange& word : line.words)
+    if (word.role == WordRole::coordinate) word.role = WordRole::technology;
 }
 
 // Whether the line can be read in one pass, with nothing to refuse before its motion.
@@ -448,6 +466,7 @@ bool Interpreter::is_plain(ProgramLine& line, PlainMotion& plain) const {
   return !ended_ && comment_block_ == 0 && !in_subprogram_ && feed_mode_ == 94 &&
          reads_plain_lines_ && plain.read(line.text, line.words) &&
          (motion_given_ || plain.has_function()) &&
+         (!incremental_ || state_.is_known(axes_of(state_.programmed_plane()).third)) &&
          (!plain.has_feed() || state_.is_feed(plain.feed() * feed_unit(inch_)));
 }
 

@@ -117,8 +117,8 @@ class Interpreter {
   struct FlatLine {
     std::string_view text{};
     std::string_view line_end{};
-    std::uint32_t number = 0;   // of the line it comes from, 1-based
-    bool is_as_written = true;  // that line itself: columns say where in it
+    std::uint32_t number = 0;        // of the line it comes from, 1-based
+    bool is_as_written = true;       // that line itself: columns say where in it
     bool calls_the_machine = false;  // what only the machine has: passes as ISG's calls do
   };
   // Reads it as `feed` does a whole line.
@@ -171,6 +171,7 @@ class Interpreter {
   bool read_comment_block(ProgramLine& line);
   bool read_block(ProgramLine& line);
   bool read_words_of_dialect(ProgramLine& line, BlockWords& block);
+  void copy_plunge_from_nowhere(ProgramLine& line, BlockWords& block) const;
   [[nodiscard]] bool is_plain(ProgramLine& line, PlainMotion& plain) const;
 
   bool read_words(ProgramLine& line, BlockWords& block);

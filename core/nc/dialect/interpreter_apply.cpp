@@ -207,6 +207,8 @@ bool Interpreter::move(ProgramLine& line, MoveRequest& request) {
   request.incremental = incremental_;
   request.feed = feed_mode_ == 94 ? feed_ : 0;
   if (inch_) scale(request);
+  // Of an arc of Fanuc that has both, R is what counts.
+  if (dialect_.name == DialectName::fanuc && request.radius) request.center = {};
   // Many post-processors write all three centre words.
   auto& across = request.center[axes_of(state_.mode().plane).third];
   if (dialect_.name != DialectName::isg && across == 0.0) across.reset();

@@ -162,6 +162,8 @@ bool Interpreter::read_g_function(const Word& word, ProgramLine& line, BlockWord
   }
   if (group == GGroup::zero_shift && contour_open())
     return refuse(line, word, Code::nc_unsupported, named(" while TRC is active"));
+  constexpr int homing = 74;
+  block.homes |= function->number == homing;
   const bool may_have_argument = group == GGroup::zero_shift || group == GGroup::technology ||
                                  group == GGroup::axis_technology;
   if (word.has_argument && !may_have_argument) return refuse(line, word, Code::nc_syntax);
@@ -306,6 +308,11 @@ bool Interpreter::check_block(ProgramLine& line, BlockWords& block) {
                                     .detail = "G52 with axis words"});
   }
   restate_modes(line, block);
+  if (block.homes) {  // where the axes stand then only the machine knows
+    block.copied = true;
+    for (WordRange& word : line.words)
+      if (word.role == WordRole::coordinate) word.role = WordRole::technology;
+  }
   const bool preset = block.of(zero_shift).is(92);
   if (preset && (block.has(motion) || block.center || block.move.radius))
     return wrong(Code::nc_unsupported, block.of(zero_shift), " with a motion");

@@ -118,7 +118,8 @@ bool Interpreter::read_call_of_machine(ProgramLine& line, BlockWords& block) {
                           .role = WordRole::number});
   }
   const char comment = dialect_.name == DialectName::sinumerik ? ';' : '(';
-  const std::string_view call = without_blanks_behind(text.substr(begin, text.find(comment, begin) - begin));
+  const std::string_view call =
+      without_blanks_behind(text.substr(begin, text.find(comment, begin) - begin));
   if (contour_open())
     return refuse(line, TextFault{.code = Code::nc_unsupported,
                                   .begin = static_cast<std::uint32_t>(begin),

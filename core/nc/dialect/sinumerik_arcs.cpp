@@ -22,7 +22,8 @@ bool Interpreter::read_polar_word(const NamedWord& word, ProgramLine& line, Bloc
                                   .begin = word.begin,
                                   .detail = std::string(word.name)});
   target = {.value = word.value, .begin = word.begin};
-  block.polar_increment |= word.reference == NamedWord::Reference::incremental;
+  if (word.reference == NamedWord::Reference::incremental)
+    (word.name == "AP" ? block.increments_angle : block.increments_radius) = true;
   add(line, word, WordRole::coordinate);
   return true;
 }
@@ -73,21 +74,28 @@ bool Interpreter::resolve_polar_words(ProgramLine& line, BlockWords& block) {
   const bool selects = block.has(side) && !block.of(side).is(40);
   const bool both = block.polar_angle && block.polar_radius;
   // A line that is copied would count on a word that the written program has no longer.
-  if (code_.polar_rewritten && !both && !contour_open() && !selects)
+  const bool counts_on = !both || block.increments_angle || block.increments_radius;
+  if (code_.polar_rewritten && counts_on && !contour_open() && !selects)
     return refuse(line, TextFault{.code = Code::nc_unsupported,
                                   .begin = begin,
                                   .detail = "AP= or RP= alone behind a contour: write both"});
   if (selects || contour_open()) code_.polar_rewritten = true;
   if (both && !contour_open() && !selects) code_.polar_rewritten = false;
-  if (block.polar_angle) code_.polar_angle = block.polar_angle->value;
-  if (block.polar_radius) code_.polar_radius = block.polar_radius->value;
+  // AP=IC(…) and RP=IC(…) count from the word before.
+  const auto take = [](const std::optional<BlockWords::Value>& word, bool increment,
+                       std::optional<double>& value) {
+    if (word && (!increment || value)) value = word->value + (increment ? *value : 0);
+    return !word || !increment || value;
+  };
+  const bool angle_known = take(block.polar_angle, block.increments_angle, code_.polar_angle);
+  const bool radius_known = take(block.polar_radius, block.increments_radius, code_.polar_radius);
   const MotionKind kind =
       block.has(motion) ? static_cast<MotionKind>(block.of(motion).function->number) : motion_;
   const bool circle = kind == MotionKind::clockwise || kind == MotionKind::counter_clockwise;
   const bool start_known = state_.is_known(axes.first) && state_.is_known(axes.second);
   const bool followed = code_.pole && code_.polar_angle && code_.polar_radius && !x && !y &&
                         !block.center && !incremental_ && !block.of(dimension).is(91) &&
-                        !block.polar_increment && !block.to_skip && (!circle || start_known);
+                        angle_known && radius_known && !block.to_skip && (!circle || start_known);
   if (!followed) {
     block.unfollowed_word = begin;
     code_.polar_angle.reset();

@@ -108,9 +108,32 @@ constexpr auto passing_calls = std::to_array<std::string_view>(
 constexpr auto cycles = std::to_array<std::string_view>(
     {"CYCLE", "HOLES", "POCKET", "SLOT", "LONGHOLE", "TRANSMIT", "TRACYL", "F_"});
 // Words with values that say nothing about where the path runs.
-constexpr auto passing_assignments = std::to_array<std::string_view>(
-    {"ACC", "ADIS", "ADISPOS", "CTOL", "FA", "FB", "FGREF", "FL", "FZ", "JERKLIM", "LIMS", "OTOL",
-     "SCC", "SPOS", "SVC", "VELOLIM"});
+constexpr auto passing_assignments = std::to_array<std::string_view>({"$AC_ACTUAL_PARTS",
+                                                                      "$AC_MARKER",
+                                                                      "$AC_PARAM",
+                                                                      "$AC_REQUIRED_PARTS",
+                                                                      "$AC_SPECIAL_PARTS",
+                                                                      "$AC_TIMER",
+                                                                      "$AC_TOTAL_PARTS",
+                                                                      "$A_DB",
+                                                                      "$A_DL",
+                                                                      "$A_OUT",
+                                                                      "ACC",
+                                                                      "ADIS",
+                                                                      "ADISPOS",
+                                                                      "CTOL",
+                                                                      "FA",
+                                                                      "FB",
+                                                                      "FGREF",
+                                                                      "FL",
+                                                                      "FZ",
+                                                                      "JERKLIM",
+                                                                      "LIMS",
+                                                                      "OTOL",
+                                                                      "SCC",
+                                                                      "SPOS",
+                                                                      "SVC",
+                                                                      "VELOLIM"});
 // Words with values that round or bevel corners.
 constexpr auto corner_words = std::to_array<std::string_view>({"FRC", "FRCM"});
 

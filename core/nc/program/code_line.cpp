@@ -1,5 +1,7 @@
 #include "core/nc/program/code_line.h"
 
+#include <array>
+#include <charconv>
 #include <cmath>
 
 #include "core/nc/text/characters.h"
@@ -9,7 +11,11 @@
 namespace trc::program {
 
 std::size_t behind_blanks(std::string_view line, std::size_t at) {
-  while (at < line.size() && (line[at] == ' ' || line[at] == '\t')) ++at;
+  while (at < line.size()) {
+    const std::size_t blank = blank_at_start(line.substr(at));
+    if (blank == 0) break;
+    at += blank;
+  }
   return at;
 }
 
@@ -98,6 +104,13 @@ void append_value(std::string& out, double value, PointStyle style) {
   const std::size_t begin = out.size();
   append_units(out, to_units(value, decimals), decimals);
   if (style == PointStyle::with_point && out.find('.', begin) == std::string::npos) out += '.';
+}
+
+void append_fixed(std::string& out, double value, int decimals) {
+  std::array<char, 400> digits{};
+  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value,
+                                 std::chars_format::fixed, decimals);
+  out.append(digits.data(), end.ptr);
 }
 
 }  // namespace trc::program

@@ -58,5 +58,7 @@ enum class PointStyle : std::uint8_t {
 // The shortest decimal number that reads back to the value, with at most 8 decimals: 5e-9 away at
 // most.
 void append_value(std::string& out, double value, PointStyle style);
+// With so many decimals.
+void append_fixed(std::string& out, double value, int decimals);
 
 }  // namespace trc::program

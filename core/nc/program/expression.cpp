@@ -52,7 +52,11 @@ bool is_comparison(Operator sign) { return sign >= Operator::equal && sign <= Op
 }  // namespace
 
 void ExpressionReader::pass_blanks() {
-  while (peek() == ' ' || peek() == '\t') ++at_;
+  while (at_ < line_.size()) {
+    const std::size_t blank = blank_at_start(line_.substr(at_));
+    if (blank == 0) return;
+    at_ += blank;
+  }
 }
 
 bool ExpressionReader::pass(std::string_view word) {

@@ -13,7 +13,16 @@ constexpr std::size_t none = static_cast<std::size_t>(-1);
 bool is_statement_at(std::string_view line, std::size_t at) {
   return has_word_at(line, at, "IF") || has_word_at(line, at, "WHILE") ||
          has_word_at(line, at, "GOTO") || has_word_at(line, at, "DO") ||
-         has_word_at(line, at, "END");
+         has_word_at(line, at, "END") || has_word_at(line, at, "ELSE");
+}
+
+// IF [ ] THEN with nothing behind it: the lines up to ELSE or ENDIF.
+bool begins_branch(std::string_view line, std::size_t at) {
+  if (!has_word_at(line, at, "IF")) return false;
+  constexpr std::string_view then = "THEN";
+  for (std::size_t end = at; end < line.size() && line[end] != '(' && line[end] != ';'; ++end)
+    if (has_word_at(line, end, then)) return is_over(line, end + then.size());
+  return false;
 }
 
 // O1001, :1001 at the beginning of a line; -1: none.
@@ -83,7 +92,7 @@ bool fanuc_computes(std::string_view line) {
     double number = 0;
     bool whole = false;
     at += read_number(line.substr(at), number, whole);
-    if (letter == 'M' ? number == 97 || number == 98 : number == 65) return true;
+    if (letter == 'M' ? number == 97 || number == 98 : number == 65 || number == 66) return true;
     returns |= letter == 'M' && number == 99;
   }
   return false;
@@ -163,10 +172,23 @@ const FanucFlow::Outline& FanucFlow::outline_of(const Frame& frame) {
       units_, [&](const Unit& each) { return each.text == frame.text && each.end == frame.end; });
   const ProgramText& text = text_of(frame);
   std::vector<std::pair<std::size_t, std::size_t>> open;  // number of the loop, line
+  std::vector<std::size_t> branches;                      // their IF or ELSE
   for (std::size_t line = unit->begin; line < unit->end; ++line) {
     const std::string_view content = text.line(line);
     const LineHead head = head_of(content);
     if (head.number >= 0) outline.labels[head.number].push_back(line);
+    const bool ends_branch = has_word_at(content, head.behind, "ENDIF");
+    if (ends_branch || has_word_at(content, head.behind, "ELSE")) {
+      if (branches.empty()) continue;
+      outline.feet[branches.back()] = line;
+      branches.back() = line;
+      if (ends_branch) branches.pop_back();
+      continue;
+    }
+    if (begins_branch(content, head.behind)) {
+      branches.push_back(line);
+      continue;
+    }
     const bool begins =
         has_word_at(content, head.behind, "WHILE") || has_word_at(content, head.behind, "DO");
     const bool ends = has_word_at(content, head.behind, "END");
@@ -266,6 +288,9 @@ bool FanucFlow::execute_statement(std::string& flat) {
   if (expression.pass("IF")) return branch(flat, expression);
   if (expression.pass("WHILE")) return loop(flat, expression, true);
   if (expression.pass("DO")) return loop(flat, expression, false);
+  if (expression.pass("ENDIF")) return finish_statement(flat, expression.at());
+  if (expression.pass("ELSE"))  // behind a branch that was taken
+    return go_behind_foot("ELSE without ENDIF") && finish_statement(flat, expression.at());
   if (expression.pass("END")) return end_loop(flat, expression);
   expression.pass("GOTO");
   return jump(expression) && finish_statement(flat, expression.at());
@@ -281,6 +306,9 @@ bool FanucFlow::branch(std::string& flat, ExpressionReader& expression) {
   const std::size_t then = expression.at();
   if (expression.pass("THEN")) {
     expression.pass_blanks();
+    if (is_over(line_, expression.at()))
+      return (holds || go_behind_foot("IF THEN without ENDIF")) &&
+             finish_statement(flat, expression.at());
     if (expression.peek() != '#')
       return refuse(Code::nc_unsupported, then, "THEN without an assignment");
     return holds ? assign(flat, expression.at()) : true;
@@ -291,6 +319,14 @@ bool FanucFlow::branch(std::string& flat, ExpressionReader& expression) {
   static_cast<void>(expression.whole_operand());
   if (expression.failed()) return refuse(expression.fault());
   return finish_statement(flat, expression.at());
+}
+
+bool FanucFlow::go_behind_foot(const char* missing) {
+  const Outline& outline = outline_of(frame());
+  const auto found = outline.feet.find(frame().current);
+  if (found == outline.feet.end()) return refuse(Code::block_structure, head_.behind, missing);
+  frame().next = found->second + 1;
+  return true;
 }
 
 bool FanucFlow::loop(std::string& flat, ExpressionReader& expression, bool has_condition) {

@@ -69,6 +69,8 @@ class FanucFlow : public CodeFlow {
   bool execute_statement(std::string& flat);
   bool branch(std::string& flat, ExpressionReader& expression);
   bool loop(std::string& flat, ExpressionReader& expression, bool has_condition);
+  // To the line behind the ELSE or ENDIF that belongs to the line.
+  bool go_behind_foot(const char* missing);
   bool end_loop(std::string& flat, ExpressionReader& expression);
   bool assign(std::string& flat, std::size_t at);
   bool set(std::int64_t number, const Value& value, std::size_t begin);
@@ -78,6 +80,8 @@ class FanucFlow : public CodeFlow {
   bool call(std::string& flat, ComputedWord& word);
   // M98 <NAME>; nothing: the line is none.
   [[nodiscard]] std::optional<bool> call_by_name(std::string& flat);
+  // DPRNT and BPRNT of variables; nothing: the line is none.
+  [[nodiscard]] std::optional<bool> print(std::string& flat);
   bool call_own_lines(std::string& flat, const ProgramCall& call);
   bool call_macro(std::string& flat, const ComputedWord& word);
   bool take_arguments(const ComputedWord& word, Locals& locals);
@@ -87,6 +91,7 @@ class FanucFlow : public CodeFlow {
   [[nodiscard]] std::optional<Unit> unit_of(std::int64_t number, std::size_t begin);
   // A macro that the program has not, and that the machine has: O8000 to O9999, or as declared.
   [[nodiscard]] bool is_of_the_machine(std::int64_t number) const;
+  bool call_modally(std::string& flat);
   bool pass_call(std::int64_t number, bool sees_locals);
 
   [[nodiscard]] std::optional<double> modal_value(std::int64_t number) const;
@@ -103,6 +108,15 @@ class FanucFlow : public CodeFlow {
   std::vector<bool> entered_{};  // by unit
   std::vector<Locals> locals_{1};
   std::map<std::int64_t, std::optional<double>> common_{};
+  // G66
+  struct ModalCall {
+    std::int64_t number = 0;
+    std::uint64_t times = 1;
+    Locals locals{};
+    std::size_t depth = 0;  // of the frame it holds in
+    bool is_of_machine = false;
+  };
+  std::optional<ModalCall> modal_call_{};
   std::string lost_to_{};  // the last macro of the machine, which may have set all common ones
 };
 

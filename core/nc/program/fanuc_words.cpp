@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/nc/program/fanuc_flow.h"
 #include "core/nc/text/characters.h"
@@ -26,6 +27,7 @@ std::string FanucFlow::name_of(std::int64_t number) const {
 
 bool FanucFlow::execute_words(std::string& flat) {
   if (const auto called = call_by_name(flat)) return *called;
+  if (const auto printed = print(flat)) return *printed;
   if (!scan_words()) return false;
   if (is_read_by_the_reader_) {
     write_as_it_is(flat);
@@ -33,15 +35,22 @@ bool FanucFlow::execute_words(std::string& flat) {
   }
   ComputedWord* call_word = nullptr;
   bool ends = false;
+  bool ends_modal_call = false;
   for (ComputedWord& word : words_) {
     ends |= word.is('M', 30) || word.is('M', 2);
-    if (word.is('G', 65) || word.is('M', 98) || word.is('M', 97) || word.is('M', 99))
+    ends_modal_call |= word.is('G', 67);
+    if (word.is('G', 67) && modal_call_ && !modal_call_->is_of_machine) word.left_out = true;
+    if (word.is('G', 65) || word.is('G', 66) || word.is('M', 98) || word.is('M', 97) ||
+        word.is('M', 99))
       call_word = &word;
   }
   if (head_.to_skip && (has_computed_ || call_word != nullptr))
     return refuse(Code::block_skip_undecided, 0, "/, a line to skip that computes");
+  if (ends_modal_call) modal_call_.reset();
   if (call_word != nullptr) return call(flat, *call_word);
   write_line(flat);
+  const bool moves = word_of('X') != nullptr || word_of('Y') != nullptr || word_of('Z') != nullptr;
+  if (modal_call_ && moves && frames_.size() == modal_call_->depth) return call_modally(flat);
   return !ends || end_main_program(flat);
 }
 
@@ -102,6 +111,44 @@ std::optional<bool> FanucFlow::call_by_name(std::string& flat) {
   return unit && enter_unit(flat, *unit, static_cast<std::uint64_t>(times), nullptr);
 }
 
+// DPRNT[X#1[53]]: the value with 5 places in front of the point and 3 behind it, as the written
+// program has no variables. What the machine holds it prints itself.
+std::optional<bool> FanucFlow::print(std::string& flat) {
+  const bool prints =
+      has_word_at(line_, head_.behind, "DPRNT") || has_word_at(line_, head_.behind, "BPRNT");
+  if (!prints || line_.find('#', head_.behind) == std::string_view::npos) return {};
+  if (head_.to_skip)
+    return refuse(Code::block_skip_undecided, 0, "/, a line to skip that computes");
+  std::string text;
+  std::size_t at = 0;
+  while (at < line_.size()) {
+    if (line_[at] != '#') {
+      text += line_[at++];
+      continue;
+    }
+    ExpressionReader number = expression_at(at);
+    constexpr std::int64_t first_of_machine = 1000;
+    const bool is_of_machine = number_of_variable(number) >= first_of_machine;
+    ExpressionReader expression = expression_at(at);
+    const double value = is_of_machine ? 0 : read(expression).number;
+    if (number.failed()) return refuse(number.fault());
+    if (expression.failed()) return refuse(expression.fault());
+    const std::size_t begin = std::exchange(at, number.at());
+    const std::size_t close =
+        at < line_.size() && line_[at] == '[' ? line_.find(']', at) : std::string_view::npos;
+    const char decimals = close == std::string_view::npos ? ' ' : line_[close - 1];
+    if (!is_digit(decimals))
+      return refuse(Code::expression_invalid, begin, "DPRNT without the places of its value");
+    at = close + 1;
+    if (is_of_machine)
+      text.append(line_.substr(begin, at - begin));
+    else
+      append_fixed(text, value, decimals - '0');
+  }
+  flat.append(text).append(line_end());
+  return true;
+}
+
 // M97: lines of the program that calls.
 bool FanucFlow::call_own_lines(std::string& flat, const ProgramCall& call) {
   const auto line = line_of(frame(), call.number);
@@ -126,14 +173,34 @@ bool FanucFlow::call_macro(std::string& flat, const ComputedWord& word) {
   const auto repetitions = times == nullptr ? 1 : whole_value(times, word);
   Locals locals{};
   if (!program || !repetitions) return false;
+  const bool is_modal = word.is('G', 66);
   if (is_of_the_machine(*program)) {
     write_line(flat);
+    if (is_modal)
+      modal_call_ = {.number = *program, .depth = frames_.size(), .is_of_machine = true};
     return pass_call(*program, false);
   }
   if (!take_arguments(word, locals)) return false;
+  if (is_modal) {
+    if (!unit_of(*program, number->begin)) return false;
+    modal_call_ = {.number = *program,
+                   .times = static_cast<std::uint64_t>(*repetitions),
+                   .locals = locals,
+                   .depth = frames_.size()};
+    return true;
+  }
   const auto unit = unit_of(*program, number->begin);
   called_alone_ = true;
   return unit && enter_unit(flat, *unit, static_cast<std::uint64_t>(*repetitions), &locals);
+}
+
+// G66: behind each line that moves.
+bool FanucFlow::call_modally(std::string& flat) {
+  if (modal_call_->is_of_machine) return pass_call(modal_call_->number, false);
+  const auto unit = unit_of(modal_call_->number, 0);
+  Locals locals = modal_call_->locals;
+  called_alone_ = false;
+  return unit && enter_unit(flat, *unit, modal_call_->times, &locals);
 }
 
 // I, J and K may come in up to ten groups, each in this order; of what names one variable twice the
@@ -156,7 +223,7 @@ bool FanucFlow::take_arguments(const ComputedWord& word, Locals& locals) {
     if (variable == 0 || variable >= locals.size() || argument.begin < word.begin)
       return refuse(Code::value_invalid, argument.begin,
                     std::string(line_.substr(argument.begin, argument.end - argument.begin))
-                        .append(" beside G65"));
+                        .append(word.is('G', 66) ? " beside G66" : " beside G65"));
     if (!argument.left_out) locals.at(variable) = argument.value.number;
   }
   return true;

@@ -143,9 +143,9 @@ bool Flow::may_be_a_consequence(Code code) const {
       return !ahead_.front().knows_values;
     case Code::jump_target_unknown:
     case Code::subprogram_unknown:
-      return supposes_;
     case Code::division_by_zero:
     case Code::value_invalid:
+      return supposes_;
     case Code::program_alarm:
       return true;
     case Code::block_structure:

@@ -148,12 +148,12 @@ bool ProgramReader::read_flat_lines(std::vector<LinePointer>& lines) {
     const std::size_t next =
         end == flat.size() ? end : end + (flat.compare(end, 2, "\r\n") == 0 ? 2 : 1);
     diagnostics_.calls().stand(interpreter_.blocks_read(), flow_->chain(), flow_->line_within());
-    const Interpreter::FlatLine line{.text = flat.substr(begin, end - begin),
-                                     .line_end = flat.substr(end, next - end),
-                                     .number = flow_->line_in_program(),
-                                     .is_as_written = flow_->is_as_written(),
-                                     .calls_the_machine =
-                                         flow_->calls_the_machine() && next == flat.size()};
+    const Interpreter::FlatLine line{
+        .text = flat.substr(begin, end - begin),
+        .line_end = flat.substr(end, next - end),
+        .number = flow_->line_in_program(),
+        .is_as_written = flow_->is_as_written(),
+        .calls_the_machine = flow_->calls_the_machine() && next == flat.size()};
     if (!interpreter_.read(line, lines)) return false;
     begin = next;
   }

@@ -184,7 +184,7 @@ class SinumerikFlow : public Flow, private Variables {
   std::string_view line_{};
   NamedHead head_{};
   std::vector<Piece> pieces_{};
-  bool has_computed_ = false;  // an assignment, or a call
+  bool has_computed_ = false;                  // an assignment, or a call
   std::vector<std::string> calls_of_line_{};   // of what only the machine has
   std::vector<std::string> given_to_calls_{};  // variables, which such a call may change
   std::string lost_to_{};  // the last of all of these, which may have set any R parameter

@@ -59,6 +59,11 @@ bool is_signed_expression(std::string_view line, std::size_t word) {
   return begins_name(sign) || sign == '$' || sign == '(';
 }
 
+// R[1]=5
+bool is_indexed_parameter(std::string_view line, std::size_t word) {
+  return upper(sign_at(line, word)) == 'R' && sign_at(line, behind_blanks(line, word + 1)) == '[';
+}
+
 bool computes_word(const ProgramSetup& setup, const NamedWord& word) {
   const bool knows_programs = !setup.copies_unknown_words || !setup.subprograms.empty();
   switch (word.kind) {
@@ -168,7 +173,8 @@ bool sinumerik_computes(const ProgramSetup& setup, std::string_view line) {
     if (word.kind == NamedWord::Kind::fault) {
       const TextFault& fault = reader.fault();
       return fault.code == Code::nc_unsupported ||
-             (fault.code == Code::nc_number && is_signed_expression(line, fault.begin));
+             (fault.code == Code::nc_number &&
+              (is_signed_expression(line, fault.begin) || is_indexed_parameter(line, fault.begin)));
     }
     if (computes_word(setup, word)) return true;
   }

@@ -353,8 +353,7 @@ Value SinumerikFlow::content_of(const Place& place, ExpressionReader& expression
     return {.number = known->second};
   const std::string name = "R" + std::to_string(place.parameter);
   if (const double* const value = given(name)) return {.number = *value};
-  return without_value(expression, Code::variable_unset, begin,
-                       name + lost);
+  return without_value(expression, Code::variable_unset, begin, name + lost);
 }
 
 Value SinumerikFlow::read(ExpressionReader& expression) {
@@ -379,8 +378,7 @@ Value SinumerikFlow::read(ExpressionReader& expression) {
     std::erase(whole, ' ');
     const double* const value = given(whole);
     const bool is_call = end < line.size() && line[end] == '(';
-    if (value == nullptr && is_call)
-      return expression.fail(Code::expression_invalid, begin, whole);
+    if (value == nullptr && is_call) return expression.fail(Code::expression_invalid, begin, whole);
     expression.go_to(end);
     if (value == nullptr) return without_value(expression, Code::variable_unset, begin, whole);
     return {.number = *value};

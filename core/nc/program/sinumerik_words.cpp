@@ -17,10 +17,10 @@ constexpr std::size_t npos = std::string_view::npos;
 
 char sign_at(std::string_view line, std::size_t at) { return at < line.size() ? line[at] : '\0'; }
 
-// X=AC(…) and the like, and PM(…) of a feed.
+// X=AC(…) and the like, PM(…) of a feed, QU(…) of M and H.
 bool is_reference(std::string_view name) {
   constexpr auto references =
-      std::to_array<std::string_view>({"AC", "IC", "DC", "ACP", "ACN", "PM"});
+      std::to_array<std::string_view>({"AC", "IC", "DC", "ACP", "ACN", "PM", "QU"});
   return std::ranges::find(references, name) != references.end();
 }
 
@@ -91,8 +91,14 @@ bool SinumerikFlow::execute_words(std::string& flat) {
 bool SinumerikFlow::scan_word(std::size_t& at, std::vector<Call>& calls) {
   const std::size_t begin = at;
   if (line_[at] == '$') {
-    const std::string name = name_at(line_, at + 1);
-    return refuse(Code::machine_state, at, "$" + name);
+    const std::string name = "$" + name_at(line_, at + 1);
+    std::size_t behind = behind_blanks(line_, at + name.size());
+    if (sign_at(line_, behind) == '[') behind = behind_bracket(line_, behind);
+    behind = behind_blanks(line_, behind);
+    if (!is_sinumerik_word(name) || behind == 0 || sign_at(line_, behind) != '=')
+      return refuse(Code::machine_state, at, name);
+    at = behind + 1;
+    return scan_value(begin, at);
   }
   if (!is_letter(line_[at]) && line_[at] != '_') {
     at = line_.size();

@@ -44,7 +44,7 @@ bool is_statement(std::string_view comment) {
 }  // namespace
 
 void CodeReader::skip_blanks() {
-  while (peek() == ' ' || peek() == '\t') ++at_;
+  while (const std::size_t blank = blank_at_start(line_.substr(at_))) at_ += blank;
 }
 
 CodeWord CodeReader::fail(Code code, std::size_t begin, std::size_t end, std::string detail) {

@@ -21,6 +21,12 @@ std::size_t length_of_name(std::string_view letters) {
   return side ? 2 : letters.size();
 }
 
+// X, IX: of DR and the like a sign may stand for itself.
+bool takes_a_coordinate(std::string_view name) {
+  if (name.starts_with('I') && name.size() == 2) name.remove_prefix(1);
+  return name.size() == 1 && std::string_view("ABCUVWXYZ").find(name[0]) != std::string_view::npos;
+}
+
 }  // namespace
 
 bool is_continued_klartext(std::string_view line) {
@@ -37,10 +43,12 @@ bool is_klartext_comment(std::string_view block) {
 }
 
 void KlartextReader::skip_blanks() {
-  for (;; ++at_) {
+  while (at_ < block_.size()) {
     const char sign = peek();
-    if (sign != ' ' && sign != '\t' && sign != '~' && !is_line_end(sign)) return;
-    if (at_ >= block_.size()) return;
+    const std::size_t blank =
+        sign == '~' || is_line_end(sign) ? 1 : blank_at_start(block_.substr(at_));
+    if (blank == 0) return;
+    at_ += blank;
   }
 }
 
@@ -115,7 +123,14 @@ KlartextWord KlartextReader::numbered(KlartextWord found) {
       found.end = static_cast<std::uint32_t>(at_);
       return found;
     }
-    if (!is_digit(behind) && behind != '.') {
+    // X + 40 of hand-written programs.
+    const std::size_t digits = std::min(block_.find_first_not_of(" \t", at_ + 1), block_.size());
+    const bool is_apart = digits > at_ + 1 && digits < block_.size() &&
+                          (is_digit(block_[digits]) || block_[digits] == '.') &&
+                          found.kind == Kind::value && takes_a_coordinate(found.name);
+    if (is_apart) {
+      at_ = digits;
+    } else if (!is_digit(behind) && behind != '.') {
       if (found.kind == Kind::number)
         return fail(Code::nc_syntax, found.begin, std::string(1, peek()));
       found.kind = Kind::sign;
@@ -128,6 +143,8 @@ KlartextWord KlartextReader::numbered(KlartextWord found) {
   const std::size_t behind = at_ + length;
   if (length == 0 || !std::isfinite(found.value))
     return fail(Code::nc_number, found.begin, found.name);
+  if (is_digit(block_[at_]) || block_[at_] == '.')
+    found.value = found.negative ? -std::abs(found.value) : found.value;
   if (behind + 1 < block_.size() && block_[behind] == ',' && is_digit(block_[behind + 1]))
     return fail(Code::nc_number, found.begin,
                 found.name + ", a decimal comma: write a decimal point");

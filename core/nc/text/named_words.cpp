@@ -28,7 +28,7 @@ std::size_t colon_of_label(std::string_view line, std::size_t begin) {
 }  // namespace
 
 void NamedWordReader::skip_blanks() {
-  while (peek() == ' ' || peek() == '\t') ++at_;
+  while (const std::size_t blank = blank_at_start(line_.substr(at_))) at_ += blank;
 }
 
 // The rest of the line is passed over: what it means hangs on what was not understood.
@@ -71,10 +71,28 @@ NamedWord NamedWordReader::next() {
             .begin = static_cast<std::uint32_t>(begin),
             .end = static_cast<std::uint32_t>(at_)};
   }
+  if (sign == '$' && is_assigned()) {
+    ++at_;
+    NamedWord variable = name();
+    --variable.begin;
+    variable.name.insert(0, "$");
+    return variable;
+  }
   if (sign == '$') return fail(Code::nc_unsupported, begin, "$, a system variable");
   const auto byte = static_cast<unsigned char>(sign);
   if (byte < 0x20 || byte >= 0x7f) return fail(Code::nc_not_text, begin, "outside a comment");
   return fail(Code::nc_syntax, begin, std::string(1, sign));
+}
+
+// $AC_TIMER[1]=0, from the $ on.
+bool NamedWordReader::is_assigned() const {
+  std::size_t at = at_ + 1;
+  while (at < line_.size() && (is_letter(line_[at]) || is_digit(line_[at]) || line_[at] == '_'))
+    ++at;
+  if (at == at_ + 1) return false;
+  if (at < line_.size() && line_[at] == '[') at = line_.find(']', at);
+  at = at < line_.size() ? line_.find_first_not_of(" \t]", at) : at;
+  return at < line_.size() && line_[at] == '=' && line_.compare(at, 2, "==") != 0;
 }
 
 bool NamedWordReader::read_plain_number(NamedWord& word) {
@@ -96,7 +114,8 @@ bool NamedWordReader::read_plain_number(NamedWord& word) {
   return false;
 }
 
-// Behind `=`: a number, a text, AC(…), IC(…), PM(…) of a feed. Else `fault_` says what it is.
+// Behind `=`: a number, a text, AC(…), IC(…), PM(…) of a feed, QU(…) of M and H. Else `fault_` says
+// what it is.
 bool NamedWordReader::read_value(NamedWord& word) {
   skip_blanks();
   if (begins_number(peek())) return read_plain_number(word);
@@ -115,11 +134,12 @@ bool NamedWordReader::read_value(NamedWord& word) {
   const bool reference = function == "AC" || function == "IC" || function == "DC" ||
                          function == "ACP" || function == "ACN";
   const bool feed = function == "PM";
-  if ((reference || feed) && peek() == '(') {
+  const bool quick = function == "QU" && (word.letter == 'M' || word.letter == 'H');
+  if ((reference || feed || quick) && peek() == '(') {
     ++at_;
     skip_blanks();
     word.reference = function == "IC" ? NamedWord::Reference::incremental
-                     : feed           ? NamedWord::Reference::modal
+                     : feed || quick  ? NamedWord::Reference::modal
                                       : NamedWord::Reference::absolute;
     if (begins_number(peek())) {
       if (!read_plain_number(word)) return false;

@@ -55,6 +55,7 @@ class NamedWordReader {
   [[nodiscard]] NamedWord name();
   [[nodiscard]] bool read_value(NamedWord& word);
   [[nodiscard]] bool read_variable();
+  [[nodiscard]] bool is_assigned() const;
   [[nodiscard]] bool read_plain_number(NamedWord& word);
   [[nodiscard]] std::size_t end_of_call(std::size_t begin) const;
   [[nodiscard]] NamedWord fail(Code code, std::size_t begin, std::string detail);
