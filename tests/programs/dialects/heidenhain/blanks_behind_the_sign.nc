@@ -1,0 +1,10 @@
+; radius 2
+; path -2 0 L; -2 40 L; -20 40 L
+0 BEGIN PGM A MM
+1 TOOL CALL 1 Z S2000
+2 L X - 20 Y + 0 R0 FMAX
+3 L Z - 5 R0 F100
+4 L X + 0 Y+0 RL F300
+5 L IY + 40
+6 L X -20 R0 FMAX M2
+7 END PGM A MM

@@ -1,0 +1,36 @@
+; tool 3 4
+; settings first, then two bores by the tool in the spindle
+G17
+G21
+G54
+G61
+G40
+G49
+G80
+G90
+T3 M6
+G43
+G0 X50 Y50
+G0 Z30
+S3000
+M3
+M8
+G0 Z10
+F250
+G1 Z-1
+G41
+G1 X70 Y50
+G3 I-20
+G40
+G1 X50 Y50
+G0 Z10
+G0 X120
+G1 Z-1
+G41 G1 X135 F400
+G3 X105 Y50 I-15 J0
+G3 X135 Y50 I15 J0
+G40 G1 X120
+G0 Z30
+M9
+M5
+M2
