@@ -71,15 +71,15 @@ bool FanucFlow::call(std::string& flat, ComputedWord& word) {
     }
     return pass_call(call->number, true);
   }
-  auto unit = unit_of(call->number, call->begin);
   // Of older controls: repetitions in front of the four digits of the program.
   constexpr std::int64_t of_four_digits = 10'000;
-  const bool is_there = units_of_number_.contains(call->number);
-  if (unit || is_there || call->says_times || call->number < of_four_digits)
-    return unit && enter_unit(flat, *unit, call->times, nullptr);
-  unit = unit_of(call->number % of_four_digits, call->begin);
-  return unit && enter_unit(flat, *unit, static_cast<std::uint64_t>(call->number / of_four_digits),
-                            nullptr);
+  const bool holds_times = !units_of_number_.contains(call->number) && !call->says_times &&
+                           call->number >= of_four_digits;
+  const auto unit =
+      unit_of(holds_times ? call->number % of_four_digits : call->number, call->begin);
+  const auto times =
+      holds_times ? static_cast<std::uint64_t>(call->number / of_four_digits) : call->times;
+  return unit && enter_unit(flat, *unit, times, nullptr);
 }
 
 std::optional<bool> FanucFlow::call_by_name(std::string& flat) {

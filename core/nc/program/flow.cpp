@@ -85,12 +85,17 @@ bool Flow::enter(Frame callee) {
   callee.chain =
       calls_.enter(caller.chain, callee.name, texts_[caller.text].number(caller.current));
   if (looks_ahead_) {
+    forget_values();
     ahead_.push_back({.frames = frames_});
     ahead_.back().frames.push_back(std::move(callee));
     return true;
   }
   frames_.push_back(std::move(callee));
   return true;
+}
+
+void Flow::forget_values() {
+  for (Stretch& stretch : ahead_) stretch.knows_values = false;
 }
 
 Flow::Step Flow::step(std::string& flat) {

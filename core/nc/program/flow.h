@@ -86,6 +86,8 @@ class Flow {
   // So many levels of variables are known from now on: the main program has the first.
   virtual void keep_variables(std::size_t levels) = 0;
   [[nodiscard]] bool looks_ahead() const { return looks_ahead_; }
+  // Where lines are looked at: what is called, and not executed, may have set variables.
+  void forget_values();
   // Where lines lie ahead they are passed over, whatever holds: a subprogram that is defined here.
   void pass_over(std::size_t line) { passed_over_ = line; }
 

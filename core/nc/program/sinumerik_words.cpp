@@ -401,7 +401,10 @@ bool SinumerikFlow::call(std::string& flat, const Call& call) {
     comment.append(" ").append(line_.substr(pieces_.back().begin));
   Scope scope;
   if (!pass_arguments(call, scope)) return false;
-  if (looks_ahead()) return write_words(flat);  // what its parameters are is not known
+  if (looks_ahead()) {  // what its parameters are is not known
+    forget_values();
+    return write_words(flat);
+  }
   if (is_alone) {
     write_behind_number(flat, comment);
   } else {
