@@ -74,7 +74,8 @@ bool FanucFlow::call(std::string& flat, ComputedWord& word) {
   // Of older controls: repetitions in front of the four digits of the program.
   constexpr std::int64_t of_four_digits = 10'000;
   const bool holds_times = !units_of_number_.contains(call->number) && !call->says_times &&
-                           call->number >= of_four_digits;
+                           call->number >= of_four_digits &&
+                           units_of_number_.contains(call->number % of_four_digits);
   const auto unit =
       unit_of(holds_times ? call->number % of_four_digits : call->number, call->begin);
   const auto times =
