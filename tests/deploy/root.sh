@@ -22,7 +22,10 @@ copy_root() {
 in_root() {
   local root=$1 seconds=$2 command=$3
   timeout --kill-after=30 "$seconds" unshare --mount --pid --fork --kill-child ${isolate:-} bash -c '
-    mount -t proc proc "$1/proc" && mkdir -p "$1/dev/shm" && mount -t tmpfs tmpfs "$1/dev/shm" &&
+    mount -t proc proc "$1/proc" && mkdir -p "$1/dev/shm" "$1/dev/pts" &&
+      mount -t tmpfs tmpfs "$1/dev/shm" &&
+      mount -t devpts -o newinstance,ptmxmode=0666 devpts "$1/dev/pts" &&
+      ln -sf pts/ptmx "$1/dev/ptmx" &&
       exec chroot "$1" /usr/bin/env -i HOME=/root TERM=dumb LANG=C.UTF-8 \
         PATH=/usr/local/sbin:/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin \
         ${http_proxy:+"http_proxy=$http_proxy"} bash -c "$2"' in_root "$root" "$command" </dev/null

@@ -27,6 +27,8 @@ for _ in $(seq 100); do
 done
 [ -n "$address" ] || { echo "trcd did not start" >&2; exit 1; }
 
+# The one that the build needs as well; make is not there on a bare machine.
+export CMAKE_GENERATOR=Ninja
 modules=$top/.ci/node/node_modules
 # Where npm is missing these are skipped, but never in CI.
 without_modules() {

@@ -34,7 +34,7 @@ done
 readelf -d contour | grep -F '[libtrc.so.0]' >/dev/null || fail "not linked by its soname"
 
 ./contour | diff expected - || fail "the README says something else"
-cmake -S . -B build "-DCMAKE_PREFIX_PATH=$prefix" >messages && cmake --build build >>messages ||
+cmake -G Ninja -S . -B build "-DCMAKE_PREFIX_PATH=$prefix" >messages && cmake --build build >>messages ||
   fail "not found by CMake: $(cat messages)"
 ./build/contour | diff expected - || fail "another answer when built by CMake"
 ./compensate bracket.nc >text
