@@ -32,6 +32,12 @@ class BoxAlong {
     high_ = high_.cwiseMax(seen);
   }
   void add(const Box& box);
+  // All within `margin` of a point.
+  void add(const Point& point, double margin) {
+    const Vector seen{along_.dot(point), cross(along_, point)};
+    low_ = low_.cwiseMin(Vector(seen.array() - margin));
+    high_ = high_.cwiseMax(Vector(seen.array() + margin));
+  }
   // Of what is not empty.
   [[nodiscard]] Box box() const;
 

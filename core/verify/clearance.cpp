@@ -1,13 +1,18 @@
 #include "core/verify/clearance.h"
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <utility>
 #include <vector>
 
+#include "core/verify/capsule.h"
 #include "core/verify/coverage.h"
 #include "core/verify/disk.h"
+#include "core/verify/four_walls.h"
 #include "core/verify/nearest.h"
 #include "core/verify/selection_walls.h"
 #include "core/verify/shape.h"
@@ -20,7 +25,15 @@ namespace {
 constexpr double longest_probe = 2;  // rad
 
 // Pieces one behind the other are near to the same walls: those are looked for together.
-constexpr std::size_t group_size = 16;
+// Of long pieces there are fewer in a group, else what is near to all of them together is most of
+// the contour.
+constexpr std::size_t most_of_group = 32;
+constexpr std::size_t few_of_group = 20;
+constexpr double reach_of_group = 8;  // times the tool radius
+
+// Of laps so many pieces of path are known again; a power of 2.
+constexpr std::size_t most_clear = std::size_t{1} << 16U;
+constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
 
 // What is told of the worst place, and what is looked for below the least margin that was seen, are
 // each exact to half of it.
@@ -52,27 +65,24 @@ class Selection {
         sides_(walls_.sides()),
         tree_(walls_.tree()),
         is_plain_(walls_.are_plain()) {
+    // Rules count upwards.
+    const ProgrammedPiece& first = held_.programmed()[begin_];
+    has_one_rule_ = first.rule == held_.programmed()[end_ - 1].rule;
+    required_by_rule_ = held_.rule_of(first).required;
     report_.walls = tree_.walls();
     report_.wall_length = walls_.length();
     if (settings.uncut) touched_.resize(end_ - begin_);
+    if (sides_.sides.size() == 1 && !sides_.sides.front().rings.empty())
+      clear_before_.assign(std::min(most_clear, std::bit_ceil(2 * (end_ - begin_))), none);
   }
 
   // The pieces of the path from `next` on that stem from this selection. Returns the one behind.
   std::size_t measure_from(std::size_t next) {
     while (has(next)) {
-      std::size_t behind = next;
-      BoxAlong around;
-      double required = 0;
-      for (; behind < next + group_size && has(behind); ++behind) {
-        const PathPiece& path = held_.path()[behind];
-        add_to(around, path.piece);
-        required = std::max(required, required_of(path));
-      }
-      gouges_ = false;
-      find_near(around.box(), required + margin_of_interest() + slack);
-      for (; next < behind; ++next) {
+      begin_group(next);
+      for (; next < group_.behind; ++next) {
         checkpoint_.pass();
-        measure(held_.path()[next]);
+        measure(next);
       }
       const auto& all = held_.path();
       if (progress_) progress_(next - all.begin(), all.end() - all.begin());
@@ -113,19 +123,58 @@ class Selection {
     return number < held_.path().end() && held_.path()[number].programmed < end_;
   }
 
-  void measure(const PathPiece& path) {
+  void begin_group(std::size_t first) {
+    group_ = {.first = first, .behind = first};
+    is_group_known_ = false;
+    for (; group_.behind < first + most_of_group && has(group_.behind); ++group_.behind) {
+      const PathPiece& path = held_.path()[group_.behind];
+      group_.required = std::max(group_.required, required_of(path));
+      const Vector way = path.piece.end - held_.path()[first].piece.start;
+      const double most = reach_of_group * group_.required;
+      if (group_.behind >= first + few_of_group && way.squaredNorm() > most * most) break;
+    }
+  }
+
+  void measure(std::size_t number) {
     if (tree_.walls() == 0) return;
     ++report_.checked;
+    const PathPiece& path = held_.path()[number];
     const ProgrammedPiece& own = held_.programmed()[path.programmed];
     required_ = required_of(path);
     gouges_ = false;
     if (path.on_contour) check_side(path, own);
     if (!path.inserted && own.is_contour) count_touched(path.programmed, path.piece);
     count_left_out(path);
-    if (!is_clear_here(path.piece)) search(path);
+    if (!is_clear_here(path.piece) && !was_clear(number)) {
+      search(number);
+      // What gouges has been compared with what is nearer than that alone.
+      if (!is_near_ && !gouges_) keep_clear(number);
+    }
     if (!gouges_) return;
     ++report_.gouging;
     if (held_.rule_of(own).accepts) ++report_.accepted;
+  }
+
+  // Laps on top of each other have the same path again and again: where a piece of it was clear,
+  // it is so in later laps, which have to keep clear of no more walls.
+  [[nodiscard]] bool was_clear(std::size_t number) {
+    if (clear_before_.empty()) return false;
+    const PathPiece& path = held_.path()[number];
+    slot_ = slot_of(path.piece);
+    const std::size_t known = clear_before_[slot_];
+    if (known == none) return false;
+    const PathPiece& other = held_.path()[known];
+    return other.programmed <= path.programmed && other.piece == path.piece &&
+           required_of(other) >= required_;
+  }
+  void keep_clear(std::size_t number) {
+    if (!clear_before_.empty()) clear_before_[slot_] = number;
+  }
+  [[nodiscard]] std::size_t slot_of(const Piece& path) const {
+    std::uint64_t key = 0;
+    for (const double value : {path.start.x(), path.start.y(), path.end.x(), path.end.y()})
+      key = (std::rotl(key, 23) ^ std::bit_cast<std::uint64_t>(value)) * 0x9E3779B97F4A7C15U;
+    return key >> 32U & (clear_before_.size() - 1);
   }
 
   void count_touched(std::size_t number, const Piece& path) {
@@ -152,6 +201,7 @@ class Selection {
                             : std::min(own, held_.rule_of(held_.programmed()[number - 1]).required);
   }
   [[nodiscard]] double required_of(const PathPiece& path) const {
+    if (has_one_rule_) return required_by_rule_;
     const double own = required_at(path.programmed);
     const bool has_next = path.inserted && path.programmed + 1 < end_;
     return has_next ? std::min(own, required_at(path.programmed + 1)) : own;
@@ -163,6 +213,10 @@ class Selection {
         gouges_ ? std::min(least_gouge_ - half_resolution, -allowed_) : -allowed_;
     return std::max(least_ - half_resolution, of_gouge);
   }
+  // Of any piece, before something of it has been found.
+  [[nodiscard]] double widest_of_interest() const {
+    return std::max(least_ - half_resolution, -allowed_);
+  }
 
   // Path that stands still, beside as many walls as a full circle has, or nearly so.
   [[nodiscard]] bool is_clear_here(const Piece& piece) const {
@@ -171,50 +225,75 @@ class Selection {
            (piece.end - clear_->place).norm() <= slack;
   }
 
-  // The walls that the pieces of a group are compared with, one by one.
-  void find_near(const Box& box, double reach) {
+  // The walls that the pieces of the group are compared with. A box along its way is a narrow one.
+  void find_near() {
     near_.clear();
-    has_near_ = report_.worst && tree_.find_near(box, reach, stretches_);
+    has_near_ = false;
+    is_group_known_ = true;
+    if (!report_.worst) return;
+    const auto& path = held_.path();
+    const Vector way = path[group_.behind - 1].piece.end - path[group_.first].piece.start;
+    const double length = way.norm();
+    BoxAlong around(length > 0 ? Vector(way / length) : Vector::UnitX());
+    for (std::size_t number = group_.first; number < group_.behind; ++number) {
+      Capsule& capsule = capsules_[number - group_.first];
+      capsule = capsule_of(path[number].piece);
+      around.add(capsule.center + capsule.half, capsule.margin);
+      around.add(capsule.center - capsule.half, capsule.margin);
+    }
+    const Box box = around.box();
+    const double reach = group_.required + widest_of_interest() + slack;
+    // What goes round in windings is near to all of them by its box. So is what comes next then.
+    if (!winds_) {
+      has_near_ = tree_.find_near(box, reach, stretches_);
+      winds_ = !has_near_;
+    }
+    if (winds_) {
+      Ring ring = tree_.about_middle(path[group_.first].piece);
+      for (std::size_t number = group_.first + 1; number < group_.behind; ++number)
+        ring = verify::around(ring, tree_.about_middle(path[number].piece));
+      has_near_ = tree_.find_near(box, ring, reach, stretches_);
+      winds_ = has_near_;
+    }
     if (!has_near_) return;
     report_.steps += stretches_.size();
+    origin_ = box.center;
     for (const WallTree::Stretch& stretch : stretches_)
-      tree_.for_each_of(stretch,
-                        [&](const ProgrammedPiece& block, const Piece& wall, std::size_t first) {
-                          const Disk disk = disk_of(wall);
-                          if (least_gap(disk, box) < reach)
-                            near_.push_back({.disk = disk,
-                                             .support = wall.is_arc() ? Support() : Support(wall),
-                                             .wall = wall,
-                                             .block = &block,
-                                             .first = first});
-                        });
+      near_.push_back(tree_.leaf_of(stretch, origin_));
   }
 
-  void search(const PathPiece& path) {
+  void search(std::size_t number) {
+    const PathPiece& path = held_.path()[number];
     const double margin = margin_of_interest();
     is_near_ = false;
+    if (!is_group_known_) find_near();
     if (has_near_)
-      search_near(path);
+      search_near(path, capsules_[number - group_.first]);
     else
       search_all(path);
     if (!is_near_) clear_ = {.place = path.piece.start, .margin = margin, .required = required_};
   }
 
-  void search_near(const PathPiece& path) {
-    const Piece& piece = path.piece;
-    const Disk disk = disk_of(piece);
-    const bool is_line = !piece.is_arc();
-    const Support support = is_line ? Support(piece) : Support();
+  void search_near(const PathPiece& path, const Capsule& capsule) {
+    double least = least_;
     double reach = required_ + margin_of_interest() + slack;
-    for (const NearWall& near : near_) {
-      // Most walls are told apart by one of these already.
-      const double apart = reach + disk.radius + near.disk.radius;
-      if (apart < 0 || (disk.center - near.disk.center).squaredNorm() >= apart * apart) continue;
-      if (is_line && !near.wall.is_arc() &&
-          (support.is_apart(near.wall, reach) || near.support.is_apart(piece, reach)))
-        continue;
-      compare(path, *near.block, near.wall, near.first);
+    FourWalls::Surroundings around(capsule, origin_, reach);
+    FourRings::Surroundings between;
+    if (winds_) between = {tree_.about_middle(path.piece), reach};
+    for (const WallTree::Leaf& leaf : near_) {
+      if (winds_ && leaf.rings.near(between) == 0) continue;
+      FourWalls::Bits near = leaf.walls.near(around);
+      if (near == 0) continue;
+      if (winds_) near &= leaf.rings.near(between);
+      tree_.for_each_of(leaf, near,
+                        [&](const ProgrammedPiece& block, const Piece& wall, std::size_t first) {
+                          if (!are_apart(path.piece, wall, reach))
+                            compare(path, block, wall, first);
+                        });
+      if (least_ == least) continue;
+      least = least_;
       reach = required_ + margin_of_interest() + slack;
+      around = FourWalls::Surroundings(capsule, origin_, reach);
     }
   }
 
@@ -370,20 +449,29 @@ class Selection {
   const SidedWalls& sides_;
   const WallTree& tree_;
   bool is_plain_;
+  bool has_one_rule_ = false;
+  double required_by_rule_ = 0;  // then, mm
   ClearanceReport report_;
   double least_ = std::numeric_limits<double>::infinity();        // margin that was seen, mm
   double least_gouge_ = std::numeric_limits<double>::infinity();  // of a gouge, mm
   std::vector<std::vector<Stretch>> touched_;  // of each programmed piece, where that is asked for
-  // A wall that may be near to the group of pieces that is being measured.
-  struct NearWall {
-    Disk disk{};
-    Support support{};  // of a line
-    Piece wall{};
-    const ProgrammedPiece* block = nullptr;
+  // Pieces that are measured one after the other.
+  struct Group {
     std::size_t first = 0;
+    std::size_t behind = 0;
+    double required = 0;
   };
-  std::vector<NearWall> near_;
-  bool has_near_ = false;  // else they are too many to be looked at for each piece
+  Group group_{};
+  std::array<Capsule, most_of_group> capsules_;  // around them
+  // Numbers of pieces of path that were clear, by slot_of(); empty: there are no laps.
+  std::vector<std::size_t> clear_before_;
+  std::size_t slot_ = 0;  // of the piece that is being measured
+  // What may be near to the group.
+  bool is_group_known_ = false;
+  bool winds_ = false;  // looked for by its distances from the middle of all walls as well
+  std::vector<WallTree::Leaf> near_;
+  Point origin_ = Point::Zero();  // that its coordinates count from
+  bool has_near_ = false;         // else they are too many to be looked at for each piece
   std::vector<WallTree::Stretch> stretches_;
   // A place of the path that is clear with `slack` to spare.
   struct Clear {

@@ -11,7 +11,7 @@ namespace trc::verify {
 namespace {
 
 // So much farther from a wall than the tool radius a path still touches it, mm.
-constexpr double touch = 1e-3;
+constexpr double most_apart = 1e-3;
 
 // How far along the programmed block the path begins and ends beside it.
 Stretch beside(const Line& programmed, const Segment& path) {
@@ -41,7 +41,7 @@ Stretch beside(const Arc& programmed, const Segment& path) {
 
 // Of two arcs about one centre.
 Stretch beside_arc(const Piece& programmed, const Piece& path, double required) {
-  if (std::abs(std::abs(path.radius() - programmed.radius()) - required) > touch) return {};
+  if (std::abs(std::abs(path.radius() - programmed.radius()) - required) > most_apart) return {};
   return beside(std::get<Arc>(segment_of(programmed)), segment_of(path));
 }
 
@@ -49,7 +49,7 @@ Stretch beside_arc(const Piece& programmed, const Piece& path, double required) 
 Stretch beside(const Segment& programmed, const Segment& path, double required) {
   const Point middle = place_at(path, 0.5).point;
   const double apart = (nearest_point(programmed, middle) - middle).norm();
-  if (std::abs(apart - required) > touch) return {};
+  if (std::abs(apart - required) > most_apart) return {};
   return std::visit([&](const auto& shape) { return beside(shape, path); }, programmed);
 }
 
@@ -64,17 +64,17 @@ Stretch beside(const Piece& programmed, const Piece& path, double required) {
   if (!(from < to) || middle < from || middle > to) return {};
   const Point on_path = path.start + (middle - from) / (to - from) * (path.end - path.start);
   const double apart = std::abs(cross(along, on_path - programmed.start));
-  return std::abs(apart - required) > touch ? Stretch{} : Stretch{.from = from, .to = to};
+  return std::abs(apart - required) > most_apart ? Stretch{} : Stretch{.from = from, .to = to};
 }
 
 }  // namespace
 
 Stretch touched(const Piece& programmed, const Stretch& within, const Piece& path,
                 double required) {
-  if (programmed.is_arc() && std::abs(programmed.radius() - required) <= touch &&
-      (path.start - programmed.center).norm() <= touch)
+  if (programmed.is_arc() && std::abs(programmed.radius() - required) <= most_apart &&
+      (path.start - programmed.center).norm() <= most_apart)
     return within;
-  if (path.length() == 0 || programmed.length() == 0) return {};
+  if (path.is_point() || programmed.is_point()) return {};
   Stretch stretch;
   if (!programmed.is_arc() && !path.is_arc())
     stretch = beside(programmed, path, required);

@@ -19,10 +19,4 @@ struct Disk {
   return (a.center - b.center).norm() - a.radius - b.radius;
 }
 
-// The same of a disk and an upright box.
-[[nodiscard]] inline double least_gap(const Disk& a, const Box& upright) {
-  const Vector apart = (a.center - upright.center).cwiseAbs() - upright.half;
-  return apart.cwiseMax(Vector::Zero()).norm() - a.radius;
-}
-
 }  // namespace trc::verify

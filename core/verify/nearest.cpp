@@ -18,12 +18,18 @@ Point nearest_on(const Line& line, const Point& point) {
   return line.start + share * along;
 }
 
+double square_between(const Point& point, const Line& line) {
+  return (nearest_on(line, point) - point).squaredNorm();
+}
+
 // Whether `out` lies in the sector of at most half a turn from `first` to the left.
 bool is_between(const Vector& first, const Vector& last, const Vector& out) {
   // A sector of next to nothing, whose ends rounding has changed about, has nothing opposite it.
   if (first.dot(last) > 0 && out.dot(first) < 0) return false;
   return cross(first, out) >= 0 && cross(out, last) >= 0;
 }
+
+constexpr double same_radius = 1e-7;  // mm, at the start and at the end of an arc
 
 // An arc, with what comparing it asks for again and again.
 class Bow {
@@ -51,6 +57,47 @@ class Bow {
   [[nodiscard]] double inner() const { return std::min(radius_, end_radius_); }
   [[nodiscard]] double outer() const { return std::max(radius_, end_radius_); }
 
+  // All of a line lies behind the centre, seen from every place of the arc: none of them is nearer
+  // to it than `distance`, mm. False: it may be, or may not.
+  [[nodiscard]] bool looks_away_from(const Line& line, double distance) const {
+    // Up to 120 degrees a direction between both ends is a sum of them, with one of the two in all
+    // at least and two of them at most.
+    if (!is_minor_ || from_.dot(to_) < -0.5 * from_.squaredNorm()) return false;
+    const double room = (inner() - distance) * inner();
+    const Vector start = line.start - center_;
+    const Vector end = line.end - center_;
+    return std::max(std::max(start.dot(from_), start.dot(to_)),
+                    std::max(end.dot(from_), end.dot(to_))) <= (room > 0 ? 0.5 * room : room);
+  }
+  // All of a line lies beyond one of its ends, where an end is nearest to it, and both ends are no
+  // nearer to it than `distance`, mm. False: it may be so, or not.
+  [[nodiscard]] bool ends_before(const Line& line, double distance) const {
+    if (!is_minor_) return false;
+    const Vector start = line.start - center_;
+    const Vector end = line.end - center_;
+    const Vector& first = turns_left_ ? from_ : to_;
+    const Vector& last = turns_left_ ? to_ : from_;
+    const bool is_beyond = (cross(first, start) <= 0 && cross(first, end) <= 0) ||
+                           (cross(last, start) >= 0 && cross(last, end) >= 0);
+    const double square = distance * distance;
+    return is_beyond && distance >= 0 && square_between(start_, line) >= square &&
+           square_between(end_, line) >= square;
+  }
+  // The same of another arc, by what it lies within.
+  [[nodiscard]] bool ends_before(const Bow& other, double distance) const {
+    // An arc that does not end on its circle is not all within that.
+    if (!is_minor_ || !other.is_minor_ || other.outer() - other.inner() > same_radius) return false;
+    const Vector& first = turns_left_ ? from_ : to_;
+    const Vector& last = turns_left_ ? to_ : from_;
+    const Vector rise = other.rise();
+    const Vector start = other.start_ - center_;
+    const Vector end = other.end_ - center_;
+    const double before = std::max(cross(first, start), cross(first, end));
+    const double behind = std::min(cross(last, start), cross(last, end));
+    const bool is_beyond = before + std::max(0.0, cross(first, rise)) <= 0 ||
+                           behind + std::min(0.0, cross(last, rise)) >= 0;
+    return is_beyond && other.distance(start_) >= distance && other.distance(end_) >= distance;
+  }
   // Whether the arc passes this direction from its centre.
   [[nodiscard]] bool holds(const Vector& out) const {
     const Vector& first = turns_left_ ? from_ : to_;
@@ -71,6 +118,18 @@ class Bow {
   }
 
  private:
+  // From the chord of an arc of at most half a turn to beyond all of it.
+  [[nodiscard]] Vector rise() const {
+    const Vector chord = end_ - start_;
+    const double square = chord.squaredNorm();
+    const double across = cross(chord, from_);
+    const double length = std::sqrt(square);
+    if (length == 0) return Vector::Zero();
+    // The bow lies on the right of the chord where the arc turns left.
+    const double turned = turns_left_ ? -1 : 1;
+    return turned * std::max(0.0, outer() - turned * across / length) / length * left_of(chord);
+  }
+
   Point start_;
   Point end_;
   Point center_;
@@ -97,6 +156,7 @@ struct Least : Gap {
 // The smallest distance is taken at an end of one of the two, where they cross, or at the foot of
 // the centre. `on_a` is on the line.
 Gap gap_of(const Line& line, const Bow& arc, double enough) {
+  if (arc.looks_away_from(line, enough)) return {enough, line.start};
   const Vector along = line.end - line.start;
   const double square = along.squaredNorm();
   const double share = square > 0 ? (arc.center() - line.start).dot(along) / square : 0;
@@ -106,6 +166,7 @@ Gap gap_of(const Line& line, const Bow& arc, double enough) {
   const double farthest = std::sqrt(
       std::max((line.start - arc.center()).squaredNorm(), (line.end - arc.center()).squaredNorm()));
   if (arc.inner() - farthest >= enough) return {arc.inner() - farthest, foot};
+  if (arc.ends_before(line, enough)) return {enough, foot};
   Least least;
   least.note(line.start, arc.distance(line.start));
   least.note(line.end, arc.distance(line.end));
@@ -135,6 +196,7 @@ Gap gap_of(const Bow& a, const Bow& b, double enough) {
       std::max({distance - a.outer() - b.outer(), a.inner() - distance - b.outer(),
                 b.inner() - distance - a.outer()});
   if (least_gap >= enough) return {least_gap, a.start()};
+  if (b.ends_before(a, enough) || a.ends_before(b, enough)) return {enough, a.start()};
   Least least;
   least.note(a.start(), b.distance(a.start()));
   least.note(a.end(), b.distance(a.end()));
@@ -218,7 +280,7 @@ Gap gap_between(const Piece& a, const Piece& b, double enough) {
     gap.on_a = bow.nearest(gap.on_a);
     return gap;
   }
-  if (Support(a).is_apart(b, enough) || Support(b).is_apart(a, enough)) return {enough, a.start};
+  if (are_apart(a, b, enough)) return {enough, a.start};
   return gap_between(line_of(a), line_of(b));
 }
 

@@ -22,26 +22,21 @@ struct Gap {
 // Where it is `enough` or more, mm, it need not be all.
 [[nodiscard]] Gap gap_between(const Piece& a, const Piece& b, double enough);
 
-// The straight line that one lies on.
-class Support {
- public:
-  Support() = default;
-  explicit Support(const Piece& line) : at_(line.start) {
-    const Vector along = line.end - line.start;
-    const double length = along.norm();
-    if (length > 0) normal_ = left_of(along) / length;
-  }
-  // All of another line lies at least so far, mm, beside it. False: it may, or may not.
-  [[nodiscard]] bool is_apart(const Piece& line, double distance) const {
-    const double at_start = (line.start - at_).dot(normal_);
-    const double at_end = (line.end - at_).dot(normal_);
-    return at_start * at_end > 0 && std::min(std::abs(at_start), std::abs(at_end)) >= distance;
-  }
+// All of one line lies at least so far, mm, on one side of the straight line that another one lies
+// on. False: it may, or may not.
+[[nodiscard]] inline bool is_beside(const Piece& line, const Piece& other, double distance) {
+  const Vector along = line.end - line.start;
+  const double at_start = cross(along, other.start - line.start);
+  const double at_end = cross(along, other.end - line.start);
+  return at_start * at_end > 0 && std::min(at_start * at_start, at_end * at_end) >=
+                                      distance * distance * along.squaredNorm();
+}
 
- private:
-  Point at_ = Point::Zero();
-  Vector normal_ = Vector::Zero();  // of length 1; 0: it has no direction, and tells nothing
-};
+// No point of one is nearer to one of the other than `distance`, mm, which takes little to tell.
+// False: they may be nearer, or not.
+[[nodiscard]] inline bool are_apart(const Piece& a, const Piece& b, double distance) {
+  return !a.is_arc() && !b.is_arc() && (is_beside(a, b, distance) || is_beside(b, a, distance));
+}
 
 // Of arcs about one centre, the second of at most half a turn: every direction from the centre that
 // the first one passes is one that the second one passes.

@@ -5,8 +5,6 @@
 #include <numbers>
 #include <variant>
 
-#include "core/verify/nearest.h"
-
 namespace trc::verify {
 
 Piece piece_of(const Segment& segment) {
@@ -30,26 +28,29 @@ Box box_of(const Piece& piece) {
   if (length > 0) box.along = chord / length;
   if (!piece.is_arc()) return box;
   // Start and end may lie on circles that differ a little.
-  const double radius = std::max(piece.radius(), (piece.end - piece.center).norm());
-  if (std::abs(piece.sweep) > std::numbers::pi)
+  const double start_radius = piece.radius();
+  const double end_radius = (piece.end - piece.center).norm();
+  const double radius = std::max(start_radius, end_radius);
+  if (std::abs(piece.sweep) > std::numbers::pi || length == 0)
     return {.center = piece.center, .half = {radius, radius}};
-  const double quarter = std::sin(piece.sweep / 4);
-  const double height = 2 * radius * quarter * quarter;
-  const double misfit = std::abs(piece.radius() - (piece.end - piece.center).norm());
   // The bow lies on the right of the chord where the arc turns left.
-  box.center -= std::copysign(height / 2, piece.sweep) * left_of(box.along);
+  const Vector bow = std::copysign(1.0, -piece.sweep) * left_of(box.along);
+  const double height = rise_of(piece, radius, bow);
+  const double misfit = std::abs(start_radius - end_radius);
+  box.center += 0.5 * height * bow;
   box.half += Vector(misfit, height / 2 + misfit);
   return box;
 }
 
 Ring ring_of(const Piece& piece, const Point& center) {
   if (!piece.is_arc()) {
-    const Line line{.start = piece.start, .end = piece.end};
-    const double nearest = (nearest_point(line, center) - center).norm();
+    const Vector along = piece.end - piece.start;
+    const Vector start = piece.start - center;
+    const double square = along.squaredNorm();
+    const double share = square > 0 ? std::clamp(-start.dot(along) / square, 0.0, 1.0) : 0;
     return {.center = center,
-            .inner = nearest,
-            .outer = std::sqrt(
-                std::max((line.start - center).squaredNorm(), (line.end - center).squaredNorm()))};
+            .inner = Vector(start + share * along).norm(),
+            .outer = std::sqrt(std::max(start.squaredNorm(), (piece.end - center).squaredNorm()))};
   }
   const double apart = (piece.center - center).norm();
   const double radius = piece.radius();

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/geometry/segment.h"
@@ -20,7 +21,18 @@ struct Piece {
   [[nodiscard]] double length() const {
     return is_arc() ? radius() * std::abs(sweep) : (end - start).norm();
   }
+  // It has no length.
+  [[nodiscard]] bool is_point() const {
+    return (is_arc() ? start - center : end - start).squaredNorm() == 0;
+  }
+  bool operator==(const Piece&) const = default;
 };
+
+// What an arc of no more than half a turn rises above its chord, mm, at most: `bow` is the unit
+// vector across the chord, towards the arc.
+[[nodiscard]] inline double rise_of(const Piece& arc, double largest_radius, const Vector& bow) {
+  return std::max(0.0, largest_radius - (arc.start - arc.center).dot(bow));
+}
 
 [[nodiscard]] Piece piece_of(const Segment& segment);
 [[nodiscard]] Segment segment_of(const Piece& piece);

@@ -38,6 +38,7 @@ WallTree::WallTree(const HeldPath& held, std::size_t begin, std::size_t end,
   find_middle(checkpoint);
   hide_copies(checkpoint);
   nodes_.reserve(total);
+  leaves_.resize(levels_.front().size);
   build_buckets(checkpoint);
   for (std::size_t level = 1; level < levels_.size(); ++level)
     build_level(levels_[level - 1], checkpoint);
@@ -106,11 +107,11 @@ void WallTree::hide_copies(Checkpoint& checkpoint) {
     return std::array{piece.start.x(),  piece.start.y(),  piece.end.x(), piece.end.y(),
                       piece.center.x(), piece.center.y(), piece.sweep,   static_cast<double>(rule)};
   };
-  // Found by a number made of all, in a table with room for twice as many.
-  const auto key_of = [&](std::size_t number) {
+  // Found by a number made of where it begins and ends, in a table with room for twice as many.
+  const auto key_of = [&](const Piece& piece) {
     std::uint64_t key = 0;
     // The two zeros are the same.
-    for (const double value : what_is_compared(number))
+    for (const double value : {piece.start.x(), piece.start.y(), piece.end.x(), piece.end.y()})
       key = (std::rotl(key, 23) ^ std::bit_cast<std::uint64_t>(value + 0.0)) * 0x9E3779B97F4A7C15U;
     return key;
   };
@@ -122,7 +123,7 @@ void WallTree::hide_copies(Checkpoint& checkpoint) {
     const ProgrammedPiece& block = programmed[number];
     first_.push_back(block.number);
     if (!block.is_contour || !is_whole(block.number)) continue;
-    std::size_t slot = key_of(number) >> 32U & (slots - 1);
+    std::size_t slot = key_of(block.piece) >> 32U & (slots - 1);
     while (latest[slot] != hidden &&
            what_is_compared(begin_ + latest[slot]) != what_is_compared(number)) {
       checkpoint.pass();
@@ -136,28 +137,43 @@ void WallTree::hide_copies(Checkpoint& checkpoint) {
 // Along the way from the begin of its walls to their end.
 void WallTree::build_buckets(Checkpoint& checkpoint) {
   std::array<Piece, bucket_size> walls;
+  std::array<std::size_t, bucket_size> places{};
   for (std::size_t index = 0; index < levels_.front().size; ++index) {
     Node& node = nodes_.emplace_back();
     std::size_t count = 0;
     std::size_t longest = 0;
-    visit_bucket(index, [&](const ProgrammedPiece& block, const Piece& wall, std::uint32_t) {
-      checkpoint.pass();
-      node.required = std::max(node.required, held_->rule_of(block).required);
-      if (std::abs(wall.sweep) > std::abs(walls[longest].sweep) || count == 0) longest = count;
-      walls[count++] = wall;
-    });
+    const std::size_t first = begin_ + index * bucket_size;
+    for (std::size_t place = 0; place < bucket_size && first + place < end_; ++place)
+      visit_wall(first + place, [&](const ProgrammedPiece& block, const Piece& wall, std::size_t) {
+        checkpoint.pass();
+        node.required = std::max(node.required, held_->rule_of(block).required);
+        if (std::abs(wall.sweep) > std::abs(walls[longest].sweep) || count == 0) longest = count;
+        places[count] = place;
+        walls[count++] = wall;
+      });
     if (count == 0) continue;
     const Vector way = walls[count - 1].end - walls[0].start;
     const double length = way.norm();
     BoxAlong box(length > 0 ? Vector(way / length) : Vector::UnitX());
     const bool is_bow = std::abs(walls[longest].sweep) > long_sweep;
-    node.ring.center = is_bow ? walls[longest].center : middle_;
+    Ring about_middle;
+    KeptLeaf& leaf = leaves_[index];
+    leaf.origin = walls[0].start;
     for (std::size_t number = 0; number < count; ++number) {
-      add_to(box, walls[number]);
-      const Ring own = ring_of(walls[number], node.ring.center);
+      const Piece& wall = walls[number];
+      add_to(box, wall);
+      leaf.walls.set(places[number], capsule_of(wall), leaf.origin);
+      const Ring of_wall = ring_of(wall, middle_);
+      leaf.rings.set(places[number], of_wall);
+      about_middle = about_middle.exists() ? around(about_middle, of_wall) : of_wall;
+      if (!is_bow) continue;
+      const Ring own = ring_of(wall, walls[longest].center);
       node.ring = node.ring.exists() ? around(node.ring, own) : own;
     }
     node.box = box.box();
+    node.inner = about_middle.inner;
+    node.outer = about_middle.outer;
+    if (!is_bow) node.ring = about_middle;
   }
 }
 
@@ -175,7 +191,14 @@ void WallTree::build_level(const Level& below, Checkpoint& checkpoint) {
 
 // The ring is about the centre of one of the two, whatever is narrowest.
 WallTree::Node WallTree::both(const Node& a, const Node& b) {
-  Node node{.box = around(a.box, b.box), .required = std::max(a.required, b.required)};
+  Node node{.box = around(a.box, b.box),
+            .inner = std::min(a.inner, b.inner),
+            .outer = std::max(a.outer, b.outer),
+            .required = std::max(a.required, b.required)};
+  if (a.ring.center == b.ring.center) {
+    node.ring = around(a.ring, b.ring);
+    return node;
+  }
   for (const Point& center : {a.ring.center, b.ring.center}) {
     const Ring ring = around(seen_from(center, a.box, a.ring), seen_from(center, b.box, b.ring));
     if (!node.ring.exists() || ring.outer - ring.inner < node.ring.outer - node.ring.inner)
@@ -184,16 +207,16 @@ WallTree::Node WallTree::both(const Node& a, const Node& b) {
   return node;
 }
 
-bool WallTree::find_near(const Box& box, double reach, std::vector<Stretch>& found) const {
-  constexpr std::size_t short_enough = 0;  // levels above the leaves
+template <class IsNear>
+bool WallTree::find_leaves(const IsNear& is_near, std::vector<Stretch>& found) const {
   found.assign(1, whole());
   for (std::size_t next = 0; next < found.size();) {
     const Stretch stretch = found[next];
     const Node& node = node_at(stretch);
-    if (node.required < 0 || least_gap(node.box, box, reach) >= reach) {
+    if (node.required < 0 || !is_near(node)) {
       found[next] = found.back();
       found.pop_back();
-    } else if (stretch.level <= short_enough) {
+    } else if (stretch.level == 0) {
       ++next;
     } else {
       found[next] = {.level = stretch.level - 1, .index = 2 * stretch.index};
@@ -203,6 +226,22 @@ bool WallTree::find_near(const Box& box, double reach, std::vector<Stretch>& fou
     if (found.size() > most_stretches) return false;
   }
   return true;
+}
+
+bool WallTree::find_near(const Box& box, double reach, std::vector<Stretch>& found) const {
+  return find_leaves([&](const Node& node) { return least_gap(node.box, box, reach) < reach; },
+                     found);
+}
+
+bool WallTree::find_near(const Box& box, const Ring& about_middle, double reach,
+                         std::vector<Stretch>& found) const {
+  const double inner = about_middle.inner - reach;
+  const double outer = about_middle.outer + reach;
+  return find_leaves(
+      [&](const Node& node) {
+        return node.outer > inner && node.inner < outer && least_gap(node.box, box, reach) < reach;
+      },
+      found);
 }
 
 double WallTree::gap_of(const Probe& probe, const Stretch& stretch, double reach) const {

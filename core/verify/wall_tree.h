@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -10,6 +11,7 @@
 
 #include "core/base/checkpoint.h"
 #include "core/trc/walls/sided_walls.h"
+#include "core/verify/four_walls.h"
 #include "core/verify/held_path.h"
 
 namespace trc::verify {
@@ -52,10 +54,14 @@ class WallTree {
     std::size_t index = 0;
   };
   // No more of them are worth being looked at for each piece of path.
-  static constexpr std::size_t most_stretches = 24;
+  static constexpr std::size_t most_stretches = 64;
   // The stretches that may be nearer to the box than `reach`, short ones, for several pieces of
   // path there. False: they are too many.
   bool find_near(const Box& box, double reach, std::vector<Stretch>& found) const;
+  // The same of what is in the box and in the ring, which is about the middle of all walls.
+  bool find_near(const Box& box, const Ring& about_middle, double reach,
+                 std::vector<Stretch>& found) const;
+  [[nodiscard]] Ring about_middle(const Piece& path) const { return ring_of(path, middle_); }
 
   // Calls `visit(block, wall, first)` for all walls that may be nearer than
   // `reach(required)`, where `required` is what the wall, or any of those in a node, asks for; the
@@ -97,11 +103,26 @@ class WallTree {
     }
   }
 
-  // Calls `visit(block, wall, first)`, as for_each_near() does, for all walls of a stretch that
-  // find_near() has found.
+  // The walls of a leaf, side by side, seen from `origin`.
+  struct Leaf {
+    std::size_t index = 0;
+    FourWalls walls{};
+    FourRings rings{};  // about the middle of all walls
+  };
+  [[nodiscard]] Leaf leaf_of(const Stretch& found, const Point& origin) const {
+    const KeptLeaf& kept = leaves_[found.index];
+    Leaf leaf{.index = found.index, .walls = kept.walls, .rings = kept.rings};
+    leaf.walls.move_origin(origin - kept.origin);
+    return leaf;
+  }
+  // Calls `visit(block, wall, first)`, as for_each_near() does, for some walls of the leaf.
   template <class Visit>
-  void for_each_of(const Stretch& found, const Visit& visit) const {
-    visit_bucket(found.index, visit);
+  void for_each_of(const Leaf& leaf, FourWalls::Bits wanted, const Visit& visit) const {
+    for (; wanted != 0; wanted &= wanted - 1) {
+      const std::size_t number =
+          begin_ + leaf.index * bucket_size + static_cast<std::size_t>(std::countr_zero(wanted));
+      if (number < end_) visit_wall(number, visit);
+    }
   }
 
   // Whether all of a contour block is a wall.
@@ -112,17 +133,25 @@ class WallTree {
   // Of a tree over so many pieces.
   [[nodiscard]] static std::size_t bytes_for(std::size_t pieces) {
     return sizeof(Node) * (2 * (pieces / bucket_size) + most_levels) +
+           sizeof(KeptLeaf) * (pieces / bucket_size + 1) +
            pieces * (2 * sizeof(std::size_t) + sizeof(std::uint32_t));
   }
 
  private:
-  static constexpr std::size_t bucket_size = 4;  // pieces of a leaf
+  static constexpr std::size_t bucket_size = FourWalls::count;  // pieces of a leaf
   static constexpr std::size_t most_levels = 48;
 
   struct Node {
     Box box{};
-    Ring ring{};           // about an arc's centre, or about the middle of all walls
+    Ring ring{};       // about an arc's centre, or about the middle of all walls
+    double inner = 0;  // of the ring about the middle, mm
+    double outer = -1;
     double required = -1;  // the largest of its walls; negative: it has none
+  };
+  struct KeptLeaf {
+    Point origin = Point::Zero();
+    FourWalls walls{};
+    FourRings rings{};
   };
   struct Level {
     std::size_t first = 0;  // of the nodes
@@ -136,6 +165,8 @@ class WallTree {
   [[nodiscard]] const Node& node_at(const Stretch& stretch) const {
     return nodes_[place_of(stretch)];
   }
+  template <class IsNear>
+  bool find_leaves(const IsNear& is_near, std::vector<Stretch>& found) const;
   // Only whether it is below `reach` need be right.
   [[nodiscard]] double gap_of(const Probe& probe, const Stretch& stretch, double reach) const;
   template <class Visit>
@@ -179,6 +210,7 @@ class WallTree {
   static constexpr std::uint32_t hidden = std::numeric_limits<std::uint32_t>::max();
   std::vector<Node> nodes_;  // level by level, buckets first
   std::vector<Level> levels_;
+  std::vector<KeptLeaf> leaves_;
 };
 
 }  // namespace trc::verify

@@ -41,6 +41,25 @@ std::optional<std::vector<Segment>> begun_legally(const std::vector<Segment>& co
   return std::nullopt;
 }
 
+TrcMode removing_loops(Side side, double radius) {
+  TrcMode mode;
+  mode.side = side;
+  mode.tool_radius = radius;
+  mode.selection = mode.deselection = Selection::direct;
+  mode.transition = Transition::circular;
+  mode.masking = Masking::on;
+  mode.options.remove_masked_blocks = true;
+  return mode;
+}
+
+// With leads to where it begins.
+Contour led_to(const std::vector<Segment>& closed) {
+  const Point first = point_at(closed.front(), 0);
+  return {.approach = {.start = first + Vector(1000, 300), .end = first},
+          .blocks = closed,
+          .retract = {.start = first, .end = first + Vector(1000, -300)}};
+}
+
 class Buffer : public ::testing::TestWithParam<std::tuple<BigShape, Side>> {};
 
 TEST_P(Buffer, HasTheSameBoundary) {
@@ -50,23 +69,12 @@ TEST_P(Buffer, HasTheSameBoundary) {
   for (const std::size_t blocks : {std::size_t{400}, std::size_t{2000}})
     for (const double radius : {0.4, 0.6, 1.0, 3.0, 5.0, 50.0}) {
       SCOPED_TRACE(std::to_string(blocks) + " blocks, R " + std::to_string(radius));
-      TrcMode mode;
-      mode.side = side;
-      mode.tool_radius = radius;
-      mode.selection = mode.deselection = Selection::direct;
-      mode.transition = Transition::circular;
-      mode.masking = Masking::on;
-      mode.options.remove_masked_blocks = true;
+      const TrcMode mode = removing_loops(side, radius);
       const auto whole = big_contour(shape, blocks);
       const auto begun = begun_legally(whole, mode);
       if (!begun) continue;
 
-      Contour contour;
-      contour.blocks = *begun;
-      const Point first = point_at(begun->front(), 0);
-      contour.approach = {.start = first + Vector(1000, 300), .end = first};
-      contour.retract = {.start = first, .end = first + Vector(1000, -300)};
-      const Outcome outcome = compensate(contour, mode, {.batch = 0});
+      const Outcome outcome = compensate(led_to(*begun), mode, {.batch = 0});
       ASSERT_FALSE(outcome.stopped) << message_of(*outcome.error());
       const auto difference =
           difference_of(geos, points_along(whole, 1e-4 * radius), outcome, mode);
@@ -79,6 +87,42 @@ TEST_P(Buffer, HasTheSameBoundary) {
       ++compared;
     }
   EXPECT_GE(compared, 4U);
+}
+
+// The centre path of a tool, with loops removed, as a program in wear mode (D-43): a larger tool
+// leaves the part that GEOS makes with its whole radius.
+TEST_P(Buffer, HasTheSameBoundaryInWearMode) {
+  const auto [shape, side] = GetParam();
+  Geos geos;
+  std::size_t compared = 0;
+  for (const double radius : {0.4, 0.6, 1.0, 3.0, 5.0})
+    for (const double wear : {0.02, 0.3}) {
+      SCOPED_TRACE("R " + std::to_string(radius) + ", wear " + std::to_string(wear));
+      const TrcMode whole_tool = removing_loops(side, radius + wear);
+      const auto part = big_contour(shape, 400);
+      const auto begun = begun_legally(part, whole_tool);
+      if (!begun) continue;
+      const Outcome nominal =
+          compensate(led_to(*begun), removing_loops(side, radius), {.batch = 0});
+      ASSERT_FALSE(nominal.stopped) << message_of(*nominal.error());
+      std::vector<Segment> centre;
+      for (const CompensatedBlock& block : moving(nominal.blocks, 1e-9))
+        if (block.origin != Origin::approach && block.origin != Origin::retract)
+          centre.push_back(block.path);
+      TrcMode mode = removing_loops(side, wear);
+      mode.nominal_radius = radius;
+      const Outcome outcome = compensate(led_to(centre), mode, {.batch = 0});
+      ASSERT_FALSE(outcome.stopped) << message_of(*outcome.error());
+      const auto difference =
+          difference_of(geos, points_along(part, 1e-4 * radius), outcome, whole_tool);
+      ASSERT_TRUE(difference.has_value());
+      // The nominal path is as far off as that of the whole tool, on top of the chords.
+      const double error = 1.5e-3 * (radius + wear);
+      EXPECT_LE(difference->farthest, error);
+      EXPECT_LE(difference->area, error * difference->length);
+      ++compared;
+    }
+  EXPECT_GE(compared, 1U);
 }
 
 // Closed contours of a few lines and arcs, on either side, where they are simple.

@@ -124,7 +124,7 @@ TEST(Gap, IsNotSmallerThanLinesAreApart) {
     const Line a{.start = chance.point(), .end = chance.point()};
     const Line b{.start = chance.point(), .end = chance.point()};
     const double distance = chance.between(0, 50);
-    if (!Support(piece_of(a)).is_apart(piece_of(b), distance)) continue;
+    if (!are_apart(piece_of(a), piece_of(b), distance)) continue;
     ++apart;
     EXPECT_GE(gap_between(a, b).distance, distance - 1e-9) << i;
   }

@@ -358,18 +358,18 @@ bool lies_within(const Closing& inner, const Closing& outer) {
 std::pmr::vector<EndsMeeting> meetings_of_ends(const ContourView& contour, double closing_tolerance,
                                                double tool_radius,
                                                std::pmr::memory_resource* memory) {
-  const double reach = reach_in_radii * tool_radius;
-  const double most = 0.5 * length_of_all(contour);
-  return candidates_of(contour, reach, closing_tolerance, most, memory);
+  return candidates_of(contour, reach_in_radii * tool_radius, closing_tolerance,
+                       0.5 * length_of_all(contour), memory);
 }
 
 std::optional<Closing> find_closing(const ContourView& contour, double closing_tolerance,
                                     double tool_radius) {
   Scratch scratch;
   std::pmr::memory_resource* const memory = scratch.memory();
-  const auto candidates = meetings_of_ends(contour, closing_tolerance, tool_radius, memory);
-  if (candidates.empty()) return std::nullopt;
   const double most = 0.5 * length_of_all(contour);
+  const auto candidates =
+      candidates_of(contour, reach_in_radii * tool_radius, closing_tolerance, most, memory);
+  if (candidates.empty()) return std::nullopt;
   const auto search = [&](Overruns overruns, const auto& may_close) {
     InwardSearch inward(contour, closing_tolerance, overruns, memory);
     for (const Candidate& candidate : candidates)
@@ -380,8 +380,10 @@ std::optional<Closing> find_closing(const ContourView& contour, double closing_t
     return candidate.before + candidate.behind <= most;
   };
   auto closing = search(Overruns::along_the_begin, leaves_half);
-  if (closing && visits_of(contour, *closing, closing_tolerance, memory).size() > 2)
-    closing = search(Overruns::along_the_last_lap, leaves_half);
+  if (closing) {
+    closing->is_alone = visits_of(contour, *closing, closing_tolerance, memory).size() == 2;
+    if (!closing->is_alone) closing = search(Overruns::along_the_last_lap, leaves_half);
+  }
   const auto between_long_leads =
       search(Overruns::along_the_begin, [&](const Candidate& candidate) {
         return is_between_long_leads(contour, candidate, closing_tolerance);

@@ -66,6 +66,7 @@ struct Closing {
   // How far the two are apart, mm, at most, from where the end of the contour joins its begin.
   double gap = 0;
   std::size_t joins = 0;  // the first block at the end that lies on the begin
+  bool is_alone = false;  // between the two the contour does not come by there
 
   // Where an overrun begins, that is where the contour first comes back.
   struct Overrun {

@@ -197,9 +197,12 @@ Walls find_walls(const ContourView& contour, const LeadSettings& settings, doubl
     walls.tail = {closing->joins - std::min<std::size_t>(closing->joins, 1), contour.count};
     walls.touch =
         std::max(closing->gap, kink_in(contour, *closing, tool_radius, settings.input_resolution));
-    const Laps laps(contour, where_laps_meet(*closing), settings.closing_tolerance,
-                    scratch.memory());
-    add_rings(contour, laps, leads, walls);
+    // What comes by once goes over nothing of its own.
+    if (!closing->is_alone || closing->overrun)
+      add_rings(
+          contour,
+          Laps(contour, where_laps_meet(*closing), settings.closing_tolerance, scratch.memory()),
+          leads, walls);
     if (closing->overrun) {
       walls.blocks_of_overrun = closing->first.number - closing->overrun->first.number;
       walls.blocks_of_round = block_from(contour, closing->overrun->second) -

@@ -9,7 +9,7 @@ namespace trc {
 
 Visits visits_of(const ContourView& contour, const Closing& closing, double tolerance,
                  std::pmr::memory_resource* memory) {
-  const auto& [first, second, point, gap, joins, overrun] = closing;
+  const auto& [first, second, point, gap, joins, is_alone, overrun] = closing;
   Visits visits(memory);
   double way = 0;
   const double near = tolerance + gap;
@@ -23,7 +23,10 @@ Visits visits_of(const ContourView& contour, const Closing& closing, double tole
     const Segment segment = contour.segment(number);
     const double length = length_of(segment);
     if (number == first.number) visits.push_back({.place = first, .way = way + first.along});
-    if (number >= first.number && distance(point, segment) <= near) {
+    // Most blocks are farther away than they are long.
+    const double within = (length + near) * (1 + 1e-9);
+    const bool may_be_near = (start_of(segment) - point).squaredNorm() <= within * within;
+    if (number >= first.number && may_be_near && distance(point, segment) <= near) {
       const double along = nearest_along(segment, point);
       if (number > first.number || along > first.along) note(number, along);
       // A circle comes by with both of its ends.

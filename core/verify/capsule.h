@@ -1,0 +1,21 @@
+#pragma once
+
+#include "core/geometry/segment.h"
+#include "core/verify/piece.h"
+
+namespace trc::verify {
+
+// All within `margin` of a straight line: what lies around a piece as narrowly as it takes to tell
+// most walls apart from a path.
+struct Capsule {
+  Point center = Point::Zero();    // the middle of the line
+  Vector half = Vector::Zero();    // from there to its end
+  Vector normal = Vector::Zero();  // across the line, of length 1; 0: the line is a point
+  double half_length = 0;          // mm
+  double margin = 0;               // mm
+};
+
+// Holds all of the piece.
+[[nodiscard]] Capsule capsule_of(const Piece& piece);
+
+}  // namespace trc::verify
