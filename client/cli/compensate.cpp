@@ -95,13 +95,12 @@ Exit write_converted(const Call& call, const v1::ProgramSetup& setup, const std:
   const wire::ProgramSettings read = wire::from_proto(setup, wire::FieldPath("setup"), faults);
   const ConvertedProgram converted = convert_program(
       text, read.path.session.program, *dialect_spelled(call.to), static_cast<int>(call.decimals));
-  if (!converted.fault.empty()) {
+  for (const ConvertedProgram::Fault& fault : converted.faults)
     std::cerr << told(call.program.file + ": error: --to " + call.to + " does not convert " +
-                      converted.fault + " (line " + std::to_string(converted.line) +
+                      fault.word + " (line " + std::to_string(fault.line) +
                       " of the compensated program)")
               << '\n';
-    return Exit::refused;
-  }
+  if (!converted.faults.empty()) return Exit::refused;
   return output.write(converted.text) && output.commit() ? Exit::done : Exit::wrong_call;
 }
 

@@ -134,14 +134,16 @@ std::string markdown(const Table& table) {
   return text;
 }
 
-// What becomes of the functions of a group while TRC is off.
-std::string_view state_of(GGroup group) {
-  switch (group) {
+// What becomes of a function while TRC is off.
+std::string_view state_of(const GFunction& function) {
+  constexpr int inverse_time = 93;
+  switch (function.group) {
     case GGroup::technology:
     case GGroup::axis_technology:
     case GGroup::dwell:
-    case GGroup::feed_mode:
       return "passed on";
+    case GGroup::feed_mode:
+      return function.number == inverse_time ? "passed on while TRC is off" : "passed on";
     case GGroup::zero_shift:
     case GGroup::cycle:
     case GGroup::single_move:
@@ -183,7 +185,7 @@ Table dialects_of() {
       const auto found = known.find(dialect.name);
       row.push_back(found == known.end() ? std::string()
                                          : std::string(found->second->meaning) + ": " +
-                                               std::string(state_of(found->second->group)));
+                                               std::string(state_of(*found->second)));
     }
     table.rows.push_back(std::move(row));
   }

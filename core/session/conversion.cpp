@@ -70,12 +70,16 @@ class Conversion {
     return letters;
   }
 
-  bool fail(const ProgramLine& line, std::string fault) {
-    result_.fault = std::move(fault);
-    result_.line = line.source.line;
+  bool fail(const ProgramLine& line, std::string word) {
+    constexpr std::size_t most_faults = 50;
+    const bool known = std::ranges::find(result_.faults, word, &ConvertedProgram::Fault::word) !=
+                       result_.faults.end();
+    if (!known && result_.faults.size() < most_faults)
+      result_.faults.push_back({.word = std::move(word), .line = line.source.line});
     return false;
   }
   bool read_words(const ProgramLine& line, Words& words);
+  bool read_word(const ProgramLine& line, const WordRange& range, Words& words);
   bool read_mode(const ProgramLine& line, std::string_view word);
   bool read_technology(const ProgramLine& line, std::string_view word, Words& words);
   bool read_tool_call(const ProgramLine& line, std::string_view statement, Words& words);
@@ -223,37 +227,38 @@ bool Conversion::read_technology(const ProgramLine& line, std::string_view given
   return fail(line, word);
 }
 
+// All words are read, also behind one that cannot be said.
 bool Conversion::read_words(const ProgramLine& line, Words& words) {
-  for (const WordRange& range : line.words) {
-    const std::string_view word = line.word(range);
-    switch (range.role) {
-      case WordRole::comment: {
-        std::string_view text = word.substr(1);
-        if (word[0] == '(' && text.ends_with(')')) text.remove_suffix(1);
-        // The number of a program has no place here.
-        if (word[0] != '(' && word[0] != ';' && word[0] != '*') break;
-        words.comment += words.comment.empty() ? "" : " ";
-        words.comment += without_blanks_in_front(without_blanks_behind(text));
-        break;
-      }
-      case WordRole::mode:
-        if (word.ends_with(':')) break;  // a label, to which nothing jumps
-        if (!read_mode(line, capitals(word))) return false;
-        break;
-      case WordRole::technology:
-      case WordRole::stop:
-        // The arcs of a pole have their centres in their own blocks.
-        if (line.klartext && line.klartext->sets_pole) break;
-        if (capitals(word).starts_with("ENDPGM")) break;
-        if (!read_technology(line, word, words)) return false;
-        break;
-      case WordRole::trc:
-        return fail(line, capitals(word));
-      default:
-        break;
+  bool said = true;
+  for (const WordRange& range : line.words) said &= read_word(line, range, words);
+  return said;
+}
+
+bool Conversion::read_word(const ProgramLine& line, const WordRange& range, Words& words) {
+  const std::string_view word = line.word(range);
+  switch (range.role) {
+    case WordRole::comment: {
+      std::string_view text = word.substr(1);
+      if (word[0] == '(' && text.ends_with(')')) text.remove_suffix(1);
+      // The number of a program has no place here.
+      if (word[0] != '(' && word[0] != ';' && word[0] != '*') return true;
+      words.comment += words.comment.empty() ? "" : " ";
+      words.comment += without_blanks_in_front(without_blanks_behind(text));
+      return true;
     }
+    case WordRole::mode:
+      // A label is one to which nothing jumps.
+      return word.ends_with(':') || read_mode(line, capitals(word));
+    case WordRole::technology:
+    case WordRole::stop:
+      // The arcs of a pole have their centres in their own blocks.
+      if (line.klartext && line.klartext->sets_pole) return true;
+      return capitals(word).starts_with("ENDPGM") || read_technology(line, word, words);
+    case WordRole::trc:
+      return fail(line, capitals(word));
+    default:
+      return true;
   }
-  return true;
 }
 
 std::string Conversion::spelled(const Words& words) const {
@@ -305,7 +310,8 @@ std::string Conversion::spelled_comment(std::string comment) const {
 
 bool Conversion::write_line(const ProgramLine& line, std::vector<Block>& blocks) {
   Words words;
-  if (!read_words(line, words) || !write_tool(line, words)) return false;
+  const bool said = read_words(line, words);
+  if (!write_tool(line, words) || !said) return false;
   std::string text = spelled(words);
   const std::string comment = spelled_comment(std::move(words.comment));
   std::erase_if(blocks, [](const Block& block) {
@@ -367,8 +373,7 @@ ConvertedProgram Conversion::run(std::string_view program) {
   if (interpreter.feed(program, lines)) interpreter.finish(lines);
   if (diagnostics.stopped()) {
     const std::vector<Diagnostic> told = diagnostics.take();
-    result_.fault = message_of(told.back());
-    result_.line = told.back().source.line;
+    result_.faults.push_back({.word = message_of(told.back()), .line = told.back().source.line});
     return std::move(result_);
   }
   begin();
@@ -377,9 +382,10 @@ ConvertedProgram Conversion::run(std::string_view program) {
     std::vector<Block> own;
     while (line->has_words && next != blocks.end() && index_of(*next) == line->source.index)
       own.push_back(std::move(*next++));
-    if (ended_ || !write_line(*line, own)) break;
+    if (ended_) break;
+    (void)write_line(*line, own);
   }
-  if (!result_.fault.empty()) {
+  if (!result_.faults.empty()) {
     result_.text.clear();
     return std::move(result_);
   }

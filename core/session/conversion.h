@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "core/nc/state/program_state.h"
 
@@ -11,9 +12,13 @@ namespace trc {
 // A program in the words of another dialect.
 struct ConvertedProgram {
   std::string text{};
-  // Why there is none, and the line of the given text; empty: there is one.
-  std::string fault{};
-  std::uint32_t line = 0;
+  // A word that keeps it from being converted, with the first of its lines of the given text.
+  struct Fault {
+    std::string word{};
+    std::uint32_t line = 0;
+  };
+  // At most 50, in the order of their lines; empty: there is a text.
+  std::vector<Fault> faults{};
 };
 
 // Writes a plain program anew in another dialect: motions with their feeds, absolute and in mm, M

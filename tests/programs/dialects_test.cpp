@@ -271,6 +271,9 @@ TEST_P(OfADialect, WritesThePathInItsDialect) {
   const Written written = run(program.text, program.setup, true);
   for (const std::string& line : lines_of(written.text)) {
     const std::string words = std::regex_replace(line, std::regex("\\([^)]*\\)|;.*"), "");
+    // There it is for cycles.
+    if (words.ends_with("M2")) break;
+    if (words.starts_with("G150")) continue;
     EXPECT_FALSE(std::regex_search(words, std::regex("G ?4[12]| R[LR]| APPR L| DEP "))) << line;
     EXPECT_FALSE(std::regex_search(words, std::regex(" FMAX.* F ?[0-9]"))) << line;
   }
@@ -335,7 +338,7 @@ TEST_P(OfADialect, IsTheSamePathInAnotherDialectOrRefused) {
   for (const Dialect& other : all_dialects()) {
     if (other.name == setup.dialect) continue;
     const ConvertedProgram converted = convert_program(written.text, setup, other.name, 4);
-    if (!converted.fault.empty()) continue;
+    if (!converted.faults.empty()) continue;
     ProgramSessionSetup read;
     read.session.program.dialect = other.name;
     const auto wanted = moving(run(written.text, program.setup, false).blocks, 1e-3);
@@ -512,6 +515,14 @@ TEST(LinesWithoutACorrection, ComeOutAsTheyStand) {
   }
 }
 
+// Words that are not converted, each with its line.
+std::string told(const ConvertedProgram& converted) {
+  std::string all;
+  for (const ConvertedProgram::Fault& fault : converted.faults)
+    all += fault.word + ' ' + std::to_string(fault.line) + '\n';
+  return all;
+}
+
 ConvertedProgram converted(const std::string& text, DialectName from, DialectName to) {
   ProgramSetup setup;
   setup.dialect = from;
@@ -533,7 +544,7 @@ TEST(Conversion, SaysMotionsFeedsAndToolsInTheWordsOfTheOther) {
   const std::string klartext =
       "0 BEGIN PGM A MM\n1 TOOL CALL 4 Z S2000 F300\n2 L X+0 IY+5 R0 FMAX M3\n3 L X-4 F AUTO ; go\n"
       "4 CC X+6 Y+5\n5 C X+16 DR+\n6 L Z+2 M30\n7 END PGM A MM\n";
-  EXPECT_EQ(converted(klartext, DialectName::heidenhain, DialectName::sinumerik).fault, "");
+  EXPECT_EQ(told(converted(klartext, DialectName::heidenhain, DialectName::sinumerik)), "");
   EXPECT_EQ(converted(klartext, DialectName::heidenhain, DialectName::sinumerik).text,
             "G17 G71 G40 G90 G94\nT4 M6 S2000\nG00 X0 Y5 M3\nG01 X-4 F300 ; go\n"
             "G03 X16 Y5 I10 J0\nG01 Z2 M30\n");
@@ -645,7 +656,7 @@ TEST(Conversion, OfEveryPairOfDialectsIsTheSamePathTo1e6) {
       for (const Dialect& to : all_dialects()) {
         if (to.name == from.name) continue;
         const ConvertedProgram converted = convert_program(written.text, program, to.name, 7);
-        ASSERT_EQ(converted.fault, "") << from.spelling << " to " << to.spelling << '\n'
+        ASSERT_EQ(told(converted), "") << from.spelling << " to " << to.spelling << '\n'
                                        << written.text;
         ProgramSessionSetup read;
         read.session.program.dialect = to.name;
@@ -679,10 +690,18 @@ TEST(Conversion, RefusesByNameWhatMeansSomethingElseThere) {
                                                         {"G0 X1\nM88\nM30\n", "M88"},
                                                         {"G0 X1\nG18\nM30\n", "G18"}}) {
     const ConvertedProgram refused = converted(text, DialectName::fanuc, DialectName::heidenhain);
-    EXPECT_NE(refused.fault.find(word), std::string::npos) << text << refused.fault;
-    EXPECT_EQ(refused.line, 2u) << text;
+    ASSERT_FALSE(refused.faults.empty()) << text;
+    EXPECT_NE(refused.faults[0].word.find(word), std::string::npos) << text << told(refused);
+    EXPECT_EQ(refused.faults[0].line, 2u) << text;
     EXPECT_EQ(refused.text, "") << text;
   }
+}
+
+TEST(Conversion, TellsAllThatItRefusesAtOnce) {
+  const std::string text =
+      "G0 X1\nG54 G43 H1 Z5\nT1 G28 Z0 M6\nM6\nG81 X2 Z-3 R1\nG54\nG80\nG0 X1\nM30\n";
+  EXPECT_EQ(told(converted(text, DialectName::fanuc, DialectName::heidenhain)),
+            "G54 2\nG43 2\nH1 2\nG28 3\nZ0 3\nG81 5\nX2 5\nZ-3 5\nR1 5\n");
 }
 
 // D0 ends what D has begun, and another edge of Sinumerik has another length.
@@ -701,7 +720,7 @@ TEST(Conversion, LeavesOutTheRegisterOfTheRadiusAlone) {
     const ConvertedProgram written =
         convert_program("T1 M6\nG0 X1 " + word + "\nM30\n", setup, DialectName::linuxcnc, 3);
     EXPECT_EQ(written.text.find('D'), std::string::npos) << written.text;
-    EXPECT_EQ(written.fault, goes_on ? "" : word);
+    EXPECT_EQ(told(written), goes_on ? "" : word + " 2\n");
   }
 }
 
@@ -1231,6 +1250,43 @@ TEST(Klartext, GivesBackThePoleThatArcsOfTheOutputHaveMoved) {
   EXPECT_NE(written.find("9 L X+7 Y+18\nCC X+7 Y+8\n10 C X+7 Y-2 DR+\n11 CP PA+90 DR+\n"),
             std::string::npos)
       << written;
+}
+
+// What a label or another program counts on is the pole of the program, not that of the last arc
+// of the output; and behind a call only the control knows where the pole is.
+TEST(Klartext, HandsThePoleOfTheProgramToWhatItCalls) {
+  ProgramSessionSetup setup;
+  setup.session.program.dialect = DialectName::heidenhain;
+  setup.session.program.mode.tool_radius = 2;
+  setup.session.program.mode.selection = Selection::direct;
+  setup.session.program.mode.transition = Transition::circular;
+  const std::string contour = "L X-9 Y-9 R0 FMAX\nL X+0 Y+0 RL F80\nL Y+20\nL X+30\nL Y+50 R0\n";
+  const std::string label = "LBL 1\nLP PR+5 PA+90\nLBL 0\n";
+  const std::string call = "CALL LBL 1\n";
+  const std::string written =
+      run("BEGIN PGM P MM\nTOOL CALL 1 Z\nCC X+7 Y+8\n" + contour + label + contour + call +
+              contour + "CC X+0 Y+20\nLP PR+5 PA+0\nEND PGM P MM\n",
+          setup, true)
+          .text;
+  EXPECT_NE(written.find("CC X+7 Y+8\n" + label), std::string::npos) << written;
+  EXPECT_NE(written.find("CC X+7 Y+8\n" + call), std::string::npos) << written;
+  std::size_t poles = 0;
+  for (const std::string& line : lines_of(written)) poles += line == "CC X+0 Y+20" ? 1 : 0;
+  EXPECT_EQ(poles, 4u) << written;
+}
+
+// Of a line in which a side stands alone nothing is left, and of one with its feed the feed.
+TEST(Klartext, LeavesNoBlockOfASideAlone) {
+  ProgramSessionSetup setup;
+  setup.session.program.dialect = DialectName::heidenhain;
+  setup.session.program.mode.tool_radius = 5;
+  setup.session.program.mode.selection = Selection::direct;
+  const std::string text =
+      "BEGIN PGM P MM\nTOOL CALL 1 Z\nL X-20 Y+0 R0 FMAX\nL RL F500\nL X+0 Y+0\nL Y+50\n"
+      "L R0 FMAX\nL X-20 F90\nL RL\nL X+0\nL Y+0\nL R0 M5\nL X-20\nEND PGM P MM\n";
+  EXPECT_EQ(run(text, setup, true).text,
+            "BEGIN PGM P MM\nTOOL CALL 1 Z\nL X-20 Y+0 R0 FMAX\nL F500\nL X-5 Y+0\nL X-5 Y+50\n"
+            "L X-20 Y+50 F90\nL X+5 Y+50\nL X+5 Y+0\nL M5\nL X-20 Y+0\nEND PGM P MM\n");
 }
 
 TEST(Klartext, LeavesTheSideOfATextAndOfAComment) {

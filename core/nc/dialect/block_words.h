@@ -23,6 +23,9 @@ namespace trc {
 // CFIN of Sinumerik, among the numbers of the feed adaptation.
 inline constexpr int feed_at_inside = 1008;
 
+// TRANS, ROT and MIRROR of Sinumerik, which end what has been said of the frame before, SCALE too.
+inline constexpr int absolute_frame = 1009;
+
 // The bits of BlockWords::whole; I J K and tracking axes have one for each word.
 struct WholeWord {
   static constexpr unsigned axis = 0;
@@ -60,6 +63,7 @@ struct Interpreter::BlockWords {
   std::optional<std::uint32_t> center{};  // the first I J K R
   std::optional<Value> feed{};
   std::optional<Value> tool{};               // D
+  std::optional<std::uint32_t> only_tool{};  // the radius of the setup is its: D, G41
   std::optional<Value> tool_number{};        // T
   std::optional<std::int64_t> named_tool{};  // of T="NAME"
   std::optional<Value> later_tool{};    // a second T of FANUC: fetched behind the change by M06
@@ -74,7 +78,10 @@ struct Interpreter::BlockWords {
   std::uint32_t command = 0;                       // where a # command stands
   bool has_command = false;
   bool has_spindle = false;
-  std::uint32_t words = 0;  // without N and comments
+  std::optional<Value> spindle_speed{};       // S; of Fagor's G72 a factor
+  std::optional<std::uint32_t> own_feed{};    // FB=
+  std::optional<std::uint32_t> tooth_feed{};  // FZ=
+  std::uint32_t words = 0;                    // without N and comments
   // The line is copied as it stands; the axes of `forget` go where only the control knows.
   bool copied = false;
   bool homes = false;              // G74 of ISG

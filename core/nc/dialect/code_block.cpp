@@ -37,12 +37,17 @@ bool Interpreter::complete_code_block(ProgramLine& line, BlockWords& block) {
   const bool has_spindle = std::ranges::any_of(line.words, [&](const WordRange& word) {
     return line.text[word.begin] == 'S' || line.text[word.begin] == 's';
   });
+  const bool sets_spindle_limit = block.of(frame).is(92) && has_spindle && !block.axis;
   code_.turning |= (spindle_limit || block.of(frame).is(92)) && has_spindle;
+  if (sets_spindle_limit) block.functions[static_cast<std::size_t>(frame)] = {};
+  if (dialect_.name == DialectName::fanuc) take_words_of_few_controls(line, block);
   // Under MCALL of Sinumerik each motion has the cycle behind it.
   const bool motion_ends_cycle = block.has(motion) && dialect_.name != DialectName::sinumerik;
   if (motion_ends_cycle || block.has(cycle_end)) code_.cycle = false;
   if (block.has(motion)) code_.tangent_arcs = false;
   code_.tangent_arcs |= block.begins_tangent_arcs;
+  code_.tooth_feed =
+      block.tooth_feed.has_value() || (code_.tooth_feed && !(block.feed && !block.has(dwell)));
   if (block.has(dwell)) {  // F is a time
     block.feed.reset();
     for (WordRange& word : line.words)
@@ -70,8 +75,7 @@ bool Interpreter::complete_code_block(ProgramLine& line, BlockWords& block) {
   take_unit_of_old(line, block);
   forget_what_ends_nothing(block);
   end_what_was_unfollowed(block);
-  const bool deletes_frames = block.has(frame) && !block.axis;
-  if (deletes_frames && code_.unfollowed == scale_tenths) code_.unfollowed = -1;
+  if (block.of(frame).is(absolute_frame) && code_.unfollowed == scale_tenths) code_.unfollowed = -1;
   if (block.has(unfollowed) && block.of(unfollowed).function->tenths() == scale_tenths &&
       !block.axis) {
     code_.unfollowed = -1;
@@ -102,8 +106,30 @@ bool Interpreter::complete_code_block(ProgramLine& line, BlockWords& block) {
   reads_plain_lines_ = !code_.cycle && code_.unfollowed < 0 && !code_.tangent_arcs &&
                        !code_.dimension_uncertain && code_.y_seen && faults_.empty() &&
                        plain_whole_numbers && code_.modal_rounding == 0 && !code_.soft_approach &&
-                       !called_motion_ && !called_dimension_;
+                       !called_motion_ && !called_dimension_ && !code_.tooth_feed;
   return goes_on && take_tool_data(line, block);
+}
+
+// G72 S0.5 of Fagor scales, where other controls drill holes on a line, with I J L. G41 and D
+// beside G150 of Haas are for its pocket (D-66).
+void Interpreter::take_words_of_few_controls(ProgramLine& line, BlockWords& block) const {
+  BlockWords::Function& found = block.functions[static_cast<std::size_t>(single_move)];
+  static constexpr GFunction scaling{.number = 72, .group = unfollowed, .meaning = "scaling"};
+  static constexpr GFunction no_scaling{.number = 72, .group = unfollowed_end};
+  const bool drills = block.center || block.tool_data || block.tool_data_number || block.quantity;
+  if (found.is(72) && !drills && (block.spindle_speed || block.axis)) {
+    const bool ends = !block.axis && block.spindle_speed->value == 1;
+    const GFunction& function = ends ? no_scaling : scaling;
+    block.functions[static_cast<std::size_t>(function.group)] = {.function = &function,
+                                                                 .begin = found.begin};
+    found = {};
+  }
+  if (!found.is(150) || contour_open()) return;
+  block.forget = all_axes;
+  block.functions[static_cast<std::size_t>(side)] = {};
+  block.tool.reset();
+  for (WordRange& word : line.words)
+    if (word.role == WordRole::trc) word.role = WordRole::technology;
 }
 
 // T, M06 and M61.

@@ -92,7 +92,7 @@ bool Interpreter::refuse_code(const ProgramLine& line, const CodeWord& word, Cod
 // All words are read, also behind one that is refused, so that every obstacle is told: up to as
 // many as are told at all, since each byte of a long line may be one.
 bool Interpreter::read_code_words(ProgramLine& line, BlockWords& block) {
-  CodeReader reader(line.text);
+  CodeReader reader(line.text, dialect_.name == DialectName::linuxcnc);
   std::size_t faults = 0;
   for (;;) {
     const CodeWord word = reader.next();
@@ -317,7 +317,10 @@ bool Interpreter::read_code_address(const CodeWord& word, ProgramLine& line, Blo
     case 'H':
       block.offset = value;
       break;
-    default:  // S E
+    case 'S':
+      block.spindle_speed = value;
+      break;
+    default:  // E
       break;
   }
   add(line, word, WordRole::technology);

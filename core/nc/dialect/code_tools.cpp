@@ -16,6 +16,9 @@ namespace {
 
 using enum GGroup;
 
+// Of Sinumerik: a tool that has no number, in place of one; beyond what T may say.
+constexpr std::int64_t unnamed_tool = first_named_tool - 1;
+
 bool has_length_offset(const ProgramLine& line) {
   return std::ranges::any_of(line.words, [&](const WordRange& range) {
     const std::string_view word = line.word(range);
@@ -73,6 +76,15 @@ bool Interpreter::check_code_selection(ProgramLine& line, BlockWords& block) {
     return refuse(line, TextFault{.code = Code::turning,
                                   .begin = *block.axis,
                                   .detail = "a contour of X and Z in the plane X Y"});
+  if (block.own_feed && (selects || trc_active()))
+    return refuse(line, TextFault{.code = Code::nc_unsupported,
+                                  .begin = *block.own_feed,
+                                  .detail = "FB=, a feed of one block, while TRC is active"});
+  // The corner in front of it still has the feed before.
+  if (block.tooth_feed && trc_active())
+    return refuse(line, TextFault{.code = Code::nc_unsupported,
+                                  .begin = *block.tooth_feed,
+                                  .detail = "FZ=, no feed per minute, while TRC is active"});
   const bool fanuc = dialect_.name == DialectName::fanuc;
   if (fanuc && selects && block.tool_data_number)
     return wrong(Code::nc_unsupported, "G41, G42 with a radius in P");
@@ -80,11 +92,12 @@ bool Interpreter::check_code_selection(ProgramLine& line, BlockWords& block) {
   if (linuxcnc && selects && block.tool_data_number)
     return refuse(line, TextFault{.code = Code::nc_unsupported,
                                   .begin = block.tool_data_number->begin,
-                                  .detail = "P, which LinuxCNC does not have"});
-  if (linuxcnc && (selects || trc_active()) && block.tool_data && (block.axis || block.center))
+                                  .detail = "P, which no function of the line takes"});
+  if (linuxcnc && (selects || trc_active()) && block.tool_data && !block.has(tool_data) &&
+      (block.axis || block.center))
     return refuse(line, TextFault{.code = Code::nc_unsupported,
                                   .begin = block.tool_data->begin,
-                                  .detail = "L, which LinuxCNC does not have"});
+                                  .detail = "L, which no function of the line takes"});
   if (block.constant_speed) block.tool.reset();
   // Older controls have one table for lengths and radii, with H words for both. Without G41 beside
   // it H would change the length.
@@ -102,9 +115,10 @@ bool Interpreter::check_code_selection(ProgramLine& line, BlockWords& block) {
     block.tool = {.value = static_cast<double>(code_.spindle_tool), .begin = block.of(side).begin};
   }
   if (selects && !block.tool && !block.tool_radius && code_.missing_tool >= 0)
-    return refuse_at(code_.edge_place, Code::tool_unknown,
+    return take_only_register(line, block, code_.missing_tool) ||
+           refuse_at(code_.edge_place, Code::tool_unknown,
                      "D" + std::to_string(code_.missing_tool));
-  if (!block.tool && !block.tool_radius) return true;
+  if (!block.tool && !block.tool_radius) return !selects || take_only_spindle_tool();
   if ((selects || trc_active()) && dialect_.name != DialectName::sinumerik)
     for (WordRange& word : line.words)
       if (upper(line.text[word.begin]) == (by_offset ? 'H' : 'D')) word.role = WordRole::trc;
@@ -115,13 +129,7 @@ bool Interpreter::check_code_selection(ProgramLine& line, BlockWords& block) {
     return refuse(line,
                   TextFault{.code = Code::nc_number, .begin = block.tool->begin, .detail = "D"});
   if (state_.tool().has_tool(number)) return true;
-  const bool one_radius = state_.setup().tools.empty() && state_.setup().mode.tool_radius != 0;
-  if (one_radius && (!selects || code_.only_register.value_or(number) == number)) {
-    // The radius of the setup stands for the one register that the program selects with.
-    if (selects) code_.only_register = number;
-    block.tool.reset();
-    return true;
-  }
+  if ((selects || trc_active()) && take_only_register(line, block, number)) return true;
   if (!selects && !trc_active()) {
     // H and D stand side by side in many programs: it matters only where G41 has no D of its own.
     code_.missing_tool = number;
@@ -131,9 +139,47 @@ bool Interpreter::check_code_selection(ProgramLine& line, BlockWords& block) {
   }
   if (by_spindle)
     return refuse_at(code_.spindle_tool_place, Code::tool_unknown, "T" + std::to_string(number));
+  if (dialect_.name == DialectName::sinumerik && code_.only_register)
+    return refuse_second_edge(number);
   return refuse(line, TextFault{.code = Code::tool_unknown,
                                 .begin = block.tool->begin,
-                                .detail = "D" + std::to_string(number)});
+                                .detail = "D" + std::to_string(tool_of_row(number))});
+}
+
+// The radius of the setup stands for the one register that the program selects with, where it has
+// no tools (D-65). D0 may have taken it out of force.
+bool Interpreter::take_only_register(const ProgramLine& line, BlockWords& block,
+                                     std::int64_t number) {
+  if (!has_one_radius() || code_.only_register.value_or(number) != number) return false;
+  code_.only_register = number;
+  block.only_tool = block.tool ? block.tool->begin : line.words.front().begin;
+  block.tool.reset();
+  return true;
+}
+
+// FANUC without D words: the radius of the setup is that of the tool in the spindle.
+bool Interpreter::take_only_spindle_tool() {
+  const std::int64_t tool = code_.spindle_tool;
+  if (dialect_.name != DialectName::fanuc || !has_one_radius() || tool == 0 || code_.only_register)
+    return true;
+  const std::int64_t only = code_.only_spindle_tool.value_or(tool);
+  code_.only_spindle_tool = only;
+  return only == tool ||
+         refuse_at(code_.spindle_tool_place, Code::tool_unknown, "T" + std::to_string(tool));
+}
+
+// Of Sinumerik: another tool, or another edge of that tool; `row` as row_of_edge() has it.
+bool Interpreter::refuse_second_edge(std::int64_t row) {
+  const WordPlace& tool = code_.changes_by_m6 ? code_.spindle_tool_place : code_.next_tool_place;
+  const std::int64_t number = tool_of_row(row);
+  const std::string called = !code_.tool_name.empty() ? code_.tool_name
+                             : number == unnamed_tool ? ""
+                                                      : "T" + std::to_string(number);
+  const bool another_tool = number != tool_of_row(*code_.only_register);
+  if (another_tool && !called.empty()) return refuse_at(tool, Code::tool_unknown, called);
+  const std::string edge = "D" + std::to_string(edge_of_row(row));
+  return refuse_at(code_.edge_place.source.line > 0 ? code_.edge_place : tool, Code::tool_unknown,
+                   called.empty() ? edge : edge + " of " + called);
 }
 
 // Sinumerik: T is the tool, D its edge; D0 is none.
@@ -176,10 +222,12 @@ bool Interpreter::choose_tool_of_edge(ProgramLine& line, BlockWords& block) {
   if (number == no_tool_number) {
     // The radius of the setup stands for the one tool that the program selects with.
     if (code_.only_tool_name.empty()) code_.only_tool_name = code_.tool_name;
-    return code_.only_tool_name == code_.tool_name || unknown(code_.tool_name);
+    if (code_.only_tool_name != code_.tool_name) return unknown(code_.tool_name);
   }
-  if (number != 0)
-    block.tool = {.value = static_cast<double>(table ? row : number), .begin = begin};
+  const bool numbered = number > 0;
+  if (numbered || has_one_radius())
+    block.tool = {.value = static_cast<double>(numbered ? row : row_of_edge(unnamed_tool, edge)),
+                  .begin = begin};
   return true;
 }
 

@@ -394,6 +394,8 @@ bool Interpreter::read_line_behind_end(ProgramLine& line) {
   if (klartext) enter_label_behind_end(line);
   const std::size_t place = klartext ? place_of_klartext_side(line.text) : place_of_side(line.text);
   if (place == std::string::npos) return true;
+  // A contour of cycles: they compensate it.
+  if (klartext && klartext_.cycle_section != 0 && klartext_.called_section == 0) return true;
   if (klartext && klartext_.called_section != 0)
     return refuse(
         line, TextFault{.code = Code::nc_unsupported,

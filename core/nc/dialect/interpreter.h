@@ -206,6 +206,7 @@ class Interpreter {
   [[nodiscard]] NotWhileActive find_what_is_copied(BlockWords& block) const;
   void end_what_was_unfollowed(BlockWords& block);
   void take_tool_words(const ProgramLine& line, BlockWords& block);
+  void take_words_of_few_controls(ProgramLine& line, BlockWords& block) const;
   void take_turns_of_arc(ProgramLine& line, BlockWords& block) const;
   bool copy_code_block(ProgramLine& line, BlockWords& block);
   // Whether a contour hangs on what a line says that may be skipped (D-59).
@@ -233,6 +234,10 @@ class Interpreter {
   bool copy_klartext(ProgramLine& line, std::size_t begin, WordRole role);
   void enter_label_behind_end(const ProgramLine& line);
   bool read_label(ProgramLine& line, std::size_t begin, std::string_view statement);
+  bool call_label(ProgramLine& line, std::size_t begin, std::string_view statement);
+  void enter_section(const std::string& label);
+  bool take_labels_of_cycle(const ProgramLine& line, std::size_t begin, std::string_view statement);
+  void take_klartext_scaling(std::string_view statement);
   bool read_tool_call(ProgramLine& line, std::size_t begin, std::string_view statement);
   bool read_tool_definition(ProgramLine& line, std::size_t begin, std::string_view statement);
   bool refuse_klartext(const ProgramLine& line, std::size_t begin, std::string detail,
@@ -251,7 +256,8 @@ class Interpreter {
   bool move_in_turns(ProgramLine& line, KlartextBlock& block);
   bool move_in_klartext(ProgramLine& line, MoveRequest& request);
   bool lead_in_klartext(ProgramLine& line, KlartextBlock& block);
-  void forget_klartext_position(const ProgramLine& line,
+  void hand_on_klartext_pole(ProgramLine& line) const;
+  void forget_klartext_position(ProgramLine& line,
                                 const std::array<bool, 3>& axes = {true, true, true});
 
   // Of Sinumerik: sinumerik_block.cpp.
@@ -265,6 +271,12 @@ class Interpreter {
   bool resolve_references(ProgramLine& line, BlockWords& block);
   bool take_sweep(ProgramLine& line, BlockWords& block);
   bool take_point_between(ProgramLine& line, BlockWords& block);
+  [[nodiscard]] bool has_one_radius() const {
+    return state_.setup().tools.empty() && state_.setup().mode.tool_radius != 0;
+  }
+  bool take_only_register(const ProgramLine& line, BlockWords& block, std::int64_t number);
+  bool take_only_spindle_tool();
+  bool refuse_second_edge(std::int64_t row);
   bool choose_tool_of_edge(ProgramLine& line, BlockWords& block);
   [[nodiscard]] std::string name_not_in_table(const std::string& name) const;
   // G147 … G348: sinumerik_leads.cpp.
@@ -295,6 +307,7 @@ class Interpreter {
   void forget_position(const ProgramLine& line, const BlockWords& block);
   bool apply_trc(const ProgramLine& line, const BlockWords& block);
   bool apply_motion(ProgramLine& line, BlockWords& block);
+  bool check_feed_of_contour(const ProgramLine& line, const BlockWords& block, std::uint32_t begin);
   bool leave_out_bottlenecks(bool on, const Source& source);
   bool move_in_full_turns(ProgramLine& line, const BlockWords& block);
   bool move(ProgramLine& line, MoveRequest& request);
@@ -369,6 +382,8 @@ class Interpreter {
     bool changes_by_m6 = false;  // T only prepares a tool
     // The one register that stands for the radius of the setup, where it has no tools.
     std::optional<std::int64_t> only_register{};
+    std::optional<std::int64_t> only_spindle_tool{};  // of FANUC without D words
+    bool tooth_feed = false;                          // FZ= of Sinumerik, until F
     // Of polar coordinates, in the plane, in the unit of the program; without: not followed.
     std::optional<Point> pole{Point::Zero()};
     std::optional<double> polar_angle{};  // degrees
@@ -383,10 +398,24 @@ class Interpreter {
       archive(cycle, unfollowed, unfollowed_line, unfollowed_meaning, points_seen, turning, y_seen,
               dimension_uncertain, skipped_tool, skipped_tool_data, skipped_approach, turned,
               dynamic_offset, next_tool, spindle_tool, tool_name, edge, changes_by_m6,
-              only_register, pole, polar_angle, polar_radius, polar_rewritten, missing_tool,
-              only_tool_name, tangent_arcs, tool_named, spindle_empty, modal_rounding,
-              soft_direction, soft_in_space, soft_approach, next_tool_place, spindle_tool_place,
-              edge_place, edge_of_next_tool);
+              only_register, only_spindle_tool, tooth_feed, pole, polar_angle, polar_radius,
+              polar_rewritten, missing_tool, only_tool_name, tangent_arcs, tool_named,
+              spindle_empty, modal_rounding, soft_direction, soft_in_space, soft_approach,
+              next_tool_place, spindle_tool_place, edge_place, edge_of_next_tool);
+    }
+  };
+  // How many contours had been selected where a label stands, and at its LBL 0.
+  struct ContoursOfLabel {
+    std::uint64_t before = 0;
+    std::optional<std::uint64_t> behind{};
+
+    // `now`: where no LBL 0 has come yet.
+    [[nodiscard]] bool has_contour(std::uint64_t now) const {
+      return behind.value_or(now) != before;
+    }
+    template <class Archive>
+    void serialize(Archive& archive) {
+      archive(before, behind);
     }
   };
   // What a program in Klartext has in force besides.
@@ -399,25 +428,29 @@ class Interpreter {
     double called_feed = 0;                // F AUTO, mm/min
     bool feed_per_turn = false;            // M136
     bool modal_cycle = false;              // M89
-    bool unfollowed = false;               // coordinates are scaled or led by the tool tip
+    std::uint32_t unfollowed = 0;  // by what coordinates are scaled or led: bits of KlartextLead
     // Of TOOL CALL.
     std::optional<std::int64_t> tool{};
     double radius_delta = 0;  // DR, mm
     std::string tool_name{};  // in quotes, or a parameter
     WordPlace tool_place{};
     std::string only_tool_name{};
-    // How many contours had been selected where a label stands, and which labels were called
-    // before they stood anywhere.
+    // How many contours have been selected, and which labels were called before they stood
+    // anywhere.
     std::uint64_t contours = 0;
-    std::map<std::string, std::uint64_t> labels{};
+    std::map<std::string, ContoursOfLabel> labels{};
     std::map<std::string, std::uint32_t> calls{};
     std::uint32_t called_section = 0;  // the line that called it; 0: not in one
+    // Labels whose contours cycle 14 or CONTOUR DEF names, with the line that does, and that line
+    // while one of them is read.
+    std::map<std::string, std::uint32_t> labels_of_cycles{};
+    std::uint32_t cycle_section = 0;
 
     template <class Archive>
     void serialize(Archive& archive) {
       archive(pole, polar_radius, tangent, rapid, called_feed, feed_per_turn, modal_cycle,
               unfollowed, tool, radius_delta, tool_name, tool_place, only_tool_name, contours,
-              labels, calls, called_section);
+              labels, calls, called_section, labels_of_cycles, cycle_section);
     }
   };
   // The first of its kind; the others only count.

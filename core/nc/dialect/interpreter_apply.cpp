@@ -64,6 +64,8 @@ bool Interpreter::apply_modes(const ProgramLine& line, const BlockWords& block) 
   if (block.has(dimension)) incremental_ = block.of(dimension).is(91);
   if (block.has(feed_mode)) feed_mode_ = block.of(feed_mode).function->number;
   if (block.feed) feed_ = block.feed->value * feed_unit(inch_);
+  // A feed per tooth, which blocks have no number for.
+  if (block.tooth_feed) feed_ = 0;
   if (block.has(circle_center)) {
     const GFunction& function = *block.of(circle_center).function;
     absolute_center_ = function.number == 161 || function.tenths() == 901;
@@ -151,6 +153,9 @@ bool Interpreter::apply_trc(const ProgramLine& line, const BlockWords& block) {
     state_.prepare_tool(static_cast<std::int64_t>(block.tool_number->value),
                         place_of_word(line, block.tool_number->begin));
   if (block.loads_tool && at(0) && !state_.load_tool(source)) return false;
+  if (block.only_tool && at(*block.only_tool) &&
+      !state_.call_tool(ToolRow(state_.setup().mode.tool_radius, state_.setup().wear), source))
+    return false;
   const bool zero = block.tool && block.tool->value == 0 && dialect_.zero_is_a_radius &&
                     !state_.tool().row_of_tool(0);
   if (zero && at(block.tool->begin) && !state_.set_tool_radius(0, source)) return false;
@@ -186,18 +191,26 @@ bool Interpreter::apply_motion(ProgramLine& line, BlockWords& block) {
   place(line, begin);
   if (!motion_given_ && state_.contour_open())
     return refuse(line, TextFault{.code = Code::motion_unknown, .begin = begin});
-  const bool per_minute = feed_mode_ == 94;
-  const bool adapted = state_.mode().feed_adaptation != FeedAdaptation::off;
-  if (!per_minute && state_.contour_open() && (feed_mode_ == 93 || adapted))
-    return refuse(
-        line, TextFault{.code = Code::nc_unsupported,
-                        .begin = begin,
-                        .detail = std::string("G")
-                                      .append(std::to_string(feed_mode_))
-                                      .append(adapted ? " with the feed at the contour (G11, CFC)"
-                                                      : " while TRC is active")});
+  if (state_.contour_open() && !check_feed_of_contour(line, block, begin)) return false;
   if (code_.soft_approach) return begin_contour_of_approach(line, block);
   return block.turns ? move_in_full_turns(line, block) : move(line, block.move);
+}
+
+// Feeds that blocks have no number for cannot be adapted; on lines nothing is.
+bool Interpreter::check_feed_of_contour(const ProgramLine& line, const BlockWords& block,
+                                        std::uint32_t begin) {
+  if (feed_mode_ == 94 && !code_.tooth_feed) return true;
+  const bool isg = dialect_.name == DialectName::isg;
+  const bool straight = motion_ == MotionKind::linear || motion_ == MotionKind::rapid;
+  const bool line_alone = !isg && straight && !block.move.corner;
+  const bool adapted = state_.mode().feed_adaptation != FeedAdaptation::off && !line_alone;
+  if (feed_mode_ != 93 && !adapted) return true;
+  const std::string feed = code_.tooth_feed ? "FZ=" : "G" + std::to_string(feed_mode_);
+  return refuse(line,
+                TextFault{.code = Code::nc_unsupported,
+                          .begin = begin,
+                          .detail = feed + (adapted ? " with the feed at the contour (G11, CFC)"
+                                                    : " while TRC is active")});
 }
 
 // The words of `request` are those of the line; the rest is in force.

@@ -24,6 +24,15 @@ namespace trc {
 [[nodiscard]] std::string statement_of(std::string_view text);
 [[nodiscard]] bool begins_with_word(std::string_view statement, std::string_view word);
 
+// What scales the coordinates, or leads the tool tip along them: KlartextModes::unfollowed.
+struct KlartextLead {
+  static constexpr std::uint32_t axes = 7;  // X Y Z of cycle 26, a bit each
+  static constexpr std::uint32_t cycle = 8;
+  static constexpr std::uint32_t trans = 16;
+  static constexpr std::uint32_t tip = 32;    // M128, FUNCTION TCPM
+  static constexpr std::uint32_t table = 64;  // M144
+};
+
 // What the words of a block that may move say, before any of it takes effect.
 struct Interpreter::KlartextBlock {
   struct Value {

@@ -88,14 +88,15 @@ bool Interpreter::read_klartext_function(const KlartextWord& word, ProgramLine& 
       break;
     case 128:
     case 144:
-      klartext_.unfollowed = true;
+      klartext_.unfollowed |= m == 128 ? KlartextLead::tip : KlartextLead::table;
       block.ignores_words = true;
       break;
     case 129:
     case 145:
-      klartext_.unfollowed = false;
+      klartext_.unfollowed &= ~(m == 129 ? KlartextLead::tip : KlartextLead::table);
       break;
     case 103:
+    case 112:
     case 118:
     case 124:
     case 138:

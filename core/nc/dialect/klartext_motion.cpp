@@ -52,14 +52,14 @@ bool Interpreter::check_klartext(ProgramLine& line, KlartextBlock& block) {
     block.unfollowed_why = block.name + ", a motion that may be skipped";
     block.unfollowed_code = Code::block_skip_undecided;
   }
-  if (klartext_.unfollowed && moves && !block.unfollowed) {
+  if (klartext_.unfollowed != 0 && moves && !block.unfollowed) {
     block.unfollowed = block.begin;
     block.unfollowed_why = block.name + ", in coordinates that are scaled or led by the tool tip";
   }
   // R0 beside M91 ends TRC first.
   const bool in_contour = (active && block.side != Side::off) || selects;
   // RL under scaling or M128 has been told: what follows hangs on that.
-  const bool led = klartext_.unfollowed && block.unfollowed == block.begin;
+  const bool led = klartext_.unfollowed != 0 && block.unfollowed == block.begin;
   if (block.unfollowed && in_contour && led && !selects && !faults_.empty()) return false;
   if (block.unfollowed && in_contour)
     return refuse_klartext(line, *block.unfollowed,
@@ -120,7 +120,7 @@ bool Interpreter::apply_klartext(ProgramLine& line, KlartextBlock& block) {
     const bool named = block.end[0] || block.end[1] || block.end[2];
     const bool by_parameters_alone =
         block.is(KlartextStatement::straight) && !block.to_skip && !block.other_parameter &&
-        block.unfollowed_why.ends_with("variable") && !klartext_.unfollowed;
+        block.unfollowed_why.ends_with("variable") && klartext_.unfollowed == 0;
     for (std::size_t axis = 0; axis < axes.size(); ++axis)
       axes[axis] = by_parameters_alone ? block.end[axis] || block.by_parameter.at(axis)
                                        : !block.machine_place || !named || block.end[axis];
@@ -207,7 +207,6 @@ bool Interpreter::take_klartext_pole(ProgramLine& line, KlartextBlock& block) {
   const PlaneAxes axes = axes_of(state_.mode().plane);
   if (block.end[axes.third] || !block.tracking.empty())
     return refuse_klartext(line, block.begin, "CC across the plane");
-  line.klartext->sets_pole = true;
   const bool alone = !block.end[axes.first] && !block.end[axes.second];
   const std::optional<Point> old = klartext_.pole;
   Point pole = old.value_or(Point::Zero());
@@ -221,6 +220,8 @@ bool Interpreter::take_klartext_pole(ProgramLine& line, KlartextBlock& block) {
     if (word || alone) *coordinate = base + (word ? word->value * length_unit() : 0);
   }
   klartext_.pole = known ? std::optional(pole) : std::nullopt;
+  line.klartext->sets_pole = known;
+  line.klartext->loses_pole = !known;
   return true;
 }
 

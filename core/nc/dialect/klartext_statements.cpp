@@ -6,6 +6,7 @@
 #include "core/nc/dialect/klartext_block.h"
 #include "core/nc/dialect/pass_words.h"
 #include "core/nc/text/characters.h"
+#include "core/nc/text/number_format.h"
 
 // Statements of Klartext that are no motion: what passes, what moves the machine, labels and calls.
 
@@ -27,6 +28,10 @@ constexpr auto moving = std::to_array<std::string_view>(
      "CONTOUR",   "X",    "Y",   "Z",     "A",       "B",        "U",     "V",
      "W",         "IX",   "IY",  "IZ",    "G",       "TCHPROBE", "PRESET"});
 
+// Blocks of contours that are not followed: lines in space, free contours, splines.
+constexpr auto contour_blocks =
+    std::to_array<std::string_view>({"LN", "FL", "FLT", "FC", "FCT", "FPOL", "SPL", "SPC"});
+
 // Cycles that change what coordinates mean as soon as they are defined.
 constexpr auto frame_cycles = std::to_array<std::string_view>(
     {"7", "8", "10", "11", "12", "19", "26", "247", "7.", "8.", "10.", "11.", "12.", "19.", "26."});
@@ -42,6 +47,37 @@ bool defines_frame(std::string_view statement) {
 bool is_any(std::string_view statement, std::span<const std::string_view> words) {
   return std::ranges::any_of(words,
                              [&](std::string_view w) { return begins_with_word(statement, w); });
+}
+
+bool has_side(std::string_view statement) {
+  for (const std::string_view side : {" RL", " RR"})
+    if (const std::size_t at = statement.find(side);
+        at != std::string_view::npos &&
+        (at + side.size() == statement.size() || statement[at + side.size()] == ' '))
+      return true;
+  return false;
+}
+
+// Behind blanks at the begin of `text`; what is no number, as a parameter, scales.
+bool is_one(std::string_view text) {
+  const std::string_view number = without_blanks_in_front(text);
+  double value = 0;
+  bool whole = false;
+  return read_number(number, value, whole) > 0 && value == 1;
+}
+
+// The axes that cycle 26 scales, behind its CYCL DEF 26.1: X 1.4 Y0.6 CCX+15.
+std::uint32_t axes_scaled(std::string_view words, std::uint32_t before) {
+  std::uint32_t scaled = before;
+  constexpr std::string_view axes = "XYZ";
+  for (std::size_t at = 0; at < words.size(); ++at) {
+    const std::size_t axis = axes.find(words[at]);
+    const bool begins_word = at == 0 || words[at - 1] == ' ';
+    if (axis == std::string_view::npos || !begins_word) continue;
+    const auto bit = std::uint32_t{1} << axis;
+    scaled = is_one(words.substr(at + 1)) ? scaled & ~bit : scaled | bit;
+  }
+  return scaled;
 }
 
 // FN 9 … FN 12, IF: the program goes on elsewhere.
@@ -109,11 +145,72 @@ bool Interpreter::copy_klartext(ProgramLine& line, std::size_t begin, WordRole r
   return state_.end(line.source);
 }
 
-void Interpreter::forget_klartext_position(const ProgramLine& line,
-                                           const std::array<bool, 3>& axes) {
+// What the line calls, or what calls it, may count on the pole.
+void Interpreter::hand_on_klartext_pole(ProgramLine& line) const {
+  if (!klartext_.pole || contour_open()) return;
+  line.klartext.emplace();
+  line.klartext->hands_pole_on = true;
+  line.klartext->pole_x = klartext_.pole->x();
+  line.klartext->pole_y = klartext_.pole->y();
+}
+
+void Interpreter::forget_klartext_position(ProgramLine& line, const std::array<bool, 3>& axes) {
   if (!faults_.empty()) return;
+  if (!line.klartext) line.klartext.emplace();
+  line.klartext->loses_pole = true;
   state_.forget_position(axes, line.source);
   klartext_.tangent.reset();
+}
+
+// Under scaling RL would be scaled too, with M128 and TCPM the tool tip is led.
+void Interpreter::take_klartext_scaling(std::string_view statement) {
+  const auto set = [&](std::uint32_t lead, bool on) {
+    klartext_.unfollowed = on ? klartext_.unfollowed | lead : klartext_.unfollowed & ~lead;
+  };
+  constexpr std::string_view scale_axes = "CYCL DEF 26.";
+  constexpr std::string_view scale = "TRANS SCALE";
+  if (const std::size_t factor = statement.find(" SCL"); factor != std::string_view::npos)
+    set(KlartextLead::cycle, !is_one(statement.substr(factor + 4)));
+  if (begins_with_word(statement, scale))
+    set(KlartextLead::trans,
+        !statement.ends_with("RESET") && !is_one(statement.substr(scale.size())));
+  if (begins_with_word(statement, "FUNCTION TCPM")) set(KlartextLead::tip, true);
+  if (begins_with_word(statement, "FUNCTION RESET TCPM")) set(KlartextLead::tip, false);
+  // CYCL DEF 26.0 has the name alone.
+  if (statement.starts_with(scale_axes) && !statement.starts_with("CYCL DEF 26.0")) {
+    const std::uint32_t before = klartext_.unfollowed & KlartextLead::axes;
+    klartext_.unfollowed &= ~KlartextLead::axes;
+    klartext_.unfollowed |= axes_scaled(statement.substr(scale_axes.size() + 1), before);
+  }
+}
+
+// CYCL DEF 14.1 CONTOUR LABEL 1/2, CONTOUR DEF P1 = LBL 1: cycles mill these contours, with RL and
+// RR in them, so that they stay as they are.
+bool Interpreter::take_labels_of_cycle(const ProgramLine& line, std::size_t begin,
+                                       std::string_view statement) {
+  const bool by_cycle = statement.starts_with("CYCL DEF 14.");
+  if (!by_cycle && !statement.starts_with("CONTOUR DEF")) return true;
+  const std::string_view word = by_cycle ? "LABEL" : " LBL";
+  std::size_t at = statement.find(word);
+  while (at != std::string_view::npos) {
+    at += word.size();
+    // Numbers, with what stands between them: of the cycle several.
+    for (;;) {
+      at = std::min(statement.find_first_not_of(" /,=", at), statement.size());
+      const std::size_t end =
+          std::min(statement.find_first_not_of("0123456789", at), statement.size());
+      if (end == at) break;
+      const std::string label(statement.substr(at, end - at));
+      const auto known = klartext_.labels.find(label);
+      if (known != klartext_.labels.end() && known->second.has_contour(klartext_.contours))
+        return refuse_klartext(
+            line, begin, "a cycle with the contour of LBL " + label + ", which is compensated");
+      klartext_.labels_of_cycles.try_emplace(label, line.source.line);
+      at = end;
+    }
+    at = statement.find(word, at);
+  }
+  return true;
 }
 
 // Everything that is no contour.
@@ -140,13 +237,8 @@ bool Interpreter::read_klartext_statement(ProgramLine& line, std::size_t begin) 
   if (jumps(statement)) return refuse_klartext(line, begin, first + ", a jump");
   // A coordinate that needs it is refused at its own word.
   if (assigns(statement)) return copy_klartext(line, begin, WordRole::technology);
-  const bool scales = statement.find(" SCL") != std::string::npos ||
-                      begins_with_word(statement, "TRANS SCALE") ||
-                      begins_with_word(statement, "FUNCTION TCPM");
-  if (scales)
-    klartext_.unfollowed = !statement.ends_with(" SCL 1") && !statement.ends_with(" SCL1") &&
-                           !statement.ends_with("RESET") && !statement.ends_with("SCL1.0");
-  if (begins_with_word(statement, "FUNCTION RESET TCPM")) klartext_.unfollowed = false;
+  take_klartext_scaling(statement);
+  if (!take_labels_of_cycle(line, begin, statement)) return false;
   if (statement.find("MODE TURN") != std::string::npos)
     return refuse_klartext(line, begin, "FUNCTION MODE TURN", Code::turning);
   // Of the programs in DIN/ISO that these controls read as well, and of single axes.
@@ -157,10 +249,14 @@ bool Interpreter::read_klartext_statement(ProgramLine& line, std::size_t begin) 
       if (statement.find(side) != std::string::npos)
         return refuse_klartext(line, begin,
                                std::string(side).substr(1) + ", a compensation along one axis");
+  const bool own_contour = is_any(statement, contour_blocks);
+  if (has_side(statement) && (own_contour || state_.setup().copies_unknown_words))
+    return refuse_klartext(line, begin, first + " with RL or RR");
   const bool moves =
       defines_frame(statement) || (is_any(statement, moving) && !is_any(statement, passing));
   if (moves && trc_active()) return while_active(first);
   if (moves) {
+    if (first == "CALL" || first == "PGM") hand_on_klartext_pole(line);
     forget_klartext_position(line);
     klartext_.pole.reset();
     return copy_klartext(line, begin, WordRole::technology);
@@ -171,39 +267,55 @@ bool Interpreter::read_klartext_statement(ProgramLine& line, std::size_t begin) 
   return refuse_klartext(line, begin, first, Code::nc_unsupported);
 }
 
+// Which line calls the section that a label begins, and which one makes it the contour of cycles.
+void Interpreter::enter_section(const std::string& label) {
+  const bool ends = label == "0";
+  if (const auto call = klartext_.calls.find(label); ends || call != klartext_.calls.end())
+    klartext_.called_section = ends ? 0 : call->second;
+  if (const auto cycle = klartext_.labels_of_cycles.find(label);
+      ends || cycle != klartext_.labels_of_cycles.end())
+    klartext_.cycle_section = ends ? 0 : cycle->second;
+}
+
 // Behind the end subprograms stand: one that is called is no leftover.
 void Interpreter::enter_label_behind_end(const ProgramLine& line) {
   const std::size_t begin = line.text.find_first_not_of("0123456789 \tNn/");
   if (begin == std::string::npos) return;
   const std::string statement = statement_of(std::string_view(line.text).substr(begin));
-  if (!begins_with_word(statement, "LBL")) return;
-  const std::string label = label_of(line.text, begin, statement);
-  const auto call = klartext_.calls.find(label);
-  if (label == "0" || call != klartext_.calls.end())
-    klartext_.called_section = label == "0" ? 0 : call->second;
+  if (begins_with_word(statement, "LBL")) enter_section(label_of(line.text, begin, statement));
 }
 
-// LBL 1 … LBL 0, CALL LBL 1 REP 3. What a call repeats is not written anew, so that no contour may
-// be within it.
+// LBL 1 … LBL 0.
 bool Interpreter::read_label(ProgramLine& line, std::size_t begin, std::string_view statement) {
-  const bool calls = statement.starts_with("CALL");
+  if (statement.starts_with("CALL")) return call_label(line, begin, statement);
   const std::string label = label_of(line.text, begin, statement);
   const std::uint64_t contours = klartext_.contours;
-  if (!calls) {
-    if (label == "0") klartext_.called_section = 0;
-    if (const auto call = klartext_.calls.find(label); call != klartext_.calls.end())
-      klartext_.called_section = call->second;
+  enter_section(label);
+  if (label == "0") {
+    for (auto& [name, of_label] : klartext_.labels)
+      if (!of_label.behind) of_label.behind = contours;
+  } else {
     // A contour that is open goes on behind the label.
-    if (label != "0") klartext_.labels[label] = trc_active() ? contours - 1 : contours;
-    if (klartext_.called_section != 0 && trc_active())
-      return refuse_klartext(line, begin, "LBL, which is called, while TRC is active");
-    return copy_klartext(line, begin, WordRole::technology);
+    klartext_.labels[label] = {.before = trc_active() ? contours - 1 : contours};
   }
+  if (klartext_.called_section != 0 && trc_active())
+    return refuse_klartext(line, begin, "LBL, which is called, while TRC is active");
+  if (label != "0") hand_on_klartext_pole(line);
+  return copy_klartext(line, begin, WordRole::technology);
+}
+
+// CALL LBL 1 runs the label to its LBL 0, CALL LBL 1 REP 3 all from the label to here. What a call
+// repeats is not written anew, so that no contour may be within it.
+bool Interpreter::call_label(ProgramLine& line, std::size_t begin, std::string_view statement) {
+  const std::string label = label_of(line.text, begin, statement);
   if (trc_active()) return refuse_klartext(line, begin, "CALL LBL while TRC is active");
   const auto known = klartext_.labels.find(label);
-  if (known != klartext_.labels.end() && known->second != contours)
+  const bool to_here = statement.find(" REP") != std::string_view::npos;
+  if (known != klartext_.labels.end() && (to_here ? known->second.before != klartext_.contours
+                                                  : known->second.has_contour(klartext_.contours)))
     return refuse_klartext(line, begin, "CALL LBL, which repeats a compensated contour");
   if (known == klartext_.labels.end()) klartext_.calls.try_emplace(label, line.source.line);
+  hand_on_klartext_pole(line);
   forget_klartext_position(line);
   klartext_.pole.reset();
   klartext_.polar_radius.reset();

@@ -121,6 +121,7 @@ bool Interpreter::read_tool_call(ProgramLine& line, std::size_t begin, std::stri
   if (plane != state_.mode().plane) {
     modes.pole.reset();
     modes.tangent.reset();
+    line.klartext.emplace().loses_pole = true;
     if (!state_.set_plane(plane, line.source)) return false;
   }
   const bool goes_on = copy_klartext(line, begin, WordRole::technology);
@@ -186,13 +187,18 @@ bool Interpreter::select_in_klartext(const ProgramLine& line, Side side, std::si
         line, begin,
         "TRC behind what may be skipped, in line " + std::to_string(code_.skipped_tool),
         Code::block_skip_undecided);
-  if (klartext_.unfollowed)
+  if (klartext_.unfollowed != 0)
     return refuse_klartext(line, begin,
                            "RL, RR while coordinates are scaled or the tool tip is led");
   if (klartext_.called_section != 0)
     return refuse_klartext(
         line, begin,
         "RL, RR in a section that line " + std::to_string(klartext_.called_section) + " calls");
+  if (klartext_.cycle_section != 0)
+    return refuse_klartext(line, begin,
+                           "RL, RR in the contour of the cycles of line " +
+                               std::to_string(klartext_.cycle_section) +
+                               ", in front of the end of the program");
   if (!trc_active()) {
     ++klartext_.contours;
     if (!choose_called_tool(line, begin)) return false;

@@ -126,19 +126,30 @@ constexpr auto passing_assignments = std::to_array<std::string_view>({"$AC_ACTUA
                                                                       "FB",
                                                                       "FGREF",
                                                                       "FL",
+                                                                      "FP",
                                                                       "FZ",
                                                                       "JERKLIM",
                                                                       "LIMS",
                                                                       "OTOL",
+                                                                      "OVR",
                                                                       "SCC",
                                                                       "SPOS",
                                                                       "SVC",
                                                                       "VELOLIM"});
+// What changes the radius, or ends a motion where only the control knows.
+struct RefusedWord {
+  std::string_view beginning;
+  std::string_view why;
+};
+constexpr auto refused_words = std::to_array<RefusedWord>(
+    {{"MEA", "measuring"}, {"TOFF", "an offset of the tool beside its data"}});
 // Words with values that round or bevel corners.
 constexpr auto corner_words = std::to_array<std::string_view>({"FRC", "FRCM"});
 
 // The functions that names stand for.
 constexpr GFunction frame_name{.number = 1000, .group = frame, .meaning = "a frame"};
+constexpr GFunction absolute_frame_name{
+    .number = absolute_frame, .group = frame, .meaning = "a frame"};
 constexpr GFunction unfollowed_name{
     .number = 1001, .group = unfollowed, .meaning = "a transformation"};
 constexpr GFunction scale_name{.number = 1006, .group = unfollowed, .meaning = "scaling"};
@@ -191,6 +202,12 @@ bool moves_main_axis(std::string_view assignment) {
          upper(assignment[index]) <= 'Z';
 }
 
+const RefusedWord* refusal_of(std::string_view name) {
+  const auto found = std::ranges::find_if(
+      refused_words, [&](const RefusedWord& word) { return name.starts_with(word.beginning); });
+  return found == refused_words.end() ? nullptr : &*found;
+}
+
 bool is_statement(const NamedWord& word) {
   return word.kind == NamedWord::Kind::name && is_sinumerik_statement(word.name);
 }
@@ -215,7 +232,8 @@ bool is_sinumerik_call(std::string_view name) {
 bool is_sinumerik_word(std::string_view name) {
   return begins_with_any(name, passing_assignments) ||
          std::ranges::find(corner_words, name) != corner_words.end() ||
-         std::ranges::find(followed_words, name) != followed_words.end();
+         std::ranges::find(followed_words, name) != followed_words.end() ||
+         refusal_of(name) != nullptr;
 }
 
 bool is_sinumerik_word_of_any_kind(std::string_view name) {
@@ -386,6 +404,10 @@ bool Interpreter::read_assignment(const NamedWord& word, ProgramLine& line, Bloc
     add(line, word, WordRole::technology);
     return true;
   }
+  if (is("FB")) block.own_feed = word.begin;
+  if (is("FZ")) block.tooth_feed = word.begin;
+  if (const RefusedWord* const word_refused = refusal_of(word.name))
+    return refused(Code::nc_unsupported, word_refused->why);
   const bool moves_axis = is("POS") || is("POSA");
   if (moves_axis && moves_main_axis(name))
     return refused(Code::nc_unsupported, "a motion of an axis by itself");
@@ -459,8 +481,10 @@ bool Interpreter::read_name(const NamedWord& word, ProgramLine& line, BlockWords
   if (copied && word.name != "CT") return stands_for(unknown_name);
   if (!known && word.name != "CT") return refused("a name");
   switch (known ? found->meaning : Meaning::technology) {
-    case Meaning::frame:
-      return stands_for(frame_name);
+    case Meaning::frame: {
+      const bool absolute = word.name == "TRANS" || word.name == "ROT" || word.name == "MIRROR";
+      return stands_for(absolute ? absolute_frame_name : frame_name);
+    }
     case Meaning::unfollowed:
       return stands_for(word.name.ends_with("SCALE") ? scale_name : unfollowed_name);
     case Meaning::unfollowed_end:

@@ -52,6 +52,8 @@ struct KlartextLine {
   std::uint64_t increments = 0;  // of those
   bool sets_pole = false;        // CC
   bool needs_pole = false;       // C CP LP CTP
+  bool loses_pole = false;       // behind it only the control knows where the pole is
+  bool hands_pole_on = false;    // CALL, LBL: what follows there may count on it
   bool sets_polar_radius = false;
   bool needs_polar_radius = false;  // LP without PR
   bool counts_from_start = false;   // CT, IPA, IPR: more than increments of axes
@@ -61,8 +63,8 @@ struct KlartextLine {
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(axes, increments, sets_pole, needs_pole, sets_polar_radius, needs_polar_radius,
-            counts_from_start, needs_tangent, pole_x, pole_y);
+    archive(axes, increments, sets_pole, needs_pole, loses_pole, hands_pole_on, sets_polar_radius,
+            needs_polar_radius, counts_from_start, needs_tangent, pole_x, pole_y);
   }
 };
 

@@ -23,8 +23,11 @@ inline constexpr std::int64_t first_named_tool = std::int64_t{1} << 31U;
 [[nodiscard]] constexpr std::int64_t row_of_edge(std::int64_t tool, std::int64_t edge) {
   return tool + (edge - 1) * (std::int64_t{1} << 32U);
 }
-// The edge of such a row.
+// The edge of such a row, and its tool.
 [[nodiscard]] constexpr std::int64_t edge_of_row(std::int64_t row) { return (row >> 32U) + 1; }
+[[nodiscard]] constexpr std::int64_t tool_of_row(std::int64_t row) {
+  return row - row_of_edge(0, edge_of_row(row));
+}
 
 // What a coordinate of FANUC counts in where it has no decimal point.
 enum class WholeNumbers : std::uint8_t {

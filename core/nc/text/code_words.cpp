@@ -156,6 +156,27 @@ std::size_t CodeReader::blanks_behind_sign() const {
   return apart ? digits - at_ : 0;
 }
 
+// How many bytes from `at_` on are the number; 0: none.
+std::size_t CodeReader::read_value(CodeWord& word) const {
+  if (!blanks_in_numbers_) {
+    const std::size_t blanks = blanks_behind_sign();
+    const std::size_t length = read_number(line_.substr(at_ + blanks), word.value, word.whole);
+    if (blanks > 0 && peek() == '-') word.value = -word.value;
+    return length > 0 ? blanks + length : 0;
+  }
+  std::string number;
+  std::string_view text = line_.substr(at_);
+  text = without_blanks_behind(
+      text.substr(0, std::min(text.find_first_not_of("+-.0123456789 \t"), text.size())));
+  for (const char sign : text)
+    if (sign != ' ' && sign != '\t') number += sign;
+  std::size_t left = read_number(number, word.value, word.whole);
+  std::size_t length = 0;
+  for (; left > 0; ++length)
+    if (text[length] != ' ' && text[length] != '\t') --left;
+  return length;
+}
+
 // `begin`: of the word; `at_` stands on its letter.
 CodeWord CodeReader::address(std::size_t begin) {
   const bool comma = begin != at_;
@@ -172,11 +193,8 @@ CodeWord CodeReader::address(std::size_t begin) {
   if (sign == '[') return fail(Code::nc_unsupported, begin, line_.size(), "[, an expression");
   if (sign == '<') return name_of_program(word);
   // N12 without blanks is a number; a bare N stands for no number at all.
-  const std::size_t blanks = blanks_behind_sign();
-  const std::size_t length =
-      begins_number(sign) ? read_number(line_.substr(at_ + blanks), word.value, word.whole) : 0;
-  if (blanks > 0 && sign == '-') word.value = -word.value;
-  at_ += length > 0 ? blanks + length : 0;
+  const std::size_t length = begins_number(sign) ? read_value(word) : 0;
+  at_ += length;
   word.has_number = length > 0;
   word.end = static_cast<std::uint32_t>(at_);
   const bool needs_number = word.letter != 'N' && word.letter != 'O';

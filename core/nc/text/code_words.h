@@ -25,7 +25,9 @@ struct CodeWord {
 
 class CodeReader {
  public:
-  explicit CodeReader(std::string_view line) : line_(line) {}
+  // `blanks_in_numbers`: X1 0 is X10, as for LinuxCNC, to which blanks are nothing.
+  explicit CodeReader(std::string_view line, bool blanks_in_numbers = false)
+      : line_(line), blanks_in_numbers_(blanks_in_numbers) {}
 
   [[nodiscard]] CodeWord next();
   // Says what is wrong after a word of kind `fault`; the next word may be asked for all the same.
@@ -40,11 +42,13 @@ class CodeReader {
   [[nodiscard]] CodeWord address(std::size_t begin);
   [[nodiscard]] CodeWord name_of_program(CodeWord word);
   [[nodiscard]] std::size_t blanks_behind_sign() const;
+  std::size_t read_value(CodeWord& word) const;
   [[nodiscard]] CodeWord polar(std::size_t begin);
   [[nodiscard]] CodeWord name(std::size_t begin);
   [[nodiscard]] CodeWord fail(Code code, std::size_t begin, std::size_t end, std::string detail);
 
   std::string_view line_;
+  bool blanks_in_numbers_;
   std::size_t at_ = 0;
   TextFault fault_{};
 };

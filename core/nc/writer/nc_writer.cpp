@@ -106,18 +106,23 @@ void NcWriter::write(const CompensatedBlock& block, std::string& out) {
 
 void NcWriter::write_without_motion(const Waiting& own, std::string& out) {
   const ProgramLine& line = *own.line;
+  if (line.klartext && line.klartext->hands_pole_on) write_pole_handed_on(line, out);
   if (!line.has_trc_words && !line.is_motion) {
     write_line(line, out);
   } else {
     begin_words();
     bool has_more_than_number = false;
+    bool has_name = false;  // L in front of its feed
     const std::uint64_t number = next_number_;
     for (const WordRange& word : line.words) {
       if (word.role == WordRole::trc || word.role == WordRole::coordinate) continue;
       if (klartext_ && word.role == WordRole::mode) continue;
-      if (klartext_ && word.role == WordRole::feed) words_.append(" L");
       if (word.role == WordRole::motion && line.is_motion) continue;
-      has_more_than_number |= word.role != WordRole::number;
+      if (klartext_ && word.role == WordRole::feed && !has_name) words_.append(" L");
+      has_name |= word.role == WordRole::motion;
+      // L RL alone, L R0 FMAX: nothing is left of them.
+      has_more_than_number |=
+          word.role != WordRole::number && !(klartext_ && word.role == WordRole::motion);
       append(line, word);
     }
     if (has_more_than_number)
@@ -136,6 +141,7 @@ void NcWriter::enter_klartext(const ProgramLine& line, bool copied) {
   const KlartextLine& says = *line.klartext;
   if (says.sets_polar_radius) state_.other_radius = !copied;
   if (line.is_motion) state_.other_tangent = !copied;
+  if (says.loses_pole) state_.has_pole = false;
   if (!says.sets_pole) return;
   state_.pole_written = !copied;
   if (!copied) return;
@@ -150,6 +156,12 @@ void NcWriter::write_pole(const Point& pole, Plane plane, std::string& out) {
   write_words(line_end_, out);
   state_.pole_written = true;
   state_.has_pole = true;
+}
+
+void NcWriter::write_pole_handed_on(const ProgramLine& line, std::string& out) {
+  if (!state_.pole_written) return;
+  write_pole(Point(line.klartext->pole_x, line.klartext->pole_y), line.plane, out);
+  state_.pole_written = false;
 }
 
 void NcWriter::write_motion(const CompensatedBlock& block, std::string& out) {

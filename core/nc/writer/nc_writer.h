@@ -109,6 +109,7 @@ class NcWriter {
   [[nodiscard]] bool has_what_it_counts_on(const ProgramLine& line,
                                            const CompensatedBlock& block) const;
   void enter_klartext(const ProgramLine& line, bool copied);
+  void write_pole_handed_on(const ProgramLine& line, std::string& out);
   void write_pole(const Point& pole, Plane plane, std::string& out);
 
   void write_motion(const CompensatedBlock& block, std::string& out);

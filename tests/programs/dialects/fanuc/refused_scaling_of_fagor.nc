@@ -1,0 +1,14 @@
+; radius 5
+; refused 900003 line 9
+%
+O1
+G21 G17 G90 G40
+T1 M6
+G0 X-20. Y-20.
+G72 S0.5
+G41 D1 G1 X0. Y-10. F500.
+Y40.
+X60.
+G40 X80.
+M30
+%

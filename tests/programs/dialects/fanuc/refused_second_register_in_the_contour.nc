@@ -1,0 +1,14 @@
+; radius 5
+; refused 900013 line 10
+%
+O1
+G21 G17 G90 G40
+T1 M6
+G0 X-20. Y-20.
+G41 D1 G1 X0. Y-10. F500.
+Y40.
+D2
+X60.
+G40 X80.
+M30
+%

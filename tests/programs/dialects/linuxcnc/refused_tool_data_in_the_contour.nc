@@ -1,0 +1,11 @@
+; radius 5
+; refused 900003 line 8
+G21 G17 G90 G40
+T1 M6
+G0 X-20 Y-20
+G41 D1 G1 X0 Y-10 F500
+Y40
+G10 L1 P1 R3
+X60
+G40 G1 X80
+M2

@@ -1,0 +1,10 @@
+; radius 5
+; refused 900003 line 6
+G21 G17 G90 G40
+T1 M6
+G0 X-20 Y-20
+G41.1 D10 L2 G1 X0 Y-10 F500
+Y40
+X60
+G40 G1 X80
+M2

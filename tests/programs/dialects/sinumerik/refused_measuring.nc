@@ -1,0 +1,8 @@
+; radius 5
+; refused 900003 line 7
+G17 G71 G90 G94 G40
+T1 M6
+D1 S3000 M3
+G0 X-20 Y-20
+MEAS=1 G1 X10 F200
+M30
