@@ -340,6 +340,68 @@ Contour contour_of(std::vector<Segment> blocks) {
           .retract = {last, last + 5 * (left_of(out) + out)}};
 }
 
+// A pocket with an inside corner of few degrees, and an overrun along its first side that ends so
+// far before that corner that the arc out may run through it. Every programmed side is a wall.
+struct FlatCorner {
+  double angle = 0;
+  double side = 0;     // length of the first side
+  double overrun = 0;  // how far the overrun goes along it
+  double radius = 0;   // of the tool
+
+  [[nodiscard]] std::vector<Segment> ring() const {
+    const double far = 40 * radius;
+    const std::vector<Point> corners{
+        {0, 0},     {side, 0},   {side + far * std::cos(angle), far * std::sin(angle)},
+        {far, far}, {-far, far}, {-far, 0},
+        {0, 0}};
+    std::vector<Segment> ring;
+    for (std::size_t i = 1; i < corners.size(); ++i)
+      ring.emplace_back(Line{.start = corners[i - 1], .end = corners[i]});
+    return ring;
+  }
+  [[nodiscard]] std::string text(const std::string& mode) const {
+    const double out = 1.02 * radius;  // of the arcs
+    const auto at = [](double x, double y) {
+      return " X" + std::to_string(x) + " Y" + std::to_string(y);
+    };
+    const auto arc = [&](const char* centre) { return std::string(centre) + std::to_string(out); };
+    std::string text = mode + "\nV.G.WZ_AKT.R = " + std::to_string(radius) + "\nG0" +
+                       at(3 * radius, 2 * out) + "\nG41 G1 F500" + at(0, 2 * out) + "\nG3" +
+                       at(0, 0) + arc(" I0 J-") + "\nG1\n";
+    for (const Segment& wall : ring()) text += at(end_of(wall).x(), end_of(wall).y()) + "\n";
+    return text + at(overrun, 0) + "\nG3" + at(overrun, 2 * out) + arc(" I0 J") + "\nG40 G1" +
+           at(-3 * radius, 2 * out) + "\nM30\n";
+  }
+};
+
+TEST(Leads, OutThroughAFlatCornerAreToldWhereTheyCut) {
+  std::size_t told = 0;
+  std::size_t clear = 0;
+  for (const double radius : {0.5, 2.0, 20.0})
+    for (const double angle : {0.03, 0.1, 0.2, 0.3})
+      for (const double before : {0.02, 0.05, 0.1, 0.5, 1.5, 4.0})
+        for (const char* mode :
+             {"G26\nG140", "G25\nG140", "G26\nG141\n#TRC[REMOVE_MASKED_BLOCKS=1]"}) {
+          const FlatCorner pocket{.angle = angle,
+                                  .side = 0.5 * radius + before,
+                                  .overrun = 0.5 * radius,
+                                  .radius = radius};
+          SessionSetup session;
+          session.verify = Verify::report;
+          const Outcome outcome = run(pocket.text(mode), session);
+          if (!outcome.diagnostics.empty()) {
+            ++told;
+            continue;
+          }
+          ++clear;
+          const std::vector<Segment> ring = pocket.ring();
+          for (const Point& point : samples_of(path_of(outcome)))
+            ASSERT_GE(distance_from(ring, point), radius - 0.005) << pocket.text(mode);
+        }
+  EXPECT_GT(told, 20U);
+  EXPECT_GT(clear, 20U);
+}
+
 TEST(Leads, ChangeNothingBetweenTheTwoVisitsOfTheClosingPoint) {
   std::size_t compared = 0;
   std::size_t with_loops = 0;

@@ -539,6 +539,28 @@ TEST(Walls, ALeadOutSlightlyIntoTheFirstWallMakesNoLeadOfIt) {  // D-38
   }
 }
 
+// Behind an overrun that ends before a flat inside corner, the arc out runs through that corner.
+TEST(Walls, ALeadOutThroughAFlatCornerMakesNoLeadOfIt) {  // D-38
+  for (const double angle : {0.1, 0.2, 0.3})
+    for (const double before : {0.5, 1.0, 1.5}) {
+      const Walls walls = walls_of(Drawing(0, 41)
+                                       .arc(0, 20.5, pi)
+                                       .line(11, 0)
+                                       .line(11 + 200 * std::cos(angle), 200 * std::sin(angle))
+                                       .line(200, 400)
+                                       .line(-200, 400)
+                                       .line(-200, 0)
+                                       .line(0, 0)
+                                       .line(11 - before, 0)
+                                       .arc(11 - before, 20.5, pi),
+                                   Side::left);
+      EXPECT_EQ((Ranges{{0, 1}, {8, 9}}), walls.leads) << angle << ' ' << before;
+      ASSERT_EQ(1U, walls.parts.size()) << angle << ' ' << before;
+      EXPECT_EQ(1U, walls.parts[0].number) << angle << ' ' << before;
+      EXPECT_NEAR(11 - before, walls.parts[0].from, 1e-9) << angle << ' ' << before;
+    }
+}
+
 // Of a block without length both ends are the crossing: there is nothing beyond it.
 TEST(Walls, APointBehindAFullCircleTiesNothing) {  // D-44
   for (const double shift : {1.0, -1.0}) {

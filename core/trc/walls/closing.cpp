@@ -248,21 +248,54 @@ class InwardSearch {
     lap.append(contour_, visits[0].place, visits[1].place);
     return !lap.has_on(contour_.tool_side, start_of(contour_.segment(0)));
   }
-  // Half way from the best one to the next, begin and end are in one place: a lead that leaves
+  // From the best one to the next, begin and end are in one place all the way: a lead that leaves
   // through the first walls meets them again too. Of several laps the end lies on the last one.
   [[nodiscard]] bool runs_along(const Candidate& next) {
     const double on = best_->behind - next.behind;
     if (overruns_ == Overruns::along_the_last_lap) {
-      const double way = overrun_.front().behind - best_->behind + on / 2;
-      const Point begin = behind_by(begin_of_last_lap(), way);
-      return (begin - behind_by(overrun_.front().second, way)).norm() <= 2 * tolerance_;
+      const double way = overrun_.front().behind - best_->behind;
+      return stay_together(behind_by(begin_of_last_lap(), way), on,
+                           behind_by(overrun_.front().second, way), on, 2 * tolerance_);
     }
     const double later = next.before - best_->before;
     // Of that way, where begin and end part in an acute angle and an overrun ends on the begin.
     const double share = is_crossing(*best_) || !is_block_end(next.second) ? 0 : 0.02;
-    const Point begin = behind_by(best_->first, later / 2);
-    const Point end = behind_by(best_->second, on / 2);
-    return (begin - end).norm() <= tolerance_ + share * later;
+    const double most = std::min(tolerance_, Tolerances{}.on_top) + share * later;
+    return stay_together(best_->first, later, best_->second, on, most);
+  }
+  // Whether two ways along the contour are nowhere farther apart than `most`, mm.
+  [[nodiscard]] bool stay_together(ContourPlace begin, double later, ContourPlace end, double on,
+                                   double most) const {
+    const auto go_on_together = [&](double share) {
+      go_on(begin, later, share);
+      go_on(end, on, share);
+      return (point_at(begin) - point_at(end)).norm() <= most;
+    };
+    // From one end of a block to the next one, on whichever way it is, as shares of the way.
+    double left = 1;
+    while (left > 0) {
+      contour_.pass();
+      const double step =
+          std::min({share_to_block_end(begin, later), share_to_block_end(end, on), left});
+      left -= step;
+      if (!go_on_together(step / 2) || !go_on_together(step / 2)) return false;
+    }
+    return true;
+  }
+  [[nodiscard]] double left_of(const ContourPlace& place) const {
+    return std::max(length_of(contour_.segment(place.number)) - place.along, 0.0);
+  }
+  // Of a way that goes on from there.
+  [[nodiscard]] double share_to_block_end(const ContourPlace& place, double way) const {
+    const bool ends_there = way <= same_place || place.number + 1 == contour_.count;
+    return ends_there ? 1 : left_of(place) / way;
+  }
+  void go_on(ContourPlace& place, double way, double share) const {
+    const bool ends = share * way >= left_of(place) - same_place;
+    if (ends && place.number + 1 < contour_.count)
+      place = {place.number + 1, 0};
+    else
+      place.along += share * way;
   }
   // Where the last lap comes by where the overrun begins.
   [[nodiscard]] const ContourPlace& begin_of_last_lap() {
@@ -275,7 +308,7 @@ class InwardSearch {
     while (end > 1 && visits[end].way - visits[end - 1].way < least) --end;
     return last_lap_.emplace(visits[end - 1].place);
   }
-  [[nodiscard]] Point behind_by(const ContourPlace& place, double way) const {
+  [[nodiscard]] ContourPlace behind_by(const ContourPlace& place, double way) const {
     std::size_t number = place.number;
     way += place.along;
     for (; number + 1 < contour_.count; ++number) {
@@ -283,7 +316,10 @@ class InwardSearch {
       if (way <= length) break;
       way -= length;
     }
-    return point_along(contour_.segment(number), way);
+    return {number, way};
+  }
+  [[nodiscard]] Point point_at(const ContourPlace& place) const {
+    return point_along(contour_.segment(place.number), place.along);
   }
   void take(const Candidate& next) {
     best_ = next;
