@@ -232,7 +232,7 @@ constexpr auto rows = std::to_array<CodeRow>({
      "nearer than its radius",
      "Let the motion reverse exactly there, or deselect with G40 before the other side."},
     {Code::most_left_out, error, "MOST_LEFT_OUT",
-     "more of the contour than allowed would be left out in one stretch",
+     "more of the contour than allowed would be left out",
      "Use a smaller tool: SurveyRadii (trc radii) says which one fits. If a block that bounds no "
      "material is in the way, mark it as a lead, or make leads larger than the tool. Where the "
      "stretch may be left out, raise max_masked_share."},

@@ -49,6 +49,8 @@ constexpr auto words_of_values = std::to_array<ValueWords>({
     {"largest_radius", "largest radius there", "größter Radius dort", Measure::length},
     {"largest_shift", "largest shift", "größte Verschiebung", Measure::length},
     {"largest_sweep", "largest sweep", "größter Bogenwinkel", Measure::angle},
+    {"left_out_in_all", "of all stretches above ten tool radii",
+     "von allen Stücken über zehn Werkzeugradien", Measure::length},
     {"left_out_length", "length left out", "ausgelassene Länge", Measure::length},
     {"limit", "limit", "Grenze", Measure::count},
     {"lines", "lines", "Zeilen", Measure::lines},

@@ -844,11 +844,13 @@ constexpr auto rows = std::to_array<Explanation>({
                 "N130 G01 Y0\n"
                 "N140 M30\n"},
     {.code = Code::most_left_out,
-     .meaning = "Loop removal would pass by so large a part of the contour in one stretch "
-                "that it can hardly be meant.",
+     .meaning = "Loop removal would pass by so large a part of the contour that it can hardly be "
+                "meant.",
      .causes = {"The tool does not get through a neck, and behind it lies most of the "
                 "contour.",
-                "The leads cross the contour.", "The contour is compensated on the wrong side."},
+                "The leads cross the contour, or rapid motion links several contours in one "
+                "selection: put G40 between them.",
+                "The contour is compensated on the wrong side."},
      .on_command_line =
          "Use a smaller tool: trc radii says which one fits. If a block that bounds "
          "no material is in the way, make leads larger than the tool, or say how many "

@@ -322,7 +322,7 @@ constexpr auto rows = std::to_array<GermanRow>({
      .help = "Die Bewegung genau dort umkehren lassen, oder vor der anderen Seite mit G40 "
              "abwählen."},
     {.code = Code::most_left_out,
-     .title = "von der Kontur bliebe an einem Stück mehr stehen als erlaubt",
+     .title = "von der Kontur bliebe mehr stehen als erlaubt",
      .help = "Einen kleineren Fräser nehmen: SurveyRadii (trc radii) sagt, welcher passt. Ist ein "
              "Satz im Weg, der keinen Werkstoff begrenzt, ihn als Anfahr- oder Abfahrsatz "
              "kennzeichnen, oder An- und Abfahrwege größer machen als das Werkzeug. Wo das Stück "

@@ -380,11 +380,14 @@ constexpr auto rows = std::to_array<GermanExplanation>({
      .causes = {"Es fehlt ein Punkt, an dem die Bewegung umkehrt.",
                 "Der Endpunkt eines Satzes ist gerundet, so dass der Rückweg ein anderer ist."}},
     {.code = Code::most_left_out,
-     .meaning = "Die Schleifenentfernung würde in einem Stück einen so großen Teil der Kontur "
-                "auslassen, dass es kaum gemeint sein kann.",
-     .causes = {"Das Werkzeug kommt durch einen Hals nicht hindurch, und dahinter liegt der größte "
-                "Teil der Kontur.",
-                "An- oder Abfahrwege kreuzen die Kontur.", wrong_side}},
+     .meaning = "Die Schleifenentfernung würde einen so großen Teil der Kontur auslassen, dass es "
+                "kaum gemeint sein kann.",
+     .causes =
+         {"Das Werkzeug kommt durch einen Hals nicht hindurch, und dahinter liegt der größte "
+          "Teil der Kontur.",
+          "An- oder Abfahrwege kreuzen die Kontur, oder Eilgang verbindet mehrere Konturen "
+                "in einer Anwahl: G40 dazwischen setzen.",
+                wrong_side}},
     {.code = Code::no_tool_radius,
      .meaning = "Welche Bahn das Werkzeug fährt, hängt von seinem Radius ab, und weder Programm "
                 "noch Einstellungen haben einen genannt.",

@@ -56,8 +56,8 @@ void serialize(Archive& archive, Walls& walls) {
 
 template <class Archive>
 void serialize(Archive& archive, LeftOut& stretch) {
-  auto& [first, last, length, of_walls, tool_radius] = stretch;
-  archive(first, last, length, of_walls, tool_radius);
+  auto& [first, last, length, of_walls, tool_radius, in_all] = stretch;
+  archive(first, last, length, of_walls, tool_radius, in_all);
 }
 
 template <class Archive>

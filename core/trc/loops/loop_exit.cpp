@@ -14,8 +14,20 @@ constexpr double near_closing = 2;
 
 }  // namespace
 
+// Where the contour goes over its begin again, or lap over lap, the path comes back to the same
+// point a lap later too, which leaves out the lap: that is for where nothing else leads on.
 std::optional<LoopExit> LoopExits::find(const PathPiece& at, const Onset& onset,
                                         Nearness nearness) const {
+  within_lap_ = true;
+  goes_round_ = false;
+  auto exit = find_any(at, onset, nearness);
+  if (exit || !goes_round_ || nearness == Nearness::exact) return exit;
+  within_lap_ = false;
+  return find_any(at, onset, nearness);
+}
+
+std::optional<LoopExit> LoopExits::find_any(const PathPiece& at, const Onset& onset,
+                                            Nearness nearness) const {
   PathPiece piece = at;
   piece.to = onset.along;
   piece.end = point_along(path(at.block).path, onset.along);
@@ -76,7 +88,7 @@ std::optional<LoopExit> LoopExits::exit_here(const PathPiece& piece, std::size_t
   const double radius = std::max(path_.radius_of_tool(piece.block), 1.0);
   const double part = nearness == Nearness::exact ? 4 * tolerances_.rounding : tolerances_.passable;
   for (const std::size_t block : near_) {
-    if (path_.is_unreachable(block)) continue;
+    if (path_.is_unreachable(block) || leaves_out_a_lap(piece.block, block)) continue;
     const Segment segment = path(block).path;
     const double along = nearest_along(segment, piece.end);
     const Point point = point_along(segment, along);
@@ -162,6 +174,7 @@ std::optional<LoopExit> LoopExits::crossing_in(const PathPiece& piece, std::size
   const double slack = slack_of_places(tolerances_);
   std::optional<LoopExit> latest;
   for (const std::size_t block : near_) {
+    if (leaves_out_a_lap(piece.block, block)) continue;
     for (const Crossing& crossing : crossings_of(piece.block, block)) {
       if (crossing.along_first < piece.from - slack || crossing.along_first > piece.to + slack)
         continue;

@@ -63,6 +63,15 @@ class LoopExits {
   }
   [[nodiscard]] std::size_t end_of_contour() const { return path_.end_of_contour(); }
 
+  [[nodiscard]] std::optional<LoopExit> find_any(const PathPiece& at, const Onset& onset,
+                                                 Nearness nearness) const;
+  // Whether the way from one block of the path to another one is none to be looked for now.
+  [[nodiscard]] bool leaves_out_a_lap(std::size_t from, std::size_t to) const {
+    const bool goes_round =
+        within_lap_ && obstacles_.walls().goes_round(path_.number_of(from), path_.number_of(to));
+    goes_round_ = goes_round_ || goes_round;
+    return goes_round;
+  }
   // Behind the block `at`.
   [[nodiscard]] Stretch stretch_about(std::size_t obstacle, std::size_t at) const;
   // How the path meets its continuation.
@@ -116,6 +125,8 @@ class LoopExits {
     Crossings crossings{};
   };
   // About the piece asked about, and how far from that what meets it may be.
+  mutable bool within_lap_ = false;
+  mutable bool goes_round_ = false;  // a way has been left aside for that
   mutable Box area_{};
   mutable double reach_ = 0;
   // Of one block; members for their memory's sake.

@@ -158,7 +158,7 @@ void LoopRelease::report_masked(const PathPlace& next, const Point& place) {
   LeftOut stretch = left_out(left_to_.block + 1 == next_ ? left_to_ : PathPlace{next_, 0}, next);
   stretch.first = path_.source_of(number_of(first));
   stretch.last = path_.source_of(number_of(last));
-  if (window_ > 0 && stretch.length > longest_left_out_.length) longest_left_out_ = stretch;
+  if (window_ > 0) longest_left_out_.add(stretch);
   Diagnostic note = note_of(stretch);
   const Position position = from_plane(path_.mode_of(first).plane, place, path_.height_of(first));
   note.point = DiagnosticPoint{.x = position[0], .y = position[1], .z = position[2]};
@@ -187,14 +187,20 @@ LeftOut LoopRelease::left_out(const PathPlace& from, const PathPlace& to) const 
   return stretch;
 }
 
+bool LoopRelease::is_parted_by_rapid() const {
+  for (std::size_t number = path_.begin_of_contour() + 1; number + 1 < path_.end_of_contour();
+       ++number)
+    if (path_.setting_of(path_.contour_block(number).block).rapid) return true;
+  return false;
+}
+
 bool LoopRelease::check_left_out() {
   if (largest_masked_share_ >= 1 || path_.empty()) return true;
   LeftOut longest = longest_left_out_;
   PathPlace reached{next_, 0};
   const auto consider = [&](const PathPlace& next) {
     if (next.block <= reached.block) return;
-    const LeftOut stretch = left_out(reached, next);
-    if (stretch.length > longest.length) longest = stretch;
+    longest.add(left_out(reached, next));
   };
   for (std::size_t number = walked_.begin(); number < walked_.end(); ++number) {
     const auto& [block, cut] = walked_.kept(number);
@@ -208,8 +214,9 @@ bool LoopRelease::check_left_out() {
   if (path_.begin_of_contour() == 0)
     for (std::size_t number = 0; number < path_.end_of_contour(); ++number)
       longest.of_walls += obstacles_.wall_length(number);
-  if (!longest.is_more_than(largest_masked_share_)) return true;
-  return diagnostics_.report(refusal_of(longest, largest_masked_share_));
+  const bool is_parted = longest.in_all > 0 && is_parted_by_rapid();
+  if (!is_parted && !longest.is_more_than(largest_masked_share_)) return true;
+  return diagnostics_.report(refusal_of(longest, is_parted ? 0 : largest_masked_share_));
 }
 
 }  // namespace trc

@@ -85,6 +85,9 @@ class LoopRelease {
   void report_masked(const PathPlace& next, const Point& place);
   // From one place of the path to another one, which are next to a loop (D-39).
   [[nodiscard]] LeftOut left_out(const PathPlace& from, const PathPlace& to) const;
+  // Whether several contours are linked by rapid motion: of each of them the walls are unknown, and
+  // so is what share of it a stretch is.
+  [[nodiscard]] bool is_parted_by_rapid() const;
 
   HeldPath& path_;
   WalkedPath& walked_;

@@ -287,7 +287,8 @@ void Obstacles::put_first_visits_in_front(std::size_t block, const Point& place,
   const std::size_t known = numbers_.size();
   for (std::size_t index = 0; index < known; ++index) {
     const auto first = first_visit_of(numbers_[index]);
-    if (first && *first > own && distance(place, path_.contour_block(*first).programmed) <= limit)
+    if (first && *first > own &&
+        distance(place, path_.contour_block(*first).programmed) <= limit + walls_.touch)
       numbers_.push_back(*first);
   }
   std::rotate(numbers_.begin(), numbers_.begin() + static_cast<std::ptrdiff_t>(known),

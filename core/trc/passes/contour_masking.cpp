@@ -315,7 +315,7 @@ void ContourMasking::report_masked(std::size_t first, std::size_t end) {
     const LeftOut stretch = left_out(index, behind);
     if (window_ > 0) {
       contour_length_ += stretch.length;
-      if (stretch.length > longest_left_out_.length) longest_left_out_ = stretch;
+      longest_left_out_.add(stretch);
     }
     diagnostics_.report(note_of(stretch));
     index = behind - 1;
@@ -334,7 +334,7 @@ bool ContourMasking::check_left_out() {
     std::size_t behind = base_ + held_.size();
     const LeftOut stretch = left_out(index, behind);
     of_walls += stretch.length;
-    if (stretch.length > longest.length) longest = stretch;
+    longest.add(stretch);
     index = behind - 1;
   }
   if (longest.length == 0) return true;

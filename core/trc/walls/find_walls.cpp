@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <memory_resource>
 #include <span>
 #include <utility>
@@ -132,16 +133,54 @@ void add_rings(const ContourView& contour, const Laps& laps, Leads& leads, Walls
   }
 }
 
-// How much nearer to the end of the contour than the tool its begin leads, mm, as both meet in a
-// slight kink; what is more than rounding makes is none of that (D-44).
+// Where a block comes by where the contour closes, and how long it is.
+struct Direction {
+  Vector tangent = Vector::Zero();
+  double length = 0;
+};
+
+// Of the walls that meet there and of the leads in and out, at most six. What is shorter than the
+// resolution of the input tells nothing of where the contour closes.
+std::pmr::vector<Direction> directions_at(const ContourView& contour, const Closing& closing,
+                                          double input_resolution,
+                                          std::pmr::memory_resource* memory) {
+  std::pmr::vector<Direction> directions(memory);
+  for (const auto& [number, along] : {closing.first, closing.second}) {
+    const Segment block = contour.segment(number);
+    const double length = length_of(block);
+    directions.push_back({tangent_along(block, along), length});
+    if (along <= input_resolution && number > 0) {
+      const Segment before = contour.segment(number - 1);
+      directions.push_back({tangent_at_end(before), length_of(before)});
+    }
+    if (along >= length - input_resolution && number + 1 < contour.count) {
+      const Segment behind = contour.segment(number + 1);
+      directions.push_back({tangent_at_start(behind), length_of(behind)});
+    }
+  }
+  return directions;
+}
+
+// How much nearer to one end of the contour than the tool the other one leads, mm, as they meet, or
+// their leads do, in a slight kink; what is more than rounding makes is none of that (D-44).
 double kink_in(const ContourView& contour, const Closing& closing, double tool_radius,
-               double input_resolution) {
-  const Vector out = tangent_along(contour.segment(closing.first.number), closing.first.along);
-  const Vector in = tangent_along(contour.segment(closing.second.number), closing.second.along);
-  if (out.dot(in) <= 0) return 0;
-  const double sine = cross(in, out);
-  const double nearer = tool_radius * sine * sine / (1 + out.dot(in));
-  return nearer <= input_resolution ? nearer : 0;
+               double input_resolution, std::pmr::memory_resource* memory) {
+  const auto kink_between = [&](const Direction& one, const Direction& other) {
+    const double cosine = one.tangent.dot(other.tangent);
+    if (cosine <= 0) return 0.0;
+    const double sine = cross(one.tangent, other.tangent);
+    const double nearer = tool_radius * sine * sine / (1 + cosine);
+    // By so much rounding of their ends turns blocks so short.
+    const double by_rounding = 2 * input_resolution * (1 / one.length + 1 / other.length);
+    const double most = std::abs(sine) <= by_rounding ? Tolerances{}.on_top : input_resolution;
+    return nearer <= most ? nearer : 0;
+  };
+  double kink = 0;
+  const auto directions = directions_at(contour, closing, input_resolution, memory);
+  for (std::size_t one = 0; one < directions.size(); ++one)
+    for (std::size_t other = one + 1; other < directions.size(); ++other)
+      kink = std::max(kink, kink_between(directions[one], directions[other]));
+  return kink;
 }
 
 // Of an overrun where it begins: what leads from one lap to the next need not come by where it
@@ -195,8 +234,8 @@ Walls find_walls(const ContourView& contour, const LeadSettings& settings, doubl
     leads.add_behind(closing->second);
     walls.head = {0, closing->first.number + 2};
     walls.tail = {closing->joins - std::min<std::size_t>(closing->joins, 1), contour.count};
-    walls.touch =
-        std::max(closing->gap, kink_in(contour, *closing, tool_radius, settings.input_resolution));
+    walls.touch = std::max(closing->gap, kink_in(contour, *closing, tool_radius,
+                                                 settings.input_resolution, scratch.memory()));
     // What comes by once goes over nothing of its own.
     if (!closing->is_alone || closing->overrun)
       add_rings(

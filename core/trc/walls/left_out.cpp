@@ -6,6 +6,8 @@ namespace {
 // A stretch so long, in tool radii, is seldom what was meant.
 constexpr double long_stretch = 10;
 
+bool is_long(const LeftOut& stretch) { return stretch.length > long_stretch * stretch.tool_radius; }
+
 // One by one: a list of them would be made of copies.
 void give_values(const LeftOut& stretch, Diagnostic& found) {
   constexpr std::size_t most = 9;  // two places of three each, and three lengths
@@ -19,9 +21,15 @@ void give_values(const LeftOut& stretch, Diagnostic& found) {
 
 }  // namespace
 
+void LeftOut::add(const LeftOut& other) {
+  const double all = in_all + (is_long(other) ? other.length : 0);
+  if (other.length > length) *this = other;
+  in_all = all;
+}
+
 Diagnostic note_of(const LeftOut& stretch) {
   Diagnostic note = diagnostic(Code::blocks_masked, stretch.first);
-  if (stretch.length > long_stretch * stretch.tool_radius) note.severity = Severity::warning;
+  if (is_long(stretch)) note.severity = Severity::warning;
   give_values(stretch, note);
   return note;
 }
@@ -29,6 +37,8 @@ Diagnostic note_of(const LeftOut& stretch) {
 Diagnostic refusal_of(const LeftOut& stretch, double largest_share) {
   Diagnostic refusal = diagnostic(Code::most_left_out, stretch.first);
   give_values(stretch, refusal);
+  if (stretch.in_all > stretch.length)
+    refusal.values.push_back({"left_out_in_all", stretch.in_all});
   refusal.values.push_back({"max_masked_share", largest_share});
   return refusal;
 }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+
 #include "core/base/diagnostic.h"
 
 namespace trc {
@@ -12,13 +14,19 @@ struct LeftOut {
   double length = 0;    // mm of wall
   double of_walls = 0;  // mm, of the whole selection; 0: not known yet
   double tool_radius = 0;
+  // mm: of this one, or of all that are longer than 10 · R together, once they have been added.
+  double in_all = 0;
 
-  [[nodiscard]] bool is_more_than(double share) const { return length > share * of_walls; }
+  // Another stretch of the same selection; the longest one stays.
+  void add(const LeftOut& other);
+  [[nodiscard]] bool is_more_than(double share) const {
+    return std::max(length, in_all) > share * of_walls;
+  }
 };
 
 // What is said of it: a note, or a warning where it is longer than 10 · R.
 [[nodiscard]] Diagnostic note_of(const LeftOut& stretch);
-// 900218, where it is more than the share of the walls that may be left out.
+// 900218, where that is more than the share of the walls that may be left out.
 [[nodiscard]] Diagnostic refusal_of(const LeftOut& stretch, double largest_share);
 
 }  // namespace trc

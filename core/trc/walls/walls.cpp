@@ -22,6 +22,18 @@ std::size_t Walls::ring_of(std::size_t number) const {
                                   rings.begin());
 }
 
+bool Walls::goes_round(std::size_t from, std::size_t to) const {
+  if (to <= from || tail.first == tail.end) return false;
+  const std::size_t begin = head.end - std::min<std::size_t>(head.end, 2);
+  if (rings.empty()) {
+    const std::size_t lap = blocks_of_round > 0 ? blocks_of_round : tail.first + 1 - begin;
+    return from < head.end && to >= tail.first && to - from + 1 >= lap;
+  }
+  // The last lap counts as the one before it.
+  const std::size_t ring = std::min(ring_of(from), rings.size() - 1);
+  return to - from + 1 >= rings[ring] - (ring > 0 ? rings[ring - 1] : begin);
+}
+
 double Walls::touch_between(std::size_t number, std::size_t path) const {
   const auto meet = [&](const Range& begin, const Range& end) {
     return (begin.holds(number) && end.holds(path)) || (end.holds(number) && begin.holds(path));

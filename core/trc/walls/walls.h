@@ -86,6 +86,9 @@ struct Walls {
     return number == path ||
            (!is_lead(number) && (rings.empty() || ring_of(number) >= ring_of(path)));
   }
+  // Whether all of a lap lies between two blocks: from the begin of the contour to its end, or from
+  // one ring into another one.
+  [[nodiscard]] bool goes_round(std::size_t from, std::size_t to) const;
   // How much nearer than the tool radius that path may come to it, mm.
   [[nodiscard]] double touch_between(std::size_t number, std::size_t path) const;
 
