@@ -1,3 +1,4 @@
+#include <absl/synchronization/mutex.h>
 #include <grpc/support/log.h>
 #include <malloc.h>
 #include <pthread.h>
@@ -8,6 +9,7 @@
 #include <csignal>
 #include <cstdio>
 #include <ctime>
+#include <semaphore>
 #include <string>
 #include <thread>
 
@@ -102,21 +104,35 @@ void serve(int argc, char** argv, const sigset_t& signals, trc::server::Server& 
 void exit_at_next(const sigset_t& signals, std::chrono::seconds drain_timeout, const Log& log) {
   constexpr auto grace = std::chrono::milliseconds(1500);
   const auto latest = std::chrono::steady_clock::now() + drain_timeout + grace;
-  std::thread([signals, latest, &log] {
-    for (;;) {
-      const auto left = latest - std::chrono::steady_clock::now();
-      const int signal = wait_for(
-          signals, std::min<std::chrono::microseconds>(
-                       look_interval, std::chrono::duration_cast<std::chrono::microseconds>(left)));
-      if (signal == SIGTERM || signal == SIGINT) _exit(1);
-      if (std::chrono::steady_clock::now() >= latest) {
-        log.error(LogLine("drain_overrun"));
-        _exit(1);
-      }
-      service_manager::alive();
+  for (;;) {
+    const auto left = latest - std::chrono::steady_clock::now();
+    const int signal = wait_for(
+        signals, std::min<std::chrono::microseconds>(
+                     look_interval, std::chrono::duration_cast<std::chrono::microseconds>(left)));
+    if (signal == SIGTERM || signal == SIGINT) _exit(1);
+    if (std::chrono::steady_clock::now() >= latest) {
+      trc::server::do_round([&] { log.error(LogLine("drain_overrun")); });
+      _exit(1);
     }
-  }).detach();
+    service_manager::alive();
+  }
 }
+
+// The thread that sees to the end. It is there from the start on: when it is wanted there may be no
+// room for another one.
+class Drain {
+ public:
+  Drain(const sigset_t& signals, std::chrono::seconds timeout, const Log& log) {
+    std::thread([this, signals, timeout, &log] {
+      begun_.acquire();
+      exit_at_next(signals, timeout, log);
+    }).detach();
+  }
+  void begin() { begun_.release(); }
+
+ private:
+  std::binary_semaphore begun_{0};
+};
 
 void log_start(trc::server::Server& server) {
   const trc::server::Config& config = server.backend().config;
@@ -168,6 +184,9 @@ int main(int argc, char** argv) {
     return command_line.exit->code;
   }
 
+  // Debian's Abseil looks for deadlocks of gRPC at every lock, behind one lock of its own, and ends
+  // the process where it finds no memory to note them down.
+  absl::SetMutexDeadlockDetectionMode(absl::OnDeadlockCycle::kIgnore);
   share_heap();
   trc::server::HeapReserve::install();
   const sigset_t signals = block_signals();
@@ -179,13 +198,15 @@ int main(int argc, char** argv) {
     return misconfigured ? 2 : 1;
   }
   log_start(*server);
+  const auto& log = server->backend().telemetry.log;
+  // Lives as long as the process: so does its thread.
+  static Drain drain(signals, std::chrono::seconds(command_line.config.drain_timeout_s), log);
 
   service_manager::ready();
 
   serve(argc, argv, signals, *server);
   service_manager::stopping();
-  const auto& log = server->backend().telemetry.log;
-  exit_at_next(signals, std::chrono::seconds(command_line.config.drain_timeout_s), log);
+  drain.begin();
   log.info(LogLine("draining").number("streams", std::uint64_t{server->backend().streams.count()}));
   const std::size_t cut_off = server->drain();
   log.info(LogLine("stopped").number("streams_cut_off", std::uint64_t{cut_off}));

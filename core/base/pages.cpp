@@ -14,6 +14,8 @@
 namespace trc {
 namespace {
 
+std::atomic<bool (*)()> may_take = nullptr;
+
 std::byte* map_piece() {
   for (;;) {
     void* memory =
@@ -34,6 +36,8 @@ class Pieces {
   Pieces() { spare_.reserve(PagePiece::most_spare); }
 
   [[nodiscard]] std::byte* take() {
+    bool (*const asked)() = may_take.load(std::memory_order_relaxed);
+    if (asked != nullptr && !asked()) throw std::bad_alloc();
     std::byte* piece = take_spare();
     if (piece == nullptr) piece = map_piece();
     ++in_use_;
@@ -91,6 +95,8 @@ void PagePiece::give_back_spare() { pieces().give_back_spare(); }
 std::int64_t page_bytes_of_thread() {
   return of_thread * static_cast<std::int64_t>(PagePiece::bytes);
 }
+
+void let_pages_ask(bool (*asked)()) { may_take = asked; }
 
 void give_back_pages(void* memory, std::size_t bytes) {
   static const auto page = static_cast<std::size_t>(sysconf(_SC_PAGESIZE));

@@ -7,6 +7,7 @@
 #include <new>
 
 #include "core/base/page_account.h"
+#include "server/resources/heap_reserve.h"
 
 namespace {
 
@@ -39,7 +40,8 @@ void give_back(void* memory) noexcept {
 
 // What the standard asks of a heap that is empty.
 template <class Take>
-void* take_or_throw(Take take_once) {
+void* take_or_throw(std::size_t bytes, Take take_once) {
+  if (!trc::server::HeapReserve::lets_take(bytes)) throw std::bad_alloc();
   for (;;) {
     if (void* memory = take_once()) return memory;
     const std::new_handler handler = std::get_new_handler();
@@ -52,16 +54,16 @@ void* take_or_throw(Take take_once) {
 
 // All of them: a checker that replaces some would pair its own with these.
 void* operator new(std::size_t bytes) {
-  return take_or_throw([bytes] { return take(bytes); });
+  return take_or_throw(bytes, [bytes] { return take(bytes); });
 }
 void* operator new[](std::size_t bytes) {
-  return take_or_throw([bytes] { return take(bytes); });
+  return take_or_throw(bytes, [bytes] { return take(bytes); });
 }
 void* operator new(std::size_t bytes, std::align_val_t alignment) {
-  return take_or_throw([=] { return take(bytes, alignment); });
+  return take_or_throw(bytes, [=] { return take(bytes, alignment); });
 }
 void* operator new[](std::size_t bytes, std::align_val_t alignment) {
-  return take_or_throw([=] { return take(bytes, alignment); });
+  return take_or_throw(bytes, [=] { return take(bytes, alignment); });
 }
 void* operator new(std::size_t bytes, const std::nothrow_t& /*tag*/) noexcept {
   return take(bytes);

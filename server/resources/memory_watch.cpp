@@ -113,8 +113,12 @@ void MemoryWatch::run() {
   std::unique_lock lock(mutex_);
   while (!changed_.wait_for(lock, round, [this] { return stopping_; })) {
     lock.unlock();
-    HeapReserve::refill();
-    do_round([this] { look(); });
+    has_room_ = HeapReserve::refill();
+    do_round([this] {
+      // Others wait for what this thread does.
+      const HeapReserve::Turn turn;
+      look();
+    });
     lock.lock();
   }
 }
@@ -132,7 +136,8 @@ void MemoryWatch::look() {
     give_back(resident);
     resident = settings_.resident_bytes();
   }
-  if (passes(critical)) {
+  // Address space has a limit of its own (RLIMIT_AS).
+  if (passes(critical) || !has_room_) {
     state_ = State::critical;
     settings_.end_largest();
   } else {

@@ -28,7 +28,7 @@ class MemoryWatch {
   enum class State {
     ample,
     scarce,    // above 85 % of the limit: nothing new is begun
-    critical,  // above 95 %: the largest stream has to go
+    critical,  // above 95 %, or the reserve of the heap is used up: the largest stream has to go
   };
   struct Settings {
     std::uint64_t limit_bytes = 0;  // 0: none
@@ -58,6 +58,7 @@ class MemoryWatch {
   const Settings settings_;
   std::atomic<State> state_ = State::ample;
   std::atomic<bool> gives_back_soon_ = false;
+  bool has_room_ = true;
   std::uint64_t left_ = 0;  // resident, after what could be given back was
   unsigned rounds_until_give_back_ = 0;
   std::mutex mutex_;

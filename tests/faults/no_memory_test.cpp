@@ -1,10 +1,10 @@
-// Want of memory in the built server. On a machine that has other work its threads are more, and so
-// is what they take: alone.
+// Want of memory in the built server. It asks for all there is, so it has the machine alone.
 
 #include <grpcpp/grpcpp.h>
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 
+#include <csignal>
 #include <string>
 #include <vector>
 
@@ -21,12 +21,13 @@ using testing_support::ServerProcess;
 
 // AddressSanitizer has an address space of its own.
 #if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
-TEST(Hostile, StreamForWhichThereIsNoMemoryEndsAlone) {
-  // More than the threads take that a busy machine makes.
-  constexpr double room_mib = 256;
-  const ServerProcess server;
+// How much more than at its start the server may take, in MiB.
+class Hostile : public testing::TestWithParam<int> {};
+
+TEST_P(Hostile, StreamForWhichThereIsNoMemoryEndsAlone) {
+  ServerProcess server;
   ASSERT_TRUE(serves(server.address()));
-  const auto most = static_cast<rlim_t>((server.address_space_mib() + room_mib) * (1 << 20));
+  const auto most = static_cast<rlim_t>((server.address_space_mib() + GetParam()) * (1 << 20));
   const rlimit limit{most, most};
   ASSERT_EQ(prlimit(server.id(), RLIMIT_AS, &limit, nullptr), 0);
   // Under G141 a selection is held back as a whole.
@@ -44,7 +45,12 @@ TEST(Hostile, StreamForWhichThereIsNoMemoryEndsAlone) {
         << " MiB of address space\n"
         << server.log() << server.errors();
   }
+  server.signal(SIGTERM);
+  EXPECT_EQ(server.wait(), 0) << server.log() << server.errors();
 }
+
+// From room for what a stream holds down to less than a thread's stack.
+INSTANTIATE_TEST_SUITE_P(Room, Hostile, testing::Values(256, 64, 16, 6));
 #endif
 
 }  // namespace

@@ -1,0 +1,57 @@
+// What gRPC asks the system for, in trcd. Where malloc gives nothing gRPC 1.51 aborts or writes to
+// address 0 (its read buffers), and where a thread cannot be made, what waits for it waits for
+// ever. So these calls, of all libraries, ask again when there is room.
+
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+
+#include <dlfcn.h>
+#include <pthread.h>
+
+#include <cerrno>
+#include <cstddef>
+
+#include "server/resources/heap_reserve.h"
+
+using trc::server::HeapReserve;
+
+extern "C" {
+
+// The heap of glibc under its other names.
+void* __libc_malloc(std::size_t bytes);
+void* __libc_calloc(std::size_t count, std::size_t bytes);
+void* __libc_realloc(void* memory, std::size_t bytes);
+
+void* malloc(std::size_t bytes) noexcept {
+  void* memory = nullptr;
+  do memory = __libc_malloc(bytes);
+  while (memory == nullptr && HeapReserve::make_room());
+  return memory;
+}
+
+void* calloc(std::size_t count, std::size_t bytes) noexcept {
+  void* memory = nullptr;
+  do memory = __libc_calloc(count, bytes);
+  while (memory == nullptr && HeapReserve::make_room());
+  return memory;
+}
+
+void* realloc(void* old, std::size_t bytes) noexcept {
+  void* memory = nullptr;
+  do memory = __libc_realloc(old, bytes);
+  while (memory == nullptr && bytes > 0 && HeapReserve::make_room());
+  return memory;
+}
+
+int pthread_create(pthread_t* thread, const pthread_attr_t* attributes, void* (*run)(void*),
+                   void* argument) noexcept {
+  static const auto create =
+      reinterpret_cast<decltype(&pthread_create)>(dlsym(RTLD_NEXT, "pthread_create"));
+  int fault = 0;
+  do fault = create(thread, attributes, run, argument);
+  while (fault == EAGAIN && HeapReserve::make_room());
+  return fault;
+}
+
+}  // extern "C"
+
+#endif
