@@ -7,8 +7,9 @@ namespace trc::server {
 // Address space held back for the moment in which there is no more: gRPC ends the whole process
 // where an allocation of its own fails, or uses what it did not get. What first finds the heap
 // empty frees the reserve. In a turn of a stream the allocation fails all the same, and the stream
-// ends and gives back what it held; elsewhere it succeeds out of what the reserve has left free. Until the reserve is whole
-// again no turn gets more than trifles, so that it is left to the others.
+// ends and gives back what it held; elsewhere it succeeds out of what the reserve has left free.
+// Until the reserve is whole again no turn gets more than trifles, so that it is left to the
+// others.
 class HeapReserve {
  public:
   // Handler of allocations that fail (std::set_new_handler), for as long as the process lives.
