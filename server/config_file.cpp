@@ -3,6 +3,7 @@
 #include <toml++/toml.h>
 #include <yaml-cpp/yaml.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <cstdlib>
 #include <istream>
@@ -64,11 +65,18 @@ std::vector<FileEntry> toml_entries(const std::string& file, std::istream& input
 std::vector<FileEntry> yaml_entries(const std::string& file, std::istream& input) {
   std::vector<FileEntry> entries;
   try {
-    const YAML::Node whole = YAML::Load(input);
+    const std::vector<YAML::Node> documents = YAML::LoadAll(input);
+    // Which of several would count is anybody's guess, and so it is with a key that comes twice.
+    if (documents.size() > 1)
+      refuse_file(file, documents[1].Mark().line + 1, "must hold one document, not several");
+    const YAML::Node whole = documents.empty() ? YAML::Node() : documents.front();
     if (!whole.IsMap() && !whole.IsNull())
       refuse_file(file, 1, "must hold settings, `name: value`");
     for (const auto& named : whole) {
       FileEntry entry{.name = named.first.as<std::string>(), .line = named.first.Mark().line + 1};
+      if (std::any_of(entries.begin(), entries.end(),
+                      [&](const FileEntry& earlier) { return earlier.name == entry.name; }))
+        refuse_file(file, entry.line, "'" + entry.name + "' is there already");
       const YAML::Node& value = named.second;
       if (value.IsSequence()) {
         for (const YAML::Node& one : value) entry.values.push_back(one.as<std::string>());

@@ -6,6 +6,7 @@
 
 #include <dlfcn.h>
 #include <pthread.h>
+#include <sys/mman.h>
 
 #include <cerrno>
 #include <cstddef>
@@ -13,6 +14,20 @@
 #include "server/resources/heap_reserve.h"
 
 using trc::server::HeapReserve;
+
+namespace {
+
+// Where there is room, it is the number of threads that is limited: waiting would not help, and
+// hold up whoever else the thread that waits works for.
+bool has_room_for_stack() {
+  constexpr std::size_t usual_bytes = 9U << 20U;
+  void* const stack = mmap(nullptr, usual_bytes, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+  if (stack == MAP_FAILED) return false;
+  munmap(stack, usual_bytes);
+  return true;
+}
+
+}  // namespace
 
 extern "C" {
 
@@ -48,7 +63,7 @@ int pthread_create(pthread_t* thread, const pthread_attr_t* attributes, void* (*
       reinterpret_cast<decltype(&pthread_create)>(dlsym(RTLD_NEXT, "pthread_create"));
   int fault = 0;
   do fault = create(thread, attributes, run, argument);
-  while (fault == EAGAIN && HeapReserve::make_room());
+  while (fault == EAGAIN && !has_room_for_stack() && HeapReserve::make_room());
   return fault;
 }
 

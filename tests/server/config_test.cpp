@@ -138,6 +138,17 @@ TEST(ServerConfig, RefusesAFileThatIsNoYaml) {
                {"there is no setting 'no-such-setting'"});
 }
 
+TEST(ServerConfig, RefusesAYamlFileThatSaysOneThingTwice) {
+  expect_fault(
+      read({"--config", TextFile("max-streams: 3\nmax-streams: 4\n", ".yml").path().c_str()}),
+      {".yml, line 2", "'max-streams' is there already"});
+  expect_fault(
+      read({"--config", TextFile("max-streams: 3\n---\nmax-streams: 4\n", ".yml").path().c_str()}),
+      {".yml, line 3", "one document"});
+  EXPECT_FALSE(read({"--config", TextFile("---\nmax-streams: 3\n", ".yml").path().c_str()}).exit);
+  EXPECT_FALSE(read({"--config", TextFile("# nothing\n", ".yml").path().c_str()}).exit);
+}
+
 TEST(ServerConfig, HealthInPlainTextStaysOnThisMachineUnlessAllowed) {
   expect_fault(read({"--health-listen=0.0.0.0:50052"}), {"health-listen", "insecure-health"});
   expect_fault(read({"--health-listen=nowhere"}), {"health-listen"});
