@@ -382,10 +382,9 @@ constexpr auto rows = std::to_array<GermanExplanation>({
     {.code = Code::most_left_out,
      .meaning = "Die Schleifenentfernung würde einen so großen Teil der Kontur auslassen, dass es "
                 "kaum gemeint sein kann.",
-     .causes =
-         {"Das Werkzeug kommt durch einen Hals nicht hindurch, und dahinter liegt der größte "
-          "Teil der Kontur.",
-          "An- oder Abfahrwege kreuzen die Kontur, oder Eilgang verbindet mehrere Konturen "
+     .causes = {"Das Werkzeug kommt durch einen Hals nicht hindurch, und dahinter liegt der größte "
+                "Teil der Kontur.",
+                "An- oder Abfahrwege kreuzen die Kontur, oder Eilgang verbindet mehrere Konturen "
                 "in einer Anwahl: G40 dazwischen setzen.",
                 wrong_side}},
     {.code = Code::no_tool_radius,
