@@ -51,7 +51,7 @@ TEST(PathLengths, AreThoseOfTheWholePath) {
     EXPECT_NEAR(length_of_path(out.take()), expected, part * expected);
     ++count;
   }
-  EXPECT_EQ(count, 10U);
+  EXPECT_EQ(count, 14U);
 }
 
 }  // namespace
