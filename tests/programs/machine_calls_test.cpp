@@ -2,6 +2,7 @@
 
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "tests/programs/computing.h"
 
@@ -63,6 +64,18 @@ TEST(MachineCalls, DoNotPassWithinAContour) {
   const std::string within = "G21 G90 G17\nG0 X-20. Y0 Z1.\nG41 D1 G1 X0 Y0 F300.\nY40.\n";
   EXPECT_EQ(refused(within + "G65 P9810 Z10.\nG40 X-20.\nM30\n", fanuc), std::pair(900003, 5U));
   EXPECT_EQ(refused(within + "M98 P9001\nG40 X-20.\nM30\n", fanuc), std::pair(900003, 5U));
+}
+
+TEST(MachineCalls, AreToldByWholeCharacters) {
+  ProgramSession session(computing_setup(fanuc));
+  Answers answers;
+  EXPECT_FALSE(session.feed("G21 G90 G17\nG0 X-20. Y0 Z1.\nG41 D1 G1 X0 Y0 F300.\nG66 P9811\n"
+                            "N10\xC2\xA0Y40.\nM30\n",
+                            answers) &&
+               session.finish(answers));
+  const std::vector<Diagnostic> told = answers.take().diagnostics;
+  ASSERT_EQ(told.size(), 2U);
+  EXPECT_EQ(told[1].detail.substr(0, 5), "Y40.,") << told[1].detail;
 }
 
 TEST(MachineCalls, ForgetWhatTheyMaySet) {

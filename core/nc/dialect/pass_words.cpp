@@ -30,7 +30,7 @@ std::string word_to_pass(std::string_view line, std::size_t begin) {
   while (at < line.size() && (is_letter(line[at]) || line[at] == '_')) word += upper(line[at++]);
   const bool is_function = word.size() == 1 && word != "#";
   if (is_function) {
-    while (blank_at_start(line.substr(at)) > 0) ++at;
+    while (const std::size_t blank = blank_at_start(line.substr(at))) at += blank;
     while (at + 1 < line.size() && line[at] == '0' && is_digit(line[at + 1])) ++at;
   }
   while (at < line.size() &&

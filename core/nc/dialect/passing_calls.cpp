@@ -107,12 +107,13 @@ bool Interpreter::read_passing_line(ProgramLine& line, BlockWords& block) {
 
 bool Interpreter::read_call_of_machine(ProgramLine& line, BlockWords& block) {
   const std::string_view text = line.text;
-  std::size_t begin = 0;
-  while (begin < text.size() && blank_at_start(text.substr(begin)) > 0) ++begin;
+  const auto behind_blanks = [&](std::size_t at) {
+    return text.size() - without_blanks_in_front(text.substr(at)).size();
+  };
+  std::size_t begin = behind_blanks(0);
   const std::size_t number = begin;
   if (begin < text.size() && upper(text[begin]) == 'N') {
-    begin = std::min(text.find_first_not_of(digits, begin + 1), text.size());
-    while (begin < text.size() && blank_at_start(text.substr(begin)) > 0) ++begin;
+    begin = behind_blanks(std::min(text.find_first_not_of(digits, begin + 1), text.size()));
     line.words.push_back({.begin = static_cast<std::uint32_t>(number),
                           .end = static_cast<std::uint32_t>(begin),
                           .role = WordRole::number});
