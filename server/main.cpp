@@ -17,6 +17,7 @@
 #include "server/config.h"
 #include "server/resources/heap_reserve.h"
 #include "server/resources/round.h"
+#include "server/resources/thread_reserve.h"
 #include "server/server.h"
 #include "server/service_manager.h"
 
@@ -84,14 +85,20 @@ void reload(int argc, char** argv, trc::server::Server& server) {
   service_manager::ready();
 }
 
-// Serves until a signal says to stop.
-void serve(int argc, char** argv, const sigset_t& signals, trc::server::Server& server) {
+// Serves until a signal says to stop; true then. False when it cannot go on: streams may wait for a
+// thread that could not be made, and go on elsewhere or behind a new start.
+bool serve(int argc, char** argv, const sigset_t& signals, trc::server::Server& server) {
   const auto watchdog = service_manager::watchdog_interval();
   std::chrono::microseconds interval = look_interval;
   if (watchdog.count() > 0) interval = std::min(interval, watchdog);
   for (;;) {
     const int signal = wait_for(signals, interval);
-    if (signal == SIGTERM || signal == SIGINT) return;
+    if (signal == SIGTERM || signal == SIGINT) return true;
+    if (trc::server::ThreadReserve::failed()) {
+      server.backend().telemetry.log.error(LogLine("threads_missing"));
+      return false;
+    }
+    trc::server::ThreadReserve::refill();
     if (signal == SIGHUP) trc::server::do_round([&] { reload(argc, argv, server); });
     trc::server::do_round([&] { server.look_after(); });
     if (server.is_well()) service_manager::alive();
@@ -173,6 +180,13 @@ void share_heap() {
   mallopt(M_TRIM_THRESHOLD, 8 << 20);
 }
 
+int no_threads() {
+  std::fprintf(stderr,
+               "trcd: error: The system gives too few threads to serve with (pids.max of the "
+               "cgroup, TasksMax of the unit, ulimit -u)\n");
+  return 1;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -192,11 +206,16 @@ int main(int argc, char** argv) {
   const sigset_t signals = block_signals();
   std::signal(SIGPIPE, SIG_IGN);
   adopt_grpc_log(command_line.config);
+  using trc::server::ThreadReserve;
+  const std::size_t spare = ThreadReserve::usual();
+  if (!ThreadReserve::install(spare + ThreadReserve::at_start()) || !ThreadReserve::install(spare))
+    return no_threads();
   auto [server, fault, misconfigured] = trc::server::Server::start(command_line.config);
   if (server == nullptr) {
     std::fprintf(stderr, "trcd: error: %s\n", fault.c_str());
     return misconfigured ? 2 : 1;
   }
+  if (!ThreadReserve::refill()) return no_threads();
   log_start(*server);
   const auto& log = server->backend().telemetry.log;
   // Lives as long as the process: so does its thread.
@@ -204,13 +223,14 @@ int main(int argc, char** argv) {
 
   service_manager::ready();
 
-  serve(argc, argv, signals, *server);
+  const bool asked = serve(argc, argv, signals, *server);
   service_manager::stopping();
   drain.begin();
   log.info(LogLine("draining").number("streams", std::uint64_t{server->backend().streams.count()}));
   const std::size_t cut_off = server->drain();
   log.info(LogLine("stopped").number("streams_cut_off", std::uint64_t{cut_off}));
   // Not for ever: where nobody reads the log, its writer never returns.
-  if (!Log::flush(longest_flush)) _exit(0);
-  return 0;
+  const int code = asked ? 0 : 1;
+  if (!Log::flush(longest_flush)) _exit(code);
+  return code;
 }

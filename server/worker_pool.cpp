@@ -8,6 +8,8 @@
 #include <optional>
 #include <system_error>
 
+#include "server/resources/thread_reserve.h"
+
 namespace trc::server {
 namespace {
 
@@ -65,6 +67,7 @@ bool WorkerPool::have_thread_for_place() {
   if (idle_ >= places_ - taken_ + 1) return true;
   if (threads_.size() == threads_.capacity()) return false;
   try {
+    const ThreadReserve::Dispensable this_one;
     threads_.emplace_back([this] { run(); });
     return true;
   } catch (const std::exception&) {

@@ -1,6 +1,7 @@
 // What gRPC asks the system for, in trcd. Where malloc gives nothing gRPC 1.51 aborts or writes to
 // address 0 (its read buffers), and where a thread cannot be made, what waits for it waits for
-// ever. So these calls, of all libraries, ask again when there is room.
+// ever. So these calls, of all libraries, ask again when there is room, and the reserve for
+// threads.
 
 #if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
 
@@ -12,8 +13,10 @@
 #include <cstddef>
 
 #include "server/resources/heap_reserve.h"
+#include "server/resources/thread_reserve.h"
 
 using trc::server::HeapReserve;
+using trc::server::ThreadReserve;
 
 namespace {
 
@@ -64,7 +67,8 @@ int pthread_create(pthread_t* thread, const pthread_attr_t* attributes, void* (*
   int fault = 0;
   do fault = create(thread, attributes, run, argument);
   while (fault == EAGAIN && !has_room_for_stack() && HeapReserve::make_room());
-  return fault;
+  const bool given = fault == EAGAIN && ThreadReserve::give(thread, attributes, run, argument);
+  return given ? 0 : fault;
 }
 
 }  // extern "C"

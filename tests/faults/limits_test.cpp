@@ -16,7 +16,8 @@
 
 #include "core/session/program_session.h"
 #include "server/resources/memory_account.h"
-#include "tests/faults/memory_group.h"
+#include "tests/faults/control_group.h"
+#include "tests/faults/questions.h"
 #include "tests/server/calls.h"
 #include "tests/support/process.h"
 
@@ -31,22 +32,6 @@ using testing_support::memory_tells;
 using testing_support::Process;
 using testing_support::ServerProcess;
 using Clock = std::chrono::steady_clock;
-
-std::shared_ptr<grpc::Channel> channel_to(const std::string& address) {
-  grpc::ChannelArguments arguments;
-  arguments.SetInt(GRPC_ARG_USE_LOCAL_SUBCHANNEL_POOL, 1);
-  return grpc::CreateCustomChannel(address, grpc::InsecureChannelCredentials(), arguments);
-}
-
-bool serves(const std::string& address) {
-  return server::run_program(channel_to(address), {}, server::g239_program).status.ok();
-}
-
-double metric(const std::string& admin, const std::string& name) {
-  const std::string page = testing_support::http_get(admin, "/metrics");
-  const std::size_t at = page.find("\n" + name + " ");
-  return at == std::string::npos ? -1 : std::stod(page.substr(at + name.size() + 2));
-}
 
 // Short lines, each a block: the most blocks for the bytes. A staircase, never closed.
 std::string staircase(std::size_t bytes, const std::string& head) {
@@ -159,6 +144,38 @@ TEST(Limits, TheTiniestStepsDoNotKillASmallServer) {
   for (const Answer& answer : ask_at_once(small.process().address(), text, 3))
     EXPECT_FALSE(answer.reason().empty()) << answer.status.error_message();
   small.expect_recovers(before);
+}
+
+// gRPC gives work to threads that could not be made, and the pool makes one for a turn that gives
+// way: neither leaves a client without an answer, nor keeps the server from its end.
+TEST(Limits, NoFurtherThreadIsNeededToAnswer) {
+  if (!memory_tells) GTEST_SKIP() << "the reserve is not taken under a sanitizer";
+  const ThreadGroup group(1000);
+  if (!group.exists()) GTEST_SKIP() << "no cgroup can be made here";
+  ServerProcess server({"--admin-listen", "127.0.0.1:0"}, "127.0.0.1:0", 0, {}, group.launcher());
+  ASSERT_TRUE(serves(server.address()));
+  ASSERT_TRUE(group.set_limit(static_cast<std::uint64_t>(server.threads())));
+  const std::string text = staircase(300'000, "G141\n");
+  const std::string expected = compensated(text);
+  for (const Answer& answer : ask_at_once(server.address(), text, 8)) {
+    EXPECT_TRUE(answer.status.ok()) << answer.status.error_message();
+    EXPECT_EQ(answer.text == expected, true);
+  }
+  EXPECT_GT(metric(server.admin(), "trc_pool_threads_missed_total"), 0);
+  EXPECT_EQ(testing_support::http_get(server.admin(), "/readyz"), "ready\n");
+  server.signal(SIGTERM);
+  EXPECT_EQ(server.wait(), 0) << server.log() << server.errors();
+}
+
+TEST(Limits, TooFewThreadsAreSaidBeforeAPortOpens) {
+  if (!memory_tells) GTEST_SKIP() << "the reserve is not taken under a sanitizer";
+  const ThreadGroup group(12);
+  if (!group.exists()) GTEST_SKIP() << "no cgroup can be made here";
+  std::vector<std::string> command = group.launcher();
+  command.insert(command.end(), {testing_support::trcd_program(), "--listen", "127.0.0.1:0"});
+  const auto said = testing_support::run(command);
+  EXPECT_EQ(said.code, 1);
+  EXPECT_NE(said.err.find("too few threads"), std::string::npos) << said.err;
 }
 
 TEST(Limits, TheLimitOfTheGroupIsFound) {
