@@ -10,11 +10,11 @@
 #include <array>
 #include <cstddef>
 #include <ctime>
-#include <fstream>
 #include <limits>
-#include <sstream>
 #include <utility>
 #include <vector>
+
+#include "server/plain_file.h"
 
 namespace trc::server {
 namespace {
@@ -29,13 +29,6 @@ struct Free {
 using Bio = std::unique_ptr<BIO, Free<BIO_free>>;
 using X509Pointer = std::unique_ptr<X509, Free<X509_free>>;
 using KeyPointer = std::unique_ptr<EVP_PKEY, Free<EVP_PKEY_free>>;
-
-// Empty when it cannot be read.
-std::string content_of(const std::string& path) {
-  std::ostringstream text;
-  text << std::ifstream(path, std::ios::binary).rdbuf();
-  return text.str();
-}
 
 Bio reader_of(const std::string& pem) {
   return Bio(BIO_new_mem_buf(pem.data(), static_cast<int>(pem.size())));
@@ -139,9 +132,10 @@ std::string fault_of_dates(const Certificates::Files& files, const Certificate& 
 }  // namespace
 
 Certificates::Reload Certificates::reload(std::string& fault) {
-  Certificate read{.chain = content_of(files_.chain), .key = content_of(files_.key)};
+  Certificate read{.chain = PlainFile::read(files_.chain).content,
+                   .key = PlainFile::read(files_.key).content};
   if (!files_.client_authorities.empty())
-    read.client_authorities = content_of(files_.client_authorities);
+    read.client_authorities = PlainFile::read(files_.client_authorities).content;
 
   const auto before = current();
   if (before != nullptr && before->chain == read.chain && before->key == read.key &&

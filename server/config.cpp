@@ -13,6 +13,7 @@
 #include "server/address.h"
 #include "server/config_file.h"
 #include "server/config_settings.h"
+#include "server/plain_file.h"
 
 namespace trc::server {
 namespace {
@@ -94,6 +95,12 @@ CommandLine read_command_line(int argc, const char* const* argv) {
          "--config", file != nullptr ? file : "",
          "TOML file, or YAML if named .yaml or .yml, with the same settings (Env:TRCD_CONFIG)",
          file != nullptr)
+      ->check(CLI::Validator(
+          [](const std::string& path) {
+            const std::string fault = PlainFile::read(path).fault;
+            return fault.empty() ? fault : "cannot read '" + path + "': " + fault;
+          },
+          ""))
       ->configurable(false);
   app.allow_config_extras(CLI::config_extras_mode::error);
   app.config_formatter(config_file(app));

@@ -1,8 +1,8 @@
-#include <fstream>
 #include <utility>
 
 #include "server/address.h"
 #include "server/config.h"
+#include "server/plain_file.h"
 
 namespace trc::server {
 namespace {
@@ -31,8 +31,10 @@ std::optional<std::string> fault_of_plain_port(const std::string& name, const st
 }
 
 std::optional<std::string> fault_of_file(const std::string& name, const std::string& path) {
-  if (path.empty() || std::ifstream(path).good()) return std::nullopt;
-  return name + ": cannot read '" + path + "'";
+  if (path.empty()) return std::nullopt;
+  const std::string fault = PlainFile::read(path).fault;
+  if (fault.empty()) return std::nullopt;
+  return name + ": cannot read '" + path + "': " + fault;
 }
 
 std::optional<std::string> fault_of_http(const Config& config, bool tls) {

@@ -1,11 +1,10 @@
 #include "client/cli/computing_options.h"
 
 #include <filesystem>
-#include <fstream>
-#include <sstream>
 #include <system_error>
 
 #include "client/cli/file_name.h"
+#include "client/cli/files.h"
 #include "proto/wire/settings.h"
 
 namespace trc::cli {
@@ -17,14 +16,13 @@ namespace fs = std::filesystem;
 constexpr std::size_t most_bytes = 900 * 1024;
 
 std::string add_file(const fs::path& path, std::size_t& bytes, v1::ProgramSetup& setup) {
-  std::ifstream stream(path, std::ios::binary);
-  std::ostringstream text;
-  text << stream.rdbuf();
-  if (!stream) return "--subprograms: " + path.string() + " cannot be read";
-  bytes += text.str().size();
+  std::string text;
+  if (!read_bounded(path, most_bytes, text))
+    return "--subprograms: " + path.string() + " cannot be read";
+  bytes += text.size();
   if (bytes > most_bytes)
     return "--subprograms: more than 900 KiB; name the files that the program calls";
-  (*setup.mutable_subprograms())[text_of_name(path.filename().string())] = text.str();
+  (*setup.mutable_subprograms())[text_of_name(path.filename().string())] = text;
   return {};
 }
 

@@ -9,6 +9,7 @@
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
+#include <fstream>
 #include <iostream>
 #include <random>
 #include <utility>
@@ -85,6 +86,15 @@ mode_t mode_of_new_files() {
 }
 
 }  // namespace
+
+bool read_bounded(const std::string& path, std::size_t most, std::string& text) {
+  std::ifstream stream(path, std::ios::binary);
+  if (!stream) return false;
+  text.resize(most + 1);
+  stream.read(text.data(), static_cast<std::streamsize>(text.size()));
+  text.resize(static_cast<std::size_t>(stream.gcount()));
+  return !stream.bad();
+}
 
 Input::Input(std::string path)
     : path_(std::move(path)),

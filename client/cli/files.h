@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <string>
@@ -8,6 +9,10 @@
 #include <vector>
 
 namespace trc::cli {
+
+// A file or pipe from its beginning: all of it, or one byte more than `most`, since a device never
+// comes to an end. False: it cannot be read.
+bool read_bounded(const std::string& path, std::size_t most, std::string& text);
 
 // A program to read: a file, or standard input for "-".
 class Input {

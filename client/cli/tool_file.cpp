@@ -2,14 +2,13 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <fstream>
 #include <map>
 #include <optional>
 #include <set>
-#include <sstream>
 #include <utility>
 #include <vector>
 
+#include "client/cli/files.h"
 #include "client/cli/table_text.h"
 #include "core/nc/text/characters.h"
 #include "core/nc/text/number_format.h"
@@ -342,12 +341,12 @@ std::string read_tool_table(std::string_view text, v1::ProgramSetup& setup) {
 }
 
 std::string read_tool_file(const std::string& path, v1::ProgramSetup& setup, bool& unit_unsaid) {
-  std::ifstream stream(path, std::ios::binary);
-  std::ostringstream text;
-  text << stream.rdbuf();
-  if (!stream) return "cannot read " + path;
+  constexpr std::size_t most_bytes = std::size_t{16} << 20U;
+  std::string text;
+  if (!read_bounded(path, most_bytes, text)) return "cannot read " + path;
+  if (text.size() > most_bytes) return path + ": it is larger than 16 MiB";
   Table table(setup);
-  const std::string fault = table.read(text.str());
+  const std::string fault = table.read(text);
   unit_unsaid = table.unit_unsaid();
   return fault.empty() ? fault : path + ": " + fault;
 }

@@ -3,7 +3,6 @@
 #include <grpcpp/grpcpp.h>
 
 #include <fstream>
-#include <sstream>
 #include <utility>
 
 #include "client/trc/target.h"
@@ -17,13 +16,14 @@ constexpr std::chrono::seconds longest_connect{10};
 
 // Empty for no file.
 std::optional<Failure> read_file(const std::string& path, std::string& content) {
+  // A device never comes to an end.
+  constexpr std::size_t most_bytes = std::size_t{4} << 20U;
   if (path.empty()) return std::nullopt;
   std::ifstream file(path, std::ios::binary);
-  std::ostringstream text;
-  if (file && text << file.rdbuf()) {
-    content = text.str();
-    return std::nullopt;
-  }
+  content.resize(file ? most_bytes + 1 : 0);
+  file.read(content.data(), static_cast<std::streamsize>(content.size()));
+  content.resize(static_cast<std::size_t>(file.gcount()));
+  if (!content.empty() && content.size() <= most_bytes) return std::nullopt;
   return Failure{
       .status = "INVALID_ARGUMENT", .message = "cannot read " + path, .reason = "FILE_UNREADABLE"};
 }

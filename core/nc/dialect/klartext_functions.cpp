@@ -41,7 +41,9 @@ std::string_view why_unfollowed(int m, bool active) {
 
 bool Interpreter::read_klartext_function(const KlartextWord& word, ProgramLine& line,
                                          KlartextBlock& block) {
-  const auto m = static_cast<int>(word.value);
+  // Beyond what any control has it is a function of the machine like others that are not known.
+  constexpr double most = 9999;
+  const int m = word.value >= 0 && word.value <= most ? static_cast<int>(word.value) : -1;
   const std::string_view why = why_unfollowed(m, trc_active());
   if (!why.empty() && !block.unfollowed) {
     block.unfollowed_why = line.word({.begin = word.begin, .end = word.end});

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+
+namespace trc::server {
+
+// A file that a setting names, as a whole. Pipes, devices and folders are refused: reading them may
+// never come to an end, and they are read again while the server runs.
+struct PlainFile {
+  static constexpr std::size_t most_bytes = std::size_t{4} << 20U;
+
+  std::string content{};
+  std::string fault{};  // empty, or what keeps it from being read
+
+  // Does not wait for anybody.
+  static PlainFile read(const std::string& path);
+};
+
+}  // namespace trc::server
