@@ -26,6 +26,8 @@ int milliseconds(std::uint32_t seconds) { return static_cast<int>(seconds) * 100
 constexpr std::uint32_t health_buffer_mib = 8;
 // The name of a service.
 constexpr std::uint32_t health_message_bytes = 4096;
+// A megabyte under way is what a link of a gigabit takes in 8 ms.
+constexpr int stream_window_bytes = 1 << 20;
 
 void set_limits(grpc::ServerBuilder& builder, const Config& config, std::uint32_t message_bytes,
                 std::uint32_t buffer_mib) {
@@ -41,6 +43,10 @@ void set_limits(grpc::ServerBuilder& builder, const Config& config, std::uint32_
   set(GRPC_ARG_KEEPALIVE_TIMEOUT_MS, milliseconds(config.keepalive_timeout_s));
   set(GRPC_ARG_KEEPALIVE_PERMIT_WITHOUT_CALLS, 1);
   set(GRPC_ARG_HTTP2_MAX_PINGS_WITHOUT_DATA, 0);
+  // What waits in gRPC behind a stream whose turn has not come is bounded by its window. gRPC would
+  // widen it, by what it measures of the network, to more than a whole program.
+  set(GRPC_ARG_HTTP2_BDP_PROBE, 0);
+  set(GRPC_ARG_HTTP2_STREAM_LOOKAHEAD_BYTES, stream_window_bytes);
   set(GRPC_ARG_HTTP2_MIN_RECV_PING_INTERVAL_WITHOUT_DATA_MS,
       milliseconds(config.min_client_ping_interval_s));
 }

@@ -11,6 +11,7 @@
 #include <atomic>
 #include <chrono>
 #include <csignal>
+#include <future>
 #include <memory>
 #include <regex>
 #include <string>
@@ -362,6 +363,30 @@ TEST(Hostile, ConnectionsThatCarryMuchAreLeftAlone) {
   }
   for (const char* reason : {"early_cancels", "overhead", "calls"})
     EXPECT_EQ(closed_for(server, reason), 0) << reason;
+}
+
+// Programs of many streams that come faster than they are computed wait in front of the server, not
+// in its memory, and are no flood.
+TEST(Hostile, ManyLargeProgramsOnOneConnectionAreLeftAlone) {
+  const ServerProcess server({"--admin-listen", "127.0.0.1:0"});
+  const auto channel = channel_to(server.address());
+  constexpr std::size_t message_bytes = 50'000;
+  std::string text;
+  for (int i = 0; text.size() < message_bytes; ++i)
+    text += "G1 X" + std::to_string(i) + ".125 Y" + std::to_string(i % 7) + ".25\n";
+  std::vector<v1::CompensateProgramRequest> requests{server::setup_request(v1::ProgramSetup())};
+  std::uint64_t at = 0;
+  for (int i = 0; i < 280; ++i, at += text.size())
+    requests.push_back(server::text_request(at, text, false));
+  requests.push_back(server::text_request(at, "M30\n", true));
+  std::vector<std::future<bool>> streams;
+  for (int i = 0; i < 32; ++i)
+    streams.push_back(std::async(
+        std::launch::async, [&] { return server::call_program(channel, requests).status.ok(); }));
+  int done = 0;
+  for (auto& stream : streams) done += stream.get() ? 1 : 0;
+  EXPECT_EQ(done, 32);
+  EXPECT_EQ(closed_for(server, "overhead"), 0);
 }
 
 TEST(Hostile, FileThatIsNoSocketIsNotDeleted) {

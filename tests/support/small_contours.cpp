@@ -242,8 +242,12 @@ SmallContour small_contour(Random& random, Hardship hardship) {
 
   const double radius = mode.tool_radius;
   const bool straight = whole || random.chance(0.2);
-  const Point origin =
-      straight ? Point::Zero() : Point(random.between(-50, 50), random.between(-50, 50));
+  Point origin = Point::Zero();
+  if (!straight) {
+    // One after the other: compilers differ in which argument comes first.
+    origin.y() = random.between(-50, 50);
+    origin.x() = random.between(-50, 50);
+  }
   Pen pen(origin, straight ? Vector(1, 0) : polar(1, random.between(-pi, pi)));
   switch (hardship) {
     case Hardship::sizes:

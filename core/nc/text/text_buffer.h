@@ -24,6 +24,7 @@ class TextBuffer {
   void end_at(const char* end) { size_ = static_cast<std::size_t>(end - bytes_.data()); }
 
   void append(std::string_view text) {
+    if (text.empty()) return;  // data() may be null
     char* const at = room(text.size());
     std::memcpy(at, text.data(), text.size());
     end_at(at + text.size());

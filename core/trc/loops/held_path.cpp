@@ -47,6 +47,16 @@ bool HeldPath::stays_put(std::size_t block) const {
          std::none_of(setting.tracking.begin(), setting.tracking.end(), moves);
 }
 
+bool HeldPath::changes_depth(std::size_t first, std::size_t end) const {
+  const auto moves = [](const PassiveBlock& block) { return block.normal.moves(); };
+  for (std::size_t number = passive_.begin(); number < passive_.end(); ++number) {
+    const auto& [block, riders] = passive_[number];
+    if (block >= end) return false;
+    if (block >= first && std::any_of(riders.begin(), riders.end(), moves)) return true;
+  }
+  return false;
+}
+
 bool HeldPath::needs_own_data(const PathBlock& inserted) const {
   return contour_.empty() || inserted.cut_at_start != 0 || inserted.cut_at_end != 0 ||
          inserted.programmed.source != source_of(contour_.end() - 1);

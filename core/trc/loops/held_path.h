@@ -118,6 +118,9 @@ class HeldPath {
   }
   // Whether nothing but the axes of the plane moves in a block.
   [[nodiscard]] bool stays_put(std::size_t block) const;
+  // Whether the tool leaves the height it is at by a motion of its own, behind one of the blocks
+  // from `first` to the one before `end`; none of them has been restored.
+  [[nodiscard]] bool changes_depth(std::size_t first, std::size_t end) const;
   [[nodiscard]] bool has_own_data(std::size_t block) const { return blocks_[block].has_own; }
   [[nodiscard]] const Setting& setting_of(std::size_t block) const {
     return settings_[blocks_[block].setting];

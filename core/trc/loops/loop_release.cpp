@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <utility>
 
 #include "core/trc/loops/removed_loop.h"
@@ -187,9 +188,19 @@ LeftOut LoopRelease::left_out(const PathPlace& from, const PathPlace& to) const 
   return stretch;
 }
 
-bool LoopRelease::is_parted_by_rapid() const {
-  for (std::size_t number = path_.begin_of_contour() + 1; number + 1 < path_.end_of_contour();
-       ++number)
+bool LoopRelease::holds_a_whole(const PathPlace& from, const PathPlace& to,
+                                const LeftOut& stretch) const {
+  const std::size_t end = std::min(to.block, end_of_path());
+  const std::size_t first = number_of(from.block);
+  const std::size_t last = number_of(end - 1);
+  if (is_parted_by_rapid(first, last + 1)) return true;
+  if (!stretch.is_long()) return false;
+  return obstacles_.walls().goes_round(first, last) || path_.changes_depth(from.block, end);
+}
+
+bool LoopRelease::is_parted_by_rapid(std::size_t first, std::size_t end) const {
+  end = std::min(end, path_.end_of_contour() - 1);
+  for (std::size_t number = std::max(first, path_.begin_of_contour() + 1); number < end; ++number)
     if (path_.setting_of(path_.contour_block(number).block).rapid) return true;
   return false;
 }
@@ -197,10 +208,13 @@ bool LoopRelease::is_parted_by_rapid() const {
 bool LoopRelease::check_left_out() {
   if (largest_masked_share_ >= 1 || path_.empty()) return true;
   LeftOut longest = longest_left_out_;
+  std::optional<LeftOut> whole_part;
   PathPlace reached{next_, 0};
   const auto consider = [&](const PathPlace& next) {
     if (next.block <= reached.block) return;
-    longest.add(left_out(reached, next));
+    const LeftOut stretch = left_out(reached, next);
+    longest.add(stretch);
+    if (!whole_part && holds_a_whole(reached, next, stretch)) whole_part = stretch;
   };
   for (std::size_t number = walked_.begin(); number < walked_.end(); ++number) {
     const auto& [block, cut] = walked_.kept(number);
@@ -214,9 +228,16 @@ bool LoopRelease::check_left_out() {
   if (path_.begin_of_contour() == 0)
     for (std::size_t number = 0; number < path_.end_of_contour(); ++number)
       longest.of_walls += obstacles_.wall_length(number);
-  const bool is_parted = longest.in_all > 0 && is_parted_by_rapid();
-  if (!is_parted && !longest.is_more_than(largest_masked_share_)) return true;
-  return diagnostics_.report(refusal_of(longest, is_parted ? 0 : largest_masked_share_));
+  // Of several contours linked by rapid motion the walls are unknown, and so is what share of them
+  // a stretch is.
+  const bool is_parted =
+      longest.in_all > 0 && is_parted_by_rapid(path_.begin_of_contour(), path_.end_of_contour());
+  if (is_parted || whole_part) {
+    if (whole_part) whole_part->of_walls = longest.of_walls;
+    return diagnostics_.report(refusal_of(is_parted ? longest : *whole_part, 0));
+  }
+  if (!longest.is_more_than(largest_masked_share_)) return true;
+  return diagnostics_.report(refusal_of(longest, largest_masked_share_));
 }
 
 }  // namespace trc

@@ -85,9 +85,12 @@ class LoopRelease {
   void report_masked(const PathPlace& next, const Point& place);
   // From one place of the path to another one, which are next to a loop (D-39).
   [[nodiscard]] LeftOut left_out(const PathPlace& from, const PathPlace& to) const;
-  // Whether several contours are linked by rapid motion: of each of them the walls are unknown, and
-  // so is what share of it a stretch is.
-  [[nodiscard]] bool is_parted_by_rapid() const;
+  // Whether what is left out between them is no local damage, whatever its share (D-39): with it
+  // goes a lap, a change of depth or a rapid motion.
+  [[nodiscard]] bool holds_a_whole(const PathPlace& from, const PathPlace& to,
+                                   const LeftOut& stretch) const;
+  // Whether one of the contour blocks is rapid, but for the first and the last one of the path.
+  [[nodiscard]] bool is_parted_by_rapid(std::size_t first, std::size_t end) const;
 
   HeldPath& path_;
   WalkedPath& walked_;

@@ -3,11 +3,6 @@
 namespace trc {
 namespace {
 
-// A stretch so long, in tool radii, is seldom what was meant.
-constexpr double long_stretch = 10;
-
-bool is_long(const LeftOut& stretch) { return stretch.length > long_stretch * stretch.tool_radius; }
-
 // One by one: a list of them would be made of copies.
 void give_values(const LeftOut& stretch, Diagnostic& found) {
   constexpr std::size_t most = 9;  // two places of three each, and three lengths
@@ -21,15 +16,20 @@ void give_values(const LeftOut& stretch, Diagnostic& found) {
 
 }  // namespace
 
+bool LeftOut::is_long() const {
+  constexpr double tool_radii = 10;
+  return length > tool_radii * tool_radius;
+}
+
 void LeftOut::add(const LeftOut& other) {
-  const double all = in_all + (is_long(other) ? other.length : 0);
+  const double all = in_all + (other.is_long() ? other.length : 0);
   if (other.length > length) *this = other;
   in_all = all;
 }
 
 Diagnostic note_of(const LeftOut& stretch) {
   Diagnostic note = diagnostic(Code::blocks_masked, stretch.first);
-  if (is_long(stretch)) note.severity = Severity::warning;
+  if (stretch.is_long()) note.severity = Severity::warning;
   give_values(stretch, note);
   return note;
 }

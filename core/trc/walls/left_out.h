@@ -19,6 +19,8 @@ struct LeftOut {
 
   // Another stretch of the same selection; the longest one stays.
   void add(const LeftOut& other);
+  // Longer than 10 · R, which is seldom what was meant.
+  [[nodiscard]] bool is_long() const;
   [[nodiscard]] bool is_more_than(double share) const {
     return std::max(length, in_all) > share * of_walls;
   }
