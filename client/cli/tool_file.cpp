@@ -39,6 +39,10 @@ class Table {
       : setup_(setup), unit_(setup.unit() == v1::LENGTH_UNIT_INCH ? mm_per_inch : 1) {}
 
   std::string read(std::string_view text) {
+    if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF"))
+      return "it is text in UTF-16; save it as CSV UTF-8";
+    // As spreadsheets begin UTF-8.
+    if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
     std::size_t line_number = 0;
     while (!text.empty()) {
       const auto end = text.find('\n');
@@ -73,6 +77,9 @@ class Table {
   [[nodiscard]] bool unit_unsaid() const { return unit_unsaid_; }
 
  private:
+  static constexpr char comma = ',';
+  static constexpr char semicolon = ';';
+
   static std::string text_of(const Key& key) {
     const std::string tool = key.name.empty() ? std::to_string(key.number) : "\"" + key.name + "\"";
     return "tool " + tool + (key.edge == 1 ? "" : ", edge " + std::to_string(key.edge));
@@ -83,8 +90,8 @@ class Table {
   }
 
   // Of a CSV.
-  static bool is_header(std::string_view line) {
-    const auto columns = split(line, ',');
+  static bool is_header(std::string_view line, char separator) {
+    const auto columns = split(line, separator);
     return std::ranges::any_of(columns, [](std::string_view column) {
       const std::string name = in_upper_case(column);
       return name == "NUMBER" || name == "NAME";
@@ -105,13 +112,15 @@ class Table {
       return {};
     }
     if (heidenhain_) return line == "[END]" ? std::string() : row_of_places(as_written);
-    if (columns_.empty() && in_upper_case(line).starts_with("UNIT,") && !is_header(line)) {
-      const auto cells = split(line, ',');
+    if (columns_.empty()) separator_ = line.find(';') < line.find(',') ? semicolon : comma;
+    if (columns_.empty() && in_upper_case(line).starts_with(std::string("UNIT") + separator_) &&
+        !is_header(line, separator_)) {
+      const auto cells = split(line, separator_);
       table_unit_ = unit_named(cells[1]);
       return table_unit_ ? std::string()
                          : "unit is \"" + std::string(cells[1]) + "\", not mm or inch";
     }
-    if (columns_.empty() && is_header(line)) return header(line);
+    if (columns_.empty() && is_header(line, separator_)) return header(line);
     if (!columns_.empty()) return row(line);
     if (in_upper_case(line).starts_with("%_N_")) {
       sinumerik_ = true;
@@ -249,8 +258,16 @@ class Table {
     return trimmed(line.substr(begin, end - begin));
   }
 
+  // Where semicolons part the columns, a comma stands for the decimal point.
+  [[nodiscard]] std::optional<double> number_in(std::string_view cell) const {
+    std::string number(cell);
+    if (separator_ == semicolon) std::ranges::replace(number, ',', '.');
+    return number_from(number);
+  }
+
   std::string header(std::string_view line) {
-    for (const std::string_view name : split(line, ',')) columns_.push_back(in_upper_case(name));
+    for (const std::string_view name : split(line, separator_))
+      columns_.push_back(in_upper_case(name));
     const auto has = [&](std::string_view wanted) {
       for (const std::string& column : columns_)
         if (column == wanted) return true;
@@ -266,7 +283,7 @@ class Table {
   }
 
   std::string row(std::string_view line) {
-    const auto cells = split(line, ',');
+    const auto cells = split(line, separator_);
     std::optional<double> number;
     std::string name;
     std::uint32_t edge = 1;
@@ -302,7 +319,7 @@ class Table {
         diameter |= holds == "DIAMETER";
         continue;
       }
-      const auto read = number_from(cell);
+      const auto read = number_in(cell);
       if (!read && !(column == "WEAR" && cell.empty()))
         return column + " is \"" + std::string(cell) + "\", which is no number";
       if (column == "NUMBER") number = read;
@@ -325,6 +342,7 @@ class Table {
   bool unit_unsaid_ = false;
   bool unit_said_ = false;  // by G20 or G21 of Fanuc
   std::vector<std::string> columns_{};
+  char separator_ = comma;  // of columns, as the first line of the CSV has it
   bool heidenhain_ = false;
   std::vector<std::pair<std::string, std::size_t>> places_{};  // of its columns: name and begin
   bool sinumerik_ = false;

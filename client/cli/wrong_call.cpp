@@ -65,6 +65,22 @@ std::string meant_option(const CLI::App& command, const std::string& word) {
   return told(text + "; " + spelled(command) + " --help lists all") + "\n";
 }
 
+// "Could not convert: --radius = 5,5": what is meant is written with a point. Empty: it is not
+// that.
+std::string meant_number(const std::string& fault) {
+  const auto equals = fault.rfind(" = ");
+  const auto begin = fault.find("--");
+  if (equals == std::string::npos || begin >= equals) return {};
+  std::string number = fault.substr(equals + 3);
+  const auto comma = number.find(',');
+  if (comma == std::string::npos || number.find_first_not_of("+-0123456789,") < number.size() ||
+      number.find(',', comma + 1) < number.size())
+    return {};
+  std::string text = fault.substr(begin, equals - begin) + ": " + number + " is no number; write ";
+  number[comma] = '.';
+  return told(text + number + ", with a decimal point") + "\n";
+}
+
 std::string more_about(const std::string& name) {
   return told("Run " + name + " --help for more information.") + "\n";
 }
@@ -83,6 +99,8 @@ std::string text_of_wrong_call(const CLI::App& app, const CLI::ParseError& fault
   if (commands.empty() && unknown.empty())
     return "trc: " + told("say what to do: " + list_of_commands(app)) + "\n" + more_about("trc");
   const std::string name = spelled(commands.empty() ? app : *commands.front());
+  if (const std::string number = meant_number(fault.what()); !number.empty())
+    return name + ": " + number;
   return name + ": " + told(fault.what()) + "\n" + more_about(name);
 }
 

@@ -21,6 +21,18 @@ export function fail(error) {
   say(setting || (problem ? t('failed') + error.message : t(error instanceof Unreadable ? 'unreadable' : 'offline')), 'error');
 }
 
+// Why another setting gives nothing to compare with.
+export function reasonOf(error, settings) {
+  const {problem} = error;
+  if (!problem) return t('offline');
+  const [[name, value]] = Object.entries(settings);
+  const isOfSetting = problem.fields?.some(f => f.field === name || f.field.endsWith(`.${name}`));
+  return isOfSetting ? shown.options.impossible(name, value) : t('failed') + error.message;
+}
+
+// As the summary tells it; of a refused program only the picture knows.
+export const lengthOf = view => view.summary?.path?.compensatedLength ?? view.pathLength;
+
 export function showSaid(view) {
   const found = view.diagnostics ?? [];
   sayWhatBecame(view);
@@ -61,7 +73,7 @@ function item(diagnostic) {
   head.textContent = `${t(kind)} ${diagnostic.code}` + (diagnostic.line ? `, ${t('line')} ${diagnostic.line}` : '');
   const remedy = document.createElement('span');
   remedy.className = 'remedy';
-  remedy.textContent = (diagnostic.help ?? diagnostic.remedy ?? '').replace('SurveyRadii (trc radii)', inside ? 'trc radii' : `“${t('largest')}”`);
+  remedy.textContent = (diagnostic.help ?? diagnostic.remedy ?? '').replace('SurveyRadii (trc radii)', inside ? 'trc radii' : t('quoted', {word: t('largest')}));
   const message = document.createElement('span');
   message.textContent = ` ${diagnostic.text ?? diagnostic.message ?? ''}`;
   message.lang = remedy.lang = diagnostic.language || 'en';
@@ -136,13 +148,15 @@ function showCertificate(view) {
   if (hasOwnRadius(view, shown.current.settings)) add('', t('ownRadius', {radius: withUnit(view.toolRadius)}));
   if (!view.pathBlocks) return $('certificate').replaceChildren(...rows);
   add(t('plane'), axesOf(view.plane).slice(0, 2).join('').toUpperCase());
-  add(t('length'), `${withUnit(view.pathLength)}, ${view.pathBlocks} ${t(Number(view.pathBlocks) === 1 ? 'block' : 'blocks')}`);
+  add(t('length'), `${withUnit(lengthOf(view))}, ${view.pathBlocks} ${t(Number(view.pathBlocks) === 1 ? 'block' : 'blocks')}`);
   add(t('height'), `${axesOf(view.plane)[2].toUpperCase()} ${inUnit(view.lowest)} … ${withUnit(view.highest)}`);
   $('certificate').replaceChildren(...rows);
 }
 
 async function goTo(diagnostic) {
   const {view} = shown.current;
+  // On a narrow screen it lies above.
+  $('stage').scrollIntoView({block: 'nearest'});
   if (diagnostic.point) {
     const at = inPlane(view.plane, diagnostic.point);
     zoomTo(view, at, at);

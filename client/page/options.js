@@ -12,7 +12,10 @@ const titleOf = (name, parameter) => settingName(name, currentLanguage()) + unit
 const isNumber = ({schema}) => schema.type === 'number' || schema.type === 'integer';
 // Empty where there is none that matters.
 const rangeOf = ({schema: {minimum, maximum}}) => (minimum !== undefined && maximum < 1e5 ? `${minimum} … ${maximum}` : '');
-const takenBy = parameter => rangeOf(parameter) || settingWord(parameter['x-values'], currentLanguage());
+const takenBy = parameter => {
+  const {minimum, maximum} = parameter.schema;
+  return minimum !== undefined && maximum !== undefined ? `${minimum} … ${maximum}` : settingWord(parameter['x-values'], currentLanguage());
+};
 
 // What is said below a setting: its meaning, what it takes, and what holds where it is not set.
 function noteOf(parameter, isChoice) {
@@ -125,13 +128,20 @@ export class Options {
     for (const say of this.translations) say();
   }
 
+  // A value that the server does not take, and what it does.
+  impossible(name, value) {
+    const parameter = this.parameters.get(name);
+    const point = isNumber(parameter) && /^[+-]?\d+,\d+$/.test(value);
+    const takes = takenBy(parameter) + (point ? `, ${t('decimalPoint', {number: value.replace(',', '.')})}` : '');
+    return t('impossible', {name: titleOf(name, parameter), value, takes});
+  }
+
   // Marks what the server does not take, and says of the first one what it takes.
   refuse(fields) {
     let said = '';
     for (const [name, input] of this.inputs) {
       const field = fields.find(f => f.field === name || f.field.endsWith(`.${name}`));
-      const parameter = this.parameters.get(name);
-      const text = field ? t('impossible', {name: titleOf(name, parameter), value: input.value, takes: takenBy(parameter)}) : '';
+      const text = field ? this.impossible(name, input.value) : '';
       input.setCustomValidity(text);
       if (field) { input.closest('details')?.setAttribute('open', ''); input.reportValidity(); }
       said ||= text;

@@ -1,6 +1,6 @@
 // Programs, and what the service makes of them: views, compared two at a time.
 import {api, inside} from './api.js';
-import {fail, hasOwnRadius, input, output, say, showSaid, Unreadable} from './found.js';
+import {fail, hasOwnRadius, input, lengthOf, output, reasonOf, say, showSaid, Unreadable} from './found.js';
 import {redraw, showAll} from './picture.js';
 import {Tiles} from './scene.js';
 import {settingName, settingWord} from './settings_texts.js';
@@ -145,7 +145,13 @@ async function compare(program) {
     document.body.dataset.compared = view.id;
     $('compared').textContent = compared(program);
     redraw();
-  } catch (error) { fail(error); }
+  } catch (error) {
+    forgetCompared(program);
+    if (shown.current !== program) return;
+    // What the program itself became still holds.
+    $('compared').textContent = reasonOf(error, program.compareWith);
+    redraw();
+  }
 }
 
 // The lengths of two paths that differ anywhere hardly agree in every digit.
@@ -158,7 +164,7 @@ function compared({compareWith, compare: {view}, view: own}) {
   const unit = shown.options.parameters.get(name)?.['x-unit'];
   return `${settingName(name, currentLanguage())} ${settingWord(value, currentLanguage())}${unit ? ` ${unit}` : ''}: ` + [
     view.refused ? `${t('refusedShort')} ${error?.code ?? ''}` + (error?.line ? `, ${t('line')} ${error.line}` : '') : '',
-    `${t('length')} ${withUnit(view.pathLength)}`,
+    `${t('length')} ${withUnit(lengthOf(view))}`,
     smallest ? `${t('smallest')} ${withUnit(smallest.distance)}, ${t('required')} ${withUnit(smallest.toolRadius)}` : '',
     isSamePath(view, own) ? t('noDifference') : '',
     hasOwnRadius(view, compareWith) ? t('ownRadius', {radius: withUnit(view.toolRadius)}) : '',
@@ -176,6 +182,7 @@ function forgetCompared(program) {
 $('compare-form').addEventListener('submit', event => {
   event.preventDefault();
   if (!shown.current?.view) return;
+  $('compared').textContent = '';
   shown.current.compareWith = {[$('compare-setting').value]: $('compare-value').value.trim()};
   compare(shown.current);
 });

@@ -131,8 +131,8 @@ const germanMeanings = {
   'leads behind the approach block, with leads.find=blocks': 'Anfahrsätze hinter dem Anwahlsatz, mit leads.find=blocks',
   'leads before the retract block, with leads.find=blocks': 'Abfahrsätze vor dem Abwahlsatz, mit leads.find=blocks',
   'up to here the end of a contour meets its begin': 'bis dahin trifft das Ende einer Kontur ihren Anfang',
-  'largest share of the wall of a selection that may be left out in one stretch (900218)':
-    'größter Anteil der Wand einer Anwahl, der am Stück ausgelassen werden darf (900218)',
+  'largest share of the wall of a selection that may be left out, in one stretch or in all those longer than 10 tool radii (900218)':
+    'größter Anteil der Wand einer Anwahl, der ausgelassen werden darf, am Stück oder in allen Stücken über 10 Werkzeugradien (900218)',
   'how finely the program is written; less counts as touching': 'wie fein das Programm geschrieben ist; weniger gilt als Berührung',
   'stock that is left on the part; negative: cuts deeper': 'was am Teil stehen bleibt; negativ: schneidet tiefer',
   'the tool whose centre path the program is; without it the program is the contour':

@@ -41,7 +41,7 @@ struct CompensatorSetup {
   bool implicit_contour_masking = false;  // P-CHAN-00219, D-34
   bool circular_kerf_masking = true;      // P-CHAN-00284
   LeadSettings leads{};                   // D-38
-  double largest_masked_share = 0.5;      // of the walls, left out in one stretch (D-39)
+  double largest_masked_share = 0.5;      // of the walls, left out (D-39)
   double smallest_feed_factor = 0.01;     // D-31
   bool inverse_path = false;              // CompensatedBlock::inverse
   Engine engine = Engine::automatic;

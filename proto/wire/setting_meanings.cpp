@@ -89,8 +89,10 @@ constexpr auto rows = std::to_array<SettingMeaning>({
      largest_count},
     {"closing_tolerance", "up to here the end of a contour meets its begin", "mm", "0.01", 0, 1},
     {"max_masked_share",
-     "largest share of the wall of a selection that may be left out in one stretch (900218)", "",
-     "0.5", 0, 1},
+     "largest share of the wall of a selection that may be left out, in one stretch or in all "
+     "those "
+     "longer than 10 tool radii (900218)",
+     "", "0.5", 0, 1},
     {"input_resolution", "how finely the program is written; less counts as touching", "mm",
      "0.001", 0, 0.1},
     {"allowance", "stock that is left on the part; negative: cuts deeper", "mm", "0",

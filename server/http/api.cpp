@@ -2,6 +2,10 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
+#include <cstdio>
+#include <ctime>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -118,6 +122,22 @@ std::string methods_at(std::string_view path) {
   }
   if (methods.empty() && rpc_at(std::string(path)) != nullptr) methods = "POST";
   return methods;
+}
+
+// "Sun, 06 Nov 1994 08:49:37 GMT", whatever the locale is.
+std::string date_of(std::chrono::system_clock::time_point now) {
+  constexpr std::array<const char*, 7> days{"Sun", "Mon", "Tue", "Wed", "Thu", "Fri", "Sat"};
+  constexpr std::array<const char*, 12> months{"Jan", "Feb", "Mar", "Apr", "May", "Jun",
+                                               "Jul", "Aug", "Sep", "Oct", "Nov", "Dec"};
+  const std::time_t seconds = std::chrono::system_clock::to_time_t(now);
+  std::tm utc{};
+  if (::gmtime_r(&seconds, &utc) == nullptr) return {};
+  std::array<char, 64> text{};
+  const int length = std::snprintf(text.data(), text.size(), "%s, %02d %s %04d %02d:%02d:%02d GMT",
+                                   days[static_cast<std::size_t>(utc.tm_wday)], utc.tm_mday,
+                                   months[static_cast<std::size_t>(utc.tm_mon)], utc.tm_year + 1900,
+                                   utc.tm_hour, utc.tm_min, utc.tm_sec);
+  return {text.data(), static_cast<std::size_t>(length)};
 }
 
 std::string_view host_of(std::string_view host) {
@@ -251,6 +271,8 @@ void Api::decorate(const Request& request, Head& head) {
   add("X-Content-Type-Options", "nosniff");
   add("Referrer-Policy", "no-referrer");
   add("Cross-Origin-Resource-Policy", "same-origin");
+  add("Date", date_of(std::chrono::system_clock::now()));
+  if (head.status == 405) add("Allow", methods_at(request.path) + ", OPTIONS");
   const auto has = [&](std::string_view name) {
     return std::any_of(head.headers.begin(), head.headers.end(),
                        [&](const auto& pair) { return pair.first == name; });

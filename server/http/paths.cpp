@@ -37,6 +37,14 @@ void start(Api& api, const ExchangePointer& exchange, const char* rpc, Ask ask,
       if (!fault.empty())
         return answer_problem(*exchange,
                               problem(400, "JSON_INVALID", "The body is no " + name, fault));
+      for (const grpc::ByteBuffer& asked : messages)
+        if (asked.Length() > api.most_message_bytes())
+          return answer_problem(
+              *exchange, problem(413, "MESSAGE_TOO_LARGE", "The path is too large",
+                                 "it takes " + std::to_string(asked.Length()) + " bytes, at most " +
+                                     std::to_string(api.most_message_bytes()) +
+                                     " are taken (max-message-bytes); divide the path, send it as "
+                                     "an NC program, or stream it with gRPC"));
       Run::start(api, exchange, rpc, std::make_unique<PreparedQuestions>(messages), format);
     });
   });

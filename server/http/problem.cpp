@@ -14,6 +14,8 @@ namespace {
 
 using grpc::StatusCode;
 
+constexpr std::size_t longest_detail = 1000;
+
 // In words what the codes of gRPC stand for here.
 struct Meaning {
   unsigned status;
@@ -74,7 +76,7 @@ v1::Problem problem_of(const grpc::Status& status) {
   v1::Problem problem;
   problem.set_status(meaning.status);
   problem.set_title(std::string(meaning.title));
-  problem.set_detail(presentable(status.error_message()));
+  problem.set_detail(presentable(status.error_message(), longest_detail));
   set_reason(problem, name_of(status.error_code()));
   google::rpc::Status rich;
   if (!rich.ParseFromString(status.error_details())) return problem;
@@ -88,8 +90,7 @@ v1::Problem problem_of(const grpc::Status& status) {
     if (is_about_size(info.reason())) problem.set_status(413);
   });
   for_each<google::rpc::LocalizedMessage>(rich, [&](const auto& localized) {
-    constexpr std::size_t longest = 1000;
-    problem.set_detail(presentable(localized.message(), longest));
+    problem.set_detail(presentable(localized.message(), longest_detail));
     if (problem.status() == 422 && language_of_tag(localized.locale()) == Language::german)
       problem.set_title("Das Programm kann nicht korrigiert werden");
   });

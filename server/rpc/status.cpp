@@ -64,7 +64,7 @@ constexpr std::array<Row, 27> table{{
      1},
     {Refusal::memory_limit_of_stream, StatusCode::RESOURCE_EXHAUSTED, "MEMORY_LIMIT",
      "this stream alone holds more than the settings max-session-memory-mib and "
-     "max-memory-per-peer-mib allow; set look_ahead_blocks"},
+     "max-memory-per-peer-mib allow; set look_ahead_blocks, and verify to OFF"},
     {Refusal::memory_limit_of_process, StatusCode::RESOURCE_EXHAUSTED, "MEMORY_LIMIT",
      "the server is close to the memory it may have, the setting memory-limit-mib; try again later",
      1},
@@ -98,6 +98,8 @@ constexpr std::string_view domain = "trc.v1";
 // A peer drops a status whose trailers pass 8 KB, and the details travel in base64.
 constexpr std::size_t longest_in_list = 80;
 constexpr std::size_t longest_localized = 1000;
+// Whole sentences, and a status with it still fits into the 8 KiB of metadata that clients take.
+constexpr std::size_t longest_of_diagnostic = 400;
 
 Ending finished(StatusCode code, std::string_view reason, std::string_view message,
                 google::rpc::Status rich) {
@@ -188,7 +190,7 @@ Ending refuse(const Diagnostic& diagnostic) {
 
   std::string message;
   if (source.line > 0) message = "line " + std::to_string(source.line) + ": ";
-  message += "error " + code + ": " + presentable(message_of(diagnostic));
+  message += "error " + code + ": " + presentable(message_of(diagnostic), longest_of_diagnostic);
   // Nothing is wrong with the program that passes a limit of this server.
   const StatusCode status = diagnostic.code == Code::selection_too_long
                                 ? StatusCode::RESOURCE_EXHAUSTED

@@ -37,6 +37,16 @@ TEST(ToolFile, IsACsvWithAHeader) {
   EXPECT_EQ(radii, (std::map<std::uint32_t, double>{{1, 5}, {2, 3.5}}));
 }
 
+TEST(ToolFile, IsACsvAsSpreadsheetsWriteIt) {
+  const std::map<std::uint32_t, double> expected{{1, 5.5}};
+  EXPECT_EQ(radii_in("\xEF\xBB\xBFnumber,radius\r\n1,5.5\r\n"), expected);
+  EXPECT_EQ(radii_in("\xEF\xBB\xBFnumber;radius\r\n1;5,5\r\n"), expected);
+  EXPECT_EQ(radii_in("unit;mm\nnumber;wear;diameter\n1;-0,02;11\n"), expected);
+  EXPECT_EQ(fault_in("number;radius\n1;1.000,5\n"),
+            "line 2: RADIUS is \"1.000,5\", which is no number");
+  EXPECT_EQ(fault_in({"\xFF\xFEn\0u\0", 6}), "it is text in UTF-16; save it as CSV UTF-8");
+}
+
 TEST(ToolFile, HalvesDiametersAndTheirWear) {
   constexpr const char* table =
       "Holds,Number,Radius,Wear,Name\nDIAMETER,7,12,-0.1,\"finisher\"\nradius,8,4,,\n";

@@ -507,6 +507,8 @@ class Programs(unittest.TestCase):
                 self.assertNotIn(status, (405, 500, 501), f"{method} {path}")
             status, headers, _ = self.server.ask("PUT", there)
             self.assertEqual(status, 405)
+            self.assertIn(list(operations)[0].upper(), headers["Allow"])
+            self.assertRegex(headers["Date"], r"^\w{3}, \d\d \w{3} \d{4} \d\d:\d\d:\d\d GMT$")
             self.assertIn(list(operations)[0].upper(),
                           self.server.ask("OPTIONS", there)[1]["Allow"])
         names = {p["name"] for p in

@@ -97,7 +97,7 @@ class ContourMasking {
   // Of the contour that is held: what of it is a wall, as far as its begin is known (D-38).
   void find_walls();
   [[nodiscard]] double wall_length(std::size_t index) const;
-  // Refuses a contour most of which is masked in one stretch (D-39).
+  // Refuses a contour too much of which is masked: one stretch, or all long ones (D-39).
   bool check_left_out();
   // There is no way on over these blocks, among them the first or the last one of the contour:
   // 90017, 90019 or 90038 of the block the tool cannot reach, with the largest tool that could.
