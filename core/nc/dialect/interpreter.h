@@ -136,6 +136,7 @@ class Interpreter {
   [[nodiscard]] bool is_incremental() const { return incremental_; }
   [[nodiscard]] MotionKind motion_in_force() const { return motion_; }
   [[nodiscard]] Plane plane_in_force() const { return state_.programmed_plane(); }
+  [[nodiscard]] std::optional<double> radius_in_force() const { return state_.tool().radius(); }
   // Behind M02 or M30.
   [[nodiscard]] bool has_ended() const { return ended_; }
 

@@ -83,7 +83,7 @@ std::string_view ExpressionReader::name() const {
   return line_.substr(at_, end - at_);
 }
 
-bool ExpressionReader::holds(const Value& value) {
+bool ExpressionReader::holds(const Value& value) const {
   // Of ISG, by its manual.
   constexpr double half = 0.5;
   if (grammar_.dialect == DialectName::isg) return std::abs(value.number) >= half;
@@ -107,8 +107,11 @@ const OperatorRow* ExpressionReader::operator_of(int level) const {
 // Operators of one level act from left to right.
 Value ExpressionReader::of_level(int level) {
   if (level > grammar_.highest_level) return operand();
+  pass_blanks();
+  const std::size_t first = at_;
   Value value = of_level(level + 1);
   bool has_compared = false;
+  const OperatorRow* before = nullptr;
   for (;;) {
     pass_blanks();
     const std::size_t begin = at_;
@@ -117,9 +120,23 @@ Value ExpressionReader::of_level(int level) {
     // Two comparisons side by side mean something else everywhere than they seem to.
     if (is_comparison(row->meaning) && std::exchange(has_compared, true))
       return fail(Code::expression_invalid, begin, std::string(row->spelling));
+    if (wants_brackets(*row, std::exchange(before, row), first))
+      return fail(Code::expression_invalid, begin,
+                  std::string(row->spelling).append(", whose order needs brackets"));
     at_ += row->spelling.size();
     value = combined(value, row->meaning, of_level(level + 1), begin);
   }
+}
+
+// Of ISG: of several logical operators, comparisons or powers, and of a power of what has a sign, no
+// manual says which comes first. `operand` is where the first operand begins.
+bool ExpressionReader::wants_brackets(const OperatorRow& row, const OperatorRow* before,
+                                      std::size_t operand) const {
+  constexpr int lowest_of_arithmetic = 3;
+  if (grammar_.dialect != DialectName::isg) return false;
+  if (row.meaning == Operator::power)
+    return before != nullptr || line_[operand] == '-' || line_[operand] == '+';
+  return before != nullptr && row.level < lowest_of_arithmetic && row.meaning != before->meaning;
 }
 
 Value ExpressionReader::operand() {
@@ -531,8 +548,8 @@ double ExpressionReader::of_whole_numbers(double left, Operator sign, double rig
     return rest < 0 ? rest + std::abs(right) : rest;
   }
   if (!fanuc) {
-    const bool a = left != 0;
-    const bool b = right != 0;
+    const bool a = holds({.number = left});
+    const bool b = holds({.number = right});
     if (sign == Operator::conjunction) return a && b ? 1 : 0;
     return sign == Operator::disjunction ? (a || b ? 1 : 0) : (a != b ? 1 : 0);
   }

@@ -105,6 +105,7 @@ struct Grammar {
 [[nodiscard]] const Grammar& fanuc_grammar();
 [[nodiscard]] const Grammar& linuxcnc_grammar();
 [[nodiscard]] const Grammar& sinumerik_grammar();
+[[nodiscard]] const Grammar& isg_grammar();
 
 class ExpressionReader;
 
@@ -152,7 +153,7 @@ class ExpressionReader {
   // The name that stands here, of letters, digits and `_`; empty: none. Passes nothing.
   [[nodiscard]] std::string_view name() const;
   // Whether the value is true, as the control decides it.
-  [[nodiscard]] bool holds(const Value& value);
+  [[nodiscard]] bool holds(const Value& value) const;
 
   [[nodiscard]] bool failed() const { return failed_; }
   [[nodiscard]] const TextFault& fault() const { return fault_; }
@@ -162,6 +163,8 @@ class ExpressionReader {
  private:
   [[nodiscard]] Value of_level(int level);
   [[nodiscard]] const OperatorRow* operator_of(int level) const;
+  [[nodiscard]] bool wants_brackets(const OperatorRow& row, const OperatorRow* before,
+                                    std::size_t operand) const;
   [[nodiscard]] Value bracket();
   [[nodiscard]] Value text_in_quotes();
   [[nodiscard]] Value number_of_digits(int base);

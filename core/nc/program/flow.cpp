@@ -6,6 +6,7 @@
 #include "core/nc/dialect/block_skip.h"
 #include "core/nc/program/code_line.h"
 #include "core/nc/program/fanuc_flow.h"
+#include "core/nc/program/isg_flow.h"
 #include "core/nc/program/linuxcnc_flow.h"
 #include "core/nc/program/sinumerik_flow.h"
 #include "core/nc/text/characters.h"
@@ -192,10 +193,7 @@ const double* Flow::given(std::string_view name) const {
   return known == given_.end() ? nullptr : &known->second;
 }
 
-bool may_compute(DialectName dialect) {
-  return dialect == DialectName::fanuc || dialect == DialectName::linuxcnc ||
-         dialect == DialectName::sinumerik;
-}
+bool may_compute(DialectName dialect) { return dialect != DialectName::heidenhain; }
 
 bool computes(const ProgramSetup& setup, std::string_view line) {
   switch (setup.dialect) {
@@ -206,6 +204,7 @@ bool computes(const ProgramSetup& setup, std::string_view line) {
     case DialectName::sinumerik:
       return sinumerik_computes(setup, line);
     case DialectName::isg:
+      return isg_computes(setup, line);
     case DialectName::heidenhain:
       break;
   }
@@ -218,6 +217,8 @@ std::unique_ptr<Flow> make_flow(const ProgramSetup& setup, CallPlaces& calls, Pr
     return std::make_unique<LinuxcncFlow>(setup, calls, std::move(text), start);
   if (setup.dialect == DialectName::sinumerik)
     return std::make_unique<SinumerikFlow>(setup, calls, std::move(text), start);
+  if (setup.dialect == DialectName::isg)
+    return std::make_unique<IsgFlow>(setup, calls, std::move(text), start);
   return std::make_unique<FanucFlow>(setup, calls, std::move(text), start);
 }
 

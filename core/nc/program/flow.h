@@ -6,6 +6,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -28,6 +29,7 @@ struct ModalState {
   Plane plane = Plane::xy;
   bool incremental = false;
   bool inch = false;
+  std::optional<double> tool_radius{};  // mm; none: nobody has given it
 };
 
 // Executes a program that computes, a line at a time: follows its jumps, loops and calls, and says

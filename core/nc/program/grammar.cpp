@@ -116,7 +116,67 @@ constexpr auto sinumerik_functions = std::to_array<FunctionRow>({
     {"BOUND", Function::bound, 3},  {"STRLEN", Function::length_of_text},
 });
 
+// Between what has one level brackets are asked for: no manual says which comes first.
+constexpr auto isg_operators = std::to_array<OperatorRow>({
+    // In front of `&`, `|`, `<`, `>` and `*`, which they begin with.
+    {"&&", 1, Operator::conjunction},
+    {"||", 1, Operator::disjunction},
+    {"XOR", 1, Operator::exclusion},
+    {"AND", 1, Operator::conjunction},
+    {"OR", 1, Operator::disjunction},
+    {"==", 2, Operator::equal},
+    {"!=", 2, Operator::not_equal},
+    {">=", 2, Operator::at_least},
+    {"<=", 2, Operator::at_most},
+    {">", 2, Operator::greater},
+    {"<", 2, Operator::less},
+    {"&", 2, Operator::bit_conjunction},
+    {"|", 2, Operator::bit_disjunction},
+    {"^", 2, Operator::bit_exclusion},
+    {"+", 3, Operator::add},
+    {"-", 3, Operator::subtract},
+    {"**", 5, Operator::power},
+    {"*", 4, Operator::multiply},
+    {"/", 4, Operator::divide},
+    {"MOD", 4, Operator::remainder},
+});
+
+constexpr auto isg_functions = std::to_array<FunctionRow>({
+    {"ABS", Function::absolute},
+    {"SQR", Function::square},
+    {"SQRT", Function::root},
+    {"EXP", Function::exponential},
+    {"LN", Function::logarithm},
+    {"DEXP", Function::decimal_exponential},
+    {"LOG", Function::decimal_logarithm},
+    {"SIN", Function::sine},
+    {"COS", Function::cosine},
+    {"TAN", Function::tangent},
+    {"COT", Function::cotangent},
+    {"ASIN", Function::arc_sine},
+    {"ACOS", Function::arc_cosine},
+    {"ATAN", Function::arc_tangent},
+    {"ACOT", Function::arc_cotangent},
+    {"INT", Function::truncate},
+    {"FRACT", Function::fraction},
+    {"ROUND", Function::round},
+    {"SIGN", Function::sign},
+    {"MIN", Function::least, 2},
+    {"MAX", Function::greatest, 2},
+    {"NOT", Function::negation},
+    {"INV", Function::bit_negation},
+});
+
 }  // namespace
+
+const Grammar& isg_grammar() {
+  static constexpr Grammar grammar{.dialect = DialectName::isg,
+                                   .operators = isg_operators,
+                                   .functions = isg_functions,
+                                   .highest_level = 5,
+                                   .has_names = true};
+  return grammar;
+}
 
 const Grammar& sinumerik_grammar() {
   static constexpr Grammar grammar{.dialect = DialectName::sinumerik,

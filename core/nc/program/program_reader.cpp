@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/nc/program/isg_line.h"
+
 namespace trc {
 namespace {
 
@@ -18,6 +20,10 @@ std::size_t behind_line(std::string_view text, std::size_t at) {
   if (text[end] == '\n') return end + 1;
   if (end + 1 == text.size()) return 0;
   return end + (text[end + 1] == '\n' ? 2 : 1);
+}
+
+bool is_plain(std::string_view text) {
+  return !text.empty() && program::is_plain_isg(text) && text.find('\r') == std::string_view::npos;
 }
 
 std::string_view without_line_end(std::string_view line) {
@@ -47,9 +53,27 @@ ProgramReader::~ProgramReader() = default;
 bool ProgramReader::feed(std::string_view text, std::vector<LinePointer>& lines) {
   if (passes_) return interpreter_.feed(text, lines);
   if (computing_) return collect(text);
+  if (setup_.dialect == DialectName::isg && is_plain(text)) return pass_plain(text, lines);
   if (partial_.empty()) return split(text, lines);
   const std::string whole = std::exchange(partial_, {}).append(text);
   return split(whole, lines);
+}
+
+// Text of lines that compute nothing and whose ends are line feeds goes on as a whole, but for the
+// line that was begun in front of it.
+bool ProgramReader::pass_plain(std::string_view text, std::vector<LinePointer>& lines) {
+  if (!partial_.empty()) {
+    const std::size_t behind = std::min(text.find('\n'), text.size() - 1) + 1;
+    const std::string begun = std::exchange(partial_, {}).append(text.substr(0, behind));
+    if (!split(begun, lines)) return false;
+    text.remove_prefix(behind);
+    if (computing_) return collect(text);
+    if (passes_) return interpreter_.feed(text, lines);
+    if (text.empty()) return true;
+  }
+  const std::size_t end = text.rfind('\n') + 1;
+  lines_before_ += static_cast<std::uint64_t>(std::ranges::count(text.substr(0, end), '\n'));
+  return pass(text.substr(0, end), lines) && keep_partial(text.substr(end), lines);
 }
 
 // Lines that compute nothing go on together.
@@ -73,8 +97,12 @@ bool ProgramReader::split(std::string_view text, std::vector<LinePointer>& lines
   }
   const bool goes_on = pass(text.substr(0, begin), lines);
   lines_before_ += count;
-  partial_ = text.substr(begin);
-  if (!goes_on || partial_.size() <= limits_.longest_line) return goes_on;
+  return goes_on && keep_partial(text.substr(begin), lines);
+}
+
+bool ProgramReader::keep_partial(std::string_view text, std::vector<LinePointer>& lines) {
+  partial_ = text;
+  if (partial_.size() <= limits_.longest_line) return true;
   return interpreter_.feed(std::exchange(partial_, {}), lines);  // which refuses it
 }
 
@@ -137,7 +165,8 @@ program::ModalState ProgramReader::modes() const {
   return {.motion = interpreter_.motion_in_force(),
           .plane = interpreter_.plane_in_force(),
           .incremental = interpreter_.is_incremental(),
-          .inch = interpreter_.counts_in_inch()};
+          .inch = interpreter_.counts_in_inch(),
+          .tool_radius = interpreter_.radius_in_force()};
 }
 
 // All that one line has become is told by its place.

@@ -57,6 +57,8 @@ class ProgramReader {
 
  private:
   bool split(std::string_view text, std::vector<LinePointer>& lines);
+  bool pass_plain(std::string_view text, std::vector<LinePointer>& lines);
+  bool keep_partial(std::string_view text, std::vector<LinePointer>& lines);
   bool pass(std::string_view text, std::vector<LinePointer>& lines);
   bool collect(std::string_view text);
   bool begin_to_execute();

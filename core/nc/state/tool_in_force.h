@@ -46,6 +46,13 @@ class ToolInForce {
   // The same; a tool made ready without any M06 takes its place first.
   std::optional<Refusal> check_at_first_motion(const Source& selected);
 
+  // The radius that the program may ask for, mm, without wear. None where nobody has given one, or
+  // where the program is read for several radii.
+  [[nodiscard]] std::optional<double> radius() const {
+    const bool is_known =
+        giver_ != RadiusGiver::nobody && !has_tool_that_waits() && !setup_.every_radius;
+    return is_known ? std::optional(terms_.radius) : std::nullopt;
+  }
   // The parts of the radius in force.
   [[nodiscard]] const RadiusTerms& terms() const { return terms_; }
   // The tool of that name in the table; `no_tool_number`: it has none.

@@ -1,0 +1,285 @@
+#include <algorithm>
+#include <cmath>
+
+#include "core/nc/program/code_line.h"
+#include "core/nc/program/isg_flow.h"
+#include "core/nc/text/characters.h"
+
+// Control statements of ISG: branches, loops and jumps.
+
+namespace trc::program {
+namespace {
+
+// What ends a loop must not hang on the last digit of a sum (D-54).
+bool is_nearly(double value, double other) {
+  constexpr double least = 1e-9;
+  return value != other && std::abs(value - other) <= least * (1 + std::abs(other));
+}
+
+}  // namespace
+
+bool IsgFlow::follow(std::string& flat) {
+  if (head_.to_skip)
+    return refuse(Code::block_skip_undecided, 0, "/, a line to skip that computes");
+  const std::string word = word_behind_sign(line_, head_.behind);
+  if (word == "GOTO") return execute_words(flat);
+  ExpressionReader expression = expression_at(head_.behind + 1 + word.size());
+  if (word == "BREAK" || word == "CONTINUE") return leave_or_go_on(flat, word == "BREAK");
+  using enum Structure;
+  const Outline& outline = outline_of(frame());
+  const auto condition_holds = [&] {
+    return expression.holds(expression.expression());
+  };
+  switch (const Structure structure = structure_of(line_)) {
+    case branch:
+      return this->branch(flat, expression);
+    case other_branch:
+    case otherwise: {  // behind a branch that was taken
+      const auto end = partner(outline.feet, "$ENDIF");
+      if (!end) return false;
+      frame().next = *end + 1;
+      return true;
+    }
+    case choice:
+      return choose(flat, expression);
+    case chosen:
+    case by_default:
+    case end_branch:
+    case end_choice:
+      return true;
+    case counting:
+    case end_counting:
+      return count(flat, structure == counting);
+    case condition: {
+      const bool holds = condition_holds();
+      if (expression.failed()) return refuse(expression.fault());
+      const auto end = partner(outline.feet, "$ENDWHILE");
+      if (!end) return false;
+      if (!holds) frame().next = *end + 1;
+      break;
+    }
+    case end_condition: {
+      const auto head = partner(outline.heads, "$WHILE");
+      if (!head) return false;
+      frame().next = *head;
+      break;
+    }
+    case endless:
+      if (!partner(outline.feet, "$ENDDO")) return false;
+      break;
+    case repetition:
+      if (!partner(outline.feet, "$UNTIL")) return false;
+      break;
+    case end_endless:
+    case Structure::until: {
+      const bool repeats = structure == end_endless;
+      const bool has_condition = !is_isg_line_over(line_, expression.at());
+      const bool holds = has_condition ? condition_holds() : repeats;
+      if (expression.failed()) return refuse(expression.fault());
+      const auto head = partner(outline.heads, repeats ? "$DO" : "$REPEAT");
+      if (!head) return false;
+      if (holds == repeats) frame().next = *head + 1;
+      break;
+    }
+    case none: {
+      if (word != "IF")
+        return refuse(Code::nc_unsupported, head_.behind, "$" + word + ", a control statement");
+      // $IF P1 > 3 $GOTO N100
+      const bool holds = condition_holds();
+      if (expression.failed()) return refuse(expression.fault());
+      expression.pass_blanks();
+      constexpr std::size_t length = 5;  // of $GOTO
+      if (in_upper_case(line_.substr(expression.at(), length)) != "$GOTO")
+        return refuse(Code::expression_invalid, expression.at(), "$IF without $GOTO");
+      expression.go_to(expression.at() + length);
+      const auto target = target_of(expression);
+      if (!target) return false;
+      if (holds) frame().next = *target;
+      break;
+    }
+  }
+  return finish_statement(flat, expression.at());
+}
+
+std::optional<std::size_t> IsgFlow::partner(const std::map<std::size_t, std::size_t>& partners,
+                                            std::string_view missing) {
+  const auto found = partners.find(frame().current);
+  if (found != partners.end()) return found->second;
+  refuse(Code::block_structure, head_.behind,
+         ("$" + word_behind_sign(line_, head_.behind)).append(" without ").append(missing));
+  return {};
+}
+
+// $IF, then each $ELSEIF until one holds, then $ELSE.
+bool IsgFlow::branch(std::string& flat, ExpressionReader& expression) {
+  const Outline& outline = outline_of(frame());
+  const auto end = partner(outline.feet, "$ENDIF");
+  if (!end) return false;
+  bool holds = expression.holds(expression.expression());
+  if (expression.failed()) return refuse(expression.fault());
+  if (!finish_statement(flat, expression.at())) return false;
+  std::size_t at = frame().current;
+  while (!holds) {
+    at = outline.next.at(at);
+    const Structure structure = outline.structures.at(at);
+    holds = structure != Structure::other_branch;
+    if (holds) break;
+    frame().current = at;
+    line_ = text_of(frame()).line(at);
+    head_ = isg_head_of(line_);
+    constexpr std::size_t length = 7;  // of $ELSEIF
+    ExpressionReader other = expression_at(head_.behind + length);
+    holds = other.holds(other.expression());
+    if (other.failed()) return refuse(other.fault());
+    if (!is_isg_line_over(line_, other.at()))
+      return refuse(Code::expression_invalid, other.at(), "words behind $ELSEIF");
+  }
+  frame().next = at + 1;
+  return true;
+}
+
+// $CASE values that differ from what is chosen by less than 0.001 are equal to it, by the manual.
+bool IsgFlow::choose(std::string& flat, ExpressionReader& expression) {
+  constexpr double difference = 0.001;
+  const Outline& outline = outline_of(frame());
+  const auto end = partner(outline.feet, "$ENDSWITCH");
+  if (!end) return false;
+  const Value chosen = expression.expression();
+  if (expression.failed()) return refuse(expression.fault());
+  if (!finish_statement(flat, expression.at())) return false;
+  std::size_t target = *end;
+  bool is_found = false;
+  const auto choices = outline.choices.find(frame().current);
+  for (std::size_t index = 0; choices != outline.choices.end() && !is_found &&
+                              index < choices->second.size();
+       ++index) {
+    const std::size_t line = choices->second[index];
+    if (outline.structures.at(line) == Structure::by_default) {
+      target = line;
+      continue;
+    }
+    const std::string_view text = text_of(frame()).line(line);
+    constexpr std::size_t length = 5;  // of $CASE
+    ExpressionReader value(isg_grammar(), text, isg_head_of(text).behind + length, *this);
+    const Value named = value.expression();
+    if (value.failed()) {
+      frame().current = line;
+      return refuse(value.fault());
+    }
+    is_found = named.is_text == chosen.is_text && named.text == chosen.text &&
+               std::abs(named.number - chosen.number) < difference;
+    if (is_found) target = line;
+  }
+  frame().next = target + 1;
+  return true;
+}
+
+// $FOR P1 = first, last, step
+bool IsgFlow::count(std::string& flat, bool begins) {
+  const Outline& outline = outline_of(frame());
+  const auto other = begins ? partner(outline.feet, "$ENDFOR") : partner(outline.heads, "$FOR");
+  if (!other) return false;
+  const std::size_t head = begins ? frame().current : *other;
+  const std::pair<std::size_t, std::size_t> key{frames_.size(), head};
+  if (!begins && !counts_.contains(key))
+    return refuse(Code::block_structure, head_.behind, "$ENDFOR of a loop that was not begun");
+  const std::string_view line = text_of(frame()).line(head);
+  constexpr std::size_t length = 4;  // of $FOR
+  ExpressionReader expression(isg_grammar(), line, isg_head_of(line).behind + length, *this);
+  expression.pass_blanks();
+  const std::size_t begin = expression.at();
+  const std::string name = place_at(expression);
+  expression.pass_blanks();
+  if (!expression.failed() && expression.peek() != '=')
+    static_cast<void>(expression.fail(Code::expression_invalid, begin, "$FOR without ="));
+  if (begins && !expression.failed()) {
+    expression.go_to(expression.at() + 1);
+    const Value first = expression.expression();
+    std::pair<double, double>& limits = counts_[key];
+    for (double* const limit : {&limits.first, &limits.second}) {
+      expression.pass_blanks();
+      if (!expression.failed() && expression.peek() != ',')
+        static_cast<void>(expression.fail(Code::expression_invalid, begin,
+                                          "$FOR wants a beginning, an end and a step"));
+      if (!expression.failed()) expression.go_to(expression.at() + 1);
+      *limit = expression.expression().number;
+    }
+    if (expression.failed()) return refuse(expression.fault());
+    if (limits.second == 0) return refuse(Code::value_invalid, begin, "a step of 0");
+    if (!assign(name, first, begin) || !finish_statement(flat, expression.at())) return false;
+  }
+  if (expression.failed()) return refuse(expression.fault());
+  const auto [last, step] = counts_[key];
+  const Value* const held_value = held(name);
+  if (held_value == nullptr) return looks_ahead() || refuse(Code::variable_unset, begin, name);
+  double now = held_value->number;
+  if (!begins) now += step;
+  if (is_nearly(now, last))
+    return refuse(Code::value_invalid, head_.behind, "$FOR whose end hangs on the last digits");
+  if (!begins && !assign(name, {.number = now}, begin)) return false;
+  const bool goes_on = step > 0 ? now <= last : now >= last;
+  if (goes_on != begins) frame().next = *other + 1;
+  return true;
+}
+
+// Of $SWITCH and loops; a loop alone goes on.
+bool IsgFlow::leave_or_go_on(std::string& flat, bool leaves) {
+  const Outline& outline = outline_of(frame());
+  std::optional<std::size_t> head;
+  for (std::size_t line = frame().current; !head;) {
+    const auto around = outline.around.find(line);
+    if (around == outline.around.end()) break;
+    line = around->second;
+    if (leaves || outline.structures.at(line) != Structure::choice) head = line;
+  }
+  const auto foot = head ? outline.feet.find(*head) : outline.feet.end();
+  if (foot == outline.feet.end())
+    return refuse(Code::block_structure, head_.behind,
+                  leaves ? "$BREAK outside of a loop" : "$CONTINUE outside of a loop");
+  frame().next = foot->second + (leaves ? 1 : 0);
+  constexpr std::size_t of_break = 6;
+  constexpr std::size_t of_continue = 9;
+  return finish_statement(flat, head_.behind + (leaves ? of_break : of_continue));
+}
+
+// N100, NP1, N[P1 + 10] or [NAME]: one place of the program that is executed.
+std::optional<std::size_t> IsgFlow::target_of(ExpressionReader& expression) {
+  expression.pass_blanks();
+  const std::size_t begin = expression.at();
+  const Outline& outline = outline_of(frame());
+  const std::vector<std::size_t>* lines = nullptr;
+  if (expression.peek() == '[') {
+    const std::size_t close = std::min(line_.find(']', begin), line_.size());
+    const std::string name = in_upper_case(line_.substr(begin + 1, close - begin - 1));
+    if (const auto found = outline.labels.find(name); found != outline.labels.end())
+      lines = &found->second;
+    expression.go_to(std::min(close + 1, line_.size()));
+  } else if (upper(expression.peek()) == 'N') {
+    expression.go_to(begin + 1);
+    const std::int64_t number = expression.whole_operand();
+    if (const auto found = outline.numbers.find(number); found != outline.numbers.end())
+      lines = &found->second;
+  } else {
+    static_cast<void>(expression.fail(Code::expression_invalid, begin, "$GOTO without N or [ ]"));
+  }
+  if (expression.failed()) {
+    refuse(expression.fault());
+    return {};
+  }
+  if (lines != nullptr && lines->size() == 1) return lines->front();
+  std::string target(line_.substr(begin, expression.at() - begin));
+  if (lines != nullptr) target.append(", which is there twice");
+  refuse(Code::jump_target_unknown, begin, target);
+  return {};
+}
+
+bool IsgFlow::finish_statement(std::string& flat, std::size_t at) {
+  const std::size_t behind = behind_blanks(line_, at);
+  if (behind >= line_.size()) return true;
+  if (!is_isg_line_over(line_, behind))
+    return refuse(Code::expression_invalid, behind, name_of_character(line_.substr(behind)));
+  write_behind_number(flat, line_.substr(behind));
+  return true;
+}
+
+}  // namespace trc::program

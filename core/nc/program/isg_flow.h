@@ -1,0 +1,164 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "core/nc/program/flow.h"
+#include "core/nc/program/isg_line.h"
+
+namespace trc::program {
+
+// The language of ISG.
+//
+//   - P parameters, V.P. and V.CYC. variables belong to the whole run, V.L. to the main program and
+//     to each call. V.S. and V.E. outlast it: their assignments come out, with their values. V.A.
+//     and V.G. are the machine's, but for the tool radii that the setup and the program give.
+//   - Subprograms stand in front of the program, behind %L NAME, or are texts of the setup, which
+//     may have their own; they share all modes with their caller.
+//   - In front of a call of what is not there (D-47) the values come out that it may ask for, and
+//     behind it they are not known.
+//   - Where two operators stand side by side whose order nobody says, brackets are asked for.
+class IsgFlow : public Flow, private Variables {
+ public:
+  IsgFlow(const ProgramSetup& setup, CallPlaces& calls, ProgramText text, std::size_t start);
+
+ private:
+  struct Unit {
+    std::string name{};
+    std::size_t text = 0;
+    std::size_t begin = 0;
+    std::size_t end = 0;
+  };
+  enum class Structure : std::uint8_t {
+    none,
+    branch,  // $IF without $GOTO
+    other_branch,
+    otherwise,
+    end_branch,
+    choice,  // $SWITCH
+    chosen,  // $CASE
+    by_default,
+    end_choice,
+    counting,
+    end_counting,
+    condition,  // $WHILE
+    end_condition,
+    endless,  // $DO
+    end_endless,
+    repetition,
+    until,
+  };
+  // Where the lines of a unit lead.
+  struct Outline {
+    std::map<std::int64_t, std::vector<std::size_t>> numbers{};
+    std::map<std::string, std::vector<std::size_t>, std::less<>> labels{};
+    std::map<std::size_t, Structure> structures{};
+    std::map<std::size_t, std::size_t> next{};  // of a branch: the other one, or its end
+    std::map<std::size_t, std::size_t> feet{};  // by head, and by each branch of it: the end
+    std::map<std::size_t, std::size_t> heads{};  // by the end
+    std::map<std::size_t, std::vector<std::size_t>> choices{};  // by $SWITCH: $CASE and $DEFAULT
+    std::map<std::size_t, std::size_t> around{};  // the head of the loop or choice around a line
+  };
+  // Part of a line of words.
+  struct Piece {
+    std::size_t begin = 0;
+    std::size_t end = 0;
+    std::optional<std::string> instead{};  // empty: left out
+    bool is_comment = false;
+  };
+  using Values = std::map<std::string, Value, std::less<>>;
+
+  [[nodiscard]] Step execute_next(std::string& flat) override;
+  [[nodiscard]] bool execute_line(std::string& flat) override;
+  void keep_variables(std::size_t levels) override { locals_.resize(levels); }
+
+  // isg_flow.cpp: programs and the order of their lines.
+  void add_units(std::size_t text);
+  void take_line_in_front(std::size_t line);
+  [[nodiscard]] const Unit* unit_called(const IsgCall& call) const;
+  [[nodiscard]] const Outline& outline_of(const Frame& frame);
+  [[nodiscard]] static Structure structure_of(std::string_view line);
+  void take_line();
+  bool end_of_frame(std::string& flat);
+  bool end_of_program();
+  bool pass_line(std::string& flat);
+
+  // isg_control.cpp: branches, loops and jumps.
+  bool follow(std::string& flat);
+  bool branch(std::string& flat, ExpressionReader& expression);
+  bool choose(std::string& flat, ExpressionReader& expression);
+  bool count(std::string& flat, bool begins);
+  bool leave_or_go_on(std::string& flat, bool leaves);
+  std::optional<std::size_t> target_of(ExpressionReader& expression);
+  [[nodiscard]] std::optional<std::size_t> partner(
+      const std::map<std::size_t, std::size_t>& partners, std::string_view missing);
+  bool finish_statement(std::string& flat, std::size_t at);
+  void write_behind_number(std::string& flat, std::string_view text);
+  bool call(std::string& flat, const IsgCall& call);
+  bool return_from();
+
+  // isg_words.cpp: lines of words.
+  bool execute_words(std::string& flat);
+  bool scan_word(std::size_t& at);
+  bool scan_address(std::size_t& at);
+  bool scan_value(std::size_t begin, std::size_t value, std::size_t& at);
+  bool scan_command(std::size_t& at);
+  bool scan_assignment(std::size_t& at);
+  bool scan_radius(std::size_t& at, std::size_t value);
+  bool end_or_return(bool& ends, bool& returns);
+  bool write_words(std::string& flat);
+  bool refuse_rest(ExpressionReader& expression);
+  static void append_number(std::string& text, const Value& value);
+
+  // isg_variables.cpp
+  bool declare(std::string& flat);
+  bool declare_elements(ExpressionReader& expression, const std::string& name,
+                        const std::vector<std::size_t>& sizes);
+  bool forget_declared(std::size_t at);
+  // The name of the parameter or variable there, with its indices, in capitals.
+  [[nodiscard]] std::string place_at(ExpressionReader& expression);
+  [[nodiscard]] std::string indices_at(ExpressionReader& expression);
+  bool assign(const std::string& name, Value value, std::size_t begin);
+  [[nodiscard]] const Value* held(const std::string& name) const;
+  [[nodiscard]] Values& values_of(std::string_view name);
+  Value read(ExpressionReader& expression) override;
+  Value read_radius(ExpressionReader& expression, const std::string& name, std::size_t begin);
+  bool exists(ExpressionReader& expression) override;
+  void write_values(std::string& flat);
+  void lose_values(const std::string& to);
+
+  [[nodiscard]] ExpressionReader expression_at(std::size_t at) {
+    return {isg_grammar(), line_, at, *this};
+  }
+
+  std::vector<Unit> units_{};
+  std::map<std::pair<std::size_t, std::size_t>, Outline> outlines_{};  // by text and begin
+  Values values_{};
+  std::vector<Values> locals_{1};
+  std::set<std::string, std::less<>> whole_{};  // declared with a type of whole numbers
+  std::set<std::string, std::less<>> unwritten_{};  // set since they were last written
+  std::string lost_to_{};
+  // What $FOR counts to and by, by the depth of calls and its line.
+  std::map<std::pair<std::size_t, std::size_t>, std::pair<double, double>> counts_{};
+  bool in_comment_ = false;      // between #COMMENT BEGIN and END
+  bool in_declaration_ = false;  // between #VAR and #ENDVAR
+
+  // Of the line that is being executed.
+  std::string joined_{};  // of a line that goes on behind `\`
+  std::string_view line_{};
+  IsgHead head_{};
+  std::vector<Piece> pieces_{};
+  bool has_computed_ = false;           // an assignment, or a jump
+  std::vector<std::string> assigned_{};  // in this line
+  bool reads_words_ = false;             // a value of a word, not of an assignment
+  std::optional<std::size_t> jump_{};    // of a $GOTO beside words
+};
+
+}  // namespace trc::program

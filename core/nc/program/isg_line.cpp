@@ -1,0 +1,278 @@
+#include "core/nc/program/isg_line.h"
+
+#include <algorithm>
+#include <array>
+
+#include "core/nc/program/code_line.h"
+#include "core/nc/program/expression.h"
+#include "core/nc/text/characters.h"
+
+namespace trc::program {
+namespace {
+
+constexpr std::size_t npos = std::string_view::npos;
+
+char sign_at(std::string_view line, std::size_t at) { return at < line.size() ? line[at] : '\0'; }
+
+bool goes_on_as_name(char sign) { return is_letter(sign) || is_digit(sign) || sign == '_'; }
+
+// `#`, `[` and `$` begin what is computed, P, V and L a variable or a call, `%` a subprogram.
+constexpr std::string_view signs_of_computing = "$[#%PVLpvl";
+
+constexpr std::array<bool, 256> make_signs() {
+  std::array<bool, 256> signs{};
+  for (const char sign : signs_of_computing) signs[static_cast<unsigned char>(sign)] = true;
+  return signs;
+}
+constexpr std::array<bool, 256> computing_signs = make_signs();
+
+bool is_function_at(std::string_view line, std::size_t at) {
+  std::size_t end = at;
+  while (is_letter(sign_at(line, end))) ++end;
+  if (end - at < 2 || sign_at(line, behind_blanks(line, end)) != '[') return false;
+  const std::string name = in_upper_case(line.substr(at, end - at));
+  const auto& functions = isg_grammar().functions;
+  return std::ranges::find(functions, name, &FunctionRow::spelling) != functions.end();
+}
+
+// V.G.WZ_AKT.R = 5 and V.G.WZ_AKT.R = V.G.WZ_AKT.R - 0.1 are words of the reader, V.P.A = 5 is a
+// line that passes: nothing of them has to be computed.
+bool is_plain_assignment(std::string_view line, std::size_t at) {
+  const auto end_of_name = [&](std::size_t begin) {
+    while (goes_on_as_name(sign_at(line, begin)) || sign_at(line, begin) == '.') ++begin;
+    return begin;
+  };
+  const std::size_t end = end_of_name(at);
+  const std::string name = in_upper_case(line.substr(at, end - at));
+  std::size_t value = behind_blanks(line, end);
+  if (sign_at(line, value) != '=' || sign_at(line, value + 1) == '=') return false;
+  value = behind_blanks(line, value + 1);
+  if (in_upper_case(line.substr(value, name.size())) == name && name.starts_with("V.G."))
+    value = behind_blanks(line, value + name.size());
+  if (sign_at(line, value) == '"') {
+    const std::size_t close = line.find('"', value + 1);
+    return close != npos && is_isg_line_over(line, close + 1);
+  }
+  if (sign_at(line, value) == '-' || sign_at(line, value) == '+')
+    value = behind_blanks(line, value + 1);
+  double number = 0;
+  bool whole = false;
+  const std::size_t length = read_number(line.substr(std::min(value, line.size())), number, whole);
+  const std::size_t behind = behind_blanks(line, value + length);
+  return length > 0 && std::string_view("+-*/<>=&|^[").find(sign_at(line, behind)) == npos;
+}
+
+// The value behind an address: P1, V.P.X, [P1+5], SIN[30], also behind its `=` or a sign.
+bool computes_behind(std::string_view line, std::size_t at) {
+  at = behind_blanks(line, at);
+  if (sign_at(line, at) == '=') at = behind_blanks(line, at + 1);
+  return is_isg_expression_at(line, at);
+}
+
+bool computes_command(std::string_view line, std::size_t begin, std::size_t end) {
+  const std::string word = word_behind_sign(line, begin);
+  if (word == "VAR" || word == "ENDVAR" || word == "DELETE") return true;
+  bool quoted = false;
+  for (std::size_t at = begin; at < end; ++at) {
+    if (line[at] == '"') quoted = !quoted;
+    if (quoted || (line[at] != '[' && line[at] != ',' && line[at] != '=')) continue;
+    const std::size_t value = behind_blanks(line, at + 1);
+    if (is_isg_parameter_at(line, value) || is_isg_variable_at(line, value)) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+bool is_plain_isg(std::string_view text) {
+  return std::ranges::all_of(signs_of_computing,
+                             [&](char sign) { return text.find(sign) == npos; });
+}
+
+IsgHead isg_head_of(std::string_view line) {
+  IsgHead head;
+  const LineHead plain = head_of(line);
+  head.to_skip = plain.to_skip;
+  head.number = plain.number;
+  head.number_begin = plain.number_begin;
+  head.number_end = plain.number_end;
+  std::size_t at = plain.behind;
+  if (head.number >= 0 && sign_at(line, at) == ':') {
+    head.is_target = true;
+    at = behind_blanks(line, at + 1);
+  }
+  if (sign_at(line, at) == '[') {
+    const std::size_t close = line.find(']', at);
+    const std::string_view name =
+        close == npos ? std::string_view() : line.substr(at + 1, close - at - 1);
+    if (!name.empty() && std::ranges::all_of(name, goes_on_as_name)) {
+      head.label = in_upper_case(name);
+      at = behind_blanks(line, close + 1);
+    }
+  }
+  head.behind = at;
+  return head;
+}
+
+std::size_t behind_isg_comment(std::string_view line, std::size_t at) {
+  if (sign_at(line, at) == ';') return line.size();
+  std::size_t depth = 0;
+  for (; at < line.size(); ++at) {
+    if (line[at] == '(') ++depth;
+    if (line[at] == ')' && --depth == 0) {
+      while (sign_at(line, at + 1) == ')') ++at;
+      return at + 1;
+    }
+  }
+  return 0;
+}
+
+std::size_t end_of_isg_command(std::string_view line, std::size_t at) {
+  const std::size_t begin = at;
+  std::size_t depth = 0;
+  bool quoted = false;
+  for (++at; at < line.size(); ++at) {
+    const char sign = line[at];
+    if (sign == '"') quoted = !quoted;
+    if (quoted) continue;
+    if (sign == '[') ++depth;
+    if (sign == ']' && depth > 0) --depth;
+    if (depth == 0 && (sign == '(' || sign == ';')) break;
+  }
+  return begin + without_blanks_behind(line.substr(begin, at - begin)).size();
+}
+
+bool is_isg_line_over(std::string_view line, std::size_t at) {
+  for (at = behind_blanks(line, at); at < line.size(); at = behind_blanks(line, at)) {
+    if (line[at] != '(' && line[at] != ';') return false;
+    at = behind_isg_comment(line, at);
+    if (at == 0) return false;
+  }
+  return true;
+}
+
+std::string word_behind_sign(std::string_view line, std::size_t at) {
+  std::size_t end = ++at;
+  while (is_letter(sign_at(line, end))) ++end;
+  return in_upper_case(line.substr(std::min(at, line.size()), end - at));
+}
+
+bool is_isg_parameter_at(std::string_view line, std::size_t at) {
+  if (upper(sign_at(line, at)) != 'P') return false;
+  while (upper(sign_at(line, at)) == 'P') ++at;
+  return is_digit(sign_at(line, at)) || sign_at(line, at) == '[';
+}
+
+bool is_isg_variable_at(std::string_view line, std::size_t at) {
+  return upper(sign_at(line, at)) == 'V' && sign_at(line, at + 1) == '.' &&
+         is_letter(sign_at(line, at + 2));
+}
+
+bool is_isg_expression_at(std::string_view line, std::size_t at) {
+  while (sign_at(line, at) == '-' || sign_at(line, at) == '+') at = behind_blanks(line, at + 1);
+  return sign_at(line, at) == '[' || is_isg_parameter_at(line, at) ||
+         is_isg_variable_at(line, at) || is_function_at(line, at);
+}
+
+std::string isg_subprogram_of(std::string_view line) {
+  std::size_t at = behind_blanks(line, 0);
+  if (sign_at(line, at) != '%' || upper(sign_at(line, at + 1)) != 'L') return {};
+  const std::size_t name = behind_blanks(line, at + 2);
+  if (name == at + 2) return {};
+  at = name;
+  while (at < line.size() && std::string_view(" \t(;").find(line[at]) == npos) ++at;
+  return in_upper_case(line.substr(name, at - name));
+}
+
+bool begins_isg_program(std::string_view line) {
+  return sign_at(line, behind_blanks(line, 0)) == '%' && isg_subprogram_of(line).empty();
+}
+
+IsgCall isg_call_at(std::string_view line, std::size_t at) {
+  IsgCall call;
+  if (upper(sign_at(line, at)) != 'L') return call;
+  std::size_t name = at + 1;
+  call.is_local = upper(sign_at(line, name)) == 'L';
+  if (call.is_local) ++name;
+  call.begin = behind_blanks(line, name);
+  if (call.begin == name || call.begin >= line.size()) return call;
+  const bool quoted = line[call.begin] == '"';
+  if (quoted) ++call.begin;
+  call.end = call.begin;
+  const std::string_view ends = quoted ? "\"" : " \t[(;";
+  while (call.end < line.size() && ends.find(line[call.end]) == npos) ++call.end;
+  std::string_view path = line.substr(call.begin, call.end - call.begin);
+  if (const std::size_t folder = path.find_last_of("/\\"); folder != npos)
+    path.remove_prefix(folder + 1);
+  call.name = in_upper_case(path);
+  if (quoted && call.end < line.size()) ++call.end;
+  // L X+10 is a line of another language.
+  const bool is_axis_word =
+      call.name.size() > 1 && call.name.find_first_of("+-0123456789", 1) == 1 &&
+      call.name.find_first_not_of("+-.0123456789", 1) == std::string::npos;
+  call.is_call = !call.name.empty() && !is_axis_word;
+  return call;
+}
+
+std::string plain_file_name(std::string_view name) {
+  if (const std::size_t folder = name.find_last_of("/\\"); folder != npos)
+    name.remove_prefix(folder + 1);
+  return in_upper_case(name.substr(0, name.rfind('.')));
+}
+
+const std::string* given_subprogram(const ProgramSetup& setup, std::string_view name) {
+  const std::string plain = plain_file_name(name);
+  for (const auto& [file, text] : setup.subprograms)
+    if (plain_file_name(file) == plain) return &text;
+  return nullptr;
+}
+
+bool isg_computes(const ProgramSetup& setup, std::string_view line) {
+  if (std::ranges::none_of(line, [](char sign) {
+        return computing_signs[static_cast<unsigned char>(sign)];
+      }))
+    return false;
+  if (!isg_subprogram_of(line).empty()) return true;
+  if (begins_isg_program(line)) return false;
+  const IsgHead head = isg_head_of(line);
+  if (head.is_target || !head.label.empty()) return true;
+  if (const IsgCall call = isg_call_at(line, head.behind); call.is_call)
+    return !call.is_local && call.name != "CYCLE" && given_subprogram(setup, call.name) != nullptr;
+  for (std::size_t at = head.behind; at < line.size(); at = behind_blanks(line, at)) {
+    const char sign = line[at];
+    if (sign == '$') return is_letter(sign_at(line, at + 1));
+    if (sign == '(' || sign == ';') {
+      at = behind_isg_comment(line, at);
+      if (at == 0) return false;
+    } else if (sign == '#') {
+      const std::size_t end = end_of_isg_command(line, at);
+      if (computes_command(line, at, end)) return true;
+      at = std::max(end, at + 1);
+    } else if (is_isg_variable_at(line, at)) {
+      return !is_plain_assignment(line, at);
+    } else if (is_isg_parameter_at(line, at)) {
+      // P500 alone is a word of another language.
+      std::size_t behind = at;
+      while (goes_on_as_name(sign_at(line, behind))) ++behind;
+      if (sign_at(line, behind) == '[')
+        behind = std::min(line.find(']', behind), line.size() - 1) + 1;
+      behind = behind_blanks(line, behind);
+      return sign_at(line, behind) == '=' ||
+             (sign_at(line, behind + 1) == '=' &&
+              std::string_view("+-*/").find(sign_at(line, behind)) != npos);
+    } else if (is_letter(sign)) {
+      if (computes_behind(line, at + 1)) return true;
+      ++at;
+      if (is_letter(sign_at(line, at))) return false;  // a name of another language
+      while (is_digit(sign_at(line, at)) || sign_at(line, at) == '.') ++at;
+      // S2=P1
+      const std::size_t equals = behind_blanks(line, at);
+      if (sign_at(line, equals) == '=' && computes_behind(line, equals)) return true;
+    } else {
+      ++at;
+    }
+  }
+  return false;
+}
+
+}  // namespace trc::program

@@ -1,0 +1,291 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "core/nc/program/code_line.h"
+#include "core/nc/program/isg_flow.h"
+#include "core/nc/text/characters.h"
+
+// Parameters and variables of ISG.
+
+namespace trc::program {
+namespace {
+
+constexpr double mm_per_inch = 25.4;
+
+bool goes_on_as_name(char sign) { return is_letter(sign) || is_digit(sign) || sign == '_'; }
+
+// The variable an element belongs to: V.P.A of V.P.A[2].
+std::string_view base_of(std::string_view name) { return name.substr(0, name.find('[')); }
+
+bool is_local(std::string_view name) { return name.starts_with("V.L."); }
+
+// Of P, V.P., V.L., V.S. and V.CYC. the program knows what they hold.
+bool belongs_to_program(std::string_view name) {
+  return name.front() == 'P' || name.starts_with("V.P.") || is_local(name) ||
+         name.starts_with("V.S.") || name.starts_with("V.CYC.");
+}
+
+}  // namespace
+
+std::string IsgFlow::place_at(ExpressionReader& expression) {
+  expression.pass_blanks();
+  const std::size_t begin = expression.at();
+  const std::string_view line = expression.line();
+  if (is_isg_parameter_at(line, begin)) {
+    expression.go_to(begin + 1);
+    std::int64_t number = 0;
+    bool is_plain = false;
+    if (upper(expression.peek()) == 'P') {  // PP1: the parameter whose number P1 holds
+      const std::string inner = place_at(expression);
+      const Value* const value = expression.failed() ? nullptr : held(inner);
+      if (value != nullptr) number = std::llround(value->number);
+      if (!expression.failed() && value == nullptr)
+        static_cast<void>(without_value(expression, Code::variable_unset, begin, inner));
+      if (value != nullptr && value->number != std::round(value->number)) number = -1;
+    } else if (expression.peek() == '[') {
+      number = expression.whole_operand();
+    } else {
+      constexpr std::size_t most_digits = 9;
+      std::size_t end = expression.at();
+      for (; end < line.size() && is_digit(line[end]) && end - begin <= most_digits; ++end)
+        number = number * 10 + (line[end] - '0');
+      expression.go_to(end);
+      is_plain = true;
+    }
+    if (expression.failed()) return {};
+    if (number < 0) {
+      static_cast<void>(expression.fail(Code::value_invalid, begin, "the number of a parameter"));
+      return {};
+    }
+    std::string name = "P" + std::to_string(number);
+    if (is_plain && expression.peek() == '[') name += indices_at(expression);
+    return name;
+  }
+  if (!is_isg_variable_at(line, begin)) {
+    static_cast<void>(expression.fail(Code::expression_invalid, begin, "a variable"));
+    return {};
+  }
+  std::string name;
+  std::size_t at = begin;
+  for (;;) {
+    while (at < line.size() && (goes_on_as_name(line[at]) || line[at] == '.'))
+      name += upper(line[at++]);
+    if (at >= line.size() || line[at] != '[') break;
+    expression.go_to(at);
+    name += indices_at(expression);
+    if (expression.failed()) return {};
+    at = expression.at();
+  }
+  expression.go_to(at);
+  return name;
+}
+
+// [2][P1] and [2, P1]
+std::string IsgFlow::indices_at(ExpressionReader& expression) {
+  std::string indices;
+  while (expression.peek() == '[' && !expression.failed()) {
+    const std::size_t begin = expression.at();
+    do {
+      expression.go_to(expression.at() + 1);
+      const Value index = expression.expression();
+      if (!expression.failed() && (index.number < 0 || index.number != std::round(index.number)))
+        static_cast<void>(expression.fail(Code::value_invalid, begin, "an index"));
+      if (expression.failed()) return {};
+      indices += '[';
+      append_value(indices, index.number, PointStyle::as_whole);
+      indices += ']';
+      expression.pass_blanks();
+    } while (expression.peek() == ',');
+    if (expression.peek() != ']')
+      static_cast<void>(expression.fail(Code::expression_invalid, begin, "[ without ]"));
+    else
+      expression.go_to(expression.at() + 1);
+  }
+  return indices;
+}
+
+IsgFlow::Values& IsgFlow::values_of(std::string_view name) {
+  return is_local(name) ? locals_.back() : values_;
+}
+
+const Value* IsgFlow::held(const std::string& name) const {
+  const Values& values = is_local(name) ? locals_.back() : values_;
+  const auto found = values.find(name);
+  return found == values.end() ? nullptr : &found->second;
+}
+
+bool IsgFlow::assign(const std::string& name, Value value, std::size_t begin) {
+  constexpr std::size_t most_values = 100'000;
+  if (!belongs_to_program(name)) return true;  // of the machine: nothing is known of it
+  if (whole_.contains(base_of(name)) && value.number != std::round(value.number))
+    return refuse(Code::value_invalid, begin, name + ", which is declared whole");
+  Values& values = values_of(name);
+  if (values.size() >= most_values && !values.contains(name))
+    return refuse(Code::value_invalid, begin, "so many variables");
+  values[name] = std::move(value);
+  assigned_.push_back(name);
+  if (!is_local(name) && !name.starts_with("V.S.")) unwritten_.insert(name);
+  return true;
+}
+
+Value IsgFlow::read(ExpressionReader& expression) {
+  suppose();
+  const std::size_t begin = expression.at();
+  const std::string_view line = expression.line();
+  if (!is_isg_parameter_at(line, begin) && !is_isg_variable_at(line, begin)) {
+    const std::string name = in_upper_case(expression.name());
+    if (name == "TRUE" || name == "FALSE") {
+      expression.go_to(begin + name.size());
+      return {.number = name == "TRUE" ? 1.0 : 0.0};
+    }
+    return expression.fail(Code::expression_invalid, begin, name);
+  }
+  const std::string name = place_at(expression);
+  if (expression.failed()) return {};
+  // $SWITCH P1 = INT[…]
+  const std::size_t equals = behind_blanks(line, expression.at());
+  const bool assigns = equals + 1 < line.size() && line[equals] == '=' && line[equals + 1] != '=';
+  if (assigns) {
+    expression.go_to(equals + 1);
+    Value value = expression.expression();
+    if (expression.failed()) return {};
+    if (!belongs_to_program(name))
+      return expression.fail(Code::machine_state, begin, name);
+    values_of(name)[name] = value;
+    return value;
+  }
+  // Which of the two comes first nobody says.
+  if (reads_words_ && std::ranges::find(assigned_, name) != assigned_.end())
+    return expression.fail(Code::value_invalid, begin, name + ", which its own line sets");
+  if (const Value* const value = held(name)) return *value;
+  if (const double* const value = given(name)) return {.number = *value};
+  if (name.starts_with("V.G.WZ")) return read_radius(expression, name, begin);
+  if (!belongs_to_program(name))
+    return without_value(expression, Code::machine_state, begin, name);
+  return without_value(
+      expression, Code::variable_unset, begin,
+      lost_to_.empty() ? name : name + ", which may have been set by " + lost_to_);
+}
+
+// V.G.WZ_AKT.R, V.G.WZR: of the tool in force. V.G.WZ[5].R: of the table.
+Value IsgFlow::read_radius(ExpressionReader& expression, const std::string& name,
+                           std::size_t begin) {
+  const double unit = modes_.inch ? mm_per_inch : 1;
+  if ((name == "V.G.WZ_AKT.R" || name == "V.G.WZR") && modes_.tool_radius)
+    return {.number = *modes_.tool_radius / unit};
+  constexpr std::string_view beginning = "V.G.WZ[";
+  if (name.starts_with(beginning) && name.ends_with("].R")) {
+    double number = 0;
+    bool whole = false;
+    const std::size_t length =
+        read_number(std::string_view(name).substr(beginning.size()), number, whole);
+    const auto row = setup_.tools.find(static_cast<std::int64_t>(number));
+    if (length > 0 && row != setup_.tools.end()) return {.number = row->second.radius / unit};
+  }
+  return without_value(expression, Code::machine_state, begin, name);
+}
+
+bool IsgFlow::exists(ExpressionReader& /*expression*/) { return false; }
+
+// A line between #VAR and #ENDVAR: V.P.NAME : REAL64 = 5, P10[3] = [1, 2, 3]. What is given no
+// value begins with 0.
+bool IsgFlow::declare(std::string& flat) {
+  const std::size_t begin = head_.behind;
+  if (line_[begin] == '#') {
+    const std::string word = word_behind_sign(line_, begin);
+    if (word != "ENDVAR") return refuse(Code::block_structure, begin, "#VAR without #ENDVAR");
+    in_declaration_ = false;
+    return finish_statement(flat, begin + 1 + word.size());
+  }
+  // The sizes of an array stand where its indices do.
+  ExpressionReader expression = expression_at(begin);
+  const std::string declared = place_at(expression);
+  expression.pass_blanks();
+  const std::string name(base_of(declared));
+  if (!expression.failed() && !belongs_to_program(name))
+    return refuse(Code::expression_invalid, begin, name + ", which is not the program's");
+  std::vector<std::size_t> sizes;
+  for (std::size_t at = declared.find('['); at != std::string::npos; at = declared.find('[', at + 1))
+    sizes.push_back(std::stoull(declared.substr(at + 1)));
+  if (expression.peek() == ':') {
+    expression.go_to(expression.at() + 1);
+    expression.pass_blanks();
+    const std::string type = in_upper_case(expression.name());
+    expression.go_to(expression.at() + type.size());
+    if (type.starts_with("SGN") || type.starts_with("UNS")) whole_.insert(name);
+    if (type == "STRING" && expression.peek() == '[') static_cast<void>(indices_at(expression));
+    expression.pass_blanks();
+  }
+  if (expression.failed()) return refuse(expression.fault());
+  return declare_elements(expression, name, sizes) && finish_statement(flat, expression.at());
+}
+
+bool IsgFlow::declare_elements(ExpressionReader& expression, const std::string& name,
+                               const std::vector<std::size_t>& sizes) {
+  constexpr std::size_t most_elements = 10'000;
+  const std::size_t begin = expression.at();
+  std::size_t count = 1;
+  for (const std::size_t size : sizes)
+    if (count > 0 && size <= most_elements) count *= size; else count = most_elements + 1;
+  if (count == 0 || count > most_elements)
+    return refuse(Code::value_invalid, begin, name + "[");
+  std::vector<Value> values;
+  if (expression.peek() == '=') {
+    expression.go_to(expression.at() + 1);
+    expression.pass_blanks();
+    const bool is_list = !sizes.empty() && expression.peek() == '[';
+    do {
+      if (is_list) expression.go_to(expression.at() + 1);
+      values.push_back(expression.expression());
+      expression.pass_blanks();
+    } while (is_list && expression.peek() == ',' && !expression.failed());
+    if (expression.failed()) return refuse(expression.fault());
+    if (is_list && expression.peek() != ']')
+      return refuse(Code::expression_invalid, begin, name + " = [");
+    if (is_list) expression.go_to(expression.at() + 1);
+    if (values.size() > count)
+      return refuse(Code::value_invalid, begin, "more values than elements");
+  }
+  for (std::size_t element = 0; element < count; ++element) {
+    std::string indices;
+    std::size_t rest = element;
+    for (std::size_t size = sizes.size(); size-- > 0; rest /= sizes[size])
+      indices = "[" + std::to_string(rest % sizes[size]) + "]" + indices;
+    Value value = element < values.size() ? values[element] : Value{};
+    if (!assign(name + indices, std::move(value), begin)) return false;
+  }
+  return true;
+}
+
+// #DELETE V.P.A, V.P.B
+bool IsgFlow::forget_declared(std::size_t at) {
+  for (ExpressionReader expression = expression_at(at);;) {
+    const std::string name = place_at(expression);
+    if (expression.failed()) return refuse(expression.fault());
+    Values& values = values_of(name);
+    std::erase_if(values, [&](const auto& each) { return base_of(each.first) == name; });
+    std::erase_if(unwritten_, [&](const std::string& each) { return base_of(each) == name; });
+    expression.pass_blanks();
+    if (expression.peek() != ',') return true;
+    expression.go_to(expression.at() + 1);
+  }
+}
+
+// What the program has set, for a call of what is not there.
+void IsgFlow::write_values(std::string& flat) {
+  for (const std::string& name : unwritten_) {
+    const Value& value = values_.at(name);
+    flat.append(name).append(" = ");
+    append_number(flat, value);
+    flat.append(line_end());
+  }
+  unwritten_.clear();
+}
+
+void IsgFlow::lose_values(const std::string& to) {
+  lost_to_ = to;
+  values_.clear();
+}
+
+}  // namespace trc::program

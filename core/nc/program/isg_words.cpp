@@ -1,0 +1,324 @@
+#include <algorithm>
+#include <cmath>
+
+#include "core/nc/program/code_line.h"
+#include "core/nc/program/isg_flow.h"
+#include "core/nc/text/characters.h"
+
+// Lines of words of ISG whose values are computed.
+
+namespace trc::program {
+namespace {
+
+constexpr std::size_t npos = std::string_view::npos;
+
+char sign_at(std::string_view line, std::size_t at) { return at < line.size() ? line[at] : '\0'; }
+
+std::size_t end_of(std::string_view line, std::size_t begin, std::size_t at) {
+  return begin + without_blanks_behind(line.substr(begin, at - begin)).size();
+}
+
+bool is_operator(char sign) {
+  return sign != '\0' && std::string_view("+-*<>=&|^!]").find(sign) != npos;
+}
+
+}  // namespace
+
+bool IsgFlow::execute_words(std::string& flat) {
+  pieces_.clear();
+  assigned_.clear();
+  jump_.reset();
+  has_computed_ = false;
+  for (std::size_t at = head_.behind; at < line_.size(); at = behind_blanks(line_, at))
+    if (!scan_word(at)) return false;
+  if (head_.to_skip && has_computed_)
+    return refuse(Code::block_skip_undecided, 0, "/, a line to skip that computes");
+  bool ends = false;
+  bool returns = false;
+  if (!end_or_return(ends, returns) || !write_words(flat)) return false;
+  if (jump_) frame().next = *jump_;
+  if (returns) return return_from();
+  return !ends || end_of_program();
+}
+
+// M02 and M30 end the program, M17 and M29 a subprogram.
+bool IsgFlow::end_or_return(bool& ends, bool& returns) {
+  const bool is_main = frames_.size() == 1;
+  for (Piece& piece : pieces_) {
+    if (piece.instead || piece.is_comment || upper(line_[piece.begin]) != 'M') continue;
+    double number = -1;
+    bool whole = false;
+    if (read_number(line_.substr(piece.begin + 1), number, whole) == 0) continue;
+    const bool ends_program = number == 2 || number == 30;
+    const bool ends_subprogram = number == 17 || number == 29;
+    if (!is_main && ends_program)
+      return refuse(Code::nc_unsupported, piece.begin,
+                    std::string(line_.substr(piece.begin, piece.end - piece.begin)) +
+                        " in a subprogram");
+    ends |= is_main && ends_program;
+    if (is_main || !ends_subprogram) continue;
+    returns = true;
+    piece.instead = std::string();
+    const Piece* const last = &pieces_.back();
+    if (&piece != last && !last->is_comment && sign_at(line_, behind_blanks(line_, piece.end)) == '[')
+      return refuse(Code::nc_unsupported, piece.begin, "M17 with a target");
+  }
+  return true;
+}
+
+bool IsgFlow::scan_word(std::size_t& at) {
+  const std::size_t begin = at;
+  const char sign = line_[at];
+  if (sign == '(' || sign == ';') {
+    at = behind_isg_comment(line_, at);
+    if (at == 0) at = line_.size();  // the reader says what is missing
+    pieces_.push_back({.begin = begin, .end = at, .is_comment = true});
+    return true;
+  }
+  if (sign == '#') {
+    const std::string word = word_behind_sign(line_, at);
+    if (word == "VAR" && is_isg_line_over(line_, at + 1 + word.size())) {
+      in_declaration_ = has_computed_ = true;
+      at += 1 + word.size();
+      pieces_.push_back({.begin = begin, .end = at, .instead = std::string()});
+      return true;
+    }
+    if (word == "DELETE") {
+      has_computed_ = true;
+      at = end_of_isg_command(line_, begin);
+      pieces_.push_back({.begin = begin, .end = at, .instead = std::string()});
+      return forget_declared(begin + 1 + word.size());
+    }
+    return scan_command(at);
+  }
+  if (sign == '$') {
+    const std::string word = word_behind_sign(line_, at);
+    if (word != "GOTO")
+      return refuse(Code::nc_unsupported, at, "$" + word + " behind words of a block");
+    ExpressionReader expression = expression_at(at + 1 + word.size());
+    jump_ = target_of(expression);
+    if (!jump_) return false;
+    has_computed_ = true;
+    at = expression.at();
+    pieces_.push_back(
+        {.begin = begin, .end = end_of(line_, begin, at), .instead = std::string()});
+    return true;
+  }
+  if (is_isg_variable_at(line_, at)) return scan_assignment(at);
+  if (is_isg_parameter_at(line_, at)) {
+    ExpressionReader expression = expression_at(at);
+    static_cast<void>(place_at(expression));
+    if (expression.failed()) return refuse(expression.fault());
+    const std::size_t behind = behind_blanks(line_, expression.at());
+    if (sign_at(line_, behind) == '=' || sign_at(line_, behind + 1) == '=')
+      return scan_assignment(at);
+    at = expression.at();  // P500 alone: the reader refuses it
+    pieces_.push_back({.begin = begin, .end = at});
+    return true;
+  }
+  if (is_letter(sign)) return scan_address(at);
+  // [P1 + 5] alone is the time of G04.
+  if (is_isg_expression_at(line_, at)) return scan_value(begin, begin, at);
+  ++at;
+  while (at < line_.size() && !is_letter(line_[at]) && line_[at] != ' ' && line_[at] != '(') ++at;
+  pieces_.push_back({.begin = begin, .end = at});
+  return true;
+}
+
+bool IsgFlow::scan_address(std::size_t& at) {
+  const std::size_t begin = at;
+  std::size_t value = behind_blanks(line_, at + 1);
+  if (sign_at(line_, value) == '=') value = behind_blanks(line_, value + 1);
+  if (is_isg_expression_at(line_, value)) return scan_value(begin, value, at);
+  if (is_letter(sign_at(line_, at + 1))) {  // a name: the reader says what it is
+    at = line_.size();
+    if (const std::size_t comment = line_.find_first_of("(;", begin); comment != npos) at = comment;
+    pieces_.push_back({.begin = begin, .end = end_of(line_, begin, at)});
+    return true;
+  }
+  double number = 0;
+  bool whole = false;
+  const std::size_t length = read_number(line_.substr(value), number, whole);
+  at = length > 0 ? value + length : std::max(value, begin + 1);
+  const std::size_t behind = behind_blanks(line_, at);
+  const char sign = sign_at(line_, behind);
+  // S2=P1
+  if (length > 0 && sign == '=') {
+    value = behind_blanks(line_, behind + 1);
+    if (is_isg_expression_at(line_, value)) return scan_value(begin, value, at);
+    at = value + read_number(line_.substr(value), number, whole);
+  } else if (length > 0 && (sign == '*' || (behind == at && (sign == '+' || sign == '-')))) {
+    return scan_value(begin, value, at);  // X10+P1
+  }
+  pieces_.push_back({.begin = begin, .end = at});
+  return true;
+}
+
+// The value at `value` of the word that begins at `begin`.
+bool IsgFlow::scan_value(std::size_t begin, std::size_t value, std::size_t& at) {
+  ExpressionReader expression = expression_at(value);
+  reads_words_ = true;
+  const Value computed = expression.expression();
+  reads_words_ = false;
+  if (expression.failed()) return refuse(expression.fault());
+  const std::size_t end = end_of(line_, value, expression.at());
+  constexpr double largest = 1e9;
+  if (computed.is_text || std::abs(computed.number) > largest)
+    return refuse(Code::value_invalid, begin, std::string(line_.substr(begin, end - begin)));
+  at = expression.at();
+  if (is_operator(sign_at(line_, at)))
+    return refuse(Code::expression_invalid, at, std::string(1, line_[at]));
+  std::string text(line_.substr(begin, value - begin));
+  append_number(text, computed);
+  // XP1M8: what follows is no digit.
+  pieces_.push_back({.begin = begin, .end = end, .instead = std::move(text)});
+  return true;
+}
+
+void IsgFlow::append_number(std::string& text, const Value& value) {
+  if (value.is_text)
+    text.append("\"").append(value.text).append("\"");
+  else
+    append_value(text, value.number, PointStyle::as_whole);
+}
+
+// Of a command the values between brackets, behind `=` and behind commas.
+bool IsgFlow::scan_command(std::size_t& at) {
+  const std::size_t begin = at;
+  const std::size_t end = line_[at] == '#' ? end_of_isg_command(line_, at)
+                                           : std::min(line_.find_last_of(']') + 1, line_.size());
+  std::size_t kept = begin;
+  std::string text;
+  bool quoted = false;
+  std::size_t sign = begin;
+  while (sign < end) {
+    const char here = line_[sign++];
+    if (here == '"') quoted = !quoted;
+    if (quoted || (here != '[' && here != ',' && here != '=')) continue;
+    const std::size_t value = behind_blanks(line_, sign);
+    std::size_t variable = value;
+    while (sign_at(line_, variable) == '-' || sign_at(line_, variable) == '+') ++variable;
+    const bool is_value = is_isg_parameter_at(line_, variable) ||
+                          is_isg_variable_at(line_, variable) ||
+                          (is_letter(sign_at(line_, variable)) &&
+                           is_isg_expression_at(line_, variable));
+    // @P1=…: the name of a value of a cycle.
+    if (!is_value || sign_at(line_, variable - 1) == '@') continue;
+    ExpressionReader expression = expression_at(value);
+    const Value computed = expression.expression();
+    if (expression.failed()) return refuse(expression.fault());
+    text.append(line_.substr(kept, value - kept));
+    append_number(text, computed);
+    kept = sign = end_of(line_, value, expression.at());
+  }
+  at = std::max(end, begin + 1);
+  pieces_.push_back({.begin = begin, .end = at});
+  if (kept > begin) {
+    text.append(line_.substr(kept, end - kept));
+    pieces_.back().instead = std::move(text);
+  }
+  return true;
+}
+
+bool IsgFlow::scan_assignment(std::size_t& at) {
+  const std::size_t begin = at;
+  ExpressionReader expression = expression_at(at);
+  const std::string name = place_at(expression);
+  if (expression.failed()) return refuse(expression.fault());
+  expression.pass_blanks();
+  char sign = expression.peek();
+  const bool changes = std::string_view("+-*/").find(sign) != npos && sign != '\0';
+  if (changes) expression.go_to(expression.at() + 1);
+  if (expression.peek() != '=')
+    return refuse(Code::expression_invalid, begin, name + " without =");
+  expression.go_to(expression.at() + 1);
+  expression.pass_blanks();
+  const std::size_t value_begin = expression.at();
+  const bool is_radius = name == "V.G.WZ_AKT.R" || name == "V.G.WZR";
+  const bool names_itself =
+      in_upper_case(line_.substr(value_begin, name.size())) == name && !changes;
+  if (is_radius && names_itself) {
+    at = value_begin + name.size();
+    const std::size_t behind = behind_blanks(line_, at);
+    if (sign_at(line_, behind) == '+' || sign_at(line_, behind) == '-')
+      return scan_radius(at = begin, behind);
+  }
+  Value value = expression.expression();
+  if (expression.failed()) return refuse(expression.fault());
+  if (is_operator(expression.peek()))
+    return refuse(Code::expression_invalid, expression.at(), std::string(1, expression.peek()));
+  if (changes) {
+    ExpressionReader old = expression_at(begin);
+    const Value before = old.operand();
+    if (old.failed()) return refuse(old.fault());
+    if (sign == '/' && value.number == 0) return refuse(Code::division_by_zero, begin, "/=");
+    value.number = sign == '+'   ? before.number + value.number
+                   : sign == '-' ? before.number - value.number
+                   : sign == '*' ? before.number * value.number
+                                 : before.number / value.number;
+  }
+  at = expression.at();
+  const std::size_t end = end_of(line_, begin, at);
+  const bool outlasts = name.starts_with("V.") && !name.starts_with("V.P.") &&
+                        !name.starts_with("V.L.") && !name.starts_with("V.CYC.");
+  if (outlasts) {
+    std::string text(line_.substr(begin, value_begin - begin));
+    if (changes) text = name + " = ";
+    append_number(text, value);
+    pieces_.push_back({.begin = begin, .end = end});
+    double number = 0;
+    bool whole = false;
+    const bool is_plain = value.is_text || read_number(line_.substr(value_begin), number, whole) ==
+                                               end - value_begin;
+    if (!is_plain || changes) pieces_.back().instead = std::move(text);
+  } else {
+    has_computed_ = true;
+    pieces_.push_back({.begin = begin, .end = end, .instead = std::string()});
+  }
+  return is_radius || assign(name, std::move(value), begin);
+}
+
+// V.G.WZ_AKT.R = V.G.WZ_AKT.R - P1: the tool has worn off. `value` is where the sign stands.
+bool IsgFlow::scan_radius(std::size_t& at, std::size_t value) {
+  const std::size_t begin = at;
+  ExpressionReader expression = expression_at(value);
+  const Value more = expression.expression();
+  if (expression.failed()) return refuse(expression.fault());
+  at = expression.at();
+  std::string text(line_.substr(begin, value - begin));
+  text.append(more.number < 0 ? "- " : "+ ");
+  append_value(text, std::abs(more.number), PointStyle::as_whole);
+  pieces_.push_back({.begin = begin, .end = end_of(line_, begin, at), .instead = std::move(text)});
+  return true;
+}
+
+bool IsgFlow::write_words(std::string& flat) {
+  const bool changes = head_.is_target || !head_.label.empty() ||
+                       std::ranges::any_of(pieces_, [](const Piece& piece) {
+                         return piece.instead.has_value();
+                       });
+  if (!changes) return pass_line(flat);
+  const bool is_left = std::ranges::any_of(
+      pieces_, [](const Piece& piece) { return !piece.instead || !piece.instead->empty(); });
+  if (!is_left) return true;
+  const std::size_t in_front = head_.number >= 0 ? head_.number_end : behind_blanks(line_, 0);
+  flat.append(line_.substr(0, in_front));
+  std::size_t behind = npos;
+  for (const Piece& piece : pieces_) {
+    // What is left out goes with the blanks in front of it, the first one with those behind.
+    const bool is_out = piece.instead && piece.instead->empty();
+    if (!is_out) {
+      if (behind != npos)
+        flat.append(line_.substr(behind, piece.begin - behind));
+      else if (head_.number >= 0)
+        flat.append(" ");
+      flat.append(piece.instead ? std::string_view(*piece.instead)
+                                : line_.substr(piece.begin, piece.end - piece.begin));
+    }
+    if (!is_out || behind != npos) behind = piece.end;
+  }
+  flat.append(line_end());
+  return true;
+}
+
+}  // namespace trc::program

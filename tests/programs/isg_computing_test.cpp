@@ -1,0 +1,274 @@
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "core/base/diagnostic.h"
+#include "tests/programs/computing.h"
+#include "tests/programs/twins.h"
+
+// The language of ISG, statement by statement, and whole programs beside their paths.
+
+namespace trc::support::isg_computing {
+namespace {
+
+ProgramSessionSetup isg() { return computing_setup(DialectName::isg); }
+
+std::string flat(const std::string& text) { return flat_of(text, isg()); }
+
+std::pair<int, unsigned> refusal(const std::string& text) { return refusal_of(text, isg()); }
+
+// The value of an expression, as it is written behind an address.
+std::string value_of(const std::string& expression) {
+  const std::string text = flat("P1=3.5 P2=-2 P3=10\nP10=" + expression + "\nG0 XP10\n");
+  return text.starts_with("G0 X") ? text.substr(4, text.size() - 5) : text;
+}
+
+bool holds(const std::string& condition) {
+  const std::string text = flat("P1=1 P2=2 P3=0\n$IF " + condition + "\nX1\n$ELSE\nX2\n$ENDIF\n");
+  EXPECT_TRUE(text == "X1\n" || text == "X2\n") << text;
+  return text == "X1\n";
+}
+
+TEST(IsgExpressions, KeepTheOrderOfTheirOperators) {
+  EXPECT_EQ(value_of("1+2*3"), "7");
+  EXPECT_EQ(value_of("[1+2]*3"), "9");
+  EXPECT_EQ(value_of("10-4-3"), "3");
+  EXPECT_EQ(value_of("16/4/2"), "2");
+  EXPECT_EQ(value_of("2*3**2"), "18");
+  EXPECT_EQ(value_of("7 MOD 4"), "3");
+  EXPECT_EQ(value_of("-P2*3"), "6");
+  EXPECT_EQ(value_of("P1 - P2"), "5.5");
+  EXPECT_EQ(value_of("6 & 3"), "2");
+  EXPECT_EQ(value_of("6 | 3"), "7");
+  EXPECT_EQ(value_of("6 ^ 3"), "5");
+  EXPECT_EQ(value_of("INV[0]"), "-1");
+}
+
+TEST(IsgExpressions, KnowTheirFunctions) {
+  EXPECT_EQ(value_of("SIN[30]"), "0.5");
+  EXPECT_EQ(value_of("ACOS[0.5]"), "60");
+  EXPECT_EQ(value_of("ATAN[1]"), "45");
+  EXPECT_EQ(value_of("COT[45]"), "1");
+  EXPECT_EQ(value_of("SQR[P3]"), "100");
+  EXPECT_EQ(value_of("SQRT[16]"), "4");
+  EXPECT_EQ(value_of("INT[-3.7]"), "-3");
+  EXPECT_EQ(value_of("FRACT[2.25]"), "0.25");
+  EXPECT_EQ(value_of("ROUND[2.6]"), "3");
+  EXPECT_EQ(value_of("DEXP[2]"), "100");
+  EXPECT_EQ(value_of("LOG[1000]"), "3");
+  EXPECT_EQ(value_of("ABS[P2]"), "2");
+  EXPECT_EQ(value_of("MIN[P1, P2]"), "-2");
+}
+
+TEST(IsgExpressions, AskForBracketsWhereTheOrderIsNotSaid) {
+  EXPECT_EQ(refusal("P1=1\n$IF P1 == 1 || P1 == 2 && P1 == 3\nX1\n$ENDIF\n").first, 900308);
+  EXPECT_EQ(refusal("P1=2\nXP1\nP2=-P1**2\n").first, 900308);
+  EXPECT_EQ(refusal("P1=2**3**2\nXP1\n").first, 900308);
+  EXPECT_TRUE(holds("[P1 == 1 && P2 == 3] || P3 == 0"));
+  EXPECT_TRUE(holds("P1 == 1 && P2 == 2 && P3 == 0"));
+}
+
+TEST(IsgExpressions, DecideAsTheManualSays) {
+  EXPECT_TRUE(holds("P1"));
+  EXPECT_FALSE(holds("P3"));
+  EXPECT_FALSE(holds("0.4"));
+  EXPECT_TRUE(holds("NOT[P3]"));
+  EXPECT_TRUE(holds("P1 < P2"));
+  EXPECT_TRUE(holds("P1 != P2"));
+  EXPECT_FALSE(holds("P1 >= P2"));
+  EXPECT_TRUE(holds("TRUE"));
+}
+
+TEST(IsgExpressions, ComparisonsDoNotHangOnTheLastDigit) {
+  EXPECT_EQ(refusal("P1=0.1+0.2\n$IF P1 == 0.3\nX1\n$ENDIF\n").first, 900309);
+}
+
+TEST(IsgWords, HaveTheirValues) {
+  EXPECT_EQ(flat("P1=10 P2=-2.5\nN20 G01 XP1 Y P2 Z=P1*2 FP1+90\n"),
+            "N20 G01 X10 Y -2.5 Z=20 F100\n");
+  EXPECT_EQ(flat("P1=10\nG01 X-P1 Y[P1+5] FP1\n"), "G01 X-10 Y15 F10\n");
+  EXPECT_EQ(flat("P1=2\nG01 X SIN[P1*15] F100 (half)\n"), "G01 X 0.5 F100 (half)\n");
+  EXPECT_EQ(flat("P5=3000\nS2=P5 M[1+2]\n"), "S2=3000 M3\n");
+  EXPECT_EQ(flat("N10 G01 X[10+5] F500\n"), "N10 G01 X15 F500\n");
+  EXPECT_EQ(flat("P1=5\nG01 X10+P1 F500\n"), "G01 X15 F500\n");
+  EXPECT_EQ(flat("P1=1\n#TRC [KERF_MASKING=P1]\nX1\n"), "#TRC [KERF_MASKING=1]\nX1\n");
+}
+
+TEST(IsgWords, AreNotReadBesideTheirAssignment) {
+  EXPECT_EQ(refusal("P1=1\nG01 XP1 P2=3 F100\nP1=2 G01 XP1\n"), std::pair(900309, 3U));
+  EXPECT_EQ(flat("P1=20 P2=P1+1\nXP2\n"), "X21\n");
+}
+
+TEST(IsgParameters, AreDirectIndirectAndArrays) {
+  EXPECT_EQ(flat("P1=20 P2=40\nPP1=50\nPP2=PP1\nXP20 YP40\n"), "X50 Y50\n");
+  EXPECT_EQ(flat("$FOR P1=10,12,1\nP[P1+5]=P1\n$ENDFOR\nXP15 YP17\n"), "X10 Y12\n");
+  EXPECT_EQ(flat("P1=5\nP1+=2\nP1*=3\nXP1\n"), "X21\n");
+  EXPECT_EQ(flat("#VAR\nP10[3]=[1,2,3]\nV.P.DEEP : REAL64 = 4\nV.L.N : SGN32\n#ENDVAR\n"
+                 "XP10[1] YV.P.DEEP ZV.L.N\n"),
+            "X2 Y4 Z0\n");
+  EXPECT_EQ(refusal("XP7\n"), std::pair(900303, 1U));
+  EXPECT_EQ(refusal("#VAR\nV.P.N : UNS16\n#ENDVAR\nV.P.N = 2.5\n"), std::pair(900309, 4U));
+}
+
+TEST(IsgVariables, OfTheMachineAreNotKnown) {
+  EXPECT_EQ(refusal("XV.A.ABS.X\n"), std::pair(900307, 1U));
+  ProgramSessionSetup setup = isg();
+  setup.session.program.variables = {{"V.A.ABS.X", 12}, {"P7", 3}};
+  EXPECT_EQ(flat_of("XV.A.ABS.X YP7\n", setup), "X12 Y3\n");
+}
+
+TEST(IsgVariables, SayTheRadiiOfTools) {
+  ProgramSessionSetup setup = isg();
+  setup.session.program.mode.tool_radius = 0;
+  setup.session.program.tools = {{5, ToolRow(4)}, {6, ToolRow(3)}};
+  EXPECT_EQ(flat_of("D5\nXV.G.WZ_AKT.R YV.G.WZ[6].R\n", setup), "D5\nX4 Y3\n");
+  EXPECT_EQ(flat_of("D5\nG70\nX[V.G.WZ_AKT.R*25.4]\n", setup), "D5\nG70\nX4\n");
+  EXPECT_EQ(flat_of("D5\nP1=1\nV.G.WZ_AKT.R = V.G.WZ_AKT.R - P1*0.5\nXV.G.WZ_AKT.R\n", setup),
+            "D5\nV.G.WZ_AKT.R = V.G.WZ_AKT.R - 0.5\nX3.5\n");
+}
+
+TEST(IsgVariables, ThatOutlastTheProgramComeOut) {
+  EXPECT_EQ(flat("P1=4\nV.S.COUNT = P1*2\nV.E.OUT = P1\nXV.S.COUNT\n"),
+            "V.S.COUNT = 8\nV.E.OUT = 4\nX8\n");
+  EXPECT_EQ(flat("V.P.DEEP = 5\nG0 X0\nZ-V.P.DEEP\n"), "V.P.DEEP = 5\nG0 X0\nZ-5\n");
+}
+
+TEST(IsgControl, Branches) {
+  const std::string branches =
+      "$IF P1 == 1\nX1\n$ELSEIF P1 == 2\nX2\n$ELSEIF P1 == 3\nX3\n$ELSE\nX9\n$ENDIF\n";
+  EXPECT_EQ(flat("P1=1\n" + branches), "X1\n");
+  EXPECT_EQ(flat("P1=2\n" + branches), "X2\n");
+  EXPECT_EQ(flat("P1=3\n" + branches), "X3\n");
+  EXPECT_EQ(flat("P1=4\n" + branches), "X9\n");
+  EXPECT_EQ(flat("P1=1\n$IF P1 == 2\n$IF P1 == 1\nX1\n$ELSE\nX2\n$ENDIF\n$ENDIF\nX5\n"), "X5\n");
+  const std::string choices =
+      "$SWITCH P1=INT[P1]\n$CASE 1\nX1\n$BREAK\n$CASE 2\nX2\n$CASE 3\nX3\n$BREAK\n"
+      "$DEFAULT\nX9\n$ENDSWITCH\nYP1\n";
+  EXPECT_EQ(flat("P1=1.5\n" + choices), "X1\nY1\n");
+  EXPECT_EQ(flat("P1=2\n" + choices), "X2\nX3\nY2\n");
+  EXPECT_EQ(flat("P1=7\n" + choices), "X9\nY7\n");
+}
+
+TEST(IsgControl, Loops) {
+  EXPECT_EQ(flat("$FOR P1=1,3,1\nXP1\n$ENDFOR\nYP1\n"), "X1\nX2\nX3\nY4\n");
+  EXPECT_EQ(flat("$FOR P1=3,1,-1\nXP1\n$ENDFOR\n"), "X3\nX2\nX1\n");
+  EXPECT_EQ(flat("$FOR P1=3,1,1\nXP1\n$ENDFOR\nX0\n"), "X0\n");
+  EXPECT_EQ(flat("P1=0\n$WHILE P1 < 2\nP1=P1+1\nXP1\n$ENDWHILE\n"), "X1\nX2\n");
+  EXPECT_EQ(flat("P1=0\n$REPEAT\nP1=P1+1\nXP1\n$UNTIL P1 >= 2\n"), "X1\nX2\n");
+  EXPECT_EQ(flat("P1=0\n$DO\nP1=P1+1\nXP1\n$ENDDO P1 < 2\n"), "X1\nX2\n");
+  EXPECT_EQ(flat("P1=0\n$DO\nP1=P1+1\n$IF P1 == 2\n$CONTINUE\n$ENDIF\n$IF P1 == 4\n$BREAK\n"
+                 "$ENDIF\nXP1\n$ENDDO\n"),
+            "X1\nX3\n");
+  EXPECT_EQ(refusal("$FOR P1=0,0.3,0.1\nXP1\n$ENDFOR\n").first, 900309);
+  EXPECT_EQ(refusal("$FOR P1=0,3,0\nXP1\n$ENDFOR\n").first, 900309);
+  EXPECT_EQ(refusal("$FOR P1=0,3,1\nXP1\n").first, 900310);
+  EXPECT_EQ(refusal("P1=1\n$BREAK\n").first, 900310);
+}
+
+TEST(IsgControl, Jumps) {
+  EXPECT_EQ(flat("P1=0\nN10: P1=P1+1\nXP1\n$IF P1 < 3 $GOTO N10\nX0\n"), "X1\nX2\nX3\nX0\n");
+  EXPECT_EQ(flat("$GOTO [END]\nX1\n[END] X2\n"), "X2\n");
+  EXPECT_EQ(flat("P1=20\nX1 $GOTO N[P1+10]\nX2\nN30: X3\n"), "X1\nN30 X3\n");
+  EXPECT_EQ(refusal("$GOTO N10\nX1\nN10 X2\n"), std::pair(900305, 1U));
+  EXPECT_EQ(refusal("N10: $GOTO N10\n").first, 900301);
+}
+
+TEST(IsgCalls, OfTheTextStandWhereTheyAreCalled) {
+  EXPECT_EQ(flat("%L SIDE\nN1 G01 XP1 F100\nM17\n%L OTHER (end is the next one)\nX7\n"
+                 "%MAIN\nN10 P1=5\nN20 LL SIDE (first)\nLL OTHER\nN30 M30\n"),
+            "%MAIN\nN20 (SIDE) (first)\nN1 G01 X5 F100\n(OTHER)\nX7\nN30 M30\n");
+  EXPECT_EQ(refusal("%L SIDE\nX1\nM17\n%MAIN\nX0\nLL OTHER\nM30\n"), std::pair(900306, 6U));
+  EXPECT_EQ(refusal("%L A\nLL A\nM17\n%MAIN\nLL A\nM30\n").first, 900302);
+}
+
+TEST(IsgCalls, OfTheSetupStandWhereTheyAreCalled) {
+  ProgramSessionSetup setup = isg();
+  setup.session.program.subprograms = {
+      {"side.nc", "%L INNER\nXP1\nM29\n%SIDE\nV.L.A=3\nLL INNER\nYV.L.A\nM17\n"}};
+  EXPECT_EQ(flat_of("P1=5\nL prog/SIDE.nc\nX0\n", setup), "(SIDE)\n%SIDE\n(INNER)\nX5\nY3\nX0\n");
+}
+
+TEST(IsgCalls, OfTheMachineKnowWhatTheProgramHasSet) {
+  EXPECT_EQ(flat("P1=5\nV.P.DEEP=P1*2\nG0 XP1\nL PARK\nG0 G90 X1\n"),
+            "G0 X5\nP1 = 5\nV.P.DEEP = 10\nL PARK\nG0 G90 X1\n");
+  EXPECT_EQ(flat("P1=5\nL CYCLE [NAME=drill.cyc @P1=P1 @P2=-P1]\nG0 G90 X1\n"),
+            "P1 = 5\nL CYCLE [NAME=drill.cyc @P1=5 @P2=-5]\nG0 G90 X1\n");
+  EXPECT_EQ(refusal("P1=5\nL PARK\nG0 G90 XP1\n"), std::pair(900303, 3U));
+}
+
+TEST(IsgPrograms, LeaveAloneWhatComputesNothing) {
+  const std::string comment = "#COMMENT BEGIN\nP1=5 $IF\n#COMMENT END\n";
+  EXPECT_EQ(flat(comment + "P1=2\nXP1\n"), comment + "X2\n");
+  const std::string plain = "N10 G71 (P1=5 [X])\n; $IF\n#MSG [\"P1=5\"]\nX1\n";
+  EXPECT_EQ(flat(plain), plain);
+}
+
+TEST(IsgPrograms, ContinueTheirLines) {
+  EXPECT_EQ(flat("P1=1\nG01 X P1 \\\nY P1 F100\nX3\n"), "G01 X 1  Y 1 F100\nX3\n");
+}
+
+// Other languages are named as before.
+TEST(IsgPrograms, OfOtherLanguagesAreToldSo) {
+  EXPECT_EQ(refusal("O1000\nG21 G90\nG83 X1 Y1 Z-5 R2 Q1 P500 F100\nM98 P1000\nM30\n").first,
+            900016);
+}
+
+class IsgTwins : public Twins {};
+
+TEST_P(IsgTwins, MakeTheSamePath) {
+  const Ran computed = run_computing(twin().computed, setup(), Output::blocks);
+  const Ran written = run_computing(twin().flat, setup(), Output::blocks);
+  ASSERT_FALSE(computed.stopped) << computed.report();
+  ASSERT_FALSE(written.stopped) << written.report();
+  ASSERT_EQ(computed.blocks.size(), written.blocks.size());
+  for (std::size_t index = 0; index < written.blocks.size(); ++index) {
+    const Point here = end_of(computed.blocks[index].path);
+    const Point there = end_of(written.blocks[index].path);
+    EXPECT_NEAR(here.x(), there.x(), 1e-6) << index;
+    EXPECT_NEAR(here.y(), there.y(), 1e-6) << index;
+  }
+  for (const std::size_t piece : {1U, 7U, 64U}) {
+    const Ran cut = run_computing(twin().computed, setup(), Output::nc_text, piece);
+    EXPECT_EQ(cut.text, run_computing(twin().computed, setup(), Output::nc_text).text) << piece;
+  }
+}
+
+std::string polygon(int corners, double radius) {
+  std::string text = "G90 G00 X60 Y0\nG42 G138 G01 X" + number(radius) + " Y0 F400\n";
+  for (int corner = 1; corner <= corners; ++corner) {
+    const double angle = -360.0 / corners * corner;
+    text += "X" + number(radius * cosine(angle)) + " Y" + number(radius * sine(angle)) + "\n";
+  }
+  return text + "G40 X60 Y0\nM30\n";
+}
+
+std::string squares(const std::vector<double>& depths) {
+  std::string text = "G90 G00 X-20 Y-20\n";
+  for (const double depth : depths)
+    text += "G00 Z" + number(depth) + "\nG41 G138 G01 X0 Y0 F500\nY40\nX60\nY0\nX0\nG40 X-20 Y-20\n";
+  return text + "M30\n";
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Programs, IsgTwins,
+    ::testing::ValuesIn(with_setup(
+        {{"PolygonByFor",
+          "%HEX\nP1=6 P2=30\nG90 G00 X60 Y0\nG42 G138 G01 XP2 Y0 F400\n$FOR P3=1,P1,1\n"
+          "X[P2*COS[-360/P1*P3]] Y[P2*SIN[-360/P1*P3]]\n$ENDFOR\nG40 X60 Y0\nM30\n",
+          polygon(6, 30)},
+         {"DepthsByWhile",
+          "V.P.DEEP=0\nG90 G00 X-20 Y-20\n$WHILE V.P.DEEP < 6\nV.P.DEEP=V.P.DEEP+2\n"
+          "G00 Z-V.P.DEEP\nG41 G138 G01 X0 Y0 F500\nY40\nX60\nY0\nX0\nG40 X-20 Y-20\n"
+          "$ENDWHILE\nM30\n",
+          squares({-2, -4, -6})},
+         {"DepthsByASubprogram",
+          "%L SQUARE\nN1 G00 Z-P1\nN2 G41 G138 G01 X0 Y0 F500\nN3 YP11\nN4 XP10\nN5 Y0\nN6 X0\n"
+          "N7 G40 X-20 Y-20\nN8 M17\n%MAIN\nN10 P10=60 P11=40\nN20 G90 G00 X-20 Y-20\n"
+          "N30 P1=1\nN40 LL SQUARE\nN50 P1=3\nN60 LL SQUARE\nN70 M30\n",
+          squares({-1, -3})}},
+        DialectName::isg)),
+    name_of_twin);
+
+}  // namespace
+}  // namespace trc::support::isg_computing
