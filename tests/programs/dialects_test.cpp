@@ -1079,18 +1079,49 @@ TEST(PolarWords, AloneDoNotCountOnOnesThatAreNotWritten) {
 
 // It compensates nothing, and no contour runs so without a word.
 TEST(RegisterZero, IsToldWithTheFirstContourOfIt) {
-  for (const DialectName dialect : {DialectName::fanuc, DialectName::linuxcnc}) {
-    ProgramSessionSetup setup;
-    setup.session.program.dialect = dialect;
-    setup.session.program.mode.selection = Selection::direct;
-    const std::string contour = "G41 D0 G1 X0 Y0 F9\nY9\nG40 X-9 Y-9\n";
-    const Written written = run("G0 X-9 Y-9\n" + contour + contour + "M2\n", setup, false);
-    EXPECT_FALSE(written.stopped);
-    ASSERT_EQ(written.diagnostics.size(), 1u) << written.report();
-    EXPECT_EQ(written.diagnostics[0].code, Code::tool_radius_zero);
-    EXPECT_EQ(written.diagnostics[0].source.line, 2u);
-    setup.session.program.tools[0] = 2;
-    EXPECT_TRUE(run("G0 X-9 Y-9\n" + contour + "M2\n", setup, false).diagnostics.empty());
+  ProgramSessionSetup setup;
+  setup.session.program.dialect = DialectName::fanuc;
+  setup.session.program.mode.selection = Selection::direct;
+  const std::string contour = "G41 D0 G1 X0 Y0 F9\nY9\nG40 X-9 Y-9\n";
+  const Written written = run("G0 X-9 Y-9\n" + contour + contour + "M2\n", setup, false);
+  EXPECT_FALSE(written.stopped);
+  ASSERT_EQ(written.diagnostics.size(), 1u) << written.report();
+  EXPECT_EQ(written.diagnostics[0].code, Code::tool_radius_zero);
+  EXPECT_EQ(written.diagnostics[0].source.line, 2u);
+  setup.session.program.tools[0] = 2;
+  EXPECT_TRUE(run("G0 X-9 Y-9\n" + contour + "M2\n", setup, false).diagnostics.empty());
+}
+
+// LinuxCNC: the tool in the spindle; where nobody has loaded one, nobody knows which.
+TEST(RegisterZero, IsTheToolInTheSpindleOfLinuxcnc) {
+  ProgramSessionSetup setup;
+  setup.session.program.dialect = DialectName::linuxcnc;
+  setup.session.program.mode.selection = Selection::direct;
+  setup.session.program.tools[4] = 2;
+  const std::string contour = "G0 X-9 Y-9\nG41 D0 G1 X0 Y0 F9\nY9\nG40 X-9 Y-9\nM2\n";
+  const Written loaded = run("T4 M6\n" + contour, setup, true);
+  EXPECT_TRUE(loaded.diagnostics.empty()) << loaded.report();
+  EXPECT_NE(loaded.text.find("G01 X-2 Y0"), std::string::npos) << loaded.text;
+  EXPECT_EQ(run(contour, setup, false).diagnostics.back().code, Code::no_tool_radius);
+  setup.session.program.tools[0] = 3;
+  EXPECT_NE(run("T4 M6\n" + contour, setup, true).text.find("G01 X-3 Y0"), std::string::npos);
+}
+
+// A row of a table of corrections has a DR that is not known here.
+TEST(Klartext, ATableOfCorrectionsHoldsUpToTheNextTool) {
+  ProgramSessionSetup setup;
+  setup.session.program.dialect = DialectName::heidenhain;
+  setup.session.program.tools[1] = 4;
+  setup.session.program.mode.selection = Selection::direct;
+  const std::string head = "BEGIN PGM T MM\nTOOL CALL 1 Z S900\n";
+  const std::string contour =
+      "L X-20 Y-20 R0 FMAX\nL X+0 Y+0 RL F500\nL Y+50\nL X-20 Y-20 R0\nEND PGM T MM\n";
+  const Written refused = run(head + "FUNCTION CORRDATA TCS #2\n" + contour, setup, true);
+  ASSERT_TRUE(refused.stopped);
+  EXPECT_EQ(refused.diagnostics.back().code, Code::nc_unsupported);
+  for (const char* const end : {"FUNCTION CORRDATA RESET TCS\n", "TOOL CALL 1 Z S900\n"}) {
+    const Written written = run(head + "FUNCTION CORRDATA TCS #2\n" + end + contour, setup, true);
+    EXPECT_FALSE(written.stopped) << end << written.report();
   }
 }
 

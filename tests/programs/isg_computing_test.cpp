@@ -92,7 +92,8 @@ TEST(IsgWords, HaveTheirValues) {
   EXPECT_EQ(flat("P5=3000\nS2=P5 M[1+2]\n"), "S2=3000 M3\n");
   EXPECT_EQ(flat("N10 G01 X[10+5] F500\n"), "N10 G01 X15 F500\n");
   EXPECT_EQ(flat("P1=5\nG01 X10+P1 F500\n"), "G01 X15 F500\n");
-  EXPECT_EQ(flat("P1=1\n#TRC [KERF_MASKING=P1]\nX1\n"), "#TRC [KERF_MASKING=1]\nX1\n");
+  EXPECT_EQ(flat("P1=1\n#CS ON [P1,-P1,0,0,0,P1*90]\n"), "#CS ON [1,-1,0,0,0,90]\n");
+  EXPECT_EQ(refusal("P1=7\n#TRC [KERF_MASKING=P1]\nX1\n"), std::pair(900005, 2U));
 }
 
 TEST(IsgWords, AreNotReadBesideTheirAssignment) {
@@ -125,7 +126,7 @@ TEST(IsgVariables, SayTheRadiiOfTools) {
   EXPECT_EQ(flat_of("D5\nXV.G.WZ_AKT.R YV.G.WZ[6].R\n", setup), "D5\nX4 Y3\n");
   EXPECT_EQ(flat_of("D5\nG70\nX[V.G.WZ_AKT.R*25.4]\n", setup), "D5\nG70\nX4\n");
   EXPECT_EQ(flat_of("D5\nP1=1\nV.G.WZ_AKT.R = V.G.WZ_AKT.R - P1*0.5\nXV.G.WZ_AKT.R\n", setup),
-            "D5\nV.G.WZ_AKT.R = V.G.WZ_AKT.R - 0.5\nX3.5\n");
+            "D5\nX3.5\n");
 }
 
 TEST(IsgVariables, ThatOutlastTheProgramComeOut) {
@@ -190,8 +191,17 @@ TEST(IsgCalls, OfTheSetupStandWhereTheyAreCalled) {
 }
 
 TEST(IsgCalls, OfTheMachineKnowWhatTheProgramHasSet) {
-  EXPECT_EQ(flat("P1=5\nV.P.DEEP=P1*2\nG0 XP1\nL PARK\nG0 G90 X1\n"),
-            "G0 X5\nP1 = 5\nV.P.DEEP = 10\nL PARK\nG0 G90 X1\n");
+  EXPECT_EQ(flat("P1=5\nV.P.Deep=P1*2\nG0 XP1\nL PARK\nG0 G90 X1\n"),
+            "V.P.Deep=10\nG0 X5\nP1 = 5\nL PARK\nG0 G90 X1\n");
+  EXPECT_EQ(flat("P1=5\nG0 X-20 Y-20\nG41 G138 G1 X0 Y0 F100\nV.P.Deep=P1*2\nY40\nX40\nG40 X-20\n"
+                 "L PARK\n"),
+            "G0 X-20 Y-20\nG01 X-2 Y0 F100\nG01 X-2 Y42\nG01 X40 Y42\nG01 X-20 Y40\nP1 = "
+            "5\nV.P.Deep = 10\nL PARK\n");
+  const std::string declared =
+      "#VAR\nV.P.T_Nr[60] = [202, 152]\nV.P.Feed : REAL64 = 5\n#ENDVAR\nT202 LM06\n#DELETE "
+      "V.P.Feed\n"
+      "L PARK\n";
+  EXPECT_EQ(flat(declared), declared);
   EXPECT_EQ(flat("P1=5\nL CYCLE [NAME=drill.cyc @P1=P1 @P2=-P1]\nG0 G90 X1\n"),
             "P1 = 5\nL CYCLE [NAME=drill.cyc @P1=5 @P2=-5]\nG0 G90 X1\n");
   EXPECT_EQ(refusal("P1=5\nL PARK\nG0 G90 XP1\n"), std::pair(900303, 3U));
@@ -246,7 +256,8 @@ std::string polygon(int corners, double radius) {
 std::string squares(const std::vector<double>& depths) {
   std::string text = "G90 G00 X-20 Y-20\n";
   for (const double depth : depths)
-    text += "G00 Z" + number(depth) + "\nG41 G138 G01 X0 Y0 F500\nY40\nX60\nY0\nX0\nG40 X-20 Y-20\n";
+    text +=
+        "G00 Z" + number(depth) + "\nG41 G138 G01 X0 Y0 F500\nY40\nX60\nY0\nX0\nG40 X-20 Y-20\n";
   return text + "M30\n";
 }
 
@@ -258,8 +269,8 @@ INSTANTIATE_TEST_SUITE_P(
           "X[P2*COS[-360/P1*P3]] Y[P2*SIN[-360/P1*P3]]\n$ENDFOR\nG40 X60 Y0\nM30\n",
           polygon(6, 30)},
          {"DepthsByWhile",
-          "V.P.DEEP=0\nG90 G00 X-20 Y-20\n$WHILE V.P.DEEP < 6\nV.P.DEEP=V.P.DEEP+2\n"
-          "G00 Z-V.P.DEEP\nG41 G138 G01 X0 Y0 F500\nY40\nX60\nY0\nX0\nG40 X-20 Y-20\n"
+          "P5=0\nG90 G00 X-20 Y-20\n$WHILE P5 < 6\nP5=P5+2\n"
+          "G00 Z-P5\nG41 G138 G01 X0 Y0 F500\nY40\nX60\nY0\nX0\nG40 X-20 Y-20\n"
           "$ENDWHILE\nM30\n",
           squares({-2, -4, -6})},
          {"DepthsByASubprogram",

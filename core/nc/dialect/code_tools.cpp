@@ -104,6 +104,15 @@ bool Interpreter::check_code_selection(ProgramLine& line, BlockWords& block) {
   const bool by_offset =
       fanuc && selects && !block.tool && block.offset && !has_length_offset(line);
   if (by_offset) block.tool = block.offset;
+  // D0 of LinuxCNC is the tool in the spindle, unless the table has a tool 0.
+  const bool is_spindle_by_number = linuxcnc && selects && block.tool && block.tool->value == 0 &&
+                                    block.of(side).function->tenth == 0 &&
+                                    !state_.setup().tools.contains(0);
+  if (is_spindle_by_number) {
+    for (WordRange& word : line.words)
+      if (upper(line.text[word.begin]) == 'D') word.role = WordRole::trc;
+    block.tool.reset();
+  }
   const bool by_spindle = selects && block.of(side).function->tenth == 0 &&
                           dialect_.tool_of_spindle && !block.tool &&
                           (code_.spindle_tool != 0 || code_.spindle_empty);

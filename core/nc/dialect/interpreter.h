@@ -137,6 +137,7 @@ class Interpreter {
   [[nodiscard]] MotionKind motion_in_force() const { return motion_; }
   [[nodiscard]] Plane plane_in_force() const { return state_.programmed_plane(); }
   [[nodiscard]] std::optional<double> radius_in_force() const { return state_.tool().radius(); }
+  [[nodiscard]] bool is_in_contour() const { return state_.contour_open(); }
   // Behind M02 or M30.
   [[nodiscard]] bool has_ended() const { return ended_; }
 
@@ -181,6 +182,7 @@ class Interpreter {
   bool read_axis(const Word& word, ProgramLine& line, BlockWords& block);
   bool read_number(const Word& word, ProgramLine& line, BlockWords& block);
   bool read_command(const Word& word, ProgramLine& line, BlockWords& block);
+  bool read_call_behind_words(std::uint32_t begin, ProgramLine& line, BlockWords& block);
   bool check_feed(ProgramLine& line, const BlockWords& block);
 
   // Of the dialects of plain letters and numbers: code_block_words.cpp and code_block.cpp.

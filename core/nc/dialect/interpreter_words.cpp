@@ -71,7 +71,8 @@ bool Interpreter::read_words(ProgramLine& line, BlockWords& block) {
               line, TextFault{.begin = *block.number_alone, .detail = "a number without letter"});
         return true;
       case WordKind::fault:
-        return refuse(line, reader.fault());
+        return read_call_behind_words(reader.fault().begin, line, block) ||
+               refuse(line, reader.fault());
       case WordKind::comment:
         add(line, word, WordRole::comment);
         continue;

@@ -57,7 +57,7 @@ constexpr auto passing_commands = std::to_array<std::string_view>(
     {"MSG ",        "FLUSH ",     "SLOPE ",    "CONTOUR MODE", "HSC ",        "TRANSVELLIM ",
      "VECTOR ",     "FILTER ",    "FRICTION ", "OVERRIDE ",    "TIMER ",      "WAIT ",
      "SIGNAL ",     "ERROR ",     "FILE ",     "TOOL LIFE",    "SINGLESTEP ", "SET SLOPE",
-     "SET ASPLINE", "SPLINE OFF", "PTP OFF"});
+     "SET ASPLINE", "SPLINE OFF", "PTP OFF",   "VAR ",         "ENDVAR ",     "DELETE "});
 
 // Commands behind which an axis stands, or counts from, where only the control knows.
 constexpr auto unfollowed_commands = std::to_array<std::string_view>(

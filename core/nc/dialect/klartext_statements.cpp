@@ -176,6 +176,10 @@ void Interpreter::take_klartext_scaling(std::string_view statement) {
         !statement.ends_with("RESET") && !is_one(statement.substr(scale.size())));
   if (begins_with_word(statement, "FUNCTION TCPM")) set(KlartextLead::tip, true);
   if (begins_with_word(statement, "FUNCTION RESET TCPM")) set(KlartextLead::tip, false);
+  // A row of a table of corrections, which has a DR of its own, up to the next tool.
+  if (begins_with_word(statement, "FUNCTION CORRDATA"))
+    set(KlartextLead::correction, statement.find("RESET") == std::string_view::npos);
+  if (begins_with_word(statement, "TOOL CALL")) set(KlartextLead::correction, false);
   // CYCL DEF 26.0 has the name alone.
   if (statement.starts_with(scale_axes) && !statement.starts_with("CYCL DEF 26.0")) {
     const std::uint32_t before = klartext_.unfollowed & KlartextLead::axes;
@@ -229,6 +233,7 @@ bool Interpreter::read_klartext_statement(ProgramLine& line, std::size_t begin) 
     return copy_klartext(line, begin, WordRole::stop);
   }
   if (begins_with_word(statement, "TOOL")) {
+    take_klartext_scaling(statement);
     return begins_with_word(statement, "TOOL CALL") ? read_tool_call(line, begin, statement)
                                                     : read_tool_definition(line, begin, statement);
   }

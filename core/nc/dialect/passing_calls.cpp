@@ -61,14 +61,18 @@ bool holds_words(std::string_view value) {
   return false;
 }
 
-// V.P.DEPTH = 3; not of the tool in force, V.G., which says the radius.
+// V.P.DEPTH = 3, P10 = 5, also declared between #VAR and #ENDVAR: V.P.DEPTH : REAL64. Not of the
+// tool in force, V.G., which says the radius.
 bool assigns_variable(std::string_view text) {
-  if (text.size() < 5 || upper(text[0]) != 'V' || text[1] != '.' || text[3] != '.') return false;
-  if (std::string_view("PLSE").find(upper(text[2])) == std::string_view::npos) return false;
-  const std::size_t behind = text.find_first_of("= \t(;", 4);
-  if (behind == std::string_view::npos) return false;
+  const bool is_variable = text.size() >= 5 && upper(text[0]) == 'V' && text[1] == '.' &&
+                           text[3] == '.' &&
+                           std::string_view("PLSE").find(upper(text[2])) != std::string_view::npos;
+  const bool is_parameter = text.size() > 2 && upper(text[0]) == 'P' && is_digit(text[1]);
+  if (!is_variable && !is_parameter) return false;
+  const std::size_t behind = std::min(text.find_first_of("= \t(;:", 1), text.size());
   const std::string_view value = without_blanks_in_front(text.substr(behind));
-  return value.starts_with('=') && !holds_words(value.substr(1));
+  if (value.empty() || value.front() == ':') return is_variable || value.starts_with(':');
+  return value.front() == '=' && !holds_words(value.substr(1));
 }
 
 }  // namespace
@@ -102,6 +106,25 @@ bool Interpreter::read_passing_line(ProgramLine& line, BlockWords& block) {
                         .end = static_cast<std::uint32_t>(text.size()),
                         .role = WordRole::technology});
   if (calls) forget_what_a_call_may_change(block);
+  return true;
+}
+
+// T5 LM06: a call behind words that do not move. `begin` is where it stands.
+bool Interpreter::read_call_behind_words(std::uint32_t begin, ProgramLine& line,
+                                         BlockWords& block) {
+  const std::string_view text = line.text;
+  std::size_t end = begin + 1;
+  const auto is_part_of_name = [](char sign) {
+    return is_letter(sign) || is_digit(sign) || sign == '_' || sign == '.';
+  };
+  while (end < text.size() && is_part_of_name(text[end])) ++end;
+  const bool is_call = dialect_.name == DialectName::isg && upper(text[begin]) == 'L' &&
+                       end > begin + 2 && is_letter(text[begin + 1]) &&
+                       without_blanks_in_front(text.substr(end)).empty();
+  if (!is_call || contour_open() || block.axis || block.center) return false;
+  line.words.push_back(
+      {.begin = begin, .end = static_cast<std::uint32_t>(end), .role = WordRole::technology});
+  forget_what_a_call_may_change(block);
   return true;
 }
 

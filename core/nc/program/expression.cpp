@@ -128,8 +128,8 @@ Value ExpressionReader::of_level(int level) {
   }
 }
 
-// Of ISG: of several logical operators, comparisons or powers, and of a power of what has a sign, no
-// manual says which comes first. `operand` is where the first operand begins.
+// Of ISG: of several logical operators, comparisons or powers, and of a power of what has a sign,
+// no manual says which comes first. `operand` is where the first operand begins.
 bool ExpressionReader::wants_brackets(const OperatorRow& row, const OperatorRow* before,
                                       std::size_t operand) const {
   constexpr int lowest_of_arithmetic = 3;

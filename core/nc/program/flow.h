@@ -30,6 +30,7 @@ struct ModalState {
   bool incremental = false;
   bool inch = false;
   std::optional<double> tool_radius{};  // mm; none: nobody has given it
+  bool contour_open = false;
 };
 
 // Executes a program that computes, a line at a time: follows its jumps, loops and calls, and says

@@ -27,9 +27,7 @@ bool IsgFlow::follow(std::string& flat) {
   if (word == "BREAK" || word == "CONTINUE") return leave_or_go_on(flat, word == "BREAK");
   using enum Structure;
   const Outline& outline = outline_of(frame());
-  const auto condition_holds = [&] {
-    return expression.holds(expression.expression());
-  };
+  const auto condition_holds = [&] { return expression.holds(expression.expression()); };
   switch (const Structure structure = structure_of(line_)) {
     case branch:
       return this->branch(flat, expression);
@@ -150,9 +148,8 @@ bool IsgFlow::choose(std::string& flat, ExpressionReader& expression) {
   std::size_t target = *end;
   bool is_found = false;
   const auto choices = outline.choices.find(frame().current);
-  for (std::size_t index = 0; choices != outline.choices.end() && !is_found &&
-                              index < choices->second.size();
-       ++index) {
+  for (std::size_t index = 0;
+       choices != outline.choices.end() && !is_found && index < choices->second.size(); ++index) {
     const std::size_t line = choices->second[index];
     if (outline.structures.at(line) == Structure::by_default) {
       target = line;

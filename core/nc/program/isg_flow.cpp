@@ -40,6 +40,18 @@ IsgFlow::IsgFlow(const ProgramSetup& setup, CallPlaces& calls, ProgramText text,
                      .current = std::max(start, main.begin),
                      .own_variables = true});
   for (std::size_t line = main.begin; line < start; ++line) take_line_in_front(line);
+  writes_variables_ = calls_the_unknown();
+}
+
+bool IsgFlow::calls_the_unknown() const {
+  for (const ProgramText& text : texts_)
+    for (std::size_t line = 0; line < text.size(); ++line) {
+      const std::string_view content = text.line(line);
+      const IsgCall call = isg_call_at(content, isg_head_of(content).behind);
+      if (call.is_call && !call.is_local && given_subprogram(setup_, call.name) == nullptr)
+        return true;
+    }
+  return false;
 }
 
 // The subprograms of a text, then its program.
@@ -125,12 +137,12 @@ const IsgFlow::Outline& IsgFlow::outline_of(const Frame& frame) {
   Outline& outline = known->second;
   if (!is_new) return outline;
   using enum Structure;
-  constexpr auto pairs = std::to_array<std::pair<Structure, Structure>>(
-      {{end_choice, choice},
-       {end_counting, counting},
-       {end_condition, condition},
-       {end_endless, endless},
-       {Structure::until, repetition}});
+  constexpr auto pairs =
+      std::to_array<std::pair<Structure, Structure>>({{end_choice, choice},
+                                                      {end_counting, counting},
+                                                      {end_condition, condition},
+                                                      {end_endless, endless},
+                                                      {Structure::until, repetition}});
   const ProgramText& text = texts_[frame.text];
   struct Open {
     Structure structure = none;
@@ -146,9 +158,8 @@ const IsgFlow::Outline& IsgFlow::outline_of(const Frame& frame) {
     if (head.is_target) outline.numbers[head.number].push_back(line);
     if (!head.label.empty()) outline.labels[head.label].push_back(line);
     const Structure structure = structure_of(text.line(line));
-    const auto around = std::ranges::find_if(open.rbegin(), open.rend(), [](const Open& each) {
-      return each.structure != branch;
-    });
+    const auto around = std::ranges::find_if(
+        open.rbegin(), open.rend(), [](const Open& each) { return each.structure != branch; });
     if (around != open.rend()) outline.around[line] = around->head;
     if (structure == none) continue;
     outline.structures[line] = structure;
@@ -173,8 +184,7 @@ const IsgFlow::Outline& IsgFlow::outline_of(const Frame& frame) {
       open.pop_back();
       continue;
     }
-    const auto pair =
-        std::ranges::find(pairs, structure, &std::pair<Structure, Structure>::first);
+    const auto pair = std::ranges::find(pairs, structure, &std::pair<Structure, Structure>::first);
     if (pair->second != innermost.structure) continue;
     outline.feet[innermost.head] = line;
     outline.heads[line] = innermost.head;
@@ -274,12 +284,8 @@ bool IsgFlow::call(std::string& flat, const IsgCall& call) {
     pieces_.clear();
     has_computed_ = false;
     jump_.reset();
-    for (std::size_t at = call.end; at < line_.size(); at = behind_blanks(line_, at))
-      if (line_[at] == '[') {
-        if (!scan_command(at)) return false;
-      } else {
-        break;
-      }
+    std::size_t values = behind_blanks(line_, call.end);
+    if (values < line_.size() && line_[values] == '[' && !scan_command(values)) return false;
     if (pieces_.empty()) {
       pass_line(flat);
     } else {

@@ -22,8 +22,9 @@ namespace trc::program {
 //     and V.G. are the machine's, but for the tool radii that the setup and the program give.
 //   - Subprograms stand in front of the program, behind %L NAME, or are texts of the setup, which
 //     may have their own; they share all modes with their caller.
-//   - In front of a call of what is not there (D-47) the values come out that it may ask for, and
-//     behind it they are not known.
+//   - A call of what is not there passes (D-47). It may ask for what the program has set: that
+//   comes
+//     out in front of it, at the latest. Behind it the values are not known.
 //   - Where two operators stand side by side whose order nobody says, brackets are asked for.
 class IsgFlow : public Flow, private Variables {
  public:
@@ -60,8 +61,8 @@ class IsgFlow : public Flow, private Variables {
     std::map<std::int64_t, std::vector<std::size_t>> numbers{};
     std::map<std::string, std::vector<std::size_t>, std::less<>> labels{};
     std::map<std::size_t, Structure> structures{};
-    std::map<std::size_t, std::size_t> next{};  // of a branch: the other one, or its end
-    std::map<std::size_t, std::size_t> feet{};  // by head, and by each branch of it: the end
+    std::map<std::size_t, std::size_t> next{};   // of a branch: the other one, or its end
+    std::map<std::size_t, std::size_t> feet{};   // by head, and by each branch of it: the end
     std::map<std::size_t, std::size_t> heads{};  // by the end
     std::map<std::size_t, std::vector<std::size_t>> choices{};  // by $SWITCH: $CASE and $DEFAULT
     std::map<std::size_t, std::size_t> around{};  // the head of the loop or choice around a line
@@ -89,6 +90,7 @@ class IsgFlow : public Flow, private Variables {
   bool end_of_frame(std::string& flat);
   bool end_of_program();
   bool pass_line(std::string& flat);
+  [[nodiscard]] bool calls_the_unknown() const;
 
   // isg_control.cpp: branches, loops and jumps.
   bool follow(std::string& flat);
@@ -142,8 +144,12 @@ class IsgFlow : public Flow, private Variables {
   std::map<std::pair<std::size_t, std::size_t>, Outline> outlines_{};  // by text and begin
   Values values_{};
   std::vector<Values> locals_{1};
-  std::set<std::string, std::less<>> whole_{};  // declared with a type of whole numbers
+  std::set<std::string, std::less<>> whole_{};      // declared with a type of whole numbers
   std::set<std::string, std::less<>> unwritten_{};  // set since they were last written
+  std::map<std::string, std::string, std::less<>> spellings_{};  // of V. names, without indices
+  // The program calls what is not there: V. variables come out where they are set, and P
+  // parameters in front of such a call.
+  bool writes_variables_ = false;
   std::string lost_to_{};
   // What $FOR counts to and by, by the depth of calls and its line.
   std::map<std::pair<std::size_t, std::size_t>, std::pair<double, double>> counts_{};
@@ -155,7 +161,7 @@ class IsgFlow : public Flow, private Variables {
   std::string_view line_{};
   IsgHead head_{};
   std::vector<Piece> pieces_{};
-  bool has_computed_ = false;           // an assignment, or a jump
+  bool has_computed_ = false;            // an assignment, or a jump
   std::vector<std::string> assigned_{};  // in this line
   bool reads_words_ = false;             // a value of a word, not of an assignment
   std::optional<std::size_t> jump_{};    // of a $GOTO beside words

@@ -207,9 +207,9 @@ IsgCall isg_call_at(std::string_view line, std::size_t at) {
   call.name = in_upper_case(path);
   if (quoted && call.end < line.size()) ++call.end;
   // L X+10 is a line of another language.
-  const bool is_axis_word =
-      call.name.size() > 1 && call.name.find_first_of("+-0123456789", 1) == 1 &&
-      call.name.find_first_not_of("+-.0123456789", 1) == std::string::npos;
+  const bool is_axis_word = call.name.size() > 1 &&
+                            call.name.find_first_of("+-0123456789", 1) == 1 &&
+                            call.name.find_first_not_of("+-.0123456789", 1) == std::string::npos;
   call.is_call = !call.name.empty() && !is_axis_word;
   return call;
 }
@@ -228,9 +228,8 @@ const std::string* given_subprogram(const ProgramSetup& setup, std::string_view 
 }
 
 bool isg_computes(const ProgramSetup& setup, std::string_view line) {
-  if (std::ranges::none_of(line, [](char sign) {
-        return computing_signs[static_cast<unsigned char>(sign)];
-      }))
+  if (std::ranges::none_of(
+          line, [](char sign) { return computing_signs[static_cast<unsigned char>(sign)]; }))
     return false;
   if (!isg_subprogram_of(line).empty()) return true;
   if (begins_isg_program(line)) return false;

@@ -68,7 +68,10 @@ std::string IsgFlow::place_at(ExpressionReader& expression) {
   }
   std::string name;
   std::size_t at = begin;
-  for (;;) {
+  while (at < line.size() && (goes_on_as_name(line[at]) || line[at] == '.')) ++at;
+  const std::string_view spelling = line.substr(begin, at - begin);
+  spellings_.try_emplace(in_upper_case(spelling), spelling);
+  for (at = begin;;) {
     while (at < line.size() && (goes_on_as_name(line[at]) || line[at] == '.'))
       name += upper(line[at++]);
     if (at >= line.size() || line[at] != '[') break;
@@ -150,8 +153,7 @@ Value IsgFlow::read(ExpressionReader& expression) {
     expression.go_to(equals + 1);
     Value value = expression.expression();
     if (expression.failed()) return {};
-    if (!belongs_to_program(name))
-      return expression.fail(Code::machine_state, begin, name);
+    if (!belongs_to_program(name)) return expression.fail(Code::machine_state, begin, name);
     values_of(name)[name] = value;
     return value;
   }
@@ -161,11 +163,9 @@ Value IsgFlow::read(ExpressionReader& expression) {
   if (const Value* const value = held(name)) return *value;
   if (const double* const value = given(name)) return {.number = *value};
   if (name.starts_with("V.G.WZ")) return read_radius(expression, name, begin);
-  if (!belongs_to_program(name))
-    return without_value(expression, Code::machine_state, begin, name);
-  return without_value(
-      expression, Code::variable_unset, begin,
-      lost_to_.empty() ? name : name + ", which may have been set by " + lost_to_);
+  if (!belongs_to_program(name)) return without_value(expression, Code::machine_state, begin, name);
+  return without_value(expression, Code::variable_unset, begin,
+                       lost_to_.empty() ? name : name + ", which may have been set by " + lost_to_);
 }
 
 // V.G.WZ_AKT.R, V.G.WZR: of the tool in force. V.G.WZ[5].R: of the table.
@@ -196,7 +196,7 @@ bool IsgFlow::declare(std::string& flat) {
     const std::string word = word_behind_sign(line_, begin);
     if (word != "ENDVAR") return refuse(Code::block_structure, begin, "#VAR without #ENDVAR");
     in_declaration_ = false;
-    return finish_statement(flat, begin + 1 + word.size());
+    return writes_variables_ ? pass_line(flat) : finish_statement(flat, begin + 1 + word.size());
   }
   // The sizes of an array stand where its indices do.
   ExpressionReader expression = expression_at(begin);
@@ -206,7 +206,8 @@ bool IsgFlow::declare(std::string& flat) {
   if (!expression.failed() && !belongs_to_program(name))
     return refuse(Code::expression_invalid, begin, name + ", which is not the program's");
   std::vector<std::size_t> sizes;
-  for (std::size_t at = declared.find('['); at != std::string::npos; at = declared.find('[', at + 1))
+  for (std::size_t at = declared.find('['); at != std::string::npos;
+       at = declared.find('[', at + 1))
     sizes.push_back(std::stoull(declared.substr(at + 1)));
   if (expression.peek() == ':') {
     expression.go_to(expression.at() + 1);
@@ -218,7 +219,14 @@ bool IsgFlow::declare(std::string& flat) {
     expression.pass_blanks();
   }
   if (expression.failed()) return refuse(expression.fault());
-  return declare_elements(expression, name, sizes) && finish_statement(flat, expression.at());
+  const std::size_t value = expression.at();
+  if (!declare_elements(expression, name, sizes)) return false;
+  if (!writes_variables_) return finish_statement(flat, expression.at());
+  for (std::size_t at = value; at < expression.at(); ++at)
+    if (is_isg_parameter_at(line_, at) || is_isg_variable_at(line_, at))
+      return refuse(Code::nc_unsupported, at, "a computed value between #VAR and #ENDVAR");
+  std::erase_if(unwritten_, [&](const std::string& each) { return base_of(each) == name; });
+  return pass_line(flat);
 }
 
 bool IsgFlow::declare_elements(ExpressionReader& expression, const std::string& name,
@@ -227,9 +235,11 @@ bool IsgFlow::declare_elements(ExpressionReader& expression, const std::string& 
   const std::size_t begin = expression.at();
   std::size_t count = 1;
   for (const std::size_t size : sizes)
-    if (count > 0 && size <= most_elements) count *= size; else count = most_elements + 1;
-  if (count == 0 || count > most_elements)
-    return refuse(Code::value_invalid, begin, name + "[");
+    if (count > 0 && size <= most_elements)
+      count *= size;
+    else
+      count = most_elements + 1;
+  if (count == 0 || count > most_elements) return refuse(Code::value_invalid, begin, name + "[");
   std::vector<Value> values;
   if (expression.peek() == '=') {
     expression.go_to(expression.at() + 1);
@@ -276,7 +286,10 @@ bool IsgFlow::forget_declared(std::size_t at) {
 void IsgFlow::write_values(std::string& flat) {
   for (const std::string& name : unwritten_) {
     const Value& value = values_.at(name);
-    flat.append(name).append(" = ");
+    const std::string_view base = base_of(name);
+    const auto spelled = spellings_.find(base);
+    flat.append(spelled == spellings_.end() ? base : std::string_view(spelled->second));
+    flat.append(name, base.size()).append(" = ");
     append_number(flat, value);
     flat.append(line_end());
   }

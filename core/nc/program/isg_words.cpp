@@ -52,15 +52,16 @@ bool IsgFlow::end_or_return(bool& ends, bool& returns) {
     const bool ends_program = number == 2 || number == 30;
     const bool ends_subprogram = number == 17 || number == 29;
     if (!is_main && ends_program)
-      return refuse(Code::nc_unsupported, piece.begin,
-                    std::string(line_.substr(piece.begin, piece.end - piece.begin)) +
-                        " in a subprogram");
+      return refuse(
+          Code::nc_unsupported, piece.begin,
+          std::string(line_.substr(piece.begin, piece.end - piece.begin)) + " in a subprogram");
     ends |= is_main && ends_program;
     if (is_main || !ends_subprogram) continue;
     returns = true;
     piece.instead = std::string();
     const Piece* const last = &pieces_.back();
-    if (&piece != last && !last->is_comment && sign_at(line_, behind_blanks(line_, piece.end)) == '[')
+    if (&piece != last && !last->is_comment &&
+        sign_at(line_, behind_blanks(line_, piece.end)) == '[')
       return refuse(Code::nc_unsupported, piece.begin, "M17 with a target");
   }
   return true;
@@ -80,13 +81,15 @@ bool IsgFlow::scan_word(std::size_t& at) {
     if (word == "VAR" && is_isg_line_over(line_, at + 1 + word.size())) {
       in_declaration_ = has_computed_ = true;
       at += 1 + word.size();
-      pieces_.push_back({.begin = begin, .end = at, .instead = std::string()});
+      pieces_.push_back({.begin = begin, .end = at});
+      if (!writes_variables_) pieces_.back().instead = std::string();
       return true;
     }
     if (word == "DELETE") {
       has_computed_ = true;
       at = end_of_isg_command(line_, begin);
-      pieces_.push_back({.begin = begin, .end = at, .instead = std::string()});
+      pieces_.push_back({.begin = begin, .end = at});
+      if (!writes_variables_) pieces_.back().instead = std::string();
       return forget_declared(begin + 1 + word.size());
     }
     return scan_command(at);
@@ -100,8 +103,7 @@ bool IsgFlow::scan_word(std::size_t& at) {
     if (!jump_) return false;
     has_computed_ = true;
     at = expression.at();
-    pieces_.push_back(
-        {.begin = begin, .end = end_of(line_, begin, at), .instead = std::string()});
+    pieces_.push_back({.begin = begin, .end = end_of(line_, begin, at), .instead = std::string()});
     return true;
   }
   if (is_isg_variable_at(line_, at)) return scan_assignment(at);
@@ -198,10 +200,9 @@ bool IsgFlow::scan_command(std::size_t& at) {
     const std::size_t value = behind_blanks(line_, sign);
     std::size_t variable = value;
     while (sign_at(line_, variable) == '-' || sign_at(line_, variable) == '+') ++variable;
-    const bool is_value = is_isg_parameter_at(line_, variable) ||
-                          is_isg_variable_at(line_, variable) ||
-                          (is_letter(sign_at(line_, variable)) &&
-                           is_isg_expression_at(line_, variable));
+    const bool is_value =
+        is_isg_parameter_at(line_, variable) || is_isg_variable_at(line_, variable) ||
+        (is_letter(sign_at(line_, variable)) && is_isg_expression_at(line_, variable));
     // @P1=…: the name of a value of a cycle.
     if (!is_value || sign_at(line_, variable - 1) == '@') continue;
     ExpressionReader expression = expression_at(value);
@@ -229,8 +230,7 @@ bool IsgFlow::scan_assignment(std::size_t& at) {
   char sign = expression.peek();
   const bool changes = std::string_view("+-*/").find(sign) != npos && sign != '\0';
   if (changes) expression.go_to(expression.at() + 1);
-  if (expression.peek() != '=')
-    return refuse(Code::expression_invalid, begin, name + " without =");
+  if (expression.peek() != '=') return refuse(Code::expression_invalid, begin, name + " without =");
   expression.go_to(expression.at() + 1);
   expression.pass_blanks();
   const std::size_t value_begin = expression.at();
@@ -259,23 +259,27 @@ bool IsgFlow::scan_assignment(std::size_t& at) {
   }
   at = expression.at();
   const std::size_t end = end_of(line_, begin, at);
-  const bool outlasts = name.starts_with("V.") && !name.starts_with("V.P.") &&
-                        !name.starts_with("V.L.") && !name.starts_with("V.CYC.");
-  if (outlasts) {
+  const bool is_own = name.front() == 'P' || name.starts_with("V.L.") || name.starts_with("V.P.") ||
+                      name.starts_with("V.CYC.");
+  const bool comes_out =
+      !is_own || (name.front() != 'P' && writes_variables_ && !modes_.contour_open);
+  if (!is_radius && !assign(name, value, begin)) return false;
+  if (comes_out) {
+    unwritten_.erase(name);
     std::string text(line_.substr(begin, value_begin - begin));
     if (changes) text = name + " = ";
     append_number(text, value);
     pieces_.push_back({.begin = begin, .end = end});
     double number = 0;
     bool whole = false;
-    const bool is_plain = value.is_text || read_number(line_.substr(value_begin), number, whole) ==
-                                               end - value_begin;
+    const bool is_plain =
+        value.is_text || read_number(line_.substr(value_begin), number, whole) == end - value_begin;
     if (!is_plain || changes) pieces_.back().instead = std::move(text);
   } else {
     has_computed_ = true;
     pieces_.push_back({.begin = begin, .end = end, .instead = std::string()});
   }
-  return is_radius || assign(name, std::move(value), begin);
+  return true;
 }
 
 // V.G.WZ_AKT.R = V.G.WZ_AKT.R - P1: the tool has worn off. `value` is where the sign stands.
@@ -293,10 +297,9 @@ bool IsgFlow::scan_radius(std::size_t& at, std::size_t value) {
 }
 
 bool IsgFlow::write_words(std::string& flat) {
-  const bool changes = head_.is_target || !head_.label.empty() ||
-                       std::ranges::any_of(pieces_, [](const Piece& piece) {
-                         return piece.instead.has_value();
-                       });
+  const bool changes =
+      head_.is_target || !head_.label.empty() ||
+      std::ranges::any_of(pieces_, [](const Piece& piece) { return piece.instead.has_value(); });
   if (!changes) return pass_line(flat);
   const bool is_left = std::ranges::any_of(
       pieces_, [](const Piece& piece) { return !piece.instead || !piece.instead->empty(); });

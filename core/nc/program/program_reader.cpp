@@ -166,7 +166,8 @@ program::ModalState ProgramReader::modes() const {
           .plane = interpreter_.plane_in_force(),
           .incremental = interpreter_.is_incremental(),
           .inch = interpreter_.counts_in_inch(),
-          .tool_radius = interpreter_.radius_in_force()};
+          .tool_radius = interpreter_.radius_in_force(),
+          .contour_open = interpreter_.is_in_contour()};
 }
 
 // All that one line has become is told by its place.
