@@ -86,7 +86,7 @@ INSTANTIATE_TEST_SUITE_P(
     ::testing::Values(
         Refused{"AVariableInAWord", "X1\nX=V.L.A", "2:1 900003"},
         Refused{"AVariableOfTheControl", "X1\nV.G.A=5", "2:1 900003"},
-        Refused{"AParameter", "P1=5", "1:1 900003"},
+        Refused{"AParameter", "P5", "1:1 900003"},
         Refused{"AnExpression", "G01 X[1+2]", "1:5 900003"},
         Refused{"AControlStatement", "$IF 1", "1:1 900003"},
         Refused{"ASideInASubprogram", "%L SUB\nN1 G41 X1\nM29\n%MAIN\nX1", "2:4 900003"},

@@ -113,6 +113,7 @@ bool Interpreter::read_passing_line(ProgramLine& line, BlockWords& block) {
 bool Interpreter::read_call_behind_words(std::uint32_t begin, ProgramLine& line,
                                          BlockWords& block) {
   const std::string_view text = line.text;
+  if (begin + 2 >= text.size()) return false;
   std::size_t end = begin + 1;
   const auto is_part_of_name = [](char sign) {
     return is_letter(sign) || is_digit(sign) || sign == '_' || sign == '.';

@@ -22,8 +22,8 @@ namespace trc::program {
 //     and V.G. are the machine's, but for the tool radii that the setup and the program give.
 //   - Subprograms stand in front of the program, behind %L NAME, or are texts of the setup, which
 //     may have their own; they share all modes with their caller.
-//   - A call of what is not there passes (D-47). It may ask for what the program has set: that
-//   comes
+//   - A call of what is not there passes (D-47, D-67). It may ask for what the program has set:
+//   that comes
 //     out in front of it, at the latest. Behind it the values are not known.
 //   - Where two operators stand side by side whose order nobody says, brackets are asked for.
 class IsgFlow : public Flow, private Variables {

@@ -1,4 +1,4 @@
-; expect: 900003 at line 3
+; expect: 900303 at line 3
 N10 G00 X0 Y0
 N20 #TRC [KERF_MASKING=P1]
 N30 M30
