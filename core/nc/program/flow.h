@@ -52,6 +52,8 @@ class Flow {
   // what is called is looked at in its turn, and a value that is not known is taken for 1.
   void look_ahead();
 
+  // Lines that the reader has passed on in front of the text.
+  virtual void know(std::string_view /*lines*/) {}
   // Before each step.
   void hold(const ModalState& modes) { modes_ = modes; }
 

@@ -9,14 +9,9 @@
 namespace trc::program {
 namespace {
 
-bool begins_comment_block(std::string_view line) {
-  const std::size_t sign = line.find('#');
-  return sign != std::string_view::npos && word_behind_sign(line, sign) == "COMMENT";
-}
-
 // Whether a comment block holds behind the line that held in front of it or not.
 bool comments_behind(std::string_view line, bool holds) {
-  if (!begins_comment_block(line)) return holds;
+  if (!bounds_isg_comment(line)) return holds;
   const std::size_t word = line.find('#');
   const std::string text = in_upper_case(line.substr(word));
   return text.find("BEGIN") != std::string::npos;
@@ -39,7 +34,6 @@ IsgFlow::IsgFlow(const ProgramSetup& setup, CallPlaces& calls, ProgramText text,
                      .next = std::max(start, main.begin),
                      .current = std::max(start, main.begin),
                      .own_variables = true});
-  for (std::size_t line = main.begin; line < start; ++line) take_line_in_front(line);
   writes_variables_ = calls_the_unknown();
 }
 
@@ -77,9 +71,13 @@ void IsgFlow::add_units(std::size_t text) {
   units_.push_back(unit);
 }
 
-// What the reader has passed on in front of the first line that computes.
-void IsgFlow::take_line_in_front(std::size_t line) {
-  line_ = texts_.front().line(line);
+void IsgFlow::know(std::string_view lines) {
+  const ProgramText text({}, std::string(lines));
+  for (std::size_t line = 0; line < text.size(); ++line) take_line_in_front(text.line(line));
+}
+
+void IsgFlow::take_line_in_front(std::string_view line) {
+  line_ = line;
   head_ = isg_head_of(line_);
   in_comment_ = comments_behind(line_, in_comment_);
   if (in_comment_ || !is_isg_variable_at(line_, head_.behind)) return;

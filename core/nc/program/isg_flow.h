@@ -30,6 +30,8 @@ class IsgFlow : public Flow, private Variables {
  public:
   IsgFlow(const ProgramSetup& setup, CallPlaces& calls, ProgramText text, std::size_t start);
 
+  void know(std::string_view lines) override;
+
  private:
   struct Unit {
     std::string name{};
@@ -82,7 +84,7 @@ class IsgFlow : public Flow, private Variables {
 
   // isg_flow.cpp: programs and the order of their lines.
   void add_units(std::size_t text);
-  void take_line_in_front(std::size_t line);
+  void take_line_in_front(std::string_view line);
   [[nodiscard]] const Unit* unit_called(const IsgCall& call) const;
   [[nodiscard]] const Outline& outline_of(const Frame& frame);
   [[nodiscard]] static Structure structure_of(std::string_view line);

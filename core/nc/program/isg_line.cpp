@@ -89,6 +89,15 @@ bool is_plain_isg(std::string_view text) {
                              [&](char sign) { return text.find(sign) == npos; });
 }
 
+bool bounds_isg_comment(std::string_view line) {
+  const std::size_t sign = line.find('#');
+  return sign != npos && word_behind_sign(line, sign) == "COMMENT";
+}
+
+bool isg_tells_state(std::string_view line) {
+  return bounds_isg_comment(line) || is_isg_variable_at(line, head_of(line).behind);
+}
+
 IsgHead isg_head_of(std::string_view line) {
   IsgHead head;
   const LineHead plain = head_of(line);

@@ -57,6 +57,10 @@ struct IsgCall {
 
 // Whether the line has a variable, an expression, a control statement or a call that is followed.
 [[nodiscard]] bool isg_computes(const ProgramSetup& setup, std::string_view line);
+// Whether #COMMENT BEGIN or END stands in the line.
+[[nodiscard]] bool bounds_isg_comment(std::string_view line);
+// Of a line that computes nothing: whether lines behind it hang on it, an assignment or a comment.
+[[nodiscard]] bool isg_tells_state(std::string_view line);
 // Whether a text holds no sign with which such a line is written.
 [[nodiscard]] bool is_plain_isg(std::string_view text);
 

@@ -73,7 +73,9 @@ bool ProgramReader::pass_plain(std::string_view text, std::vector<LinePointer>& 
   }
   const std::size_t end = text.rfind('\n') + 1;
   lines_before_ += static_cast<std::uint64_t>(std::ranges::count(text.substr(0, end), '\n'));
-  return pass(text.substr(0, end), lines) && keep_partial(text.substr(end), lines);
+  before_is_whole_ = false;
+  return (end == 0 || interpreter_.feed(text.substr(0, end), lines)) &&
+         keep_partial(text.substr(end), lines);
 }
 
 // Lines that compute nothing go on together.
@@ -107,13 +109,27 @@ bool ProgramReader::keep_partial(std::string_view text, std::vector<LinePointer>
 }
 
 bool ProgramReader::pass(std::string_view text, std::vector<LinePointer>& lines) {
-  if (before_is_whole_ && before_.size() + text.size() <= most_text_before) {
+  if (setup_.dialect == DialectName::isg)
+    keep_what_tells(text);
+  else if (before_is_whole_ && before_.size() + text.size() <= most_text_before) {
     before_.append(text);
   } else if (!text.empty()) {
     before_is_whole_ = false;
     before_ = std::string();
   }
   return text.empty() || interpreter_.feed(text, lines);
+}
+
+// Of ISG the first target of a jump begins to compute, so that nothing leads back in front of it.
+void ProgramReader::keep_what_tells(std::string_view text) {
+  before_is_whole_ &= text.empty();
+  std::size_t begin = 0;
+  for (std::size_t end = behind_line(text, begin); end > 0; end = behind_line(text, begin)) {
+    const std::string_view line = text.substr(begin, end - begin);
+    if (program::isg_tells_state(line) && before_.size() + line.size() <= most_text_before)
+      before_.append(line);
+    begin = end;
+  }
 }
 
 bool ProgramReader::collect(std::string_view text) {
@@ -138,10 +154,12 @@ bool ProgramReader::begin_to_execute() {
   if (!computing_) return false;
   const std::uint64_t first_line = before_is_whole_ ? 1 : lines_before_ + 1;
   const std::size_t start = before_is_whole_ ? lines_before_ : 0;
+  const std::string told = before_is_whole_ ? std::string() : std::exchange(before_, {});
   program::ProgramText text({}, std::exchange(before_, {}).append(std::exchange(text_, {})),
                             static_cast<std::uint32_t>(first_line));
   lines_of_text_ = first_line - 1 + text.size();
   flow_ = program::make_flow(setup_, diagnostics_.calls(), std::move(text), start);
+  flow_->know(told);
   return true;
 }
 

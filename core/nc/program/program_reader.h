@@ -18,7 +18,7 @@ namespace trc {
 // Text goes straight on to the Interpreter up to the first line that computes (a variable, a jump,
 // a call). From there on it is collected, and executed at the end of the text. Of what stands in
 // front `most_text_before` bytes are kept, so that jumps and calls reach them; of a longer program
-// nothing, and such a jump is refused (900305).
+// nothing, and such a jump is refused (900305). Of ISG only what says the values of variables is.
 class ProgramReader {
  public:
   static constexpr std::size_t most_text_before = 64U * 1024U;
@@ -58,6 +58,7 @@ class ProgramReader {
  private:
   bool split(std::string_view text, std::vector<LinePointer>& lines);
   bool pass_plain(std::string_view text, std::vector<LinePointer>& lines);
+  void keep_what_tells(std::string_view text);
   bool keep_partial(std::string_view text, std::vector<LinePointer>& lines);
   bool pass(std::string_view text, std::vector<LinePointer>& lines);
   bool collect(std::string_view text);
@@ -74,7 +75,7 @@ class ProgramReader {
 
   bool passes_;                     // nothing of it may compute, or not any more
   std::string partial_{};           // of a line whose end is still to come
-  std::string before_{};            // what went to the Interpreter
+  std::string before_{};            // what went to the Interpreter, of ISG lines that tell a state
   std::uint64_t lines_before_ = 0;  // whole lines that did
   bool before_is_whole_ = true;     // it holds all of them
 
