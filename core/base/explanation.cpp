@@ -413,11 +413,17 @@ constexpr auto rows = std::to_array<Explanation>({
     {.code = Code::nc_unsupported,
      .meaning = "The word computes, jumps, calls or shifts: what the tool does then is known "
                 "to the control only.",
-     .causes = {"A program with variables or loops in place of an expanded one.",
+     .causes = {"A subprogram called within a contour whose lines are not in the program.",
+                "A shift or rotation of coordinates within a contour.",
                 "The program is written for another control."},
-     .example = "N10 G00 X0 Y0\n"
-                "N20 G01 X[10+5] F500\n"
-                "N30 M30\n"},
+     .example = "%L SIDE\n"
+                "N10 G01 X[10+P1] F500\n"
+                "N20 M30\n"
+                "%MAIN\n"
+                "N10 G00 X0 Y0\n"
+                "N20 P1=10\n"
+                "N30 LL SIDE\n"
+                "N40 M30\n"},
     {.code = Code::trc_option_unknown,
      .meaning = "#TRC [ ] takes the keywords of the table of options, each with a value.",
      .causes = {"A typing error."},

@@ -201,8 +201,9 @@ constexpr auto rows = std::to_array<GermanExplanation>({
     {.code = Code::nc_unsupported,
      .meaning = "Das Wort rechnet, springt, ruft auf oder verschiebt: was das Werkzeug dann tut, "
                 "weiß nur die Steuerung.",
-     .causes = {"Ein Programm mit Variablen oder Schleifen statt eines aufgelösten.",
-                other_control}},
+     .causes =
+         {"Ein Unterprogramm, in einer Kontur gerufen, dessen Zeilen nicht im Programm stehen.",
+          "Koordinaten, die in einer Kontur verschoben oder gedreht werden.", other_control}},
     {.code = Code::trc_option_unknown,
      .meaning = "#TRC [ ] nimmt die Schlüsselwörter aus der Tabelle der Optionen, jedes mit einem "
                 "Wert.",

@@ -268,8 +268,14 @@ class Streams(unittest.TestCase):
     def test_cancelled_task_gives_its_place_back(self):
         async def cancelled():
             async with trc.aio.Client(server.address) as client:
-                task = asyncio.create_task(client.compensate(wave(300_000), radius=0.2))
-                await asyncio.sleep(0.1)
+                at_work = asyncio.Event()
+
+                async def read():
+                    async for _ in client.stream(wave(300_000), radius=0.2):
+                        at_work.set()
+
+                task = asyncio.create_task(read())
+                await at_work.wait()
                 task.cancel()
                 with self.assertRaises(asyncio.CancelledError):
                     await task
