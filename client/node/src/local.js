@@ -1,6 +1,7 @@
 // A `trcd` of this machine, for who names no server.
 import { spawn } from "node:child_process";
-import { accessSync, constants, existsSync, mkdtempSync, rmSync, statSync } from "node:fs";
+import { accessSync, constants, mkdtempSync, rmSync, statSync } from "node:fs";
+import { connect } from "node:net";
 import { tmpdir } from "node:os";
 import { delimiter, join } from "node:path";
 
@@ -41,6 +42,14 @@ function program() {
     "package trcd, or name the program in TRC_TRCD");
 }
 
+// The file is there a moment before the server listens at it.
+function listens(socket) {
+  return new Promise((resolve) => {
+    const connection = connect(socket, () => { connection.destroy(); resolve(true); });
+    connection.on("error", () => resolve(false));
+  });
+}
+
 async function start() {
   const trcd = program();
   const folder = mkdtempSync(join(tmpdir(), "trc-"));
@@ -67,7 +76,7 @@ async function start() {
   // Neither keeps the process alive.
   child.unref();
   child.stderr.unref();
-  for (const begin = Date.now(); !existsSync(socket);) {
+  for (const begin = Date.now(); !await listens(socket);) {
     if (ended || Date.now() - begin > startMilliseconds) {
       stop();
       throw new ServerError(status.UNAVAILABLE, `${trcd} did not start: ${said.trim()}`);

@@ -5,6 +5,7 @@ from __future__ import annotations
 import atexit
 import os
 import shutil
+import socket
 import subprocess
 import tempfile
 import threading
@@ -91,13 +92,16 @@ class _Local:
             self._process.wait()
 
     def _is_listening(self) -> bool:
-        socket = File(self._folder, "trcd.sock")
+        # The file is there a moment before the server listens at it.
+        file = os.path.join(self._folder, "trcd.sock")
         ends = time.monotonic() + START_SECONDS
-        while not socket.exists():
+        while True:
+            with socket.socket(socket.AF_UNIX, socket.SOCK_STREAM) as connection:
+                if connection.connect_ex(file) == 0:
+                    return True
             if not self.is_alive() or time.monotonic() > ends:
                 return False
             time.sleep(0.01)
-        return True
 
     def _said(self) -> str:
         if self._fault is not None:
