@@ -18,6 +18,14 @@ constexpr std::size_t usual_words = 8;
 
 constexpr std::string_view center_letters = "IJKR";
 
+void forget_words(ProgramLine& line) {
+  line.words.clear();
+  line.roles = 0;
+  line.names_other_axes = false;
+  line.main_axes = 0;
+  line.ends_program = false;
+}
+
 // Enters which roles and axes there are.
 void sum_up_words(ProgramLine& line) {
   line.roles = 0;
@@ -219,8 +227,11 @@ bool Interpreter::take_block(std::string_view text, std::string_view line_end,
   const bool goes_on = read_line(line);
   enter_modes(line);
   if (faults_.empty()) return goes_on;
-  // It may turn out to stand in front of the tape.
-  if (in_front_of_tape_ && blocks_read_ == 0 && !diagnostics_.stopped()) return true;
+  // It may turn out to stand in front of the tape: a text without words.
+  if (in_front_of_tape_ && blocks_read_ == 0 && !diagnostics_.stopped()) {
+    forget_words(line);
+    return true;
+  }
   recycle(std::move(lines.back()));
   lines.pop_back();
   return !diagnostics_.stopped();
@@ -238,13 +249,9 @@ ProgramLine& Interpreter::append_line(std::string_view text, std::string_view li
   line.text.assign(text);
   line.line_end = line_end;
   line.source = {.index = blocks_read_, .line = static_cast<std::uint32_t>(lines_read_ + 1)};
-  line.words.clear();
-  line.roles = 0;
-  line.names_other_axes = false;
-  line.main_axes = 0;
   line.has_words = line.is_motion = line.has_trc_words = false;
-  line.ends_program = false;
   line.klartext.reset();
+  forget_words(line);
   return line;
 }
 
@@ -351,8 +358,7 @@ bool Interpreter::read_line(ProgramLine& line) {
     // The `%` in front of the first block begins the tape, the next one ends it. What stands
     // behind may be in any encoding.
     if (ended_) return read_line_behind_end(line);
-    // What stands in front of a tape is for people (D-61).
-    if (blocks_read_ == 0 && in_front_of_tape_) faults_.clear();
+    if (blocks_read_ == 0 && in_front_of_tape_) forget_what_stands_in_front();
     ended_ |= blocks_read_ > 0;
     in_front_of_tape_ = false;
     return true;
@@ -377,6 +383,14 @@ bool Interpreter::read_line(ProgramLine& line) {
                                   .detail = local ? "%L, a subprogram" : "%, a second program"});
   if (is_name) in_subprogram_ = local;
   return !in_subprogram_ || read_line_of_subprogram(line);
+}
+
+// What stands in front of a tape is for people (D-61): the words that it seems to have count for
+// nothing.
+void Interpreter::forget_what_stands_in_front() {
+  faults_.clear();
+  code_ = {};
+  called_motion_ = called_dimension_ = false;
 }
 
 // A subprogram in front of the program passes as text: what calls it is not followed.

@@ -168,6 +168,7 @@ class Interpreter {
   void enter_modes(ProgramLine& line) const;
   bool read_line(ProgramLine& line);
   [[nodiscard]] bool is_left_out(ProgramLine& line);
+  void forget_what_stands_in_front();
   bool read_line_of_subprogram(const ProgramLine& line);
   bool read_line_behind_end(ProgramLine& line);
   bool read_comment_block(ProgramLine& line);
