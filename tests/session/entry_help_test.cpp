@@ -388,5 +388,16 @@ TEST(EntryHelp, IsGivenToNothingElse) {
   for (const Diagnostic& told : run.diagnostics) EXPECT_FALSE(told.entry_help);
 }
 
+// Under G238 a circle as approach is refused at the end of the contour: what is refused before has
+// another reason.
+TEST(EntryHelp, IsNotThatOfACircleUnderG238) {
+  const ProgramRun run = to_blocks(
+      "G0 X0 Y0 F1000\nV.G.WZ_AKT.R=6\nG238\nG41 G2 X-10 Y-10 I-5 J-5\nG1 X10\nY10\n"
+      "G42 X-10\nY-10\nG40 X0 Y0\nM30\n");
+  ASSERT_FALSE(run.diagnostics.empty());
+  EXPECT_EQ(run.diagnostics.back().code, Code::side_change_under_inside_corner);
+  EXPECT_FALSE(run.diagnostics.back().entry_help);
+}
+
 }  // namespace
 }  // namespace trc::testing

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <string>
 
 #include "tests/session/run_program.h"
@@ -50,6 +51,29 @@ TEST(SelectionsInARow, NothingFollowsOneWhoseVerificationFails) {
   EXPECT_NE(measured.reports().find("900216"), std::string::npos) << measured.reports();
   constexpr std::size_t one_portion = 1024;
   EXPECT_LT(measured.blocks.size(), one_portion);
+}
+
+// Which blocks of a contour are leads says nothing of the next one, of which a window lets go
+// before all of it is known.
+TEST(SelectionsInARow, LeadsOfOneAreNotThoseOfTheNext) {
+  ProgramSessionSetup setup;
+  setup.session.compensator.limits.look_ahead_blocks = 8;
+  setup.session.compensator.leads = {.find = LeadSettings::Find::counted, .blocks_in = 4};
+  const std::string head = "G00 X-20 Y-20 F1000\nG141\nV.G.WZ_AKT.R = 5\n";
+  const std::string one = "G41 G01 X0 Y0\nX10\nX20\nX30\nX40\nX50\nG40 X60 Y20\nG00 X-20 Y-20\n";
+  // A notch of 3 mm, 2 mm wide.
+  std::string next = "G41 G01 X0 Y0\nX20\nY-3\nX22\nY0\n";
+  for (int x = 30; x < 200; x += 10) next += "X" + std::to_string(x) + "\n";
+  next += "G40 X200 Y20\nM30\n";
+  for (const std::string& before : {std::string(), one}) {
+    const ProgramRun run = to_blocks(head + before + next, setup);
+    ASSERT_TRUE(run.completed) << run.reports();
+    const auto told = std::ranges::find(run.diagnostics, Code::blocks_masked, &Diagnostic::code);
+    ASSERT_NE(told, run.diagnostics.end()) << run.reports();
+    const auto length = std::ranges::find(told->values, "left_out_length", &DiagnosticValue::name);
+    ASSERT_NE(length, told->values.end());
+    EXPECT_NEAR(length->value, 5, 1e-9);
+  }
 }
 
 }  // namespace

@@ -119,6 +119,7 @@ bool ContourMasking::resolve(const PathBlock* after, PathBlocks& out) {
   for (PathBlockPtr& block : held_) out.push_back(std::move(block));
   held_.clear();
   base_ = 0;
+  walls_ = {};
   longest_left_out_ = {};
   contour_length_ = 0;
   return true;
@@ -263,7 +264,6 @@ bool ContourMasking::mask_last_kept(std::size_t joining) {
 }
 
 void ContourMasking::find_walls() {
-  walls_ = {};
   if (base_ > 0) return;
   const std::size_t first = is_contour(*held_.front()) ? 0 : 1;
   double radius = 0;

@@ -117,7 +117,7 @@ class ContourMasking {
   PathBlocks held_;
   std::size_t base_ = 0;  // blocks of the selection that have left
   std::vector<Kept> kept_;
-  Walls walls_{};  // of a contour that has ended
+  Walls walls_{};  // of a contour that has ended, until it has left
   // For a window only: of what has left, and of all contour blocks, mm.
   LeftOut longest_left_out_{};
   double contour_length_ = 0;

@@ -23,10 +23,17 @@ bool retracts_in_a_block(Selection deselection) {
   return deselection != Selection::perpendicular && deselection != Selection::without_block;
 }
 
-// Rule 3.0: only under G236 may the approach be an arc.
-bool is_circle_for_line(const PathBlock& block) {
+bool goes_on_with_contour(const TrcMode& before, const TrcMode* after) {
+  return continues(before, after) && after->side == before.side;
+}
+
+// Rule 3.0: only under G236 may the approach be an arc. Under G238 it is refused where the whole
+// contour is known.
+bool is_circle_for_line(const PathBlock& block, const TrcMode* next) {
   if (block.role != Role::approach || !is_arc(block.programmed.path)) return false;
-  return block.mode().selection != Selection::on_path || block.mode().tangential;
+  const TrcMode& mode = block.mode();
+  if (mode.selection == Selection::inside_corner && goes_on_with_contour(mode, next)) return false;
+  return mode.selection != Selection::on_path || mode.tangential;
 }
 
 }  // namespace
@@ -72,7 +79,7 @@ bool RelevantBlocks::attach_passive(PassiveBlock&& block, PathBlocks& out) {
 }
 
 bool RelevantBlocks::follow(MotionBlock&& motion, PathBlocks& out) {
-  if (held_ && is_circle_for_line(*held_)) keep_refused_approach(motion);
+  if (held_ && is_circle_for_line(*held_, motion.mode.get())) keep_refused_approach(motion);
   if (!release(motion.mode.get(), out)) return false;
   auto block = std::make_unique_for_overwrite<PathBlock>();
   block->programmed = std::move(motion);
@@ -93,10 +100,8 @@ bool RelevantBlocks::release(const TrcMode* next, PathBlocks& out) {
   PathBlockPtr released = std::move(held_);
   PathBlock& block = *released;
   const TrcMode& mode = block.mode();
-  const bool contour_follows = continues(mode, next) && next->side == mode.side;
-  // Under G238 it is refused where the whole contour is known.
-  if (is_circle_for_line(block) && !(mode.selection == Selection::inside_corner && contour_follows))
-    return refuse(Code::circular_selection_block, block);
+  const bool contour_follows = goes_on_with_contour(mode, next);
+  if (is_circle_for_line(block, next)) return refuse(Code::circular_selection_block, block);
   if (block.role == Role::side_change && !contour_follows)
     return refuse(Code::side_change_without_contour, block);
   if (block.role == Role::approach && !contour_follows) {
