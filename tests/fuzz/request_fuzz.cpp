@@ -94,6 +94,8 @@ Answers<Rpc> play(std::span<const typename Rpc::Request> requests) {
   const std::atomic<bool> cancelled = false;
   const auto peer = backend().peers.of("fuzz");
   server::StreamAccount account(backend(), *peer);
+  // Else the time that its limits count would be that of all inputs before.
+  const server::StreamAccount::Turn turn_of_all(account);
   typename Rpc::Work work({backend(), record, cancelled, account});
   Answers<Rpc> answers;
   typename Rpc::Response response;
