@@ -20,6 +20,7 @@
 #include <utility>
 #include <vector>
 
+#include "server/resources/memory_account.h"
 #include "tests/support/process.h"
 
 namespace trc::testing_support {
@@ -665,6 +666,7 @@ TEST(OwnLimits, AreOptionsAndEndWithTheCodeOfLimits) {
   EXPECT_EQ(blocks.code, 4) << blocks.err;
   EXPECT_NE(blocks.err.find("1000"), std::string::npos) << blocks.err;
   EXPECT_EQ(blocks.out, "");
+  if (!server::counts_heap) return;
   const Ended memory = ended({"--max-session-memory-mib", "1"});
   EXPECT_EQ(memory.code, 4) << memory.err;
   EXPECT_NE(memory.err.find("max-session-memory-mib"), std::string::npos) << memory.err;

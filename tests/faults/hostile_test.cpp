@@ -270,7 +270,7 @@ double closed_for(const ServerProcess& server, const std::string& reason) {
   return metric(server.admin(), "trc_connections_closed_total{reason=\"" + reason + "\"}");
 }
 
-constexpr double longest_stall_s = 4;
+constexpr double longest_stall_s = 4 * testing_support::times_slower;
 constexpr double flood_memory_mib = 384;
 constexpr double given_back_mib = 128;
 

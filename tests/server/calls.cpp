@@ -11,11 +11,12 @@
 #include "google/rpc/error_details.pb.h"
 #include "google/rpc/status.pb.h"
 #include "proto/wire/compensated_block.h"
+#include "tests/support/process.h"
 
 namespace trc::server {
 namespace {
 
-constexpr auto longest_call = std::chrono::seconds(60);
+constexpr auto longest_call = std::chrono::seconds(60) * testing_support::times_slower;
 
 google::rpc::ErrorInfo error_info(const grpc::Status& status) {
   google::rpc::Status rich;

@@ -15,6 +15,16 @@ inline constexpr bool memory_tells = false;
 inline constexpr bool memory_tells = true;
 #endif
 
+// How much longer what is checked may take: ThreadSanitizer looks at all symbols for each race that
+// it is told to ignore, and there are thousands in a long answer.
+#if defined(__SANITIZE_THREAD__)
+inline constexpr int times_slower = 20;
+#elif defined(__SANITIZE_ADDRESS__)
+inline constexpr int times_slower = 4;
+#else
+inline constexpr int times_slower = 1;
+#endif
+
 // The built programs, as absolute paths.
 std::string trc_program();
 std::string trcd_program();
