@@ -66,16 +66,33 @@ TEST(MachineCalls, DoNotPassWithinAContour) {
   EXPECT_EQ(refused(within + "M98 P9001\nG40 X-20.\nM30\n", fanuc), std::pair(900003, 5U));
 }
 
+// G66 has its macro behind each line that moves: such a line is read as any other, but where it
+// leads to only the machine knows.
+TEST(MachineCalls, ModalOnesLetNoContourBegin) {
+  const std::string modal = "G21 G90 G17\nG0 X-20. Y0 Z1.\nG66 P9001\n";
+  EXPECT_EQ(refused(modal + contour, fanuc), std::pair(900003, 4U));
+  EXPECT_EQ(refused(modal + "G41 D1\nG1 X0 Y0 F300.\nY40.\nG40 X-20.\nM30\n", fanuc),
+            std::pair(900003, 5U));
+  EXPECT_EQ(refused(modal + "G90 G0\nX5. Y5.\nG67\n" + contour, fanuc), std::pair(900106, 7U));
+  EXPECT_EQ(refused(modal + "G0 X5. Y5.\nG67\nG90 G0 X-20. Y0 Z1.\n" + contour, fanuc),
+            std::pair(0, 0U));
+  // Its feed holds behind it as well.
+  EXPECT_EQ(refused(modal + "G1 X5. F250.\nG67\nG90 G1 X-20. Y0 Z1.\n"
+                            "G41 D1 G1 X0 Y0\nY40.\nG40 X-20.\nM30\n",
+                    fanuc),
+            std::pair(0, 0U));
+}
+
 TEST(MachineCalls, AreToldByWholeCharacters) {
   ProgramSession session(computing_setup(fanuc));
   Answers answers;
   EXPECT_FALSE(session.feed("G21 G90 G17\nG0 X-20. Y0 Z1.\nG41 D1 G1 X0 Y0 F300.\nG66 P9811\n"
-                            "N10\xC2\xA0Y40.\nM30\n",
+                            "N10\xC2\xA0G65 P9812\nM30\n",
                             answers) &&
                session.finish(answers));
   const std::vector<Diagnostic> told = answers.take().diagnostics;
   ASSERT_EQ(told.size(), 2U);
-  EXPECT_EQ(told[1].detail.substr(0, 5), "Y40.,") << told[1].detail;
+  EXPECT_EQ(told[1].detail.substr(0, 10), "G65 P9812,") << told[1].detail;
 }
 
 TEST(MachineCalls, ForgetWhatTheyMaySet) {

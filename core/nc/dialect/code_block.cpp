@@ -96,7 +96,7 @@ bool Interpreter::complete_code_block(ProgramLine& line, BlockWords& block) {
   if (!check_code_selection(line, block) || !take_corner(line, block)) return false;
   take_turns_of_arc(line, block);
   restate_modes(line, block);
-  if (block.calls_the_machine) forget_what_a_call_may_change(block);
+  if (block.calls_the_machine || machine_follows_) forget_what_a_call_may_change(block);
   const bool goes_on = copy_code_block(line, block);
   if (block.has(cycle)) code_.cycle = true;
   const WholeNumbers whole = state_.setup().whole_numbers;
@@ -273,6 +273,8 @@ Interpreter::NotWhileActive Interpreter::find_what_is_copied(BlockWords& block) 
   const bool told = !block.copied || block.has(unfollowed_end);
   if (code_.cycle)
     copy_motion("a position of a drilling cycle", static_cast<AxisBits>(named | third));
+  if (machine_follows_)
+    copy_motion("a motion under G66 of a macro that only the machine has", all_axes);
   if (code_.unfollowed >= 0) copy_motion("a position that is not followed", all_axes);
   const bool hangs_on_it = told && block.copied;
   // A pole moves nothing, nor does it count from where the tool stands.

@@ -158,8 +158,9 @@ bool Interpreter::read(const FlatLine& line, std::vector<LinePointer>& lines) {
                                     : line.line_end == "\r"   ? "\r"
                                                               : "";
   calls_the_machine_ = line.calls_the_machine;
+  machine_follows_ = line.machine_follows;
   const bool goes_on = take_line(line.text, line_end, lines);
-  calls_the_machine_ = false;
+  calls_the_machine_ = machine_follows_ = false;
   return goes_on;
 }
 
@@ -480,7 +481,7 @@ void Interpreter::copy_plunge_from_nowhere(ProgramLine& line, BlockWords& block)
 // Whether the line can be read in one pass, with nothing to refuse before its motion.
 bool Interpreter::is_plain(ProgramLine& line, PlainMotion& plain) const {
   return !ended_ && comment_block_ == 0 && !in_subprogram_ && feed_mode_ == 94 &&
-         reads_plain_lines_ && plain.read(line.text, line.words) &&
+         reads_plain_lines_ && !machine_follows_ && plain.read(line.text, line.words) &&
          (motion_given_ || plain.has_function()) &&
          (!incremental_ || state_.is_known(axes_of(state_.programmed_plane()).third)) &&
          (!plain.has_feed() || state_.is_feed(plain.feed() * feed_unit(inch_)));

@@ -120,6 +120,7 @@ class Interpreter {
     std::uint32_t number = 0;        // of the line it comes from, 1-based
     bool is_as_written = true;       // that line itself: columns say where in it
     bool calls_the_machine = false;  // what only the machine has: passes as ISG's calls do
+    bool machine_follows = false;    // a macro of the machine, behind the motion of the line
   };
   // Reads it as `feed` does a whole line.
   bool read(const FlatLine& line, std::vector<LinePointer>& lines);
@@ -506,6 +507,7 @@ class Interpreter {
   // A line of a motion and nothing else means what its words say.
   bool reads_plain_lines_ = true;
   bool calls_the_machine_ = false;  // the line that is read
+  bool machine_follows_ = false;    // that line
   // A subprogram has been called, and the program has not said anew which motion holds and how
   // dimensions count.
   bool called_motion_ = false;

@@ -93,6 +93,7 @@ class FanucFlow : public CodeFlow {
   [[nodiscard]] bool is_of_the_machine(std::int64_t number) const;
   bool call_modally(std::string& flat);
   bool pass_call(std::int64_t number, bool sees_locals);
+  void forget_what_the_machine_may_set(std::int64_t number);
 
   [[nodiscard]] std::optional<double> modal_value(std::int64_t number) const;
   Value lost(ExpressionReader& expression, std::int64_t number, std::size_t begin);

@@ -197,7 +197,10 @@ bool FanucFlow::call_macro(std::string& flat, const ComputedWord& word) {
 
 // G66: behind each line that moves.
 bool FanucFlow::call_modally(std::string& flat) {
-  if (modal_call_->is_of_machine) return pass_call(modal_call_->number, false);
+  if (modal_call_->is_of_machine) {
+    forget_what_the_machine_may_set(modal_call_->number);
+    return machine_follows_ = true;
+  }
   const auto unit = unit_of(modal_call_->number, 0);
   Locals locals = modal_call_->locals;
   called_alone_ = false;
@@ -238,11 +241,15 @@ bool FanucFlow::is_of_the_machine(std::int64_t number) const {
          setup_.pass_words.contains("O" + std::to_string(number));
 }
 
+void FanucFlow::forget_what_the_machine_may_set(std::int64_t number) {
+  lost_to_ = name_of(number);
+  common_.clear();
+}
+
 // The line passes; what the variables of the program hold behind it is not known.
 bool FanucFlow::pass_call(std::int64_t number, bool sees_locals) {
   calls_the_machine_ = true;
-  lost_to_ = name_of(number);
-  common_.clear();
+  forget_what_the_machine_may_set(number);
   if (!sees_locals) return true;
   locals_.back().fill({});
   locals_.back().are_lost = true;

@@ -59,6 +59,8 @@ class Flow {
 
   // The last of the lines that it has become calls what the machine alone has: it passes.
   [[nodiscard]] bool calls_the_machine() const { return calls_the_machine_; }
+  // Behind the motion of that line the machine executes what it alone has: G66.
+  [[nodiscard]] bool machine_follows() const { return machine_follows_; }
   // What the line executed last has become is that line itself.
   [[nodiscard]] bool is_as_written() const { return is_as_written_; }
   // Of the line that was executed last: its line in the program, of a given subprogram that of the
@@ -138,6 +140,7 @@ class Flow {
   ModalState modes_{};
   bool is_as_written_ = true;
   bool calls_the_machine_ = false;
+  bool machine_follows_ = false;
   bool ended_ = false;
 
  private:

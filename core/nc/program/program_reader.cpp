@@ -201,7 +201,8 @@ bool ProgramReader::read_flat_lines(std::vector<LinePointer>& lines) {
         .line_end = flat.substr(end, next - end),
         .number = flow_->line_in_program(),
         .is_as_written = flow_->is_as_written(),
-        .calls_the_machine = flow_->calls_the_machine() && next == flat.size()};
+        .calls_the_machine = flow_->calls_the_machine() && next == flat.size(),
+        .machine_follows = flow_->machine_follows() && next == flat.size()};
     if (!interpreter_.read(line, lines)) return false;
     begin = next;
   }
