@@ -531,7 +531,7 @@ constexpr auto phrases = std::to_array<Phrase>({
     {"fine boring", "Feinbohren"},
     {"finishing of a turned profile", "Schlichten eines Drehprofils"},
     {"from the reference point", "vom Referenzpunkt"},
-    {"further tool length offset", "weitere Werkzeuglängenkorrektur"},
+    {"further tool offset", "weitere Werkzeugkorrektur"},
     {"holes on a circle", "Lochkreis"},
     {"holes on a line", "Lochreihe"},
     {"holes on an arc", "Löcher auf einem Bogen"},

@@ -14,6 +14,7 @@
 
 #include "core/base/archive.h"
 #include "core/nc/dialect/dialect.h"
+#include "core/nc/dialect/pass_words.h"
 #include "core/nc/program/flow.h"
 #include "core/nc/text/number_format.h"
 #include "core/session/conversion.h"
@@ -1123,6 +1124,97 @@ TEST(Klartext, ATableOfCorrectionsHoldsUpToTheNextTool) {
     const Written written = run(head + "FUNCTION CORRDATA TCS #2\n" + end + contour, setup, true);
     EXPECT_FALSE(written.stopped) << end << written.report();
   }
+}
+
+// What it writes into the table of tools is not known to the table that is given here.
+TEST(Klartext, AProgramThatWritesTheRadiusOfAToolIsNotCompensated) {
+  ProgramSessionSetup setup;
+  setup.session.program.dialect = DialectName::heidenhain;
+  setup.session.program.tools[1] = 4;
+  const std::string contour =
+      "TOOL CALL 1 Z S900\nL X-20 Y-20 R0 FMAX\nL X+0 Y+0 RL F500\nL Y+50\nL X-20 Y-20 R0\n"
+      "END PGM T MM\n";
+  const std::string head = "BEGIN PGM T MM\nFN 17: SYSWRITE ";
+  for (const char* const writes : {"ID50 NR2 IDX1 = +6\n", "ID 50 NR5 IDX Q1 = Q2\n",
+                                   "ID950 NRQ3 = +6\n", "IDQ1 NR2 IDX1 = +6\n"}) {
+    const Written refused = run(head + writes + contour, setup, true);
+    ASSERT_TRUE(refused.stopped) << writes;
+    EXPECT_EQ(refused.diagnostics.back().code, Code::nc_unsupported) << writes;
+  }
+  EXPECT_FALSE(run(head + "ID50 NR1 IDX1 = +60\n" + contour, setup, true).stopped);
+}
+
+TEST(Klartext, ACalledProgramFindsTheFeed) {
+  ProgramSessionSetup setup;
+  setup.session.program.dialect = DialectName::heidenhain;
+  setup.session.program.tools[1] = 4;
+  setup.session.program.mode.selection = Selection::direct;
+  const Written done = run(
+      "BEGIN PGM T MM\nTOOL CALL 1 Z S900\nL X-20 Y-20 R0 FMAX\nL X+0 Y-10 RL F500 M109\nL Y+40\n"
+      "CR X+10 Y+50 R+10 DR-\nL Y+80 R0 FMAX\nCALL PGM K\nEND PGM T MM\n",
+      setup, true);
+  EXPECT_FALSE(done.stopped) << done.report();
+  EXPECT_NE(done.text.find("M109\nL F500\nCALL PGM K\n"), std::string::npos) << done.text;
+}
+
+// The feed that CFC has made of the last arc is not that of what is copied behind it.
+TEST(Sinumerik, WhatIsCopiedMovesAtTheFeedOfTheProgram) {
+  ProgramSessionSetup setup;
+  setup.session.program.dialect = DialectName::sinumerik;
+  setup.session.program.mode.tool_radius = 5;
+  setup.session.program.mode.selection = Selection::direct;
+  setup.session.program.mode.feed_adaptation = FeedAdaptation::on;
+  const std::string contour =
+      "G17 G90 G71\nT1 D1 M6\nG0 X-20 Y-20\nG1 G41 X0 Y-10 F500\nY40\nG2 X10 Y50 CR=10\n"
+      "G40 G0 Y80\n";
+  const auto ending = [&](const std::string& text) {
+    const Written done = run(contour + text, setup, true);
+    EXPECT_FALSE(done.stopped) << done.report();
+    return done.text.substr(done.text.find("G00 X10 Y80\n") + 12);
+  };
+  for (const char* const copied :
+       {"CYCLE81(5,0,1,-5)\n", "MYSUB(1)\n", "G53 G1 X100 Y100\n", "SUPA G1 Z5\n", "G1 X=R1\n"})
+    EXPECT_EQ(ending(copied), std::string("F500\n") + copied);
+  // Rapid, with a feed of its own, or without a motion.
+  for (const char* const copied :
+       {"SUPA G0 Z5\n", "G53 G0 X0\n", "G1 X=R1 F90\n", "M5\n", "G54\n", "TRANS X10\n"})
+    EXPECT_EQ(ending(copied), copied);
+}
+
+TEST(Sinumerik, SplinesAndTrcInSpaceAreNoContours) {
+  ProgramSessionSetup setup;
+  setup.session.program.dialect = DialectName::sinumerik;
+  setup.session.program.mode.tool_radius = 5;
+  const std::string contour = "G41 X0 Y0 F500\nY50\nG40 X-20\nM30\n";
+  const std::string head = "G17 G90 G71\nT1 D1 M6\nG0 X-20 Y-20\n";
+  for (const char* const name : {"ASPLINE", "BSPLINE", "CSPLINE", "POLY", "CUT3DC", "CUT3DF",
+                                 "TRANSMIT", "TOROT", "MEAFRAME"}) {
+    EXPECT_EQ(fault_of_pass_word(name, DialectName::sinumerik), "is known") << name;
+    const Written refused = run(head + name + "\n" + contour, setup, true);
+    EXPECT_TRUE(refused.stopped) << name;
+  }
+  const std::string spline = "CSPLINE X0 Y0 F500\nX10 Y10\nX20 Y0\n";
+  const Written copied = run(head + spline + "G0 X-20 Y-20\nG1 " + contour, setup, true);
+  EXPECT_FALSE(copied.stopped) << copied.report();
+  EXPECT_NE(copied.text.find(spline), std::string::npos);
+  const Written flat =
+      run(head + "CUT3DC\nG1 X5 F90\nCUT2D\nG0 X-20 Y-20\nG1 " + contour, setup, true);
+  EXPECT_FALSE(flat.stopped) << flat.report();
+}
+
+TEST(Linuxcnc, AToolOffsetInThePlaneMovesTheCoordinates) {
+  ProgramSessionSetup setup;
+  setup.session.program.dialect = DialectName::linuxcnc;
+  setup.session.program.mode.tool_radius = 5;
+  const std::string contour = "G91 G41 D1 G1 X20 F500\nG90 Y50\nG40 X-20\nM2\n";
+  const std::string head = "G21 G90 G17\nT1 M6\nG0 X-20 Y-20\n";
+  for (const char* const offset : {"G43.1 X5\n", "G43.2 X5\n", "G43.1 X5\nG0 X-20 Y-20\nG49\n"}) {
+    const Written refused = run(head + offset + contour, setup, true);
+    ASSERT_TRUE(refused.stopped) << offset;
+    EXPECT_EQ(refused.diagnostics.back().code, Code::position_unknown) << offset;
+  }
+  for (const char* const offset : {"G43.1 Z5\n", "G43 H1\n", "G49\n"})
+    EXPECT_FALSE(run(head + offset + contour, setup, true).stopped) << offset;
 }
 
 TEST(Klartext, IsPassedOnWhereNothingIsCompensated) {

@@ -196,7 +196,7 @@ TEST(IsgCalls, OfTheMachineKnowWhatTheProgramHasSet) {
   EXPECT_EQ(flat("P1=5\nG0 X-20 Y-20\nG41 G138 G1 X0 Y0 F100\nV.P.Deep=P1*2\nY40\nX40\nG40 X-20\n"
                  "L PARK\n"),
             "G0 X-20 Y-20\nG01 X-2 Y0 F100\nG01 X-2 Y42\nG01 X40 Y42\nG01 X-20 Y40\nP1 = "
-            "5\nV.P.Deep = 10\nL PARK\n");
+            "5\nV.P.Deep = 10\nG138\nL PARK\n");
   const std::string declared =
       "#VAR\nV.P.T_Nr[60] = [202, 152]\nV.P.Feed : REAL64 = 5\n#ENDVAR\nT202 LM06\n#DELETE "
       "V.P.Feed\n"

@@ -119,6 +119,25 @@ TEST(MachineCalls, OfSinumerikPass) {
             std::pair(900003, 6U));
 }
 
+std::string written(const std::string& text, DialectName dialect, double radius) {
+  ProgramSessionSetup setup = computing_setup(dialect);
+  setup.session.program.tools.clear();
+  setup.session.program.mode.tool_radius = radius;
+  return flat_of(text, setup);
+}
+
+// A subprogram of the machine may hold a contour: it finds the modes of TRC that the program has
+// set, although nothing of them comes out elsewhere.
+TEST(MachineCalls, FindTheModesOfTrc) {
+  const std::string head = "N10 G90 G17 G26 G138\n#TRC [REMOVE_MASKED_BLOCKS=1]\nN20 G00 X0 Y0\n";
+  EXPECT_EQ(written(head + "N25 G25\nV.G.WZ_AKT.R=5\nL CONTOUR.SUB\nL CONTOUR.SUB\nM30\n",
+                    DialectName::isg, 5),
+            "N10 G90 G17\nN20 G00 X0 Y0\nG138 G25\n#TRC [REMOVE_MASKED_BLOCKS=1]\n"
+            "V.G.WZ_AKT.R=5\nL CONTOUR.SUB\nL CONTOUR.SUB\nM30\n");
+  EXPECT_EQ(written("G17 G90 G71 G451\nOFFN=0.5\nG0 X0 Y0\nKONTUR(1)\nM30\n", sinumerik, 5),
+            "G17 G90 G71 G451\nG0 X0 Y0\nOFFN=0.5\nKONTUR(1)\nM30\n");
+}
+
 TEST(MachineCalls, OfSinumerikForgetWhatTheyMaySet) {
   EXPECT_EQ(refused("R1=5\nTOOLCHECK()\nG90 G0 X=R1\nM30\n", sinumerik), std::pair(900303, 3U));
   EXPECT_EQ(flat("DEF REAL A1=5\nTOOLCHECK()\nG90 G0 X=A1\nM30\n", sinumerik),

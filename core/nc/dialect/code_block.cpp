@@ -82,6 +82,7 @@ bool Interpreter::complete_code_block(ProgramLine& line, BlockWords& block) {
     block.forget |= all_axes;
     block.functions[static_cast<std::size_t>(unfollowed)] = {};
   }
+  if (block.has(motion) && code_.unfollowed == spline_interpolation * 10) code_.unfollowed = -1;
   if (block.has(unfollowed)) {
     code_.unfollowed = block.of(unfollowed).function->tenths();
     code_.unfollowed_line = line.source.line;
@@ -96,7 +97,7 @@ bool Interpreter::complete_code_block(ProgramLine& line, BlockWords& block) {
   if (!check_code_selection(line, block) || !take_corner(line, block)) return false;
   take_turns_of_arc(line, block);
   restate_modes(line, block);
-  if (block.calls_the_machine || machine_follows_) forget_what_a_call_may_change(block);
+  if (block.calls_the_machine || machine_follows_) forget_what_a_call_may_change(line, block);
   const bool goes_on = copy_code_block(line, block);
   if (block.has(cycle)) code_.cycle = true;
   const WholeNumbers whole = state_.setup().whole_numbers;
@@ -224,7 +225,7 @@ void Interpreter::take_turns_of_arc(ProgramLine& line, BlockWords& block) const 
 
 // Decides whether the line is copied as it stands, and which axes it may move. Returns what must
 // not stand there while TRC is active.
-Interpreter::NotWhileActive Interpreter::find_what_is_copied(BlockWords& block) const {
+Interpreter::NotWhileActive Interpreter::find_what_is_copied(BlockWords& block) {
   const auto named_axes = [&] {
     AxisBits named = 0;
     for (std::size_t axis = 0; axis < block.move.end.size(); ++axis)
@@ -261,6 +262,18 @@ Interpreter::NotWhileActive Interpreter::find_what_is_copied(BlockWords& block) 
                       : AxisBits{0});
   copy(unfollowed, all_axes);
   copy(unfollowed_end, all_axes);
+  // A tool offset in the plane moves the coordinates; along the third axis nothing hangs on it.
+  if (dialect_.name == DialectName::linuxcnc && block.of(axis_technology).is(43) &&
+      (named & ~third) != 0) {
+    block.forget |= static_cast<AxisBits>(named & ~third);
+    code_.offset_axes |= static_cast<AxisBits>(named & ~third);
+  }
+  const bool ends_offset = block.of(technology).is(49) || block.of(technology).is(43);
+  if (dialect_.name == DialectName::linuxcnc && ends_offset && code_.offset_axes != 0) {
+    block.forget |= code_.offset_axes;
+    code_.offset_axes = 0;
+    if (!begin) begin = block.of(technology).begin, meaning = "a tool offset in the plane";
+  }
   const auto copy_motion = [&](const char* why, AxisBits forget) {
     if (block.copied || !(moves || block.unfollowed_word) || block.has(dwell)) return;
     begin = std::min({block.axis.value_or(~0U), block.center.value_or(~0U),

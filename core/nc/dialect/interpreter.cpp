@@ -23,7 +23,8 @@ void forget_words(ProgramLine& line) {
   line.roles = 0;
   line.names_other_axes = false;
   line.main_axes = 0;
-  line.ends_program = false;
+  line.ends_program = line.calls_the_machine = false;
+  line.feed_it_takes = 0;
 }
 
 // Enters which roles and axes there are.

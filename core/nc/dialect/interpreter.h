@@ -208,7 +208,7 @@ class Interpreter {
     std::string meaning{};
     bool hangs_on_what_was_told = false;
   };
-  [[nodiscard]] NotWhileActive find_what_is_copied(BlockWords& block) const;
+  [[nodiscard]] NotWhileActive find_what_is_copied(BlockWords& block);
   void end_what_was_unfollowed(BlockWords& block);
   void take_tool_words(const ProgramLine& line, BlockWords& block);
   void take_words_of_few_controls(ProgramLine& line, BlockWords& block) const;
@@ -303,7 +303,7 @@ class Interpreter {
   // Calls of what is not followed: passing_calls.cpp.
   bool read_passing_line(ProgramLine& line, BlockWords& block);
   bool read_call_of_machine(ProgramLine& line, BlockWords& block);
-  void forget_what_a_call_may_change(BlockWords& block);
+  void forget_what_a_call_may_change(ProgramLine& line, BlockWords& block);
   void restate_modes(ProgramLine& line, BlockWords& block);
 
   bool apply(ProgramLine& line, const PlainMotion& plain);
@@ -316,6 +316,7 @@ class Interpreter {
   bool leave_out_bottlenecks(bool on, const Source& source);
   bool move_in_full_turns(ProgramLine& line, const BlockWords& block);
   bool move(ProgramLine& line, MoveRequest& request);
+  [[nodiscard]] bool may_move_at_the_feed(const BlockWords& block) const;
   void scale(MoveRequest& request) const;
   bool pass_words(const ProgramLine& line, WordRole role);
 
@@ -368,6 +369,7 @@ class Interpreter {
     std::uint32_t skipped_tool = 0;
     std::uint32_t skipped_tool_data = 0;
     std::uint32_t skipped_approach = 0;
+    AxisBits offset_axes = 0;     // of the plane, by G43.1 of LinuxCNC
     bool turned = false;          // coordinates are rotated or mirrored
     bool dynamic_offset = false;  // G254: the zero point goes with the turning axes
     std::int64_t next_tool = 0;   // T
@@ -406,7 +408,7 @@ class Interpreter {
               only_register, only_spindle_tool, tooth_feed, pole, polar_angle, polar_radius,
               polar_rewritten, missing_tool, only_tool_name, tangent_arcs, tool_named,
               spindle_empty, modal_rounding, soft_direction, soft_in_space, soft_approach,
-              next_tool_place, spindle_tool_place, edge_place, edge_of_next_tool);
+              next_tool_place, spindle_tool_place, edge_place, edge_of_next_tool, offset_axes);
     }
   };
   // How many contours had been selected where a label stands, and at its LBL 0.

@@ -44,11 +44,30 @@ bool Interpreter::apply(ProgramLine& line, BlockWords& block) {
                        pass(WordRole::technology) && apply_motion(line, block) &&
                        pass(WordRole::stop);
   if (!goes_on) return false;
+  if (feed_mode_ == 94 && may_move_at_the_feed(block)) line.feed_it_takes = feed_;
   if (block.of(GGroup::zero_shift).is(53)) forget_position(line, block);
   if (!line.ends_program) return true;
   ended_ = true;
   state_.place(0);
   return state_.end(line.source);
+}
+
+// Of a line that is copied: what it moves counts on the feed in force.
+bool Interpreter::may_move_at_the_feed(const BlockWords& block) const {
+  using enum GGroup;
+  if (!block.copied || block.homes || block.has(dwell) || block.has(frame) ||
+      block.has(zero_shift) || block.has(axis_technology) || block.has(tool_data))
+    return false;
+  if (block.has(single_move)) {
+    // Always rapid; rapid as G00 is in force; of the others only the control knows.
+    constexpr std::array always_rapid{27, 28, 29, 30, 60, 74, 75};
+    const int number = block.of(single_move).function->number;
+    const bool moves_as_g00_says = number == 53 || number == 153 || block.has(motion);
+    return std::ranges::find(always_rapid, number) == always_rapid.end() &&
+           !(moves_as_g00_says && motion_ == MotionKind::rapid);
+  }
+  if (block.has(cycle) || code_.cycle) return true;
+  return (block.axis || block.center || block.unfollowed_word) && motion_ != MotionKind::rapid;
 }
 
 bool Interpreter::apply_modes(const ProgramLine& line, const BlockWords& block) {

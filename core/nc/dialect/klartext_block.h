@@ -32,6 +32,7 @@ struct KlartextLead {
   static constexpr std::uint32_t tip = 32;          // M128, FUNCTION TCPM
   static constexpr std::uint32_t table = 64;        // M144
   static constexpr std::uint32_t correction = 128;  // FUNCTION CORRDATA
+  static constexpr std::uint32_t tool_data = 256;   // FN 17 has written a radius
 };
 
 // What the words of a block that may move say, before any of it takes effect.

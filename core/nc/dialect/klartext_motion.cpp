@@ -54,7 +54,12 @@ bool Interpreter::check_klartext(ProgramLine& line, KlartextBlock& block) {
   }
   if (klartext_.unfollowed != 0 && moves && !block.unfollowed) {
     block.unfollowed = block.begin;
-    block.unfollowed_why = block.name + ", in coordinates that are scaled or led by the tool tip";
+    const bool other_radius =
+        (klartext_.unfollowed & (KlartextLead::correction | KlartextLead::tool_data)) != 0;
+    block.unfollowed_why =
+        block.name + (other_radius ? ", with a radius that the program has changed"
+                                   : ", in coordinates that are scaled or led by the "
+                                     "tool tip");
   }
   // R0 beside M91 ends TRC first.
   const bool in_contour = (active && block.side != Side::off) || selects;
@@ -116,6 +121,8 @@ bool Interpreter::apply_klartext(ProgramLine& line, KlartextBlock& block) {
   }
   if (has(WordRole::technology) && !pass_words(line, WordRole::technology)) return false;
   if (copied) {
+    const bool has_own_feed = block.rapid || block.open_feed || block.called_feed;
+    if (block.is_motion() && !has_own_feed) line.feed_it_takes = klartext_.feed_before;
     std::array<bool, 3> axes{true, true, true};
     const bool named = block.end[0] || block.end[1] || block.end[2];
     const bool by_parameters_alone =

@@ -2,6 +2,7 @@
 #include <array>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "core/nc/dialect/klartext_block.h"
 #include "core/nc/dialect/pass_words.h"
@@ -89,6 +90,22 @@ bool assigns(std::string_view statement) {
   return begins_with_word(statement, "FN") || begins_with_word(statement, "Q") ||
          begins_with_word(statement, "QL") || begins_with_word(statement, "QR") ||
          begins_with_word(statement, "QS") || begins_with_word(statement, "DECLARE");
+}
+
+// FN 17: SYSWRITE ID50 NR2 IDX1 = +6: R of the tool table, of the tool in the spindle ID950; NR5 is
+// DR. A parameter may be any of them.
+bool writes_radius(std::string_view statement) {
+  if (statement.find("SYSWRITE") == std::string_view::npos) return false;
+  const auto number_behind = [&](std::string_view word) -> std::string_view {
+    const std::size_t at = statement.find(word);
+    if (at == std::string_view::npos) return {};
+    const std::string_view behind = without_blanks_in_front(statement.substr(at + word.size()));
+    return behind.substr(0, behind.find(' '));
+  };
+  const std::string_view id = number_behind(" ID");
+  const std::string_view nr = number_behind(" NR");
+  const bool of_tools = id == "50" || id == "950" || id.starts_with('Q');
+  return of_tools && (nr == "2" || nr == "5" || nr.starts_with('Q'));
 }
 
 // Of LBL 1, LBL "A", CALL LBL 1 REP 3.
@@ -240,6 +257,11 @@ bool Interpreter::read_klartext_statement(ProgramLine& line, std::size_t begin) 
   if (begins_with_word(statement, "LBL") || begins_with_word(statement, "CALL LBL"))
     return read_label(line, begin, statement);
   if (jumps(statement)) return refuse_klartext(line, begin, first + ", a jump");
+  if (writes_radius(statement)) {
+    if (trc_active())
+      return refuse_klartext(line, begin, "FN 17, which writes the radius of a tool");
+    klartext_.unfollowed |= KlartextLead::tool_data;
+  }
   // A coordinate that needs it is refused at its own word.
   if (assigns(statement)) return copy_klartext(line, begin, WordRole::technology);
   take_klartext_scaling(statement);
@@ -261,7 +283,10 @@ bool Interpreter::read_klartext_statement(ProgramLine& line, std::size_t begin) 
       defines_frame(statement) || (is_any(statement, moving) && !is_any(statement, passing));
   if (moves && trc_active()) return while_active(first);
   if (moves) {
-    if (first == "CALL" || first == "PGM") hand_on_klartext_pole(line);
+    line.calls_the_machine = first == "CALL" || first == "PGM";
+    if (line.calls_the_machine || own_contour || first.size() == 1 || !is_letter(first[1]))
+      line.feed_it_takes = feed_;
+    if (line.calls_the_machine) hand_on_klartext_pole(line);
     forget_klartext_position(line);
     klartext_.pole.reset();
     return copy_klartext(line, begin, WordRole::technology);
@@ -324,7 +349,7 @@ bool Interpreter::call_label(ProgramLine& line, std::size_t begin, std::string_v
   forget_klartext_position(line);
   klartext_.pole.reset();
   klartext_.polar_radius.reset();
-  feed_ = 0;
+  line.feed_it_takes = std::exchange(feed_, 0);
   return copy_klartext(line, begin, WordRole::technology);
 }
 

@@ -46,7 +46,7 @@ constexpr auto functions = std::to_array<GFunction>({
     {42, side, "TRC right of the contour, D is the diameter", false, 1},
     {43, technology, "tool length offset"},
     {43, axis_technology, "tool offset given by axis words", false, 1},
-    {43, technology, "further tool length offset", false, 2},
+    {43, axis_technology, "further tool offset", false, 2},
     {49, technology, "no tool length offset", true},
     {52, frame, "local coordinate system"},
     {53, single_move, "motion in machine coordinates"},

@@ -105,7 +105,7 @@ bool Interpreter::read_passing_line(ProgramLine& line, BlockWords& block) {
   line.words.push_back({.begin = static_cast<std::uint32_t>(begin),
                         .end = static_cast<std::uint32_t>(text.size()),
                         .role = WordRole::technology});
-  if (calls) forget_what_a_call_may_change(block);
+  if (calls) forget_what_a_call_may_change(line, block);
   return true;
 }
 
@@ -125,7 +125,7 @@ bool Interpreter::read_call_behind_words(std::uint32_t begin, ProgramLine& line,
   if (!is_call || contour_open() || block.axis || block.center) return false;
   line.words.push_back(
       {.begin = begin, .end = static_cast<std::uint32_t>(end), .role = WordRole::technology});
-  forget_what_a_call_may_change(block);
+  forget_what_a_call_may_change(line, block);
   return true;
 }
 
@@ -158,11 +158,13 @@ bool Interpreter::read_call_of_machine(ProgramLine& line, BlockWords& block) {
     line.words.push_back({.begin = static_cast<std::uint32_t>(begin + call.size()),
                           .end = static_cast<std::uint32_t>(text.size()),
                           .role = WordRole::comment});
-  forget_what_a_call_may_change(block);
+  forget_what_a_call_may_change(line, block);
   return true;
 }
 
-void Interpreter::forget_what_a_call_may_change(BlockWords& block) {
+void Interpreter::forget_what_a_call_may_change(ProgramLine& line, BlockWords& block) {
+  line.calls_the_machine = true;
+  line.feed_it_takes = feed_mode_ == 94 ? feed_ : 0;
   block.forget = all_axes;
   called_motion_ = called_dimension_ = true;
   reads_plain_lines_ = false;

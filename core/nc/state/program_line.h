@@ -93,6 +93,10 @@ struct ProgramLine {
   bool is_motion = false;
   bool has_trc_words = false;
   bool ends_program = false;  // M02, M30
+  // Of a line that is copied and may move at the feed in force, that feed, mm/min; 0: none.
+  double feed_it_takes = 0;
+  // What it calls only the machine has: that may count on the words that TRC resolves.
+  bool calls_the_machine = false;
 
   // In force at the end of the line.
   MotionKind motion = MotionKind::rapid;

@@ -49,7 +49,9 @@ void NcWriter::take(LinePointer line, const Meaning& meaning) {
 }
 
 void NcWriter::drop_first() {
-  if (waiting_[first_++].meaning.gives_block) --waiting_for_blocks_;
+  const Waiting& first = waiting_[first_++];
+  if (first.meaning.gives_block) --waiting_for_blocks_;
+  if (first.line->has_words) keep_removed_words(*first.line);
 }
 
 void NcWriter::write_lines_before(const Source& source, std::string& out) {
@@ -106,6 +108,7 @@ void NcWriter::write(const CompensatedBlock& block, std::string& out) {
 
 void NcWriter::write_without_motion(const Waiting& own, std::string& out) {
   const ProgramLine& line = *own.line;
+  write_what_it_counts_on(line, out);
   if (line.klartext && line.klartext->hands_pole_on) write_pole_handed_on(line, out);
   if (!line.has_trc_words && !line.is_motion) {
     write_line(line, out);

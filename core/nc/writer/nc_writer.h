@@ -75,7 +75,7 @@ class NcWriter {
   template <class Archive>
   void serialize(Archive& archive) {
     archive(state_, feed_is_programmed_, waiting_, first_, waiting_for_blocks_, silent_bytes_,
-            rewritten_index_, copied_index_, line_end_missing_, next_number_, numbered_);
+            rewritten_index_, copied_index_, line_end_missing_, next_number_, numbered_, removed_);
     serialize_line_end(archive, line_end_);
   }
 
@@ -97,6 +97,11 @@ class NcWriter {
   }
   void write_lines_before(const Source& source, std::string& out);
 
+  // In front of a line that is copied, what it counts on and the output does not have.
+  void write_what_it_counts_on(const ProgramLine& line, std::string& out);
+  void write_removed_words(std::string& out);
+  // Modes among the words of TRC of the line, which do not come out.
+  void keep_removed_words(const ProgramLine& line);
   // The line without its motion and TRC words; as it is when it has neither.
   void write_without_motion(const Waiting& own, std::string& out);
   // Copies the line if a reader makes the motion of the block from it.
@@ -159,6 +164,17 @@ class NcWriter {
   WrittenState state_;
   WrittenState after_;              // of the line being judged
   bool feed_is_programmed_ = true;  // the last F word is one of the program
+  // A mode of TRC that is in force in the program, and of which the output knows nothing.
+  struct RemovedWord {
+    char group = ' ';  // a later one of the same group takes its place
+    std::string text{};
+
+    template <class Archive>
+    void serialize(Archive& archive) {
+      archive(group, text);
+    }
+  };
+  std::vector<RemovedWord> removed_{};
 
   // Lines that have not come out are those from `first_` on.
   std::vector<Waiting> waiting_;
