@@ -12,6 +12,12 @@ struct ReasonHelp {
   std::string_view german;
 };
 
+// Of FL, FLT, FC, FCT and FPOL.
+constexpr std::string_view write_free_contour =
+    "Have the control convert the free contour to blocks of L and C, and give that program.";
+constexpr std::string_view write_free_contour_in_german =
+    "Die freie Kontur in der Steuerung in Sätze mit L und C umwandeln und dieses Programm geben.";
+
 // The first one that fits counts.
 constexpr auto helps = std::to_array<ReasonHelp>({
     {"a call of what only the machine has",
@@ -23,8 +29,11 @@ constexpr auto helps = std::to_array<ReasonHelp>({
     {"CT, TURN=", "Write the motion with both axes of the plane, an arc with its centre or radius.",
      "Die Bewegung mit beiden Achsen der Ebene schreiben, einen Bogen mit Mittelpunkt oder "
      "Radius."},
-    {"a position of a drilling cycle", "End the cycle with G80 in front of the contour.",
-     "Den Zyklus vor der Kontur mit G80 beenden."},
+    {"a position of a drilling cycle",
+     "End the cycle in front of the contour: with G80, in SINUMERIK with MCALL alone.",
+     "Den Zyklus vor der Kontur beenden: mit G80, in SINUMERIK mit MCALL allein."},
+    {"a motion under G66", "End the macro with G67 in front of the contour.",
+     "Das Makro vor der Kontur mit G67 beenden."},
     {"a position that is not followed",
      "End in front of the contour what gives coordinates another meaning.",
      "Vor der Kontur beenden, was Koordinaten eine andere Bedeutung gibt."},
@@ -37,6 +46,17 @@ constexpr auto helps = std::to_array<ReasonHelp>({
      "Gerade dahinter."},
     {"the angle of a motion", "Write the end point of the line with both axes.",
      "Den Endpunkt der Geraden mit beiden Achsen schreiben."},
+    {"a variable, while TRC is active", "Write its value in its place.",
+     "Ihren Wert an ihre Stelle schreiben."},
+    {"corners of small steps", "Take M97 out: steps smaller than the radius are told by number.",
+     "M97 streichen: Stufen, die kleiner sind als der Radius, werden mit ihrer Nummer gemeldet."},
+    {"open corners", "Take M98 out, and lead the contour past the open corner by the radius.",
+     "M98 streichen und die Kontur um den Radius über die offene Ecke hinausführen."},
+    {"FL while TRC is active", write_free_contour, write_free_contour_in_german},
+    {"FLT while TRC is active", write_free_contour, write_free_contour_in_german},
+    {"FC while TRC is active", write_free_contour, write_free_contour_in_german},
+    {"FCT while TRC is active", write_free_contour, write_free_contour_in_german},
+    {"FPOL while TRC is active", write_free_contour, write_free_contour_in_german},
     {"while TRC is active",
      "It has no place within a contour: end the contour in front of it with "
      "G40, and begin it anew with G41 or G42 behind it.",
@@ -66,6 +86,8 @@ constexpr auto helps = std::to_array<ReasonHelp>({
      "Ihren Wert an ihre Stelle schreiben oder sie im Programm setzen."},
     {"an expression", "Write its value in its place.", "Seinen Wert an seine Stelle schreiben."},
     {"a parameter", "Write its value in its place.", "Seinen Wert an seine Stelle schreiben."},
+    {"EXTCALL", "Give the text of the program that it calls in `subprograms` (--subprograms).",
+     "Den Text des Programms, das es aufruft, in `subprograms` angeben (--subprograms)."},
     {"a statement",
      "What it does has to be written out: the blocks in the order in which they run.",
      "Was sie bewirkt, muss ausgeschrieben sein: die Sätze in der Reihenfolge, in der sie laufen."},

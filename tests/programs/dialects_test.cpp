@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "core/base/archive.h"
+#include "core/base/help_by_reason.h"
 #include "core/nc/dialect/dialect.h"
 #include "core/nc/dialect/pass_words.h"
 #include "core/nc/program/flow.h"
@@ -1144,6 +1145,17 @@ TEST(Klartext, AProgramThatWritesTheRadiusOfAToolIsNotCompensated) {
   EXPECT_FALSE(run(head + "ID50 NR1 IDX1 = +60\n" + contour, setup, true).stopped);
 }
 
+// Whoever ended the contour there would cut away its wall.
+TEST(Klartext, HelpsWithinAContourWithoutEndingIt) {
+  for (const char* const detail :
+       {"Q2, a variable, while TRC is active", "FLT while TRC is active", "FC while TRC is active",
+        "M97, corners of small steps", "M98, open corners, while TRC is active"}) {
+    const std::string_view help = help_by_reason(detail, Language::english);
+    EXPECT_FALSE(help.empty()) << detail;
+    EXPECT_EQ(help.find("begin it anew"), std::string_view::npos) << detail;
+  }
+}
+
 TEST(Klartext, ACalledProgramFindsTheFeed) {
   ProgramSessionSetup setup;
   setup.session.program.dialect = DialectName::heidenhain;
@@ -1179,6 +1191,16 @@ TEST(Sinumerik, WhatIsCopiedMovesAtTheFeedOfTheProgram) {
   for (const char* const copied :
        {"SUPA G0 Z5\n", "G53 G0 X0\n", "G1 X=R1 F90\n", "M5\n", "G54\n", "TRANS X10\n"})
     EXPECT_EQ(ending(copied), copied);
+}
+
+TEST(Sinumerik, HasSettableFramesUpToG599) {
+  const Dialect& dialect = dialect_of(DialectName::sinumerik);
+  for (const int number : {505, 549, 599}) {
+    const GFunction* const function = dialect.function(number);
+    ASSERT_NE(function, nullptr) << number;
+    EXPECT_EQ(function->group, GGroup::zero_shift) << number;
+  }
+  EXPECT_EQ(dialect.function(504), nullptr);
 }
 
 TEST(Sinumerik, SplinesAndTrcInSpaceAreNoContours) {
