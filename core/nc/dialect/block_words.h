@@ -26,7 +26,8 @@ inline constexpr int feed_at_inside = 1008;
 // TRANS, ROT and MIRROR of Sinumerik, which end what has been said of the frame before, SCALE too.
 inline constexpr int absolute_frame = 1009;
 
-// BSPLINE, POLY and the like, in force up to the next motion function; CUT3DC and the like.
+// BSPLINE, POLY and the like, in force up to the next motion function; CUT3DC and the like
+// (D-73).
 inline constexpr int spline_interpolation = 1011;
 inline constexpr int compensation_in_space = 1012;
 

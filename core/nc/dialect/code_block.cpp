@@ -262,7 +262,8 @@ Interpreter::NotWhileActive Interpreter::find_what_is_copied(BlockWords& block) 
                       : AxisBits{0});
   copy(unfollowed, all_axes);
   copy(unfollowed_end, all_axes);
-  // A tool offset in the plane moves the coordinates; along the third axis nothing hangs on it.
+  // A tool offset in the plane moves the coordinates; along the third axis nothing hangs on it
+  // (D-71).
   if (dialect_.name == DialectName::linuxcnc && block.of(axis_technology).is(43) &&
       (named & ~third) != 0) {
     block.forget |= static_cast<AxisBits>(named & ~third);

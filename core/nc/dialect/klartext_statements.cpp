@@ -93,7 +93,7 @@ bool assigns(std::string_view statement) {
 }
 
 // FN 17: SYSWRITE ID50 NR2 IDX1 = +6: R of the tool table, of the tool in the spindle ID950; NR5 is
-// DR. A parameter may be any of them.
+// DR. A parameter may be any of them (D-72).
 bool writes_radius(std::string_view statement) {
   if (statement.find("SYSWRITE") == std::string_view::npos) return false;
   const auto number_behind = [&](std::string_view word) -> std::string_view {

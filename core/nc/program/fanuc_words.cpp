@@ -195,7 +195,7 @@ bool FanucFlow::call_macro(std::string& flat, const ComputedWord& word) {
   return unit && enter_unit(flat, *unit, static_cast<std::uint64_t>(*repetitions), &locals);
 }
 
-// G66: behind each line that moves.
+// G66: behind each line that moves (of the machine: D-68).
 bool FanucFlow::call_modally(std::string& flat) {
   if (modal_call_->is_of_machine) {
     forget_what_the_machine_may_set(modal_call_->number);

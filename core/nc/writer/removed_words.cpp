@@ -6,8 +6,8 @@
 #include "core/nc/text/characters.h"
 #include "core/nc/writer/nc_writer.h"
 
-// What a line that is copied counts on: the feed of the program, and in front of a call of what
-// only the machine has the modes of TRC, which that subprogram would find.
+// What a line that is copied counts on: the feed of the program (D-70), and in front of a call of
+// what only the machine has the modes of TRC, which that subprogram would find (D-69).
 
 namespace trc {
 namespace {
