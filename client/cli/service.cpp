@@ -104,6 +104,10 @@ class Service {
     // A server that gives a reason speaks for itself; the transport does not.
     if (failure.reason == "SERVER_DRAINING" && !name_.empty()) {
       complain("the server at " + name_ + " is there, but shuts down and takes no new programs");
+    } else if (failure.not_taken_over()) {
+      complain("the server at " + name_ +
+               " was lost, and the one there now cannot go on: it was started anew, or has another "
+               "resume-key-file or version; run it again");
     } else if (!failure.reason.empty()) {
       complain(failure.message);
     } else if (failure.status == "UNAUTHENTICATED" || failure.status == "PERMISSION_DENIED") {

@@ -2,22 +2,16 @@
 
 #include <array>
 #include <iostream>
-#include <optional>
-#include <vector>
+
+#include "core/base/sentences.h"
+#include "proto/wire/setting_sentences.h"
 
 namespace trc::cli {
 namespace {
 
 Language spoken = Language::english;  // by main(), before anything is said
 
-// A gap, {}, takes any text that is not empty. The order of gaps is the same in both languages.
-// The first row that fits holds: what says more stands in front.
-struct Row {
-  std::string_view english;
-  std::string_view german;
-};
-
-constexpr auto rows = std::to_array<Row>({
+constexpr auto rows = std::to_array<Sentence>({
     // Wrong calls.
     {"there is no command {}; did you mean {}?", "es gibt keinen Befehl {}; ist {} gemeint?"},
     {"there is no command {}; commands are {}", "es gibt keinen Befehl {}; Befehle sind {}"},
@@ -47,53 +41,12 @@ constexpr auto rows = std::to_array<Row>({
      "{}: mehrere Programme brauchen --output-dir, wohin die Ergebnisse gehen"},
     {"there is no code {}; trc explain lists all",
      "es gibt keinen Code {}; trc explain nennt alle"},
-    // Settings.
+    // Settings, as the command line names them.
     {"--set: {}", "--set: {}"},
     {"--radii: {}", "--radii: {}"},
     {"--variable: {}", "--variable: {}"},
     {"unknown setting {}; nearest: {} (all of them: trc compensate --help)",
      "unbekannte Einstellung {}; am ähnlichsten: {} (alle: trc compensate --help)"},
-    {"{} is no setting; write key=value", "{} ist keine Einstellung; NAME=WERT schreiben"},
-    {"{} is no value; write NAME=VALUE", "{} ist kein Wert; NAME=WERT schreiben"},
-    {"{}: {} is not possible; it takes {}", "{}: {} ist nicht möglich; es nimmt {}"},
-    {"{} is not possible; it takes {}", "{} ist nicht möglich; es nimmt {}"},
-    {"{} may be {} or {}; write the whole key",
-     "{} kann {} oder {} sein; den ganzen Namen schreiben"},
-    {"{} is no D or T word with its radius in mm, as in {}, or with its wear too, as in {}",
-     "{} ist kein D- oder T-Wort mit seinem Radius in mm, wie in {}, oder dazu seinem Verschleiß, "
-     "wie in {}"},
-    {"{} is no from:to:step", "{} ist kein von:bis:Schritt"},
-    {"{}: is {}, allowed is above {} to {}", "{}: ist {}, erlaubt ist über {} bis {}"},
-    {"{}: is {}, allowed is {} to {}", "{}: ist {}, erlaubt ist {} bis {}"},
-    {"{}: is {}, which the enum has not", "{}: ist {}, was es nicht gibt"},
-    {"{}: has {} entries, allowed are {}", "{}: hat {} Einträge, erlaubt sind {}"},
-    {"{}: has more than {} entries", "{}: hat mehr als {} Einträge"},
-    {"{}: has a name that is not 1 to {} bytes long",
-     "{}: hat einen Namen, der nicht 1 bis {} Byte lang ist"},
-    {"{}: is not a letter followed by up to 15 letters, digits or '_'",
-     "{}: ist kein Buchstabe mit bis zu 15 weiteren Buchstaben, Ziffern oder '_'"},
-    {"{}: names the axis {} a second time", "{}: nennt die Achse {} ein zweites Mal"},
-    {"{}: names the tool {} a second time", "{}: nennt das Werkzeug {} ein zweites Mal"},
-    {"{}: is the name of another tool", "{}: ist der Name eines anderen Werkzeugs"},
-    {"{}: is longer than {} bytes", "{}: ist länger als {} Byte"},
-    {"{}: counts blocks, which only FIND_BLOCKS does", "{}: zählt Sätze, was nur FIND_BLOCKS tut"},
-    {"{}: is not at most 64 bytes of printable ASCII",
-     "{}: sind nicht höchstens 64 Byte druckbares ASCII"},
-    {"{}: is neither en nor de", "{}: ist weder en noch de"},
-    {"{}: stands there a second time", "{}: steht ein zweites Mal da"},
-    {"{}: are more than {} radii", "{}: sind mehr als {} Radien"},
-    {"{}: are more than {} with the range", "{}: sind mit dem Bereich mehr als {}"},
-    {"{}: is empty, and the largest one is not asked for",
-     "{}: ist leer, und nach dem größten wird nicht gefragt"},
-    {"{}: is missing", "{}: fehlt"},
-    {"{}: is not available, only {} is allowed", "{}: gibt es hier nicht, nur {} ist erlaubt"},
-    {"a number", "eine Zahl"},
-    {"a whole number", "eine ganze Zahl"},
-    {"true or false", "true oder false"},
-    {"text", "Text"},
-    {"names with commas between", "Namen mit Kommas dazwischen"},
-    {"auto, none or blocks:IN,OUT", "auto, none oder blocks:EIN,AUS"},
-    {"3,5,8 or 3:8:0.5, mm", "3,5,8 oder 3:8:0.5, mm"},
     // Tables of tools and subprograms.
     {"--tools: the page takes tools by number, none with a name or an edge; trc plot -o part.html "
      "takes them all",
@@ -248,6 +201,10 @@ constexpr auto rows = std::to_array<Row>({
      "der Server {} fährt herunter; bis zu {} s wird gewartet (--wait)"},
     {"the server at {} has no room now: {}; waiting for up to {} s (--wait)",
      "der Server {} hat gerade keinen Platz: {}; bis zu {} s wird gewartet (--wait)"},
+    {"the server at {} was lost, and the one there now cannot go on: it was started anew, or has "
+     "another resume-key-file or version; run it again",
+     "der Server {} ging verloren, und der jetzige kann nicht weitermachen: er wurde neu gestartet "
+     "oder hat eine andere resume-key-file oder Version; noch einmal aufrufen"},
     {"the server at {} was lost; waiting for up to {} s (--wait)",
      "der Server {} ging verloren; bis zu {} s wird gewartet (--wait)"},
     {"--memory-limit-mib, --max-session-memory-mib and --max-blocks-per-selection are of a run in "
@@ -274,48 +231,8 @@ constexpr auto rows = std::to_array<Row>({
     {"internal error: {}", "innerer Fehler: {}"},
 });
 
-constexpr std::string_view gap = "{}";
-
-// What stands in the gaps; nothing: the text is no such sentence.
-std::optional<std::vector<std::string_view>> filled(std::string_view pattern,
-                                                    std::string_view text) {
-  std::vector<std::string_view> found;
-  std::size_t at = pattern.find(gap);
-  if (!text.starts_with(pattern.substr(0, at))) return std::nullopt;
-  if (at == pattern.npos) return text == pattern ? std::optional(found) : std::nullopt;
-  text.remove_prefix(at);
-  while (at != pattern.npos) {
-    pattern.remove_prefix(at + gap.size());
-    at = pattern.find(gap);
-    const std::string_view behind = pattern.substr(0, at);
-    std::size_t end = text.size();
-    if (at == pattern.npos) {
-      if (!text.ends_with(behind)) return std::nullopt;
-      end -= behind.size();
-    } else {
-      end = text.find(behind, 1);
-    }
-    if (end == text.npos || end == 0) return std::nullopt;
-    found.push_back(text.substr(0, end));
-    text.remove_prefix(end + behind.size());
-  }
-  return found;
-}
-
 std::string in_german(std::string_view english) {
-  for (const Row& row : rows) {
-    const auto gaps = filled(row.english, english);
-    if (!gaps) continue;
-    std::string text;
-    std::string_view pattern = row.german;
-    for (const std::string_view given : *gaps) {
-      const std::size_t at = pattern.find(gap);
-      text.append(pattern.substr(0, at)).append(in_german(given));
-      pattern.remove_prefix(at + gap.size());
-    }
-    return text.append(pattern);
-  }
-  return std::string(english);
+  return translated(english, {wire::setting_sentences(), rows});
 }
 
 }  // namespace

@@ -54,9 +54,13 @@ void read_detail(const google::protobuf::Any& detail, Failure& failure) {
 }  // namespace
 
 bool Failure::unreachable() const {
-  return is_crowded_out() || status == "UNAVAILABLE" || status == "INTERNAL" ||
+  return is_crowded_out() || not_taken_over() || status == "UNAVAILABLE" || status == "INTERNAL" ||
          status == "UNKNOWN" || status == "DEADLINE_EXCEEDED" || status == "CANCELLED" ||
          status == "UNAUTHENTICATED" || status == "PERMISSION_DENIED";
+}
+
+bool Failure::not_taken_over() const {
+  return reason == "RESUME_TOKEN_INVALID" || reason == "RESUME_TOKEN_OF_OTHER_VERSION";
 }
 
 // gRPC itself says so when its buffers are full, and ends whichever stream comes to hand; what

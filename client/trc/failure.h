@@ -22,9 +22,13 @@ struct Failure {
   std::vector<wire::FieldFault> fields{};       // of the request, at most 20
   std::optional<double> retry_after_seconds{};  // absent: retrying does not help by itself
 
-  // The server could not be reached, went away or broke: nothing was wrong with
+  // The server could not be reached, went away, broke or forgot: nothing was wrong with
   // the request.
   [[nodiscard]] bool unreachable() const;
+  // The stream was lost, and the server that is there now cannot take it over: it has another key
+  // for its tokens, as one that was started anew, or another version. Tokens come from servers
+  // alone.
+  [[nodiscard]] bool not_taken_over() const;
   // The stream was lost, or the server gave it up, and another one may take it
   // over: nothing says that the input or the server has a fault.
   [[nodiscard]] bool stream_lost() const;

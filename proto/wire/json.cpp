@@ -46,7 +46,8 @@ std::string Json::read(std::string_view text, google::protobuf::Message& message
   binary_.clear();
   const auto status = google::protobuf::util::JsonToBinaryString(types_.get(), type_url(message),
                                                                  std::string(text), &binary_);
-  if (!status.ok()) return std::string(status.message());
+  // Its first line; below it stands the place in the text, with an arrow.
+  if (!status.ok()) return std::string(status.message().substr(0, status.message().find('\n')));
   return message.ParseFromString(binary_) ? "" : "is no " + message.GetDescriptor()->name();
 }
 

@@ -10,11 +10,13 @@
 #include <string_view>
 #include <utility>
 
+#include "google/rpc/error_details.pb.h"
 #include "google/rpc/status.pb.h"
 #include "proto/wire/json.h"
 #include "server/http/api.h"
 #include "server/http/problem.h"
 #include "server/http/settings.h"
+#include "server/rpc/status.h"
 #include "server/text.h"
 #include "trc/v1/trc_service.pb.h"
 
@@ -81,7 +83,13 @@ google::protobuf::Struct error_of(const grpc::Status& status) {
   fields["code"].set_string_value(std::string(row_of(status.error_code()).name));
   fields["message"].set_string_value(presentable(status.error_message(), 4096));
   google::rpc::Status rich;
-  if (!rich.ParseFromString(status.error_details()) || rich.details().empty()) return error;
+  if (!rich.ParseFromString(status.error_details()) || rich.details().empty()) {
+    // One of gRPC itself, as that of a deadline.
+    google::rpc::ErrorInfo info;
+    info.set_reason(std::string(name_of(status.error_code())));
+    info.set_domain("trc.v1");
+    rich.add_details()->PackFrom(info);
+  }
   auto& details = *fields["details"].mutable_list_value();
   for (const auto& any : rich.details()) {
     auto& detail = *details.add_values()->mutable_struct_value()->mutable_fields();
@@ -200,7 +208,7 @@ Question read_question(const Call& call) {
   if (call.is_json) {
     question.fault = wire::Json().read(call.body, *message);
   } else if (!message->ParseFromArray(call.body.data(), static_cast<int>(call.body.size()))) {
-    question.fault = "the body is no " + call.method.input_type()->full_name();
+    question.fault = "it must be a " + call.method.input_type()->full_name();
   }
   prefer_language(call.accept_language, *message);
   question.bytes = message->SerializeAsString();
@@ -239,7 +247,8 @@ void start(Api& api, const ExchangePointer& exchange, const Call& call) {
     const Question question = read_question(call);
     exchange->post([&api, exchange, call, question] {
       if (!question.fault.empty())
-        return call.format->refuse(exchange, {StatusCode::INVALID_ARGUMENT, question.fault});
+        return call.format->refuse(exchange,
+                                   refuse(Refusal::request_unreadable, question.fault).status);
       exchange->request().body = {};
       Run::start(
           api, exchange, "/" + call.method.service()->full_name() + "/" + call.method.name(),
@@ -276,16 +285,14 @@ void answer_connect(Api& api, const ExchangePointer& exchange) {
   const std::string_view accept_language = request.header("accept-language");
   std::string_view body = request.body;
   if (method.client_streaming())
-    return answer_error(*exchange, {StatusCode::UNIMPLEMENTED,
-                                    "streams from the client need gRPC; CompensateProgramOnce and "
-                                    "PreviewPath take everything in one request"});
+    return answer_error(*exchange, refuse(Refusal::stream_needs_grpc).status);
   if (!method.server_streaming()) {
     const bool is_json = type == "application/json";
     if (!is_json && type != "application/proto")
       return answer_unsupported(*exchange, "application/json or application/proto");
     auto format = std::make_shared<UnaryFormat>(method, is_json);
     if (const std::string fault = fault_of(request); !fault.empty())
-      return format->refuse(exchange, {StatusCode::INVALID_ARGUMENT, fault});
+      return format->refuse(exchange, refuse(Refusal::call_invalid, fault).status);
     return start(api, exchange, {method, body, is_json, accept_language, std::move(format)});
   }
   const bool is_json = type == "application/connect+json";
@@ -295,7 +302,7 @@ void answer_connect(Api& api, const ExchangePointer& exchange) {
   std::string fault = fault_of(request);
   if (fault.empty() && !open_envelope(body))
     fault = "the body must be one envelope without compression";
-  if (!fault.empty()) return format->refuse(exchange, {StatusCode::INVALID_ARGUMENT, fault});
+  if (!fault.empty()) return format->refuse(exchange, refuse(Refusal::call_invalid, fault).status);
   start(api, exchange, {method, body, is_json, accept_language, std::move(format)});
 }
 

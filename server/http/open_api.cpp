@@ -2,6 +2,7 @@
 #include <google/protobuf/struct.pb.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <set>
 #include <string>
@@ -16,6 +17,8 @@
 #include "server/http/handlers.h"
 #include "server/http/settings.h"
 #include "trc/v1/http.pb.h"
+#include "trc/v1/job_record.pb.h"
+#include "trc/v1/path_item.pb.h"
 #include "trc/v1/trc_service.pb.h"
 
 // The OpenAPI document is made of what it describes: the routes, the settings and the messages.
@@ -219,18 +222,75 @@ void add_body(const Route& route, Struct& operation, Schemas& known) {
       object(object(content, "application/json"), "schema"));
 }
 
+// What a route is called in generated clients, and what it answers.
+struct Operation {
+  void (*handle)(Api& api, const ExchangePointer& exchange);
+  std::string_view id;
+  const Descriptor* (*answer)() = nullptr;  // as application/json
+  std::string_view status = "200";
+};
+
+constexpr auto operations = std::to_array<Operation>({
+    {compensate_program, "compensateProgram"},
+    {verify_program, "verifyProgram", v1::PathAnswer::descriptor},
+    {record_program, "recordProgram", v1::JobRecord::descriptor},
+    {survey_program, "surveyRadiiOfProgram", v1::SurveyAnswer::descriptor},
+    {compensate_path, "compensatePath", v1::PathAnswer::descriptor},
+    {verify_path, "verifyPath", v1::PathAnswer::descriptor},
+    {survey_path, "surveyRadiiOfPath", v1::SurveyAnswer::descriptor},
+    {make_view, "makeView", v1::View::descriptor, "201"},
+    {view_said, "getView", v1::View::descriptor},
+    {remove_view, "removeView", nullptr, "204"},
+    {view_tile, "getTile"},
+    {view_lines, "getLines", v1::ViewLines::descriptor},
+    {view_output, "getOutput", v1::ViewLines::descriptor},
+    {view_blocks, "getBlocks", v1::ViewBlocks::descriptor},
+    {view_place, "getPlace", v1::ViewPlace::descriptor},
+    {offered_program, "getOfferedProgram"},
+    {page_start, "getPage"},
+    {page_file, "getPageFile"},
+    {server_info, "getInfo", v1::GetServerInfoResponse::descriptor},
+    {open_api, "getOpenApi"},
+});
+
+const Operation& operation_of(const Route& route) {
+  return *std::ranges::find(operations, route.handle, &Operation::handle);
+}
+
+void add_header(Struct& answer, const std::string& name, std::string_view meaning) {
+  Struct& header = object(object(answer, "headers"), name);
+  text(header, "description", meaning);
+  text(object(header, "schema"), "type", "string");
+}
+
+// Of answers that may begin before their end is known.
+void add_stream(Struct& answer) {
+  text(answer, "description",
+       "The answer; above 1 MiB it begins before its end is known, and is whole only where the "
+       "body ends with its last chunk and Trc-Status is OK");
+  add_header(answer, "Trc-Status",
+             "OK: the answer is whole. A header up to 1 MiB, a trailer above it");
+}
+
 void add_answers(const Route& route, Struct& operation, Schemas& known) {
+  const Operation& said = operation_of(route);
   Struct& answers = object(operation, "responses");
-  Struct& good = object(answers, "200");
+  Struct& good = object(answers, std::string(said.status));
   text(good, "description", "Done: the answer is whole");
+  if (route.handle == compensate_program || route.handle == compensate_path) add_stream(good);
   std::string_view types = route.answers;
   while (!types.empty()) {
     const std::string_view type = types.substr(0, types.find(','));
     types.remove_prefix(std::min(types.size(), type.size() + 1));
-    object(object(good, "content"), std::string(type));
+    Struct& content = object(object(good, "content"), std::string(type));
+    if (type == "application/json" && said.answer != nullptr)
+      known.refer(*said.answer(), object(content, "schema"));
+    if (type == "application/x-ndjson")
+      known.refer(*v1::PathItem::descriptor(), object(content, "schema"));
   }
   Struct& bad = object(answers, "default");
   text(bad, "description", "Why there is no answer (RFC 9457)");
+  add_header(bad, "Retry-After", "Of 503: in so many seconds it may be tried again");
   known.refer(*v1::Problem::descriptor(),
               object(object(object(bad, "content"), "application/problem+json"), "schema"));
 }
@@ -244,6 +304,7 @@ std::string lower(std::string_view word) {
 void add_routes(Struct& paths, Schemas& known) {
   for (const Route& route : routes()) {
     Struct& operation = object(object(paths, std::string(route.path)), lower(route.method));
+    text(operation, "operationId", operation_of(route).id);
     text(operation, "summary", route.meaning);
     add_parameters_in_path(route.path, operation);
     if (route.takes_settings) add_settings(route, operation);
@@ -252,6 +313,21 @@ void add_routes(Struct& paths, Schemas& known) {
     add_body(route, operation, known);
     add_answers(route, operation, known);
   }
+}
+
+// {"code":"invalid_argument","message":"…","details":[{"type":"…","value":"…"}]}
+void add_connect_error(Struct& components) {
+  Struct& error = object(object(components, "schemas"), "ConnectError");
+  text(error, "type", "object");
+  Struct& properties = object(error, "properties");
+  for (const char* name : {"code", "message"}) text(object(properties, name), "type", "string");
+  text(object(properties, "details"), "type", "array");
+  Struct& detail = object(object(properties, "details"), "items");
+  text(detail, "type", "object");
+  for (const char* name : {"type", "value"})
+    text(object(object(detail, "properties"), name), "type", "string");
+  text(object(object(detail, "properties"), "value"), "description",
+       "the message in base64 without padding; google.rpc.ErrorInfo has the reason");
 }
 
 // The RPCs over the Connect protocol.
@@ -265,13 +341,22 @@ void add_rpcs(Struct& paths, Schemas& known) {
         method.server_streaming() ? "application/connect+json" : "application/json";
     Struct& operation =
         object(object(paths, "/" + service->full_name() + "/" + method.name()), "post");
+    text(operation, "operationId", "rpc" + method.name());
     text(operation, "summary", "The RPC " + method.name() + " with the Connect protocol");
     known.refer(
         *method.input_type(),
         object(object(object(object(operation, "requestBody"), "content"), type), "schema"));
     Struct& good = object(object(operation, "responses"), "200");
-    text(good, "description", "As Connect has it");
+    text(good, "description",
+         method.server_streaming()
+             ? "Envelopes of Connect; the last one says whether the stream is whole, or its error"
+             : "The answer");
     known.refer(*method.output_type(), object(object(object(good, "content"), type), "schema"));
+    if (method.server_streaming()) continue;
+    Struct& bad = object(object(operation, "responses"), "default");
+    text(bad, "description", "Why there is no answer, as Connect has it");
+    text(object(object(object(bad, "content"), "application/json"), "schema"), "$ref",
+         std::string(schemas) + "ConnectError");
   }
 }
 
@@ -284,6 +369,7 @@ std::string document() {
   Struct& components = object(root, "components");
   Schemas known(components);
   Struct& paths = object(root, "paths");
+  add_connect_error(components);
   add_routes(paths, known);
   add_rpcs(paths, known);
   return wire::json_of(root) + "\n";

@@ -20,6 +20,12 @@ constexpr const char* survey_radii_rpc = "/trc.v1.TrcService/SurveyRadii";
 // What an answer may hold at most, in messages.
 constexpr std::size_t most_messages = 4;
 
+// Commands count: what is wrong with a path of them alone is told as of a program.
+template <class Message>
+bool has_blocks(const Message& path) {
+  return path.has_columns() ? !path.columns().kinds().empty() : !path.batch().blocks().empty();
+}
+
 // Has the body read by a worker, who makes the messages of `ask` from it, and asks the RPC.
 template <class Message, class Ask>
 void start(Api& api, const ExchangePointer& exchange, const char* rpc, Ask ask,
@@ -32,11 +38,15 @@ void start(Api& api, const ExchangePointer& exchange, const char* rpc, Ask ask,
     Message message;
     const std::string fault = wire::Json().read(exchange->request().body, message);
     prefer_language(exchange->request().header("accept-language"), message);
-    exchange->post([&api, exchange, rpc, name, fault, messages = ask(message), format] {
+    const bool is_path = has_blocks(message);
+    exchange->post([&api, exchange, rpc, name, fault, is_path, messages = ask(message), format] {
       exchange->request().body = {};
       if (!fault.empty())
         return answer_problem(*exchange,
                               problem(400, "JSON_INVALID", "The body is no " + name, fault));
+      if (!is_path)
+        return answer_problem(*exchange, problem(400, "PATH_EMPTY", "The path has no block",
+                                                 "give its blocks in batch.blocks or in columns"));
       for (const grpc::ByteBuffer& asked : messages)
         if (asked.Length() > api.most_message_bytes())
           return answer_problem(

@@ -6,6 +6,7 @@
 #include "google/rpc/error_details.pb.h"
 #include "google/rpc/status.pb.h"
 #include "proto/wire/json.h"
+#include "server/http/german.h"
 #include "server/rpc/status.h"
 #include "server/text.h"
 
@@ -88,6 +89,12 @@ v1::Problem problem_of(const grpc::Status& status) {
       problem.set_title("The program cannot be compensated");
     }
     if (is_about_size(info.reason())) problem.set_status(413);
+    // Of a path there is one batch.
+    if (info.reason() == "BATCH_TOO_LARGE")
+      problem.set_detail("it has " + info.metadata().at("got") + " blocks, at most " +
+                         info.metadata().at("max_blocks_per_batch") +
+                         " are taken (max-blocks-per-batch); divide the path, send it as an NC "
+                         "program, or stream it with gRPC");
   });
   for_each<google::rpc::LocalizedMessage>(rich, [&](const auto& localized) {
     problem.set_detail(presentable(localized.message(), longest_detail));
@@ -114,7 +121,9 @@ v1::Problem problem(unsigned status, std::string_view reason, std::string_view t
   return problem;
 }
 
-void answer_problem(Exchange& exchange, const v1::Problem& problem, const Pairs& headers) {
+void answer_problem(Exchange& exchange, v1::Problem problem, const Pairs& headers) {
+  if (accepted_language(exchange.request().header("accept-language")) == Language::german)
+    make_german(problem);
   Head head{
       .status = problem.status(), .content_type = "application/problem+json", .headers = headers};
   if (problem.status() == 503) head.headers.emplace_back("Retry-After", "1");

@@ -18,7 +18,7 @@ namespace trc::server::http {
 [[nodiscard]] v1::Problem problem(unsigned status, std::string_view reason, std::string_view title,
                                   std::string_view detail);
 
-// Answers with it, as application/problem+json.
-void answer_problem(Exchange& exchange, const v1::Problem& problem, const Pairs& headers = {});
+// Answers with it, as application/problem+json, in the language that Accept-Language prefers.
+void answer_problem(Exchange& exchange, v1::Problem problem, const Pairs& headers = {});
 
 }  // namespace trc::server::http

@@ -22,7 +22,7 @@ struct Row {
   int retry_after_s = 0;  // 0: waiting does not help
 };
 
-constexpr std::array<Row, 27> table{{
+constexpr std::array<Row, 29> table{{
     {Refusal::setup_missing, StatusCode::FAILED_PRECONDITION, "SETUP_MISSING",
      "the first request must carry the setup"},
     {Refusal::setup_repeated, StatusCode::FAILED_PRECONDITION, "SETUP_REPEATED",
@@ -31,6 +31,11 @@ constexpr std::array<Row, 27> table{{
      "the request carries nothing this server knows"},
     {Refusal::request_unreadable, StatusCode::INVALID_ARGUMENT, "REQUEST_UNREADABLE",
      "the request is no message of this service"},
+    {Refusal::call_invalid, StatusCode::INVALID_ARGUMENT, "CALL_INVALID",
+     "the call is none of the Connect protocol"},
+    {Refusal::stream_needs_grpc, StatusCode::UNIMPLEMENTED, "STREAM_NEEDS_GRPC",
+     "streams from the client need gRPC; CompensateProgramOnce and PreviewPath take everything in "
+     "one request"},
     {Refusal::input_after_final, StatusCode::FAILED_PRECONDITION, "INPUT_AFTER_FINAL",
      "nothing may follow the request marked final"},
     {Refusal::batch_out_of_sequence, StatusCode::OUT_OF_RANGE, "BATCH_OUT_OF_SEQUENCE",

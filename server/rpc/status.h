@@ -25,6 +25,8 @@ enum class Refusal {
   field_invalid,
   batch_too_large,
   request_unreadable,
+  call_invalid,
+  stream_needs_grpc,
   answer_too_large,
   stream_limit,
   stream_limit_of_peer,

@@ -142,7 +142,9 @@ Turn SurveyRadii::proceed(v1::SurveyRadiiResponse& response) {
     return {.write = true, .next = Turn::Next::proceed, .ending = {}};
   }
   v1::SurveySummary& summary = *response.mutable_summary();
-  if (settings_->wants_largest) wire::to_proto(survey_->largest(), *summary.mutable_largest());
+  // Of nothing every radius would be the largest.
+  if (settings_->wants_largest && survey_->blocks() > 0)
+    wire::to_proto(survey_->largest(), *summary.mutable_largest());
   summary.set_blocks(survey_->blocks());
   const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - started_;
   summary.set_wall_time_seconds(wall.count());

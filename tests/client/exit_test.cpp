@@ -44,6 +44,14 @@ TEST(ExitOf, AServerThatStopsCannotBeReached) {
   EXPECT_EQ(exit_of({.status = "UNAVAILABLE"}, false), Exit::unreachable);
 }
 
+TEST(ExitOf, AServerThatWasStartedAnewWasLost) {
+  EXPECT_EQ(exit_of({.status = "INVALID_ARGUMENT", .reason = "RESUME_TOKEN_INVALID"}, false),
+            Exit::unreachable);
+  EXPECT_EQ(
+      exit_of({.status = "FAILED_PRECONDITION", .reason = "RESUME_TOKEN_OF_OTHER_VERSION"}, false),
+      Exit::unreachable);
+}
+
 TEST(ExitOf, AWrongFieldIsAWrongCall) {
   EXPECT_EQ(exit_of({.status = "INVALID_ARGUMENT", .reason = "FIELD_INVALID"}, false),
             Exit::wrong_call);

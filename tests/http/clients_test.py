@@ -278,7 +278,8 @@ class Programs(unittest.TestCase):
                      "application/x-www-form-urlencoded", "multipart/form-data; boundary=x"):
             self.assertEqual(status(kind), 415, kind)
         path = "/v1/paths:compensate"
-        self.assertEqual(status("Application/JSON; charset=UTF-8", path, "{}"), 200)
+        blocks = '{"batch":{"blocks":[{"linear":{"end":{"x":1}}}]}}'
+        self.assertEqual(status("Application/JSON; charset=UTF-8", path, blocks), 200)
         self.assertEqual(status("application/json; charset=utf-16", path, "{}"), 415)
         for accept, kind in (("application/x-ndjson;q=0, text/plain", "text/plain"),
                              ("application/x-ndjson; q=0.5", "application/x-ndjson")):
@@ -434,8 +435,10 @@ class Programs(unittest.TestCase):
         # All that is wrong has its place.
         for body, reason, field in (
                 ('{"setop":{}}', "JSON_INVALID", None),
-                ('{"setup":{"radii":[-3]}}', "FIELD_INVALID", "setup.radii[0]"),
-                ('{"setup":{"radii":[3],"program":{}},"batch":{}}', "FIELD_INVALID", "batch"),
+                ('{"setup":{"radii":[-3]},"batch":{"blocks":[{"linear":{}}]}}', "FIELD_INVALID",
+                 "setup.radii[0]"),
+                ('{"setup":{"radii":[3],"program":{}},"batch":{"blocks":[{"linear":{}}]}}',
+                 "FIELD_INVALID", "batch"),
                 ('{"setup":{"radii":[3]},"batch":{"blocks":[{"linear":{"end":{"x":"NaN"}}}]}}',
                  "FIELD_INVALID", "batch.blocks[0].linear.end.x")):
             status, problem = self.server.ask_json("POST", at, body, JSON)
@@ -443,9 +446,78 @@ class Programs(unittest.TestCase):
             if field:
                 self.assertEqual(problem["fields"][0]["field"], field)
         self.assertEqual(self.server.ask("POST", at, "{}", TEXT)[0], 415)
-        # Without blocks and without a radius there is nothing that limits a tool.
-        status, answer = self.server.ask_json("POST", at, "{}", JSON)
-        self.assertEqual((status, answer["summary"]["largest"].get("limits", [])), (200, []))
+
+    def test_a_path_of_nothing_is_refused(self):
+        for path in ("compensate", "verify", "surveyRadii"):
+            for body in ("{}", '{"setup":{}}', '{"batch":{}}', '{"columns":{}}'):
+                status, problem = self.server.ask_json("POST", "/v1/paths:" + path, body, JSON)
+                self.assertEqual((status, problem["reason"]), (400, "PATH_EMPTY"), path + body)
+
+    def test_a_path_that_can_never_fit_is_not_asked_for_again(self):
+        def ask(count, headers):
+            blocks = [{"linear": {"end": {"x": i + 0.12345678, "y": 0.12345678}}}
+                      for i in range(count)]
+            body = json.dumps({"batch": {"blocks": blocks}})
+            status, answered, problem = self.server.ask("POST", "/v1/paths:compensate", body,
+                                                        {**JSON, **headers})
+            self.assertEqual((status, answered["Retry-After"]), (413, None))
+            return json.loads(problem)
+
+        problem = ask(50_000, {})
+        self.assertEqual(problem["reason"], "MESSAGE_TOO_LARGE")
+        self.assertIn("max-message-bytes", problem["detail"])
+        problem = ask(4500, {})
+        self.assertEqual(problem["reason"], "BATCH_TOO_LARGE")
+        self.assertIn("divide the path", problem["detail"])
+        self.assertNotIn("smaller batches", problem["detail"])
+        self.assertRegex(ask(4500, {"Accept-Language": "de"})["detail"], "^sie hat 4500 Sätze")
+
+    def test_every_problem_is_in_the_language_that_is_preferred(self):
+        german = {"Accept-Language": "de-AT, en;q=0.5"}
+        compensate = "/v1/programs:compensate"
+        for method, path, body, kind, title, detail in (
+                ("GET", "/nix", None, {}, "Unter diesem Pfad gibt es nichts",
+                 "was es gibt, steht in /v1/openapi.json"),
+                ("DELETE", "/v1/info", None, {}, "Diese Methode ist hier nicht möglich",
+                 "möglich sind GET, HEAD"),
+                ("POST", compensate + "?tool_radius=abc", SQUARE, TEXT,
+                 "Ein Parameter der Adresse ist keine mögliche Einstellung",
+                 'tool_radius: "abc" ist nicht möglich; es nimmt eine Zahl'),
+                ("POST", compensate + "?tool_radius=1e9", SQUARE, TEXT,
+                 "Ein Wert der Anfrage ist nicht möglich",
+                 "setup.path.tool_radius ist 1e+09, erlaubt ist -214748.3647 bis 214748.3647 mm"),
+                ("GET", "/v1/info?x=1", None, {}, "Ein Parameter der Adresse ist nicht möglich",
+                 "x ist nicht bekannt: Parameter gibt es hier keine"),
+                ("POST", "/v1/paths:compensate", '{"nix":1}', JSON,
+                 "Der Inhalt ist kein PreviewPathRequest", "nix: dieses Feld gibt es nicht."),
+                ("POST", compensate, SQUARE, JSON, "Der Inhalt muss NC-Text sein",
+                 "ihn als text/plain; charset=utf-8 senden")):
+            _, problem = self.server.ask_json(method, path, body, {**kind, **german})
+            self.assertEqual((problem["title"], problem["detail"]), (title, detail), path)
+            _, problem = self.server.ask_json(method, path, body, kind)
+            self.assertNotEqual(problem["title"], title)
+
+    def test_every_connect_error_has_a_reason(self):
+        def reason(method, body, **headers):
+            _, error = self.server.ask_json("POST", "/trc.v1.TrcService/" + method, body,
+                                            {**JSON, **headers})
+            self.assertEqual(error["details"][0]["type"], "google.rpc.ErrorInfo")
+            self.assertNotRegex(error["message"], r"\^|\n|  ")
+            value = error["details"][0]["value"]
+            message = base64.b64decode(value + "=" * (-len(value) % 4))
+            return error["code"], message[2:2 + message[1]].decode()
+
+        once = "CompensateProgramOnce"
+        unreadable = ("invalid_argument", "REQUEST_UNREADABLE")
+        self.assertEqual(reason(once, '{"nix":1}'), unreadable)
+        self.assertEqual(reason(once, "{"), unreadable)
+        self.assertEqual(reason(once, "{}", **{"Connect-Protocol-Version": "2"}),
+                         ("invalid_argument", "CALL_INVALID"))
+        self.assertEqual(reason("CompensateProgram", "{}"),
+                         ("unimplemented", "STREAM_NEEDS_GRPC"))
+        text = json.dumps({"setup": {"path": {"toolRadius": 0.01}}, "text": program_of(15_000)})
+        self.assertEqual(reason(once, text, **{"Connect-Timeout-Ms": "1"}),
+                         ("deadline_exceeded", "DEADLINE_EXCEEDED"))
 
     def test_connect_unary_in_both_codecs(self):
         rpc = "/trc.v1.TrcService/"
@@ -511,6 +583,29 @@ class Programs(unittest.TestCase):
             self.assertRegex(headers["Date"], r"^\w{3}, \d\d \w{3} \d{4} \d\d:\d\d:\d\d GMT$")
             self.assertIn(list(operations)[0].upper(),
                           self.server.ask("OPTIONS", there)[1]["Allow"])
+        said = [operation["operationId"] for operations in document["paths"].values()
+                for operation in operations.values()]
+        self.assertEqual(len(said), len(set(said)))
+
+        def answers(method, path):
+            return document["paths"][path][method]["responses"]
+        for method, path, status in (("post", "/v1/views", "201"), ("get", "/v1/info", "200"),
+                                     ("delete", "/v1/views/{id}", "204")):
+            self.assertEqual(list(answers(method, path)), [status, "default"])
+        for method, path, message in (
+                ("get", "/v1/info", "GetServerInfoResponse"), ("post", "/v1/views", "View"),
+                ("post", "/v1/programs:verify", "PathAnswer"),
+                ("post", "/v1/programs:record", "JobRecord"),
+                ("post", "/v1/paths:surveyRadii", "SurveyAnswer")):
+            good = next(iter(answers(method, path).values()))
+            self.assertEqual(good["content"]["application/json"]["schema"]["$ref"],
+                             "#/components/schemas/" + message)
+        good = answers("post", "/v1/programs:compensate")["200"]
+        self.assertIn("Trc-Status", good["headers"])
+        self.assertIn("Retry-After", answers("get", "/v1/info")["default"]["headers"])
+        error = answers("post", "/trc.v1.TrcService/CompensateProgramOnce")["default"]
+        self.assertEqual(error["content"]["application/json"]["schema"]["$ref"],
+                         "#/components/schemas/ConnectError")
         names = {p["name"] for p in
                  document["paths"]["/v1/programs:compensate"]["post"]["parameters"]}
         self.assertLessEqual({"tool_radius", "options.stretch_factor", "decimals"}, names)
@@ -593,6 +688,34 @@ class Programs(unittest.TestCase):
         # Four sides; the rapid move to the start, the approach and the retract.
         self.assertEqual((styles[contour], styles[beside]), (4, 3 + 1))
         self.server.ask("DELETE", "/v1/views/" + view["id"])
+
+    def test_an_arc_that_leads_to_a_wall_is_none(self):
+        # A hole of 40 mm with a quarter in and a quarter out.
+        hole = ("G0 X0 Y0\nG41 G1 X10 Y-10 F600\nG3 X20 Y0 I0 J10\nG3 I-20 J0\n"
+                "G3 X10 Y10 I-10 J0\nG40 G1 X0 Y0\nM30\n")
+
+        def contour(query):
+            _, view = self.server.ask_json("POST", "/v1/views?tool_radius=6" + query, hole, TEXT)
+            _, _, tile = self.server.ask("GET", f"/v1/views/{view['id']}/tiles/0/0/0")
+            self.server.ask("DELETE", "/v1/views/" + view["id"])
+            return {line: word & 0xff for line, word, _ in self.segments_of(tile)
+                    if not word & 1 << 9}
+
+        self.assertEqual(contour(""), {2: 5, 3: 4, 4: 0, 5: 4, 6: 5})
+        # The settings say otherwise.
+        self.assertEqual(contour("&leads=none"), {2: 5, 3: 0, 4: 0, 5: 0, 6: 5})
+
+    def test_a_contour_of_many_blocks_is_none_of_what_leads_to_it(self):
+        for blocks in (3000, 300_000):
+            _, text = trc("generate", "--blocks", str(blocks), "--shape", "random")
+            _, view = self.server.ask_json("POST", "/v1/views", text, TEXT)
+            _, _, tile = self.server.ask("GET", f"/v1/views/{view['id']}/tiles/0/0/0")
+            self.server.ask("DELETE", "/v1/views/" + view["id"])
+            of = {path: [word & 0xff for _, word, _ in self.segments_of(tile)
+                         if bool(word & 1 << 9) == path] for path in (False, True)}
+            self.assertGreater(of[False].count(0), 0.95 * len(of[False]), blocks)
+            self.assertLessEqual(of[True].count(4), 2, blocks)
+            self.assertGreater(of[True].count(2), 100, blocks)
 
     def test_the_tool_on_its_way_is_that_of_the_block(self):
         _, view = self.server.ask_json("POST", "/v1/views?tool_radius=5", SQUARE, TEXT)

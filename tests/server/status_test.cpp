@@ -40,6 +40,8 @@ const Case cases[] = {
     {Refusal::setup_repeated, grpc::FAILED_PRECONDITION, "SETUP_REPEATED", false},
     {Refusal::request_empty, grpc::INVALID_ARGUMENT, "REQUEST_EMPTY", false},
     {Refusal::request_unreadable, grpc::INVALID_ARGUMENT, "REQUEST_UNREADABLE", false},
+    {Refusal::call_invalid, grpc::INVALID_ARGUMENT, "CALL_INVALID", false},
+    {Refusal::stream_needs_grpc, grpc::UNIMPLEMENTED, "STREAM_NEEDS_GRPC", false},
     {Refusal::input_after_final, grpc::FAILED_PRECONDITION, "INPUT_AFTER_FINAL", false},
     {Refusal::batch_out_of_sequence, grpc::OUT_OF_RANGE, "BATCH_OUT_OF_SEQUENCE", false},
     {Refusal::text_out_of_sequence, grpc::OUT_OF_RANGE, "TEXT_OUT_OF_SEQUENCE", false},

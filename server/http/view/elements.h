@@ -18,7 +18,7 @@ enum class Style : std::uint8_t {
   contour_masked = 1,  // programmed, but the tool does not get there
   path = 2,
   transition = 3,  // inserted on the path
-  lead = 4,        // approach and retract
+  lead = 4,        // approach and retract; programmed, but no wall
   plain = 5,       // motion without compensation, and programmed beside a contour
 };
 inline constexpr std::uint32_t rapid_flag = 1U << 8U;

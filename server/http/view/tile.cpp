@@ -95,6 +95,7 @@ class Drawing {
            box.high.y() >= low_.y();
   }
 
+  [[nodiscard]] Pen pen_of(const Elements& elements, std::size_t index, std::uint32_t flags) const;
   void draw_group(const Elements& elements, std::size_t group, std::uint32_t flags);
   void draw_element(const Elements& elements, std::size_t index, std::uint32_t flags);
   enum class Chords { joined, all };
@@ -117,6 +118,8 @@ class Drawing {
   Point begin_ = Point::Zero();  // of the segment that is being drawn
   Point at_ = Point::Zero();
   Pen pen_;
+  Pen next_pen_;  // of what begins behind the stroke
+  bool begun_by_dot_ = false;
   Sleeve sleeve_;
   // One dot for each cell.
   std::size_t dot_cells_;
@@ -141,9 +144,21 @@ void Drawing::draw_group(const Elements& elements, std::size_t group, std::uint3
   const std::size_t first = group * Elements::group_size;
   const std::size_t end = std::min(first + Elements::group_size, elements.size());
   // A group within a dot is its last point.
-  if (down_ && !of.has_special && of.box.size().maxCoeff() <= tolerance_ / 2)
+  if (down_ && !of.has_special && of.box.size().maxCoeff() <= tolerance_ / 2) {
+    next_pen_ = pen_of(elements, end - 1, flags);
     return go_to(elements[end - 1].end);
+  }
   for (std::size_t i = first; i < end; ++i) draw_element(elements, i, flags);
+}
+
+Drawing::Pen Drawing::pen_of(const Elements& elements, std::size_t index,
+                             std::uint32_t flags) const {
+  const Element& element = elements[index];
+  return {.element = index,
+          .line = element.line,
+          .style = static_cast<std::uint32_t>(element.style) | flags |
+                   (element.rapid ? rapid_flag : 0U) | (element.plane == plane_ ? 0U : aside_flag),
+          .tool_radius = element.tool_radius};
 }
 
 void Drawing::draw_element(const Elements& elements, std::size_t index, std::uint32_t flags) {
@@ -152,22 +167,23 @@ void Drawing::draw_element(const Elements& elements, std::size_t index, std::uin
   verify::Bounds box;
   box.add(shape);
   if (!sees(box)) return lift();
-  const Pen pen{.element = index,
-                .line = element.line,
-                .style = static_cast<std::uint32_t>(element.style) | flags |
-                         (element.rapid ? rapid_flag : 0U) |
-                         (element.plane == plane_ ? 0U : aside_flag),
-                .tool_radius = element.tool_radius};
+  const Pen pen = pen_of(elements, index, flags);
   const bool small = box.size().maxCoeff() <= 2 * tolerance_;
-  if (element.is_special() && small) draw_dot(element.start, pen);
-  // Something small keeps the pen of the stroke it is part of.
+  const bool is_dot = element.is_special() && small;
+  if (is_dot) draw_dot(element.start, pen);
+  // Something small keeps the pen of the stroke it is part of, unless that is of another kind and
+  // can be seen.
   const bool joined = down_ && at_ == element.start;
+  const bool is_other = !is_dot && !begun_by_dot_ && pen.style != pen_.style &&
+                        (at_ - begin_).norm() > 2 * tolerance_;
   // What can be pointed at for itself is drawn for itself.
-  if (!joined || (!small && (pen.style != pen_.style || begin_ != at_))) {
+  if (!joined || is_other || (!small && (pen.style != pen_.style || begin_ != at_))) {
     lift();
     begin_at(element.start);
   }
-  if (begin_ == at_) pen_ = pen;
+  if (begin_ == at_ || (begun_by_dot_ && !is_dot)) pen_ = pen;
+  begun_by_dot_ = is_dot && (begin_ == at_ || begun_by_dot_);
+  if (!is_dot) next_pen_ = pen;
   if (const auto* arc = std::get_if<Arc>(&shape))
     draw_arc(*arc, small ? Chords::joined : Chords::all);
   else
@@ -216,6 +232,7 @@ void Drawing::go_to(const Point& to) {
   if (!sleeve_.admits(to - begin_, tolerance_)) {
     add(begin_, at_, pen_);
     begin_ = at_;
+    pen_ = next_pen_;
     sleeve_.begin();
     (void)sleeve_.admits(to - begin_, tolerance_);
   }

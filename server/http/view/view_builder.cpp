@@ -1,9 +1,11 @@
 #include "server/http/view/view_builder.h"
 
 #include <algorithm>
+#include <unordered_set>
 #include <utility>
 
 #include "core/session/outline.h"
+#include "core/trc/walls/selection_contours.h"
 #include "proto/wire/compensated_block.h"
 #include "server/http/view/plane_messages.h"
 
@@ -44,6 +46,9 @@ Plane first_plane(const std::vector<Block>& blocks) {
   }
   return Plane::xy;
 }
+
+// Blocks of a selection. Of a longer one leads are hardly seen, and all it has would be held twice.
+constexpr std::size_t longest_with_leads = 1U << 16U;
 
 struct Movement {
   Plane plane = Plane::xy;
@@ -102,7 +107,7 @@ bool ViewBuilder::account() {
   // What a line in the compensated text will take.
   constexpr std::size_t output_bytes = 64;
   const std::size_t bytes = contour_.bytes() + path_.bytes() + output_bytes * path_.size() +
-                            waiting_.size() * sizeof(Block) +
+                            (waiting_.size() + selection_.capacity()) * sizeof(Block) +
                             contour_blocks_.capacity() * sizeof(std::uint32_t) +
                             radius_of_line_.capacity() * sizeof(float);
   while (has_memory_ && bytes > share_.bytes())
@@ -169,6 +174,7 @@ std::shared_ptr<View> ViewBuilder::finish(std::string id) {
   while (read_contour()) {
   }
   settle_plane();
+  mark_leads();
   mark_masked();
   contour_blocks_ = {};
   radius_of_line_ = {};
@@ -218,7 +224,10 @@ void ViewBuilder::add_contour(const Block& block) {
   const bool active = motion.mode->active();
   const Side side = active ? motion.mode->side : Side::off;
   const bool is_contour = active && std::exchange(side_, side) == side;
-  if (!active) side_ = Side::off;
+  if (!active) {
+    side_ = Side::off;
+    mark_leads();
+  }
   // The first one, and then the first one that is compensated.
   if (contour_.empty() || (active && said_.tool_radius() == 0))
     said_.set_unit(reader_.is_inch(motion.source.index) ? v1::LENGTH_UNIT_INCH
@@ -231,6 +240,7 @@ void ViewBuilder::add_contour(const Block& block) {
   add_seen(contour_, element,
            {.plane = motion.mode->plane, .shape = motion.path, .normal = motion.normal}, *plane_);
   contour_blocks_.resize(contour_.size(), static_cast<std::uint32_t>(motion.source.index));
+  if (active && selection_.size() <= longest_with_leads) selection_.push_back(block);
   if (element.line >= radius_of_line_.size()) radius_of_line_.resize(element.line + 1);
   radius_of_line_[element.line] = element.tool_radius;
   if (active) add_tool_radius(motion.mode->tool_radius);
@@ -243,6 +253,22 @@ void ViewBuilder::add_tool_radius(double radius) {
   if (std::find(radii.begin(), radii.end(), radius) != radii.end()) return;
   said_.add_tool_radii(radius);
   if (radii.size() == 1) said_.set_tool_radius(radius);
+}
+
+void ViewBuilder::mark_leads() {
+  const std::vector<Block> selection = std::exchange(selection_, {});
+  const std::size_t begin = std::exchange(selection_begin_, contour_.size());
+  if (selection.size() > longest_with_leads) return;
+  std::unordered_set<std::uint32_t> leads;
+  for (const SelectionContour& contour : contours_of(selection)) {
+    const SidedWalls walls = find_walls(contour, settings_.path.session.compensator.leads);
+    for (std::size_t i = 0; i < contour.blocks.size(); ++i)
+      if (walls.is_lead(i))
+        leads.insert(static_cast<std::uint32_t>(contour.blocks[i]->source.index));
+  }
+  if (leads.empty()) return;
+  for (std::size_t i = begin; i < contour_.size(); ++i)
+    if (leads.contains(contour_blocks_[i])) contour_.restyle(i, Style::lead);
 }
 
 void ViewBuilder::mark_masked() {

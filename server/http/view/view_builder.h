@@ -56,6 +56,8 @@ class ViewBuilder {
   void add_tool_radius(double radius);
   [[nodiscard]] float tool_radius_of(const CompensatedBlock& block);
   void mark_masked();
+  // Draws what of the selection read last is no wall as what leads to one.
+  void mark_leads();
   void describe(const Lines& program);
   // Takes the memory for what there is by now.
   bool account();
@@ -81,6 +83,9 @@ class ViewBuilder {
   Elements contour_;
   // Of each element of the contour: Source::index of its block.
   std::vector<std::uint32_t> contour_blocks_;
+  // The blocks of the selection that is being read, and where its elements begin.
+  std::vector<Block> selection_;
+  std::size_t selection_begin_ = 0;
   // Of each line; of one that is read again and again, as in subprograms, what it had last.
   std::vector<float> radius_of_line_;
   float path_radius_ = 0;  // of the compensated block before
