@@ -299,6 +299,8 @@ Interpreter::NotWhileActive Interpreter::find_what_is_copied(BlockWords& block) 
   }
   if (block.unfollowed_word) copy_motion("CT, TURN=, AP=, RP=, ANG=, ,A or a variable", all_axes);
   if (code_.tangent_arcs) copy_motion("CT", named);
+  if (leaves_from_lost_place(block))
+    copy_motion("a motion of one axis behind a deselection without motion", named);
   const bool fanuc = dialect_.name == DialectName::fanuc;
   if (fanuc && block.tool_data) copy_motion("a motion with L, which is repeated", all_axes);
   Code code = Code::nc_unsupported;
@@ -319,6 +321,49 @@ Interpreter::NotWhileActive Interpreter::find_what_is_copied(BlockWords& block) 
           .begin = begin,
           .meaning = std::move(meaning),
           .hangs_on_what_was_told = hangs_on_it};
+}
+
+// Its other axis still stands beside the contour, or where only the control knows.
+bool Interpreter::leaves_from_lost_place(const BlockWords& block) const {
+  const bool incremental = block.has(dimension) ? block.of(dimension).is(91) : incremental_;
+  const bool stands_beside = contour_open() && (!trc_active() || block.of(side).is(40));
+  const PlaneAxes axes = axes_of(state_.mode().plane);
+  const bool is_whole = block.move.end[axes.first] && block.move.end[axes.second];
+  return stands_beside && (state_.retract_is_lost() || block.has(zero_shift)) && !incremental &&
+         !is_whole && dialect_.name != DialectName::isg;
+}
+
+// What a copied line does behind a deselection without motion. In its output the axes it does not
+// name stand beside the contour, by the tool radius away from where the program has them.
+bool Interpreter::leave_contour_by_copy(ProgramLine& line, const BlockWords& block) {
+  const bool drills_here = block.has(cycle) && contour_open() && !trc_active();
+  if (!state_.retract_is_lost() && !drills_here) return true;
+  const bool sets = block.has(frame) || block.has(dwell) || block.has(tool_data);
+  const bool machine_place = block.has(single_move);
+  std::array<bool, 3> named{};
+  for (std::size_t axis = 0; axis < named.size(); ++axis)
+    named[axis] =
+        block.move.end[axis] && !sets && !block.to_skip && (!incremental_ || machine_place);
+  if (block.copied) state_.have_left_contour(named);
+  const bool cuts = code_.cycle || motion_ != MotionKind::rapid;
+  const bool goes = block.axis && !sets && !machine_place && !block.calls_the_machine;
+  if (!block.has(cycle) && !(goes && cuts)) return true;
+  return check_left_contour(line, block.axis.value_or(0), named);
+}
+
+// Before the tool cuts, each axis has to stand where the program has it, or be led there.
+bool Interpreter::check_left_contour(const ProgramLine& line, std::uint32_t begin,
+                                     const std::array<bool, 3>& named) {
+  const auto& beside = state_.beside_contour();
+  const char* const ended =
+      dialect_.name == DialectName::heidenhain ? "R0 without motion" : "G40 without motion";
+  for (std::size_t axis = 0; axis < beside.size(); ++axis)
+    if (beside[axis] && !named[axis])
+      return refuse(line, TextFault{.code = Code::position_unknown,
+                                    .begin = begin,
+                                    .detail = std::string(1, "XYZ"[axis]) +
+                                              ", beside the contour since " + ended});
+  return true;
 }
 
 bool Interpreter::copy_code_block(ProgramLine& line, BlockWords& block) {

@@ -214,6 +214,10 @@ class Interpreter {
   void take_words_of_few_controls(ProgramLine& line, BlockWords& block) const;
   void take_turns_of_arc(ProgramLine& line, BlockWords& block) const;
   bool copy_code_block(ProgramLine& line, BlockWords& block);
+  [[nodiscard]] bool leaves_from_lost_place(const BlockWords& block) const;
+  bool leave_contour_by_copy(ProgramLine& line, const BlockWords& block);
+  bool check_left_contour(const ProgramLine& line, std::uint32_t begin,
+                          const std::array<bool, 3>& named);
   // Whether a contour hangs on what a line says that may be skipped (D-59).
   bool check_what_may_be_skipped(const ProgramLine& line, const BlockWords& block);
   bool check_code_selection(ProgramLine& line, BlockWords& block);
@@ -249,6 +253,8 @@ class Interpreter {
                        Code code = Code::nc_unsupported);
   bool check_klartext(ProgramLine& line, KlartextBlock& block);
   bool apply_klartext(ProgramLine& line, KlartextBlock& block);
+  [[nodiscard]] bool leaves_from_lost_place(const KlartextBlock& block) const;
+  bool leave_contour_by_copy(ProgramLine& line, const KlartextBlock& block, bool copied);
   bool apply_klartext_modes(ProgramLine& line, KlartextBlock& block);
   bool apply_klartext_motion(ProgramLine& line, KlartextBlock& block);
   bool select_in_klartext(const ProgramLine& line, Side side, std::size_t begin);

@@ -41,8 +41,8 @@ bool Interpreter::apply(ProgramLine& line, BlockWords& block) {
   block.motion_before = motion_;
   block.feed_before = feed_;
   const bool goes_on = apply_modes(line, block) && apply_trc(line, block) &&
-                       pass(WordRole::technology) && apply_motion(line, block) &&
-                       pass(WordRole::stop);
+                       leave_contour_by_copy(line, block) && pass(WordRole::technology) &&
+                       apply_motion(line, block) && pass(WordRole::stop);
   if (!goes_on) return false;
   if (feed_mode_ == 94 && may_move_at_the_feed(block)) line.feed_it_takes = feed_;
   if (block.of(GGroup::zero_shift).is(53)) forget_position(line, block);

@@ -109,7 +109,9 @@ bool Interpreter::apply_klartext(ProgramLine& line, KlartextBlock& block) {
   const bool selects = block.side && *block.side != Side::off;
   const bool approaches = block.is(KlartextStatement::approach) && selects;
   const bool departs = block.is(KlartextStatement::departure) && trc_active();
-  const bool copied = block.unfollowed.has_value() || (is_lead && !approaches && !departs);
+  const bool alone = leaves_from_lost_place(block);
+  const bool copied = block.unfollowed.has_value() || alone || (is_lead && !approaches && !departs);
+  if (!leave_contour_by_copy(line, block, copied)) return false;
   if (copied || ((block.is(KlartextStatement::rounding) || block.is(KlartextStatement::chamfer) ||
                   block.is(KlartextStatement::center)) &&
                  !contour_open())) {
@@ -129,8 +131,8 @@ bool Interpreter::apply_klartext(ProgramLine& line, KlartextBlock& block) {
         block.is(KlartextStatement::straight) && !block.to_skip && !block.other_parameter &&
         block.unfollowed_why.ends_with("variable") && klartext_.unfollowed == 0;
     for (std::size_t axis = 0; axis < axes.size(); ++axis)
-      axes[axis] = by_parameters_alone ? block.end[axis] || block.by_parameter.at(axis)
-                                       : !block.machine_place || !named || block.end[axis];
+      axes[axis] = by_parameters_alone || alone ? block.end[axis] || block.by_parameter.at(axis)
+                                                : !block.machine_place || !named || block.end[axis];
     forget_klartext_position(line, axes);
     if (block.is(KlartextStatement::center)) klartext_.pole.reset();
     klartext_.polar_radius.reset();
@@ -149,6 +151,31 @@ bool Interpreter::apply_klartext(ProgramLine& line, KlartextBlock& block) {
   ended_ = true;
   state_.place(0);
   return state_.end(line.source);
+}
+
+// As for the dialects of G code: its other axis stands beside the contour, or nobody knows where.
+bool Interpreter::leaves_from_lost_place(const KlartextBlock& block) const {
+  if (!block.is(KlartextStatement::straight) || block.unfollowed || trc_active()) return false;
+  const PlaneAxes axes = axes_of(state_.mode().plane);
+  const auto& first = block.end[axes.first];
+  const auto& second = block.end[axes.second];
+  const bool one_alone = first.has_value() != second.has_value();
+  return state_.retract_is_lost() && one_alone && !(first ? first : second)->increment;
+}
+
+// What a block of Klartext does behind R0 without motion, as copied lines of G code do.
+bool Interpreter::leave_contour_by_copy(ProgramLine& line, const KlartextBlock& block,
+                                        bool copied) {
+  const bool drills_here = copied && block.calls_cycle && contour_open() && !trc_active();
+  if (!state_.retract_is_lost() && !drills_here) return true;
+  std::array<bool, 3> named{};
+  for (std::size_t axis = 0; axis < named.size(); ++axis)
+    named[axis] = !block.to_skip &&
+                  (block.by_parameter.at(axis) || (block.end[axis] && !block.end[axis]->increment));
+  if (copied) state_.have_left_contour(named);
+  const bool cuts = block.is_motion() && !block.rapid && !block.machine_place && block.names_axes();
+  if (!cuts && !block.calls_cycle) return true;
+  return check_left_contour(line, block.begin, named);
 }
 
 // Feed and side before the motion, as in every other dialect.

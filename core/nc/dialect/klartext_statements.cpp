@@ -283,6 +283,15 @@ bool Interpreter::read_klartext_statement(ProgramLine& line, std::size_t begin) 
       defines_frame(statement) || (is_any(statement, moving) && !is_any(statement, passing));
   if (moves && trc_active()) return while_active(first);
   if (moves) {
+    if (statement.starts_with("CYCL CALL") && contour_open()) {
+      // A pattern has places of its own.
+      const bool pattern = statement.starts_with("CYCL CALL PAT");
+      std::array<bool, 3> named{};
+      for (std::size_t axis = 0; axis < named.size(); ++axis)
+        named[axis] = pattern || statement.find(std::string{' ', "XYZ"[axis]}) != std::string::npos;
+      if (!check_left_contour(line, static_cast<std::uint32_t>(begin), named)) return false;
+      state_.have_left_contour(named);
+    }
     line.calls_the_machine = first == "CALL" || first == "PGM";
     if (line.calls_the_machine || own_contour || first.size() == 1 || !is_letter(first[1]))
       line.feed_it_takes = feed_;

@@ -57,6 +57,12 @@ bool ProgramState::deselect(const Source& source) {
     target_ = position_;
   }
   retract_pending_ = has_contour && retracts_in_a_block(mode_.selection);
+  if (retract_pending_) {
+    const PlaneAxes axes = axes_of(mode_.plane);
+    beside_contour_ = {};
+    beside_contour_[axes.first] = beside_contour_[axes.second] = true;
+    forget_what_stands_beside();
+  }
   just_deselected_ = true;
   TrcMode& mode = change_mode();
   mode.deselection = mode.selection;

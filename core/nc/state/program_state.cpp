@@ -69,6 +69,13 @@ void ProgramState::forget_position(const std::array<bool, 3>& axes, const Source
   for (std::size_t axis = 0; axis < known_.size(); ++axis)
     if (axes[axis]) known_[axis] = false;
   position_forgotten_ = source;
+  forget_what_stands_beside();
+}
+
+void ProgramState::forget_what_stands_beside() {
+  if (!retract_is_lost()) return;
+  const PlaneAxes axes = axes_of(mode_.plane);
+  known_[axes.first] = known_[axes.second] = false;
 }
 
 void ProgramState::set_position(const std::array<std::optional<double>, 3>& place,

@@ -127,7 +127,8 @@ class ProgramState {
   // the machine stands is not known on the axes given (X Y Z) until each is
   // programmed absolutely in a straight motion. Such motions are shown as starting
   // from the old coordinates, so that joints stay shared; what needs to know more,
-  // an arc, G91 or a selection, is refused (900106).
+  // an arc, G91 or a selection, is refused (900106). While a retract is still to come, one axis of
+  // the plane that is forgotten makes the other one unknown too.
   void forget_position(const std::array<bool, 3>& axes, const Source& source);
   // The machine stands at these coordinates, mm, from here on: G92 of Fanuc and LinuxCNC. Blocks
   // share their joints, so that an axis of the plane that stood elsewhere is forgotten.
@@ -186,6 +187,18 @@ class ProgramState {
   [[nodiscard]] const ProgramSetup& setup() const { return setup_; }
   // TRC is active, or its retract motion is still to come.
   [[nodiscard]] bool contour_open() const { return mode_.active() || retract_pending_; }
+  // Behind a deselection without motion the tool stands beside the end of the contour, and the
+  // place has been forgotten before it has left: what leaves from there is not known.
+  [[nodiscard]] bool retract_is_lost() const {
+    const PlaneAxes axes = axes_of(mode_.plane);
+    return retract_pending_ && !(known_[axes.first] && known_[axes.second]);
+  }
+  // Of such a tool the axes (X Y Z) that still stand beside the contour.
+  [[nodiscard]] const std::array<bool, 3>& beside_contour() const { return beside_contour_; }
+  // A motion that is copied has led them to where they would stand without TRC too.
+  void have_left_contour(const std::array<bool, 3>& axes) {
+    for (std::size_t axis = 0; axis < axes.size(); ++axis) beside_contour_[axis] &= !axes[axis];
+  }
   // Whether the place of a main axis is known.
   [[nodiscard]] bool is_known(std::size_t axis) const { return known_[axis]; }
   // TRC is selected; the motion that leads to the contour is still to come.
@@ -206,12 +219,13 @@ class ProgramState {
             absolute_center_, circle_.correct_center, circle_.last_digit, position_, target_,
             known_, position_forgotten_, displaced_, tracking_, selected_, selections_,
             in_plane_blocks_, has_approach_, last_path_, last_index_, last_part_, last_mode_,
-            retract_pending_, just_deselected_, next_plane_, corner_, corner_source_, corner_feed_,
-            lead_, held_, ended_);
+            retract_pending_, beside_contour_, just_deselected_, next_plane_, corner_,
+            corner_source_, corner_feed_, lead_, held_, ended_);
     terms_in_mode_ = tool_.terms();
   }
 
  private:
+  void forget_what_stands_beside();
   bool report(const Source& source, Code code, std::string detail = {},
               std::vector<DiagnosticValue> values = {});
   bool refuse(const Source& source, Refusal refusal);
@@ -325,6 +339,7 @@ class ProgramState {
   std::uint8_t last_part_ = 0;
   std::shared_ptr<const TrcMode> last_mode_{};
   bool retract_pending_ = false;
+  std::array<bool, 3> beside_contour_{};
   bool just_deselected_ = false;
   std::optional<Plane> next_plane_{};  // named behind a bare G40
   // To be cut, and the blocks from the one before it on, until the next motion in the plane.
