@@ -334,7 +334,7 @@ bool Interpreter::leaves_from_lost_place(const BlockWords& block) const {
 }
 
 // What a copied line does behind a deselection without motion. In its output the axes it does not
-// name stand beside the contour, by the tool radius away from where the program has them.
+// name stand beside the contour, by the tool radius away from where the program has them (D-74).
 bool Interpreter::leave_contour_by_copy(ProgramLine& line, const BlockWords& block) {
   const bool drills_here = block.has(cycle) && contour_open() && !trc_active();
   if (!state_.retract_is_lost() && !drills_here) return true;

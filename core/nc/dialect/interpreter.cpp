@@ -483,8 +483,7 @@ void Interpreter::copy_plunge_from_nowhere(ProgramLine& line, BlockWords& block)
 bool Interpreter::is_plain(ProgramLine& line, PlainMotion& plain) const {
   return !ended_ && comment_block_ == 0 && !in_subprogram_ && feed_mode_ == 94 &&
          reads_plain_lines_ && !machine_follows_ && !state_.retract_is_lost() &&
-         plain.read(line.text, line.words) &&
-         (motion_given_ || plain.has_function()) &&
+         plain.read(line.text, line.words) && (motion_given_ || plain.has_function()) &&
          (!incremental_ || state_.is_known(axes_of(state_.programmed_plane()).third)) &&
          (!plain.has_feed() || state_.is_feed(plain.feed() * feed_unit(inch_)));
 }
