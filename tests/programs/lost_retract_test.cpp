@@ -91,6 +91,22 @@ TEST(LostRetract, LetsNothingBeCutBesideItsPlace) {
   EXPECT_EQ(refused(heidenhain, "L Z+50 R0 FMAX\nCYCL CALL PAT F5000 M3\nM2\n"), 0);
 }
 
+// Codes of what is told of a program, one behind the other.
+std::string told(DialectName dialect, const std::string& text) {
+  const Ran ran = run_computing(behind_contour(dialect, text), setup_of(dialect), Output::nc_text);
+  std::string codes;
+  for (const Diagnostic& found : ran.diagnostics)
+    codes += std::to_string(static_cast<int>(found.code)) + ' ';
+  return codes;
+}
+
+TEST(LostRetract, WarnsOfAnEndBesideTheContourAlone) {
+  EXPECT_EQ(told(fanuc, "G40\nG0 Z50.\nG90 G53 X0 Y0\nM30\n"), "");
+  EXPECT_EQ(told(sinumerik, "G40\nSUPA G0 X0 Y0 D0\nM30\n"), "");
+  EXPECT_EQ(told(heidenhain, "L Z+50 R0 FMAX\nL X+0 Y+0 FMAX M91\nM2\n"), "");
+  EXPECT_EQ(told(fanuc, "G40\nG0 Z50.\nG28 Y0\nM30\n"), "900205 ");
+}
+
 TEST(LostRetract, LeavesOrdinaryEndsAlone) {
   EXPECT_EQ(refused(fanuc, "G40 G80\nG0 Z50.\nG91 G28 Z0\nG28 Y0\nM30\n"), 0);
   EXPECT_EQ(refused(fanuc, "G40\nG0 Z50.\nG91 G28 X0 Y0 Z0\nM30\n"), 0);

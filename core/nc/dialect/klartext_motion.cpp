@@ -166,8 +166,8 @@ bool Interpreter::leaves_from_lost_place(const KlartextBlock& block) const {
 // What a block of Klartext does behind R0 without motion, as copied lines of G code do.
 bool Interpreter::leave_contour_by_copy(ProgramLine& line, const KlartextBlock& block,
                                         bool copied) {
-  const bool drills_here = copied && block.calls_cycle && contour_open() && !trc_active();
-  if (!state_.retract_is_lost() && !drills_here) return true;
+  const bool leaves_here = copied && contour_open() && !trc_active();
+  if (!state_.retract_is_lost() && !leaves_here) return true;
   std::array<bool, 3> named{};
   for (std::size_t axis = 0; axis < named.size(); ++axis)
     named[axis] = !block.to_skip &&

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <utility>
 
 #include "core/nc/state/in_range.h"
@@ -365,7 +366,9 @@ bool ProgramState::end(const Source& source) {
   if (corner_ && corner_->form != CornerCut::Form::open && !corner_->modal)
     return refuse_corner(source);
   release_held();
-  if (std::exchange(ended_, true) || !contour_open()) return !diagnostics_.stopped();
+  // Both axes may have been led away by copied motions, such as G53 X0 Y0.
+  const bool has_left = retract_is_lost() && std::ranges::none_of(beside_contour_, std::identity{});
+  if (std::exchange(ended_, true) || !contour_open() || has_left) return !diagnostics_.stopped();
   return report(source, Code::ended_while_active);
 }
 
