@@ -7,7 +7,7 @@ sed -n 's/^build //p' "$1" | while read -r package; do
     g++) echo "g++-aarch64-linux-gnu binutils" ;;
     *-dev)
       # One package for all architectures has headers only.
-      if apt-cache show --no-all-versions "$package" | grep -qx 'Architecture: all'; then
+      if apt-cache show --no-all-versions "$package" | grep -x 'Architecture: all' >/dev/null; then
         echo "$package"
       else
         echo "$package:$2"

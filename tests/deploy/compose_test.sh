@@ -100,7 +100,7 @@ say "kill -9: 20 of 20 programs elsewhere, the stream of the lost server resumed
 python3 tests/deploy/prometheus.py http://127.0.0.1:9090 deploy/monitoring/grafana-trcd.json deploy/monitoring/alerts.yml ||
   fail "Prometheus"
 podman stop --time 35 "$(container "$first")" >/dev/null 2>&1
-alert_waits() { curl -sf http://127.0.0.1:9090/api/v1/alerts | grep -q '"alertname":"TrcdDown"'; }
+alert_waits() { curl -sf http://127.0.0.1:9090/api/v1/alerts | grep '"alertname":"TrcdDown"' >/dev/null; }
 wait_until 30 alert_waits || fail "no alert although $first is down"
 work_goes_on 5
 say "Prometheus: all targets up, every expression of the dashboard has values, a lost server raises an alert"

@@ -64,9 +64,9 @@ depends() { dpkg-deb --field "$1" Depends; }
 depends "$library" | grep -F libprotobuf32 >/dev/null || fail "libtrc0 does not depend on libprotobuf32"
 ! depends "$library" | grep -F grpc || fail "libtrc0 depends on gRPC"
 [ "$(depends "$development")" = 'libtrc0 (= 0.1.0-1)' ] || fail "libtrc-dev: $(depends "$development")"
-dpkg-deb --ctrl-tarfile "$library" | tar -xO ./shlibs | grep -qx 'libtrc 0 libtrc0 (>= 0.1.0-1)' ||
+dpkg-deb --ctrl-tarfile "$library" | tar -xO ./shlibs | grep -x 'libtrc 0 libtrc0 (>= 0.1.0-1)' >/dev/null ||
   fail "what is linked with libtrc0 would not depend on it"
-dpkg-deb --ctrl-tarfile "$library" | tar -xO ./triggers | grep -qx 'activate-noawait ldconfig' ||
+dpkg-deb --ctrl-tarfile "$library" | tar -xO ./triggers | grep -x 'activate-noawait ldconfig' >/dev/null ||
   fail "the loader would not find libtrc0"
 
 for package in "$library" "$development" "$python"; do dpkg-deb --extract "$package" "$work/root"; done

@@ -81,7 +81,7 @@ LIST
         "$work/venv/bin/python" client/python/tests/test_$test.py
     done
     { echo 'import trc'; example python; } >"$work/readme.py"
-    (cd "$work" && venv/bin/python readme.py) | grep -q M30
+    (cd "$work" && venv/bin/python readme.py) | grep M30 >/dev/null
     client=("$work/venv/bin/python" client/examples/python/compensate.py) ;;
   node)
     # The package from its tarball, beside the modules it needs.
@@ -102,16 +102,16 @@ LIST
       echo 'const text = readFileSync("../part.nc");'
       example js
     } >"$work/project/readme.mjs"
-    (cd "$work/project" && node readme.mjs) | grep -q M30
+    (cd "$work/project" && node readme.mjs) | grep M30 >/dev/null
     client=(node "$work/project/compensate.mjs") ;;
   buf)
     buf=$modules/@bufbuild/buf-linux-$(uname -m | sed 's/x86_64/x64/')/bin/buf
     [ -x "$buf" ] || without_modules buf
     curl=("$buf" curl --protocol grpc --http2-prior-knowledge)
     # By reflection: no file is given.
-    "${curl[@]}" "http://$address/trc.v1.TrcService/GetServerInfo" | grep -q '"maxMessageBytes"'
+    "${curl[@]}" "http://$address/trc.v1.TrcService/GetServerInfo" | grep '"maxMessageBytes"' >/dev/null
     "${curl[@]}" -d '{"service":"trc.v1.TrcService"}' \
-      "http://$address/grpc.health.v1.Health/Check" | grep -q '"SERVING"'
+      "http://$address/grpc.health.v1.Health/Check" | grep '"SERVING"' >/dev/null
     "${curl[@]}" --list-methods "http://$address" | sort >"$work/methods"
     grep -qx 'grpc.health.v1.Health/Watch' "$work/methods"
     grep -qx 'trc.v1.TrcService/CompensatePath' "$work/methods"
