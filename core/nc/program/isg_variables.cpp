@@ -261,7 +261,7 @@ bool IsgFlow::declare_elements(ExpressionReader& expression, const std::string& 
     std::string indices;
     std::size_t rest = element;
     for (std::size_t size = sizes.size(); size-- > 0; rest /= sizes[size])
-      indices = "[" + std::to_string(rest % sizes[size]) + "]" + indices;
+      indices.insert(0, "[" + std::to_string(rest % sizes[size]) + "]");
     Value value = element < values.size() ? values[element] : Value{};
     if (!assign(name + indices, std::move(value), begin)) return false;
   }
