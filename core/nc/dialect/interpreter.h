@@ -255,6 +255,8 @@ class Interpreter {
   bool apply_klartext(ProgramLine& line, KlartextBlock& block);
   [[nodiscard]] bool leaves_from_lost_place(const KlartextBlock& block) const;
   bool leave_contour_by_copy(ProgramLine& line, const KlartextBlock& block, bool copied);
+  bool leave_contour_by_cycle(const ProgramLine& line, std::size_t begin,
+                              std::string_view statement);
   bool apply_klartext_modes(ProgramLine& line, KlartextBlock& block);
   bool apply_klartext_motion(ProgramLine& line, KlartextBlock& block);
   bool select_in_klartext(const ProgramLine& line, Side side, std::size_t begin);

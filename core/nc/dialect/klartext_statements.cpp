@@ -234,6 +234,20 @@ bool Interpreter::take_labels_of_cycle(const ProgramLine& line, std::size_t begi
   return true;
 }
 
+// CYCL CALL works where the tool stands, POS where its words say, and a pattern has places of its
+// own (D-74).
+bool Interpreter::leave_contour_by_cycle(const ProgramLine& line, std::size_t begin,
+                                         std::string_view statement) {
+  if (!statement.starts_with("CYCL CALL") || !contour_open()) return true;
+  const bool pattern = statement.starts_with("CYCL CALL PAT");
+  std::array<bool, 3> named{};
+  for (std::size_t axis = 0; axis < named.size(); ++axis)
+    named[axis] = pattern || statement.find(std::string{' ', "XYZ"[axis]}) != std::string::npos;
+  if (!check_left_contour(line, static_cast<std::uint32_t>(begin), named)) return false;
+  state_.have_left_contour(named);
+  return true;
+}
+
 // Everything that is no contour.
 bool Interpreter::read_klartext_statement(ProgramLine& line, std::size_t begin) {
   const std::string statement = statement_of(std::string_view(line.text).substr(begin));
@@ -283,15 +297,7 @@ bool Interpreter::read_klartext_statement(ProgramLine& line, std::size_t begin) 
       defines_frame(statement) || (is_any(statement, moving) && !is_any(statement, passing));
   if (moves && trc_active()) return while_active(first);
   if (moves) {
-    if (statement.starts_with("CYCL CALL") && contour_open()) {
-      // A pattern has places of its own.
-      const bool pattern = statement.starts_with("CYCL CALL PAT");
-      std::array<bool, 3> named{};
-      for (std::size_t axis = 0; axis < named.size(); ++axis)
-        named[axis] = pattern || statement.find(std::string{' ', "XYZ"[axis]}) != std::string::npos;
-      if (!check_left_contour(line, static_cast<std::uint32_t>(begin), named)) return false;
-      state_.have_left_contour(named);
-    }
+    if (!leave_contour_by_cycle(line, begin, statement)) return false;
     line.calls_the_machine = first == "CALL" || first == "PGM";
     if (line.calls_the_machine || own_contour || first.size() == 1 || !is_letter(first[1]))
       line.feed_it_takes = feed_;

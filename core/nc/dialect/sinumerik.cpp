@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <cstdint>
 
 #include "core/nc/dialect/dialect.h"
 
@@ -8,7 +9,7 @@ namespace {
 
 using enum GGroup;
 
-constexpr auto functions = std::to_array<GFunction>({
+constexpr auto single_functions = std::to_array<GFunction>({
     {0, motion, "straight, rapid", true},
     {1, motion, "straight, at feed"},
     {2, motion, "circle or helix, clockwise"},
@@ -74,101 +75,6 @@ constexpr auto functions = std::to_array<GFunction>({
     {461, technology, "collision check of approach and retract"},
     {462, technology, "collision check of approach and retract"},
     {500, zero_shift, "no zero shift", true},
-    {505, zero_shift, "zero shift"},
-    {506, zero_shift, "zero shift"},
-    {507, zero_shift, "zero shift"},
-    {508, zero_shift, "zero shift"},
-    {509, zero_shift, "zero shift"},
-    {510, zero_shift, "zero shift"},
-    {511, zero_shift, "zero shift"},
-    {512, zero_shift, "zero shift"},
-    {513, zero_shift, "zero shift"},
-    {514, zero_shift, "zero shift"},
-    {515, zero_shift, "zero shift"},
-    {516, zero_shift, "zero shift"},
-    {517, zero_shift, "zero shift"},
-    {518, zero_shift, "zero shift"},
-    {519, zero_shift, "zero shift"},
-    {520, zero_shift, "zero shift"},
-    {521, zero_shift, "zero shift"},
-    {522, zero_shift, "zero shift"},
-    {523, zero_shift, "zero shift"},
-    {524, zero_shift, "zero shift"},
-    {525, zero_shift, "zero shift"},
-    {526, zero_shift, "zero shift"},
-    {527, zero_shift, "zero shift"},
-    {528, zero_shift, "zero shift"},
-    {529, zero_shift, "zero shift"},
-    {530, zero_shift, "zero shift"},
-    {531, zero_shift, "zero shift"},
-    {532, zero_shift, "zero shift"},
-    {533, zero_shift, "zero shift"},
-    {534, zero_shift, "zero shift"},
-    {535, zero_shift, "zero shift"},
-    {536, zero_shift, "zero shift"},
-    {537, zero_shift, "zero shift"},
-    {538, zero_shift, "zero shift"},
-    {539, zero_shift, "zero shift"},
-    {540, zero_shift, "zero shift"},
-    {541, zero_shift, "zero shift"},
-    {542, zero_shift, "zero shift"},
-    {543, zero_shift, "zero shift"},
-    {544, zero_shift, "zero shift"},
-    {545, zero_shift, "zero shift"},
-    {546, zero_shift, "zero shift"},
-    {547, zero_shift, "zero shift"},
-    {548, zero_shift, "zero shift"},
-    {549, zero_shift, "zero shift"},
-    {550, zero_shift, "zero shift"},
-    {551, zero_shift, "zero shift"},
-    {552, zero_shift, "zero shift"},
-    {553, zero_shift, "zero shift"},
-    {554, zero_shift, "zero shift"},
-    {555, zero_shift, "zero shift"},
-    {556, zero_shift, "zero shift"},
-    {557, zero_shift, "zero shift"},
-    {558, zero_shift, "zero shift"},
-    {559, zero_shift, "zero shift"},
-    {560, zero_shift, "zero shift"},
-    {561, zero_shift, "zero shift"},
-    {562, zero_shift, "zero shift"},
-    {563, zero_shift, "zero shift"},
-    {564, zero_shift, "zero shift"},
-    {565, zero_shift, "zero shift"},
-    {566, zero_shift, "zero shift"},
-    {567, zero_shift, "zero shift"},
-    {568, zero_shift, "zero shift"},
-    {569, zero_shift, "zero shift"},
-    {570, zero_shift, "zero shift"},
-    {571, zero_shift, "zero shift"},
-    {572, zero_shift, "zero shift"},
-    {573, zero_shift, "zero shift"},
-    {574, zero_shift, "zero shift"},
-    {575, zero_shift, "zero shift"},
-    {576, zero_shift, "zero shift"},
-    {577, zero_shift, "zero shift"},
-    {578, zero_shift, "zero shift"},
-    {579, zero_shift, "zero shift"},
-    {580, zero_shift, "zero shift"},
-    {581, zero_shift, "zero shift"},
-    {582, zero_shift, "zero shift"},
-    {583, zero_shift, "zero shift"},
-    {584, zero_shift, "zero shift"},
-    {585, zero_shift, "zero shift"},
-    {586, zero_shift, "zero shift"},
-    {587, zero_shift, "zero shift"},
-    {588, zero_shift, "zero shift"},
-    {589, zero_shift, "zero shift"},
-    {590, zero_shift, "zero shift"},
-    {591, zero_shift, "zero shift"},
-    {592, zero_shift, "zero shift"},
-    {593, zero_shift, "zero shift"},
-    {594, zero_shift, "zero shift"},
-    {595, zero_shift, "zero shift"},
-    {596, zero_shift, "zero shift"},
-    {597, zero_shift, "zero shift"},
-    {598, zero_shift, "zero shift"},
-    {599, zero_shift, "zero shift"},
     {601, technology, "exact stop fine"},
     {602, technology, "exact stop coarse"},
     {603, technology, "block change at the end of interpolation"},
@@ -185,7 +91,18 @@ constexpr auto functions = std::to_array<GFunction>({
     {973, technology, "constant spindle speed without limit"},
 });
 
-static_assert(std::ranges::is_sorted(functions, {}, &GFunction::tenths));
+// And G505 to G599, the settable frames behind G54 to G57.
+constexpr auto functions = [] {
+  constexpr int first = 505;
+  constexpr int last = 599;
+  std::array<GFunction, single_functions.size() + (last - first + 1)> all{};
+  const auto rest = std::ranges::copy(single_functions, all.begin()).out;
+  std::generate(rest, all.end(), [number = std::int16_t{first}]() mutable {
+    return GFunction{number++, GGroup::zero_shift, "zero shift"};
+  });
+  std::ranges::sort(all, {}, &GFunction::tenths);
+  return all;
+}();
 
 }  // namespace
 
