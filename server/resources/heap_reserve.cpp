@@ -4,6 +4,7 @@
 
 #include <atomic>
 #include <chrono>
+#include <cstdlib>
 #include <mutex>
 #include <new>
 #include <thread>
@@ -20,30 +21,58 @@ constexpr std::size_t least_bytes = 8U << 20U;
 // What a turn may take while the reserve is not whole: strings, and messages about what went wrong.
 constexpr std::size_t trifle_bytes = 4U << 10U;
 
-// Pages that nobody writes to.
-class Pages {
+// Room that nobody writes to.
+class Room {
  public:
-  Pages() = default;
-  explicit Pages(std::size_t bytes) : bytes_(bytes) {
+  // Pages of the system, of use for stacks as well.
+  static Room of_pages(std::size_t bytes) {
     void* memory = mmap(nullptr, bytes, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
-    if (memory != MAP_FAILED) memory_ = memory;
+    return memory == MAP_FAILED ? Room() : Room(memory, bytes);
   }
-  [[nodiscard]] bool are_there() const { return memory_ != nullptr; }
+  // What the heap has free. A small piece at its end keeps it from giving that back, all of its
+  // address space.
+  static Room of_heap(std::size_t bytes) { return {std::malloc(bytes), 0}; }
+
+  Room() = default;
+  [[nodiscard]] bool is_there() const { return memory_ != nullptr; }
   void free() {
-    if (are_there()) munmap(memory_, bytes_);
-    memory_ = nullptr;
+    if (bytes_of_pages_ > 0)
+      munmap(memory_, bytes_of_pages_);
+    else
+      std::free(memory_);
+    *this = Room();
   }
 
  private:
+  Room(void* memory, std::size_t bytes_of_pages)
+      : memory_(memory), bytes_of_pages_(bytes_of_pages) {}
+
   void* memory_ = nullptr;
-  std::size_t bytes_ = 0;
+  std::size_t bytes_of_pages_ = 0;
 };
+
+Room take_room() {
+  // Where there is none, nobody is asked for it.
+  const HeapReserve::Turn turn;
+  for (const auto take : {&Room::of_pages, &Room::of_heap}) {
+    for (std::size_t bytes = most_bytes; bytes >= least_bytes; bytes /= 2) {
+      const Room room = take(bytes);
+      if (room.is_there()) return room;
+    }
+  }
+  return {};
+}
 
 std::atomic<bool> installed = false;
 std::mutex mutex;
-Pages reserve;
+Room reserve;
 std::atomic<bool> used = false;
 thread_local int turns = 0;
+
+bool is_whole() {
+  const std::lock_guard lock(mutex);
+  return reserve.is_there();
+}
 
 // A thread of gRPC or of the log would end the process. Streams are about to end and to give back
 // what they hold (MemoryWatch), so it waits for that. False where that takes too long.
@@ -79,7 +108,7 @@ bool HeapReserve::make_room() noexcept {
   bool was_there = false;
   {
     const std::lock_guard lock(mutex);
-    was_there = reserve.are_there();
+    was_there = reserve.is_there();
     if (was_there) used = true;
     reserve.free();
   }
@@ -89,11 +118,12 @@ bool HeapReserve::make_room() noexcept {
 }
 
 bool HeapReserve::refill() noexcept {
-  if (!installed) return true;
+  if (!installed || is_whole()) return true;
+  // Not under the lock: a heap that is empty asks for what is reserved.
+  Room room = take_room();
   const std::lock_guard lock(mutex);
-  for (std::size_t bytes = most_bytes; !reserve.are_there() && bytes >= least_bytes; bytes /= 2)
-    reserve = Pages(bytes);
-  if (!reserve.are_there()) return !used;
+  if (!room.is_there()) return !used;
+  reserve = room;
   used = false;
   return true;
 }

@@ -214,46 +214,76 @@ std::uint64_t address_space_bytes() {
   return pages * static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE));
 }
 
-// In a process whose heap has an end; the exit code says what did not hold.
-[[noreturn]] void use_up_the_heap() {
-  const auto holds = [](bool held, int what) {
-    if (!held) std::_Exit(what);
-  };
+void expect(bool held, int what) {
+  if (!held) std::_Exit(what);
+}
+
+using Taken = std::vector<std::unique_ptr<char[]>>;
+
+bool fails(Taken& taken) {
+  try {
+    taken.emplace_back(new char[mib]);
+    return false;
+  } catch (const std::bad_alloc&) {
+    return true;
+  }
+}
+
+// Of a process of its own: the exit code says what did not hold.
+Taken with_an_end_of_the_heap() {
   mallopt(M_MMAP_THRESHOLD, 4 << 20);
   const rlim_t most = address_space_bytes() + 200 * mib;
   const rlimit limit{most, most};
-  holds(setrlimit(RLIMIT_AS, &limit) == 0, 2);
+  expect(setrlimit(RLIMIT_AS, &limit) == 0, 2);
   HeapReserve::install();
-  std::vector<std::unique_ptr<char[]>> taken;
+  Taken taken;
   taken.reserve(1000);
-  const auto fails = [&] {
-    try {
-      taken.emplace_back(new char[mib]);
-      return false;
-    } catch (const std::bad_alloc&) {
-      return true;
-    }
-  };
+  return taken;
+}
+
+void use_up_in_a_turn(Taken& taken) {
+  const HeapReserve::Turn turn;
+  while (!fails(taken)) expect(taken.size() < 900, 3);
+  // What is left is for the others.
+  expect(fails(taken), 7);
+}
+
+[[noreturn]] void use_up_the_heap() {
+  Taken taken = with_an_end_of_the_heap();
   for (int round = 0; round < 2; ++round) {
-    {
-      const HeapReserve::Turn turn;
-      while (!fails()) holds(taken.size() < 900, 3);
-      // What is left is for the others.
-      holds(fails(), 7);
-    }
+    use_up_in_a_turn(taken);
     // The turn has failed and left the reserve to the others.
-    for (int i = 0; i < 8; ++i) holds(!fails(), 4);
-    while (!fails()) holds(taken.size() < 900, 5);
+    for (int i = 0; i < 8; ++i) expect(!fails(taken), 4);
+    while (!fails(taken)) expect(taken.size() < 900, 5);
     HeapReserve::refill();
-    holds(fails(), 6);
+    expect(fails(taken), 6);
     taken.clear();
     HeapReserve::refill();
   }
   std::_Exit(0);
 }
 
+[[noreturn]] void leave_the_heap_to_the_heap() {
+  Taken taken = with_an_end_of_the_heap();
+  for (int round = 0; round < 2; ++round) {
+    use_up_in_a_turn(taken);
+    while (!fails(taken)) expect(taken.size() < 900, 5);
+    // What lies at its end keeps the heap from giving back what is free before it.
+    const std::unique_ptr<char[]> last = std::move(taken.back());
+    taken.clear();
+    expect(HeapReserve::refill(), 8);
+    const HeapReserve::Turn turn;
+    expect(!fails(taken), 9);
+  }
+  std::_Exit(0);
+}
+
 TEST(HeapReserve, IsLeftToTheOthersWhereATurnFindsTheHeapEmpty) {
   EXPECT_EXIT(use_up_the_heap(), testing::ExitedWithCode(0), "");
+}
+
+TEST(HeapReserve, IsTakenAgainOutOfWhatTheHeapDoesNotGiveBack) {
+  EXPECT_EXIT(leave_the_heap_to_the_heap(), testing::ExitedWithCode(0), "");
 }
 #endif
 
