@@ -12,6 +12,7 @@
 #include "core/trc/passes/offset.h"
 #include "core/trc/passes/relevant_blocks.h"
 #include "core/trc/passes/reporting.h"
+#include "core/trc/passes/rounded_input.h"
 #include "core/trc/passes/transitions.h"
 #include "core/trc/selection/entry_help.h"
 #include "core/trc/selection/inside_corner.h"
@@ -41,6 +42,7 @@ struct Compensator::Passes {
         engine(setup.engine),
         relevant_blocks(setup, log, refused_way),
         convert_circles(setup.tolerances),
+        rounded_input(setup.leads.input_resolution),
         kerf_masking(setup.circular_kerf_masking, setup.tolerances),
         offset(setup.tolerances, log),
         inside_corner(setup.limits.selection_blocks, setup.tolerances, log, checkpoint,
@@ -52,7 +54,7 @@ struct Compensator::Passes {
         bottlenecks(setup, log, checkpoint),
         reporting(setup, log),
         short_way(
-            setup.inverse_path, setup.tolerances, log, loop_removal,
+            setup.inverse_path, setup.tolerances, setup.leads.input_resolution, log, loop_removal,
             [this](PathBlocks& free, std::vector<CompensatedBlock>& out) {
               path.blocks.swap(free);
               const bool goes_on = finish_path(Input::more, out);
@@ -89,6 +91,7 @@ struct Compensator::Passes {
   bool find_path(Input input) {
     return advance(relevant_blocks,    programmed,  path.blocks, input, checkpoint)
         && apply  (convert_circles,    path.blocks)
+        && advance(rounded_input,      path,        input, checkpoint)
         && advance(kerf_masking,       path,        input, checkpoint)
         && apply  (offset,             path.blocks)
         && advance(inside_corner,      path,        input, checkpoint)
@@ -107,8 +110,8 @@ struct Compensator::Passes {
   // The passes that hold something. Nothing lies between them when a call has ended.
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(relevant_blocks, kerf_masking, inside_corner, contour_masking, transitions,
-            loop_removal, bottlenecks, reporting);
+    archive(relevant_blocks, rounded_input, kerf_masking, inside_corner, contour_masking,
+            transitions, loop_removal, bottlenecks, reporting);
   }
 
   // Takes blocks from the front the short way, as far as that goes. Returns how many.
@@ -126,8 +129,9 @@ struct Compensator::Passes {
     return count;
   }
   [[nodiscard]] bool idle_for(const PathBlock& block) const {
-    return !relevant_blocks.counts_for_window(block) && kerf_masking.ignores(block) &&
-           inside_corner.ignores(block) && contour_masking.ignores(block) &&
+    return !relevant_blocks.counts_for_window(block) && rounded_input.ignores(block) &&
+           kerf_masking.ignores(block) && inside_corner.ignores(block) &&
+           contour_masking.ignores(block) &&
            (loop_removal.takes_contour() ||
             (loop_removal.ignores(block) && bottlenecks.ignores(block)));
   }
@@ -157,6 +161,7 @@ struct Compensator::Passes {
   selection::RefusedWay refused_way;  // by the pass that has stopped the stream
   RelevantBlocks relevant_blocks;
   ConvertCircles convert_circles;
+  RoundedInput rounded_input;
   KerfMasking kerf_masking;
   Offset offset;
   selection::InsideCorner inside_corner;
@@ -247,9 +252,10 @@ void Compensator::load(StateReader& archive) { archive(*passes_); }
 const Summary& Compensator::summary() const { return passes_->reporting.summary(); }
 
 std::size_t Compensator::look_ahead() const {
-  return passes_->relevant_blocks.look_ahead() + passes_->kerf_masking.look_ahead() +
-         passes_->contour_masking.look_ahead() + passes_->transitions.look_ahead() +
-         passes_->loop_removal.look_ahead() + passes_->bottlenecks.look_ahead();
+  return passes_->relevant_blocks.look_ahead() + passes_->rounded_input.look_ahead() +
+         passes_->kerf_masking.look_ahead() + passes_->contour_masking.look_ahead() +
+         passes_->transitions.look_ahead() + passes_->loop_removal.look_ahead() +
+         passes_->bottlenecks.look_ahead();
 }
 
 }  // namespace trc

@@ -49,6 +49,7 @@ struct PathBlock {
   bool perpendicular_exit = false;
   Compensation at_start{};
   Compensation at_end{};
+  bool before_short = false;  // RoundedInput waits for the line behind it; set by RelevantBlocks
 
   // Of the programmed segment; set by Offset.
   Vector tangent_at_start = Vector::Zero();

@@ -63,13 +63,13 @@ void serialize(Archive& archive, LeftOut& stretch) {
 template <class Archive>
 void serialize(Archive& archive, PathBlock& block) {
   auto& [programmed, role, origin, perpendicular_entry, perpendicular_exit, at_start, at_end,
-         tangent_at_start, tangent_at_end, offset_start, offset_end, tool_path, tool_start,
-         path_given, behind_tip, cut_at_start, cut_at_end, splittable, half_slot, largest_radius,
-         masked, rejoin, unreachable, passive, passive_after_exit] = block;
+         before_short, tangent_at_start, tangent_at_end, offset_start, offset_end, tool_path,
+         tool_start, path_given, behind_tip, cut_at_start, cut_at_end, splittable, half_slot,
+         largest_radius, masked, rejoin, unreachable, passive, passive_after_exit] = block;
   archive(programmed, role, origin, perpendicular_entry, perpendicular_exit, at_start, at_end,
-          tangent_at_start, tangent_at_end, offset_start, offset_end, tool_path, tool_start,
-          path_given, behind_tip, cut_at_start, cut_at_end, splittable, half_slot, largest_radius,
-          masked, unreachable, passive, passive_after_exit);
+          before_short, tangent_at_start, tangent_at_end, offset_start, offset_end, tool_path,
+          tool_start, path_given, behind_tip, cut_at_start, cut_at_end, splittable, half_slot,
+          largest_radius, masked, unreachable, passive, passive_after_exit);
   serialize_rejoin(archive, rejoin);
 }
 

@@ -59,6 +59,7 @@ class Selection {
         end_(what.end),
         latest_(what.begin),
         allowed_(settings.allowed),
+        input_resolution_(settings.leads.input_resolution),
         progress_(settings.progress),
         checkpoint_(checkpoint),
         walls_(what.walls),
@@ -372,11 +373,16 @@ class Selection {
     return is_inside == (turns_left == (side == Side::left)) && is_within(path, own);
   }
 
+  // A line as short as rounding leaves it where nothing was meant has no side (D-44).
+  [[nodiscard]] bool is_hardly_there(const Piece& own) const {
+    const double longest = 1.5 * std::min(input_resolution_, 0.01 * required_);
+    return !own.is_arc() && (own.end - own.start).norm() <= longest;
+  }
+
   // Whether the middle of the path lies on the side of its own block that the program asks for.
   void check_side(const PathPiece& path, const ProgrammedPiece& own) {
     const Rule& rule = held_.rule_of(own);
-    const bool is_point = !own.piece.is_arc() && own.piece.start == own.piece.end;
-    if (!rule.follows || is_point) return;
+    if (!rule.follows || is_hardly_there(own.piece)) return;
     // The quick way; what it finds at fault is looked at as all others are.
     if (is_surely_beside(path.piece, own.piece, rule.side)) return;
     const Point middle = place_at(segment_of(path.piece), 0.5).point;
@@ -443,6 +449,7 @@ class Selection {
   std::size_t end_;
   std::size_t latest_;  // programmed piece whose path has been measured
   double allowed_;
+  double input_resolution_;
   const std::function<void(std::size_t, std::size_t)>& progress_;
   Checkpoint& checkpoint_;
   const SelectionWalls& walls_;

@@ -304,6 +304,50 @@ TEST(Rounding, ThatTiesACornerDoesNotChangeThePath) {  // D-44
   std::cout << compared << " compared, " << left_out << " beside a passage as wide as the tool\n";
 }
 
+// A point beside the way, anywhere, or beside the first or the last one.
+Job with_a_block_hardly_there(Job job, Random& random) {
+  const std::size_t at = random.below(job.corners.size());
+  const double apart = std::pow(10.0, random.between(-6, -3.05));
+  const double angle = random.between(0, 2 * pi);
+  const Point other = job.corners[at] + apart * Point(std::cos(angle), std::sin(angle));
+  const std::size_t behind = at == 0 && random.chance(0.5) ? job.corners.size() : at + 1;
+  job.corners.insert(job.corners.begin() + static_cast<std::ptrdiff_t>(behind), other);
+  return job;
+}
+
+TEST(Rounding, BlocksThatAreHardlyThereDecideNothing) {  // D-44, D-14
+  std::size_t compared = 0;
+  for (std::uint64_t seed = 56'000'000; seed < 56'000'000 + 4 * contours_of_a_kind(); ++seed) {
+    Random random(seed);
+    Job job = made(Part::plate, random);
+    job.mode.transition = Transition::circular;
+    if (random.chance(0.5)) {
+      job.mode.side = Side::left;
+      job.out = -job.out;
+    }
+    job.mode.options.remove_masked_blocks = random.chance(0.3);
+    if (!job.mode.options.remove_masked_blocks && random.chance(0.5))
+      job.mode.masking = Masking::off;
+    const auto exact = path_of(compensated(contour_of(job, 0), job.mode));
+    TrcMode plain = job.mode;
+    plain.masking = Masking::off;
+    // Beside blocks that G141 masks it masks another one.
+    const bool masks = !job.mode.options.remove_masked_blocks &&
+                       path_of(compensated(contour_of(job, 0), plain)).empty();
+    if (exact.empty() || masks) continue;
+    ++compared;
+    const Contour contour = contour_of(with_a_block_hardly_there(job, random), 0);
+    std::ostringstream story;
+    story << "seed " << seed << ", " << text_of(job.mode) << '\n' << contour;
+    SCOPED_TRACE(story.str());
+    const Outcome outcome = compensated(contour, job.mode);
+    ASSERT_FALSE(outcome.stopped) << message_of(*outcome.error());
+    EXPECT_LE(hausdorff(exact, path_of(outcome)), 3e-3);
+  }
+  std::cout << compared << " compared\n";
+  EXPECT_GT(compared, contours_of_a_kind());
+}
+
 TEST(Rounding, IsRefusedNowhereWhereTheToolHasRoomAtTheEnds) {  // D-44
   std::size_t refused = 0;
   for_each_job(51'000'000, [&](const Job& job) {

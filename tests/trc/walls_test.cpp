@@ -455,6 +455,19 @@ TEST(Walls, LeadsMayBeLongerThanTheContour) {  // D-38
   EXPECT_EQ((Ranges{{0, 1}, {2, 3}}), walls_of(boss_between_long_leads(2 * pi), Side::right).leads);
 }
 
+// Lines of 8 mm beside a boss of 2 mm: as walls they would have it behind them.
+TEST(Walls, LongLeadsMayGoStraightOn) {  // D-38
+  const auto boss = [](double sweep) {
+    return Drawing(2, -8).line(2, 0).arc(0, 0, sweep).line(2, std::copysign(8, sweep));
+  };
+  EXPECT_EQ((Ranges{{0, 1}, {2, 3}}), walls_of(boss(2 * pi), Side::right).leads);
+  EXPECT_TRUE(walls_of(boss(2 * pi), Side::left).leads.empty());
+  const Drawing square =
+      Drawing(2, -8).line(2, 0).line(2, 2).line(-2, 2).line(-2, -2).line(2, -2).line(2, 0).line(2,
+                                                                                                8);
+  EXPECT_EQ((Ranges{{0, 1}, {6, 7}}), walls_of(square, Side::right).leads);
+}
+
 // Half circles that begin and end in one point, or cross, close nothing there.
 TEST(Walls, LongLeadsMayMeet) {  // D-38
   const auto boss = [](double apart) {

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/trc/corner/corner.h"
+#include "core/trc/passes/rounded_input.h"
 
 namespace trc {
 namespace {
@@ -80,6 +81,7 @@ bool RelevantBlocks::attach_passive(PassiveBlock&& block, PathBlocks& out) {
 
 bool RelevantBlocks::follow(MotionBlock&& motion, PathBlocks& out) {
   if (held_ && is_circle_for_line(*held_, motion.mode.get())) keep_refused_approach(motion);
+  if (held_) held_->before_short = RoundedInput::is_short(motion, setup_.leads.input_resolution);
   if (!release(motion.mode.get(), out)) return false;
   auto block = std::make_unique_for_overwrite<PathBlock>();
   block->programmed = std::move(motion);

@@ -13,6 +13,7 @@
 #include "core/trc/corner/tool_path.h"
 #include "core/trc/passes/contour_violations.h"
 #include "core/trc/passes/offset.h"
+#include "core/trc/passes/rounded_input.h"
 
 namespace trc {
 namespace {
@@ -82,6 +83,7 @@ std::size_t ShortWay::take(PathBlock& open, PathBlock& held, std::span<Block> bl
   for (Block& block : blocks) {
     auto* motion = std::get_if<MotionBlock>(&block);
     if (motion == nullptr || motion->mode.get() != mode_ || !going_) break;
+    if (RoundedInput::is_short(*motion, input_resolution_)) break;
     offset(*last, *after, *corner, *next_corner);
     const OffsetCurve& equidistant = corner->after;
     if (!removes_loops_ && equidistant.circular && vanishes(equidistant.circle.radius, tolerances_))

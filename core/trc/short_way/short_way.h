@@ -30,10 +30,12 @@ class ShortWay {
   // stream must stop.
   using LeaveSelection = std::function<bool(PathBlocks& path, std::vector<CompensatedBlock>& out)>;
 
-  ShortWay(bool inverse_path, const Tolerances& tolerances, const Diagnostics& diagnostics,
-           LoopRemoval& loop_removal, LeaveSelection leave_selection, Reporting& reporting)
+  ShortWay(bool inverse_path, const Tolerances& tolerances, double input_resolution,
+           const Diagnostics& diagnostics, LoopRemoval& loop_removal,
+           LeaveSelection leave_selection, Reporting& reporting)
       : inverse_path_(inverse_path),
         tolerances_(tolerances),
+        input_resolution_(input_resolution),
         diagnostics_(diagnostics),
         loop_removal_(loop_removal),
         leave_selection_(std::move(leave_selection)),
@@ -91,6 +93,7 @@ class ShortWay {
   void put_out_leaving(std::vector<CompensatedBlock>& out);
   bool inverse_path_;
   Tolerances tolerances_;
+  double input_resolution_;  // mm
   const Diagnostics& diagnostics_;
   LoopRemoval& loop_removal_;
   LeaveSelection leave_selection_;

@@ -1,8 +1,7 @@
 #include "core/trc/walls/long_leads.h"
 
-#include <variant>
-
 #include "core/geometry/along.h"
+#include "core/geometry/segment.h"
 #include "core/trc/walls/outline.h"
 #include "core/trc/walls/scratch.h"
 
@@ -13,15 +12,27 @@ namespace {
 constexpr std::size_t most_lead_blocks = 4;
 // Up to here two places on a contour are one, mm.
 constexpr double same_place = 1e-7;
+// Cosine of the turn between a line and what it goes straight on into, 1 degree.
+constexpr double straight_on = 0.99984;
 
-// Whether an arc leads away from where the contour closes, at once or behind an overrun of blocks
-// that end where the first ones do.
-bool leaves_by_arc(const ContourView& contour, const EndsMeeting& closing, double tolerance) {
+// A lead beside the contour is an arc, or a line that goes straight on into it or out of it: as a
+// wall that would have the contour behind it.
+bool leads_into(const Segment& lead, const Segment& contour) {
+  return is_arc(lead) || tangent_at_end(lead).dot(tangent_at_start(contour)) > straight_on;
+}
+bool leads_out_of(const Segment& contour, const Segment& lead) {
+  return is_arc(lead) || tangent_at_end(contour).dot(tangent_at_start(lead)) > straight_on;
+}
+
+// Whether a lead begins where the contour closes, at once or behind an overrun of blocks that end
+// where the first ones do.
+bool is_left_by_lead(const ContourView& contour, const EndsMeeting& closing, double tolerance) {
   std::size_t wall = closing.first.number;
   if (closing.first.along > same_place) ++wall;
   for (std::size_t number = closing.second.number + 1; number < contour.count; ++number, ++wall) {
     const Segment out = contour.segment(number);
-    if ((end_of(out) - end_of(contour.segment(wall))).norm() > tolerance) return is_arc(out);
+    if ((end_of(out) - end_of(contour.segment(wall))).norm() > tolerance)
+      return leads_out_of(contour.segment(number - 1), out);
   }
   return false;
 }
@@ -43,10 +54,9 @@ bool is_between_long_leads(const ContourView& contour, const EndsMeeting& closin
       !are_few_outside(contour, closing.first.number, closing.second.number) ||
       !(is_end(closing.first) || is_end(closing.second)))
     return false;
-  // Straight on, the first and the last block may be walls that a circle stands beside.
-  if (closing.first.number == 0 ||
-      !std::holds_alternative<Arc>(contour.segment(closing.first.number - 1)) ||
-      !leaves_by_arc(contour, closing, tolerance))
+  const std::size_t first = closing.first.number;
+  if (first == 0 || !leads_into(contour.segment(first - 1), contour.segment(first)) ||
+      !is_left_by_lead(contour, closing, tolerance))
     return false;
   double length = closing.second.along - closing.first.along;
   for (std::size_t number = closing.first.number; number < closing.second.number; ++number)

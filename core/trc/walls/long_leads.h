@@ -11,7 +11,7 @@ namespace trc {
                                    std::size_t second);
 
 // Whether leads that are longer than the contour part from it where its ends meet: few blocks, the
-// ones beside the contour arcs, on the side of the tool (D-38).
+// ones beside the contour arcs or straight on, on the side of the tool (D-38).
 [[nodiscard]] bool is_between_long_leads(const ContourView& contour, const EndsMeeting& closing,
                                          double tolerance);
 

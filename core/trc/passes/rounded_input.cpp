@@ -1,0 +1,211 @@
+#include "core/trc/passes/rounded_input.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <utility>
+#include <variant>
+
+namespace trc {
+namespace {
+
+// mm
+double resolution_for(const TrcMode& mode, double input_resolution) {
+  return std::min(input_resolution, 0.01 * std::abs(mode.tool_radius));
+}
+
+// How far a corner may lie beside what joins its neighbours, mm: a coordinate is off by up to half
+// of the resolution, two of them by its diagonal.
+double most_aside(const TrcMode& mode, double input_resolution) {
+  return 1.5 * resolution_for(mode, input_resolution);
+}
+
+Vector vector_of(const Line& line) { return line.end - line.start; }
+
+double distance_to(const Point& point, const Line& line) {
+  const Vector way = vector_of(line);
+  const double square = way.squaredNorm();
+  const double along =
+      square > 0 ? std::clamp((point - line.start).dot(way) / square, 0.0, 1.0) : 0.0;
+  return (point - line.start - along * way).norm();
+}
+
+// With G239 the program has gone on from the end of the compensated path, which therefore must not
+// be turned any more.
+bool begins_in_end_of_path(const PathBlock* next) {
+  return next != nullptr && next->role != Role::passive &&
+         next->mode().deselection == Selection::without_block;
+}
+
+}  // namespace
+
+bool RoundedInput::is_short(const MotionBlock& motion, double input_resolution) {
+  const auto* line = std::get_if<Line>(&motion.path);
+  if (line == nullptr) return false;
+  const TrcMode& mode = *motion.mode;
+  const double longest = most_aside(mode, input_resolution);
+  return mode.active() && !mode.options.suppress_trc &&
+         vector_of(*line).squaredNorm() <= longest * longest;
+}
+
+bool RoundedInput::is_contour_line(const PathBlock& block) {
+  return block.role == Role::contour && std::holds_alternative<Line>(block.programmed.path) &&
+         block.at_start == block.at_end && block.at_end.shift != 0 && !block.perpendicular_exit &&
+         !block.path_given;
+}
+
+bool RoundedInput::continues(const PathBlock& block) const {
+  return !held_.empty() && is_contour_line(block) && !block.perpendicular_entry &&
+         block.programmed.mode == held_.back()->programmed.mode &&
+         block.at_start == held_.back()->at_end;
+}
+
+bool RoundedInput::feed(PathBlockPtr block, PathBlocks& out) {
+  if (!held_.empty() && !continues(*block)) end_before(block.get(), out);
+  const bool goes_on = block->before_short || is_short(block->programmed, input_resolution_);
+  if (!is_contour_line(*block) || (held_.empty() && !goes_on)) {
+    before_.reset();
+    behind_contour_ = block->role == Role::contour && block->at_end.active;
+    if (behind_contour_) before_ = tangent_at_end(block->programmed.path);
+    out.push_back(std::move(block));
+    return true;
+  }
+  if (block->perpendicular_entry) before_.reset();
+  if (held_.empty()) begins_ = !behind_contour_ && is_short(block->programmed, input_resolution_);
+  behind_contour_ = true;
+  chords_.push_back({.first = held_.size()});
+  held_.push_back(std::move(block));
+  if (begins_ || !is_exact()) smooth();
+  begins_ = begins_ && chords_.size() == 1;
+  if (goes_on)
+    release_some(out);
+  else
+    release_all(std::nullopt, out);
+  return true;
+}
+
+bool RoundedInput::drain(PathBlocks& out) {
+  end_before(nullptr, out);
+  return true;
+}
+
+Line RoundedInput::line_of(const Chord& chord) const {
+  return {.start = start_of(held_[chord.first]->programmed.path),
+          .end = end_of(held_[chord.first + chord.count - 1]->programmed.path)};
+}
+
+double RoundedInput::taken_between(const Vector& before, const Vector& after) const {
+  const double shift = held_.back()->at_end.shift;
+  const double cosine = before.dot(after);
+  if (cosine < 0) return cross(before, after) * shift > 0 ? std::abs(shift) : 0;
+  return std::max(shift * cross(before, after) / (1 + cosine), 0.0);  // R·tan(β/2)
+}
+
+bool RoundedInput::is_in_the_way(const Line& before, const Line& after) const {
+  constexpr double cosine_of_slight_turn = 0.995;  // 5.7 degrees
+  const double shortest = std::min(length_of(before), length_of(after));
+  return shortest <= most_aside(held_.back()->mode(), input_resolution_) &&
+         tangent_of(before).dot(tangent_of(after)) < cosine_of_slight_turn;
+}
+
+// Only what leaves no loops in keeps to every digit of a contour, between its ends: a tool that
+// goes no farther than to a point has no room at an end that points elsewhere.
+bool RoundedInput::is_exact() const {
+  const TrcMode& mode = held_.back()->mode();
+  return mode.masking == Masking::on && mode.options.remove_masked_blocks && !mode.below_nominal;
+}
+
+// Whether the corners between stay near enough to the line that takes the place of both.
+bool RoundedInput::may_be_one(const Chord& chord) const {
+  if (chord.count > most_held) return false;
+  const Line line = line_of(chord);
+  const double most = most_aside(held_.back()->mode(), input_resolution_);
+  if (length_of(line) <= most) return false;
+  for (std::size_t i = 0; i + 1 < chord.count; ++i)
+    if (distance_to(end_of(held_[chord.first + i]->programmed.path), line) > most) return false;
+  return true;
+}
+
+bool RoundedInput::join_last() {
+  const Chord& first = chords_[chords_.size() - 2];
+  const Chord joined{.first = first.first, .count = first.count + chords_.back().count};
+  if (!may_be_one(joined)) return false;
+  chords_.pop_back();
+  chords_.back() = joined;
+  return true;
+}
+
+// Where nothing helps the corner is what it is.
+void RoundedInput::smooth() {
+  while (chords_.size() >= 2 &&
+         is_in_the_way(line_of(chords_[chords_.size() - 2]), line_of(chords_.back())) &&
+         join_last()) {
+  }
+}
+
+void RoundedInput::end_before(const PathBlock* next, PathBlocks& out) {
+  if (held_.empty()) return;
+  if (next != nullptr && next->role == Role::contour)
+    return release_all(tangent_at_start(next->programmed.path), out);
+  if (is_exact()) smooth();
+  Chord& last = chords_.back();
+  if (begins_in_end_of_path(next) && last.count > 1) {
+    --last.count;
+    chords_.push_back({.first = last.first + last.count});
+  }
+  release_all(std::nullopt, out);
+}
+
+void RoundedInput::release_all(const std::optional<Vector>& behind, PathBlocks& out) {
+  while (!chords_.empty()) release_first(behind, out);
+  before_.reset();
+}
+
+void RoundedInput::release_first(const std::optional<Vector>& behind_all, PathBlocks& out) {
+  const Chord chord = chords_.front();
+  const Line line = line_of(chord);
+  const Vector direction = tangent_of(line);
+  std::optional<Vector> behind = behind_all;
+  if (chords_.size() > 1) behind = tangent_of(line_of(chords_[1]));
+  if (chord.count > 1) lay_onto(line, chord.count, behind);
+  before_ = direction;
+  const auto end = held_.begin() + static_cast<std::ptrdiff_t>(chord.count);
+  std::move(held_.begin(), end, std::back_inserter(out));
+  held_.erase(held_.begin(), end);
+  chords_.erase(chords_.begin());
+  for (Chord& rest : chords_) rest.first -= chord.count;
+}
+
+// Each of the first `count` blocks keeps something, whichever way it went, and those at the ends
+// what the corners there take.
+void RoundedInput::lay_onto(const Line& line, std::size_t count,
+                            const std::optional<Vector>& behind) {
+  const auto [direction, length] = directed(vector_of(line));
+  constexpr double room = 1.05;
+  double at_start = before_ ? room * taken_between(*before_, direction) : 0;
+  double at_end = behind ? room * taken_between(direction, *behind) : 0;
+  const double scale = std::min(0.9 * length / (at_start + at_end), 1.0);
+  at_start *= scale;
+  at_end *= scale;
+  const double least = std::min(length / static_cast<double>(32 * count),
+                                resolution_for(held_.back()->mode(), input_resolution_));
+  double along = at_start;
+  Point start = line.start;
+  for (std::size_t i = 0; i < count; ++i) {
+    Line& path = std::get<Line>(held_[i]->programmed.path);
+    const double wanted = (path.end - line.start).dot(direction);
+    const double left = at_end + least * static_cast<double>(count - 1 - i);
+    along = std::min(std::max(wanted, along + least), length - left);
+    const Point end = i + 1 < count ? Point(line.start + along * direction) : line.end;
+    path = {.start = start, .end = end};
+    start = end;
+  }
+}
+
+// The line before the last one may yet become one with it.
+void RoundedInput::release_some(PathBlocks& out) {
+  while (chords_.size() > 2 || (chords_.size() > 1 && held_.size() > most_held))
+    release_first(std::nullopt, out);
+}
+
+}  // namespace trc

@@ -1,0 +1,79 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "core/trc/path_block.h"
+
+namespace trc {
+
+// Lines as short as rounding leaves them where nothing was meant decide nothing (rule 5.4, D-44):
+// the last micrometre to the point a contour began in, a step back, a corner in two points. Where
+// such a line turns, it comes to lie on what joins the ends of itself and the line before it, or
+// else the one behind. Each stays a block, as long as the corners at the ends need it.
+//
+//   A --------------.C     B lies 1 µm beside A–C: both blocks lie on A–C then.
+//                  B'
+class RoundedInput {
+ public:
+  // `input_resolution` in mm; 0: every line is meant.
+  explicit RoundedInput(double input_resolution) : input_resolution_(input_resolution) {}
+
+  bool feed(PathBlockPtr block, PathBlocks& out);
+  bool drain(PathBlocks& out);
+  [[nodiscard]] bool ignores(const PathBlock& block) const {
+    return held_.empty() && !block.before_short &&
+           !(is_contour_line(block) && is_short(block.programmed, input_resolution_));
+  }
+  [[nodiscard]] std::size_t look_ahead() const { return most_held + 1; }
+
+  // Whether a line is so short.
+  [[nodiscard]] static bool is_short(const MotionBlock& motion, double input_resolution);
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(held_, chords_, before_, behind_contour_, begins_);
+  }
+
+ private:
+  static constexpr std::size_t most_held = 64;
+
+  // Lines held one after the other, as one.
+  struct Chord {
+    std::size_t first = 0;  // among the held
+    std::size_t count = 1;
+
+    template <class Archive>
+    void serialize(Archive& archive) {
+      archive(first, count);
+    }
+  };
+
+  static bool is_contour_line(const PathBlock& block);
+  [[nodiscard]] bool continues(const PathBlock& block) const;
+  [[nodiscard]] Line line_of(const Chord& chord) const;
+  // mm of both blocks, where the tool is inside of the corner between.
+  [[nodiscard]] double taken_between(const Vector& before, const Vector& after) const;
+  [[nodiscard]] bool is_in_the_way(const Line& before, const Line& after) const;
+  [[nodiscard]] bool is_exact() const;
+  [[nodiscard]] bool may_be_one(const Chord& chord) const;
+  bool join_last();
+  void smooth();
+  // `next` follows, if anything does.
+  void end_before(const PathBlock* next, PathBlocks& out);
+  // `behind`: tangent of the contour block that follows.
+  void release_all(const std::optional<Vector>& behind, PathBlocks& out);
+  void release_first(const std::optional<Vector>& behind_all, PathBlocks& out);
+  void lay_onto(const Line& line, std::size_t count, const std::optional<Vector>& behind);
+  void release_some(PathBlocks& out);
+
+  double input_resolution_;
+  PathBlocks held_;
+  std::vector<Chord> chords_;
+  std::optional<Vector> before_;  // tangent at the end of the contour block before the held ones
+  bool behind_contour_ = false;   // what was fed last
+  bool begins_ = false;           // the held line is short, and the first of its contour
+};
+
+}  // namespace trc
