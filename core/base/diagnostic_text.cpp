@@ -63,6 +63,7 @@ constexpr auto words_of_values = std::to_array<ValueWords>({
     {"path_radius", "radius of the path", "Radius der Bahn", Measure::length},
     {"programmed_length", "programmed length", "programmierte Länge", Measure::length},
     {"radius", "radius", "Radius", Measure::length},
+    {"radius_of_setup", "radius of the setup", "Radius des Setups", Measure::length},
     {"selection_block", "selection block", "Anwahlsatz", Measure::block_number},
     {"slot_width", "width of the slot", "Breite der Nut", Measure::length},
     {"smallest_difference", "smallest difference", "kleinster Unterschied", Measure::length},

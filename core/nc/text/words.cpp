@@ -156,6 +156,19 @@ std::size_t read_number(std::string_view text, double& value, bool& whole) {
   return static_cast<std::size_t>(at - text.data());
 }
 
+std::size_t read_named_number(std::string_view text, double& value, bool& whole) {
+  const std::size_t length = read_number(text, value, whole);
+  const std::string_view behind = text.substr(length);
+  if (length == 0 || behind.size() < 3 || upper(behind[0]) != 'E' || upper(behind[1]) != 'X')
+    return length;
+  double exponent = 0;
+  bool is_whole_exponent = false;
+  const std::size_t digits = read_number(behind.substr(2), exponent, is_whole_exponent);
+  if (digits == 0 || !is_whole_exponent) return length;
+  value = exponent < 0 ? value / std::pow(10.0, -exponent) : value * std::pow(10.0, exponent);
+  return length + 2 + digits;
+}
+
 std::size_t first_byte_that_is_no_text(std::string_view text) {
   return first_bad_byte(text, false);
 }

@@ -100,6 +100,9 @@ inline constexpr double largest_whole = 1e15;
 // larger than any double.
 [[nodiscard]] std::size_t read_number(std::string_view text, double& value, bool& whole);
 
+// The same of Sinumerik, where 5EX1 is 50.
+[[nodiscard]] std::size_t read_named_number(std::string_view text, double& value, bool& whole);
+
 // Where the first byte stands that no text has: a control character other than
 // a tab or line end, or a byte that is not UTF-8. npos when there is none.
 [[nodiscard]] std::size_t first_byte_that_is_no_text(std::string_view text);
