@@ -142,8 +142,7 @@ TEST(MachineCalls, OfSinumerikByNumberPassWhereTheyAreDeclared) {
   setup.session.program.pass_words = {"L6"};
   EXPECT_EQ(flat_of(text + "M30\n", setup), text + "M30\n");
   EXPECT_EQ(refusal_of(text + contour_of_edge, setup), std::pair(0, 0U));
-  EXPECT_EQ(refusal_of("G17 G90 G71\nR1=5\nL6\nG90 G0 X=R1\nM30\n", setup),
-            std::pair(900303, 4U));
+  EXPECT_EQ(refusal_of("G17 G90 G71\nR1=5\nL6\nG90 G0 X=R1\nM30\n", setup), std::pair(900303, 4U));
   EXPECT_EQ(refusal_of("G17 G90 G71\nG0 X-20 Y0\nL6\nG0 X-20 Y0\n" + contour_of_edge, setup),
             std::pair(900106, 5U));
 }
