@@ -129,6 +129,19 @@ TEST(ToolsOfPrograms, OfIsgMayBeOthersUnderOneRadius) {
   EXPECT_EQ(distance(program("T2\nL TOOL\n"), setup), 3);
 }
 
+TEST(ToolsOfPrograms, HaveTheRadiusThatIsgWrites) {
+  const std::string wall = contour_of(isg, "G41") + "M30\n";
+  ProgramSessionSetup setup = setup_of(isg);
+  setup.session.program.tools[3] = 5;
+  for (const std::string called : {"T3 D3\nM06\n", "T3 M06\n", "D3\n"}) {
+    const std::string text = "G17 G71 G90\nV.G.WZ[3].R = 4 (reground)\n" + called + wall;
+    EXPECT_EQ(distance(text, setup), 4) << called;
+    EXPECT_EQ(told(text, setup), "900224 2 T3\n");
+  }
+  EXPECT_EQ(distance("G17 G71 G90\nP1=8\nV.G.WZ[3].R=P1/2\nP2=V.G.WZ[3].R\nT3 D3\n" + wall, setup),
+            4);
+}
+
 // The builder's own word for a change of tools, beside its T: G90 holds behind it as behind M06.
 TEST(ToolsOfPrograms, ChangedBesideTheirNumberLeaveG90InForce) {
   const std::string wall = "G00 X-20 Y0\nG41 G01 X0 F300\nY40\nG40 X-20\nM30\n";

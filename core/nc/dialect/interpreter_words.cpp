@@ -317,7 +317,7 @@ bool Interpreter::check_block(ProgramLine& line, BlockWords& block) {
   const bool preset = block.of(zero_shift).is(92);
   if (preset && (block.has(motion) || block.center || block.move.radius))
     return wrong(Code::nc_unsupported, block.of(zero_shift), " with a motion");
-  return check_feed(line, block);
+  return check_feed(line, block) && take_tool_data(line, block);
 }
 
 // Not feed per minute: the number is technology like any other.

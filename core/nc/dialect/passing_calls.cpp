@@ -77,6 +77,27 @@ bool assigns_variable(std::string_view text) {
   return value.front() == '=' && !holds_words(value.substr(1));
 }
 
+// V.G.WZ[5].R = 4: a tool of the machine's table and its radius.
+std::optional<std::pair<std::int64_t, double>> tool_data_of(std::string_view text) {
+  constexpr std::string_view beginning = "V.G.WZ[";
+  if (in_upper_case(text.substr(0, beginning.size())) != beginning) return {};
+  double tool = 0;
+  double radius = 0;
+  bool whole = false;
+  const std::size_t length = read_number(text.substr(beginning.size()), tool, whole);
+  std::string_view behind = text.substr(beginning.size() + length);
+  if (length == 0 || !is_number_of_tool(tool) || !in_upper_case(behind).starts_with("].R"))
+    return {};
+  behind = without_blanks_in_front(behind.substr(3));
+  if (!behind.starts_with('=')) return {};
+  behind = without_blanks_in_front(behind.substr(1));
+  const std::size_t digits_of_radius = read_number(behind, radius, whole);
+  behind = without_blanks_in_front(behind.substr(digits_of_radius));
+  const bool is_over = behind.empty() || behind.front() == '(' || behind.front() == ';';
+  if (digits_of_radius == 0 || !is_over) return {};
+  return std::pair(static_cast<std::int64_t>(tool), radius);
+}
+
 // Whether pass_words says of a call that passes in any case that it changes nothing: L NAME and
 // LM06 of ISG by the name, M98 P9020 and G65 P9020 of Fanuc as O9020.
 bool changes_nothing(const ProgramSetup& setup, std::string_view call) {
@@ -116,7 +137,12 @@ bool Interpreter::read_passing_line(ProgramLine& line, BlockWords& block) {
   }
   const std::string_view words = text.substr(begin);
   const bool calls = calls_subprogram(words);
-  const bool passes = (calls || assigns_variable(words)) &&
+  const auto tool = tool_data_of(words);
+  if (tool)
+    block.edge_radii.push_back({.row = tool->first,
+                                .radius = tool->second * length_unit(),
+                                .begin = static_cast<std::uint32_t>(begin)});
+  const bool passes = (calls || tool || assigns_variable(words)) &&
                       first_byte_that_is_no_text(text) == std::string_view::npos;
   if (!passes) {
     line.source.number = Source::no_number;

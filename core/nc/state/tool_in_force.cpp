@@ -149,8 +149,8 @@ std::optional<Refusal> ToolInForce::change_terms(const RadiusTerms& terms) {
 // A radius the setup has given stands for tools that the table does not hold.
 std::optional<Refusal> ToolInForce::take_tool(std::int64_t number) {
   if (giver_ == RadiusGiver::program) return {};
-  const auto tool = setup_.tools.find(number);
-  if (tool != setup_.tools.end()) return enter_row(tool->second, RadiusGiver::tool_in_spindle);
+  if (defined_.contains(number) || setup_.tools.contains(number))
+    return enter_row(*row_of_tool(number), RadiusGiver::tool_in_spindle);
   if (giver_ == RadiusGiver::setup) return {};
   giver_ = RadiusGiver::nobody;
   missing_ = number;
