@@ -93,6 +93,7 @@ constexpr auto fragments = std::to_array<Fragment>({
     {"a soft hyphen, which cannot be seen", "ein weiches Trennzeichen, das man nicht sieht"},
     {"a space as wide as a digit", "ein Leerzeichen so breit wie eine Ziffer"},
     {"a spline or a polynomial", "ein Spline oder ein Polynom"},
+    {"a sum offset of the tool", "eine Summenkorrektur des Werkzeugs"},
     {"a tangential entry: program its line and arc",
      "tangentiales Anfahren: dessen Gerade und Bogen programmieren"},
     {"a tangential exit: program its arc and line",

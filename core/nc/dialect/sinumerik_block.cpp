@@ -59,6 +59,8 @@ constexpr auto names = std::to_array<Name>({
     {"COMPOF", Meaning::technology},
     {"COMPON", Meaning::technology},
     {"COMPSURF", Meaning::technology},
+    {"CORROF", Meaning::frame},
+    {"CP", Meaning::technology},
     {"CPRECOF", Meaning::technology},
     {"CPRECON", Meaning::technology},
     {"CSPLINE", Meaning::spline},
@@ -221,6 +223,7 @@ constexpr auto passing_assignments = std::to_array<std::string_view>({"$AC_ACTUA
                                                                       "CTOL",
                                                                       "FA",
                                                                       "FB",
+                                                                      "FD",
                                                                       "FGREF",
                                                                       "FL",
                                                                       "FP",
@@ -291,7 +294,7 @@ constexpr auto names_of_motion = std::to_array<std::string_view>(
 // Words with values that read_assignment() follows.
 constexpr auto followed_words = std::to_array<std::string_view>(
     {"ANG",  "AP",  "AR",   "CHF", "CHR", "CR",   "DISC",   "DISCL", "DISR", "DISRP", "FAD",
-     "OFFN", "RND", "RNDM", "RP",  "RPL", "TURN", "CUTMOD", "POS",   "POSA", "TCARR"});
+     "OFFN", "RND", "RNDM", "RP",  "RPL", "TURN", "CUTMOD", "POS",   "POSA", "TCARR", "DL"});
 
 const Name* row_of(std::string_view name) {
   const auto found = std::ranges::lower_bound(names, name, {}, &Name::name);
@@ -532,13 +535,17 @@ bool Interpreter::read_assignment(const NamedWord& word, ProgramLine& line, Bloc
   }
   if (is("FB")) block.own_feed = word.begin;
   if (is("FZ")) block.tooth_feed = word.begin;
-  if (const RefusedWord* const word_refused = refusal_of(word.name))
+  if (is("DL") && word.value != 0) return refused(Code::nc_unsupported, "a sum offset of the tool");
+  const RefusedWord* const word_refused = refusal_of(word.name);
+  const bool is_no_offset = word.name.starts_with("TOFF") && word.value == 0;
+  if (word_refused != nullptr && !is_no_offset)
     return refused(Code::nc_unsupported, word_refused->why);
   const bool moves_axis = is("POS") || is("POSA");
   if (moves_axis && moves_main_axis(name))
     return refused(Code::nc_unsupported, "a motion of an axis by itself");
   const bool passes = begins_with_any(word.name, passing_assignments) || turns_tool || moves_axis ||
-                      state_.setup().pass_words.contains(word.name) || is("DISC") ||
+                      state_.setup().pass_words.contains(word.name) || is("DISC") || is("DL") ||
+                      is_no_offset ||
                       std::ranges::find(corner_words, word.name) != corner_words.end() || is("RPL");
   if (!passes) return refused(Code::nc_unsupported, "a variable");
   add(line, word, WordRole::technology);
