@@ -17,17 +17,34 @@ namespace {
 using Kind = KlartextWord::Kind;
 
 // Statements that neither move an axis nor change what coordinates mean.
-constexpr auto passing = std::to_array<std::string_view>(
-    {"BLK", "STOP", "TCH", "OPEN", "SEL", "POLARKIN", "STRETCH", "WRITE", "CYCL DEF", "GLOBAL DEF",
-     "PATTERN DEF", "CONTOUR DEF", "FUNCTION MODE MILL", "FUNCTION FEED", "FUNCTION S-PULSE",
-     "FUNCTION DWELL", "FUNCTION COUNT"});
+constexpr auto passing = std::to_array<std::string_view>({"BLK",
+                                                          "STOP",
+                                                          "TCH",
+                                                          "OPEN",
+                                                          "SEL",
+                                                          "POLARKIN",
+                                                          "STRETCH",
+                                                          "WRITE",
+                                                          "CYCL DEF",
+                                                          "GLOBAL DEF",
+                                                          "PATTERN DEF",
+                                                          "CONTOUR DEF",
+                                                          "FILE",
+                                                          "FUNCTION FILE",
+                                                          "MONITORING",
+                                                          "SECTION MONITORING",
+                                                          "FUNCTION MODE MILL",
+                                                          "FUNCTION FEED",
+                                                          "FUNCTION S-PULSE",
+                                                          "FUNCTION DWELL",
+                                                          "FUNCTION COUNT"});
 
 // Statements behind which the axes stand where only the control knows.
 constexpr auto moving = std::to_array<std::string_view>(
-    {"CYCL CALL", "CALL", "PGM", "PLANE", "TRANS",   "FUNCTION", "LN",    "FL",
-     "FLT",       "FC",   "FCT", "FPOL",  "FSELECT", "SPL",      "SPC",   "PATTERN",
-     "CONTOUR",   "X",    "Y",   "Z",     "A",       "B",        "U",     "V",
-     "W",         "IX",   "IY",  "IZ",    "G",       "TCHPROBE", "PRESET"});
+    {"CYCL CALL", "CALL", "PGM", "PLANE", "TRANS",   "FUNCTION", "LN",       "FL",
+     "FLT",       "FC",   "FCT", "FPOL",  "FSELECT", "SPL",      "SPC",      "PATTERN",
+     "CONTOUR",   "X",    "Y",   "Z",     "A",       "B",        "C",        "U",
+     "V",         "W",    "IX",  "IY",    "IZ",      "G",        "TCHPROBE", "PRESET"});
 
 // Blocks of contours that are not followed: lines in space, free contours, splines.
 constexpr auto contour_blocks =
