@@ -412,7 +412,11 @@ std::string help_of(const Diagnostic& diagnostic, Language language) {
   const auto* const slip = std::ranges::find(slip_helps, diagnostic.slip.kind, &SlipHelp::kind);
   if (slip == slip_helps.end()) {
     std::string_view help = help_in(diagnostic.words, diagnostic.code, language);
-    if (diagnostic.code == Code::nc_unsupported) help = help_by_reason(diagnostic.detail, language);
+    const bool has_reason =
+        diagnostic.code == Code::nc_unsupported || diagnostic.code == Code::position_unknown;
+    const std::string_view by_reason =
+        has_reason ? help_by_reason(diagnostic.detail, language) : std::string_view();
+    if (!by_reason.empty()) help = by_reason;
     if (help.empty())
       help = german ? german_row_of(diagnostic.code).help : row_of(diagnostic.code).remedy;
     return in_words_of(diagnostic.words, std::string(help));

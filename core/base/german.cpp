@@ -367,9 +367,9 @@ constexpr auto rows = std::to_array<GermanRow>({
     {.code = Code::tool_may_have_changed,
      .title = "seit der letzten Kontur kann das Werkzeug gewechselt worden sein, sein Radius gilt "
               "aber weiter",
-     .help =
-         "Dahinter das T- oder D-Wort des Werkzeugs programmieren, oder die Teile des Programms "
-         "einzeln korrigieren. Was kein Werkzeug wechselt, wird in pass_words angegeben."},
+     .help = "Dahinter das T- oder D-Wort des Werkzeugs programmieren, mit seinem Radius in der "
+             "Werkzeugtabelle, oder die Teile des Programms einzeln korrigieren. Was kein Werkzeug "
+             "wechselt, wird in pass_words angegeben."},
     {.code = Code::too_many_lines_executed,
      .title = "es werden mehr Zeilen ausgeführt als erlaubt",
      .help = "Nach einer Schleife suchen, die nie endet. Ein Programm, das so lang sein soll, "

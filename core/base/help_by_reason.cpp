@@ -29,6 +29,9 @@ constexpr auto helps = std::to_array<ReasonHelp>({
      "contour. In SINUMERIK a name that changes nothing may be declared in pass_words.",
      "G90 oder G91 und eine Wegbedingung hinter dem Aufruf noch einmal programmieren, vor der "
      "Kontur. In SINUMERIK kann ein Name, der nichts ändert, in pass_words angegeben werden."},
+    {"another wear than the setup gives",
+     "Give the tool that wear in the table of the setup, or take the line out.",
+     "Dem Werkzeug diesen Verschleiß in der Tabelle des Setups geben, oder die Zeile streichen."},
     {"TOOL CALL in a section", "Write the TOOL CALL in front of the contour itself.",
      "Den TOOL CALL vor der Kontur selbst schreiben."},
     {"with the tool of the section", "Write the TOOL CALL in front of the contour itself.",

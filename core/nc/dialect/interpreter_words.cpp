@@ -227,7 +227,8 @@ bool Interpreter::read_address(const Word& word, ProgramLine& line, BlockWords& 
     case 'M': {
       if (word.value == 17 || word.value == 29)
         return refuse(line, word, Code::nc_unsupported, "M17, M29, the end of a subprogram");
-      const bool ends = word.value == 2 || word.value == 30;
+      // M2=3 is one of the second spindle.
+      const bool ends = !word.has_argument && (word.value == 2 || word.value == 30);
       line.ends_program |= ends;
       block.loads_tool |= word.value == 6;
       add(line, word,
