@@ -175,8 +175,8 @@ bool Interpreter::read_radius_delta(std::string_view word, double& delta,
   return true;
 }
 
-// Q5 = +0.05, FN 0: Q5 = +0.05. What is computed, read from the machine or may be skipped is not
-// followed.
+// Q5 = +0.05, FN 0: Q5 = +0.05 (D-79). What is computed, read from the machine or may be skipped is
+// not followed.
 void Interpreter::take_assignment(const ProgramLine& line, std::string_view statement) {
   const std::size_t equals = statement.find('=');
   if (equals == std::string_view::npos) return;

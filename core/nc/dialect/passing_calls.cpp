@@ -272,7 +272,7 @@ bool Interpreter::watch_tool(const ProgramLine& line, const BlockWords& block) {
   return !selects || trc_active() || warn_of_other_tool(line, block.of(GGroup::side).begin);
 }
 
-// At the begin of a contour.
+// At the begin of a contour (D-78).
 bool Interpreter::warn_of_other_tool(const ProgramLine& line, std::uint32_t begin) {
   const bool may_be_another = code_.contour_seen && code_.call_behind_contour && !code_.tool_said;
   code_.contour_seen = true;
