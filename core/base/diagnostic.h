@@ -112,6 +112,8 @@ enum class Code : std::int32_t {
   center_corrected = 900221,
   wear_too_large = 900222,
   wear_not_deeper = 900223,
+  tool_radius_contradicts = 900224,
+  tool_may_have_changed = 900225,
 
   // programs that compute
   too_many_lines_executed = 900301,

@@ -63,6 +63,7 @@ constexpr auto words_of_values = std::to_array<ValueWords>({
     {"path_radius", "radius of the path", "Radius der Bahn", Measure::length},
     {"programmed_length", "programmed length", "programmierte Länge", Measure::length},
     {"radius", "radius", "Radius", Measure::length},
+    {"radius_of_setup", "radius of the setup", "Radius des Setups", Measure::length},
     {"selection_block", "selection block", "Anwahlsatz", Measure::block_number},
     {"slot_width", "width of the slot", "Breite der Nut", Measure::length},
     {"smallest_difference", "smallest difference", "kleinster Unterschied", Measure::length},
@@ -411,7 +412,11 @@ std::string help_of(const Diagnostic& diagnostic, Language language) {
   const auto* const slip = std::ranges::find(slip_helps, diagnostic.slip.kind, &SlipHelp::kind);
   if (slip == slip_helps.end()) {
     std::string_view help = help_in(diagnostic.words, diagnostic.code, language);
-    if (diagnostic.code == Code::nc_unsupported) help = help_by_reason(diagnostic.detail, language);
+    const bool has_reason =
+        diagnostic.code == Code::nc_unsupported || diagnostic.code == Code::position_unknown;
+    const std::string_view by_reason =
+        has_reason ? help_by_reason(diagnostic.detail, language) : std::string_view();
+    if (!by_reason.empty()) help = by_reason;
     if (help.empty())
       help = german ? german_row_of(diagnostic.code).help : row_of(diagnostic.code).remedy;
     return in_words_of(diagnostic.words, std::string(help));

@@ -928,6 +928,38 @@ constexpr auto rows = std::to_array<Explanation>({
                 "N50 Y50\n"
                 "N60 G40 X30 Y60\n",
      .options = "--set nominal_radius=5"},
+    {.code = Code::tool_radius_contradicts,
+     .meaning = "A program may write the radius of a tool into the table of the machine: TOOL DEF, "
+                "G10, $TC_DP6. That is what the machine would use, and so it is used here.",
+     .causes = {"The tool was reground, and only one of the two was corrected.",
+                "The setup has a tool of another machine, or a diameter."},
+     .example = "G17 G90 G71\n"
+                "$TC_DP6[1,1]=6\n"
+                "T1 D1\n"
+                "G0 X-20 Y0\n"
+                "G41 G1 X0 Y0 F500\n"
+                "Y40\n"
+                "G40 X-20\n"
+                "M30\n",
+     .options = "--dialect sinumerik --set tools=1:5"},
+    {.code = Code::tool_may_have_changed,
+     .meaning = "Between two contours the program calls what only the machine has, and behind it "
+                "nothing says which tool is in the spindle. If the call changes it, the second "
+                "contour has the radius of the first tool.",
+     .causes = {"A subprogram of the machine's builder changes the tool."},
+     .example = "G17 G90 G71\n"
+                "T1 D1\n"
+                "G0 X-20 Y0\n"
+                "G41 G1 X0 Y0 F500\n"
+                "Y40\n"
+                "G40 X-20\n"
+                "TC(\"MILL\")\n"
+                "G90 G0 X-20 Y0\n"
+                "G41 G1 X0 Y0 F500\n"
+                "Y40\n"
+                "G40 X-20\n"
+                "M30\n",
+     .options = "--dialect sinumerik --radius 5"},
     {.code = Code::too_many_lines_executed,
      .meaning = "Loops, jumps and calls are followed, and every line that is executed becomes a "
                 "line of the flat program. A bound keeps a loop without end from running forever.",

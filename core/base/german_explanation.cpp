@@ -411,6 +411,17 @@ constexpr auto rows = std::to_array<GermanExplanation>({
                 "Ein kleineres Werkzeug folgt dieser Rundung: die Innenecke bleibt so weit wie "
                 "zuvor.",
      .causes = {"Ein abgenutztes oder nachgeschliffenes Werkzeug, mit nominal_radius."}},
+    {.code = Code::tool_radius_contradicts,
+     .meaning = "Ein Programm kann den Radius eines Werkzeugs in die Tabelle der Maschine "
+                "schreiben: TOOL DEF, G10, $TC_DP6. Die Maschine nähme diesen, also gilt er auch "
+                "hier.",
+     .causes = {"Das Werkzeug wurde nachgeschliffen und nur an einer Stelle berichtigt.",
+                "Das Setup hat ein Werkzeug einer anderen Maschine, oder einen Durchmesser."}},
+    {.code = Code::tool_may_have_changed,
+     .meaning = "Zwischen zwei Konturen ruft das Programm auf, was nur die Maschine hat, und "
+                "dahinter sagt nichts, welches Werkzeug in der Spindel ist. Wechselt der Aufruf "
+                "es, so hat die zweite Kontur den Radius des ersten Werkzeugs.",
+     .causes = {"Ein Unterprogramm des Maschinenherstellers wechselt das Werkzeug."}},
     {.code = Code::too_many_lines_executed,
      .meaning = "Schleifen, Sprüngen und Aufrufen wird gefolgt, und jede ausgeführte Zeile wird "
                 "eine Zeile des flachen Programms. Eine Grenze verhindert, dass eine Schleife "

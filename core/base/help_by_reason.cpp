@@ -24,6 +24,18 @@ constexpr auto helps = std::to_array<ReasonHelp>({
      "End the contour in front of the call with G40, and begin "
      "it anew with G41 or G42 behind it.",
      "Die Kontur vor dem Aufruf mit G40 beenden und dahinter mit G41 oder G42 neu beginnen."},
+    {"not programmed anew behind",
+     "Program G90 or G91 and a motion function once more behind the call, in front of the "
+     "contour. In SINUMERIK a name that changes nothing may be declared in pass_words.",
+     "G90 oder G91 und eine Wegbedingung hinter dem Aufruf noch einmal programmieren, vor der "
+     "Kontur. In SINUMERIK kann ein Name, der nichts ändert, in pass_words angegeben werden."},
+    {"another wear than the setup gives",
+     "Give the tool that wear in the table of the setup, or take the line out.",
+     "Dem Werkzeug diesen Verschleiß in der Tabelle des Setups geben, oder die Zeile streichen."},
+    {"TOOL CALL in a section", "Write the TOOL CALL in front of the contour itself.",
+     "Den TOOL CALL vor der Kontur selbst schreiben."},
+    {"with the tool of the section", "Write the TOOL CALL in front of the contour itself.",
+     "Den TOOL CALL vor der Kontur selbst schreiben."},
     {"CT while TRC is active", "Write the arc with its centre or its radius.",
      "Den Bogen mit seinem Mittelpunkt oder seinem Radius schreiben."},
     {"CT, TURN=", "Write the motion with both axes of the plane, an arc with its centre or radius.",

@@ -119,6 +119,34 @@ TEST(MachineCalls, OfSinumerikPass) {
             std::pair(900003, 6U));
 }
 
+TEST(MachineCalls, OfLinuxcncPassWhereTheyAreDeclared) {
+  ProgramSessionSetup setup = computing_setup(DialectName::linuxcnc);
+  const std::string call = "#1=2 #40=7 #<_depth>=3\no<Probe> call [#1+1] [4] (corner)\n";
+  EXPECT_EQ(refusal_of(call + "M2\n", setup), std::pair(900306, 2U));
+  setup.session.program.pass_words = {"PROBE"};
+  EXPECT_EQ(flat_of(call + "G90 G0 X#1\nM2\n", setup),
+            "o<Probe> call [3] [4] (corner)\nG90 G0 X2\nM2\n");
+  const std::string plain = "G21 G90\nN5 o<probe> call\nG90 G0 X2\nM2\n";
+  EXPECT_EQ(flat_of(plain, setup), plain);
+  EXPECT_EQ(refusal_of(call + "G90 G0 X#40\nM2\n", setup), std::pair(900303, 3U));
+  EXPECT_EQ(refusal_of(call + "G90 G0 X#<_depth>\nM2\n", setup), std::pair(900303, 3U));
+  EXPECT_EQ(refusal_of(call + "G0 X-20 Y0\n" + "G41 G1 X0 F300\nY40\nG40 X-20\nM2\n", setup),
+            std::pair(900106, 4U));
+}
+
+// L6 as the change of tools of a builder: a subprogram that only the machine has.
+TEST(MachineCalls, OfSinumerikByNumberPassWhereTheyAreDeclared) {
+  ProgramSessionSetup setup = computing_setup(sinumerik);
+  const std::string text = "G17 G90 G71\nN20 T1\nN30 L6 ; change\nG90 G0 X-20 Y0 Z1\n";
+  EXPECT_EQ(refusal_of(text + "M30\n", setup), std::pair(900306, 3U));
+  setup.session.program.pass_words = {"L6"};
+  EXPECT_EQ(flat_of(text + "M30\n", setup), text + "M30\n");
+  EXPECT_EQ(refusal_of(text + contour_of_edge, setup), std::pair(0, 0U));
+  EXPECT_EQ(refusal_of("G17 G90 G71\nR1=5\nL6\nG90 G0 X=R1\nM30\n", setup), std::pair(900303, 4U));
+  EXPECT_EQ(refusal_of("G17 G90 G71\nG0 X-20 Y0\nL6\nG0 X-20 Y0\n" + contour_of_edge, setup),
+            std::pair(900106, 5U));
+}
+
 std::string written(const std::string& text, DialectName dialect, double radius) {
   ProgramSessionSetup setup = computing_setup(dialect);
   setup.session.program.tools.clear();

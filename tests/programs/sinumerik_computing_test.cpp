@@ -272,7 +272,7 @@ TEST(SinumerikRefusals, NameWhatCannotBeFollowed) {
       {"LA: X1\nIF R1 GOTOF LB\nREPEAT LA\nLB: X2\n", Code::variable_unset, 2, "R1"},
       {"G0 X1\nL77\n", Code::subprogram_unknown, 2, "L77"},
       {"R1=$AA_IM[X]\n", Code::machine_state, 1, "$AA_IM[X]"},
-      {"$TC_DP6[1,1]=5\n", Code::machine_state, 1, "$TC_DP6"},
+      {"$MC_CUTCOM_CORNER_LIMIT=100\n", Code::machine_state, 1, "$MC_CUTCOM_CORNER_LIMIT"},
       {"IF R1>2 AND R2<3\nENDIF\n", Code::variable_unset, 1, "R1"},
       {"R1=1 R2=2\nIF R1>2 AND R2<3\nENDIF\n", Code::expression_invalid, 2, "<"},
       {"R1=(1+2\n", Code::expression_invalid, 1, "(, a bracket without )"},

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <vector>
 
 #include "core/nc/dialect/g_function.h"
 #include "core/nc/dialect/interpreter.h"
@@ -30,6 +31,9 @@ inline constexpr int absolute_frame = 1009;
 // (D-73).
 inline constexpr int spline_interpolation = 1011;
 inline constexpr int compensation_in_space = 1012;
+
+// $P_PFRAME=CSCALE(…) and the like, which nothing is known to end.
+inline constexpr int scaling_frame = 1013;
 
 // The bits of BlockWords::whole; I J K and tracking axes have one for each word.
 struct WholeWord {
@@ -92,8 +96,15 @@ struct Interpreter::BlockWords {
   bool homes = false;              // G74 of ISG
   bool calls_the_machine = false;  // NAME(…) of Sinumerik, which the program does not have
   AxisBits forget = 0;
-  std::optional<Value> tool_data{};             // L of G10
-  std::optional<Value> tool_data_number{};      // P of G10
+  std::optional<Value> tool_data{};         // L of G10
+  std::optional<Value> tool_data_number{};  // P of G10
+  // $TC_DP6[t,d]= of Sinumerik: its row_of_edge() and its radius, mm.
+  struct EdgeRadius {
+    std::int64_t row = 0;
+    double radius = 0;
+    std::uint32_t begin = 0;
+  };
+  std::vector<EdgeRadius> edge_radii{};
   std::optional<std::uint32_t> changes_tool{};  // M06
   std::uint64_t whole = 0;  // coordinates without a decimal point: a bit each, as WholeWord has it
   bool orients_spindle = false;           // M19: R is an angle

@@ -16,6 +16,11 @@ using enum GGroup;
 // SCALE of Sinumerik, which ends where it stands alone.
 constexpr int scale_tenths = 10060;
 
+// NAME(…) of Sinumerik; under G66 of Fanuc what its own line says.
+std::string_view called_name(std::string_view text, std::uint32_t begin) {
+  return text.substr(begin, text.find(';', begin) - begin);
+}
+
 constexpr std::array<MotionKind, 4> motions{MotionKind::rapid, MotionKind::linear,
                                             MotionKind::clockwise, MotionKind::counter_clockwise};
 
@@ -32,6 +37,7 @@ bool Interpreter::complete_code_block(ProgramLine& line, BlockWords& block) {
     return refuse(line, TextFault{.code = Code::nc_word_twice,
                                   .begin = block.later_tool->begin,
                                   .detail = "T without M06"});
+  if (!watch_tool(line, block)) return false;
   take_tool_words(line, block);
   const bool spindle_limit = block.has(unfollowed_end) && block.of(unfollowed_end).is(50);
   const bool has_spindle = std::ranges::any_of(line.words, [&](const WordRange& word) {
@@ -96,8 +102,11 @@ bool Interpreter::complete_code_block(ProgramLine& line, BlockWords& block) {
   if (!take_fagor_words(line, block) || !take_modal_rounding(line, block)) return false;
   if (!check_code_selection(line, block) || !take_corner(line, block)) return false;
   take_turns_of_arc(line, block);
-  restate_modes(line, block);
-  if (block.calls_the_machine || machine_follows_) forget_what_a_call_may_change(line, block);
+  if (!restate_modes(line, block)) return false;
+  if (block.calls_the_machine || machine_follows_)
+    forget_what_a_call_may_change(
+        line, block,
+        block.calls_the_machine ? called_name(line.text, block.of(single_move).begin) : code_.call);
   const bool goes_on = copy_code_block(line, block);
   if (block.has(cycle)) code_.cycle = true;
   const WholeNumbers whole = state_.setup().whole_numbers;

@@ -188,10 +188,15 @@ bool Interpreter::read_code_function(const CodeWord& word, ProgramLine& line, Bl
   if (group == turning) return refuse_code(line, word, Code::turning, function->meaning);
   BlockWords::Function& seen = block.functions[static_cast<std::size_t>(group)];
   const bool alone = group != technology && group != axis_technology;
-  if (alone && seen.function != nullptr && seen.function != function)
+  // G15 and G50, G69 and G50.1 of a first line, where all of them end something.
+  const bool both_end =
+      seen.function != nullptr &&
+      (group == unfollowed_end || (group == frame && function->initial && seen.function->initial));
+  if (alone && seen.function != nullptr && seen.function != function && !both_end)
     return refuse_code(line, word,
                        group == side ? Code::compensation_side_twice : Code::nc_group_twice);
-  seen = {.function = function, .begin = word.begin};
+  // The one that its line says more of: the speed limit of G50, the axes of G50.1.
+  if (!both_end || seen.is(15) || seen.is(69)) seen = {.function = function, .begin = word.begin};
   block.changes_length |=
       function->tenth == 0 &&
       (function->number == 43 || function->number == 44 || function->number == 49);

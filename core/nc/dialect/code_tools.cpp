@@ -1,4 +1,6 @@
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <optional>
 #include <string>
 #include <utility>
@@ -26,6 +28,23 @@ bool has_length_offset(const ProgramLine& line) {
   });
 }
 
+// Of $TC_DP6[1,1], as row_of_edge() has it.
+std::optional<std::int64_t> row_of_index(std::string_view name) {
+  std::array<double, 2> index{};
+  std::size_t at = name.find('[');
+  for (double& number : index) {
+    bool whole = false;
+    if (at >= name.size()) return {};
+    const std::string_view text = without_blanks_in_front(name.substr(at + 1));
+    const std::size_t length = read_number(text, number, whole);
+    if (length == 0 || !is_number_of_tool(number) || number < 1) return {};
+    at = name.find_first_not_of(" \t", name.size() - text.size() + length);
+    if (at == std::string_view::npos || name[at] != (&number == index.data() ? ',' : ']'))
+      return {};
+  }
+  return row_of_edge(static_cast<std::int64_t>(index[0]), static_cast<std::int64_t>(index[1]));
+}
+
 }  // namespace
 
 bool Interpreter::check_what_may_be_skipped(const ProgramLine& line, const BlockWords& block) {
@@ -33,7 +52,8 @@ bool Interpreter::check_what_may_be_skipped(const ProgramLine& line, const Block
   const bool sinumerik = dialect_.name == DialectName::sinumerik;
   const bool names_tool =
       block.tool_number || block.named_tool || block.loads_tool || block.names_tool;
-  const bool gives_radius = (block.has(tool_data) && block.move.radius) || block.allowance;
+  const bool gives_radius =
+      (block.has(tool_data) && block.move.radius) || block.allowance || !block.edge_radii.empty();
   const bool leads = block.has(selection) || block.has(transition);
   // An edge of Sinumerik is one of the tool.
   if (names_tool || (block.tool && (skipped > 0 || !sinumerik))) code_.skipped_tool = skipped;
@@ -248,8 +268,38 @@ std::string Interpreter::name_not_in_table(const std::string& name) const {
   return meant ? name + ", the table has " + *meant : name;
 }
 
+// $TC_DP6[1,1]=5: the radius of edge 1 of tool 1; $TC_DP15 is its wear (D-75).
+bool Interpreter::read_edge_data(const NamedWord& word, ProgramLine& line, BlockWords& block) {
+  const std::string_view text = line.word({.begin = word.begin, .end = word.end});
+  add(line, word, WordRole::technology);
+  const std::string_view name = text.substr(0, text.find(']') + 1);
+  const auto refused = [&](std::string_view why) {
+    return refuse(line, TextFault{.code = Code::nc_unsupported,
+                                  .begin = word.begin,
+                                  .detail = std::string(name).append(", ").append(why)});
+  };
+  const auto row = row_of_index(name);
+  if (!row) return refused("whose tool and edge are no numbers");
+  if (trc_active()) return refused("data of a tool while TRC is active");
+  // Under G70 and G71 such data are in the unit of the machine.
+  const bool inch = feed_in_mm_ ? state_.setup().inch : inch_;
+  const double value = word.value * (inch ? mm_per_inch : 1);
+  if (word.name == "$TC_DP6") {
+    block.edge_radii.push_back({.row = *row, .radius = value, .begin = word.begin});
+    return true;
+  }
+  const auto known = state_.tool().row_of_tool(*row);
+  constexpr double alike = 1e-9;
+  const double wear = known ? known->wear : state_.setup().tools.empty() ? state_.setup().wear : 0;
+  return std::abs(value - wear) <= alike || refused("another wear than the setup gives that tool");
+}
+
 // G10 L12 P R of Fanuc, G10 L1 P R of LinuxCNC: the program gives a tool its radius.
 bool Interpreter::take_tool_data(ProgramLine& line, BlockWords& block) {
+  for (const auto& edge : block.edge_radii) {
+    place(line, edge.begin);
+    if (faults_.empty() && !state_.define_tool(edge.row, edge.radius, line.source)) return false;
+  }
   // Controls with one table for lengths and radii have no L word.
   if (!block.has(tool_data) || (!block.tool_data && !block.tool_data_number)) return true;
   const std::int64_t data = block.tool_data ? whole_number(block.tool_data->value) : 12;
@@ -266,9 +316,9 @@ bool Interpreter::take_tool_data(ProgramLine& line, BlockWords& block) {
                                             ", wear or a sum of a tool radius"});
   if (!faults_.empty()) return true;
   const bool inch = block.has(unit) ? counts_in_inch(*block.of(unit).function) : inch_;
-  state_.define_tool(whole_number(block.tool_data_number->value),
-                     *block.move.radius * (inch ? mm_per_inch : 1));
-  return true;
+  place(line, block.of(tool_data).begin);
+  return state_.define_tool(whole_number(block.tool_data_number->value),
+                            *block.move.radius * (inch ? mm_per_inch : 1), line.source);
 }
 
 }  // namespace trc

@@ -273,6 +273,11 @@ bool Interpreter::read_klartext_name(const KlartextWord& word, ProgramLine& line
     block.rapid = true;
     return two_words(WordRole::motion);
   }
+  // R of older controls: the compensation stays as it is.
+  if (name == "R" && block.is(KlartextStatement::straight)) {
+    add(line, word, contour_open() ? WordRole::trc : WordRole::mode);
+    return true;
+  }
   if (name == "FAUTO" || (name == "AUTO" && block.feed && block.feed->begin == ~0U)) {
     block.called_feed = true;
     return two_words(WordRole::feed);

@@ -407,7 +407,7 @@ bool Interpreter::read_line_of_subprogram(const ProgramLine& line) {
 
 bool Interpreter::read_line_behind_end(ProgramLine& line) {
   const bool klartext = dialect_.name == DialectName::heidenhain;
-  if (klartext) enter_label_behind_end(line);
+  if (klartext && !enter_label_behind_end(line)) return false;
   const std::size_t place = klartext ? place_of_klartext_side(line.text) : place_of_side(line.text);
   if (place == std::string::npos) return true;
   // A contour of cycles: they compensate it.

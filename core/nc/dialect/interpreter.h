@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -241,14 +242,18 @@ class Interpreter {
   bool read_klartext_function(const KlartextWord& word, ProgramLine& line, KlartextBlock& block);
   bool read_klartext_statement(ProgramLine& line, std::size_t begin);
   bool copy_klartext(ProgramLine& line, std::size_t begin, WordRole role);
-  void enter_label_behind_end(const ProgramLine& line);
+  bool enter_label_behind_end(const ProgramLine& line);
   bool read_label(ProgramLine& line, std::size_t begin, std::string_view statement);
+  bool take_tool_of_label(const ProgramLine& line, std::size_t begin);
   bool call_label(ProgramLine& line, std::size_t begin, std::string_view statement);
   void enter_section(const std::string& label);
   bool take_labels_of_cycle(const ProgramLine& line, std::size_t begin, std::string_view statement);
   void take_klartext_scaling(std::string_view statement);
   bool read_tool_call(ProgramLine& line, std::size_t begin, std::string_view statement);
   bool read_tool_definition(ProgramLine& line, std::size_t begin, std::string_view statement);
+  void take_assignment(const ProgramLine& line, std::string_view statement);
+  void forget_parameters(std::string_view statement);
+  bool read_radius_delta(std::string_view word, double& delta, std::string& open_delta) const;
   bool refuse_klartext(const ProgramLine& line, std::size_t begin, std::string detail,
                        Code code = Code::nc_unsupported);
   bool check_klartext(ProgramLine& line, KlartextBlock& block);
@@ -291,6 +296,7 @@ class Interpreter {
   bool take_only_spindle_tool();
   bool refuse_second_edge(std::int64_t row);
   bool choose_tool_of_edge(ProgramLine& line, BlockWords& block);
+  bool read_edge_data(const NamedWord& word, ProgramLine& line, BlockWords& block);
   [[nodiscard]] std::string name_not_in_table(const std::string& name) const;
   // G147 … G348: sinumerik_leads.cpp.
   bool read_soft_word(const NamedWord& word, ProgramLine& line, BlockWords& block);
@@ -311,8 +317,12 @@ class Interpreter {
   // Calls of what is not followed: passing_calls.cpp.
   bool read_passing_line(ProgramLine& line, BlockWords& block);
   bool read_call_of_machine(ProgramLine& line, BlockWords& block);
-  void forget_what_a_call_may_change(ProgramLine& line, BlockWords& block);
-  void restate_modes(ProgramLine& line, BlockWords& block);
+  void forget_what_a_call_may_change(ProgramLine& line, BlockWords& block, std::string_view call);
+  bool restate_modes(ProgramLine& line, BlockWords& block);
+  // Whether another tool may be in the spindle than at the last contour: 900225.
+  void take_call(const ProgramLine& line, std::string_view call);
+  bool watch_tool(const ProgramLine& line, const BlockWords& block);
+  bool warn_of_other_tool(const ProgramLine& line, std::uint32_t begin);
 
   bool apply(ProgramLine& line, const PlainMotion& plain);
   bool apply(ProgramLine& line, BlockWords& block);
@@ -395,6 +405,12 @@ class Interpreter {
     double modal_rounding = 0;   // RNDM=, mm
     double edge = 1;             // of the tool, Sinumerik: D; 0: none
     bool changes_by_m6 = false;  // T only prepares a tool
+    std::string call{};          // the last one of what only the machine has
+    WordPlace call_place{};
+    bool contour_seen = false;  // one has been selected
+    // Since then:
+    bool tool_said = false;            // by T, D or a radius
+    bool call_behind_contour = false;  // `call`, which may have changed the tool
     // The one register that stands for the radius of the setup, where it has no tools.
     std::optional<std::int64_t> only_register{};
     std::optional<std::int64_t> only_spindle_tool{};  // of FANUC without D words
@@ -416,13 +432,15 @@ class Interpreter {
               only_register, only_spindle_tool, tooth_feed, pole, polar_angle, polar_radius,
               polar_rewritten, missing_tool, only_tool_name, tangent_arcs, tool_named,
               spindle_empty, modal_rounding, soft_direction, soft_in_space, soft_approach,
-              next_tool_place, spindle_tool_place, edge_place, edge_of_next_tool, offset_axes);
+              next_tool_place, spindle_tool_place, edge_place, edge_of_next_tool, offset_axes, call,
+              call_place, contour_seen, tool_said, call_behind_contour);
     }
   };
   // How many contours had been selected where a label stands, and at its LBL 0.
   struct ContoursOfLabel {
     std::uint64_t before = 0;
     std::optional<std::uint64_t> behind{};
+    bool calls_tool = false;  // TOOL CALL stands behind it
 
     // `now`: where no LBL 0 has come yet.
     [[nodiscard]] bool has_contour(std::uint64_t now) const {
@@ -430,7 +448,7 @@ class Interpreter {
     }
     template <class Archive>
     void serialize(Archive& archive) {
-      archive(before, behind);
+      archive(before, behind, calls_tool);
     }
   };
   // What a program in Klartext has in force besides.
@@ -446,7 +464,10 @@ class Interpreter {
     std::uint32_t unfollowed = 0;  // by what coordinates are scaled or led: bits of KlartextLead
     // Of TOOL CALL.
     std::optional<std::int64_t> tool{};
-    double radius_delta = 0;  // DR, mm
+    double radius_delta = 0;   // DR, mm
+    std::string open_delta{};  // DR+Q5 of a parameter whose value is not known
+    // Q parameters that the program has given a number since the last label or call.
+    std::map<std::string, double, std::less<>> parameters{};
     std::string tool_name{};  // in quotes, or a parameter
     WordPlace tool_place{};
     std::string only_tool_name{};
@@ -456,6 +477,13 @@ class Interpreter {
     std::map<std::string, ContoursOfLabel> labels{};
     std::map<std::string, std::uint32_t> calls{};
     std::uint32_t called_section = 0;  // the line that called it; 0: not in one
+    // Labels up to the next LBL 0; those that were called since the last TOOL CALL and stand
+    // farther behind, and of these the ones that a contour counts on, with the lines of their
+    // calls.
+    std::map<std::string, std::uint32_t> open_labels{};
+    std::map<std::string, std::uint32_t> calls_behind_tool{};
+    std::map<std::string, std::uint32_t> calls_of_contours{};
+    std::uint32_t tool_of_label = 0;  // the line of a call that has changed the tool
     // Labels whose contours cycle 14 or CONTOUR DEF names, with the line that does, and that line
     // while one of them is read.
     std::map<std::string, std::uint32_t> labels_of_cycles{};
@@ -464,8 +492,9 @@ class Interpreter {
     template <class Archive>
     void serialize(Archive& archive) {
       archive(pole, polar_radius, tangent, rapid, called_feed, feed_per_turn, modal_cycle,
-              unfollowed, tool, radius_delta, tool_name, tool_place, only_tool_name, contours,
-              labels, calls, called_section, labels_of_cycles, cycle_section);
+              unfollowed, tool, radius_delta, open_delta, parameters, tool_name, tool_place,
+              only_tool_name, contours, labels, calls, called_section, open_labels,
+              calls_behind_tool, calls_of_contours, tool_of_label, labels_of_cycles, cycle_section);
     }
   };
   // The first of its kind; the others only count.

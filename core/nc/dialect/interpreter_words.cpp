@@ -227,7 +227,8 @@ bool Interpreter::read_address(const Word& word, ProgramLine& line, BlockWords& 
     case 'M': {
       if (word.value == 17 || word.value == 29)
         return refuse(line, word, Code::nc_unsupported, "M17, M29, the end of a subprogram");
-      const bool ends = word.value == 2 || word.value == 30;
+      // M2=3 is one of the second spindle.
+      const bool ends = !word.has_argument && (word.value == 2 || word.value == 30);
       line.ends_program |= ends;
       block.loads_tool |= word.value == 6;
       add(line, word,
@@ -308,7 +309,7 @@ bool Interpreter::check_block(ProgramLine& line, BlockWords& block) {
                                     .begin = g52->begin,
                                     .detail = "G52 with axis words"});
   }
-  restate_modes(line, block);
+  if (!watch_tool(line, block) || !restate_modes(line, block)) return false;
   if (block.homes) {  // where the axes stand then only the machine knows
     block.copied = true;
     for (WordRange& word : line.words)
@@ -317,7 +318,7 @@ bool Interpreter::check_block(ProgramLine& line, BlockWords& block) {
   const bool preset = block.of(zero_shift).is(92);
   if (preset && (block.has(motion) || block.center || block.move.radius))
     return wrong(Code::nc_unsupported, block.of(zero_shift), " with a motion");
-  return check_feed(line, block);
+  return check_feed(line, block) && take_tool_data(line, block);
 }
 
 // Not feed per minute: the number is technology like any other.

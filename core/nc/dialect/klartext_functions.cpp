@@ -97,12 +97,14 @@ bool Interpreter::read_klartext_function(const KlartextWord& word, ProgramLine& 
     case 145:
       klartext_.unfollowed &= ~(m == 129 ? KlartextLead::tip : KlartextLead::table);
       break;
+    case 94:
     case 103:
     case 112:
     case 118:
     case 124:
     case 138:
     case 140:
+    case 197:
       block.ignores_words = true;
       break;
     default:

@@ -17,17 +17,34 @@ namespace {
 using Kind = KlartextWord::Kind;
 
 // Statements that neither move an axis nor change what coordinates mean.
-constexpr auto passing = std::to_array<std::string_view>(
-    {"BLK", "STOP", "TCH", "OPEN", "SEL", "POLARKIN", "STRETCH", "WRITE", "CYCL DEF", "GLOBAL DEF",
-     "PATTERN DEF", "CONTOUR DEF", "FUNCTION MODE MILL", "FUNCTION FEED", "FUNCTION S-PULSE",
-     "FUNCTION DWELL", "FUNCTION COUNT"});
+constexpr auto passing = std::to_array<std::string_view>({"BLK",
+                                                          "STOP",
+                                                          "TCH",
+                                                          "OPEN",
+                                                          "SEL",
+                                                          "POLARKIN",
+                                                          "STRETCH",
+                                                          "WRITE",
+                                                          "CYCL DEF",
+                                                          "GLOBAL DEF",
+                                                          "PATTERN DEF",
+                                                          "CONTOUR DEF",
+                                                          "FILE",
+                                                          "FUNCTION FILE",
+                                                          "MONITORING",
+                                                          "SECTION MONITORING",
+                                                          "FUNCTION MODE MILL",
+                                                          "FUNCTION FEED",
+                                                          "FUNCTION S-PULSE",
+                                                          "FUNCTION DWELL",
+                                                          "FUNCTION COUNT"});
 
 // Statements behind which the axes stand where only the control knows.
 constexpr auto moving = std::to_array<std::string_view>(
-    {"CYCL CALL", "CALL", "PGM", "PLANE", "TRANS",   "FUNCTION", "LN",    "FL",
-     "FLT",       "FC",   "FCT", "FPOL",  "FSELECT", "SPL",      "SPC",   "PATTERN",
-     "CONTOUR",   "X",    "Y",   "Z",     "A",       "B",        "U",     "V",
-     "W",         "IX",   "IY",  "IZ",    "G",       "TCHPROBE", "PRESET"});
+    {"CYCL CALL", "CALL", "PGM", "PLANE", "TRANS",   "FUNCTION", "LN",       "FL",
+     "FLT",       "FC",   "FCT", "FPOL",  "FSELECT", "SPL",      "SPC",      "PATTERN",
+     "CONTOUR",   "X",    "Y",   "Z",     "A",       "B",        "C",        "U",
+     "V",         "W",    "IX",  "IY",    "IZ",      "G",        "TCHPROBE", "PRESET"});
 
 // Blocks of contours that are not followed: lines in space, free contours, splines.
 constexpr auto contour_blocks =
@@ -277,7 +294,11 @@ bool Interpreter::read_klartext_statement(ProgramLine& line, std::size_t begin) 
     klartext_.unfollowed |= KlartextLead::tool_data;
   }
   // A coordinate that needs it is refused at its own word.
-  if (assigns(statement)) return copy_klartext(line, begin, WordRole::technology);
+  if (assigns(statement)) {
+    take_assignment(line, statement);
+    return copy_klartext(line, begin, WordRole::technology);
+  }
+  forget_parameters(statement);
   take_klartext_scaling(statement);
   if (!take_labels_of_cycle(line, begin, statement)) return false;
   if (statement.find("MODE TURN") != std::string::npos)
@@ -301,7 +322,11 @@ bool Interpreter::read_klartext_statement(ProgramLine& line, std::size_t begin) 
     line.calls_the_machine = first == "CALL" || first == "PGM";
     if (line.calls_the_machine || own_contour || first.size() == 1 || !is_letter(first[1]))
       line.feed_it_takes = feed_;
-    if (line.calls_the_machine) hand_on_klartext_pole(line);
+    if (line.calls_the_machine) {
+      hand_on_klartext_pole(line);
+      const std::string_view call = std::string_view(line.text).substr(begin);
+      take_call(line, call.substr(0, call.find(';')));
+    }
     forget_klartext_position(line);
     klartext_.pole.reset();
     return copy_klartext(line, begin, WordRole::technology);
@@ -315,6 +340,10 @@ bool Interpreter::read_klartext_statement(ProgramLine& line, std::size_t begin) 
 // Which line calls the section that a label begins, and which one makes it the contour of cycles.
 void Interpreter::enter_section(const std::string& label) {
   const bool ends = label == "0";
+  if (ends)
+    klartext_.open_labels.clear();
+  else
+    klartext_.open_labels.emplace(label, 0);
   if (const auto call = klartext_.calls.find(label); ends || call != klartext_.calls.end())
     klartext_.called_section = ends ? 0 : call->second;
   if (const auto cycle = klartext_.labels_of_cycles.find(label);
@@ -323,15 +352,39 @@ void Interpreter::enter_section(const std::string& label) {
 }
 
 // Behind the end subprograms stand: one that is called is no leftover.
-void Interpreter::enter_label_behind_end(const ProgramLine& line) {
+bool Interpreter::enter_label_behind_end(const ProgramLine& line) {
   const std::size_t begin = line.text.find_first_not_of("0123456789 \tNn/");
-  if (begin == std::string::npos) return;
+  if (begin == std::string::npos) return true;
   const std::string statement = statement_of(std::string_view(line.text).substr(begin));
   if (begins_with_word(statement, "LBL")) enter_section(label_of(line.text, begin, statement));
+  if (begins_with_word(statement, "TOOL CALL")) return take_tool_of_label(line, begin);
+  if (!begins_with_word(statement, "CALL LBL")) return true;
+  // A section that a contour counts on calls another one.
+  for (const auto& [label, unused] : klartext_.open_labels)
+    if (const auto call = klartext_.calls_of_contours.find(label);
+        call != klartext_.calls_of_contours.end())
+      klartext_.calls_of_contours.try_emplace(label_of(line.text, begin, statement), call->second);
+  return true;
+}
+
+// TOOL CALL within a label. Called from elsewhere it changes the tool there.
+bool Interpreter::take_tool_of_label(const ProgramLine& line, std::size_t begin) {
+  for (const auto& [label, unused] : klartext_.open_labels) {
+    if (const auto known = klartext_.labels.find(label); known != klartext_.labels.end())
+      known->second.calls_tool = true;
+    const auto call = klartext_.calls_of_contours.find(label);
+    if (call != klartext_.calls_of_contours.end())
+      return refuse_klartext(line, begin,
+                             "TOOL CALL in a section that line " + std::to_string(call->second) +
+                                 " calls in front of a contour");
+  }
+  return true;
 }
 
 // LBL 1 … LBL 0.
 bool Interpreter::read_label(ProgramLine& line, std::size_t begin, std::string_view statement) {
+  // Called from elsewhere it finds other values.
+  klartext_.parameters.clear();
   if (statement.starts_with("CALL")) return call_label(line, begin, statement);
   const std::string label = label_of(line.text, begin, statement);
   const std::uint64_t contours = klartext_.contours;
@@ -359,7 +412,13 @@ bool Interpreter::call_label(ProgramLine& line, std::size_t begin, std::string_v
   if (known != klartext_.labels.end() && (to_here ? known->second.before != klartext_.contours
                                                   : known->second.has_contour(klartext_.contours)))
     return refuse_klartext(line, begin, "CALL LBL, which repeats a compensated contour");
-  if (known == klartext_.labels.end()) klartext_.calls.try_emplace(label, line.source.line);
+  const bool stands_behind = known == klartext_.labels.end();
+  if (stands_behind) {
+    klartext_.calls.try_emplace(label, line.source.line);
+    klartext_.calls_behind_tool.try_emplace(label, line.source.line);
+  } else if (!to_here && known->second.calls_tool) {
+    klartext_.tool_of_label = line.source.line;
+  }
   hand_on_klartext_pole(line);
   forget_klartext_position(line);
   klartext_.pole.reset();

@@ -1,9 +1,13 @@
+#include <algorithm>
 #include <cmath>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
 
+#include "core/nc/dialect/block_words.h"
 #include "core/nc/dialect/klartext_block.h"
+#include "core/nc/text/characters.h"
 
 // TOOL CALL and TOOL DEF of Klartext, and the radius that RL and RR take from them.
 
@@ -31,6 +35,13 @@ bool is_number(std::string_view word, double& value) {
   return !word.empty() && read_number(word, value, whole) == word.size();
 }
 
+// Also with the decimal comma that older controls write.
+bool is_number_of_any_sign(std::string_view word, double& value) {
+  std::string number(word);
+  std::ranges::replace(number, ',', '.');
+  return is_number(number, value);
+}
+
 // DR2 is the radius of a corner of the tool.
 bool is_corner_radius(std::string_view word) {
   return word.starts_with("DR2") && (word.size() == 3 || word.find_first_of("+-:") == 3);
@@ -44,8 +55,9 @@ struct CalledTool {
 
 // The tool of TOOL CALL, which begins at `begin` of the line; `word` is its first word and becomes
 // the one behind the tool. Nothing where quotes are not closed.
-std::optional<CalledTool> read_called_tool(const std::string& line, std::size_t begin,
-                                           std::string_view& word, Words& words) {
+std::optional<CalledTool> read_called_tool(
+    const std::string& line, std::size_t begin, std::string_view& word, Words& words,
+    const std::map<std::string, double, std::less<>>& parameters) {
   CalledTool called;
   double value = 0;
   if (is_number(word, value)) {
@@ -55,6 +67,11 @@ std::optional<CalledTool> read_called_tool(const std::string& line, std::size_t 
                                 static_cast<std::int64_t>(index) + 1);
     word = words.next();
     return called;
+  }
+  if (const auto known = parameters.find(word); known != parameters.end()) {
+    if (!is_number_of_tool(known->second)) return {};
+    word = words.next();
+    return CalledTool{.named = true, .number = static_cast<std::int64_t>(known->second)};
   }
   const bool quoted = word.starts_with('"');
   if (!quoted && !word.starts_with('Q')) return called;
@@ -84,10 +101,12 @@ bool Interpreter::read_tool_call(ProgramLine& line, std::size_t begin, std::stri
                            Code::nc_number);
   };
   KlartextModes& modes = klartext_;
-  const std::optional<CalledTool> called = read_called_tool(line.text, begin, word, words);
+  const std::optional<CalledTool> called =
+      read_called_tool(line.text, begin, word, words, modes.parameters);
   if (!called) return wrong(word);
   Plane plane = state_.mode().plane;
   double delta = 0;
+  std::string open_delta;
   std::optional<double> feed;
   bool changes_delta = false;
   double value = 0;
@@ -96,7 +115,7 @@ bool Interpreter::read_tool_call(ProgramLine& line, std::size_t begin, std::stri
     if (word == "Y") plane = Plane::zx;
     if (word == "X") plane = Plane::yz;
     if (word.starts_with("DR") && !is_corner_radius(word)) {
-      if (!is_number(word.substr(2), delta)) return wrong(word);
+      if (!read_radius_delta(word, delta, open_delta)) return wrong(word);
       changes_delta = true;
     } else if (word.starts_with('F') && is_number(word.substr(1), value)) {
       feed = value;
@@ -104,7 +123,13 @@ bool Interpreter::read_tool_call(ProgramLine& line, std::size_t begin, std::stri
   }
   if (trc_active() && (called->named || changes_delta))
     return refuse_klartext(line, begin, "TOOL CALL while TRC is active");
+  const bool changes_radius = called->named || changes_delta;
+  if (changes_radius && !take_tool_of_label(line, begin)) return false;
   if (!faults_.empty()) return false;
+  if (called->named) {
+    modes.calls_behind_tool.clear();
+    modes.tool_of_label = 0;
+  }
   // It holds from here on, not only for F AUTO.
   if (feed) feed_ = modes.called_feed = *feed * (inch_ ? mm_per_inch / 10 : 1);
   if (called->named) {
@@ -113,11 +138,16 @@ bool Interpreter::read_tool_call(ProgramLine& line, std::size_t begin, std::stri
     modes.tool = called->name.empty() ? called->number : state_.tool().tool_named(called->name);
     modes.modal_cycle = false;
     modes.radius_delta = 0;
+    modes.open_delta.clear();
+    code_.tool_said = true;
     std::array<bool, 3> third{};
     third[axes_of(plane).third] = true;
     state_.forget_position(third, line.source);
   }
-  if (changes_delta) modes.radius_delta = delta * length_unit();
+  if (changes_delta) {
+    modes.radius_delta = delta * length_unit();
+    modes.open_delta = std::move(open_delta);
+  }
   if (plane != state_.mode().plane) {
     modes.pole.reset();
     modes.tangent.reset();
@@ -127,6 +157,52 @@ bool Interpreter::read_tool_call(ProgramLine& line, std::size_t begin, std::stri
   const bool goes_on = copy_klartext(line, begin, WordRole::technology);
   if (feed) line.roles |= bit(WordRole::feed);
   return goes_on;
+}
+
+// DR-0.05, DR+Q5.
+bool Interpreter::read_radius_delta(std::string_view word, double& delta,
+                                    std::string& open_delta) const {
+  const std::string_view value = word.substr(2);
+  if (is_number_of_any_sign(value, delta)) return true;
+  const bool negative = value.starts_with('-');
+  const std::string_view name = value.substr(negative || value.starts_with('+') ? 1 : 0);
+  if (!name.starts_with('Q')) return false;
+  const auto known = klartext_.parameters.find(name);
+  if (known == klartext_.parameters.end())
+    open_delta = word;
+  else
+    delta = negative ? -known->second : known->second;
+  return true;
+}
+
+// Q5 = +0.05, FN 0: Q5 = +0.05 (D-79). What is computed, read from the machine or may be skipped is
+// not followed.
+void Interpreter::take_assignment(const ProgramLine& line, std::string_view statement) {
+  const std::size_t equals = statement.find('=');
+  if (equals == std::string_view::npos) return;
+  std::string_view name = without_blanks_behind(statement.substr(0, equals));
+  name.remove_prefix(name.find_last_of(" :") + 1);
+  if (const auto known = klartext_.parameters.find(name); known != klartext_.parameters.end())
+    klartext_.parameters.erase(known);
+  const bool may_be_skipped = std::ranges::any_of(
+      line.words, [&](const WordRange& word) { return line.word(word) == "/"; });
+  double number = 0;
+  if (!may_be_skipped && name.starts_with('Q') &&
+      is_number_of_any_sign(without_blanks_in_front(statement.substr(equals + 1)), number))
+    klartext_.parameters.emplace(name, number);
+}
+
+// Cycles set the parameters they are given and others that they measure; programs set any.
+void Interpreter::forget_parameters(std::string_view statement) {
+  const bool defines = begins_with_word(statement, "CYCL DEF");
+  if (!defines && (begins_with_word(statement, "CALL") || begins_with_word(statement, "CYCL") ||
+                   begins_with_word(statement, "TCH") || begins_with_word(statement, "PGM")))
+    klartext_.parameters.clear();
+  if (defines)
+    std::erase_if(klartext_.parameters, [&](const auto& known) {
+      return statement.find(known.first + "=") != std::string_view::npos ||
+             statement.find(known.first + " =") != std::string_view::npos;
+    });
 }
 
 // TOOL DEF 5 L+0 R+4 gives a tool its radius; TOOL DEF 5 prepares it.
@@ -140,8 +216,9 @@ bool Interpreter::read_tool_definition(ProgramLine& line, std::size_t begin,
   const bool has_number = is_number(words.next(), number);
   for (std::string_view word = words.next(); !word.empty(); word = words.next())
     if (has_number && is_whole(number) && word.starts_with('R') &&
-        is_number(word.substr(1), radius) && faults_.empty())
-      state_.define_tool(static_cast<std::int64_t>(number), radius * length_unit());
+        is_number(word.substr(1), radius) && faults_.empty() &&
+        !state_.define_tool(static_cast<std::int64_t>(number), radius * length_unit(), line.source))
+      return false;
   return copy_klartext(line, begin, WordRole::technology);
 }
 
@@ -161,6 +238,9 @@ bool Interpreter::choose_called_tool(const ProgramLine& line, std::size_t begin)
     return index > 0 ? number + "." + std::to_string(index) : number;
   };
   place(line, static_cast<std::uint32_t>(begin));
+  if (!modes.open_delta.empty())
+    return refuse_at(modes.tool_place, Code::nc_unsupported,
+                     modes.open_delta + " of TOOL CALL, a variable");
   if (*modes.tool == 0) return state_.set_tool(0, line.source);
   std::optional<ToolRow> row = state_.tool().row_of_tool(*modes.tool);
   // The radius of the setup stands for the one tool that the program selects with.
@@ -199,9 +279,15 @@ bool Interpreter::select_in_klartext(const ProgramLine& line, Side side, std::si
                            "RL, RR in the contour of the cycles of line " +
                                std::to_string(klartext_.cycle_section) +
                                ", in front of the end of the program");
+  if (klartext_.tool_of_label != 0)
+    return refuse_klartext(line, begin,
+                           "RL, RR with the tool of the section that line " +
+                               std::to_string(klartext_.tool_of_label) + " calls");
+  klartext_.calls_of_contours.merge(klartext_.calls_behind_tool);
   if (!trc_active()) {
     ++klartext_.contours;
-    if (!choose_called_tool(line, begin)) return false;
+    const auto place_of_side = static_cast<std::uint32_t>(begin);
+    if (!choose_called_tool(line, begin) || !warn_of_other_tool(line, place_of_side)) return false;
   }
   place(line, static_cast<std::uint32_t>(begin));
   return state_.select(side, line.source);

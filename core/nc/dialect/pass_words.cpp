@@ -47,6 +47,9 @@ std::string fault_of_pass_word(std::string_view word, DialectName dialect) {
   const bool is_program = word.front() == 'O' && is_function &&
                           word.find_first_not_of("0123456789", 1) == std::string_view::npos;
   if (is_program && dialect == DialectName::fanuc) return "";
+  const bool is_subprogram = word.front() == 'L' && is_function &&
+                             word.find_first_not_of("0123456789", 1) == std::string_view::npos;
+  if (is_subprogram && dialect == DialectName::sinumerik) return "";
   if (word.front() != '#' && (word.size() == 1 || (is_function && word.front() != 'G')))
     return "is the word of an address";
   if (is_function && word.front() == 'G') {

@@ -1,8 +1,10 @@
 #include <algorithm>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "core/nc/dialect/block_words.h"
+#include "core/nc/dialect/pass_words.h"
 #include "core/nc/text/characters.h"
 
 // Lines that pass while TRC is off. Of ISG (D-47): calls of subprograms, which are not looked into,
@@ -75,6 +77,46 @@ bool assigns_variable(std::string_view text) {
   return value.front() == '=' && !holds_words(value.substr(1));
 }
 
+// V.G.WZ[5].R = 4: a tool of the machine's table and its radius.
+std::optional<std::pair<std::int64_t, double>> tool_data_of(std::string_view text) {
+  constexpr std::string_view beginning = "V.G.WZ[";
+  if (in_upper_case(text.substr(0, beginning.size())) != beginning) return {};
+  double tool = 0;
+  double radius = 0;
+  bool whole = false;
+  const std::size_t length = read_number(text.substr(beginning.size()), tool, whole);
+  std::string_view behind = text.substr(beginning.size() + length);
+  if (length == 0 || !is_number_of_tool(tool) || !in_upper_case(behind).starts_with("].R"))
+    return {};
+  behind = without_blanks_in_front(behind.substr(3));
+  if (!behind.starts_with('=')) return {};
+  behind = without_blanks_in_front(behind.substr(1));
+  const std::size_t digits_of_radius = read_number(behind, radius, whole);
+  behind = without_blanks_in_front(behind.substr(digits_of_radius));
+  const bool is_over = behind.empty() || behind.front() == '(' || behind.front() == ';';
+  if (digits_of_radius == 0 || !is_over) return {};
+  return std::pair(static_cast<std::int64_t>(tool), radius);
+}
+
+// Whether pass_words says of a call that passes in any case that it changes nothing: L NAME and
+// LM06 of ISG by the name, M98 P9020 and G65 P9020 of Fanuc as O9020.
+bool changes_nothing(const ProgramSetup& setup, std::string_view call) {
+  const bool fanuc = setup.dialect == DialectName::fanuc;
+  if (!fanuc && setup.dialect != DialectName::isg) return false;
+  const std::size_t begin = fanuc ? in_upper_case(call).find('P') : call.find_first_of(" \t");
+  std::string_view name = begin == std::string_view::npos ? call : call.substr(begin);
+  if (!fanuc) {
+    name = without_blanks_in_front(name);
+    if (name.starts_with('"')) name.remove_prefix(1);
+    return setup.pass_words.contains(word_to_pass(name, 0));
+  }
+  constexpr std::size_t digits_of_machine = 4;  // O8000 to O9999
+  name = without_blanks_in_front(name.substr(std::min<std::size_t>(1, name.size())));
+  name = name.substr(0, name.find_first_not_of(digits));
+  return name.size() == digits_of_machine && name.front() >= '8' &&
+         setup.pass_words.contains("O" + std::string(name));
+}
+
 }  // namespace
 
 bool Interpreter::read_passing_line(ProgramLine& line, BlockWords& block) {
@@ -95,7 +137,12 @@ bool Interpreter::read_passing_line(ProgramLine& line, BlockWords& block) {
   }
   const std::string_view words = text.substr(begin);
   const bool calls = calls_subprogram(words);
-  const bool passes = (calls || assigns_variable(words)) &&
+  const auto tool = tool_data_of(words);
+  if (tool)
+    block.edge_radii.push_back({.row = tool->first,
+                                .radius = tool->second * length_unit(),
+                                .begin = static_cast<std::uint32_t>(begin)});
+  const bool passes = (calls || tool || assigns_variable(words)) &&
                       first_byte_that_is_no_text(text) == std::string_view::npos;
   if (!passes) {
     line.source.number = Source::no_number;
@@ -105,7 +152,7 @@ bool Interpreter::read_passing_line(ProgramLine& line, BlockWords& block) {
   line.words.push_back({.begin = static_cast<std::uint32_t>(begin),
                         .end = static_cast<std::uint32_t>(text.size()),
                         .role = WordRole::technology});
-  if (calls) forget_what_a_call_may_change(line, block);
+  if (calls) forget_what_a_call_may_change(line, block, words.substr(0, words.find_first_of("(;")));
   return true;
 }
 
@@ -125,7 +172,10 @@ bool Interpreter::read_call_behind_words(std::uint32_t begin, ProgramLine& line,
   if (!is_call || contour_open() || block.axis || block.center) return false;
   line.words.push_back(
       {.begin = begin, .end = static_cast<std::uint32_t>(end), .role = WordRole::technology});
-  forget_what_a_call_may_change(line, block);
+  // T5 LM06 changes tools as M06 does (D-76).
+  const bool dimension_was_known = !called_dimension_;
+  forget_what_a_call_may_change(line, block, text.substr(begin, end - begin));
+  if (block.tool_number && dimension_was_known) called_dimension_ = false;
   return true;
 }
 
@@ -158,37 +208,89 @@ bool Interpreter::read_call_of_machine(ProgramLine& line, BlockWords& block) {
     line.words.push_back({.begin = static_cast<std::uint32_t>(begin + call.size()),
                           .end = static_cast<std::uint32_t>(text.size()),
                           .role = WordRole::comment});
-  forget_what_a_call_may_change(line, block);
+  forget_what_a_call_may_change(line, block, call);
   return true;
 }
 
-void Interpreter::forget_what_a_call_may_change(ProgramLine& line, BlockWords& block) {
+void Interpreter::forget_what_a_call_may_change(ProgramLine& line, BlockWords& block,
+                                                std::string_view call) {
   line.calls_the_machine = true;
   line.feed_it_takes = feed_mode_ == 94 ? feed_ : 0;
   block.forget = all_axes;
   called_motion_ = called_dimension_ = true;
   reads_plain_lines_ = false;
+  take_call(line, call);
+}
+
+// Of those that pass_words declares none changes the tool.
+void Interpreter::take_call(const ProgramLine& line, std::string_view call) {
+  code_.call = without_blanks_behind(call);
+  code_.call_place = {.source = line.source};
+  code_.call_behind_contour |= !changes_nothing(state_.setup(), call);
 }
 
 // Whether G00 or G01, G90 or G91 holds behind a call, the subprogram has decided: until the program
 // says it anew a motion leads to where only the control knows.
-void Interpreter::restate_modes(ProgramLine& line, BlockWords& block) {
-  if (!called_motion_ && !called_dimension_) return;
+bool Interpreter::restate_modes(ProgramLine& line, BlockWords& block) {
+  if (!called_motion_ && !called_dimension_) return true;
   called_motion_ = called_motion_ && !block.has(GGroup::motion);
   called_dimension_ = called_dimension_ && !block.has(GGroup::dimension);
   if (!called_motion_ && !called_dimension_) {
     reads_plain_lines_ = faults_.empty();
-    return;
+    return true;
   }
-  if (contour_open() || !(block.axis || block.center)) return;
-  if (block.has(GGroup::side) && !block.of(GGroup::side).is(40)) {
+  if (contour_open() || !(block.axis || block.center)) return true;
+  const bool selects = block.has(GGroup::side) && !block.of(GGroup::side).is(40);
+  if (selects && machine_follows_) {  // which is refused for that
     block.forget = all_axes;
-    return;
+    return true;
   }
+  if (selects)
+    return refuse(line,
+                  TextFault{.code = Code::position_unknown,
+                            .begin = block.of(GGroup::side).begin,
+                            .detail = std::string(called_dimension_ ? "G90 or G91" : "G00 or G01") +
+                                      ", which was not programmed anew behind " + code_.call + " " +
+                                      place_of(code_.call_place.source)});
   block.copied = true;
   block.forget = all_axes;
   for (WordRange& word : line.words)
     if (word.role == WordRole::coordinate) word.role = WordRole::technology;
+  return true;
+}
+
+bool Interpreter::watch_tool(const ProgramLine& line, const BlockWords& block) {
+  // D of Sinumerik is an edge of whatever tool there is.
+  const bool names_radius = block.tool && dialect_.name != DialectName::sinumerik;
+  code_.tool_said |= block.tool_number || block.loads_tool || block.names_tool || names_radius ||
+                     block.tool_radius;
+  if (dialect_.name == DialectName::isg && block.tool_number) {
+    code_.next_tool = whole_number(block.tool_number->value);
+    code_.next_tool_place = place_of_word(line, block.tool_number->begin);
+  }
+  const bool selects = block.has(GGroup::side) && !block.of(GGroup::side).is(40);
+  return !selects || trc_active() || warn_of_other_tool(line, block.of(GGroup::side).begin);
+}
+
+// At the begin of a contour (D-78).
+bool Interpreter::warn_of_other_tool(const ProgramLine& line, std::uint32_t begin) {
+  const bool may_be_another = code_.contour_seen && code_.call_behind_contour && !code_.tool_said;
+  code_.contour_seen = true;
+  code_.call_behind_contour = code_.tool_said = false;
+  std::string change = code_.call + " " + place_of(code_.call_place.source);
+  bool is_another = false;
+  // Other dialects refuse a second tool that has no radius of its own.
+  if (dialect_.name == DialectName::isg && state_.tool().is_of_setup(code_.next_tool)) {
+    const std::int64_t before = code_.only_spindle_tool.value_or(code_.next_tool);
+    is_another = before != code_.next_tool;
+    code_.only_spindle_tool = code_.next_tool;
+    if (is_another)
+      change = "T" + std::to_string(code_.next_tool) + " " + place_of(code_.next_tool_place.source);
+  }
+  if ((!may_be_another && !is_another) || !faults_.empty()) return true;
+  Diagnostic warned = diagnostic(Code::tool_may_have_changed, line.source, std::move(change));
+  warned.column = place_of_word(line, begin).column;
+  return diagnostics_.report(std::move(warned));
 }
 
 }  // namespace trc

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "core/nc/dialect/block_words.h"
+#include "core/nc/dialect/pass_words.h"
 #include "core/nc/dialect/sinumerik_words.h"
 #include "core/nc/text/characters.h"
 #include "core/nc/text/named_words.h"
@@ -39,7 +40,7 @@ struct Name {
 constexpr auto names = std::to_array<Name>({
     {"AMIRROR", Meaning::frame},
     {"AROT", Meaning::frame},
-    {"AROTS", Meaning::unfollowed},
+    {"AROTS", Meaning::frame},
     {"ASCALE", Meaning::unfollowed},
     {"ASPLINE", Meaning::spline},
     {"ATRANS", Meaning::frame},
@@ -58,6 +59,8 @@ constexpr auto names = std::to_array<Name>({
     {"COMPOF", Meaning::technology},
     {"COMPON", Meaning::technology},
     {"COMPSURF", Meaning::technology},
+    {"CORROF", Meaning::frame},
+    {"CP", Meaning::technology},
     {"CPRECOF", Meaning::technology},
     {"CPRECON", Meaning::technology},
     {"CSPLINE", Meaning::spline},
@@ -147,7 +150,7 @@ constexpr auto names = std::to_array<Name>({
     {"REPEATB", Meaning::statement},
     {"RET", Meaning::statement},
     {"ROT", Meaning::frame},
-    {"ROTS", Meaning::unfollowed},
+    {"ROTS", Meaning::frame},
     {"RTLIOF", Meaning::technology},
     {"RTLION", Meaning::technology},
     {"SBLOF", Meaning::technology},
@@ -213,12 +216,14 @@ constexpr auto passing_assignments = std::to_array<std::string_view>({"$AC_ACTUA
                                                                       "$A_DB",
                                                                       "$A_DL",
                                                                       "$A_OUT",
+                                                                      "$TC_",
                                                                       "ACC",
                                                                       "ADIS",
                                                                       "ADISPOS",
                                                                       "CTOL",
                                                                       "FA",
                                                                       "FB",
+                                                                      "FD",
                                                                       "FGREF",
                                                                       "FL",
                                                                       "FP",
@@ -248,6 +253,8 @@ constexpr GFunction absolute_frame_name{
 constexpr GFunction unfollowed_name{
     .number = 1001, .group = unfollowed, .meaning = "a transformation"};
 constexpr GFunction scale_name{.number = 1006, .group = unfollowed, .meaning = "scaling"};
+constexpr GFunction frame_scale{
+    .number = scaling_frame, .group = unfollowed, .meaning = "a frame that scales"};
 constexpr GFunction spline_name{
     .number = spline_interpolation, .group = unfollowed, .meaning = "a spline or a polynomial"};
 constexpr GFunction spatial_name{
@@ -287,7 +294,7 @@ constexpr auto names_of_motion = std::to_array<std::string_view>(
 // Words with values that read_assignment() follows.
 constexpr auto followed_words = std::to_array<std::string_view>(
     {"ANG",  "AP",  "AR",   "CHF", "CHR", "CR",   "DISC",   "DISCL", "DISR", "DISRP", "FAD",
-     "OFFN", "RND", "RNDM", "RP",  "RPL", "TURN", "CUTMOD", "POS",   "POSA", "TCARR"});
+     "OFFN", "RND", "RNDM", "RP",  "RPL", "TURN", "CUTMOD", "POS",   "POSA", "TCARR", "DL"});
 
 const Name* row_of(std::string_view name) {
   const auto found = std::ranges::lower_bound(names, name, {}, &Name::name);
@@ -328,8 +335,12 @@ bool is_sinumerik_call(std::string_view name) {
          std::ranges::find(passing_calls, name) != passing_calls.end();
 }
 
+bool is_sinumerik_frame(std::string_view name) {
+  return name.starts_with("$P_") && (name.ends_with("FR") || name.ends_with("FRAME"));
+}
+
 bool is_sinumerik_word(std::string_view name) {
-  return begins_with_any(name, passing_assignments) ||
+  return begins_with_any(name, passing_assignments) || is_sinumerik_frame(name) ||
          std::ranges::find(corner_words, name) != corner_words.end() ||
          std::ranges::find(followed_words, name) != followed_words.end() ||
          refusal_of(name) != nullptr;
@@ -392,6 +403,13 @@ bool Interpreter::read_named_address(const NamedWord& word, ProgramLine& line, B
   }
   if (word.is_text) return refuse_code(line, code, Code::nc_syntax, "a text");
   if (letter == 'T') code_.tool_name.clear();
+  if (letter == 'L' && passes_word(state_.setup(), line.text, word.begin)) {
+    block.calls_the_machine = true;
+    block.functions[static_cast<std::size_t>(single_move)] = {.function = &call_name,
+                                                              .begin = word.begin};
+    add(line, word, WordRole::technology);
+    return true;
+  }
   if (letter == 'L' || letter == 'E')
     return refuse_code(line, code, Code::nc_unsupported, "a subprogram call");
   if (center && word.index == 1) {  // the point between of CIP
@@ -495,6 +513,18 @@ bool Interpreter::read_assignment(const NamedWord& word, ProgramLine& line, Bloc
     add(line, word, WordRole::technology);
     return true;
   }
+  if (is_sinumerik_frame(word.name)) {
+    // As SCALE; what a frame holds that is copied is not looked into.
+    const std::string value = in_upper_case(name);
+    const bool scales =
+        value.find("CSCALE") != std::string::npos || value.find(",SC]") != std::string::npos;
+    const GFunction& function = scales ? frame_scale : frame_name;
+    block.functions[static_cast<std::size_t>(function.group)] = {.function = &function,
+                                                                 .begin = word.begin};
+    add(line, word, WordRole::technology);
+    return true;
+  }
+  if (is("$TC_DP6") || is("$TC_DP15")) return read_edge_data(word, line, block);
   // 0 ends them: the kinematics of the tool holder, the tool that is turned with it.
   const bool turns_tool = is("TCARR") || is("CUTMOD");
   if (turns_tool && word.value != 0) {
@@ -505,13 +535,17 @@ bool Interpreter::read_assignment(const NamedWord& word, ProgramLine& line, Bloc
   }
   if (is("FB")) block.own_feed = word.begin;
   if (is("FZ")) block.tooth_feed = word.begin;
-  if (const RefusedWord* const word_refused = refusal_of(word.name))
+  if (is("DL") && word.value != 0) return refused(Code::nc_unsupported, "a sum offset of the tool");
+  const RefusedWord* const word_refused = refusal_of(word.name);
+  const bool is_no_offset = word.name.starts_with("TOFF") && word.value == 0;
+  if (word_refused != nullptr && !is_no_offset)
     return refused(Code::nc_unsupported, word_refused->why);
   const bool moves_axis = is("POS") || is("POSA");
   if (moves_axis && moves_main_axis(name))
     return refused(Code::nc_unsupported, "a motion of an axis by itself");
   const bool passes = begins_with_any(word.name, passing_assignments) || turns_tool || moves_axis ||
-                      state_.setup().pass_words.contains(word.name) || is("DISC") ||
+                      state_.setup().pass_words.contains(word.name) || is("DISC") || is("DL") ||
+                      is_no_offset ||
                       std::ranges::find(corner_words, word.name) != corner_words.end() || is("RPL");
   if (!passes) return refused(Code::nc_unsupported, "a variable");
   add(line, word, WordRole::technology);
@@ -581,7 +615,8 @@ bool Interpreter::read_name(const NamedWord& word, ProgramLine& line, BlockWords
   if (!known && word.name != "CT") return refused("a name");
   switch (known ? found->meaning : Meaning::technology) {
     case Meaning::frame: {
-      const bool absolute = word.name == "TRANS" || word.name == "ROT" || word.name == "MIRROR";
+      const bool absolute = word.name == "TRANS" || word.name == "ROT" || word.name == "ROTS" ||
+                            word.name == "MIRROR";
       return stands_for(absolute ? absolute_frame_name : frame_name);
     }
     case Meaning::unfollowed:

@@ -15,6 +15,8 @@ namespace trc {
 [[nodiscard]] bool is_sinumerik_call(std::string_view name);
 // CR=, RND=, …
 [[nodiscard]] bool is_sinumerik_word(std::string_view name);
+// $P_UIFR, $P_PFRAME and the like: what coordinates mean.
+[[nodiscard]] bool is_sinumerik_frame(std::string_view name);
 // One of these.
 [[nodiscard]] bool is_sinumerik_word_of_any_kind(std::string_view name);
 

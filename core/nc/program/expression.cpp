@@ -147,18 +147,9 @@ Value ExpressionReader::operand() {
   if (sign == '#' && !grammar_.has_names) return variables_.read(*this);
   double number = 0;
   bool whole = false;
-  if (const std::size_t length = read_number(line_.substr(at_), number, whole)) {
+  const auto read = grammar_.dialect == DialectName::sinumerik ? read_named_number : read_number;
+  if (const std::size_t length = read(line_.substr(at_), number, whole)) {
     at_ += length;
-    // 10EX-5
-    double exponent = 0;
-    const bool is_sinumerik = grammar_.dialect == DialectName::sinumerik;
-    if (is_sinumerik && has_word_at(line_, at_, "EX")) {
-      const std::size_t digits = read_number(line_.substr(at_ + 2), exponent, whole);
-      if (digits > 0 && whole) {
-        at_ += 2 + digits;
-        number *= std::pow(10.0, exponent);
-      }
-    }
     return {.number = checked(number, begin)};
   }
   if (sign == '-' || sign == '+') {

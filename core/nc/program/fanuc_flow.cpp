@@ -406,7 +406,43 @@ bool FanucFlow::assign(std::string& flat, std::size_t at) {
     write_behind_number(flat, comments.empty() ? "M00" : "M00 " + comments);
     return true;
   }
+  if (const std::string data = data_setting(number, value); !data.empty()) {
+    common_[number] = value.number;
+    const std::string comments = comments_of(line_, behind);
+    write_behind_number(flat, comments.empty() ? data : data + " " + comments);
+    return true;
+  }
   return set(number, value, at) && finish_statement(flat, behind);
+}
+
+// What sets a zero point or the radius of a tool, as G10 does it, which the reader follows: under
+// G91 that would add. Which register #2001 to #2800 and #10001 are hangs on the memory of the
+// control. Empty: it is none.
+std::string FanucFlow::data_setting(std::int64_t number, const Value& value) const {
+  constexpr std::int64_t in_row = 20;  // axes of one zero point
+  constexpr std::string_view axes = "XYZ";
+  const auto index_in = [&](std::int64_t first, std::int64_t last) {
+    return number >= first && number <= last ? number - first : -1;
+  };
+  const std::int64_t standard = index_in(5201, 5328);
+  const std::int64_t further = index_in(7001, 7948);
+  const std::int64_t wear = index_in(12001, 12999);
+  const std::int64_t radius = index_in(13001, 13999);
+  std::string text;
+  if (value.vacant || modes_.incremental) return text;
+  const std::int64_t zero_point = std::max(standard, further);
+  if (zero_point >= 0) {
+    const auto axis = static_cast<std::size_t>(zero_point % in_row);
+    if (axis >= axes.size()) return text;
+    text = standard >= 0 ? "G10 L2 P" + std::to_string(standard / in_row)
+                         : "G10 L20 P" + std::to_string(further / in_row + 1);
+    text.append(" ").append(1, axes[axis]);
+  } else if (radius >= 0 || wear >= 0) {
+    text = radius >= 0 ? "G10 L12 P" + std::to_string(radius + 1) + " R"
+                       : "G10 L13 P" + std::to_string(wear + 1) + " R";
+  }
+  if (!text.empty()) append_value(text, value.number, PointStyle::with_point);
+  return text;
 }
 
 bool FanucFlow::set(std::int64_t number, const Value& value, std::size_t begin) {

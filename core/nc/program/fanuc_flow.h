@@ -73,6 +73,7 @@ class FanucFlow : public CodeFlow {
   bool go_behind_foot(const char* missing);
   bool end_loop(std::string& flat, ExpressionReader& expression);
   bool assign(std::string& flat, std::size_t at);
+  [[nodiscard]] std::string data_setting(std::int64_t number, const Value& value) const;
   bool set(std::int64_t number, const Value& value, std::size_t begin);
   bool jump(ExpressionReader& expression);
   bool go_to(std::int64_t number, std::size_t begin);

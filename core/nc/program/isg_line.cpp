@@ -177,6 +177,12 @@ bool is_isg_variable_at(std::string_view line, std::size_t at) {
          is_letter(sign_at(line, at + 2));
 }
 
+bool computes_spindle(std::string_view words) {
+  for (std::size_t at = 0; at < words.size(); ++at)
+    if (is_isg_parameter_at(words, at) || is_isg_variable_at(words, at)) return true;
+  return false;
+}
+
 bool is_isg_expression_at(std::string_view line, std::size_t at) {
   while (sign_at(line, at) == '-' || sign_at(line, at) == '+') at = behind_blanks(line, at + 1);
   return sign_at(line, at) == '[' || is_isg_parameter_at(line, at) ||
@@ -268,6 +274,9 @@ bool isg_computes(const ProgramSetup& setup, std::string_view line) {
       return sign_at(line, behind) == '=' ||
              (sign_at(line, behind + 1) == '=' &&
               std::string_view("+-*/").find(sign_at(line, behind)) != npos);
+    } else if (const std::size_t length = behind_spindle_words(line.substr(at))) {
+      if (computes_spindle(line.substr(at, length))) return true;
+      at += length;
     } else if (is_letter(sign)) {
       if (computes_behind(line, at + 1)) return true;
       ++at;

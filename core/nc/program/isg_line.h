@@ -35,6 +35,8 @@ struct IsgHead {
 [[nodiscard]] bool is_isg_variable_at(std::string_view line, std::size_t at);
 // Whether what stands there has to be computed: a variable, a bracket or a function, with a sign or
 // without.
+// Whether a variable stands in S[M3 REV=P1].
+[[nodiscard]] bool computes_spindle(std::string_view words);
 [[nodiscard]] bool is_isg_expression_at(std::string_view line, std::size_t at);
 
 // %L NAME: a subprogram in front of its program. Empty: the line is none.

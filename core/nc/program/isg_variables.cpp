@@ -120,6 +120,7 @@ const Value* IsgFlow::held(const std::string& name) const {
 
 bool IsgFlow::assign(const std::string& name, Value value, std::size_t begin) {
   constexpr std::size_t most_values = 100'000;
+  if (name.starts_with("V.G.WZ[")) values_[name] = value;
   if (!belongs_to_program(name)) return true;  // of the machine: nothing is known of it
   if (whole_.contains(base_of(name)) && value.number != std::round(value.number))
     return refuse(Code::value_invalid, begin, name + ", which is declared whole");

@@ -129,6 +129,13 @@ bool IsgFlow::scan_word(std::size_t& at) {
 
 bool IsgFlow::scan_address(std::size_t& at) {
   const std::size_t begin = at;
+  if (const std::size_t length = behind_spindle_words(line_.substr(at))) {
+    at += length;
+    pieces_.push_back({.begin = begin, .end = at});
+    return !computes_spindle(line_.substr(begin, length)) ||
+           refuse(Code::nc_unsupported, begin,
+                  std::string(line_.substr(begin, length)) + ", a computed spindle");
+  }
   std::size_t value = behind_blanks(line_, at + 1);
   if (sign_at(line_, value) == '=') value = behind_blanks(line_, value + 1);
   if (is_isg_expression_at(line_, value)) return scan_value(begin, value, at);

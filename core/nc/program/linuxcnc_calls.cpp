@@ -109,7 +109,8 @@ bool LinuxcncFlow::call_sub(const std::string& label, std::size_t at, std::strin
   locals.numbered = locals_.back().numbered;
   ExpressionReader expression = expression_at(at);
   expression.pass_blanks();
-  for (std::size_t number = 1; expression.peek() == '['; ++number) {
+  std::size_t number = 1;
+  for (; expression.peek() == '['; ++number) {
     if (number >= locals.numbered.size())
       return refuse(Code::value_invalid, expression.at(), "more than 30 arguments");
     locals.numbered.at(number) = expression.operand().number;
@@ -143,7 +144,28 @@ bool LinuxcncFlow::call_sub(const std::string& label, std::size_t at, std::strin
     if (!looks_ahead()) locals_.push_back(std::move(locals));
     return true;
   }
-  return refuse(Code::subprogram_unknown, head_.behind, "o" + label);
+  const std::string_view arguments = line_.substr(at, expression.at() - at);
+  if (label.front() != '<' ||
+      !setup_.pass_words.contains(in_upper_case(label.substr(1, label.size() - 2))))
+    return refuse(Code::subprogram_unknown, head_.behind, "o" + label);
+  // Of the machine: it passes with its values, and may set what is everyone's (D-77).
+  calls_the_machine_ = true;
+  lost_to_ = "o" + label;
+  common_.clear();
+  globals_.clear();
+  if (arguments.find('#') == std::string_view::npos) {
+    write_as_it_is(flat);
+    return true;
+  }
+  std::string text(line_.substr(head_.behind, at - head_.behind));
+  for (std::size_t argument = 1; argument < number; ++argument) {
+    text += " [";
+    append_value(text, *locals.numbered.at(argument), PointStyle::as_whole);
+    text += ']';
+  }
+  const std::string comments = comments_of(line_, expression.at());
+  write_behind_number(flat, comments.empty() ? text : text + " " + comments);
+  return true;
 }
 
 bool LinuxcncFlow::return_from_sub(std::size_t at, std::string& flat) {
@@ -260,6 +282,12 @@ LinuxcncFlow::Target LinuxcncFlow::target_at(ExpressionReader& expression) {
   return {.name = std::move(name)};
 }
 
+// Not everyone's.
+bool LinuxcncFlow::is_own(const Target& target) const {
+  const auto numbered = static_cast<std::int64_t>(locals_.back().numbered.size());
+  return target.name.empty() ? target.number < numbered : target.name.front() != '_';
+}
+
 std::optional<double> LinuxcncFlow::content_of(const Target& target) const {
   const auto& [name, number] = target;
   const Locals& locals = locals_.back();
@@ -278,6 +306,7 @@ std::optional<double> LinuxcncFlow::content_of(const Target& target) const {
   if (name == "_metric" || name == "_imperial") return (name == "_imperial") == modes_.inch ? 1 : 0;
   if (name == "_absolute" || name == "_incremental")
     return (name == "_incremental") == modes_.incremental ? 1 : 0;
+  if (!lost_to_.empty() && !is_own(target)) return {};
   const double* const value = given(name.empty() ? std::to_string(number) : in_upper_case(name));
   return value == nullptr ? std::optional<double>() : std::optional<double>(*value);
 }
@@ -290,9 +319,12 @@ Value LinuxcncFlow::read(ExpressionReader& expression) {
   if (const auto content = content_of(target)) return {.number = *content};
   const bool is_state =
       target.name.empty() ? target.number > last_number_of_programs : names_a_state(target.name);
-  return without_value(
-      expression, is_state ? Code::machine_state : Code::variable_unset, begin,
-      target.name.empty() ? "#" + std::to_string(target.number) : "#<" + target.name + ">");
+  std::string name =
+      target.name.empty() ? "#" + std::to_string(target.number) : "#<" + target.name + ">";
+  if (!is_state && !is_own(target) && !lost_to_.empty())
+    name += ", which may have been set by " + lost_to_;
+  return without_value(expression, is_state ? Code::machine_state : Code::variable_unset, begin,
+                       std::move(name));
 }
 
 bool LinuxcncFlow::exists(ExpressionReader& expression) {

@@ -113,6 +113,7 @@ class LinuxcncFlow : public CodeFlow {
   bool scan_assignment(std::size_t& at) override;
   bool assign(const Assignment& assignment);
   [[nodiscard]] Target target_at(ExpressionReader& expression);
+  [[nodiscard]] bool is_own(const Target& target) const;
   [[nodiscard]] std::optional<double> content_of(const Target& target) const;
   Value read(ExpressionReader& expression) override;
   bool exists(ExpressionReader& expression) override;
@@ -123,6 +124,7 @@ class LinuxcncFlow : public CodeFlow {
   std::map<std::int64_t, double> common_{};
   std::map<std::string, double, std::less<>> globals_{};
   std::vector<Assignment> assignments_{};  // of the line
+  std::string lost_to_{};  // a call of the machine, which may have set what is everyone's
 };
 
 }  // namespace trc::program

@@ -136,6 +136,10 @@ class SinumerikFlow : public Flow, private Variables {
   bool scan_name(std::size_t& at, const std::string& name, std::vector<Call>& calls);
   bool scan_value(std::size_t begin, std::size_t& at);
   bool scan_call_arguments(std::size_t begin, std::size_t& at);
+  bool append_arguments(std::size_t open, std::size_t end, std::string& text, bool& changes);
+  bool scan_setting(std::size_t& at);
+  bool append_frame(std::size_t& at, std::string& text, bool& changes);
+  bool append_value_of(std::size_t& at, std::string& text, bool& changes);
   void lose_values();
   bool scan_times(std::size_t& at, std::vector<Call>& calls);
   bool scan_call_of_text(std::size_t& at, std::vector<Call>& calls);

@@ -1,5 +1,8 @@
 #include "core/nc/program/sinumerik_line.h"
 
+#include <algorithm>
+#include <array>
+
 #include "core/nc/dialect/sinumerik_words.h"
 #include "core/nc/program/code_line.h"
 #include "core/nc/text/characters.h"
@@ -64,13 +67,36 @@ bool is_indexed_parameter(std::string_view line, std::size_t word) {
   return upper(sign_at(line, word)) == 'R' && sign_at(line, behind_blanks(line, word + 1)) == '[';
 }
 
-bool computes_word(const ProgramSetup& setup, const NamedWord& word) {
+// Whether $TC_DP6[R1,1]=R2 or $P_UIFR[1]=CTRANS(X,_SHIFT) asks for a value: nothing but axes and
+// the words of frames stand in them elsewhere.
+bool names_variable(std::string_view setting) {
+  constexpr auto words =
+      std::to_array<std::string_view>({"CFINE", "CMIRROR", "CROT", "CROTS", "CRPL", "CSCALE",
+                                       "CTRANS", "FI", "MI", "RT", "SC", "TR"});
+  constexpr std::string_view axes = "ABCUVWXYZ";
+  for (std::size_t at = name_at(setting, 1).size() + 1; at < setting.size(); ++at) {
+    const std::string name = name_at(setting, at);
+    if (name.empty()) continue;
+    const bool is_axis = axes.find(name.front()) != std::string_view::npos &&
+                         name.find_first_not_of("0123456789", 1) == std::string::npos;
+    const bool is_exponent = name.starts_with("EX") && is_digit(setting[at - 1]);
+    const bool is_frame = setting[at - 1] == '$' && is_sinumerik_frame("$" + name);
+    if (!is_axis && !is_exponent && !is_frame && std::ranges::find(words, name) == words.end())
+      return true;
+    at += name.size() - 1;
+  }
+  return false;
+}
+
+bool computes_word(const ProgramSetup& setup, const NamedWord& word, std::string_view line) {
   const bool knows_programs = !setup.copies_unknown_words || !setup.subprograms.empty();
   switch (word.kind) {
     case NamedWord::Kind::address:
       return word.letter == 'L' || (word.is_variable && !setup.variables.empty());
     case NamedWord::Kind::assignment:
       if (setup.pass_words.contains(word.name)) return false;
+      if (word.name.starts_with("$TC_") || is_sinumerik_frame(word.name))
+        return names_variable(line.substr(word.begin, word.end - word.begin));
       return !word.is_text && !is_sinumerik_word(word.name);
     case NamedWord::Kind::name:
       if (word.name == "EXTCALL") return !setup.subprograms.empty();
@@ -176,7 +202,7 @@ bool sinumerik_computes(const ProgramSetup& setup, std::string_view line) {
              (fault.code == Code::nc_number &&
               (is_signed_expression(line, fault.begin) || is_indexed_parameter(line, fault.begin)));
     }
-    if (computes_word(setup, word)) return true;
+    if (computes_word(setup, word, line)) return true;
   }
 }
 

@@ -90,16 +90,7 @@ bool SinumerikFlow::execute_words(std::string& flat) {
 
 bool SinumerikFlow::scan_word(std::size_t& at, std::vector<Call>& calls) {
   const std::size_t begin = at;
-  if (line_[at] == '$') {
-    const std::string name = "$" + name_at(line_, at + 1);
-    std::size_t behind = behind_blanks(line_, at + name.size());
-    if (sign_at(line_, behind) == '[') behind = behind_bracket(line_, behind);
-    behind = behind_blanks(line_, behind);
-    if (!is_sinumerik_word(name) || behind == 0 || sign_at(line_, behind) != '=')
-      return refuse(Code::machine_state, at, name);
-    at = behind + 1;
-    return scan_value(begin, at);
-  }
+  if (line_[at] == '$') return scan_setting(at);
   if (!is_letter(line_[at]) && line_[at] != '_') {
     at = line_.size();
     keep(begin, at);
@@ -109,6 +100,85 @@ bool SinumerikFlow::scan_word(std::size_t& at, std::vector<Call>& calls) {
   const char second = sign_at(line_, at + 1);
   const bool is_named = is_letter(second) || second == '_' || line_[at] == '_';
   return is_named ? scan_name(at, name_at(line_, at), calls) : scan_address(at, calls);
+}
+
+// $AC_TIMER[1]=0, $TC_DP6[R1,1]=R2/2, $P_UIFR[1]=CTRANS(X,R1):CROT(Z,R2): what the machine holds is
+// given a value.
+bool SinumerikFlow::scan_setting(std::size_t& at) {
+  const std::size_t begin = at;
+  const std::string name = "$" + name_at(line_, at + 1);
+  const std::size_t end_of_name = begin + name.size();
+  std::string text(line_.substr(begin, name.size()));
+  bool changes = false;
+  std::size_t equals = behind_blanks(line_, end_of_name);
+  if (sign_at(line_, equals) == '[') {
+    const std::size_t open = equals;
+    equals = behind_blanks(line_, behind_bracket(line_, open));
+    if (equals > open && is_sinumerik_word(name) && !append_arguments(open, equals, text, changes))
+      return false;
+  }
+  if (!is_sinumerik_word(name) || equals < end_of_name || sign_at(line_, equals) != '=')
+    return refuse(Code::machine_state, begin, name);
+  at = equals + 1;
+  text += '=';
+  if (is_sinumerik_frame(name)) {
+    if (!append_frame(at, text, changes)) return false;
+    keep(begin, at);
+    if (changes) pieces_.back().instead = std::move(text);
+    return true;
+  }
+  if (!scan_value(begin, at)) return false;
+  Piece& piece = pieces_.back();
+  if (!changes) return true;
+  const std::string whole =
+      piece.instead.value_or(std::string(line_.substr(piece.begin, piece.end - piece.begin)));
+  piece.instead = text + whole.substr(equals + 1 - begin);
+  return true;
+}
+
+// CTRANS(X,R1):CROT(Z,30), with the values of what stands in it.
+bool SinumerikFlow::append_frame(std::size_t& at, std::string& text, bool& changes) {
+  for (;;) {
+    const std::size_t begin = behind_blanks(line_, at);
+    const bool is_of_machine = sign_at(line_, begin) == '$';
+    const std::string name = name_at(line_, begin + (is_of_machine ? 1 : 0));
+    const bool is_frame = is_of_machine && is_sinumerik_frame("$" + name);
+    at = begin + name.size() + (is_of_machine ? 1 : 0);
+    text.append(line_.substr(begin, at - begin));
+    const std::size_t open = behind_blanks(line_, at);
+    const bool is_call = !is_of_machine && !name.empty() && sign_at(line_, open) == '(';
+    if (!is_frame && !is_call) {
+      // One element of it, as $P_UIFR[1,X,TR]=R1.
+      text.erase(text.size() - (at - begin));
+      at = begin;
+      return append_value_of(at, text, changes);
+    }
+    if (is_call || sign_at(line_, open) == '[') {
+      at = behind_bracket(line_, open);
+      if (at == 0) return refuse(Code::expression_invalid, begin, name);
+      if (!append_arguments(open, at, text, changes)) return false;
+    }
+    if (sign_at(line_, behind_blanks(line_, at)) != ':') return true;
+    at = behind_blanks(line_, at) + 1;
+    text += ':';
+  }
+}
+
+bool SinumerikFlow::append_value_of(std::size_t& at, std::string& text, bool& changes) {
+  ExpressionReader expression = expression_at(at);
+  const Value value = expression.expression();
+  if (expression.failed()) return refuse(expression.fault());
+  const std::size_t end = end_of(line_, at, expression.at());
+  double number = 0;
+  bool whole = false;
+  if (read_named_number(line_.substr(at), number, whole) == end - at) {
+    text.append(line_.substr(at, end - at));
+  } else {
+    text.append(text_of_value(value));
+    changes = true;
+  }
+  at = end;
+  return true;
 }
 
 bool SinumerikFlow::scan_assignment(std::size_t& at) {
@@ -132,7 +202,7 @@ bool SinumerikFlow::scan_address(std::size_t& at, std::vector<Call>& calls) {
   const std::size_t digits = behind_blanks(line_, at);
   double number = 0;
   bool whole = false;
-  const std::size_t length = read_number(line_.substr(digits), number, whole);
+  const std::size_t length = read_named_number(line_.substr(digits), number, whole);
   const std::size_t behind = behind_blanks(line_, digits + length);
   const bool has_value = sign_at(line_, behind) == '=' && sign_at(line_, behind + 1) != '=';
   if (letter == 'P' && !calls.empty() && (length > 0 || has_value)) {
@@ -143,10 +213,27 @@ bool SinumerikFlow::scan_address(std::size_t& at, std::vector<Call>& calls) {
     at = behind + 1;
     return scan_value(begin, at);
   }
+  // S[1]=R5; which spindle it is has to stand there.
+  const bool is_indexed =
+      length == 0 && sign_at(line_, digits) == '[' && std::string_view("SMH").find(letter) != npos;
+  const std::size_t index_end = is_indexed ? behind_bracket(line_, digits) : 0;
+  if (index_end > 0 && sign_at(line_, behind_blanks(line_, index_end)) == '=') {
+    std::string text;
+    bool changes = false;
+    if (!append_arguments(digits, index_end, text, changes)) return false;
+    at = behind_blanks(line_, index_end) + 1;
+    return changes ? refuse_word(Code::expression_invalid, begin, at, ", a computed spindle")
+                   : scan_value(begin, at);
+  }
   at = digits + length;
   if (letter == 'L' && length > 0 && is_digit(line_[digits])) {
     const std::string name = "L" + std::string(line_.substr(digits, length));
     const Unit* const unit = unit_named(name);
+    if (unit == nullptr && setup_.pass_words.contains(name)) {
+      calls_of_line_.push_back(name);
+      keep(begin, at);
+      return true;
+    }
     if (unit == nullptr) return refuse(Code::subprogram_unknown, begin, name);
     calls.push_back({.unit = unit, .begin = begin});
     leave_out(begin, at);
@@ -209,7 +296,7 @@ bool SinumerikFlow::scan_value(std::size_t begin, std::size_t& at) {
   double number = 0;
   bool whole = false;
   const bool is_literal =
-      read_number(line_.substr(value_begin), number, whole) == end - value_begin ||
+      read_named_number(line_.substr(value_begin), number, whole) == end - value_begin ||
       (value.is_text && line_.substr(value_begin, end - value_begin) == "\"" + value.text + "\"");
   if (is_literal) {
     keep(begin, at);
@@ -305,22 +392,34 @@ bool SinumerikFlow::scan_call_of_text(std::size_t& at, std::vector<Call>& calls)
 
 // What a call that is passed on is given: `at` stands behind it.
 bool SinumerikFlow::scan_call_arguments(std::size_t begin, std::size_t& at) {
-  std::size_t argument = line_.find('(', begin) + 1;
-  std::string text(line_.substr(begin, argument - begin));
+  const std::size_t open = line_.find('(', begin);
+  std::string text(line_.substr(begin, open - begin));
   bool changes = false;
-  while (argument < at) {
-    std::size_t end = argument;
+  if (!append_arguments(open, at, text, changes)) return false;
+  pieces_.push_back({.begin = begin, .end = at});
+  if (changes) pieces_.back().instead = std::move(text);
+  return true;
+}
+
+// What stands between the bracket at `open` and its end in front of `end`, with its values.
+bool SinumerikFlow::append_arguments(std::size_t open, std::size_t end, std::string& text,
+                                     bool& changes) {
+  text += line_[open];
+  std::size_t argument = open + 1;
+  while (argument < end) {
+    std::size_t next = argument;
     bool quoted = false;
-    for (int depth = 0; end < at; ++end) {
-      const char sign = line_[end];
+    for (int depth = 0; next < end; ++next) {
+      const char sign = line_[next];
       if (sign == '"') quoted = !quoted;
       if (quoted) continue;
-      if (depth == 0 && (sign == ',' || sign == ')')) break;
+      if (depth == 0 && (sign == ',' || sign == ')' || sign == ']')) break;
       if (sign == '(' || sign == '[') ++depth;
       if (sign == ')' || sign == ']') --depth;
     }
+    if (next == end) break;  // blanks behind the bracket
     const std::size_t first = behind_blanks(line_, argument);
-    const std::string_view words = without_blanks_behind(line_.substr(first, end - first));
+    const std::string_view words = without_blanks_behind(line_.substr(first, next - first));
     const std::string name = name_at(line_, first);
     const bool is_name = !name.empty() && name.size() == words.size();
     const bool is_known = declared(name) != nullptr || is_variable_name(name) ||
@@ -331,22 +430,20 @@ bool SinumerikFlow::scan_call_arguments(std::size_t begin, std::size_t& at) {
         words.size() > 1 && words.front() == '"' && words.find('"', 1) == words.size() - 1;
     if (is_name && declared(name) != nullptr) given_to_calls_.push_back(name);
     if (words.empty() || is_text || (is_name && !is_known) ||
-        read_number(words, number, whole) == words.size()) {
-      text.append(line_.substr(argument, end - argument));
+        read_named_number(words, number, whole) == words.size()) {
+      text.append(line_.substr(argument, next - argument));
     } else {
       ExpressionReader expression = expression_at(first);
       const Value value = expression.expression();
       if (expression.failed()) return refuse(expression.fault());
-      if (expression.at() != end)
+      if (expression.at() != next)
         return refuse(Code::expression_invalid, first, std::string(words));
       text.append(line_.substr(argument, first - argument)).append(text_of_value(value));
       changes = true;
     }
-    text += line_[end];
-    argument = end + 1;
+    text += line_[next];
+    argument = next + 1;
   }
-  pieces_.push_back({.begin = begin, .end = at});
-  if (changes) pieces_.back().instead = std::move(text);
   return true;
 }
 

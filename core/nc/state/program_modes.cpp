@@ -187,6 +187,11 @@ bool ProgramState::call_tool(const ToolRow& row, const Source& source) {
   return follow_tool(tool_.call_tool(row), source);
 }
 
+bool ProgramState::define_tool(std::int64_t number, double radius, const Source& source) {
+  const auto refusal = tool_.define_tool(number, radius);
+  return !refusal || refuse(source, *refusal);
+}
+
 bool ProgramState::load_tool(const Source& source) {
   return follow_tool(tool_.load_tool(), source);
 }

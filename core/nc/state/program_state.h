@@ -114,7 +114,9 @@ class ProgramState {
     tool_.prepare_tool(number, place);
   }
   bool load_tool(const Source& source);
-  void define_tool(std::int64_t number, double radius) { tool_.define_tool(number, radius); }
+  // The program itself gives a tool its radius, mm, which counts from its next call on. A warning
+  // where the setup gives another one (900224).
+  bool define_tool(std::int64_t number, double radius, const Source& source);
   bool call_tool(const ToolRow& row, const Source& source);
   // A STRETCH_FACTOR out of range becomes 1, with a warning (22007). 22125, 900005.
   bool set_options(const TrcOptions& options, const Source& source);

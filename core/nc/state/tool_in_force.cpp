@@ -73,6 +73,23 @@ std::optional<Refusal> ToolInForce::set_tool(std::int64_t number, const WordPlac
   return {};
 }
 
+std::optional<Refusal> ToolInForce::define_tool(std::int64_t number, double radius) {
+  defined_[number] = radius;
+  if (setup_.every_radius) return {};
+  const auto row = setup_.tools.find(number);
+  const bool is_in_table = row != setup_.tools.end();
+  const bool is_only = setup_.tools.empty() && setup_.mode.tool_radius != 0;
+  const double given = is_in_table ? row->second.radius : setup_.mode.tool_radius;
+  constexpr double alike = 1e-9;
+  if ((!is_in_table && !is_only) || std::abs(given - radius) <= alike) return {};
+  const bool has_edges = setup_.dialect == DialectName::sinumerik;
+  const std::string edge = has_edges ? " D" + std::to_string(edge_of_row(number)) : "";
+  const char* const letter = setup_.dialect == DialectName::fanuc ? "D" : "T";
+  return Refusal{.code = Code::tool_radius_contradicts,
+                 .detail = letter + std::to_string(tool_of_row(number)) + edge,
+                 .values = {{"tool_radius", radius}, {"radius_of_setup", given}}};
+}
+
 std::optional<Refusal> ToolInForce::call_tool(const ToolRow& row) {
   return enter_row(row, RadiusGiver::program);
 }
@@ -132,8 +149,8 @@ std::optional<Refusal> ToolInForce::change_terms(const RadiusTerms& terms) {
 // A radius the setup has given stands for tools that the table does not hold.
 std::optional<Refusal> ToolInForce::take_tool(std::int64_t number) {
   if (giver_ == RadiusGiver::program) return {};
-  const auto tool = setup_.tools.find(number);
-  if (tool != setup_.tools.end()) return enter_row(tool->second, RadiusGiver::tool_in_spindle);
+  if (defined_.contains(number) || setup_.tools.contains(number))
+    return enter_row(*row_of_tool(number), RadiusGiver::tool_in_spindle);
   if (giver_ == RadiusGiver::setup) return {};
   giver_ = RadiusGiver::nobody;
   missing_ = number;

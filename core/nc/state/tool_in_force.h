@@ -36,8 +36,9 @@ class ToolInForce {
     prepared_place_ = place;
   }
   std::optional<Refusal> load_tool();
-  // The program itself gives a tool of the table its radius, mm.
-  void define_tool(std::int64_t number, double radius) { defined_[number] = radius; }
+  // The program itself gives a tool of the table its radius, mm. 900224 where the setup has
+  // another one.
+  std::optional<Refusal> define_tool(std::int64_t number, double radius);
 
   // What the first motion of a selection asks for: that there is a radius (900219) and that its
   // wear is none of a whole radius (900222); 0 gets a warning once (900220). A tool that the table
@@ -52,6 +53,10 @@ class ToolInForce {
     const bool is_known =
         giver_ != RadiusGiver::nobody && !has_tool_that_waits() && !setup_.every_radius;
     return is_known ? std::optional(terms_.radius) : std::nullopt;
+  }
+  // Whether that of the setup stands for this tool, which has none of its own.
+  [[nodiscard]] bool is_of_setup(std::int64_t number) const {
+    return giver_ == RadiusGiver::setup && !setup_.every_radius && !row_of_tool(number);
   }
   // The parts of the radius in force.
   [[nodiscard]] const RadiusTerms& terms() const { return terms_; }

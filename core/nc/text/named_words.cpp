@@ -1,5 +1,6 @@
 #include "core/nc/text/named_words.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -11,6 +12,11 @@ namespace {
 bool begins_number(char sign) {
   return is_digit(sign) || sign == '+' || sign == '-' || sign == '.';
 }
+
+// An index that is no small number.
+constexpr int some_spindle = 1000;
+
+bool has_spindles(char letter) { return letter == 'S' || letter == 'M' || letter == 'H'; }
 
 // Where the colon of a label such as `L1:` stands that begins at `begin`, else npos. A label is the
 // first word of a block, behind its number at most.
@@ -96,7 +102,7 @@ bool NamedWordReader::is_assigned() const {
 }
 
 bool NamedWordReader::read_plain_number(NamedWord& word) {
-  const std::size_t length = read_number(line_.substr(at_), word.value, word.whole);
+  const std::size_t length = read_named_number(line_.substr(at_), word.value, word.whole);
   at_ += length;
   if (peek() == ',' && is_digit(peek(1))) {
     fault_ = {.code = Code::nc_number,
@@ -168,7 +174,12 @@ NamedWord NamedWordReader::address() {
     TextFault found = fault_;
     return fail(found.code, word.begin, std::move(found.detail));
   };
-  if (begins_number(peek())) {
+  if (peek() == '[' && has_spindles(word.letter)) {  // S[1]=500, M[SPI(2)]=3
+    at_ = std::min(line_.find(']', at_), line_.size() - 1) + 1;
+    skip_blanks();
+    word.index = some_spindle;
+  }
+  if (word.index < 0 && begins_number(peek())) {
     const std::size_t digits = at_;
     if (!read_plain_number(word)) return failed();
     word.end = static_cast<std::uint32_t>(at_);
@@ -177,7 +188,8 @@ NamedWord NamedWordReader::address() {
       at_ = word.end;
       return word;
     }
-    word.index = is_whole(word.value) && word.value < 1000 ? static_cast<int>(word.value) : 1000;
+    word.index = is_whole(word.value) && word.value < some_spindle ? static_cast<int>(word.value)
+                                                                   : some_spindle;
   }
   if (word.letter == 'R' && word.index >= 0)
     return fail(Code::nc_unsupported, word.begin, "R, a variable");
@@ -201,6 +213,30 @@ bool NamedWordReader::read_variable() {
     const bool goes_on = std::string_view("+-*/([<>=.").find(peek()) != std::string_view::npos;
     at_ = goes_on ? begin : end;
     return !goes_on;
+  }
+  at_ = begin;
+  return false;
+}
+
+// CTRANS(X,10):CROT(Z,30), $P_UIFR[2], from where the value begins; the place is unchanged where
+// there is none.
+bool NamedWordReader::read_frame() {
+  const std::size_t begin = at_;
+  for (;;) {
+    skip_blanks();
+    if (peek() == '$') ++at_;
+    const std::size_t name = at_;
+    while (is_letter(peek()) || is_digit(peek()) || peek() == '_') ++at_;
+    if (at_ == name || is_digit(line_[name])) break;
+    skip_blanks();
+    const std::size_t close = peek() == '('   ? end_of_call(at_)
+                              : peek() == '[' ? line_.find(']', at_) + 1
+                                              : at_;
+    if (close == std::string_view::npos || close < at_) break;
+    at_ = close;
+    skip_blanks();
+    if (peek() != ':') return true;
+    ++at_;
   }
   at_ = begin;
   return false;
@@ -240,7 +276,10 @@ NamedWord NamedWordReader::name() {
   } else if (peek() == '=') {
     ++at_;
     word.kind = NamedWord::Kind::assignment;
-    if (!read_value(word)) {
+    const bool is_frame =
+        spelled.starts_with("P_") && word.begin > 0 && line_[word.begin - 1] == '$';
+    word.is_variable = is_frame && read_frame();
+    if (!word.is_variable && !read_value(word)) {
       TextFault found = fault_;
       return fail(found.code, word.begin, spelled + "=, " + found.detail);
     }

@@ -26,11 +26,12 @@ struct NamedWord {
   enum class Reference : std::uint8_t { modal, absolute, incremental };
 
   Kind kind = Kind::end;
-  char letter = 0;           // address: upper case
-  int index = -1;            // address: 1 of S1=500
-  std::string name{};        // upper case
-  bool is_text = false;      // the value is a text in quotes
-  bool is_variable = false;  // the value is a variable: Z=_HOME, X=R5
+  char letter = 0;       // address: upper case
+  int index = -1;        // address: 1 of S1=500
+  std::string name{};    // upper case
+  bool is_text = false;  // the value is a text in quotes
+  // The value is a variable: Z=_HOME, X=R5; or a frame: $P_UIFR[1]=CTRANS(X,10).
+  bool is_variable = false;
   bool whole = false;
   double value = 0;
   Reference reference = Reference::modal;
@@ -55,6 +56,7 @@ class NamedWordReader {
   [[nodiscard]] NamedWord name();
   [[nodiscard]] bool read_value(NamedWord& word);
   [[nodiscard]] bool read_variable();
+  [[nodiscard]] bool read_frame();
   [[nodiscard]] bool is_assigned() const;
   [[nodiscard]] bool read_plain_number(NamedWord& word);
   [[nodiscard]] std::size_t end_of_call(std::size_t begin) const;

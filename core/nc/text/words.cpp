@@ -156,6 +156,34 @@ std::size_t read_number(std::string_view text, double& value, bool& whole) {
   return static_cast<std::size_t>(at - text.data());
 }
 
+std::size_t read_named_number(std::string_view text, double& value, bool& whole) {
+  const std::size_t length = read_number(text, value, whole);
+  const std::string_view behind = text.substr(length);
+  if (length == 0 || behind.size() < 3 || upper(behind[0]) != 'E' || upper(behind[1]) != 'X')
+    return length;
+  double exponent = 0;
+  bool is_whole_exponent = false;
+  const std::size_t digits = read_number(behind.substr(2), exponent, is_whole_exponent);
+  if (digits == 0 || !is_whole_exponent) return length;
+  value = exponent < 0 ? value / std::pow(10.0, -exponent) : value * std::pow(10.0, exponent);
+  return length + 2 + digits;
+}
+
+std::size_t behind_spindle_words(std::string_view text) {
+  if (text.empty() || upper(text.front()) != 'S') return 0;
+  const std::size_t open = text.find_first_not_of("0123456789 \t", 1);
+  if (open == std::string_view::npos || text[open] != '[') return 0;
+  const std::size_t close = text.find(']', open);
+  if (close == std::string_view::npos) return 0;
+  const std::string words = in_upper_case(text.substr(open, close - open));
+  const auto is_function = [&](std::size_t at) {
+    return words[at] == 'M' && at + 1 < words.size() && is_digit(words[at + 1]);
+  };
+  bool commands = words.find("REV") != std::string::npos || words.find("POS") != std::string::npos;
+  for (std::size_t at = 0; at < words.size(); ++at) commands |= is_function(at);
+  return commands ? close + 1 : 0;
+}
+
 std::size_t first_byte_that_is_no_text(std::string_view text) {
   return first_bad_byte(text, false);
 }
@@ -302,6 +330,13 @@ Word WordReader::address() {
   Word word{.kind = WordKind::address, .letter = upper(*begin), .begin = place_of(begin)};
   if (word.letter == 'L') return fail(Code::nc_unsupported, begin, "L, a subprogram call");
   if (word.letter == 'P') return fail(Code::nc_unsupported, begin, "P, a parameter");
+  const std::string_view rest = line_.substr(word.begin);
+  if (const std::size_t length = word.letter == 'S' ? behind_spindle_words(rest) : 0; length > 0) {
+    at_ = begin + length;
+    word.end = place_of(at_);
+    word.has_argument = true;
+    return word;
+  }
   if (word.letter == 'V' && peek() == '.' && at_ + 1 != end_ && class_of(at_[1]) == Class::letter)
     return variable();
   if (!is_digit(peek())) {

@@ -100,6 +100,13 @@ inline constexpr double largest_whole = 1e15;
 // larger than any double.
 [[nodiscard]] std::size_t read_number(std::string_view text, double& value, bool& whole);
 
+// The same of Sinumerik, where 5EX1 is 50.
+[[nodiscard]] std::size_t read_named_number(std::string_view text, double& value, bool& whole);
+
+// S[M3 REV1000], S2[POS=90 M19] of ISG, from the S on: behind the bracket; 0: it is a number or an
+// expression.
+[[nodiscard]] std::size_t behind_spindle_words(std::string_view text);
+
 // Where the first byte stands that no text has: a control character other than
 // a tab or line end, or a byte that is not UTF-8. npos when there is none.
 [[nodiscard]] std::size_t first_byte_that_is_no_text(std::string_view text);

@@ -1,0 +1,202 @@
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "tests/programs/computing.h"
+
+// Which tool a contour has where the program writes its radius, computes it, or leaves the change
+// of tools to what only the machine has: never another one than it says, and never silently (D-75
+// to D-79).
+
+namespace trc::support::tools_of_programs {
+namespace {
+
+using enum DialectName;
+
+ProgramSessionSetup setup_of(DialectName dialect) {
+  ProgramSessionSetup setup = computing_setup(dialect);
+  setup.session.program.mode.tool_radius = 5;
+  return setup;
+}
+
+// A wall from X0 Y0 to X0 Y40, travelled from X-20 on its left.
+std::string contour_of(DialectName dialect, const std::string& side) {
+  if (dialect == heidenhain)
+    return "L X-20 Y+0 Z-2 R0 FMAX\nL X+0 " + side + " F300\nL Y+40\nL X-20 R0\n";
+  const std::string point = dialect == fanuc ? "." : "";
+  return "G90 G0 X-20" + point + " Y0 Z2" + point + "\n" + side + " G1 X0 F300\nY40" + point +
+         "\nG40 X-20" + point + "\n";
+}
+
+// The codes and details of what is told, errors and warnings.
+std::string told(const std::string& text, const ProgramSessionSetup& setup) {
+  std::string all;
+  for (const Diagnostic& found : run_computing(text, setup, Output::nc_text).diagnostics)
+    all += std::to_string(static_cast<int>(found.code)) + " " + std::to_string(found.source.line) +
+           " " + found.detail + "\n";
+  return all;
+}
+
+// How far the tool is from the wall of the last contour; -1: it was refused.
+double distance(const std::string& text, const ProgramSessionSetup& setup) {
+  const Ran ran = run_computing(text, setup, Output::blocks);
+  if (ran.stopped) return -1;
+  double farthest = 0;
+  for (const CompensatedBlock& block : ran.blocks)
+    if (block.origin == Origin::programmed) farthest = -end_of(block.path).x();
+  return farthest;
+}
+
+TEST(ToolsOfPrograms, HaveTheRadiusThatSinumerikWrites) {
+  const std::string wall = contour_of(sinumerik, "G41") + "M30\n";
+  ProgramSessionSetup setup = setup_of(sinumerik);
+  setup.session.program.mode.tool_radius = 0;
+  setup.session.program.tools[row_of_edge(2, 1)] = 5;
+  setup.session.program.tools[row_of_edge(2, 2)] = 4;
+  const std::string head = "G17 G71 G90\n$TC_DP6[1,1]=3.5 $TC_DP6[2,2]=4\n";
+  EXPECT_EQ(distance(head + "T1 D1\n" + wall, setup), 3.5);
+  EXPECT_EQ(distance(head + "T2 D1\n" + wall, setup), 5);
+  EXPECT_EQ(distance(head + "T2 D2\n" + wall, setup), 4);
+  EXPECT_EQ(told(head + "T2 D2\n" + wall, setup), "");
+  // The machine would take what is written: so it counts, and is told.
+  const std::string other = "G17 G71 G90\n$TC_DP6[2,1]=6\nT2 D1\n" + wall;
+  EXPECT_EQ(distance(other, setup), 6);
+  EXPECT_EQ(told(other, setup), "900224 2 T2 D1\n");
+  EXPECT_EQ(told("G17 G71 G90\n$TC_DP6[1,1]=6\nT1 D1\n" + wall, setup_of(sinumerik)),
+            "900224 2 T1 D1\n");
+}
+
+TEST(ToolsOfPrograms, CountInTheUnitThatSinumerikWritesThemIn) {
+  const std::string wall = "T1 D1\nG90 G0 X-2 Y0\nG41 G1 X0 F10\nY2\nG40 X-2\nM30\n";
+  ProgramSessionSetup setup = setup_of(sinumerik);
+  setup.session.program.mode.tool_radius = 0;
+  EXPECT_EQ(distance("G700\n$TC_DP6[1,1]=0.25\n" + wall, setup), 6.35);
+  // G70 is none of its business.
+  EXPECT_EQ(distance("G70\n$TC_DP6[1,1]=6\n" + wall, setup), 6);
+}
+
+TEST(ToolsOfPrograms, AreToldWhereOtherDialectsWriteAnotherRadius) {
+  ProgramSessionSetup setup = setup_of(fanuc);
+  setup.session.program.tools[1] = 5;
+  EXPECT_EQ(told("G21 G17 G90\nG10 L12 P1 R4.\n" + contour_of(fanuc, "G41 D1") + "M30\n", setup),
+            "900224 2 D1\n");
+  EXPECT_EQ(told("BEGIN PGM A MM\nTOOL DEF 1 L+0 R+4\nTOOL CALL 1 Z S1000\n" +
+                     contour_of(heidenhain, "RL") + "END PGM A MM\n",
+                 setup_of(heidenhain)),
+            "900224 2 T1\n");
+}
+
+TEST(ToolsOfPrograms, MayHaveBeenChangedByACall) {
+  const auto twice = [](DialectName dialect, const std::string& between, const std::string& side) {
+    const std::string end = dialect == heidenhain ? "END PGM A MM\n" : "M30\n";
+    return contour_of(dialect, side) + between + contour_of(dialect, side) + end;
+  };
+  const auto sinumerik_told = [&](const std::string& between) {
+    return told("G17 G71 G90\nT1 D1\n" + twice(sinumerik, between, "G41"), setup_of(sinumerik));
+  };
+  EXPECT_EQ(sinumerik_told("G0 Z50\n"), "");
+  EXPECT_EQ(sinumerik_told("TC(\"MILL\") ; the next one\n"), "900225 9 TC(\"MILL\") in line 7\n");
+  EXPECT_EQ(sinumerik_told("TC(\"MILL\")\nD1\n"), "900225 10 TC(\"MILL\") in line 7\n");
+  EXPECT_EQ(sinumerik_told("T1 D1\nCHANGE()\n"), "");
+  EXPECT_EQ(sinumerik_told("CHANGE()\nT1 D1\n"), "");
+  // In front of the first contour it is the tool that the setup gives.
+  EXPECT_EQ(told("G17 G71 G90\nTC(\"MILL\")\n" + contour_of(sinumerik, "G41") + "M30\n",
+                 setup_of(sinumerik)),
+            "");
+  EXPECT_EQ(told("G21 G17\nT1 M6\n" + twice(fanuc, "M98 P9020\n", "G41"), setup_of(fanuc)),
+            "900225 9 M98 P9020 in line 7\n");
+  EXPECT_EQ(told("G21 G17\nT1 M6\n" + twice(fanuc, "M98 P9020\n", "G41 D1"), setup_of(fanuc)), "");
+  ProgramSessionSetup declared = setup_of(fanuc);
+  declared.session.program.pass_words = {"O9020"};
+  EXPECT_EQ(told("G21 G17\nT1 M6\n" + twice(fanuc, "M98 P9020\n", "G41"), declared), "");
+  EXPECT_EQ(told("TOOL CALL 1 Z S1000\n" + twice(heidenhain, "CALL PGM CHANGE\n", "RL"),
+                 setup_of(heidenhain)),
+            "900225 8 CALL PGM CHANGE in line 6\n");
+}
+
+TEST(ToolsOfPrograms, OfIsgMayBeOthersUnderOneRadius) {
+  const auto program = [](const std::string& between) {
+    return "G17 G71 G90\nT1\nL TOOL\n" + contour_of(isg, "G41") + between + contour_of(isg, "G41") +
+           "M30\n";
+  };
+  EXPECT_EQ(told(program(""), setup_of(isg)), "");
+  EXPECT_EQ(told(program("L TOOL (again)\n"), setup_of(isg)), "900225 10 L TOOL in line 8\n");
+  EXPECT_EQ(told(program("T2\nL TOOL\n"), setup_of(isg)), "900225 11 T2 in line 8\n");
+  ProgramSessionSetup setup = setup_of(isg);
+  setup.session.program.tools[2] = 3;
+  EXPECT_EQ(told(program("T2\nL TOOL\n"), setup), "");
+  EXPECT_EQ(distance(program("T2\nL TOOL\n"), setup), 3);
+}
+
+TEST(ToolsOfPrograms, HaveTheRadiusThatIsgWrites) {
+  const std::string wall = contour_of(isg, "G41") + "M30\n";
+  ProgramSessionSetup setup = setup_of(isg);
+  setup.session.program.tools[3] = 5;
+  for (const std::string called : {"T3 D3\nM06\n", "T3 M06\n", "D3\n"}) {
+    const std::string text = "G17 G71 G90\nV.G.WZ[3].R = 4 (reground)\n" + called + wall;
+    EXPECT_EQ(distance(text, setup), 4) << called;
+    EXPECT_EQ(told(text, setup), "900224 2 T3\n");
+  }
+  EXPECT_EQ(distance("G17 G71 G90\nP1=8\nV.G.WZ[3].R=P1/2\nP2=V.G.WZ[3].R\nT3 D3\n" + wall, setup),
+            4);
+}
+
+// The builder's own word for a change of tools, beside its T: G90 holds behind it as behind M06.
+TEST(ToolsOfPrograms, ChangedBesideTheirNumberLeaveG90InForce) {
+  const std::string wall = "G00 X-20 Y0\nG41 G01 X0 F300\nY40\nG40 X-20\nM30\n";
+  EXPECT_EQ(told("G17 G71 G90\nT202 LM06\n" + wall, setup_of(isg)), "");
+  EXPECT_EQ(told("G17 G71 G90\nLM06\n" + wall, setup_of(isg)),
+            "900106 4 G90 or G91, which was not programmed anew behind LM06 in line 2\n");
+  EXPECT_EQ(told("G17 G71 G90\nLM07\nT202 LM06\n" + wall, setup_of(isg)),
+            "900106 5 G90 or G91, which was not programmed anew behind LM06 in line 3\n");
+}
+
+TEST(ToolsOfPrograms, AreCalledByParametersOfKlartext) {
+  ProgramSessionSetup setup = setup_of(heidenhain);
+  setup.session.program.mode.tool_radius = 0;
+  setup.session.program.tools[1] = 5;
+  setup.session.program.tools[2] = 3;
+  const auto program = [](const std::string& head) {
+    return "BEGIN PGM A MM\n" + head + contour_of(heidenhain, "RL") + "END PGM A MM\n";
+  };
+  EXPECT_EQ(distance(program("TOOL CALL 1 Z S1000 DR-0,05\n"), setup), 4.95);
+  EXPECT_EQ(distance(program("Q5 = +0.2\nTOOL CALL 1 Z S1000 DR+Q5\n"), setup), 5.2);
+  EXPECT_EQ(distance(program("FN 0: Q5 = +0.2 ; stock\nTOOL CALL 1 Z DR-Q5\n"), setup), 4.8);
+  EXPECT_EQ(distance(program("FN 0: Q1 = +2\nTOOL CALL Q1 Z S Q3\n"), setup), 3);
+  const std::string unknown = "900003 4 DR+Q5 of TOOL CALL, a variable\n";
+  for (const std::string lost :
+       {"Q5 = 0.1 * 2", "FN 18: SYSREAD Q5 = ID50 NR2", "LBL 1", "CALL PGM A",
+        "CYCL DEF 200 DRILLING ~\n Q5=1", "/ Q5 = 0.3", "TCH PROBE 419"}) {
+    const std::string text = program("Q5 = 0.2\n" + lost + "\nTOOL CALL 1 Z DR+Q5\n");
+    EXPECT_EQ(distance(text, setup), -1) << lost;
+    EXPECT_EQ(told(text, setup).substr(0, 7), unknown.substr(0, 7)) << lost;
+  }
+  EXPECT_EQ(told(program("Q5 = Q4\nQ6 = 2\nTOOL CALL 1 Z DR+Q5\n"), setup), unknown);
+  // Without RL nothing hangs on it.
+  EXPECT_EQ(told("TOOL CALL 1 Z DR+Q5\nL X+5 R0 FMAX\n", setup), "");
+}
+
+// CALL LBL does what stands behind the label, also where that changes the tool.
+TEST(ToolsOfPrograms, AreChangedByLabelsOfKlartext) {
+  ProgramSessionSetup setup = setup_of(heidenhain);
+  setup.session.program.mode.tool_radius = 0;
+  setup.session.program.tools[1] = 5;
+  setup.session.program.tools[2] = 3;
+  const std::string wall = contour_of(heidenhain, "RL");
+  const std::string labels = "LBL 1\nTOOL CALL 1 Z\nLBL 0\nLBL 2\nTOOL CALL 2 Z\nLBL 0\n";
+  EXPECT_EQ(told(labels + wall, setup), "");
+  EXPECT_EQ(told(labels + "CALL LBL 1\n" + wall, setup),
+            "900003 9 RL, RR with the tool of the section that line 7 calls\n");
+  EXPECT_EQ(told(labels + "CALL LBL 1\nTOOL CALL 1 Z\n" + wall, setup), "");
+  const std::string behind = "M30\nLBL 7\nCALL LBL 8\nLBL 0\nLBL 8\nTOOL CALL 2 Z\nLBL 0\n";
+  EXPECT_EQ(told("TOOL CALL 1 Z\nCALL LBL 8\n" + wall + behind, setup),
+            "900003 12 TOOL CALL in a section that line 2 calls in front of a contour\n");
+  EXPECT_EQ(told("TOOL CALL 1 Z\nCALL LBL 7\n" + wall + behind, setup),
+            "900003 12 TOOL CALL in a section that line 2 calls in front of a contour\n");
+  EXPECT_EQ(told("TOOL CALL 1 Z\n" + wall + "CALL LBL 8\n" + behind, setup), "");
+  EXPECT_EQ(told("CALL LBL 8\nTOOL CALL 1 Z\n" + wall + behind, setup), "");
+}
+
+}  // namespace
+}  // namespace trc::support::tools_of_programs
