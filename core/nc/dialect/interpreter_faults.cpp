@@ -39,9 +39,18 @@ bool Interpreter::refuse(const ProgramLine& line, const TextFault& given) {
   if (knows_columns_)
     refused.column = line_begin == 0 ? column_of(fault.begin)
                                      : static_cast<std::uint32_t>(fault.begin - line_begin + 1);
+  if (is_within_slip(refused)) return false;
   refused.slip = fault.slip;
   guard_against_other_dialects(line, refused);
   return collect(std::move(refused));
+}
+
+// The rest of a word that was told as a whole.
+bool Interpreter::is_within_slip(const Diagnostic& found) const {
+  if (faults_.empty() || faults_.back().slip.kind == SlipKind::none) return false;
+  const Fault& told = faults_.back();
+  return told.source.line == found.source.line && found.column > told.column &&
+         found.column < told.column + told.detail.size();
 }
 
 bool Interpreter::refuse_at(const WordPlace& place, Code code, std::string detail) {

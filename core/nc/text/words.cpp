@@ -296,11 +296,25 @@ inline bool WordReader::number(double& value, bool& whole) {
          std::abs(value) <= std::numeric_limits<double>::max();
 }
 
+// L NAME, LL NAME, LM06
+Word WordReader::subprogram_call(const char* begin) {
+  const auto of_name = [](char sign) {
+    return is_letter(sign) || is_digit(sign) || sign == '_' || sign == '.';
+  };
+  const char* end = std::find_if_not(begin, end_, of_name);
+  const bool is_bare = std::all_of(begin, end, [](char sign) { return upper(sign) == 'L'; });
+  if (is_bare && end != end_ && *end == ' ') {
+    const char* const name = std::find_if(end, end_, [](char sign) { return sign != ' '; });
+    if (name != end_ && of_name(*name)) end = std::find_if_not(name, end_, of_name);
+  }
+  return fail(Code::nc_unsupported, begin, std::string(begin, end) + ", a subprogram call");
+}
+
 // Blanks and one `=` may stand in front of the number.
 Word WordReader::address() {
   const char* const begin = at_++;
   Word word{.kind = WordKind::address, .letter = upper(*begin), .begin = place_of(begin)};
-  if (word.letter == 'L') return fail(Code::nc_unsupported, begin, "L, a subprogram call");
+  if (word.letter == 'L') return subprogram_call(begin);
   if (word.letter == 'P') return fail(Code::nc_unsupported, begin, "P, a parameter");
   if (word.letter == 'V' && peek() == '.' && at_ + 1 != end_ && class_of(at_[1]) == Class::letter)
     return variable();
