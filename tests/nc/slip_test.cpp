@@ -119,5 +119,18 @@ TEST(UnitOfAnother, SaysHowIsgCountsInMm) {
   EXPECT_NE(help.find("--dialect fanuc"), std::string::npos) << help;
 }
 
+// Nothing else looks like it, so that a wrong --dialect is named as such.
+TEST(WrongDialect, IsSaidOfKlartextWhateverIsDeclared) {
+  for (const DialectName name : dialects) {
+    SCOPED_TRACE(dialect_of(name).spelling);
+    const Reading reading =
+        read("0 BEGIN PGM A MM\n1 TOOL CALL 1 Z S2000\n2 L X-20 Y-20 R0 FMAX\n", {.dialect = name});
+    ASSERT_FALSE(reading.diagnostics.empty());
+    EXPECT_EQ(reading.diagnostics.front().code, Code::other_dialect);
+    EXPECT_TRUE(reading.diagnostics.front().detail.ends_with(", as in heidenhain"))
+        << reading.diagnostics.front().detail;
+  }
+}
+
 }  // namespace
 }  // namespace trc::testing

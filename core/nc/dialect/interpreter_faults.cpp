@@ -60,16 +60,17 @@ bool Interpreter::refuse_at(const WordPlace& place, Code code, std::string detai
 }
 
 // What cannot be read as ISG, in a program that has no word of its own, may be of another dialect.
+// Of a dialect that was declared that is said of Klartext alone, whose lines look like nothing else.
 void Interpreter::guard_against_other_dialects(const ProgramLine& line, Diagnostic& fault) const {
   constexpr std::array codes{Code::nc_syntax, Code::nc_unknown_function, Code::nc_unsupported,
                              Code::nc_number, Code::nc_axis_unknown,     Code::nc_word_twice};
   const bool mistyped =
       fault.slip.kind != SlipKind::none && fault.slip.kind != SlipKind::unit_of_another;
-  if (dialect_.name != DialectName::isg || isg_word_seen_ || mistyped ||
-      std::ranges::find(codes, fault.code) == codes.end())
-    return;
+  if (isg_word_seen_ || mistyped || std::ranges::find(codes, fault.code) == codes.end()) return;
   const auto other = looks_like(line.text);
-  if (!other) return;
+  const bool is_declared = dialect_.name != DialectName::isg;
+  if (!other || *other == dialect_.name || (is_declared && *other != DialectName::heidenhain))
+    return;
   fault.code = Code::other_dialect;
   fault.detail.append(", as in ").append(dialect_of(*other).spelling);
 }

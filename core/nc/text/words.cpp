@@ -304,8 +304,10 @@ Word WordReader::subprogram_call(const char* begin) {
   const char* end = std::find_if_not(begin, end_, of_name);
   const bool is_bare = std::all_of(begin, end, [](char sign) { return upper(sign) == 'L'; });
   if (is_bare && end != end_ && *end == ' ') {
+    // L X+10 is a motion of Klartext.
     const char* const name = std::find_if(end, end_, [](char sign) { return sign != ' '; });
-    if (name != end_ && of_name(*name)) end = std::find_if_not(name, end_, of_name);
+    const char* const behind = std::find_if_not(name, end_, of_name);
+    if (behind - name > 1) end = behind;
   }
   return fail(Code::nc_unsupported, begin, std::string(begin, end) + ", a subprogram call");
 }
