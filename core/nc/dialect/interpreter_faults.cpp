@@ -60,7 +60,8 @@ bool Interpreter::refuse_at(const WordPlace& place, Code code, std::string detai
 }
 
 // What cannot be read as ISG, in a program that has no word of its own, may be of another dialect.
-// Of a dialect that was declared that is said of Klartext alone, whose lines look like nothing else.
+// Of a dialect that was declared that is said of Klartext alone, whose lines look like nothing
+// else.
 void Interpreter::guard_against_other_dialects(const ProgramLine& line, Diagnostic& fault) const {
   constexpr std::array codes{Code::nc_syntax, Code::nc_unknown_function, Code::nc_unsupported,
                              Code::nc_number, Code::nc_axis_unknown,     Code::nc_word_twice};
