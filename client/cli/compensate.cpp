@@ -58,9 +58,9 @@ bool setup_for(const Call& call, v1::ProgramSetup& setup) {
 
 // The words of the call that hold for every program.
 std::vector<std::string> words_for_all(const CLI::App& command) {
-  const std::set<std::string> own{"file",     "--output-dir", "--jobs",
-                                  "--output", "--record",     "--worker"};
-  std::vector<std::string> words;
+  const std::set<std::string> own{"file",     "--output-dir", "--jobs", "--output",
+                                  "--record", "--worker",     "--lang"};
+  std::vector<std::string> words{"--lang", spoken_language() == Language::german ? "de" : "en"};
   for (const CLI::Option* option : command.get_options()) {
     const std::string name = option->get_name();
     if (option->empty() || own.contains(name)) continue;

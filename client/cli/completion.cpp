@@ -7,6 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include "client/cli/german_help.h"
+#include "client/cli/program_options.h"
 #include "core/base/diagnostic.h"
 #include "proto/wire/settings.h"
 
@@ -225,9 +227,12 @@ void add_completion(CLI::App& app, Action& action) {
       ->type_name("SHELL")
       ->required()
       ->check(CLI::IsMember({"bash", "zsh", "fish"}));
+  auto language = std::make_shared<std::string>();
+  add_language_option(*command, *language);
   command->footer("For this shell alone: source <(trc completion bash)");
-  command->callback([&app, shell, &action] {
-    action = [&app, shell] {
+  command->callback([&app, shell, language, &action] {
+    action = [&app, shell, language] {
+      if (language_for(*language) == Language::german) speak_german(app);
       std::cout << completion_for(app, *shell);
       return Exit::done;
     };

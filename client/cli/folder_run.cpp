@@ -20,6 +20,7 @@
 #include "client/cli/signals.h"
 #include "client/cli/told.h"
 #include "client/cli/workers.h"
+#include "core/base/text_width.h"
 #include "core/base/version.h"
 #include "core/nc/text/number_format.h"
 
@@ -216,15 +217,15 @@ const char* text_of(Result result) {
 
 void print_table(const std::vector<Item>& items) {
   std::size_t width = 4;
-  for (const Item& item : items) width = std::max(width, item.file.size());
+  for (const Item& item : items) width = std::max(width, width_of(item.file));
   std::map<std::string, int> counts;
   for (const Item& item : items) {
     const std::string result = told(text_of(item.result));
     ++counts[result];
-    std::cout << item.file << std::string(width + 2 - item.file.size(), ' ') << result;
+    std::cout << item.file << std::string(width + 2 - width_of(item.file), ' ') << result;
     constexpr std::size_t widest_result = 13;
     if (!item.about.empty())
-      std::cout << std::string(widest_result - result.size(), ' ') << told(item.about);
+      std::cout << std::string(widest_result - width_of(result), ' ') << told(item.about);
     std::cout << '\n';
   }
   std::cout << told(std::to_string(items.size()) + " programs");

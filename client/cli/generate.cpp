@@ -3,6 +3,7 @@
 
 #include "client/cli/command.h"
 #include "client/cli/files.h"
+#include "client/cli/program_options.h"
 #include "client/cli/told.h"
 #include "client/load/sample_program.h"
 
@@ -12,6 +13,7 @@ namespace {
 struct Call {
   ShapeRequest request{.shape = "square"};
   std::string output;
+  std::string language;
 };
 
 Exit run(const Call& call) {
@@ -59,6 +61,7 @@ void add_generate(CLI::App& app, Action& action) {
       ->check(CLI::Range(0.1, 100.0))
       ->capture_default_str();
   command->add_option("-o,--output", call->output, "File to write; else standard output");
+  add_language_option(*command, call->language);
   command->callback([call, &action] { action = [call] { return run(*call); }; });
 }
 

@@ -41,9 +41,10 @@ constexpr auto rows = std::to_array<Row>({
     {"Write a sample contour as an NC program", "Eine Beispielkontur als NC-Programm schreiben"},
     {"Run many generated clients against a server and measure",
      "Viele erzeugte Clients auf einen Server loslassen und messen"},
-    {"Show version, limits, #TRC options, G functions and diagnostics of the service; "
-     "with a FILE: its dialect, its selections and what would be refused",
-     "Version, Grenzen, #TRC-Optionen, G-Funktionen und Meldungen des Dienstes zeigen; "
+    {"Show version, limits, settings, #TRC options, G functions and diagnostics of the "
+     "service; with a FILE: its dialect, its selections and what would be refused",
+     "Version, Grenzen, Einstellungen, #TRC-Optionen, G-Funktionen und Meldungen des "
+     "Dienstes zeigen; "
      "mit einer Datei: ihren Dialekt, ihre Anwahlen und was abgelehnt würde"},
     {"Say what a diagnostic means, what causes it and what helps, with a program that "
      "raises it",
@@ -282,7 +283,8 @@ constexpr auto rows = std::to_array<Row>({
      "report so far.",
      "Jeder Stream sendet dieselbe Kontur. Ein Abbruch (^C) beendet den Lauf mit dem "
      "Bericht bis dahin."},
-    {"Print one table as Markdown", "Eine Tabelle als Markdown ausgeben"},
+    {"Print one table as Markdown, in English as the documentation has it",
+     "Eine Tabelle als Markdown ausgeben, auf Englisch wie in der Dokumentation"},
     {"Code of a message, as in 90019, or its name, as in LINE_REVERSED; without it all "
      "are listed",
      "Nummer einer Meldung, wie 90019, oder ihr Name, wie LINE_REVERSED; ohne Angabe "

@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "client/cli/command.h"
+#include "client/cli/program_options.h"
 #include "client/cli/service.h"
 #include "client/cli/told.h"
 
@@ -11,6 +12,7 @@ namespace {
 
 struct Options {
   ServiceOptions service{};
+  std::string language{};
   unsigned timeout_s = 3;
 };
 
@@ -38,6 +40,7 @@ void add_health(CLI::App& app, Action& action) {
   command->add_option("--timeout-s", options->timeout_s, "How long to wait for the answer")
       ->check(CLI::Range(1, 60))
       ->capture_default_str();
+  add_language_option(*command, options->language);
   command->footer("Exit codes: 0 serving, 1 not serving (it is about to stop), 3 not reachable.");
   command->callback([options, &action] { action = [options] { return run(*options); }; });
 }

@@ -51,7 +51,7 @@ Exit run(const Call& call) {
   } else if (call.markdown == "dialects") {
     std::cout << markdown_dialects();
   } else {
-    std::cout << text_of(info);
+    std::cout << text_of(info, language_for(call.program.language));
   }
   return Exit::done;
 }
@@ -60,13 +60,15 @@ Exit run(const Call& call) {
 
 void add_info(CLI::App& app, Action& action) {
   auto* command = app.add_subcommand("info",
-                                     "Show version, limits, #TRC options, G functions and "
-                                     "diagnostics of the service; with a FILE: "
+                                     "Show version, limits, settings, #TRC options, G functions "
+                                     "and diagnostics of the service; with a FILE: "
                                      "its dialect, its selections and what would be refused");
   auto call = std::make_shared<Call>();
   add_program_options(*command, call->program);
   command->get_option("file")->required(false);
-  command->add_option("--markdown", call->markdown, "Print one table as Markdown")
+  command
+      ->add_option("--markdown", call->markdown,
+                   "Print one table as Markdown, in English as the documentation has it")
       ->check(CLI::IsMember({"options", "functions", "diagnostics", "dialects"}));
   command->callback([call, &action] { action = [call] { return run(*call); }; });
 }

@@ -5,8 +5,12 @@
 #include <string_view>
 #include <vector>
 
+#include "client/cli/info_words.h"
+#include "core/base/german.h"
+#include "core/base/text_width.h"
 #include "core/nc/dialect/dialect.h"
 #include "core/nc/text/number_format.h"
+#include "proto/wire/german_settings.h"
 
 namespace trc::cli {
 namespace {
@@ -35,66 +39,128 @@ std::string severity_word(v1::Diagnostic::Severity severity) {
   }
 }
 
+std::string between(double least, double most, std::string_view unit) {
+  return number(least) + " … " + number(most) + (unit.empty() ? "" : " ") + std::string(unit);
+}
+
 // Nothing for words that take no number.
 std::string range_of(const v1::TrcKeyword& keyword) {
   if (keyword.min() == keyword.max()) return "";
-  return number(keyword.min()) + " … " + number(keyword.max()) +
-         (keyword.unit().empty() ? "" : " " + keyword.unit());
+  return between(keyword.min(), keyword.max(), keyword.unit());
 }
 
-Table options_of(const v1::GetServerInfoResponse& info) {
-  Table table{{{"Option", "Range", "Default", "Available", "Meaning"}}};
-  for (const v1::TrcKeyword& keyword : info.trc_keywords())
-    table.rows.push_back({keyword.name(), range_of(keyword),
-                          range_of(keyword).empty() ? "" : number(keyword.default_value()),
-                          keyword.available() ? "yes" : "no, refused", keyword.meaning()});
-  return table;
+// "options.split.axis" of the keyword AXIS.
+std::string_view german_meaning_of_keyword(std::string name) {
+  for (char& letter : name)
+    if (letter >= 'A' && letter <= 'Z') letter = static_cast<char>(letter + 'a' - 'A');
+  const std::string_view meaning = wire::german_meaning_of("options." + name);
+  return meaning.empty() ? wire::german_meaning_of("options.split." + name) : meaning;
 }
 
-Table functions_of(const v1::GetServerInfoResponse& info) {
-  Table table{{{"Function", "Group", "Initial", "Meaning"}}};
-  for (const v1::GFunction& function : info.g_functions())
-    table.rows.push_back(
-        {function.name(), function.group(), function.initial() ? "yes" : "", function.meaning()});
-  return table;
-}
+// The tables of an answer, each for people of one language.
+class Tables {
+ public:
+  Tables(const v1::GetServerInfoResponse& info, Language language)
+      : info_(info), german_(language == Language::german), language_(language) {}
 
-Table diagnostics_of(const v1::GetServerInfoResponse& info) {
-  Table table{{{"Code", "Severity", "Cause", "Remedy"}}};
-  for (const v1::DiagnosticRow& row : info.diagnostics())
-    table.rows.push_back(
-        {std::to_string(row.code()), severity_word(row.severity()), row.cause(), row.remedy()});
-  return table;
-}
+  [[nodiscard]] std::string heading(std::string_view english) const {
+    return cell_in(language_, english);
+  }
 
-Table limits_of(const v1::Limits& limits) {
-  return {{{"Limit", "Value"},
-           {"request message", std::to_string(limits.max_message_bytes()) + " bytes"},
-           {"blocks in a batch", std::to_string(limits.max_blocks_per_batch())},
-           {"batches in flight", std::to_string(limits.max_batches_in_flight())},
-           {"blocks in a selection", std::to_string(limits.max_selection_blocks())},
-           {"memory of all streams", std::to_string(limits.max_memory_bytes()) + " bytes"},
-           {"streams of a connection", std::to_string(limits.max_streams_per_connection())},
-           {"streams of the server", std::to_string(limits.max_streams())},
-           {"line of NC text", std::to_string(limits.max_line_bytes()) + " bytes"},
-           {"idle stream", std::to_string(limits.idle_timeout_seconds()) + " s"},
-           {"coordinate", number(limits.max_coordinate()) + " mm"}}};
-}
+  [[nodiscard]] Table limits() const {
+    const v1::Limits& limits = info_.limits();
+    Table table = headed({"Limit", "Value"});
+    const auto add = [&](std::string_view name, const std::string& value) {
+      table.rows.push_back({cell_in(language_, name), cell_in(language_, value)});
+    };
+    add("request message", std::to_string(limits.max_message_bytes()) + " bytes");
+    add("blocks in a batch", std::to_string(limits.max_blocks_per_batch()));
+    add("batches in flight", std::to_string(limits.max_batches_in_flight()));
+    add("blocks in a selection", std::to_string(limits.max_selection_blocks()));
+    add("memory of all streams", std::to_string(limits.max_memory_bytes()) + " bytes");
+    add("streams of a connection", std::to_string(limits.max_streams_per_connection()));
+    add("streams of the server", std::to_string(limits.max_streams()));
+    add("line of NC text", std::to_string(limits.max_line_bytes()) + " bytes");
+    add("idle stream", std::to_string(limits.idle_timeout_seconds()) + " s");
+    add("coordinate", number(limits.max_coordinate()) + " mm");
+    return table;
+  }
 
-Table radius_terms_of(const v1::GetServerInfoResponse& info) {
-  Table table{{{"Term", "Range", "Default", "Meaning"}}};
-  for (const v1::RadiusTerm& term : info.radius_terms())
-    table.rows.push_back({term.name(), number(term.min()) + " … " + number(term.max()) + " mm",
-                          number(term.default_value()), term.meaning()});
-  return table;
-}
+  [[nodiscard]] Table radius_terms() const {
+    Table table = headed({"Term", "Range", "Default", "Meaning"});
+    for (const v1::RadiusTerm& term : info_.radius_terms())
+      table.rows.push_back({term.name(), between(term.min(), term.max(), "mm"),
+                            number(term.default_value()),
+                            meaning(wire::german_meaning_of(term.name()), term.meaning())});
+    return table;
+  }
 
-// Letters, not bytes: UTF-8 continuation bytes take no room.
-std::size_t width_of(std::string_view text) {
-  return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) {
-    return (static_cast<unsigned char>(c) & 0xC0) != 0x80;
-  }));
-}
+  [[nodiscard]] Table settings() const {
+    Table table = headed({"Setting", "Default", "Meaning"});
+    for (const v1::Setting& setting : info_.settings()) {
+      const std::string takes =
+          setting.has_min() && setting.min() < setting.max()
+              ? between(setting.min(), setting.max(),
+                        german_ ? wire::german_values_of(setting.unit()) : setting.unit())
+              : std::string(german_ ? wire::german_values_of(setting.values()) : setting.values());
+      table.rows.push_back(
+          {setting.name(), setting.default_value(),
+           meaning(wire::german_meaning_of(setting.name()), setting.meaning()) + ": " + takes});
+    }
+    return table;
+  }
+
+  [[nodiscard]] Table options() const {
+    Table table = headed({"Option", "Range", "Default", "Available", "Meaning"});
+    for (const v1::TrcKeyword& keyword : info_.trc_keywords()) {
+      const std::string range = range_of(keyword);
+      table.rows.push_back({keyword.name(), cell_in(language_, range),
+                            range.empty() ? "" : number(keyword.default_value()),
+                            cell_in(language_, keyword.available() ? "yes" : "no, refused"),
+                            meaning(german_meaning_of_keyword(keyword.name()), keyword.meaning())});
+    }
+    return table;
+  }
+
+  [[nodiscard]] Table functions() const {
+    Table table = headed({"Function", "Group", "Initial", "Meaning"});
+    for (const v1::GFunction& function : info_.g_functions())
+      table.rows.push_back({function.name(), cell_in(language_, function.group()),
+                            function.initial() ? cell_in(language_, "yes") : "",
+                            cell_in(language_, function.meaning())});
+    return table;
+  }
+
+  [[nodiscard]] Table diagnostics() const {
+    Table table = headed({"Code", "Severity", "Cause", "Remedy"});
+    for (const v1::DiagnosticRow& row : info_.diagnostics()) {
+      // Of a code that a newer server has, only what it says itself is known.
+      const GermanRow& own = german_row_of(static_cast<Code>(row.code()));
+      const bool is_known = static_cast<int>(own.code) == row.code();
+      table.rows.push_back({std::to_string(row.code()),
+                            cell_in(language_, severity_word(row.severity())),
+                            meaning(is_known ? own.title : std::string_view(), row.cause()),
+                            meaning(is_known ? own.help : std::string_view(), row.remedy())});
+    }
+    return table;
+  }
+
+ private:
+  [[nodiscard]] Table headed(const Row& columns) const {
+    Table table{{{}}};
+    for (const std::string& column : columns)
+      table.rows.front().push_back(cell_in(language_, column));
+    return table;
+  }
+
+  [[nodiscard]] std::string meaning(std::string_view german, const std::string& english) const {
+    return german_ && !german.empty() ? std::string(german) : cell_in(language_, english);
+  }
+
+  const v1::GetServerInfoResponse& info_;
+  bool german_;
+  Language language_;
+};
 
 std::string aligned(const Table& table) {
   std::vector<std::size_t> widths;
@@ -196,28 +262,32 @@ Table dialects_of() {
 
 std::string markdown_dialects() { return markdown(dialects_of()); }
 
-std::string text_of(const v1::GetServerInfoResponse& info) {
+std::string text_of(const v1::GetServerInfoResponse& info, Language language) {
+  const Tables tables(info, language);
+  const auto part = [&](std::string_view title, const Table& table) {
+    return table.rows.size() < 2 ? std::string()
+                                 : "\n" + tables.heading(title) + "\n" + aligned(table);
+  };
   std::string text = "trc " + info.version() + " (" + info.commit() + ")\n";
   if (!info.build().empty()) text += info.build() + "\n";
-  text += "\nLimits\n" + aligned(limits_of(info.limits()));
-  if (!info.radius_terms().empty())
-    text += "\nThe tool radius, the sum of\n" + aligned(radius_terms_of(info));
-  text += "\n#TRC options\n" + aligned(options_of(info));
-  text += "\nG functions\n" + aligned(functions_of(info));
-  text += "\nDiagnostics\n" + aligned(diagnostics_of(info));
-  return text;
+  text += part("Limits", tables.limits());
+  text += part("The tool radius, the sum of", tables.radius_terms());
+  text += part("Settings", tables.settings());
+  text += part("#TRC options", tables.options());
+  text += part("G functions", tables.functions());
+  return text + part("Diagnostics", tables.diagnostics());
 }
 
 std::string markdown_options(const v1::GetServerInfoResponse& info) {
-  return markdown(options_of(info));
+  return markdown(Tables(info, Language::english).options());
 }
 
 std::string markdown_functions(const v1::GetServerInfoResponse& info) {
-  return markdown(functions_of(info));
+  return markdown(Tables(info, Language::english).functions());
 }
 
 std::string markdown_diagnostics(const v1::GetServerInfoResponse& info) {
-  return markdown(diagnostics_of(info));
+  return markdown(Tables(info, Language::english).diagnostics());
 }
 
 }  // namespace trc::cli

@@ -22,6 +22,7 @@ namespace {
 
 struct Call {
   ServiceOptions service;
+  std::string language;
   std::vector<std::string> assignments;
   ShapeRequest shape{.shape = "random", .blocks = 1000};
   load::Plan plan;
@@ -68,6 +69,7 @@ std::chrono::nanoseconds from_seconds(double seconds) {
 bool read_setup(const Call& call, v1::ProgramSetup& setup) {
   v1::PathSetup& path = *setup.mutable_path();
   path.set_client_tag("trc load");
+  if (language_for(call.language) == Language::german) path.set_language("de");
   if (call.masking) {
     path.set_contour_masking(v1::CONTOUR_MASKING_ON);
     path.mutable_options()->set_remove_masked_blocks(true);
@@ -149,8 +151,9 @@ Exit run(const Call& call) {
   const load::RunDescription described{.server = call.service.server,
                                        .shape = call.shape.shape,
                                        .connections = service.channels.size()};
-  std::cout << (call.json ? report_json(described, plan, job, outcome) + "\n"
-                          : report_text(described, plan, job, outcome));
+  std::cout << (call.json
+                    ? report_json(described, plan, job, outcome) + "\n"
+                    : report_text(described, plan, job, outcome, language_for(call.language)));
   return exit_of(outcome.tally);
 }
 
@@ -238,6 +241,7 @@ void add_load(CLI::App& app, Action& action) {
   add_load_options(*command, *call);
   add_job_options(*command, *call);
   command->add_flag("--json", call->json, "Print the report as one JSON object");
+  add_language_option(*command, call->language);
   command->callback([call, &action] { action = [call] { return run(*call); }; });
 }
 

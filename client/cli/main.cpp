@@ -36,13 +36,13 @@ int ended(int code) {
 // told of in it too.
 trc::Language language_of(std::span<char* const> words) {
   constexpr std::string_view option = "--lang";
-  for (std::size_t i = 0; i < words.size(); ++i) {
+  for (std::size_t i = words.size(); i-- > 0;) {
     const std::string_view word(words[i]);
     if (word == option && i + 1 < words.size()) return trc::cli::language_for(words[i + 1]);
     if (word.starts_with(option) && word.substr(option.size()).starts_with('='))
       return trc::cli::language_for(std::string(word.substr(option.size() + 1)));
   }
-  return trc::cli::language_for("");
+  return trc::cli::language_of_environment();
 }
 
 int run(int argc, char** argv) {
@@ -56,6 +56,10 @@ int run(int argc, char** argv) {
   app.footer(
       "Exit codes: 0 done, 1 the program was refused or gouges, 2 wrong call, "
       "3 server not reachable, 4 a limit was met, 5 internal fault.");
+
+  // Also in front of the command.
+  std::string language_tag;
+  trc::cli::add_language_option(app, language_tag);
 
   trc::cli::Action action;
   trc::cli::add_compensate(app, action);

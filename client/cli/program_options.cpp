@@ -39,6 +39,11 @@ std::string unit_and_range(const wire::SettingMeaning& about, bool german) {
   return text + (german ? " allein" : " alone");
 }
 
+std::string with_place_of_list(const std::string& fault) {
+  return fault.starts_with("unknown setting") ? fault + " (all of them: trc compensate --help)"
+                                              : fault;
+}
+
 bool says_a_radius(const ProgramOptions& options) {
   constexpr std::array<std::string_view, 5> of_tools{"tool_radius", "tools", "wear", "allowance",
                                                      "nominal_radius"};
@@ -137,7 +142,10 @@ void add_loudness_options(CLI::App& command, Loudness& loudness) {
 }
 
 Language language_for(const std::string& option) {
-  if (!option.empty()) return language_of_tag(option).value_or(Language::english);
+  return option.empty() ? spoken_language() : language_of_tag(option).value_or(Language::english);
+}
+
+Language language_of_environment() {
   for (const char* name : {"LC_ALL", "LC_MESSAGES", "LANG"}) {
     const char* value = std::getenv(name);
     if (value != nullptr && *value != '\0')
@@ -164,7 +172,7 @@ bool setup_of(const ProgramOptions& options, v1::ProgramSetup& setup) {
   for (const std::string& assignment : options.assignments) {
     const std::string fault = wire::apply_setting(assignment, setup);
     if (fault.empty()) continue;
-    complain("--set: " + fault);
+    complain("--set: " + with_place_of_list(fault));
     return false;
   }
   if (const auto dialect = dialect_spelled(options.dialect))

@@ -44,9 +44,12 @@ void add_loudness_options(CLI::App& command, Loudness& loudness);
 // and returns false then.
 bool setup_of(const ProgramOptions& options, v1::ProgramSetup& setup);
 
-// What --lang names, else what the environment does (LC_ALL, LC_MESSAGES, LANG, the first that is
-// set); English where neither is a language of ours.
+// What an option --lang names, English where that is no language of ours; without one that of
+// speak().
 [[nodiscard]] Language language_for(const std::string& option);
+// What LC_ALL, LC_MESSAGES or LANG names, the first that is set; English where that is no language
+// of ours.
+[[nodiscard]] Language language_of_environment();
 // That of the setup, English where it names none.
 [[nodiscard]] Language language_of(const v1::ProgramSetup& setup);
 // Adds --lang.

@@ -8,6 +8,8 @@
 #include <cstdlib>
 #include <utility>
 
+#include "core/nc/text/characters.h"
+
 namespace trc::cli {
 namespace {
 
@@ -114,8 +116,17 @@ std::size_t column_of(const Diagnostic& diagnostic, const std::optional<std::str
   return once ? at + 1 : diagnostic.column;
 }
 
+// Behind `="MILL"` or `=R7*2`, where that follows.
+std::size_t behind_value(std::string_view line, std::size_t at) {
+  if (at >= line.size() || line[at] != '=') return at;
+  const bool quoted = line.substr(at + 1).starts_with('"');
+  const std::size_t close = quoted ? line.find('"', at + 2) : line.npos;
+  if (close != line.npos) return close + 1;
+  return std::min(line.find_first_of(" \t;(", at + 1), line.size());
+}
+
 // The bytes of the word at the column: the detail, or what it says something of, where it stands
-// there, else a letter and its number.
+// there, else a name, or a letter and its number.
 std::size_t word_length(std::string_view line, std::size_t begin, std::string_view detail) {
   if (!line.substr(begin).starts_with(detail)) detail = detail.substr(0, detail.find(", "));
   if (!detail.empty() && line.substr(begin).starts_with(detail)) return detail.size();
@@ -123,8 +134,15 @@ std::size_t word_length(std::string_view line, std::size_t begin, std::string_vi
     const std::size_t close = line.find(']', begin);
     return (close == line.npos ? line.find_last_not_of(" \r") : close) + 1 - begin;
   }
-  const std::size_t end = line.find_first_not_of("0123456789.+-", begin + 1);
-  return std::min(end, line.size()) - begin;
+  const bool is_name = begin + 1 < line.size() && is_letter(line[begin + 1]) &&
+                       (is_letter(line[begin]) || line[begin] == '$');
+  const auto goes_on = [&](char sign) {
+    return is_digit(sign) ||
+           (is_name ? is_letter(sign) || sign == '_' : sign == '.' || sign == '+' || sign == '-');
+  };
+  std::size_t end = begin + 1;
+  while (end < line.size() && goes_on(line[end])) ++end;
+  return behind_value(line, end) - begin;
 }
 
 // The line of the program, and under it the mark.

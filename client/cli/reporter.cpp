@@ -1,5 +1,6 @@
 #include "client/cli/reporter.h"
 
+#include <algorithm>
 #include <array>
 #include <iostream>
 #include <memory>
@@ -8,6 +9,7 @@
 
 #include "core/base/explanation.h"
 #include "core/nc/dialect/dialect.h"
+#include "core/nc/text/characters.h"
 #include "proto/wire/setup.h"
 
 namespace trc::cli {
@@ -26,11 +28,49 @@ std::string without_names_of_fields(std::string help) {
        {", `dialect` in the setup", ""},
        {", `dialect` im Setup", ""},
        {"the radius of the setup", "that of --radius and --tools"},
-       {"der Radius der Einstellungen", "der von --radius und --tools"}});
+       {"der Radius der Einstellungen", "der von --radius und --tools"},
+       {"The setting contour_masking", "--set contour_masking=on"},
+       {"Die Einstellung contour_masking", "--set contour_masking=on"},
+       {"With contour_masking", "With --set contour_masking=on"},
+       {"Mit contour_masking", "Mit --set contour_masking=on"},
+       {"by contour_masking", "by --set contour_masking=on"},
+       {"durch contour_masking", "durch --set contour_masking=on"},
+       {"options.remove_masked_blocks", "--set remove_masked_blocks=true"},
+       {"options.conv_cir_to_lin", "--set conv_cir_to_lin=true"},
+       {"let circle_center_mode.correction", "let --set circle_center_mode.correction=on"},
+       {"durch circle_center_mode.correction", "durch --set circle_center_mode.correction=on"},
+       {"set selection_mode to on_path or perpendicular",
+        "say --set selection_mode=on_path or perpendicular"},
+       {"selection_mode auf on_path oder perpendicular setzen",
+        "--set selection_mode=on_path oder perpendicular angeben"},
+       {"say by block_skip of the setup whether such lines are executed",
+        "say how it stands: --set block_skip=execute or leave_out"},
+       {"mit block_skip im Setup sagen, ob solche Sätze ausgeführt werden",
+        "sagen, wie er steht: --set block_skip=execute oder leave_out"},
+       {"declare it in pass_words of the setup; a subprogram is given in `subprograms`",
+        "declare it: --set pass_words=NAME; a subprogram is given with --subprograms"},
+       {"ihn in pass_words des Setups angeben; ein Unterprogramm gehört in `subprograms`",
+        "ihn angeben: --set pass_words=NAME; ein Unterprogramm gibt --subprograms"},
+       {"`whole_numbers` UNITS (X10 is 10 mm) or INCREMENTS (X10 is 0.010 mm) in the setup",
+        "--whole-numbers units (X10 is 10 mm) or increments (X10 is 0.010 mm)"},
+       {"`whole_numbers` UNITS (X10 ist 10 mm) oder INCREMENTS (X10 ist 0.010 mm) im Setup",
+        "--whole-numbers units (X10 ist 10 mm) oder increments (X10 ist 0.010 mm)"},
+       {"in `subprograms` (--subprograms)", "with --subprograms"},
+       {"in `subprograms` angeben (--subprograms)", "mit --subprograms angeben"}});
   for (const auto& [field, own] : names)
     if (const std::size_t at = help.find(field); at != std::string::npos)
       help.replace(at, field.size(), own);
   return help;
+}
+
+// The number of the tool that is not there, in what would give it: "D7" or "7".
+std::string with_number_of_tool(std::string help, std::string_view detail) {
+  if (!detail.empty() && is_letter(detail.front())) detail.remove_prefix(1);
+  const std::size_t at = help.find("tools=NUM");
+  const bool is_number = !detail.empty() && std::ranges::all_of(detail, is_digit);
+  if (!is_number || at == std::string::npos) return help;
+  const std::size_t begin = help.find('=', at) + 1;
+  return help.replace(begin, help.find(':', begin) - begin, detail);
 }
 
 }  // namespace
@@ -44,6 +84,8 @@ Diagnostic for_command_line(Diagnostic found, DialectName dialect) {
       texts.help == help_of({.code = found.code, .words = words}, found.language);
   texts.help = has_own && is_of_row ? in_words_of(words, std::string(own))
                                     : without_names_of_fields(std::move(texts.help));
+  if (found.code == Code::tool_unknown)
+    texts.help = with_number_of_tool(std::move(texts.help), found.detail);
   found.texts = std::make_shared<const DiagnosticTexts>(std::move(texts));
   return found;
 }

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "core/base/text_width.h"
 #include "core/nc/text/number_format.h"
 
 namespace trc::cli {
@@ -14,12 +15,6 @@ std::string fixed(double value, int decimals) {
   std::string text;
   append_fixed(text, value, decimals);
   return text;
-}
-// Its width on the screen: letters of more than one byte count once.
-std::size_t width_of(const std::string& text) {
-  return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char letter) {
-    return (static_cast<unsigned char>(letter) & 0xC0U) != 0x80U;
-  }));
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 
 #include "core/base/sentences.h"
 #include "proto/wire/setting_sentences.h"
+#include "server/rpc/status.h"
 
 namespace trc::cli {
 namespace {
@@ -42,11 +43,11 @@ constexpr auto rows = std::to_array<Sentence>({
     {"there is no code {}; trc explain lists all",
      "es gibt keinen Code {}; trc explain nennt alle"},
     // Settings, as the command line names them.
-    {"--set: {}", "--set: {}"},
     {"--radii: {}", "--radii: {}"},
     {"--variable: {}", "--variable: {}"},
-    {"unknown setting {}; nearest: {} (all of them: trc compensate --help)",
-     "unbekannte Einstellung {}; am ähnlichsten: {} (alle: trc compensate --help)"},
+    {"--set: {} (all of them: trc compensate --help)", "--set: {} (alle: trc compensate --help)"},
+    {"--set: {}", "--set: {}"},
+    {"unknown setting {}; nearest: {}", "unbekannte Einstellung {}; am ähnlichsten: {}"},
     // Tables of tools and subprograms.
     {"--tools: the page takes tools by number, none with a name or an edge; trc plot -o part.html "
      "takes them all",
@@ -232,12 +233,14 @@ constexpr auto rows = std::to_array<Sentence>({
 });
 
 std::string in_german(std::string_view english) {
-  return translated(english, {wire::setting_sentences(), rows});
+  return translated(english, {server::refusal_sentences(), wire::setting_sentences(), rows});
 }
 
 }  // namespace
 
 void speak(Language language) { spoken = language; }
+
+Language spoken_language() { return spoken; }
 
 std::string told(std::string_view english) {
   return spoken == Language::german ? in_german(english) : std::string(english);

@@ -10,6 +10,7 @@ namespace trc::cli {
 // The language of what `trc` says of a call, as of files, options and servers; English until then.
 // What is told of a program has the language of its setup.
 void speak(Language language);
+[[nodiscard]] Language spoken_language();
 
 // A sentence of the table of German ones in the language of speak(); any other as it is. What
 // stands in its gaps may be a sentence of the table in turn.

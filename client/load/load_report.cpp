@@ -1,10 +1,13 @@
 #include "client/load/load_report.h"
 
 #include <array>
-#include <cstdarg>
 #include <cstdio>
+#include <string_view>
+#include <vector>
 
 #include "client/load/json_object.h"
+#include "client/load/report_words.h"
+#include "core/base/text_width.h"
 
 namespace trc::cli::load {
 namespace {
@@ -34,17 +37,6 @@ std::string fixed(double value, int decimals) {
   return {text.data(), static_cast<std::size_t>(size)};
 }
 
-std::string large(double value) {
-  if (value >= 1e6) return fixed(value / 1e6, 2) + " million";
-  return fixed(value, value < 100 ? 1 : 0);
-}
-
-std::string row(std::string_view name, const std::string& content) {
-  std::string line(name);
-  line.resize(14, ' ');
-  return line + content + "\n";
-}
-
 struct Percentile {
   std::string_view name;  // for people
   const char* key;
@@ -53,81 +45,129 @@ struct Percentile {
 constexpr std::array<Percentile, 4> percentiles{
     {{"p50", "p50", 0.5}, {"p90", "p90", 0.9}, {"p99", "p99", 0.99}, {"p99.9", "p999", 0.999}}};
 
-std::string latency_row(std::string_view name, const Histogram& histogram) {
-  if (histogram.count() == 0) return row(name, "none");
-  std::string content;
-  for (const Percentile& percentile : percentiles)
-    content +=
-        std::string(percentile.name) + " " + fixed(ms(histogram.at(percentile.share)), 3) + "  ";
-  return row(name, content + "max " + fixed(ms(histogram.max()), 3) + " ms  (" +
-                       std::to_string(histogram.count()) + ")");
-}
+// The rows for people, in their language.
+class Rows {
+ public:
+  explicit Rows(Language language) : language_(language) {}
 
-std::string plan_row(const RunDescription& run, const Plan& plan, const Job& job) {
-  std::string text = plan.open_loop()
-                         ? "open loop, " + fixed(plan.rate, 1) + " streams/s, at most " +
-                               std::to_string(plan.streams) + " at once"
-                         : "closed loop, " + std::to_string(plan.streams) + " streams at once";
-  text += ", each of " + std::to_string(job.items()) +
-          (job.layout() == Layout::text ? " lines" : " blocks") + ", " +
-          std::to_string(job.batch()) + " a batch, " + std::string(name_of(job.layout())) + ", " +
-          run.shape + ", " + std::to_string(run.connections) +
-          (run.connections == 1 ? " connection, " : " connections, ");
-  return text + (run.server.empty() ? "server in this process" : "server " + run.server) + "\n";
-}
+  [[nodiscard]] std::string plan(const RunDescription& run, const Plan& plan,
+                                 const Job& job) const {
+    const std::string items =
+        std::to_string(job.items()) + (job.layout() == Layout::text ? " lines, " : " blocks, ");
+    return told({plan.open_loop()
+                     ? "open loop, " + fixed(plan.rate, 1) + " streams/s, at most " +
+                           std::to_string(plan.streams) + " at once"
+                     : "closed loop, " + std::to_string(plan.streams) + " streams at once",
+                 "each of " + items + std::to_string(job.batch()) + " a batch, " +
+                     std::string(name_of(job.layout())) + ", " + run.shape,
+                 std::to_string(run.connections) +
+                     (run.connections == 1 ? " connection" : " connections"),
+                 run.server.empty() ? "server in this process" : "server " + run.server}) +
+           "\n";
+  }
 
-std::string error_rows(const Tally& tally) {
-  if (tally.errors.empty()) return row("errors", "none");
-  std::string rows;
-  for (const auto& [name, count] : tally.errors)
-    rows += row(rows.empty() ? "errors" : "", std::to_string(count) + " " + name);
-  return rows + row("", tally.first_error);
-}
+  [[nodiscard]] std::string measured(const Outcome& outcome) const {
+    const Tally& tally = outcome.tally;
+    const auto blocks = static_cast<double>(tally.blocks_in);
+    return row("measured",
+               {fixed(outcome.seconds, 2) + " s" + (outcome.interrupted ? ", interrupted" : "") +
+                ", at most " + std::to_string(outcome.most_open) + " streams open"}) +
+           row("blocks/s", {large(per(tally.blocks_in, outcome.seconds)) + " in, " +
+                            large(per(tally.blocks_out, outcome.seconds)) + " out"}) +
+           row("streams/s", {large(per(tally.completed, outcome.seconds))}) +
+           row("bytes/block", {fixed(per(tally.bytes_sent, blocks), 1) + " sent, " +
+                               fixed(per(tally.bytes_received, blocks), 1) + " received"});
+  }
 
-std::string verified_row(const Tally& tally) {
-  if (tally.verified == 0) return row("verified", "none");
-  std::string text = std::to_string(tally.verified) + " streams, bit for bit the core's";
-  if (tally.differing > 0)
-    text = std::to_string(tally.differing) + " of " + std::to_string(tally.verified) +
-           " streams DIFFER; " + tally.first_difference;
-  return row("verified", text);
-}
+  [[nodiscard]] std::string latency(std::string_view name, const Histogram& histogram) const {
+    if (histogram.count() == 0) return row(name, {"none"});
+    std::string content;
+    for (const Percentile& percentile : percentiles)
+      content +=
+          std::string(percentile.name) + " " + fixed(ms(histogram.at(percentile.share)), 3) + "  ";
+    return row(name, {content + "max " + fixed(ms(histogram.max()), 3) + " ms  (" +
+                      std::to_string(histogram.count()) + ")"});
+  }
 
-std::string other_rows(const Tally& tally) {
-  std::string text;
-  const auto add = [&](std::uint64_t count, const char* what) {
-    if (count == 0) return;
-    text += (text.empty() ? "" : ", ") + std::to_string(count) + " " + what;
-  };
-  add(tally.cancelled, "cancelled on purpose");
-  add(tally.slow, "read slowly");
-  add(tally.unfinished, "unfinished when the time was over");
-  return text.empty() ? "" : row("streams", text);
-}
+  [[nodiscard]] std::string errors(const Tally& tally) const {
+    if (tally.errors.empty()) return row("errors", {"none"});
+    std::string rows;
+    for (const auto& [name, count] : tally.errors)
+      rows += row(rows.empty() ? "errors" : "", {std::to_string(count) + " " + name});
+    return rows + row("", {tally.first_error});
+  }
 
-std::string server_row(const Outcome& outcome) {
-  if (!outcome.server) return row("server", "not on this machine, or not to be looked at");
-  const Outcome::Server& server = *outcome.server;
-  const double blocks = static_cast<double>(outcome.tally.blocks_in);
-  return row("server", "process " + std::to_string(server.process) + ", " +
-                           fixed(ratio(1e9 * server.cpu_s, blocks), 1) + " ns CPU a block (" +
-                           fixed(ratio(1e9 * server.system_s, blocks), 1) + " in the kernel), " +
-                           fixed(ratio(100 * server.cpu_s, outcome.seconds), 0) + " % of a core") +
-         row("memory", fixed(server.resident_mib_first, 1) + " MiB at first, " +
-                           fixed(server.resident_mib_warm, 1) + " after a second, then " +
-                           fixed(server.resident_mib_least, 1) + " to " +
-                           fixed(server.resident_mib_most, 1));
-}
+  // Streams that are no measure of the server.
+  [[nodiscard]] std::string others(const Tally& tally) const {
+    std::vector<std::string> counts;
+    const auto add = [&](std::uint64_t count, const char* what) {
+      if (count > 0) counts.push_back(std::to_string(count) + " " + what);
+    };
+    add(tally.cancelled, "cancelled on purpose");
+    add(tally.slow, "read slowly");
+    add(tally.unfinished, "unfinished when the time was over");
+    return counts.empty() ? std::string() : row("streams", counts);
+  }
 
-std::string own_row(const Plan& plan, const Outcome& outcome) {
-  std::string text =
-      fixed(ratio(1e9 * outcome.own_cpu_s, static_cast<double>(outcome.tally.blocks_in)), 1) +
-      " ns CPU a block, " + fixed(ratio(100 * outcome.own_cpu_s, outcome.seconds), 0) +
-      " % of a core";
-  if (plan.open_loop())
-    text += ", at most " + fixed(ms(outcome.generator_lag), 3) + " ms behind its schedule";
-  return row("this program", text);
-}
+  [[nodiscard]] std::string verified(const Tally& tally) const {
+    const std::string count = std::to_string(tally.verified);
+    if (tally.verified == 0) return row("verified", {"none"});
+    if (tally.differing == 0) return row("verified", {count + " streams, bit for bit the core's"});
+    return row("verified", {std::to_string(tally.differing) + " of " + count + " streams DIFFER; " +
+                            tally.first_difference});
+  }
+
+  [[nodiscard]] std::string server(const Outcome& outcome) const {
+    if (!outcome.server) return row("server", {"not on this machine, or not to be looked at"});
+    const Outcome::Server& server = *outcome.server;
+    const auto blocks = static_cast<double>(outcome.tally.blocks_in);
+    return row("server", {"process " + std::to_string(server.process),
+                          fixed(ratio(1e9 * server.cpu_s, blocks), 1) + " ns CPU a block (" +
+                              fixed(ratio(1e9 * server.system_s, blocks), 1) + " in the kernel)",
+                          share_of_core(server.cpu_s, outcome.seconds)}) +
+           row("memory",
+               {fixed(server.resident_mib_first, 1) + " MiB at first, " +
+                fixed(server.resident_mib_warm, 1) + " after a second, then " +
+                fixed(server.resident_mib_least, 1) + " to " + fixed(server.resident_mib_most, 1)});
+  }
+
+  [[nodiscard]] std::string own(const Plan& plan, const Outcome& outcome) const {
+    const auto blocks = static_cast<double>(outcome.tally.blocks_in);
+    std::vector<std::string> parts{
+        fixed(ratio(1e9 * outcome.own_cpu_s, blocks), 1) + " ns CPU a block",
+        share_of_core(outcome.own_cpu_s, outcome.seconds)};
+    if (plan.open_loop())
+      parts.push_back("at most " + fixed(ms(outcome.generator_lag), 3) + " ms behind its schedule");
+    return row("this program", parts);
+  }
+
+ private:
+  static std::string large(double value) {
+    if (value >= 1e6) return fixed(value / 1e6, 2) + " million";
+    return fixed(value, value < 100 ? 1 : 0);
+  }
+
+  static std::string share_of_core(double cpu_s, double seconds) {
+    return fixed(ratio(100 * cpu_s, seconds), 0) + " % of a core";
+  }
+
+  [[nodiscard]] std::string told(const std::vector<std::string>& parts) const {
+    std::string text;
+    for (const std::string& part : parts)
+      text.append(text.empty() ? "" : ", ").append(said(part, language_));
+    return text;
+  }
+
+  [[nodiscard]] std::string row(std::string_view name,
+                                const std::vector<std::string>& parts) const {
+    constexpr std::size_t width = 14;
+    std::string line = said(name, language_);
+    line.append(width - width_of(line), ' ');
+    return line + told(parts) + "\n";
+  }
+
+  Language language_;
+};
 
 JsonObject latency_json(const Histogram& histogram) {
   JsonObject object;
@@ -168,23 +208,13 @@ JsonObject run_json(const RunDescription& run, const Plan& plan, const Job& job)
 }  // namespace
 
 std::string report_text(const RunDescription& run, const Plan& plan, const Job& job,
-                        const Outcome& outcome) {
+                        const Outcome& outcome, Language language) {
+  const Rows rows(language);
   const Tally& tally = outcome.tally;
-  const auto blocks = static_cast<double>(tally.blocks_in);
-  std::string text = plan_row(run, plan, job);
-  text += row("measured", fixed(outcome.seconds, 2) + " s" +
-                              (outcome.interrupted ? ", interrupted" : "") + ", at most " +
-                              std::to_string(outcome.most_open) + " streams open");
-  text += row("blocks/s", large(per(tally.blocks_in, outcome.seconds)) + " in, " +
-                              large(per(tally.blocks_out, outcome.seconds)) + " out");
-  text += row("streams/s", large(per(tally.completed, outcome.seconds)));
-  text += row("bytes/block", fixed(per(tally.bytes_sent, blocks), 1) + " sent, " +
-                                 fixed(per(tally.bytes_received, blocks), 1) + " received");
-  text += latency_row("first output", tally.first_output);
-  text += latency_row("batch", tally.batch);
-  text += latency_row("stream", tally.stream);
-  text += error_rows(tally) + other_rows(tally) + verified_row(tally);
-  return text + server_row(outcome) + own_row(plan, outcome);
+  return rows.plan(run, plan, job) + rows.measured(outcome) +
+         rows.latency("first output", tally.first_output) + rows.latency("batch", tally.batch) +
+         rows.latency("stream", tally.stream) + rows.errors(tally) + rows.others(tally) +
+         rows.verified(tally) + rows.server(outcome) + rows.own(plan, outcome);
 }
 
 std::string report_json(const RunDescription& run, const Plan& plan, const Job& job,

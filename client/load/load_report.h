@@ -5,6 +5,7 @@
 #include "client/load/job.h"
 #include "client/load/plan.h"
 #include "client/load/tally.h"
+#include "core/base/language.h"
 
 namespace trc::cli::load {
 
@@ -16,7 +17,8 @@ struct RunDescription {
 };
 
 [[nodiscard]] std::string report_text(const RunDescription& run, const Plan& plan, const Job& job,
-                                      const Outcome& outcome);
+                                      const Outcome& outcome,
+                                      Language language = Language::english);
 // One object on one line. Durations in ms.
 [[nodiscard]] std::string report_json(const RunDescription& run, const Plan& plan, const Job& job,
                                       const Outcome& outcome);

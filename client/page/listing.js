@@ -99,6 +99,9 @@ export class Listing {
     number.textContent = row + 1;
     element.append(number, text || ' ');
     element.setAttribute('role', 'option');
+    // Only those that are seen are there.
+    element.setAttribute('aria-posinset', row + 1);
+    element.setAttribute('aria-setsize', this.count);
     const selected = this.selected > 0 && this.sourceOf(row) === this.selected;
     element.setAttribute('aria-selected', selected);
     element.dataset.row = row;

@@ -55,6 +55,11 @@ export class Options {
     const input = this.input(parameter);
     input.name = name;
     input.autocomplete = 'off';
+    // A screen reader says the title, and what it means behind it.
+    title.id = `title-${name}`;
+    note.id = `note-${name}`;
+    input.setAttribute('aria-labelledby', title.id);
+    input.setAttribute('aria-describedby', note.id);
     this.inputs.set(name, input);
     this.parameters.set(name, parameter);
     label.append(title, input, note);

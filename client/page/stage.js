@@ -7,6 +7,12 @@ import {compute} from './results.js';
 import {$, inUnit, positionText, shown, unitOf, withUnit} from './shown.js';
 import {t} from './texts.js';
 
+// `live`: whether a screen reader says it; of the slider it says the value.
+function tell(text, live) {
+  $('place').setAttribute('aria-live', live);
+  $('place').textContent = text;
+}
+
 let asked = null;
 async function move() {
   const {view} = shown.current;
@@ -19,7 +25,8 @@ async function move() {
   } catch { return; }
   if (shown.current?.view !== view) return;
   shown.place = place;
-  $('place').textContent = positionText(shown.place.position ?? {}) + (shown.place.block?.line ? `, ${t('line')} ${shown.place.block.line}` : '');
+  tell(positionText(shown.place.position ?? {}) + (shown.place.block?.line ? `, ${t('line')} ${shown.place.block.line}` : ''), 'off');
+  $('way').setAttribute('aria-valuetext', $('place').textContent);
   shown.line = shown.place.block?.line ?? 0;
   input.select(shown.line);
   output.select(shown.line);
@@ -75,7 +82,7 @@ function click(x, y) {
     if (shown.measured.length === 2) {
       const [dx, dy] = [shown.measured[1].x - shown.measured[0].x, shown.measured[1].y - shown.measured[0].y];
       const [first, second] = axesOf(shown.current.view.plane).map(name => name.toUpperCase());
-      $('place').textContent = `${withUnit(Math.hypot(dx, dy))} (${first} ${inUnit(dx)}, ${second} ${inUnit(dy)})`;
+      tell(`${withUnit(Math.hypot(dx, dy))} (${first} ${inUnit(dx)}, ${second} ${inUnit(dy)})`, 'polite');
     }
     return redraw();
   }
@@ -108,16 +115,21 @@ $('measure').addEventListener('click', () => {
   redraw();
 });
 let running = null;
+// The button says what it does next.
+function offer(what) {
+  $('play').dataset.text = what;
+  $('play').textContent = t(what);
+}
 function stop() {
   running = null;
-  $('play').setAttribute('aria-pressed', 'false');
+  offer('play');
 }
 
 // Runs the tool along its whole path, from where it is; from the start where it is at the end.
 async function run() {
   const own = running = {}, {view} = shown.current, most = Number($('way').max);
   const msForAll = 20_000;
-  $('play').setAttribute('aria-pressed', 'true');
+  offer('halt');
   let way = Number($('way').value) % most, before = performance.now();
   while (running === own && shown.current?.view === view && way < most) {
     await new Promise(requestAnimationFrame);

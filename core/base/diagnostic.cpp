@@ -125,8 +125,10 @@ constexpr auto rows = std::to_array<CodeRow>({
      "Program a value of the range given; GetServerInfo lists all ranges."},
     {Code::nc_line_too_long, error, "NC_LINE_TOO_LONG", "a line is longer than the limit",
      "Check that this is an NC program with line ends, or raise the limit."},
-    {Code::nc_not_text, error, "NC_NOT_TEXT", "a byte is not text: a control character or no UTF-8",
-     "Save the program as plain text in UTF-8; ASCII is UTF-8 too."},
+    {Code::nc_not_text, error, "NC_NOT_TEXT",
+     "a character belongs in no NC program: a control character, no UTF-8, or no ASCII outside of "
+     "comments",
+     "Take it out, and save the program as plain text in UTF-8; ASCII is UTF-8 too."},
     {Code::nc_number, error, "NC_NUMBER", "a number is missing, malformed or out of range",
      "Write a decimal number behind the address letter; where a range is named, one within it."},
     {Code::nc_unclosed, error, "NC_UNCLOSED", "something is opened but not closed",
@@ -137,7 +139,7 @@ constexpr auto rows = std::to_array<CodeRow>({
      "Correct the name, or add the axis to the tracking axes of the setup."},
     {Code::nc_group_twice, error, "NC_GROUP_TWICE",
      "one block programs two functions that exclude each other", "Keep one of them."},
-    {Code::tool_unknown, error, "TOOL_UNKNOWN", "the tool table of the setup has no such tool",
+    {Code::tool_unknown, error, "TOOL_UNKNOWN", "the tool table has no such tool",
      "Add the tool to the table of the setup: its number, its name and edge where the program "
      "says them, and its radius."},
     {Code::program_empty, error, "PROGRAM_EMPTY", "the program has no block",

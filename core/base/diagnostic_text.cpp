@@ -44,6 +44,7 @@ constexpr auto words_of_values = std::to_array<ValueWords>({
     {"feed", "feed", "Vorschub", Measure::feed},
     {"gap", "gap", "Lücke", Measure::length},
     {"largest", "largest", "höchstens", Measure::length},
+    {"largest_angle", "largest angle", "größter Winkel", Measure::angle},
     {"largest_coordinate", "largest coordinate", "größte Koordinate", Measure::length},
     {"largest_difference", "largest difference", "größter Unterschied", Measure::length},
     {"largest_radius", "largest radius there", "größter Radius dort", Measure::length},
@@ -393,6 +394,26 @@ bool begins_in_corner(const Diagnostic& diagnostic) {
          std::ranges::any_of(diagnostic.entry_help->proposals, is_in_corner);
 }
 
+// Of an arc that is given by its radius there is no centre to correct; and in Klartext a word that
+// is refused as it stands is often one of another control.
+std::string_view help_about_values(const Diagnostic& diagnostic, bool german) {
+  if (diagnostic.code == Code::circle_center_misfit &&
+      value_named(diagnostic, "smallest_radius").has_value())
+    return german ? "Den Radius oder den Endpunkt berichtigen: der Radius muss wenigstens den "
+                    "halben Weg vom Anfang zum Ende messen."
+                  : "Correct the radius or the end point: the radius must be at least half of the "
+                    "way from the start to the end.";
+  const bool is_word_alone =
+      !diagnostic.detail.empty() && diagnostic.detail.find_first_of(" ,") == std::string::npos;
+  if (diagnostic.code == Code::nc_unsupported && diagnostic.words == ControlWords::klartext &&
+      is_word_alone)
+    return german ? "Die Schreibweise prüfen. Ist es das Programm einer anderen Steuerung, dann "
+                    "deren Dialekt angeben (--dialect, `dialect` im Setup)."
+                  : "Check its spelling. If this is a program of another control, declare its "
+                    "dialect (--dialect, `dialect` in the setup).";
+  return {};
+}
+
 }  // namespace
 
 DiagnosticTexts texts_of(const Diagnostic& diagnostic) {
@@ -412,11 +433,14 @@ std::string help_of(const Diagnostic& diagnostic, Language language) {
   const auto* const slip = std::ranges::find(slip_helps, diagnostic.slip.kind, &SlipHelp::kind);
   if (slip == slip_helps.end()) {
     std::string_view help = help_in(diagnostic.words, diagnostic.code, language);
-    const bool has_reason =
-        diagnostic.code == Code::nc_unsupported || diagnostic.code == Code::position_unknown;
+    constexpr std::array of_words{Code::nc_unsupported, Code::position_unknown, Code::nc_number,
+                                    Code::circle_incomplete};
     const std::string_view by_reason =
-        has_reason ? help_by_reason(diagnostic.detail, language) : std::string_view();
+        std::ranges::find(of_words, diagnostic.code) != of_words.end()
+            ? help_by_reason(diagnostic.detail, language)
+            : std::string_view();
     if (!by_reason.empty()) help = by_reason;
+    if (help.empty()) help = help_about_values(diagnostic, german);
     if (help.empty())
       help = german ? german_row_of(diagnostic.code).help : row_of(diagnostic.code).remedy;
     return in_words_of(diagnostic.words, std::string(help));

@@ -452,7 +452,8 @@ constexpr auto rows = std::to_array<Explanation>({
      .meaning = "NC programs are plain text. A control character, or a byte that is no "
                 "UTF-8, says that this one is not, or was damaged.",
      .causes = {"Comments in an older encoding, as with umlauts from an editor of Windows.",
-                "A file transfer left bytes of its own at the beginning or the end."},
+                "A file transfer left bytes of its own at the beginning or the end.",
+                "A sign of degrees, of diameters or of a tolerance outside of a comment."},
      .example = "N10 G00 X0 Y0\n"
                 "N20 G01 X10 (bell \x07)\n"
                 "N30 M30\n"},

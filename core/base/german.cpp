@@ -173,8 +173,11 @@ constexpr auto rows = std::to_array<GermanRow>({
      .help = "Prüfen, ob das ein NC-Programm mit Zeilenenden ist, oder die Grenze anheben.",
      .on_command_line = "Prüfen, ob das ein NC-Programm mit Zeilenenden ist."},
     {.code = Code::nc_not_text,
-     .title = "ein Byte ist kein Text: ein Steuerzeichen oder kein UTF-8",
-     .help = "Das Programm als reinen Text in UTF-8 speichern; auch ASCII ist UTF-8."},
+     .title =
+         "ein Zeichen gehört in kein NC-Programm: ein Steuerzeichen, kein UTF-8, oder außerhalb "
+         "von Kommentaren kein ASCII",
+     .help = "Es herausnehmen und das Programm als reinen Text in UTF-8 speichern; auch ASCII ist "
+             "UTF-8."},
     {.code = Code::nc_number,
      .title = "eine Zahl fehlt, ist falsch geschrieben oder außerhalb des Bereichs",
      .help = "Hinter den Adressbuchstaben eine Dezimalzahl schreiben; wo ein Bereich genannt ist, "
@@ -194,7 +197,7 @@ constexpr auto rows = std::to_array<GermanRow>({
      .title = "in einem Satz stehen zwei Funktionen, die einander ausschließen",
      .help = "Nur eine davon stehen lassen."},
     {.code = Code::tool_unknown,
-     .title = "die Werkzeugtabelle des Setups hat dieses Werkzeug nicht",
+     .title = "die Werkzeugtabelle hat dieses Werkzeug nicht",
      .help = "Das Werkzeug in die Tabelle des Setups aufnehmen: Nummer, Name und Schneide, wo das "
              "Programm sie nennt, und seinen Radius.",
      .on_command_line = "Die Tabelle mit dem Werkzeug angeben: --tools tools.csv, mit "
@@ -677,9 +680,25 @@ constexpr auto phrases = std::to_array<Phrase>({
     {"without a name", "ohne Namen"},
     {"without a time", "ohne Zeit"},
     {"without an assignment", "ohne eine Zuweisung"},
+    {"$FOR whose end hangs on the last digits", "$FOR, dessen Ende an den letzten Stellen hängt"},
+    {"a computed value between #VAR and #ENDVAR", "ein berechneter Wert zwischen #VAR und #ENDVAR"},
+    {"more than 0 and below 360", "mehr als 0 und weniger als 360"},
+    {"so many variables", "so viele Variablen"},
+    {"which is declared whole", "die als ganze Zahl vereinbart ist"},
+    {"which is not the program's", "die nicht dem Programm gehört"},
+    {"which its own line sets", "die dieselbe Zeile setzt"},
+    {"whose order needs brackets", "dessen Reihenfolge Klammern braucht"},
+    {"words behind $ELSEIF", "Wörter hinter $ELSEIF"},
+    {"$FOR wants a beginning, an end and a step",
+     "$FOR braucht einen Anfang, ein Ende und eine Schrittweite"},
+    {"without a loop", "ohne Schleife"},
+    {"without endif", "ohne endif"},
+    {"without endrepeat", "ohne endrepeat"},
     {"without endsub", "ohne endsub"},
+    {"without endwhile", "ohne endwhile"},
+    {"without repeat", "ohne repeat"},
+    {"without while", "ohne while"},
     {"without label", "ohne Marke"},
-    {"without the other end", "ohne das andere Ende"},
     {"work coordinate system", "Werkstück-Koordinatensystem"},
 });
 

@@ -222,7 +222,8 @@ constexpr auto rows = std::to_array<GermanExplanation>({
                 "UTF-8 ist, zeigt, dass dieses keiner ist oder beschädigt wurde.",
      .causes = {"Kommentare in einer älteren Kodierung, etwa Umlaute aus einem Editor unter "
                 "Windows.",
-                "Eine Übertragung hat am Anfang oder am Ende eigene Bytes hinterlassen."}},
+                "Eine Übertragung hat am Anfang oder am Ende eigene Bytes hinterlassen.",
+                "Ein Grad-, Durchmesser- oder Toleranzzeichen außerhalb eines Kommentars."}},
     {.code = Code::nc_number,
      .meaning = "Hinter einem Adressbuchstaben steht eine Dezimalzahl im Bereich dieses Worts.",
      .causes = {"Ein Komma statt des Dezimalpunkts.", "Der Buchstabe O statt der Ziffer 0.",

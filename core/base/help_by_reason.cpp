@@ -18,8 +18,59 @@ constexpr std::string_view write_free_contour =
 constexpr std::string_view write_free_contour_in_german =
     "Die freie Kontur in der Steuerung in Sätze mit L und C umwandeln und dieses Programm geben.";
 
+constexpr std::string_view write_corner =
+    "Write the corner as blocks of its own: the lines up to it, the arc or the chamfer, the line "
+    "behind it.";
+constexpr std::string_view write_corner_in_german =
+    "Die Ecke als eigene Sätze schreiben: die Gerade bis dorthin, den Bogen oder die Fase, die "
+    "Gerade dahinter.";
+constexpr std::string_view write_what_is_missing = "Write what is missing in the block.";
+constexpr std::string_view write_what_is_missing_in_german = "Das Fehlende in den Satz schreiben.";
+
 // The first one that fits counts.
 constexpr auto helps = std::to_array<ReasonHelp>({
+    {"say what whole numbers count in",
+     "Write decimal points, or say it: `whole_numbers` UNITS (X10 is 10 mm) or INCREMENTS (X10 is "
+     "0.010 mm) in the setup.",
+     "Dezimalpunkte schreiben, oder es sagen: `whole_numbers` UNITS (X10 ist 10 mm) oder "
+     "INCREMENTS (X10 ist 0.010 mm) im Setup."},
+    {" without LEN", write_what_is_missing, write_what_is_missing_in_german},
+    {" without R", write_what_is_missing, write_what_is_missing_in_german},
+    {" without CCA", write_what_is_missing, write_what_is_missing_in_german},
+    {" without its size", write_what_is_missing, write_what_is_missing_in_german},
+    {" without a time", write_what_is_missing, write_what_is_missing_in_german},
+    {" without D, the diameter", write_what_is_missing, write_what_is_missing_in_german},
+    {" without DISR=", write_what_is_missing, write_what_is_missing_in_german},
+    {" without DR", "Write DR+ or DR- in the block.", "DR+ oder DR- in den Satz schreiben."},
+    {"CIP, whose", "Write a point between with I1= and J1=, off the line to the end point.",
+     "Einen Punkt dazwischen mit I1= und J1= schreiben, abseits der Geraden zum Endpunkt."},
+    {"AR= with either", "Write AR= with the end point, or with I and J.",
+     "AR= mit dem Endpunkt schreiben, oder mit I und J."},
+    {" without CC, or behind", "Write CC in front of it, behind what moves it.",
+     "Davor CC schreiben, hinter dem, was ihn verschiebt."},
+    {"a chamfer beside an arc", write_corner, write_corner_in_german},
+    {"corners that reach out", "Program DISC=0 in its place.",
+     "An seine Stelle DISC=0 programmieren."},
+    {"an approach that goes on smoothly", "Program NORM or KONT in its place.",
+     "An seine Stelle NORM oder KONT programmieren."},
+    {"an approach or a departure that has no room",
+     "Correct its length or its radius, or begin farther off.",
+     "Ihre Länge oder ihren Radius berichtigen, oder weiter weg beginnen."},
+    {"a compensation along one axis",
+     "Write the coordinates with the radius in them; a contour has RL or RR.",
+     "Die Koordinaten mit dem Radius darin schreiben; eine Kontur hat RL oder RR."},
+    {"TRC in space (CUT3D", "Let the control compensate in space; contours of a plane have CUT2D.",
+     "Im Raum die Steuerung korrigieren lassen; Konturen einer Ebene haben CUT2D."},
+    {"a jump", "Write the blocks in the order in which they run.",
+     "Die Sätze in der Reihenfolge schreiben, in der sie laufen."},
+    {"polar coordinates", "Write the end point with both axes of the plane.",
+     "Den Endpunkt mit beiden Achsen der Ebene schreiben."},
+    {"CT straight back", "Write the arc with its centre or its radius.",
+     "Den Bogen mit seinem Mittelpunkt oder seinem Radius schreiben."},
+    {"TRC of DIN/ISO",
+     "Is this a program of G functions? Declare its dialect (--dialect, `dialect` in the setup).",
+     "Ist es ein Programm aus G-Funktionen? Seinen Dialekt angeben (--dialect, `dialect` im "
+     "Setup)."},
     {"a call of what only the machine has",
      "End the contour in front of the call with G40, and begin "
      "it anew with G41 or G42 behind it.",
@@ -51,11 +102,7 @@ constexpr auto helps = std::to_array<ReasonHelp>({
      "Vor der Kontur beenden, was Koordinaten eine andere Bedeutung gibt."},
     {"a motion with L, which is repeated", "Write the motion as often as it runs.",
      "Die Bewegung so oft schreiben, wie sie läuft."},
-    {"a rounding or a chamfer",
-     "Write the corner as blocks of its own: the lines up to it, the arc or the "
-     "chamfer, the line behind it.",
-     "Die Ecke als eigene Sätze schreiben: die Gerade bis dorthin, den Bogen oder die Fase, die "
-     "Gerade dahinter."},
+    {"a rounding or a chamfer", write_corner, write_corner_in_german},
     {"the angle of a motion", "Write the end point of the line with both axes.",
      "Den Endpunkt der Geraden mit beiden Achsen schreiben."},
     {"a variable, while TRC is active", "Write its value in its place.",

@@ -7,6 +7,7 @@
 #include <google/protobuf/util/type_resolver_util.h>
 
 #include "core/base/check.h"
+#include "proto/wire/json_fault.h"
 
 namespace trc::wire {
 namespace {
@@ -46,8 +47,7 @@ std::string Json::read(std::string_view text, google::protobuf::Message& message
   binary_.clear();
   const auto status = google::protobuf::util::JsonToBinaryString(types_.get(), type_url(message),
                                                                  std::string(text), &binary_);
-  // Its first line; below it stands the place in the text, with an arrow.
-  if (!status.ok()) return std::string(status.message().substr(0, status.message().find('\n')));
+  if (!status.ok()) return json_fault({status.message().data(), status.message().size()}, text);
   return message.ParseFromString(binary_) ? "" : "is no " + message.GetDescriptor()->name();
 }
 

@@ -370,7 +370,7 @@ std::string unknown_key(const std::string& key) {
                    [](const auto& a, const auto& b) { return a.first < b.first; });
   std::string text = "unknown setting \"" + key + "\"; nearest:";
   for (std::size_t i = 0; i < 3; ++i) text += (i == 0 ? " " : ", ") + near[i].second;
-  return text + " (all of them: trc compensate --help)";
+  return text;
 }
 
 }  // namespace

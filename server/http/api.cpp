@@ -81,7 +81,8 @@ constexpr std::array<Route, 20> table{{
     {"GET", "/", Body::none, false, "text/html", "The page", page_start, page_questions},
     {"GET", "/page/{file}", Body::none, false, "text/javascript,text/css", "Its parts", page_file},
     {"GET", "/v1/info", Body::none, false, "application/json",
-     "Version, limits, options, functions and diagnostics: GetServerInfoResponse", server_info},
+     "Version, limits, settings, options, functions and diagnostics: GetServerInfoResponse",
+     server_info},
     {"GET", "/v1/openapi.json", Body::none, false, "application/json", "This document", open_api},
 }};
 

@@ -10,10 +10,12 @@
 #include <string_view>
 #include <utility>
 
+#include "core/base/language.h"
 #include "google/rpc/error_details.pb.h"
 #include "google/rpc/status.pb.h"
 #include "proto/wire/json.h"
 #include "server/http/api.h"
+#include "server/http/german.h"
 #include "server/http/problem.h"
 #include "server/http/settings.h"
 #include "server/rpc/status.h"
@@ -77,7 +79,19 @@ std::string base64(std::string_view bytes) {
   return text;
 }
 
-google::protobuf::Struct error_of(const grpc::Status& status) {
+// What a status says, for people who read German; one of a program brings its own.
+void add_german(const grpc::Status& status, google::rpc::Status& rich) {
+  for (const auto& any : rich.details())
+    if (any.Is<google::rpc::LocalizedMessage>()) return;
+  v1::Problem problem = problem_of(status);
+  make_german(problem);
+  google::rpc::LocalizedMessage localized;
+  localized.set_locale("de");
+  localized.set_message(problem.title() + ": " + problem.detail());
+  rich.add_details()->PackFrom(localized);
+}
+
+google::protobuf::Struct error_of(const grpc::Status& status, Language language) {
   google::protobuf::Struct error;
   auto& fields = *error.mutable_fields();
   fields["code"].set_string_value(std::string(row_of(status.error_code()).name));
@@ -90,6 +104,7 @@ google::protobuf::Struct error_of(const grpc::Status& status) {
     info.set_domain("trc.v1");
     rich.add_details()->PackFrom(info);
   }
+  if (language == Language::german) add_german(status, rich);
   auto& details = *fields["details"].mutable_list_value();
   for (const auto& any : rich.details()) {
     auto& detail = *details.add_values()->mutable_struct_value()->mutable_fields();
@@ -101,9 +116,10 @@ google::protobuf::Struct error_of(const grpc::Status& status) {
 }
 
 void answer_error(Exchange& exchange, const grpc::Status& status) {
+  const Language language = accepted_language(exchange.request().header("accept-language"));
   exchange.answer(
       {.status = row_of(status.error_code()).status, .content_type = "application/json"},
-      wire::json_of(error_of(status)));
+      wire::json_of(error_of(status, language)));
 }
 
 std::string enveloped(char flags, std::string_view message) {
@@ -122,8 +138,8 @@ std::unique_ptr<Message> made(const google::protobuf::Descriptor& type) {
 // The answers of an RPC as they are, or as JSON.
 class ConnectFormat : public Format {
  public:
-  ConnectFormat(const MethodDescriptor& method, bool as_json)
-      : json_wanted_(as_json), answer_(made(*method.output_type())) {}
+  ConnectFormat(const MethodDescriptor& method, bool as_json, Language language)
+      : json_wanted_(as_json), language_(language), answer_(made(*method.output_type())) {}
 
  protected:
   bool append(const grpc::ByteBuffer& answer, std::string& out) {
@@ -138,9 +154,11 @@ class ConnectFormat : public Format {
   [[nodiscard]] std::string type(std::string_view before) const {
     return std::string(before) + (json_wanted_ ? "json" : "proto");
   }
+  [[nodiscard]] Language language() const { return language_; }
 
  private:
   bool json_wanted_;
+  Language language_;
   std::unique_ptr<Message> answer_;
   wire::Json json_;
 };
@@ -181,7 +199,7 @@ class StreamFormat final : public ConnectFormat {
   }
   bool stop(const grpc::Status& status, std::string& out) override {
     google::protobuf::Struct end;
-    *(*end.mutable_fields())["error"].mutable_struct_value() = error_of(status);
+    *(*end.mutable_fields())["error"].mutable_struct_value() = error_of(status, language());
     out += enveloped(end_of_stream, wire::json_of(end));
     return true;
   }
@@ -283,6 +301,7 @@ void answer_connect(Api& api, const ExchangePointer& exchange) {
   const MethodDescriptor& method = *rpc_at(request.path);
   const std::string type = request.content_type();
   const std::string_view accept_language = request.header("accept-language");
+  const Language language = accepted_language(accept_language);
   std::string_view body = request.body;
   if (method.client_streaming())
     return answer_error(*exchange, refuse(Refusal::stream_needs_grpc).status);
@@ -290,7 +309,7 @@ void answer_connect(Api& api, const ExchangePointer& exchange) {
     const bool is_json = type == "application/json";
     if (!is_json && type != "application/proto")
       return answer_unsupported(*exchange, "application/json or application/proto");
-    auto format = std::make_shared<UnaryFormat>(method, is_json);
+    auto format = std::make_shared<UnaryFormat>(method, is_json, language);
     if (const std::string fault = fault_of(request); !fault.empty())
       return format->refuse(exchange, refuse(Refusal::call_invalid, fault).status);
     return start(api, exchange, {method, body, is_json, accept_language, std::move(format)});
@@ -298,7 +317,7 @@ void answer_connect(Api& api, const ExchangePointer& exchange) {
   const bool is_json = type == "application/connect+json";
   if (!is_json && type != "application/connect+proto")
     return answer_unsupported(*exchange, "application/connect+json or application/connect+proto");
-  auto format = std::make_shared<StreamFormat>(method, is_json);
+  auto format = std::make_shared<StreamFormat>(method, is_json, language);
   std::string fault = fault_of(request);
   if (fault.empty() && !open_envelope(body))
     fault = "the body must be one envelope without compression";

@@ -6,6 +6,7 @@
 
 #include "core/base/sentences.h"
 #include "proto/wire/setting_sentences.h"
+#include "server/rpc/status.h"
 
 namespace trc::server::http {
 namespace {
@@ -69,7 +70,6 @@ constexpr auto sentences = std::to_array<Sentence>({
     {"The body must be NC text", "Der Inhalt muss NC-Text sein"},
     {"send it as text/plain; charset=utf-8", "ihn als text/plain; charset=utf-8 senden"},
     {"The body is no {}", "Der Inhalt ist kein {}"},
-    {"{}: Cannot find field.", "{}: dieses Feld gibt es nicht."},
     // Parameters.
     {"A query parameter cannot be taken", "Ein Parameter der Adresse ist nicht möglich"},
     {"A query parameter is no setting that can be taken",
@@ -82,6 +82,17 @@ constexpr auto sentences = std::to_array<Sentence>({
     {"{}: is not known: there are {}", "{}: ist nicht bekannt: es gibt {}"},
     {"{}: it takes {}", "{}: möglich sind {}"},
     {"unknown setting {}; nearest: {}", "unbekannte Einstellung {}; am ähnlichsten: {}"},
+    // Connect.
+    {"this RPC takes {}, not compressed", "dieser RPC nimmt {}, nicht komprimiert"},
+    {"application/json or application/proto", "application/json oder application/proto"},
+    {"application/connect+json or application/connect+proto",
+     "application/connect+json oder application/connect+proto"},
+    {"the call takes no query parameters, but a message",
+     "der Aufruf nimmt keine Parameter in der Adresse, sondern eine Nachricht"},
+    {"Connect-Protocol-Version must be 1", "Connect-Protocol-Version muss 1 sein"},
+    {"the body must be one envelope without compression",
+     "der Inhalt muss ein Umschlag ohne Komprimierung sein"},
+    {"it must be a {}", "es muss ein {} sein"},
     // Paths of blocks.
     {"The path is too large", "Die Bahn ist zu groß"},
     {"it takes {} bytes, at most {} are taken (max-message-bytes); divide the path, send it as an "
@@ -110,7 +121,7 @@ constexpr auto sentences = std::to_array<Sentence>({
 });
 
 std::string german(std::string_view english) {
-  return translated(english, {wire::setting_sentences(), sentences});
+  return translated(english, {refusal_sentences(), wire::setting_sentences(), sentences});
 }
 
 }  // namespace
@@ -123,8 +134,8 @@ void make_german(v1::Problem& problem) {
     // A sentence begins with its field.
     const std::string begin = field.field() + ": ";
     const std::string sentence = german(begin + field.description());
-    field.set_description(sentence.starts_with(begin) ? sentence.substr(begin.size())
-                                                      : german(field.description()));
+    const bool is_known = sentence != begin + field.description() && sentence.starts_with(begin);
+    field.set_description(is_known ? sentence.substr(begin.size()) : german(field.description()));
     if (is_detail) problem.set_detail(field.field() + " " + field.description());
   }
 }

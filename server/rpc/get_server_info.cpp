@@ -2,6 +2,7 @@
 
 #include <grpcpp/grpcpp.h>
 
+#include <cmath>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -15,6 +16,7 @@
 #include "core/nc/state/program_state.h"
 #include "proto/wire/diagnostic.h"
 #include "proto/wire/setting_meanings.h"
+#include "proto/wire/settings.h"
 #include "proto/wire/setup.h"
 
 namespace trc::server {
@@ -57,6 +59,22 @@ void describe_radius_terms(v1::GetServerInfoResponse& response) {
   add("nominal_radius", 0, largest, initial.nominal_radius);
 }
 
+void describe_settings(v1::GetServerInfoResponse& response) {
+  for (const wire::SettingRow& setting : wire::settings()) {
+    const wire::SettingMeaning& about = wire::meaning_of(setting.key);
+    v1::Setting& row = *response.add_settings();
+    row.set_name(setting.key);
+    row.set_values(setting.values);
+    if (std::isfinite(about.least)) {
+      row.set_min(about.least);
+      row.set_max(about.most);
+    }
+    row.set_unit(std::string(about.unit));
+    row.set_default_value(std::string(about.initial));
+    row.set_meaning(std::string(about.meaning));
+  }
+}
+
 // G01, G41, G138
 std::string as_written(std::int16_t number) {
   return (number < 10 ? "G0" : "G") + std::to_string(number);
@@ -74,6 +92,7 @@ void describe(const Config& config, v1::GetServerInfoResponse& response) {
       .append(google::protobuf::internal::VersionString(GOOGLE_PROTOBUF_VERSION));
   describe_limits(config, *response.mutable_limits());
   describe_radius_terms(response);
+  describe_settings(response);
   for (const TrcKeyword& keyword : trc_keywords()) {
     v1::TrcKeyword& row = *response.add_trc_keywords();
     row.set_name(std::string(keyword.name));

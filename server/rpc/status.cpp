@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <array>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "core/base/number_text.h"
 #include "google/rpc/error_details.pb.h"
@@ -19,78 +21,112 @@ struct Row {
   StatusCode code;
   std::string_view reason;
   std::string_view sentence;
+  std::string_view german;
   int retry_after_s = 0;  // 0: waiting does not help
 };
 
 constexpr std::array<Row, 29> table{{
     {Refusal::setup_missing, StatusCode::FAILED_PRECONDITION, "SETUP_MISSING",
-     "the first request must carry the setup"},
+     "the first request must carry the setup", "die erste Anfrage muss das Setup enthalten"},
     {Refusal::setup_repeated, StatusCode::FAILED_PRECONDITION, "SETUP_REPEATED",
-     "the setup may be sent once only, as the first request"},
+     "the setup may be sent once only, as the first request",
+     "das Setup darf nur einmal kommen, als erste Anfrage"},
     {Refusal::request_empty, StatusCode::INVALID_ARGUMENT, "REQUEST_EMPTY",
-     "the request carries nothing this server knows"},
+     "the request carries nothing this server knows",
+     "die Anfrage enthält nichts, was dieser Server kennt"},
     {Refusal::request_unreadable, StatusCode::INVALID_ARGUMENT, "REQUEST_UNREADABLE",
-     "the request is no message of this service"},
+     "the request is no message of this service",
+     "die Anfrage ist keine Nachricht dieses Dienstes"},
     {Refusal::call_invalid, StatusCode::INVALID_ARGUMENT, "CALL_INVALID",
-     "the call is none of the Connect protocol"},
+     "the call is none of the Connect protocol", "der Aufruf ist keiner des Connect-Protokolls"},
     {Refusal::stream_needs_grpc, StatusCode::UNIMPLEMENTED, "STREAM_NEEDS_GRPC",
      "streams from the client need gRPC; CompensateProgramOnce and PreviewPath take everything in "
-     "one request"},
+     "one request",
+     "Streams vom Client brauchen gRPC; CompensateProgramOnce und PreviewPath nehmen alles in "
+     "einer Anfrage"},
     {Refusal::input_after_final, StatusCode::FAILED_PRECONDITION, "INPUT_AFTER_FINAL",
-     "nothing may follow the request marked final"},
+     "nothing may follow the request marked final",
+     "nach der Anfrage mit final darf nichts mehr kommen"},
     {Refusal::batch_out_of_sequence, StatusCode::OUT_OF_RANGE, "BATCH_OUT_OF_SEQUENCE",
-     "first_block must be the next expected block"},
+     "first_block must be the next expected block",
+     "first_block muss der nächste erwartete Satz sein"},
     {Refusal::text_out_of_sequence, StatusCode::OUT_OF_RANGE, "TEXT_OUT_OF_SEQUENCE",
-     "first_byte must be the next expected byte"},
+     "first_byte must be the next expected byte",
+     "first_byte muss das nächste erwartete Byte sein"},
     {Refusal::contour_incomplete, StatusCode::ABORTED, "CONTOUR_INCOMPLETE",
-     "the stream ended before a request marked final; the path is not complete"},
+     "the stream ended before a request marked final; the path is not complete",
+     "der Stream endete vor einer Anfrage mit final; die Bahn ist nicht vollständig"},
     {Refusal::stream_idle, StatusCode::ABORTED, "STREAM_IDLE",
-     "no request came within the idle timeout"},
+     "no request came within the idle timeout", "es kam zu lange keine Anfrage"},
     {Refusal::field_invalid, StatusCode::INVALID_ARGUMENT, "FIELD_INVALID",
-     "a field has a value that is not allowed"},
+     "a field has a value that is not allowed", "ein Feld hat einen Wert, der nicht erlaubt ist"},
     {Refusal::batch_too_large, StatusCode::RESOURCE_EXHAUSTED, "BATCH_TOO_LARGE",
      "the batch has more blocks than the setting max-blocks-per-batch allows; send smaller "
-     "batches"},
+     "batches",
+     "die Nachricht hat mehr Sätze, als die Einstellung max-blocks-per-batch erlaubt; kleinere "
+     "senden"},
     {Refusal::answer_too_large, StatusCode::RESOURCE_EXHAUSTED, "ANSWER_TOO_LARGE",
-     "the answer is larger than the setting max-message-bytes allows; use CompensateProgram"},
+     "the answer is larger than the setting max-message-bytes allows; use CompensateProgram",
+     "die Antwort ist größer, als die Einstellung max-message-bytes erlaubt; CompensateProgram "
+     "nehmen"},
     {Refusal::stream_limit, StatusCode::RESOURCE_EXHAUSTED, "STREAM_LIMIT",
-     "as many streams are open as the setting max-streams allows; try again later", 1},
+     "as many streams are open as the setting max-streams allows; try again later",
+     "es sind so viele Streams offen, wie die Einstellung max-streams erlaubt; später noch einmal "
+     "versuchen",
+     1},
     {Refusal::stream_limit_of_peer, StatusCode::RESOURCE_EXHAUSTED, "STREAM_LIMIT",
      "as many streams of this client are open as the setting max-streams-per-peer allows; try "
      "again later",
+     "von diesem Client sind so viele Streams offen, wie die Einstellung max-streams-per-peer "
+     "erlaubt; später noch einmal versuchen",
      1},
     {Refusal::memory_limit, StatusCode::RESOURCE_EXHAUSTED, "MEMORY_LIMIT",
      "what all streams hold passes the setting max-session-memory-mib; try again later, or set "
      "look_ahead_blocks",
+     "alle Streams zusammen halten mehr, als die Einstellung max-session-memory-mib erlaubt; "
+     "später noch einmal versuchen, oder look_ahead_blocks setzen",
      1},
     {Refusal::memory_limit_of_peer, StatusCode::RESOURCE_EXHAUSTED, "MEMORY_LIMIT",
      "what the streams of this client hold passes the setting max-memory-per-peer-mib; try again "
      "later, or set look_ahead_blocks",
+     "die Streams dieses Clients halten mehr, als die Einstellung max-memory-per-peer-mib erlaubt; "
+     "später noch einmal versuchen, oder look_ahead_blocks setzen",
      1},
     {Refusal::memory_limit_of_stream, StatusCode::RESOURCE_EXHAUSTED, "MEMORY_LIMIT",
      "this stream alone holds more than the settings max-session-memory-mib and "
-     "max-memory-per-peer-mib allow; set look_ahead_blocks, and verify to OFF"},
+     "max-memory-per-peer-mib allow; set look_ahead_blocks, and verify to OFF",
+     "dieser Stream allein hält mehr, als die Einstellungen max-session-memory-mib und "
+     "max-memory-per-peer-mib erlauben; look_ahead_blocks setzen, und verify auf OFF"},
     {Refusal::memory_limit_of_process, StatusCode::RESOURCE_EXHAUSTED, "MEMORY_LIMIT",
      "the server is close to the memory it may have, the setting memory-limit-mib; try again later",
+     "der Server hat fast den Speicher erreicht, den er haben darf, die Einstellung "
+     "memory-limit-mib; später noch einmal versuchen",
      1},
     {Refusal::cpu_limit, StatusCode::RESOURCE_EXHAUSTED, "CPU_LIMIT",
-     "the stream has computed for longer than the server allows"},
+     "the stream has computed for longer than the server allows",
+     "der Stream hat länger gerechnet, als der Server erlaubt"},
     {Refusal::resume_token_invalid, StatusCode::INVALID_ARGUMENT, "RESUME_TOKEN_INVALID",
-     "the resume token cannot be used"},
+     "the resume token cannot be used", "mit diesem Resume-Token kann es nicht weitergehen"},
     {Refusal::resume_token_of_other_version, StatusCode::FAILED_PRECONDITION,
      "RESUME_TOKEN_OF_OTHER_VERSION",
-     "the resume token is of another version of the server; begin the path anew"},
+     "the resume token is of another version of the server; begin the path anew",
+     "das Resume-Token ist von einer anderen Version des Servers; die Bahn neu beginnen"},
     {Refusal::resume_setup_differs, StatusCode::FAILED_PRECONDITION, "RESUME_SETUP_DIFFERS",
-     "the setup is not that of the stream which gave the resume token"},
+     "the setup is not that of the stream which gave the resume token",
+     "das Setup ist nicht das des Streams, von dem das Resume-Token stammt"},
     {Refusal::client_not_allowed, StatusCode::PERMISSION_DENIED, "CLIENT_NOT_ALLOWED",
-     "the name of the client's certificate is not in the setting tls-allowed-clients"},
+     "the name of the client's certificate is not in the setting tls-allowed-clients",
+     "der Name im Zertifikat des Clients steht nicht in der Einstellung tls-allowed-clients"},
     {Refusal::draining, StatusCode::UNAVAILABLE, "SERVER_DRAINING",
-     "the server is shutting down and takes no new streams", 1},
-    {Refusal::cancelled, StatusCode::CANCELLED, "CANCELLED", "the call was cancelled"},
+     "the server is shutting down and takes no new streams",
+     "der Server fährt herunter und nimmt keine neuen Streams", 1},
+    {Refusal::cancelled, StatusCode::CANCELLED, "CANCELLED", "the call was cancelled",
+     "der Aufruf wurde abgebrochen"},
     {Refusal::deadline_exceeded, StatusCode::DEADLINE_EXCEEDED, "DEADLINE_EXCEEDED",
-     "the deadline of the client has passed"},
+     "the deadline of the client has passed", "die Frist des Clients ist abgelaufen"},
     {Refusal::internal, StatusCode::INTERNAL, "INTERNAL",
-     "the server has failed; its log has more under the incident id"},
+     "the server has failed; its log has more under the incident id",
+     "der Server hat versagt; unter der Nummer des Vorfalls steht mehr in seinem Protokoll"},
 }};
 
 const Row& row_of(Refusal refusal) {
@@ -139,6 +175,25 @@ void add_localized(const Diagnostic& diagnostic, google::rpc::Status& rich) {
 }
 
 }  // namespace
+
+std::span<const Sentence> refusal_sentences() {
+  // Alone, and with a detail behind it.
+  static const auto patterns = [] {
+    std::vector<std::pair<std::string, std::string>> made;
+    for (const Row& row : table) {
+      made.emplace_back(std::string(row.sentence) + ": {}", std::string(row.german) + ": {}");
+      made.emplace_back(row.sentence, row.german);
+    }
+    return made;
+  }();
+  static const std::vector<Sentence> sentences = [] {
+    std::vector<Sentence> made;
+    for (const auto& [english, german] : patterns)
+      made.push_back({.english = english, .german = german});
+    return made;
+  }();
+  return sentences;
+}
 
 Ending refuse(Refusal refusal, std::string_view detail, const Values& values) {
   const Row& row = row_of(refusal);

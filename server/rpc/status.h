@@ -2,12 +2,14 @@
 
 #include <grpcpp/support/status.h>
 
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
 #include "core/base/diagnostic.h"
+#include "core/base/sentences.h"
 #include "proto/wire/field_fault.h"
 
 namespace trc::server {
@@ -66,6 +68,9 @@ using Values = std::vector<std::pair<std::string, std::string>>;
 // The status of a program that cannot be compensated: INVALID_ARGUMENT with the reason of the
 // code's row, place, values and remedy; RESOURCE_EXHAUSTED where a limit was passed.
 [[nodiscard]] Ending refuse(const Diagnostic& diagnostic);
+
+// What the sentences of refusals are in German, alone and with a detail behind them.
+[[nodiscard]] std::span<const Sentence> refusal_sentences();
 
 // "INVALID_ARGUMENT" and so on.
 [[nodiscard]] std::string_view name_of(grpc::StatusCode code);

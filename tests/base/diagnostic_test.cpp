@@ -75,6 +75,8 @@ TEST(Message, TellsLengthsApartThatDiffer) {
 TEST(Message, SaysWhatAValueCounts) {
   EXPECT_EQ(values_in({{"turn", 90}, {"tool_radius", 4}}),
             "(turn 90.000 degrees, tool radius 4.000 mm)");
+  EXPECT_EQ(values_in({{"angle", 201.5}, {"largest_angle", 180}}),
+            "(angle 201.500 degrees, largest angle 180.000 degrees)");
   EXPECT_EQ(values_in({{"left_out_length", 57.9043302}, {"max_masked_share", 0.5}}),
             "(length left out 57.904 mm, largest share 50 %)");
   EXPECT_EQ(values_in({{"lines", 12}}), "(in 12 lines)");
@@ -103,6 +105,33 @@ TEST(Message, NamesAnotherBlockByItsLine) {
 
 TEST(Message, IsTheCauseAloneWhenThereIsNoMore) {
   EXPECT_EQ(message_of(diagnostic(Code::program_empty, {})), "the program has no block");
+}
+
+TEST(Help, IsAboutWhatTheBlockGives) {
+  Diagnostic arc = diagnostic(Code::circle_center_misfit, {});
+  EXPECT_NE(help_of(arc).find("Correct I, J, K"), std::string::npos);
+  arc.values = {{"radius", 5}, {"smallest_radius", 22.4}};
+  EXPECT_EQ(help_of(arc).find("I, J, K"), std::string::npos) << help_of(arc);
+  EXPECT_NE(help_of(arc).find("Correct the radius"), std::string::npos) << help_of(arc);
+  EXPECT_NE(help_of(arc, Language::german).find("Den Radius"), std::string::npos);
+
+  // A reason has its own help, whichever of the codes of words it belongs to.
+  const auto help_for = [](Code code, const char* detail, ControlWords words) {
+    Diagnostic found = diagnostic(code, {}, detail);
+    found.words = words;
+    return help_of(found);
+  };
+  EXPECT_EQ(help_for(Code::nc_number, "APPR LT without LEN", ControlWords::klartext),
+            "Write what is missing in the block.");
+  EXPECT_EQ(help_for(Code::circle_incomplete, "C without DR", ControlWords::klartext),
+            "Write DR+ or DR- in the block.");
+  EXPECT_EQ(help_for(Code::nc_unsupported, "LX+40", ControlWords::klartext),
+            "Check its spelling. If this is a program of another control, declare its dialect "
+            "(--dialect, `dialect` in the setup).");
+  // Where there is none, that of the code stays.
+  EXPECT_EQ(help_for(Code::nc_number, "Y", ControlWords::isg), row_of(Code::nc_number).remedy);
+  EXPECT_NE(help_for(Code::circle_incomplete, "", ControlWords::klartext).find("CC"),
+            std::string::npos);
 }
 
 }  // namespace

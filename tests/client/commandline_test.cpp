@@ -972,6 +972,67 @@ TEST(WrongCall, IsToldInGerman) {
   EXPECT_NE(english_word_in(trc({"compensat"}).err), "");
 }
 
+// What stands between two blanks or more, of the lines behind the first ones.
+std::vector<std::string> cells_of(const std::string& text) {
+  std::vector<std::string> cells;
+  static const std::regex between("  +");
+  for (const std::string& line : lines_of(text))
+    for (auto cell = std::sregex_token_iterator(line.begin(), line.end(), between, -1);
+         cell != std::sregex_token_iterator(); ++cell)
+      if (cell->length() > 0) cells.push_back(*cell);
+  return cells;
+}
+
+TEST(Info, IsToldInGerman) {
+  const Ended english = trc({"info"});
+  const Ended german = trc({"info", "--lang", "de"});
+  EXPECT_EQ(german.code, 0) << german.err;
+  const auto theirs = cells_of(english.out);
+  const std::set<std::string> words(theirs.begin(), theirs.end());
+  // Numbers, names, units and values of settings are the same in both.
+  static const std::regex same(
+      R"([0-9.,… -]*( (mm|mm/min|s))?|mm|Option|Code|[A-Z0-9_,]+|[a-z0-9_.]+(, [a-z0-9_]+)*)"
+      R"(( \(G\d+\))?|G\d+|trc .*|.*(gcc|gRPC).*)");
+  for (const std::string& cell : cells_of(german.out)) {
+    EXPECT_TRUE(std::regex_match(cell, same) || !words.contains(cell)) << cell;
+    EXPECT_EQ(english_word_in(cell), "") << cell;
+  }
+  for (const char* word : {"Grenzen", "Meldungen", "nein, abgelehnt", "Nullpunktverschiebung"})
+    EXPECT_NE(german.out.find(word), std::string::npos) << word;
+  EXPECT_EQ(trc({"--lang", "de", "info"}).out, german.out);
+}
+
+TEST(Info, TellsTheSettings) {
+  const Ended info = trc({"info"});
+  EXPECT_NE(info.out.find("block_skip"), std::string::npos);
+  EXPECT_NE(info.out.find("(900017): refuse, execute, leave_out\n"), std::string::npos);
+}
+
+// A language that is asked for is spoken, whatever the command is.
+TEST(Language, IsTakenByEveryCommand) {
+  const std::string german = "Language of messages";
+  for (const char* command : {"compensate", "plot", "radii", "verify", "view", "generate", "load",
+                              "info", "explain", "health", "completion"}) {
+    const Ended help = trc({command, "--help"});
+    EXPECT_NE(help.out.find(german), std::string::npos) << command;
+    EXPECT_EQ(trc({"--lang", "de", command, "--help"}).out,
+              trc({command, "--lang", "de", "--help"}).out)
+        << command;
+  }
+  const Ended load = trc({"load", "--jobs", "1", "--blocks", "20", "--lang", "de"});
+  EXPECT_EQ(load.code, 0) << load.err;
+  EXPECT_EQ(english_word_in(load.out), "") << load.out;
+  EXPECT_NE(load.out.find("geschlossener Kreis, 1 Streams zugleich, je "), std::string::npos)
+      << load.out;
+  const Ended health = trc({"health", "--server", "127.0.0.1:1", "--lang", "de"});
+  EXPECT_NE(health.err.find("kein Server unter"), std::string::npos) << health.err;
+  const Ended shape = trc({"generate", "--shape", "dog", "--lang", "de"});
+  EXPECT_EQ(shape.code, 2);
+  EXPECT_EQ(english_word_in(shape.err), "") << shape.err;
+  EXPECT_NE(trc({"completion", "fish", "--lang", "de"}).out.find("Sprache der Meldungen"),
+            std::string::npos);
+}
+
 TEST(Info, PrintsTheTablesOfTheDocumentation) {
   const Ended info = trc({"info"});
   EXPECT_EQ(info.code, 0) << info.err;

@@ -101,6 +101,23 @@ TEST(Report, MarksTheWordThatTheDetailSaysSomethingOf) {
             std::string::npos);
 }
 
+TEST(Report, MarksNamesAndValuesWhole) {
+  const auto mark_in = [](const std::string& line) {
+    Sent received = reversed_line();
+    received.diagnostic.column = 5;
+    received.diagnostic.detail = "a frame";
+    const std::string text = text_of(received, {.file = "p", .source_line = line});
+    const std::size_t at = text.find('^');
+    return at == text.npos ? std::string() : text.substr(at, text.find('\n', at) - at);
+  };
+  EXPECT_EQ(mark_in("N60 TRANS X1"), "^~~~~");
+  EXPECT_EQ(mark_in("N60 CYCLE81(1,2)"), "^~~~~~~");
+  EXPECT_EQ(mark_in("N60 T=\"MILL 5\" D1"), "^~~~~~~~~~");
+  EXPECT_EQ(mark_in("N60 AR=40.5 X1"), "^~~~~~~");
+  EXPECT_EQ(mark_in("N60 $IF 1"), "^~~");
+  EXPECT_EQ(mark_in("N60 X40.5Y2"), "^~~~~");
+}
+
 TEST(Report, CountsCharactersNotBytesAndKeepsTheMarkUnderTabs) {
   Sent received = reversed_line();
   received.diagnostic.column = 9;

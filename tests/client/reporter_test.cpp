@@ -62,6 +62,40 @@ TEST(Reporter, HelpsWithWhatTheCommandLineHas) {
       }
 }
 
+TEST(Reporter, NamesTheToolThatIsMissing) {
+  const auto help_for = [](const char* detail) {
+    return texts_of(for_command_line(diagnostic(Code::tool_unknown, {}, detail), DialectName::isg))
+        .help;
+  };
+  EXPECT_NE(help_for("D7").find("--set tools=7:RADIUS"), std::string::npos) << help_for("D7");
+  EXPECT_NE(help_for("12").find("--set tools=12:RADIUS"), std::string::npos);
+  EXPECT_NE(help_for("D9 of T1").find("--set tools=NUMBER:RADIUS"), std::string::npos);
+}
+
+// What is a setting of messages is an option here, and the value stands behind it.
+TEST(Reporter, NamesOptionsForSettings) {
+  for (const CodeRow& row : code_table())
+    for (const char* detail :
+         {"", "FOO, a name", "EXTCALL", "a motion that may be skipped", "G41, TRC of DIN/ISO",
+          "a place metres away without a decimal point: say what whole numbers count in", "LX+40"})
+      for (const auto& [dialect, words] :
+           {std::pair(DialectName::fanuc, ControlWords::g_functions),
+            std::pair(DialectName::heidenhain, ControlWords::klartext)})
+        for (const Language language : {Language::english, Language::german}) {
+          Diagnostic found = diagnostic(row.code, {}, detail);
+          found.words = words;
+          found.language = language;
+          const std::string help = texts_of(for_command_line(found, dialect)).help;
+          for (const char* field :
+               {"options.", "`subprograms`", "`whole_numbers`", "pass_words of", "in pass_words"})
+            EXPECT_EQ(help.find(field), std::string::npos) << help;
+          for (const std::string field : {"contour_masking", "remove_masked_blocks", "pass_words",
+                                          "block_skip", "conv_cir_to_lin", "selection_mode"})
+            for (std::size_t at = help.find(field); at != help.npos; at = help.find(field, at + 1))
+              EXPECT_TRUE(at >= 6 && help.compare(at - 6, 6, "--set ") == 0) << help;
+        }
+}
+
 TEST(Reporter, CountsAMillionEqualMessages) {
   const Told told = told_by([](Reporter& reporter) {
     for (std::uint32_t line = 1; line <= 1'000'000; ++line) reporter.report({warning(line, "it")});

@@ -170,6 +170,12 @@ class Programs(unittest.TestCase):
             "POST", "/trc.v1.TrcService/CompensateProgramOnce", body, german)
         self.assertEqual((status, error["code"]), (400, "invalid_argument"))
         self.assertIn("Dezimalpunkt statt Komma", localized(error))
+        for path, asked, said in (("CompensateProgramOnce", '{"setop":{}}',
+                                   "setop: dieses Feld gibt es nicht"),
+                                  ("GetServerInfo?x=1", "{}", "keine Parameter in der Adresse")):
+            _, refused = self.server.ask_json("POST", "/trc.v1.TrcService/" + path, asked, german)
+            self.assertIn(said, localized(refused))
+            self.assertNotIn("the ", localized(refused))
         # Codes and the message for developers stay as they are.
         self.assertIn("line 1: error 900008", error["message"])
         _, error = self.server.ask_json(
@@ -393,6 +399,12 @@ class Programs(unittest.TestCase):
         status, problem = self.server.ask_json("POST", "/v1/paths:compensate", '{"setop":{}}',
                                                json_type)
         self.assertEqual((status, problem["reason"]), (400, "JSON_INVALID"))
+        self.assertEqual(problem["detail"], "setop: there is no such field")
+        status, problem = self.server.ask_json(
+            "POST", "/v1/paths:compensate", '{"setup":{"toolRadius":"5,5"}}',
+            {**json_type, "Accept-Language": "de"})
+        self.assertEqual(problem["detail"],
+                         'setup.tool_radius: "5,5" ist nicht möglich; es nimmt eine Zahl')
 
     def test_a_survey_of_a_path_is_that_of_its_program(self):
         setup = {"radii": [2, 4, 21], "wantUncut": True,
@@ -489,7 +501,7 @@ class Programs(unittest.TestCase):
                 ("GET", "/v1/info?x=1", None, {}, "Ein Parameter der Adresse ist nicht möglich",
                  "x ist nicht bekannt: Parameter gibt es hier keine"),
                 ("POST", "/v1/paths:compensate", '{"nix":1}', JSON,
-                 "Der Inhalt ist kein PreviewPathRequest", "nix: dieses Feld gibt es nicht."),
+                 "Der Inhalt ist kein PreviewPathRequest", "nix: dieses Feld gibt es nicht"),
                 ("POST", compensate, SQUARE, JSON, "Der Inhalt muss NC-Text sein",
                  "ihn als text/plain; charset=utf-8 senden")):
             _, problem = self.server.ask_json(method, path, body, {**kind, **german})

@@ -454,16 +454,27 @@ const tests = {
   async 'the tool runs along its path by itself'(page) {
     await show(page, join(top, 'client/samples/bracket.nc'), {tool_radius: ''});
     const way = () => page.locator('#way').evaluate(input => Number(input.value));
+    const says = async (en, de) => {
+      assert.equal(await page.textContent('#play'), en);
+      await page.selectOption('#language', 'de');
+      assert.equal(await page.textContent('#play'), de);
+      await page.selectOption('#language', 'en');
+      await page.waitForSelector('body[data-complete=true]');
+    };
+    await says('Run', 'Abfahren');
     await page.click('#play');
     await page.waitForFunction(() => /line/.test(document.getElementById('place').textContent) && document.getElementById('way').value > 50);
+    assert.equal(await page.textContent('#play'), 'Stop');
+    assert.match(await page.getAttribute('#way', 'aria-valuetext'), /^X.* line \d+$/);
     await page.click('#play');
     const stopped = await way();
     await page.waitForTimeout(200);
     assert.equal(await way(), stopped);
+    await says('Run', 'Abfahren');
     // At its end it stands there.
     await page.locator('#way').fill('9990');
     await page.click('#play');
-    await page.waitForFunction(() => document.getElementById('play').getAttribute('aria-pressed') === 'false');
+    await page.waitForFunction(() => document.getElementById('play').textContent === 'Run');
     assert.equal(await way(), 10_000);
     assert.match(await page.textContent('#place'), /^X-25 Y-10/);
   },
@@ -604,6 +615,13 @@ const tests = {
     await check('refused with proposals');
     await page.evaluate(() => document.querySelector('details').setAttribute('open', ''));
     await check('all settings');
+    // Each is called by its title alone, and what it means is said behind that.
+    const radius = page.getByRole('textbox', {name: 'Tool radius, mm', exact: true});
+    assert.match(await page.textContent(`#${await radius.getAttribute('aria-describedby')}`), /^the size of the tool/);
+    const untold = await page.evaluate(() => [...document.querySelectorAll('#form :is(input, select)')]
+      .filter(input => !document.getElementById(input.getAttribute('aria-labelledby'))?.textContent || !document.getElementById(input.getAttribute('aria-describedby'))?.textContent)
+      .map(input => input.name));
+    assert.deepEqual(untold, []);
     await show(page, join(top, 'tests/programs/good/t17_bottleneck_not_seen.nc'));
     await check('too near');
     await show(page, join(top, 'client/samples/bracket.nc'));

@@ -32,6 +32,7 @@ TEST_P(SlipOfTyping, IsNamedInEveryDialect) {
     SCOPED_TRACE(dialect_of(name).spelling);
     const Reading reading = read(slipped.line, {.dialect = name});
     ASSERT_FALSE(reading.diagnostics.empty());
+    EXPECT_EQ(reading.diagnostics.size(), 1U) << "the rest of the word is told with it";
     const Diagnostic& found = reading.diagnostics.front();
     EXPECT_EQ(place_and_code(found), slipped.place_and_code) << message_of(found);
     EXPECT_EQ(found.detail, slipped.word);
@@ -51,6 +52,7 @@ INSTANTIATE_TEST_SUITE_P(
         Slipped{"N10 GO X10", "1:5 900008", "GO", SlipKind::letter_o, "G0"},
         Slipped{"G0l X10", "1:1 900008", "G0l", SlipKind::letter_l, "G01"},
         Slipped{"G1 X-O.5", "1:4 900008", "X-O.5", SlipKind::letter_o, "X-0.5"},
+        Slipped{"G1 X4O. Y5", "1:4 900008", "X4O.", SlipKind::letter_o, "X40."},
         Slipped{"G1 X\u221210.5 Y3", "1:4 900008", "X\u221210.5", SlipKind::other_keyboard,
                 "X-10.5"},
         Slipped{"G1 X\u201310", "1:4 900008", "X\u201310", SlipKind::other_keyboard, "X-10"},
@@ -115,6 +117,19 @@ TEST(UnitOfAnother, SaysHowIsgCountsInMm) {
   const std::string help = help_of(reading.diagnostics.front());
   EXPECT_NE(help.find("G71"), std::string::npos) << help;
   EXPECT_NE(help.find("--dialect fanuc"), std::string::npos) << help;
+}
+
+// Nothing else looks like it, so that a wrong --dialect is named as such.
+TEST(WrongDialect, IsSaidOfKlartextWhateverIsDeclared) {
+  for (const DialectName name : dialects) {
+    SCOPED_TRACE(dialect_of(name).spelling);
+    const Reading reading =
+        read("0 BEGIN PGM A MM\n1 TOOL CALL 1 Z S2000\n2 L X-20 Y-20 R0 FMAX\n", {.dialect = name});
+    ASSERT_FALSE(reading.diagnostics.empty());
+    EXPECT_EQ(reading.diagnostics.front().code, Code::other_dialect);
+    EXPECT_TRUE(reading.diagnostics.front().detail.ends_with(", as in heidenhain"))
+        << reading.diagnostics.front().detail;
+  }
 }
 
 }  // namespace

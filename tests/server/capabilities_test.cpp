@@ -4,6 +4,7 @@
 #include <sstream>
 #include <string>
 
+#include "proto/wire/settings.h"
 #include "server/in_process.h"
 #include "server/rpc/get_server_info.h"
 #include "tests/server/calls.h"
@@ -134,6 +135,25 @@ TEST(Capabilities, TermsOfTheRadiusAreThoseOfTheSetup) {
   }
   EXPECT_EQ(names,
             (std::vector<std::string>{"tool_radius", "wear", "allowance", "nominal_radius"}));
+}
+
+TEST(Capabilities, SettingsAreThoseThatASetupTakes) {
+  const v1::GetServerInfoResponse info = server_info();
+  std::map<std::string, const v1::Setting*> settings;
+  for (const v1::Setting& setting : info.settings()) {
+    settings[setting.name()] = &setting;
+    EXPECT_FALSE(setting.meaning().empty()) << setting.name();
+    EXPECT_EQ(setting.has_min(), setting.has_max()) << setting.name();
+    if (setting.default_value().empty()) continue;
+    v1::ProgramSetup setup;
+    EXPECT_EQ(wire::apply_setting(setting.name() + "=" + setting.default_value(), setup), "");
+  }
+  ASSERT_TRUE(settings.contains("block_skip"));
+  EXPECT_EQ(settings["block_skip"]->values(), "refuse, execute, leave_out");
+  EXPECT_EQ(settings["block_skip"]->default_value(), "refuse");
+  ASSERT_TRUE(settings.contains("wear"));
+  EXPECT_EQ(settings["wear"]->unit(), "mm");
+  EXPECT_LT(settings["wear"]->min(), 0);
 }
 
 }  // namespace

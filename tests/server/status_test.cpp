@@ -82,6 +82,10 @@ TEST(Status, EveryRefusalHasItsCodeAndReason) {
     EXPECT_EQ(info.domain(), "trc.v1");
     EXPECT_EQ(info.metadata().at("got"), "7");
     EXPECT_NE(status.message().find("something"), std::string::npos);
+    const std::string german = translated(status.message(), {refusal_sentences()});
+    EXPECT_NE(german, status.message());
+    EXPECT_EQ(german.find(" the "), std::string::npos) << german;
+    EXPECT_NE(german.find("something"), std::string::npos) << german;
     if (tested.retry) {
       EXPECT_GT(detail<google::rpc::RetryInfo>(status).retry_delay().seconds(), 0);
     }

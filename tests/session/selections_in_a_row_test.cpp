@@ -76,5 +76,23 @@ TEST(SelectionsInARow, LeadsOfOneAreNotThoseOfTheNext) {
   }
 }
 
+// Leads that are masked bound no material, so that no wall is left out.
+TEST(MaskedLeads, LeaveOutNoLength) {
+  const std::string program =
+      "G00 X-20 Y-20 F1000\nG141\nV.G.WZ_AKT.R = 5\nG41 G01 X0 Y0\nX20\nY-3\nX22\nY0\nX60\nY60\n"
+      "G40 X80 Y80\nM30\n";
+  ProgramSessionSetup setup;
+  for (const std::uint64_t leads : {0U, 4U}) {
+    setup.session.compensator.leads = {.find = LeadSettings::Find::counted, .blocks_in = leads};
+    const ProgramRun run = to_blocks(program, setup);
+    ASSERT_TRUE(run.completed) << run.reports();
+    const auto told = std::ranges::find(run.diagnostics, Code::blocks_masked, &Diagnostic::code);
+    ASSERT_NE(told, run.diagnostics.end()) << run.reports();
+    const bool says_length = std::ranges::find(told->values, "left_out_length",
+                                               &DiagnosticValue::name) != told->values.end();
+    EXPECT_EQ(says_length, leads == 0) << message_of(*told);
+  }
+}
+
 }  // namespace
 }  // namespace trc::testing

@@ -462,10 +462,6 @@ TEST(Walls, LongLeadsMayGoStraightOn) {  // D-38
   };
   EXPECT_EQ((Ranges{{0, 1}, {2, 3}}), walls_of(boss(2 * pi), Side::right).leads);
   EXPECT_TRUE(walls_of(boss(2 * pi), Side::left).leads.empty());
-  const Drawing square =
-      Drawing(2, -8).line(2, 0).line(2, 2).line(-2, 2).line(-2, -2).line(2, -2).line(2, 0).line(2,
-                                                                                                8);
-  EXPECT_EQ((Ranges{{0, 1}, {6, 7}}), walls_of(square, Side::right).leads);
 }
 
 // Half circles that begin and end in one point, or cross, close nothing there.

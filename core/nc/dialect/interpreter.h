@@ -342,6 +342,7 @@ class Interpreter {
   bool refuse_at(const WordPlace& place, Code code, std::string detail);
   [[nodiscard]] WordPlace place_of_word(const ProgramLine& line, std::uint32_t begin) const;
   [[nodiscard]] static TextFault with_slip(const ProgramLine& line, TextFault fault);
+  [[nodiscard]] bool is_within_slip(const Diagnostic& found) const;
   bool refuse(const ProgramLine& line, const Word& word, Code code, std::string detail = {});
   void guard_against_other_dialects(const ProgramLine& line, Diagnostic& fault) const;
   // From this line on.

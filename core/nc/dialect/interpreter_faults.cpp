@@ -39,9 +39,18 @@ bool Interpreter::refuse(const ProgramLine& line, const TextFault& given) {
   if (knows_columns_)
     refused.column = line_begin == 0 ? column_of(fault.begin)
                                      : static_cast<std::uint32_t>(fault.begin - line_begin + 1);
+  if (is_within_slip(refused)) return false;
   refused.slip = fault.slip;
   guard_against_other_dialects(line, refused);
   return collect(std::move(refused));
+}
+
+// The rest of a word that was told as a whole.
+bool Interpreter::is_within_slip(const Diagnostic& found) const {
+  if (faults_.empty() || faults_.back().slip.kind == SlipKind::none) return false;
+  const Fault& told = faults_.back();
+  return told.source.line == found.source.line && found.column > told.column &&
+         found.column < told.column + told.detail.size();
 }
 
 bool Interpreter::refuse_at(const WordPlace& place, Code code, std::string detail) {
@@ -51,16 +60,18 @@ bool Interpreter::refuse_at(const WordPlace& place, Code code, std::string detai
 }
 
 // What cannot be read as ISG, in a program that has no word of its own, may be of another dialect.
+// Of a dialect that was declared that is said of Klartext alone, whose lines look like nothing
+// else.
 void Interpreter::guard_against_other_dialects(const ProgramLine& line, Diagnostic& fault) const {
   constexpr std::array codes{Code::nc_syntax, Code::nc_unknown_function, Code::nc_unsupported,
                              Code::nc_number, Code::nc_axis_unknown,     Code::nc_word_twice};
   const bool mistyped =
       fault.slip.kind != SlipKind::none && fault.slip.kind != SlipKind::unit_of_another;
-  if (dialect_.name != DialectName::isg || isg_word_seen_ || mistyped ||
-      std::ranges::find(codes, fault.code) == codes.end())
-    return;
+  if (isg_word_seen_ || mistyped || std::ranges::find(codes, fault.code) == codes.end()) return;
   const auto other = looks_like(line.text);
-  if (!other) return;
+  const bool is_declared = dialect_.name != DialectName::isg;
+  if (!other || *other == dialect_.name || (is_declared && *other != DialectName::heidenhain))
+    return;
   fault.code = Code::other_dialect;
   fault.detail.append(", as in ").append(dialect_of(*other).spelling);
 }

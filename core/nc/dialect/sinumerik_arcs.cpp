@@ -149,7 +149,11 @@ bool Interpreter::take_sweep(ProgramLine& line, BlockWords& block) {
   const Point start = to_plane(state_.mode().plane, state_.position()) / length_unit();
   const bool has_center = move.center[axes.first] || move.center[axes.second];
   const bool has_end = move.end[axes.first] || move.end[axes.second];
-  if (!(*block.sweep > 0 && *block.sweep < 360) || has_center == has_end || move.radius)
+  if (!(*block.sweep > 0 && *block.sweep < 360))
+    return refuse(line, TextFault{.code = Code::nc_number,
+                                  .begin = *block.center,
+                                  .detail = "AR=, more than 0 and below 360"});
+  if (has_center == has_end || move.radius)
     return refuse(line, TextFault{.code = Code::circle_incomplete,
                                   .begin = *block.center,
                                   .detail = "AR= with either its end or its centre"});

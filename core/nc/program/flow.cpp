@@ -36,6 +36,12 @@ std::uint32_t Flow::line_in_program() const {
   return 0;
 }
 
+std::int64_t Flow::number_in_program() const {
+  for (auto frame = frames_.rbegin(); frame != frames_.rend(); ++frame)
+    if (frame->text == 0) return head_of(texts_[0].line(frame->current)).number;
+  return Source::no_number;
+}
+
 std::uint32_t Flow::line_within() const {
   const Frame& frame = frames_.back();
   return frame.text == 0 ? 0 : texts_[frame.text].number(frame.current);

@@ -66,6 +66,8 @@ class Flow {
   // Of the line that was executed last: its line in the program, of a given subprogram that of the
   // call; and what calls it.
   [[nodiscard]] std::uint32_t line_in_program() const;
+  // The N word of that line, or Source::no_number.
+  [[nodiscard]] std::int64_t number_in_program() const;
   [[nodiscard]] CallPlaces::Chain chain() const { return frames_.back().chain; }
   [[nodiscard]] std::uint32_t line_within() const;
   [[nodiscard]] std::uint64_t executed_lines() const { return executed_; }

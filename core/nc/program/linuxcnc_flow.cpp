@@ -302,9 +302,14 @@ const LinuxcncFlow::OWord* LinuxcncFlow::last_of(
 }
 
 bool LinuxcncFlow::skip_behind(const OWord* word, std::string_view statement) {
-  if (word == nullptr)
+  if (word == nullptr) {
+    const bool of_loop = statement == "break" || statement == "continue";
+    const std::string other = of_loop                        ? "a loop"
+                              : statement.starts_with("end") ? std::string(statement.substr(3))
+                                                             : "end" + std::string(statement);
     return refuse(Code::block_structure, head_.behind,
-                  std::string(statement).append(" without the other end"));
+                  std::string(statement).append(" without ").append(other));
+  }
   frame().next = word->line + 1;
   return true;
 }

@@ -213,6 +213,7 @@ bool ProgramReader::read_flat_lines(std::vector<LinePointer>& lines) {
 bool ProgramReader::take_refusals() {
   for (Diagnostic refusal : flow_->refusals()) {
     refusal.source.line = flow_->line_in_program();
+    refusal.source.number = flow_->number_in_program();
     refusal.calls = diagnostics_.calls().of(flow_->chain(), flow_->line_within());
     // Of a line of another text the column says nothing.
     if (flow_->line_within() > 0) refusal.column = 0;

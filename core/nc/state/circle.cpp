@@ -69,11 +69,11 @@ CircleResult arc_about(const Point& center, const CircleEnds& ends, const Circle
             : std::max(check.largest_shift, check.largest_shift_factor * radius);  // D-35
     if (shift > limit)
       return CircleFault{.code = Code::circle_center_misfit,
-                         .values = {{"center_shift", shift},
-                                    {"largest_shift", limit},
+                         .values = {{"start_radius", start_radius},
+                                    {"end_radius", end_radius},
                                     {"corrected_radius", radius},
-                                    {"start_radius", start_radius},
-                                    {"end_radius", end_radius}}};
+                                    {"center_shift", shift},
+                                    {"largest_shift", limit}}};
   } else {
     const double difference = std::abs(start_radius - end_radius);
     const double limit = std::min(check.largest_radius_difference,

@@ -94,7 +94,8 @@ CodeWord CodeReader::next() {
                 sign == '#' ? "#, a variable" : "[, an expression");
   const auto byte = static_cast<unsigned char>(sign);
   if (byte < 0x20 || byte >= 0x7f)
-    return fail(Code::nc_not_text, begin, line_.size(), "outside a comment");
+    return fail(Code::nc_not_text, begin, line_.size(),
+                name_of_character(line_.substr(begin)) + ", outside a comment");
   return fail(Code::nc_syntax, begin, begin + 1, std::string(1, sign));
 }
 

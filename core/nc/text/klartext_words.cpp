@@ -86,7 +86,9 @@ KlartextWord KlartextReader::next() {
     return numbered(std::move(number));
   }
   const auto byte = static_cast<unsigned char>(sign);
-  if (byte < 0x20 || byte >= 0x7f) return fail(Code::nc_not_text, begin, "outside a comment");
+  if (byte < 0x20 || byte >= 0x7f)
+    return fail(Code::nc_not_text, begin,
+                name_of_character(block_.substr(begin)) + ", outside a comment");
   return fail(Code::nc_syntax, begin, std::string(1, sign));
 }
 

@@ -104,8 +104,10 @@ std::optional<FoundSlip> letter_for_digit(std::string_view line, std::size_t at)
   if (begin > 0 && (is_letter(line[begin - 1]) || line[begin - 1] == '_')) return std::nullopt;
   std::size_t first = begin + 1;
   if (sign(first) == '+' || sign(first) == '-') ++first;
-  // A letter that could begin a word of its own is one only where the fault lies.
-  const std::size_t slip = at == begin ? first : at;
+  // A letter that could begin a word of its own is one only where the fault lies, or right behind
+  // it, where the letter was taken for such a word.
+  const bool behind = at > first && !is_letter_for_digit(sign(at));
+  const std::size_t slip = at == begin ? first : at - (behind ? 1 : 0);
   if (!is_letter_for_digit(sign(slip))) return std::nullopt;
   if (sign(slip) == 'l' && slip > first && is_digit(sign(slip + 1))) return std::nullopt;
   std::size_t end = begin + 1;

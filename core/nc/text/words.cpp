@@ -324,11 +324,27 @@ inline bool WordReader::number(double& value, bool& whole) {
          std::abs(value) <= std::numeric_limits<double>::max();
 }
 
+// L NAME, LL NAME, LM06
+Word WordReader::subprogram_call(const char* begin) {
+  const auto of_name = [](char sign) {
+    return is_letter(sign) || is_digit(sign) || sign == '_' || sign == '.';
+  };
+  const char* end = std::find_if_not(begin, end_, of_name);
+  const bool is_bare = std::all_of(begin, end, [](char sign) { return upper(sign) == 'L'; });
+  if (is_bare && end != end_ && *end == ' ') {
+    // L X+10 is a motion of Klartext.
+    const char* const name = std::find_if(end, end_, [](char sign) { return sign != ' '; });
+    const char* const behind = std::find_if_not(name, end_, of_name);
+    if (behind - name > 1) end = behind;
+  }
+  return fail(Code::nc_unsupported, begin, std::string(begin, end) + ", a subprogram call");
+}
+
 // Blanks and one `=` may stand in front of the number.
 Word WordReader::address() {
   const char* const begin = at_++;
   Word word{.kind = WordKind::address, .letter = upper(*begin), .begin = place_of(begin)};
-  if (word.letter == 'L') return fail(Code::nc_unsupported, begin, "L, a subprogram call");
+  if (word.letter == 'L') return subprogram_call(begin);
   if (word.letter == 'P') return fail(Code::nc_unsupported, begin, "P, a parameter");
   const std::string_view rest = line_.substr(word.begin);
   if (const std::size_t length = word.letter == 'S' ? behind_spindle_words(rest) : 0; length > 0) {

@@ -64,6 +64,7 @@ class WordReader {
   void pass_blanks();
   [[nodiscard]] bool skip_blanks();
   [[nodiscard]] bool skip_line_end();
+  Word subprogram_call(const char* begin);
   [[nodiscard]] Word address();
   [[nodiscard]] Word number_alone();
   [[nodiscard]] Word comment();

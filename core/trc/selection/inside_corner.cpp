@@ -95,8 +95,9 @@ bool InsideCorner::check_contour(const PathBlock& approach, const PathBlock& fir
   start.before.tangent = approach.tangent_at_end;
   start.before.anchor = approach.offset_end;
   if (kind_of(start, tolerances_) != CornerKind::outside) return true;
-  return refuse(Code::inside_corner_angle_too_large, approach,
-                {{"angle", transition_angle(start, tolerances_) * degrees}, {"limit", 180}});
+  return refuse(
+      Code::inside_corner_angle_too_large, approach,
+      {{"angle", transition_angle(start, tolerances_) * degrees}, {"largest_angle", 180}});
 }
 
 // The tool stands free of the contour where it starts, and comes in between the

@@ -1,0 +1,129 @@
+#include "proto/wire/json_fault.h"
+
+#include <google/protobuf/descriptor.h>
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <span>
+#include <utility>
+
+namespace trc::wire {
+namespace {
+
+using Pair = std::pair<std::string_view, std::string_view>;
+
+// Of text that is no JSON.
+constexpr auto of_syntax = std::to_array<Pair>({
+    {"Unexpected end of string", "the text ends too early"},
+    {"Closing quote expected", "the closing quote is missing"},
+    {"Expected an object key", "the name of a field in quotes, or } is expected"},
+    {"Expected : between", "a colon is expected behind the name"},
+    {"Expected , or ]", "a comma or ] is expected"},
+    {"Expected , or }", "a comma or } is expected"},
+    {"Expected a value", "a value is expected"},
+    {"Unexpected token", "this is no value"},
+    {"Unable to parse number", "this is no number"},
+    {"Number exceeds", "this number is too large"},
+    {"Parsing terminated", "something stands behind the end"},
+    {"Encountered non UTF-8", "this is no UTF-8"},
+    {"Invalid escape", "this is no escape sequence"},
+    {"Illegal hex", "this is no escape sequence"},
+    {"Message too deep", "it is nested too deeply"},
+});
+
+constexpr auto of_types = std::to_array<Pair>({
+    {"TYPE_DOUBLE", "a number"},
+    {"TYPE_FLOAT", "a number"},
+    {"TYPE_INT32", "a whole number"},
+    {"TYPE_INT64", "a whole number"},
+    {"TYPE_UINT32", "a whole number"},
+    {"TYPE_UINT64", "a whole number"},
+    {"TYPE_BOOL", "true or false"},
+    {"TYPE_STRING", "text"},
+    {"TYPE_BYTES", "text in Base64"},
+});
+
+std::optional<std::string_view> begun_by(std::span<const Pair> rows, std::string_view text) {
+  const auto row =
+      std::ranges::find_if(rows, [&](const Pair& one) { return text.starts_with(one.first); });
+  if (row == rows.end()) return std::nullopt;
+  return row->second;
+}
+
+// What a field takes whose type protobuf names.
+std::string taken_by(std::string_view type) {
+  if (const auto words = begun_by(of_types, type)) return std::string(*words);
+  const std::string name(type.substr(type.rfind('/') + 1));
+  const auto* const pool = google::protobuf::DescriptorPool::generated_pool();
+  const auto* const of_words = pool->FindEnumTypeByName(name);
+  if (of_words == nullptr) return "an object in { }";
+  std::string words;
+  for (int i = 0; i < of_words->value_count(); ++i)
+    words += (i > 0 ? ", " : "") + of_words->value(i)->name();
+  return words;
+}
+
+// "line 3, column 12: ", of what stands once in the text; else what stands there.
+std::string place_of(std::string_view excerpt, std::size_t mark, std::string_view text) {
+  const std::size_t at = text.find(excerpt);
+  if (at == text.npos || text.find(excerpt, at + 1) != text.npos)
+    return "at " + std::string(excerpt.substr(std::min(mark, excerpt.size()))) + ": ";
+  const std::string_view before = text.substr(0, at + mark);
+  const auto line = 1 + std::ranges::count(before, '\n');
+  const std::size_t column = before.size() - (before.rfind('\n') + 1) + 1;
+  return "line " + std::to_string(line) + ", column " + std::to_string(column) + ": ";
+}
+
+// "(setup.options) revers: …" or "(setup.tool_radius): …": the field, and what is said of it.
+std::pair<std::string, std::string_view> field_and_rest(std::string_view said) {
+  std::string field;
+  if (said.starts_with('(')) {
+    const std::size_t close = said.find(')');
+    field = said.substr(1, close - 1);
+    said.remove_prefix(std::min(close + 1, said.size()));
+  }
+  if (said.starts_with(' ')) said.remove_prefix(1);
+  const std::size_t colon = said.find(": ");
+  if (colon == said.npos) return {field, said};
+  if (colon > 0) field.append(field.empty() ? "" : ".").append(said.substr(0, colon));
+  return {field, said.substr(colon + 2)};
+}
+
+std::optional<std::string> fault_of_field(std::string_view said) {
+  constexpr std::string_view invalid = "invalid value ";
+  constexpr std::string_view for_type = " for type ";
+  constexpr std::string_view object = "Starting an object";
+  const auto [field, rest] = field_and_rest(said);
+  if (rest.starts_with("Root element")) return "it must be an object in { }";
+  if (rest.starts_with("Cannot find field")) return field + ": there is no such field";
+  if (rest.starts_with("Proto field is not repeating"))
+    return field + ": it takes one value, no list";
+  const std::size_t type_at = rest.rfind(for_type);
+  if (!rest.starts_with(invalid) || type_at == rest.npos) return std::nullopt;
+  const std::string_view type = rest.substr(type_at + for_type.size());
+  const std::string_view value = rest.substr(invalid.size(), type_at - invalid.size());
+  if (value.starts_with(object))
+    return field + (field.empty() ? "" : ".") + std::string(type) +
+           ": it takes one value, no object";
+  return field + ": " + std::string(value) + " is not possible; it takes " + taken_by(type);
+}
+
+}  // namespace
+
+std::string json_fault(std::string_view said, std::string_view text) {
+  const std::size_t first = said.find('\n');
+  const std::string_view what = said.substr(0, first);
+  if (const auto words = begun_by(of_syntax, what)) {
+    // Below stands what is around the place, and below that an arrow.
+    const std::size_t last = said.rfind('\n');
+    if (first == said.npos || last == first) return std::string(*words);
+    const std::string_view excerpt = said.substr(first + 1, last - first - 1);
+    if (excerpt.empty()) return std::string(*words);
+    return place_of(excerpt, said.size() - last - 2, text) + std::string(*words);
+  }
+  if (auto fault = fault_of_field(what)) return *std::move(fault);
+  return what.empty() ? "it is no JSON" : std::string(what);
+}
+
+}  // namespace trc::wire

@@ -1,0 +1,12 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace trc::wire {
+
+// What protobuf says of JSON that it cannot read, as a sentence about the text: the field or the
+// place, what stands there and what it takes.
+[[nodiscard]] std::string json_fault(std::string_view said, std::string_view text);
+
+}  // namespace trc::wire

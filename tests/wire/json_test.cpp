@@ -1,0 +1,69 @@
+#include "proto/wire/json.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "core/base/sentences.h"
+#include "proto/wire/setting_sentences.h"
+#include "trc/v1/trc_service.pb.h"
+
+namespace trc::wire {
+namespace {
+
+std::string fault_of(const std::string& json) {
+  v1::PreviewPathRequest path;
+  return Json().read(json, path);
+}
+
+TEST(JsonFault, NamesTheFieldAndWhatItTakes) {
+  EXPECT_EQ(fault_of(R"({"setop":{}})"), "setop: there is no such field");
+  EXPECT_EQ(fault_of(R"({"setup":{"options":{"revers":true}}})"),
+            "setup.options.revers: there is no such field");
+  EXPECT_EQ(fault_of(R"({"setup":{"toolRadius":"5,5"}})"),
+            "setup.tool_radius: \"5,5\" is not possible; it takes a number");
+  EXPECT_EQ(fault_of(R"({"setup":{"lookAheadBlocks":1.5}})"),
+            "setup.look_ahead_blocks: 1.5 is not possible; it takes a whole number");
+  EXPECT_EQ(fault_of(R"({"setup":{"implicitContourMasking":"maybe"}})"),
+            "setup.implicit_contour_masking: \"maybe\" is not possible; it takes true or false");
+  EXPECT_EQ(fault_of(R"({"setup":{"plane":"XY"}})"),
+            "setup.plane: \"XY\" is not possible; it takes PLANE_UNSPECIFIED, PLANE_XY, PLANE_ZX, "
+            "PLANE_YZ");
+  EXPECT_EQ(fault_of(R"({"batch":{"blocks":[{"linear":5}]}})"),
+            "batch.blocks[0].linear: 5 is not possible; it takes an object in { }");
+  EXPECT_EQ(fault_of(R"({"setup":[1]})"), "setup: it takes one value, no list");
+  EXPECT_EQ(fault_of(R"({"setup":{"toolRadius":{}}})"),
+            "setup.tool_radius: it takes one value, no object");
+  EXPECT_EQ(fault_of("[]"), "it must be an object in { }");
+}
+
+TEST(JsonFault, NamesThePlaceInTheText) {
+  EXPECT_EQ(fault_of(""), "the text ends too early");
+  EXPECT_EQ(fault_of("{\n  \"setup\": {\"toolRadius\" 5}\n}"),
+            "line 2, column 26: a colon is expected behind the name");
+  EXPECT_EQ(fault_of("{\"setup\":{\"toolRadius\":5,5}}"),
+            "line 1, column 26: the name of a field in quotes, or } is expected");
+  EXPECT_EQ(fault_of("{\"setup\":{\"toolRadius\":tru}}"), "line 1, column 24: this is no value");
+  EXPECT_EQ(fault_of("{} x"), "line 1, column 4: something stands behind the end");
+  // What stands there more than once is shown.
+  const std::string block = R"({"linear":{"end":{"x":1 "y":2},"feed":100}},)";
+  EXPECT_EQ(fault_of(R"({"batch":{"blocks":[)" + block + block + "]}}").rfind("at \"y\":2}", 0), 0U)
+      << fault_of(R"({"batch":{"blocks":[)" + block + block + "]}}");
+}
+
+TEST(JsonFault, IsThereInGerman) {
+  for (const char* json :
+       {R"({"setop":{}})", R"({"setup":{"toolRadius":"5,5"}})", R"({"setup":{"plane":{}}})", "[]",
+        "", "{\"setup\":{\"toolRadius\" 5}}", "{\"setup\":{5}}", "{} x", R"({"setup":[1]})",
+        "{\"setup\":{\"toolRadius\":5 6}}", "{\"setup\":{\"toolRadius\":-}}",
+        R"({"setup":{"clientTag":"\uzz"}})", R"({"setup":{"clientTag":"a)"}) {
+    const std::string english = fault_of(json);
+    const std::string german = translated(english, {setting_sentences()});
+    EXPECT_NE(german, english) << json;
+    for (const char* word : {"the ", " is ", " no ", "takes", "expected", "line "})
+      EXPECT_EQ(german.find(word), std::string::npos) << german;
+  }
+}
+
+}  // namespace
+}  // namespace trc::wire
