@@ -1,6 +1,5 @@
 """Connections on their way to the server."""
 
-import select
 import socket
 import threading
 import time
@@ -8,65 +7,69 @@ import time
 
 class Proxy(threading.Thread):
     """Carries connections to the server. `mode`: pass, slow (little at a time), hold (nothing moves)
-    or cut (connections are reset, new ones too)."""
+    or cut (connections are lost, new ones too)."""
 
     def __init__(self, target):
         super().__init__(daemon=True)
         self.target, self.mode, self.stopped = target, "pass", False
         self.listener = socket.create_server(("127.0.0.1", 0), backlog=128)
+        self.listener.settimeout(0.1)
         self.port = self.listener.getsockname()[1]
-        self.pairs = {}
-
-    def close(self, end):
-        other = self.pairs.pop(end, None)
-        if other is not None:
-            self.pairs.pop(other, None)
-            other.close()
-        end.close()
-
-    def accept(self):
-        ours, _ = self.listener.accept()
-        if self.mode == "cut":
-            ours.close()
-            return
-        try:
-            theirs = socket.create_connection(("127.0.0.1", self.target), timeout=1)
-        except OSError:
-            ours.close()
-            return
-        self.pairs[ours], self.pairs[theirs] = theirs, ours
-
-    def carry(self, end):
-        other = self.pairs.get(end)
-        if other is None:
-            return
-        try:
-            data = end.recv(512 if self.mode == "slow" else 65536)
-            if data:
-                other.settimeout(5)
-                other.sendall(data)
-                return
-        except OSError:
-            pass
-        self.close(end)
 
     def run(self):
         while not self.stopped:
-            if self.mode == "cut":
-                for end in list(self.pairs):
-                    self.close(end)
-            if self.mode == "hold":
-                time.sleep(0.05)
-                continue
-            if self.mode == "slow":
-                time.sleep(0.01)
             try:
-                ready, _, _ = select.select([self.listener, *self.pairs], [], [], 0.05)
-            except (OSError, ValueError):
-                self.pairs = {a: b for a, b in self.pairs.items() if a.fileno() >= 0 and b.fileno() >= 0}
-                continue
-            for end in ready:
-                if end is self.listener:
-                    self.accept()
-                elif end in self.pairs:
-                    self.carry(end)
+                ours, _ = self.listener.accept()
+                ours.settimeout(None)
+                threading.Thread(target=self.carry_both_ways, args=(ours,), daemon=True).start()
+            except TimeoutError:
+                pass
+
+    def carry_both_ways(self, ours):
+        self.wait_while_held()
+        try:
+            with ours, socket.create_connection(("127.0.0.1", self.target), timeout=1) as theirs:
+                theirs.settimeout(None)
+                back = threading.Thread(target=self.carry, args=(theirs, ours), daemon=True)
+                back.start()
+                self.carry(ours, theirs)
+                back.join()
+        except OSError:
+            pass  # Nobody is there.
+
+    def carry(self, source, sink):
+        """Until one of the two has gone, which is the end of the other one as well."""
+        source.settimeout(0.1)
+        try:
+            while self.mode != "cut":
+                self.wait_while_held()
+                try:
+                    data = source.recv(512 if self.mode == "slow" else 65536)
+                except TimeoutError:
+                    continue
+                if not data:
+                    break
+                if self.mode == "slow":
+                    time.sleep(0.01)
+                self.wait_while_held()
+                self.send(sink, data)
+        except OSError:
+            pass
+        for end in (source, sink):
+            try:
+                end.shutdown(socket.SHUT_RDWR)
+            except OSError:
+                pass
+
+    def send(self, sink, data):
+        """However long the other side takes."""
+        left = memoryview(data)
+        while left and self.mode != "cut":
+            try:
+                left = left[sink.send(left):]
+            except TimeoutError:
+                pass
+
+    def wait_while_held(self):
+        while self.mode == "hold" and not self.stopped:
+            time.sleep(0.05)

@@ -60,7 +60,7 @@ class Test:
         self.honest = Honest(self)
         faults = [self.kill, self.restart, self.stop, self.cut, self.hold, self.slow, self.certificate,
                   self.broken_certificate, self.unread_log]
-        if self.server.clock.library is not None:
+        if self.server.clock.exists:
             faults.append(self.clock_jump)
         self.faults = Deck(self.rng, faults)
 
