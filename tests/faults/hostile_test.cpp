@@ -244,8 +244,8 @@ TEST(Hostile, LogThatCannotBeWrittenIsCountedAndHoldsUpNothing) {
 
   // With room again lines are whole, and begin behind the one that was torn.
   room(RLIM_INFINITY);
-  EXPECT_TRUE(eventually(
-      [&] { return server.log().find("\"log_lines_dropped\"") != std::string::npos; }));
+  EXPECT_TRUE(
+      eventually([&] { return server.log().find("\"log_lines_dropped\"") != std::string::npos; }));
   ASSERT_TRUE(ask_info(channel).ok());
   EXPECT_TRUE(eventually([&] { return server.log().ends_with("}\n"); }));
   int torn = 0;

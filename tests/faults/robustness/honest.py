@@ -70,6 +70,7 @@ class Honest:
         self.disk, self.package = SmallDisk(test.folder), python_package(test.folder)
         self.ways = [self.to_file, self.to_file, self.to_file, self.to_slow_pipe, self.to_full_disk,
                      self.measured, self.surveyed, self.by_http, self.by_http]
+        self.patient = [self.to_file, self.to_slow_pipe, self.to_full_disk, self.measured, self.surveyed]
         if self.package is not None:
             self.ways.append(self.by_python)
 
@@ -197,6 +198,9 @@ class Honest:
         full = way == self.to_full_disk and answer.code == WRONG_CALL and "No space left on device" in said
         if not full and (answer.code not in (NOT_REACHABLE, LIMIT) or not said):
             self.history.fail(f"{name}: exit {answer.code}, and says {said!r}")
+        told_to_wait = answer.code == LIMIT and "try again later" in said.splitlines()[-1]
+        if told_to_wait and way in self.patient and "waiting for up to" not in said:
+            self.history.fail(f"{name}: it has not waited: {said!r}")
         if answer.output:
             self.history.fail(f"{name}: exit {answer.code}, but left an output")
 

@@ -24,8 +24,8 @@ namespace {
 const std::atomic<std::int64_t>* mapped() {
   const char* path = std::getenv("SHIFTED_CLOCK");
   const int file = path == nullptr ? -1 : open(path, O_RDONLY | O_CLOEXEC);
-  void* memory = file < 0 ? MAP_FAILED
-                          : mmap(nullptr, sizeof(std::int64_t), PROT_READ, MAP_SHARED, file, 0);
+  void* memory =
+      file < 0 ? MAP_FAILED : mmap(nullptr, sizeof(std::int64_t), PROT_READ, MAP_SHARED, file, 0);
   if (file >= 0) close(file);
   return memory == MAP_FAILED ? nullptr : static_cast<const std::atomic<std::int64_t>*>(memory);
 }
@@ -75,8 +75,8 @@ std::time_t time(std::time_t* seconds) noexcept {
 
 int pthread_cond_timedwait(pthread_cond_t* condition, pthread_mutex_t* mutex,
                            const timespec* until) {
-  static auto* const real = next<int(pthread_cond_t*, pthread_mutex_t*, const timespec*)>(
-      "pthread_cond_timedwait");
+  static auto* const real =
+      next<int(pthread_cond_t*, pthread_mutex_t*, const timespec*)>("pthread_cond_timedwait");
   const timespec time = unshifted(*until);
   return real(condition, mutex, &time);
 }
