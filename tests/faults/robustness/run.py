@@ -29,6 +29,7 @@ import os
 import random
 import shutil
 import signal
+import subprocess
 import sys
 import tempfile
 import threading
@@ -152,8 +153,15 @@ class Test:
             self.server.wait_ready(20)
         elif ready != 200 and self.server.ready() != 200:
             self.history.fail(f"/readyz says {ready}, and nothing is disturbed")
+        elif ready == 200 and not (self.says_serving() or self.says_serving()) and self.server.ready() == 200:
+            self.history.fail("grpc.health.v1 does not say SERVING, /readyz says ready")
         if resident > self.server.memory_mib:
             self.history.fail(f"{resident:.0f} MiB resident, {self.server.memory_mib} are allowed")
+
+    def says_serving(self):
+        line = [self.trc, "health", "--server", f"127.0.0.1:{self.server.port}", "--tls-ca", self.honest.authority,
+                "--timeout-s", "10"]
+        return subprocess.run(line, capture_output=True, timeout=self.honest.longest_s).returncode == 0
 
     def check_recovery(self):
         """Nobody is there any more: what was taken comes back, and it serves at once."""
