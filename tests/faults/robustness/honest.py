@@ -67,7 +67,7 @@ class Honest:
         self.history, self.over, self.proxies = test.history, test.over, test.proxies
         self.longest_s = LONGEST_S * (5 if test.server.checked else 1)
         self.authority = os.path.join(test.folder, "ca.pem")
-        self.disk, self.package = SmallDisk(test.folder), python_package(test.folder)
+        self.package, self.disk = python_package(test.folder), SmallDisk(test.folder)
         self.ways = [self.to_file, self.to_file, self.to_file, self.to_slow_pipe, self.to_full_disk,
                      self.measured, self.surveyed, self.by_http, self.by_http]
         self.patient = [self.to_file, self.to_slow_pipe, self.to_full_disk, self.measured, self.surveyed]
