@@ -21,24 +21,41 @@
 
 namespace {
 
-const std::atomic<std::int64_t>* mapped() {
+using Shift = std::atomic<std::int64_t>;
+
+// No static variable here may be made by whoever comes first: others would wait for that by
+// syscall(), which is one of these functions.
+
+const Shift* mapped() {
   const char* path = std::getenv("SHIFTED_CLOCK");
   const int file = path == nullptr ? -1 : open(path, O_RDONLY | O_CLOEXEC);
   void* memory =
       file < 0 ? MAP_FAILED : mmap(nullptr, sizeof(std::int64_t), PROT_READ, MAP_SHARED, file, 0);
   if (file >= 0) close(file);
-  return memory == MAP_FAILED ? nullptr : static_cast<const std::atomic<std::int64_t>*>(memory);
+  return memory == MAP_FAILED ? nullptr : static_cast<const Shift*>(memory);
 }
 
 std::time_t shift() {
-  static const std::atomic<std::int64_t>* const seconds = mapped();
-  return seconds == nullptr ? 0 : seconds->load();
+  static constinit std::atomic<const Shift*> seconds = nullptr;
+  if (seconds.load() == nullptr) seconds.store(mapped());
+  return seconds.load() == nullptr ? 0 : seconds.load()->load();
 }
 
+// The function that the one here stands before.
 template <class Function>
-Function* next(const char* name) {
-  return reinterpret_cast<Function*>(dlsym(RTLD_NEXT, name));
-}
+class Next {
+ public:
+  explicit constexpr Next(const char* name) : name_(name) {}
+  Function* operator*() {
+    if (found_.load() == nullptr)
+      found_.store(reinterpret_cast<Function*>(dlsym(RTLD_NEXT, name_)));
+    return found_.load();
+  }
+
+ private:
+  const char* name_;
+  std::atomic<Function*> found_ = nullptr;
+};
 
 // A time of the shifted clock as the kernel knows it. One of the monotonic clock is far from it.
 timespec unshifted(timespec time) {
@@ -52,16 +69,16 @@ timespec unshifted(timespec time) {
 extern "C" {
 
 int clock_gettime(clockid_t clock, timespec* time) noexcept {
-  static auto* const real = next<int(clockid_t, timespec*)>("clock_gettime");
-  const int result = real(clock, time);
+  static constinit Next<int(clockid_t, timespec*)> real("clock_gettime");
+  const int result = (*real)(clock, time);
   if (result == 0 && (clock == CLOCK_REALTIME || clock == CLOCK_REALTIME_COARSE))
     time->tv_sec += shift();
   return result;
 }
 
 int gettimeofday(timeval* time, void* zone) noexcept {
-  static auto* const real = next<int(timeval*, void*)>("gettimeofday");
-  const int result = real(time, zone);
+  static constinit Next<int(timeval*, void*)> real("gettimeofday");
+  const int result = (*real)(time, zone);
   if (result == 0) time->tv_sec += shift();
   return result;
 }
@@ -75,14 +92,14 @@ std::time_t time(std::time_t* seconds) noexcept {
 
 int pthread_cond_timedwait(pthread_cond_t* condition, pthread_mutex_t* mutex,
                            const timespec* until) {
-  static auto* const real =
-      next<int(pthread_cond_t*, pthread_mutex_t*, const timespec*)>("pthread_cond_timedwait");
+  static constinit Next<int(pthread_cond_t*, pthread_mutex_t*, const timespec*)> real(
+      "pthread_cond_timedwait");
   const timespec time = unshifted(*until);
-  return real(condition, mutex, &time);
+  return (*real)(condition, mutex, &time);
 }
 
 long syscall(long number, ...) noexcept {
-  static auto* const real = next<long(long, ...)>("syscall");
+  static constinit Next<long(long, ...)> real("syscall");
   va_list list;
   va_start(list, number);
   long arguments[6];
@@ -94,8 +111,8 @@ long syscall(long number, ...) noexcept {
     time = unshifted(*reinterpret_cast<const timespec*>(arguments[3]));
     arguments[3] = reinterpret_cast<long>(&time);
   }
-  return real(number, arguments[0], arguments[1], arguments[2], arguments[3], arguments[4],
-              arguments[5]);
+  return (*real)(number, arguments[0], arguments[1], arguments[2], arguments[3], arguments[4],
+                 arguments[5]);
 }
 
 }  // extern "C"
