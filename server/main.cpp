@@ -205,6 +205,7 @@ int main(int argc, char** argv) {
   trc::server::HeapReserve::install();
   const sigset_t signals = block_signals();
   std::signal(SIGPIPE, SIG_IGN);
+  std::signal(SIGXFSZ, SIG_IGN);  // a log that may not grow any more
   adopt_grpc_log(command_line.config);
   using trc::server::ThreadReserve;
   const std::size_t spare = ThreadReserve::usual();

@@ -239,12 +239,13 @@ void Server::look_after_health() {
 void Server::look_after_log() {
   const Log::Counts counts = Log::counts();
   if (counts.overwritten == dropped_lines_.overwritten &&
-      counts.over_rate == dropped_lines_.over_rate)
+      counts.over_rate == dropped_lines_.over_rate && counts.failed == dropped_lines_.failed)
     return;
   dropped_lines_ = counts;
   backend_.telemetry.log.warning(LogLine("log_lines_dropped")
                                      .number("unread", counts.overwritten)
-                                     .number("over_rate", counts.over_rate));
+                                     .number("over_rate", counts.over_rate)
+                                     .number("failed", counts.failed));
 }
 
 void Server::reload_certificates() {

@@ -44,6 +44,9 @@ grpc::ChannelArguments channel_arguments(const ConnectionOptions& options,
   set(GRPC_ARG_INITIAL_RECONNECT_BACKOFF_MS, options.resume.first_wait);
   set(GRPC_ARG_MIN_RECONNECT_BACKOFF_MS, options.resume.longest_wait);
   set(GRPC_ARG_MAX_RECONNECT_BACKOFF_MS, options.resume.longest_wait);
+  // Sessions begin anew by themselves. gRPC 1.51, which tries a call again that no server has seen,
+  // forgets what is asked of the call when that fails too: whoever waits for it waits for ever.
+  arguments.SetInt(GRPC_ARG_ENABLE_RETRIES, 0);
   if (options.separate) arguments.SetInt(GRPC_ARG_USE_LOCAL_SUBCHANNEL_POOL, 1);
   return arguments;
 }

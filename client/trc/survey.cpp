@@ -1,10 +1,12 @@
 #include "client/trc/survey.h"
 
+#include <google/protobuf/util/message_differencer.h>
 #include <grpcpp/channel.h>
 
 #include <algorithm>
 #include <cstddef>
 #include <memory>
+#include <vector>
 
 #include "client/trc/resume_clock.h"
 #include "client/trc/stream.h"
@@ -15,6 +17,7 @@ namespace {
 
 using Request = v1::SurveyRadiiRequest;
 using Response = v1::SurveyRadiiResponse;
+using google::protobuf::util::MessageDifferencer;
 
 // As of RemoteProgramSession.
 constexpr std::size_t chunk_bytes = 64 * 1024;
@@ -51,6 +54,52 @@ std::optional<Failure> ask(const Connection& connection, const v1::SurveySetup& 
   return whole ? std::nullopt : std::optional(missing_summary());
 }
 
+// What has been handed on. A survey that is asked for again begins anew: what comes again is held
+// against it, and goes no further.
+class Handed {
+ public:
+  explicit Handed(const SurveySink& sink) : sink_(sink) {}
+
+  // Takes the answers of the next attempt.
+  [[nodiscard]] SurveySink again() {
+    at_ = 0;
+    progress_ = false;
+    return [this](const Response& response) { return take(response); };
+  }
+  [[nodiscard]] bool any() const { return !answers_.empty(); }
+  // Whether the last attempt came further than those before.
+  [[nodiscard]] bool progress() const { return progress_; }
+  [[nodiscard]] bool differs() const { return differs_; }
+  [[nodiscard]] bool unwanted() const { return unwanted_; }
+
+ private:
+  bool take(const Response& response) {
+    if (at_ < answers_.size()) {
+      differs_ = !MessageDifferencer::Equals(answers_[at_++], response);
+      return !differs_;
+    }
+    answers_.push_back(response);
+    ++at_;
+    progress_ = true;
+    unwanted_ = !sink_(response);
+    return !unwanted_;
+  }
+
+  const SurveySink& sink_;
+  std::vector<Response> answers_{};
+  std::size_t at_ = 0;
+  bool progress_ = false;
+  bool differs_ = false;
+  bool unwanted_ = false;
+};
+
+std::optional<Failure> ask_in_time(ResumeClock& clock, const Connection& connection,
+                                   const v1::SurveySetup& setup, std::string_view text,
+                                   const SurveySink& sink) {
+  const ResumeClock::Attempt attempt(clock);
+  return ask(connection, setup, text, sink);
+}
+
 }  // namespace
 
 std::optional<Failure> survey_program(const Connection& connection, const v1::SurveySetup& setup,
@@ -58,14 +107,14 @@ std::optional<Failure> survey_program(const Connection& connection, const v1::Su
   const ResumePolicy& policy = connection.resume_policy();
   ResumeClock clock(policy);
   const bool reached = connection.reach();
-  bool answered = false;
+  Handed handed(sink);
   for (;;) {
-    auto failure = ask(connection, setup, text, [&](const v1::SurveyRadiiResponse& response) {
-      answered = true;
-      return sink(response);
-    });
-    if (!failure || answered || policy.patience <= policy.patience.zero()) return failure;
-    if (!failure->asks_to_wait() && !(reached && failure->not_taken())) return failure;
+    auto failure = ask_in_time(clock, connection, setup, text, handed.again());
+    if (handed.differs()) return resumed_path_differs();
+    if (!failure || handed.unwanted() || policy.patience <= policy.patience.zero()) return failure;
+    const bool lost = handed.any() && failure->stream_lost();
+    if (!lost && !failure->asks_to_wait() && !(reached && failure->not_taken())) return failure;
+    if (handed.progress()) clock.restart();
     if (policy.waiting) policy.waiting(*failure);
     if (!clock.wait(failure->retry_after_seconds)) return failure;
   }

@@ -15,8 +15,8 @@ namespace trc::client {
 using SurveySink = std::function<bool(const v1::SurveyRadiiResponse& response)>;
 
 // Asks what tools of many radii make of an NC program. Nothing when all of it was answered. A
-// server that has no room, or dies before it says anything, is waited for as the connection's
-// ResumePolicy has it. A survey that is lost behind its first answer is not asked for again.
+// server that has no room, or is lost, is waited for as the connection's ResumePolicy has it: the
+// survey is asked for anew, and what comes again is not handed on a second time.
 [[nodiscard]] std::optional<Failure> survey_program(const Connection& connection,
                                                     const v1::SurveySetup& setup,
                                                     std::string_view text, const SurveySink& sink);

@@ -70,6 +70,13 @@ bool is_about_size(std::string_view reason) {
   return reason.ends_with("_TOO_LARGE") || reason.ends_with("_TOO_LONG");
 }
 
+// A limit that this request meets whenever it comes.
+bool is_beyond_a_limit(const grpc::Status& status, const google::rpc::Status& rich) {
+  bool may_come_again = false;
+  for_each<google::rpc::RetryInfo>(rich, [&](const auto&) { may_come_again = true; });
+  return status.error_code() == grpc::StatusCode::RESOURCE_EXHAUSTED && !may_come_again;
+}
+
 }  // namespace
 
 v1::Problem problem_of(const grpc::Status& status) {
@@ -88,7 +95,7 @@ v1::Problem problem_of(const grpc::Status& status) {
       problem.set_status(422);
       problem.set_title("The program cannot be compensated");
     }
-    if (is_about_size(info.reason())) problem.set_status(413);
+    if (is_about_size(info.reason()) || is_beyond_a_limit(status, rich)) problem.set_status(413);
     // Of a path there is one batch.
     if (info.reason() == "BATCH_TOO_LARGE")
       problem.set_detail("it has " + info.metadata().at("got") + " blocks, at most " +

@@ -1,5 +1,6 @@
 #include "server/telemetry/log.h"
 
+#include <poll.h>
 #include <spdlog/async_logger.h>
 #include <spdlog/details/null_mutex.h>
 #include <spdlog/details/thread_pool.h>
@@ -32,6 +33,7 @@ constexpr std::size_t most_waiting = 1024;
 class StandardOutput final : public spdlog::sinks::base_sink<spdlog::details::null_mutex> {
  public:
   [[nodiscard]] std::uint64_t written() const { return written_; }
+  [[nodiscard]] std::uint64_t failed() const { return failed_; }
   [[nodiscard]] double blocked_s() const {
     const Clock::rep since = writing_since_;
     if (since == 0) return 0;
@@ -42,20 +44,35 @@ class StandardOutput final : public spdlog::sinks::base_sink<spdlog::details::nu
  private:
   void sink_it_(const spdlog::details::log_msg& message) override {
     spdlog::memory_buf_t line;
+    if (torn_) line.push_back('\n');
     formatter_->format(message, line);
     writing_since_ = Clock::now().time_since_epoch().count();
-    for (std::size_t at = 0; at < line.size();) {
-      const ssize_t count = ::write(STDOUT_FILENO, line.data() + at, line.size() - at);
-      if (count < 0 && errno != EINTR) break;  // nobody is there any more
-      if (count > 0) at += static_cast<std::size_t>(count);
-    }
+    const std::size_t put = put_out({line.data(), line.size()});
     writing_since_ = 0;
-    ++written_;
+    if (put > 0) torn_ = line[put - 1] != '\n';
+    ++(put == line.size() ? written_ : failed_);
   }
   void flush_() override {}
 
+  // How many of the bytes are out: not all where nobody is there any more, or no room.
+  static std::size_t put_out(std::string_view bytes) {
+    std::size_t at = 0;
+    while (at < bytes.size()) {
+      const ssize_t count = ::write(STDOUT_FILENO, bytes.data() + at, bytes.size() - at);
+      if (count > 0) at += static_cast<std::size_t>(count);
+      if (count >= 0 || errno == EINTR) continue;
+      if (errno != EAGAIN) break;
+      // Whoever has opened it does not let us wait in write.
+      pollfd output{.fd = STDOUT_FILENO, .events = POLLOUT, .revents = 0};
+      ::poll(&output, 1, -1);
+    }
+    return at;
+  }
+
   std::atomic<Clock::rep> writing_since_ = 0;  // 0: not writing
   std::atomic<std::uint64_t> written_ = 0;
+  std::atomic<std::uint64_t> failed_ = 0;
+  bool torn_ = false;  // what came last is not the end of a line
 };
 
 // Standard output and the thread that writes it, shared by all logs of the process. It is never
@@ -79,10 +96,11 @@ class Output {
     return {.written = sink_->written(),
             .overwritten = threads_->overrun_counter(),
             .over_rate = over_rate_,
+            .failed = sink_->failed(),
             .blocked_s = sink_->blocked_s()};
   }
   [[nodiscard]] bool is_empty() const {
-    return sink_->written() + threads_->overrun_counter() >= put_;
+    return sink_->written() + sink_->failed() + threads_->overrun_counter() >= put_;
   }
 
  private:

@@ -77,6 +77,7 @@ class Log {
     std::uint64_t written = 0;
     std::uint64_t overwritten = 0;  // by newer lines, as nobody read them
     std::uint64_t over_rate = 0;    // more of one kind than a second may have
+    std::uint64_t failed = 0;       // not written, or in part: there was no room
     double blocked_s = 0;           // how long the line that is being written has been so
   };
   [[nodiscard]] static Counts counts() noexcept;

@@ -167,10 +167,11 @@ void Metrics::register_connections() {
 
 void Metrics::register_log() {
   auto& dropped = counters(*registry_, "trc_log_lines_dropped_total",
-                           "Log lines dropped: as nobody read them, or more than a second may "
-                           "have of a kind.");
+                           "Log lines dropped: as nobody read them, more than a second may have "
+                           "of a kind, or there was no room to write them.");
   log_overwritten_ = &dropped.Add({{"cause", "unread"}});
   log_over_rate_ = &dropped.Add({{"cause", "rate"}});
+  log_failed_ = &dropped.Add({{"cause", "failed"}});
   log_blocked_ = &gauge(*registry_, "trc_log_blocked_seconds",
                         "How long whoever reads the log has taken nothing.");
 }
@@ -221,6 +222,7 @@ void Metrics::set_pool(double longest_wait_s, std::uint64_t threads_missed) {
 void Metrics::set_log(const Log::Counts& counts) {
   set_total(*log_overwritten_, counts.overwritten);
   set_total(*log_over_rate_, counts.over_rate);
+  set_total(*log_failed_, counts.failed);
   log_blocked_->Set(counts.blocked_s);
 }
 

@@ -110,6 +110,7 @@ class Metrics {
   prometheus::Counter* threads_missed_ = nullptr;
   prometheus::Counter* log_overwritten_ = nullptr;
   prometheus::Counter* log_over_rate_ = nullptr;
+  prometheus::Counter* log_failed_ = nullptr;
   prometheus::Gauge* log_blocked_ = nullptr;
   prometheus::Family<prometheus::Gauge>* certificate_expiry_ = nullptr;
   prometheus::Family<prometheus::Counter>* certificate_reloads_ = nullptr;

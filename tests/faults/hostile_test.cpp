@@ -3,6 +3,7 @@
 #include <fcntl.h>
 #include <grpcpp/grpcpp.h>
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -14,6 +15,7 @@
 #include <future>
 #include <memory>
 #include <regex>
+#include <sstream>
 #include <string>
 #include <thread>
 #include <vector>
@@ -126,10 +128,10 @@ TEST(Hostile, SilentReflectionTakesNoThreadsAndEnds) {
 // A server whose log goes into a pipe that is read only when this test wants to.
 class UnreadServer {
  public:
-  explicit UnreadServer(const std::string& flags)
+  explicit UnreadServer(const std::string& flags, const std::string& launcher = "")
       : pipe_(made_pipe()),
         process_({"/bin/sh", "-c",
-                  std::string("exec ") + testing_support::trcd_program() +
+                  "exec " + launcher + testing_support::trcd_program() +
                       " --listen 127.0.0.1:0 --admin-listen 127.0.0.1:0 " + flags + " >" +
                       folder_.path("log")}) {
     eventually([&] {
@@ -169,6 +171,13 @@ class UnreadServer {
   Process process_;
   std::string log_;
 };
+
+int count_of(const std::string& text, const std::string& part) {
+  int count = 0;
+  for (std::size_t at = 0; (at = text.find(part, at)) != std::string::npos; at += part.size())
+    ++count;
+  return count;
+}
 
 grpc::Status ask_info(const std::shared_ptr<grpc::Channel>& channel) {
   grpc::ClientContext context;
@@ -212,6 +221,57 @@ TEST(Hostile, LogThatNobodyReadsDoesNotHoldUpTheEnd) {
   server.process().signal(SIGTERM);
   EXPECT_EQ(server.process().wait(), 0);
   EXPECT_LT(std::chrono::steady_clock::now() - begin, seconds(8));
+}
+
+// As where the disk is full: the file of the log may not grow any more.
+TEST(Hostile, LogThatCannotBeWrittenIsCountedAndHoldsUpNothing) {
+  const ServerProcess server({"--admin-listen", "127.0.0.1:0"});
+  ASSERT_FALSE(server.address().empty());
+  const auto channel = channel_to(server.address());
+  const auto room = [&](rlim_t bytes) {
+    const rlimit limit{.rlim_cur = bytes, .rlim_max = RLIM_INFINITY};
+    ASSERT_EQ(prlimit(server.id(), RLIMIT_FSIZE, &limit, nullptr), 0);
+  };
+  // The last line that finds room finds it in part only.
+  room(server.log().size() + 100);
+  constexpr int calls = 20;
+  for (int i = 0; i < calls; ++i) ASSERT_TRUE(ask_info(channel).ok()) << i;
+  const auto failed = [&] {
+    return metric(server.admin(), "trc_log_lines_dropped_total{cause=\"failed\"}");
+  };
+  EXPECT_TRUE(eventually([&] { return failed() >= calls; })) << failed();
+  EXPECT_EQ(testing_support::http_get(server.admin(), "/readyz"), "ready\n");
+
+  // With room again lines are whole, and begin behind the one that was torn.
+  room(RLIM_INFINITY);
+  EXPECT_TRUE(
+      eventually([&] { return server.log().find("\"log_lines_dropped\"") != std::string::npos; }));
+  ASSERT_TRUE(ask_info(channel).ok());
+  EXPECT_TRUE(eventually([&] { return server.log().ends_with("}\n"); }));
+  int torn = 0;
+  std::istringstream lines(server.log());
+  for (std::string line; std::getline(lines, line);) {
+    EXPECT_EQ(line.find("{\"ts\""), 0U) << line;
+    EXPECT_EQ(line.rfind("{\"ts\""), 0U) << line;
+    torn += line.ends_with('}') ? 0 : 1;
+  }
+  EXPECT_EQ(torn, 1) << server.log();
+  EXPECT_NE(server.log().find("\"failed\":"), std::string::npos);
+}
+
+// Who has started the server may have set the pipe so that it says that there is no room.
+TEST(Hostile, LogIntoAPipeThatDoesNotWaitLosesNothing) {
+  UnreadServer server("--max-log-lines-per-s 1000000",
+                      "/usr/bin/python3 -c 'import os, sys; os.set_blocking(1, False); "
+                      "os.execv(sys.argv[1], sys.argv[1:])' ");
+  ASSERT_FALSE(server.address().empty());
+  const auto channel = channel_to(server.address());
+  constexpr int calls = 400;
+  for (int i = 0; i < calls; ++i) ASSERT_TRUE(ask_info(channel).ok()) << i;
+  EXPECT_TRUE(eventually([&] {
+    server.read_log();
+    return count_of(server.log(), "\"GetServerInfo\"") == calls;
+  }));
 }
 
 TEST(Hostile, OneKindOfLineDoesNotFloodTheLog) {

@@ -2,6 +2,7 @@
 import base64
 import http.client
 import json
+import math
 import os
 import struct
 import subprocess
@@ -14,6 +15,13 @@ from server import NOTCH, SQUARE, Server, trc
 
 TEXT = {"Content-Type": "text/plain; charset=utf-8"}
 JSON = {"Content-Type": "application/json"}
+
+
+def laps(count):
+    """Laps of one circle with each block near those of all laps: much to be computed."""
+    blocks = [(20 * math.cos(2 * math.pi * i / 100), 20 * math.sin(2 * math.pi * i / 100)) for i in range(100)]
+    lap = "".join(f"X{x:.4f} Y{y:.4f}\n" for x, y in blocks)
+    return "G141\nG1 G41 V.G.WZ_AKT.R=0.5 X20 Y0 F800\n" + lap * count + "G40\nX0 Y0\nM30\n"
 
 
 def program_of(lines):
@@ -464,6 +472,18 @@ class Programs(unittest.TestCase):
             for body in ("{}", '{"setup":{}}', '{"batch":{}}', '{"columns":{}}'):
                 status, problem = self.server.ask_json("POST", "/v1/paths:" + path, body, JSON)
                 self.assertEqual((status, problem["reason"]), (400, "PATH_EMPTY"), path + body)
+
+    def test_a_program_that_can_never_fit_is_not_asked_for_again(self):
+        staircase = "G141\nG1 G41 V.G.WZ_AKT.R=0.01 X1 Y1 F800\nG91\n" + "X1\nY1\n" * 50_000
+        for reason, setting, value, program in (
+                ("MEMORY_LIMIT", "max-session-memory-mib", "16", staircase),
+                ("CPU_LIMIT", "max-selection-cpu-s", "1", laps(1000))):
+            with Server("--" + setting, value) as server:
+                status, headers, body = server.ask("POST", "/v1/programs:compensate", program, TEXT)
+            problem = json.loads(body)
+            self.assertEqual((status, problem["reason"]), (413, reason), problem)
+            self.assertIsNone(headers["Retry-After"])
+            self.assertIn(setting, problem["detail"])
 
     def test_a_path_that_can_never_fit_is_not_asked_for_again(self):
         def ask(count, headers):

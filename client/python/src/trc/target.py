@@ -18,6 +18,9 @@ _KEPT: list[tuple[str, Any]] = [
     ("grpc.initial_reconnect_backoff_ms", FIRST_WAIT_MS),
     ("grpc.min_reconnect_backoff_ms", LONGEST_WAIT_MS),
     ("grpc.max_reconnect_backoff_ms", LONGEST_WAIT_MS),
+    # Calls begin anew by themselves. gRPC 1.51, which tries one again that no server has seen, forgets
+    # what is asked of it when that fails too: whoever waits for it waits for ever, beyond its deadline.
+    ("grpc.enable_retries", 0),
 ]
 
 # Streams go to the servers in turn, but not to one that takes no work.

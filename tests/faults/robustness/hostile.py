@@ -1,0 +1,149 @@
+"""Clients that mean harm, each from an address of its own: what they take must not be that of others."""
+
+import os
+import random
+import signal
+import socket
+import ssl
+import subprocess
+import time
+import zlib
+
+import http2
+from deck import Deck
+
+COMPENSATE = b"/trc.v1.TrcService/CompensateProgram"
+HEALTH = b"/grpc.health.v1.Health/Check"
+INFLATED_BYTES = 256 << 20
+FLOOD_S = 3
+DEAF_S = 12  # longer than the server waits for a client
+POST = b"POST /v1/programs:compensate HTTP/1.1\r\nHost: localhost\r\nContent-Type: text/plain\r\n"
+
+
+def bomb():
+    """Next to nothing that becomes very much."""
+    packer = zlib.compressobj(9, zlib.DEFLATED, 31)
+    piece = bytes(1 << 20)
+    return b"".join(packer.compress(piece) for _ in range(INFLATED_BYTES >> 20)) + packer.flush()
+
+
+class Hostile:
+    def __init__(self, test, number, seed):
+        self.number, self.rng, self.held = number, random.Random(seed), []
+        self.history, self.over, self.server = test.history, test.over, test.server
+        self.cases, self.trc, self.proxies = test.cases, test.trc, test.proxies
+        self.authority = os.path.join(test.folder, "ca.pem")
+        self.address, self.bomb = f"127.0.0.{2 + number}", test.bomb
+        self.kinds = Deck(self.rng, [
+            self.garbage, self.preface, self.hold, self.storm, self.drop, self.compressed_bomb,
+            self.rapid_reset, self.empty_data, self.deaf, self.deaf_http, self.endless_head,
+            self.slow_head, self.half_body])
+
+    def run(self):
+        while not self.over.is_set():
+            kind = self.kinds.draw()
+            self.history.add(f"hostile {self.number}", kind.__name__)
+            try:
+                kind()
+            except OSError:
+                pass  # It has been thrown out, or nobody is there just now.
+            if len(self.held) > 60:
+                self.drop()
+            time.sleep(self.rng.random())
+        self.drop()
+
+    def connect(self, port=None):
+        return socket.create_connection(("127.0.0.1", port or self.server.port), 2, (self.address, 0))
+
+    def connect_tls(self, port=None, protocol="h2"):
+        context = ssl.create_default_context(cafile=self.authority)
+        context.set_alpn_protocols([protocol])
+        return context.wrap_socket(self.connect(port), server_hostname="127.0.0.1")
+
+    def flood(self, end, frames):
+        """`frames(stream)` again and again, until it is thrown out."""
+        stop, stream = time.monotonic() + FLOOD_S, 1
+        while time.monotonic() < stop and not self.over.is_set():
+            part = b""
+            for _ in range(200):
+                part, stream = part + frames(stream), stream + 2
+            end.sendall(part)
+
+    # --- at the port of gRPC --------------------------------------------------------------------
+
+    def garbage(self):
+        with self.connect() as end:
+            end.sendall(self.rng.randbytes(self.rng.randint(1, 4096)))
+
+    def preface(self):
+        with self.connect() if self.rng.random() < 0.5 else self.connect_tls() as end:
+            end.sendall(http2.GREETING + self.rng.randbytes(64))
+
+    def hold(self):
+        for _ in range(20):
+            self.held.append(self.connect())
+
+    def storm(self):
+        for _ in range(60):
+            self.connect().close()
+
+    def drop(self):
+        for end in self.held:
+            end.close()
+        self.held = []
+
+    def compressed_bomb(self):
+        with self.connect_tls() as end:
+            end.sendall(http2.greeting() + http2.call(1, self.rng.choice([COMPENSATE, HEALTH]),
+                                                      (b"grpc-encoding", b"gzip")))
+            end.sendall(http2.message(1, self.bomb, compressed=True))
+            end.recv(4096)
+
+    def rapid_reset(self):
+        with self.connect_tls() as end:
+            end.sendall(http2.greeting())
+            self.flood(end, lambda stream: http2.call(stream, COMPENSATE) + http2.reset(stream))
+
+    def empty_data(self):
+        with self.connect_tls() as end:
+            end.sendall(http2.greeting() + http2.call(1, COMPENSATE))
+            self.flood(end, lambda stream: http2.frame(http2.DATA, 0, 1))
+
+    def deaf(self):
+        """A client that has asked, and stands still with its connection open."""
+        case = self.rng.choice(self.cases)
+        process = subprocess.Popen(case.line(self.trc, "compensate", self.server.port, self.authority),
+                                   stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        time.sleep(self.rng.random())
+        process.send_signal(signal.SIGSTOP)
+        self.over.wait(DEAF_S)
+        process.kill()
+        process.wait()
+
+    # --- at the port of HTTP --------------------------------------------------------------------
+
+    def deaf_http(self):
+        with open(self.rng.choice(self.cases).source, "rb") as file:
+            text = file.read()
+        with self.connect_tls(self.server.http, "http/1.1") as end:
+            end.sendall(POST + b"Content-Length: %d\r\n\r\n" % len(text) + text)
+            self.over.wait(DEAF_S)
+
+    def endless_head(self):
+        with self.connect_tls(self.server.http, "http/1.1") as end:
+            end.sendall(POST)
+            stop = time.monotonic() + FLOOD_S
+            while time.monotonic() < stop:
+                end.sendall(b"X-%d: %s\r\n" % (self.rng.randrange(10**9), b"x" * self.rng.choice([8, 4000])))
+
+    def slow_head(self):
+        with self.connect_tls(self.server.http, "http/1.1") as end:
+            for byte in POST:
+                end.sendall(bytes([byte]))
+                if self.over.wait(0.1):
+                    break
+
+    def half_body(self):
+        with self.connect_tls(self.server.http, "http/1.1") as end:
+            end.sendall(POST + b"Content-Length: 1000000\r\n\r\n" + b"G1 X1\n" * self.rng.randrange(100000))
+            self.over.wait(self.rng.random() * DEAF_S)
