@@ -281,8 +281,8 @@ constexpr auto rows = std::to_array<CodeRow>({
      "than 64 KiB, jumps reach back only to the first line that computes."},
     {Code::subprogram_unknown, error, "SUBPROGRAM_UNKNOWN",
      "a subprogram is called that is not there",
-     "Put it behind the program, in the same text, or give its text in `subprograms` of the "
-     "setup."},
+     "Put it into the same text, where the dialect has it (ISG: in front of the program, behind "
+     "%L NAME), or give its text in `subprograms` of the setup."},
     {Code::machine_state, error, "MACHINE_STATE",
      "the program asks for, or changes, a state that only the machine knows",
      "Where its value is known, give it in `variables` of the setup; else take the line out."},

@@ -1017,8 +1017,9 @@ constexpr auto rows = std::to_array<Explanation>({
                 "they are given.",
      .causes = {"The subprogram is in the memory of the control, or in a file of its own.",
                 "A slip in its number or name."},
-     .on_command_line = "Put it behind the program, in the same file, or give its file: "
-                        "--subprograms FILE, or the folder.",
+     .on_command_line = "Put it into the same file, where the dialect has it (ISG: in front of "
+                        "the program, behind %L NAME), or give its file: --subprograms FILE, or "
+                        "the folder.",
      .example = "G0 X0 Y0\n"
                 "M98 P1001\n"
                 "M30\n",

@@ -153,7 +153,6 @@ class Selection {
     }
     if (!gouges_) return;
     ++report_.gouging;
-    if (held_.rule_of(own).accepts) ++report_.accepted;
   }
 
   // Laps on top of each other have the same path again and again: where a piece of it was clear,
@@ -430,8 +429,7 @@ class Selection {
             .required = near.required,
             .place = from_plane(rule.plane, near.point, path.height),
             .path = own.source,
-            .contour = near.wall,
-            .accepted = rule.accepts};
+            .contour = near.wall};
   }
 
   static Piece part_of(const Piece& piece, int part, int parts) {
@@ -509,7 +507,6 @@ void ClearanceReport::add(const ClearanceReport& other) {
   checked += other.checked;
   walls += other.walls;
   gouging += other.gouging;
-  accepted += other.accepted;
   wall_length += other.wall_length;
   touched_length += other.touched_length;
   steps += other.steps;

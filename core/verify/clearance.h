@@ -27,7 +27,6 @@ struct Clearance {
   Position place{};     // on the path, machine axes, mm
   Source path{};
   Source contour{};
-  bool accepted = false;  // IGNORE_CONT_DAMAGE holds there
 
   [[nodiscard]] double margin() const { return distance - required; }
 };
@@ -40,7 +39,6 @@ struct ClearanceReport {
   std::uint64_t checked = 0;         // blocks of the path
   std::uint64_t walls = 0;           // blocks of the contour they were compared with
   std::uint64_t gouging = 0;         // of these, with a margin below -`allowed` that is no touch
-  std::uint64_t accepted = 0;        // of these, under IGNORE_CONT_DAMAGE
 
   double wall_length = 0;     // mm, of all walls
   double touched_length = 0;  // mm, of these, that the path touches

@@ -46,7 +46,6 @@ std::uint32_t HeldPath::number_of(const std::shared_ptr<const TrcMode>& shared) 
                   .side = mode.cutting_side(),
                   .nominal = follows ? mode.nominal_radius : 0,
                   .plane = mode.plane,
-                  .accepts = mode.options.ignore_cont_damage,
                   .reverses = mode.options.reverse,
                   .follows = follows};
   if (rules_.empty() || rules_.back() != rule) rules_.push_back(rule);

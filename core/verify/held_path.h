@@ -22,7 +22,6 @@ struct Rule {
   Side side = Side::off;  // of the wall
   double nominal = 0;     // mm; above 0: wear mode, the walls are beside the program (part_wall.h)
   Plane plane = Plane::xy;
-  bool accepts = false;   // IGNORE_CONT_DAMAGE
   bool reverses = false;  // REVERSE
   bool follows = false;   // the path follows the contour: no SUPPRESS_TRC, a tool radius
 

@@ -8,8 +8,8 @@ namespace trc::verify {
 
 template <class Archive>
 void serialize(Archive& archive, Clearance& clearance) {
-  auto& [distance, required, place, path, contour, accepted] = clearance;
-  archive(distance, required, place, path, contour, accepted);
+  auto& [distance, required, place, path, contour] = clearance;
+  archive(distance, required, place, path, contour);
 }
 
 template <class Archive>
@@ -20,8 +20,8 @@ void serialize(Archive& archive, Piece& piece) {
 
 template <class Archive>
 void serialize(Archive& archive, Rule& rule) {
-  auto& [selection, required, radius, side, nominal, plane, accepts, reverses, follows] = rule;
-  archive(selection, required, radius, side, nominal, plane, accepts, reverses, follows);
+  auto& [selection, required, radius, side, nominal, plane, reverses, follows] = rule;
+  archive(selection, required, radius, side, nominal, plane, reverses, follows);
 }
 
 template <class Archive>

@@ -69,7 +69,7 @@ bool Verification::programmed(const Block& block) {
 
 bool Verification::tell_unmeasured() {
   if (!std::exchange(is_untold_, false)) return true;
-  return tell(selection_too_long(unmeasured_, setup_.selection_blocks), false);
+  return tell(selection_too_long(unmeasured_, setup_.selection_blocks));
 }
 
 bool Verification::compensated(std::span<const CompensatedBlock> path) {
@@ -105,7 +105,7 @@ bool Verification::measure_before(std::uint64_t end) {
          (programmed.empty() ||
           approaches_.front().source.index < programmed[programmed.begin()].source.index))
     approaches_.pop_front();
-  return found.gouging == 0 || tell(std::move(problem), found.gouging == found.accepted);
+  return found.gouging == 0 || tell(std::move(problem));
 }
 
 std::shared_ptr<const EntryHelp> Verification::help_at(const Clearance& worst) const {
@@ -138,8 +138,8 @@ std::shared_ptr<const EntryHelp> Verification::help_at(const Clearance& worst) c
   return is_at_closing ? setup_.help(way) : nullptr;
 }
 
-bool Verification::tell(Diagnostic problem, bool accepted) {
-  if (accepted || setup_.verify == Verify::report) problem.severity = Severity::warning;
+bool Verification::tell(Diagnostic problem) {
+  if (setup_.verify == Verify::report) problem.severity = Severity::warning;
   return diagnostics_.report(std::move(problem));
 }
 

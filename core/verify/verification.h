@@ -21,7 +21,7 @@ namespace trc {
 enum class Verify : std::uint8_t {
   off,
   report,   // a path that comes too near is a warning
-  enforce,  // it stops the stream; under IGNORE_CONT_DAMAGE a warning
+  enforce,  // it stops the stream
 };
 
 namespace verify {
@@ -67,8 +67,8 @@ class Verification {
   template <class Archive>
   void serialize(Archive& archive) {
     archive(held_, approaches_, ends_, too_long_, unmeasured_, is_untold_, report_.worst,
-            report_.gouge, report_.checked, report_.walls, report_.gouging, report_.accepted,
-            report_.wall_length, report_.touched_length);
+            report_.gouge, report_.checked, report_.walls, report_.gouging, report_.wall_length,
+            report_.touched_length);
   }
 
  private:
@@ -78,7 +78,7 @@ class Verification {
   [[nodiscard]] std::shared_ptr<const EntryHelp> help_at(const Clearance& worst) const;
   bool tell_unmeasured();
   // A diagnostic that tells of what was measured, or not.
-  bool tell(Diagnostic problem, bool accepted);
+  bool tell(Diagnostic problem);
 
   VerificationSetup setup_;
   Diagnostics& diagnostics_;

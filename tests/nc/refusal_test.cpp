@@ -73,7 +73,7 @@ INSTANTIATE_TEST_SUITE_P(
                               "#TRC [SPLIT_PATH DIST_SEG1=5 FEED_SEG1=1000000001]", "1:30 900005"},
                       Refused{"AnEWord", "G01 X1 E5", "1:8 900003"},
                       Refused{"AWordBesideACommand",
-                              "#TRC [REVERSE=1]\n#MSG x\nG01 #TRC [REVERSE=1]", "3:5 900001"},
+                              "#TRC [REVERSE=1]\n#MSG [\"x\"]\nG01 #TRC [REVERSE=1]", "3:5 900001"},
                       Refused{"G05Alone", "G05 X1", "1:1 900001"},
                       Refused{"ADwellWithAMotion", "G01 G04 X1", "1:5 900001"},
                       Refused{"ADwellWithTechnology", "G04 X1 M8", "1:1 900001"},
@@ -224,6 +224,22 @@ TEST(TrcSequence, G40WithoutSelectionIsNoFault) {
 
 TEST(TrcSequence, FunctionsOfThePresentStateMayBeRepeated) {
   EXPECT_TRUE(read("G17 G139\nG41 X1\nG41 X2\nG17 G139\nX3\nG40 X4").diagnostics.empty());
+}
+
+// Behind a command a motion would pass as text.
+TEST(Commands, StandAloneInTheirBlock) {
+  for (const std::string command :
+       {"#HSC ON X30", "#CONTOUR MODE OFF X30", "#MSG [\"T\"] X30", "#MSG SYN [\"T\"] G40 X30",
+        "#SIGNAL [ID1] X30", "#FLUSH X30", "#FLUSH LL A", "#SLOPE[TYPE=STEP] G01 X30",
+        "#WAIT FOR V.E.GO == 1 X30", "#VECTOR LIMIT ON [VEL 5] M8", "#FLUSH X=5", "#FLUSH $GOTO N1",
+        "#CS OFF X3"})
+    EXPECT_EQ(read("G00 X0\n" + command + "\nX5\n").code(), Code::nc_syntax) << command;
+  for (const std::string command :
+       {"#HSC ON", "#HSC [BSPLINE PATH_DEV 0.01]", "#CONTOUR MODE [DEV, PATH_DEV 0.1]",
+        "#MSG SYN [\"X30 %d\", 5]", "#FLUSH WAIT", "#WAIT FOR V.E.GO == 1", "#SIGNAL [ID1]",
+        "#PSET X10 Y0", "#CS ON [1,2,3,0,0,P1]", "#SET SLOPE PROFIL [1]",
+        "#FILE NAME [MAIN=\"A\"]"})
+    EXPECT_FALSE(read("G00 X0\n" + command + "\nG90 X5\n").stopped) << command;
 }
 
 }  // namespace

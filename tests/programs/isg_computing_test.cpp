@@ -115,8 +115,27 @@ TEST(IsgParameters, AreDirectIndirectAndArrays) {
 TEST(IsgVariables, OfTheMachineAreNotKnown) {
   EXPECT_EQ(refusal("XV.A.ABS.X\n"), std::pair(900307, 1U));
   ProgramSessionSetup setup = isg();
-  setup.session.program.variables = {{"V.A.ABS.X", 12}, {"P7", 3}};
-  EXPECT_EQ(flat_of("XV.A.ABS.X YP7\n", setup), "X12 Y3\n");
+  setup.session.program.variables = {{"V.A.MEAS.ACS.VALUE.X", 12}, {"V.A.ABS.X", 1}, {"P7", 3}};
+  EXPECT_EQ(flat_of("XV.A.MEAS.ACS.VALUE.X YP7\n", setup), "X12 Y3\n");
+  EXPECT_EQ(refusal_of("P1=V.A.ABS.X\nX[P1+5]\n", setup), std::pair(900307, 1U));
+}
+
+TEST(IsgVariables, OfALevelAreKnownInWhatItCalls) {
+  const std::string in_front =
+      "%L A\nX[V.L.LEN]\nV.L.LEN = 30\nM17\n%L B\nX[V.L.LEN]\n#VAR\nV.L.LEN = 7\n"
+      "#ENDVAR\nY[V.L.LEN]\nM17\n%L C\nLL A\nM17\n%MAIN\n";
+  const std::string declared = "#VAR\nV.L.LEN = 20\n#ENDVAR\n";
+  EXPECT_EQ(flat(in_front + declared + "LL A\nZ[V.L.LEN]\n"), "%MAIN\n(A)\nX20\nZ30\n");
+  EXPECT_EQ(flat(in_front + declared + "LL B\nZ[V.L.LEN]\n"), "%MAIN\n(B)\nX20\nY7\nZ20\n");
+  // Whether it reaches beyond what is called directly no manual says.
+  EXPECT_EQ(refusal(in_front + declared + "LL C\n"), std::pair(900303, 2U));
+}
+
+TEST(IsgVariables, AreWithinWhatIsDeclared) {
+  EXPECT_EQ(refusal("#VAR\nV.P.A[3]=[1,2,3]\n#ENDVAR\nV.P.A[5]=9\n"), std::pair(900309, 4U));
+  EXPECT_EQ(flat("#VAR\nV.P.A[3]=[1,2,3]\n#ENDVAR\nV.P.A[2]=9\nXV.P.A[2]\n"), "X9\n");
+  EXPECT_EQ(refusal("P0=4\nX1\n"), std::pair(900309, 1U));
+  EXPECT_EQ(refusal("P1.5=4\nX1\n"), std::pair(900003, 1U));
 }
 
 TEST(IsgVariables, SayTheRadiiOfTools) {
@@ -187,7 +206,7 @@ TEST(IsgCalls, OfTheSetupStandWhereTheyAreCalled) {
   ProgramSessionSetup setup = isg();
   setup.session.program.subprograms = {
       {"side.nc", "%L INNER\nXP1\nM29\n%SIDE\nV.L.A=3\nLL INNER\nYV.L.A\nM17\n"}};
-  EXPECT_EQ(flat_of("P1=5\nL prog/SIDE.nc\nX0\n", setup), "(SIDE)\n%SIDE\n(INNER)\nX5\nY3\nX0\n");
+  EXPECT_EQ(flat_of("P1=5\nL prog/SIDE.nc\nX0\n", setup), "(SIDE)\n(INNER)\nX5\nY3\nX0\n");
 }
 
 TEST(IsgCalls, OfTheMachineKnowWhatTheProgramHasSet) {
@@ -205,6 +224,96 @@ TEST(IsgCalls, OfTheMachineKnowWhatTheProgramHasSet) {
   EXPECT_EQ(flat("P1=5\nL CYCLE [NAME=drill.cyc @P1=P1 @P2=-P1]\nG0 G90 X1\n"),
             "P1 = 5\nL CYCLE [NAME=drill.cyc @P1=5 @P2=-5]\nG0 G90 X1\n");
   EXPECT_EQ(refusal("P1=5\nL PARK\nG0 G90 XP1\n"), std::pair(900303, 3U));
+}
+
+// What stands behind a second % is no part of the program: nothing of it may be lost.
+TEST(IsgPrograms, EndInFrontOfAnotherOne) {
+  const std::string contour =
+      "P1=20\nG90 G00 X-10 Y-10\nG01 G42 X0 Y0 F100\nX[P1]\nY20\nX0\nY-5\nG40 G00 X-10 Y-10\n";
+  EXPECT_EQ(refusal("G90 G00 X-10\n" + contour + "M30\n%L A\nX[P1]\nM17\n"),
+            std::pair(900003, 11U));
+  EXPECT_EQ(refusal(contour + "M30\n%L A\nM17\n"), std::pair(900003, 10U));
+  EXPECT_EQ(refusal("%A\n" + contour + "M30\n%B\nG90 G00 X2\nM30\n"), std::pair(900003, 11U));
+  EXPECT_EQ(refusal("P1=0\nX1\n%5\nX2\n"), std::pair(900003, 3U));
+  EXPECT_EQ(refusal("$IF 1\nX1\n$ENDIF\n%\nX2\n"), std::pair(900003, 4U));
+  EXPECT_EQ(refusal("G0 X1\n%L A\nX5\nM17\n%MAIN\nX2\nM30\n"), std::pair(900003, 2U));
+  EXPECT_EQ(refusal("%L A\nX5\nM17\nX1\nM30\n").first, 900310);
+  EXPECT_EQ(flat("P1=3\nXP1\nM30\n%\n"), "X3\nM30\n");
+  EXPECT_EQ(flat("(first)\n%L A\nX5\nM17\n%MAIN\nLL A\nM30\n"), "(first)\n%MAIN\n(A)\nX5\nM30\n");
+}
+
+TEST(IsgPrograms, KeepWhatMayBeSkipped) {
+  for (const std::string line : {"/X[P1]", "/M[P1]", "/F[P1]", "/ #MSG[\"a\",P1]", "/N7: M8",
+                                 "/P2=3", "N5 /X[P1]", "/[END] X1", "/L PARK"})
+    EXPECT_EQ(refusal("P1=30\nG0 X20\n" + line + "\nX0\n"), std::pair(900017, 3U)) << line;
+  EXPECT_EQ(flat("P1=30\nG0 XP1\n/M8\nX0\n"), "G0 X30\n/M8\nX0\n");
+  EXPECT_EQ(refusal("P1=1\n$IF P1\nX1\n/$ENDIF\nX2\n"), std::pair(900017, 4U));
+}
+
+TEST(IsgControl, HasNoWordsBehindIt) {
+  EXPECT_EQ(refusal("$FOR P2=1,2,1\nXP2\n$ENDFOR X30\n"), std::pair(900308, 3U));
+  EXPECT_EQ(refusal("P1=0\n$IF P1\nX1\n$ENDIF X88\n"), std::pair(900308, 4U));
+  EXPECT_EQ(refusal("P1=0\n$IF P1\nX1\n$ENDIF M5\n"), std::pair(900308, 4U));
+  EXPECT_EQ(refusal("P1=5\n$IF P1==1\nX1\n$ELSE IF P1==30\nX2\n$ENDIF\n"), std::pair(900308, 4U));
+  EXPECT_EQ(refusal("P1=0\n$WHILE P1\nX1\n$ENDWHILE X3\n"), std::pair(900308, 4U));
+  EXPECT_EQ(refusal("P1=5\n$SWITCH P1\n$CASE 5 X4\n$ENDSWITCH\n"), std::pair(900308, 3U));
+  EXPECT_EQ(refusal("P1=4\n$SWITCH P1\n$CASE 4\nX1\n$CASE 5 X4\n$ENDSWITCH\n"),
+            std::pair(900308, 5U));
+  EXPECT_EQ(refusal("P1=4\n$SWITCH P1\n$DEFAULT X7\n$ENDSWITCH\n"), std::pair(900308, 3U));
+  EXPECT_EQ(refusal("P1=4\n$SWITCH P1\n$CASE 1\n$ENDSWITCH X9\n"), std::pair(900308, 4U));
+  EXPECT_EQ(refusal("#VAR\nV.P.A\n#ENDVAR\n#DELETE V.P.A X5\n"), std::pair(900308, 4U));
+  EXPECT_EQ(flat("P1=1\n$IF P1\nX1\n$ELSE (other)\nX2\n$ENDIF ; end\n"), "X1\n");
+}
+
+TEST(IsgControl, IsWhole) {
+  EXPECT_EQ(refusal("P1=5\n$CASE 1\nX1\n"), std::pair(900310, 2U));
+  EXPECT_EQ(refusal("P1=5\n$DEFAULT\nX1\n"), std::pair(900310, 2U));
+  EXPECT_EQ(refusal("P1=5\n$ENDIF\nX1\n"), std::pair(900310, 2U));
+  EXPECT_EQ(refusal("P1=5\n$ENDSWITCH\nX1\n"), std::pair(900310, 2U));
+  EXPECT_EQ(refusal("P1=5\n$IF P1\nX1\n$ELSE\nX2\n$ELSE\nX3\n$ENDIF\n"), std::pair(900310, 6U));
+  EXPECT_EQ(refusal("P1=5\n$IF P1\nX1\n$ELSE\nX2\n$ELSEIF 1\nX3\n$ENDIF\n"), std::pair(900310, 6U));
+  EXPECT_EQ(refusal("P1=5\n$SWITCH P1\nX1\n$CASE 5\n$ENDSWITCH\n"), std::pair(900310, 3U));
+}
+
+TEST(IsgControl, ComparesByTwoSigns) {
+  EXPECT_EQ(refusal("P1=1\n$IF P1=2\nX30\n$ENDIF\n"), std::pair(900308, 2U));
+  EXPECT_EQ(refusal("P1=1\n$WHILE P1=1\nX30\n$ENDWHILE\n"), std::pair(900308, 2U));
+  EXPECT_EQ(refusal("P1=1\n$REPEAT\nX30\n$UNTIL P1=3\n"), std::pair(900308, 4U));
+}
+
+TEST(IsgWords, OfCommandsHaveTheirValues) {
+  const auto command = [](const std::string& text) { return flat("P1=10 P2=-3\n" + text + "\n"); };
+  EXPECT_EQ(command("#PSET XP1 Y0"), "#PSET X10 Y0\n");
+  EXPECT_EQ(command("#PSET X P2 Y[P1]"), "#PSET X -3 Y[10]\n");
+  EXPECT_EQ(command("#CONTOUR MODE [DEV, PATH_DEV P1/10]"), "#CONTOUR MODE [DEV, PATH_DEV 1]\n");
+  EXPECT_EQ(command("#SIGNAL [IDP1]"), "#SIGNAL [ID10]\n");
+  EXPECT_EQ(command("#WAIT [IDP1 CHP1]"), "#WAIT [ID10 CH10]\n");
+  EXPECT_EQ(command("#VECTOR LIMIT ON [VEL=-P2]"), "#VECTOR LIMIT ON [VEL=3]\n");
+  EXPECT_EQ(command("#SLOPE [TYPE=STEP1]"), "#SLOPE [TYPE=STEP1]\n");
+  EXPECT_EQ(command("#MSG [\"P1 %d\", P1]"), "#MSG [\"P1 %d\", 10]\n");
+  EXPECT_EQ(refusal("P1=10\n#HSC [BSPLINE PATH_DEV 2*P1]\n"), std::pair(900308, 2U));
+}
+
+TEST(IsgCalls, NeedNoBlank) {
+  ProgramSessionSetup setup = isg();
+  setup.session.program.subprograms = {{"part2.nc", "XP1\nM17\n"}, {"4712", "Y1\n"}};
+  EXPECT_EQ(flat_of("G0\nP1=2\nLPART2.NC\n", setup), "G0\n(PART2)\nX2\n");
+  EXPECT_EQ(flat_of("G0\nL4712\nL 4712\n", setup), "G0\n(4712)\nY1\n(4712)\nY1\n");
+  EXPECT_EQ(flat("%L 100\nX1\nM17\n%MAIN\nP1=1\nLL 100\nLL100\n"), "%MAIN\n(100)\nX1\n(100)\nX1\n");
+  EXPECT_EQ(flat("P1=2\nG0 XP1\nLOTHER.NC\nG0 G90 X1\n"), "G0 X2\nP1 = 2\nLOTHER.NC\nG0 G90 X1\n");
+  EXPECT_EQ(flat("P1=2\nG0 XP1\nT5 LM06\nG0 G90 X1\n"), "G0 X2\nP1 = 2\nT5 LM06\nG0 G90 X1\n");
+  EXPECT_EQ(refusal_of("P1=2\nT5 LPART2\n", setup), std::pair(900003, 2U));
+}
+
+TEST(IsgCalls, MayEndTheProgram) {
+  EXPECT_EQ(flat("%L A\nX1\nM30\nM17\n%MAIN\nP1=1\nLL A\nX2\nM30\n"), "%MAIN\n(A)\nX1\nM30\n");
+  EXPECT_EQ(flat("P1=1\n$IF P1==1\nX1\nM30\n$ENDIF\nG42 G1 X5\nX9\nG40 X10\nM30\n"), "X1\nM30\n");
+}
+
+TEST(IsgCalls, OfWhatIsNotThereAreRefused) {
+  EXPECT_EQ(refusal("G90 G00 X0\nLL TYPO\nX5\nM30\n"), std::pair(900306, 2U));
+  EXPECT_EQ(refusal("P1=0\nLL V.L.N\nX5\nM30\n"), std::pair(900003, 2U));
+  EXPECT_EQ(refusal("%L A\nX1\nM17\n%L A\nX2\nM17\n%MAIN\nLL A\nM30\n"), std::pair(900305, 8U));
 }
 
 TEST(IsgPrograms, LeaveAloneWhatComputesNothing) {

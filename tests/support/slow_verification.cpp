@@ -203,8 +203,7 @@ ClearanceReport slow_verification(std::span<const Block> programmed,
                .required = required,
                .place = from_plane(block.plane, point, block.normal.to),
                .path = block.source,
-               .contour = source,
-               .accepted = own->second.block->mode->options.ignore_cont_damage};
+               .contour = source};
     };
     Bounds bounds;
     bounds.add(block.path);
@@ -229,10 +228,7 @@ ClearanceReport slow_verification(std::span<const Block> programmed,
       note(-(middle - foot).norm(), own_required, 0, middle, block.source);
     }
     if (!worst) continue;
-    if (gouges) {
-      ++report.gouging;
-      if (worst->accepted) ++report.accepted;
-    }
+    if (gouges) ++report.gouging;
     if (!report.worst || worst->margin() < report.worst->margin()) report.worst = worst;
   }
   return report;

@@ -79,13 +79,18 @@ TEST(Verification, StopsAtAPathThatComesTooNear) {
   EXPECT_TRUE(verified(neck, 1000, Verify::off).goes_on);
 }
 
-TEST(Verification, IgnoredContourDamageIsAWarning) {
-  const Outcome outcome = verified(std::string("#TRC [IGNORE_CONT_DAMAGE=1]\n") + neck, 1000);
-  EXPECT_TRUE(outcome.goes_on);
-  ASSERT_FALSE(outcome.diagnostics.empty());
-  EXPECT_EQ(outcome.diagnostics.back().code, Code::clearance_violated);
-  EXPECT_EQ(outcome.diagnostics.back().severity, Severity::warning);
-  EXPECT_EQ(outcome.clearance.gouging, outcome.clearance.accepted);
+// A line of the program does not say what its caller has asked for.
+TEST(Verification, IsNotSwitchedOffByIgnoredContourDamage) {
+  const std::string program = std::string("#TRC [IGNORE_CONT_DAMAGE=1]\n") + neck;
+  const Outcome enforced = verified(program, 1000);
+  EXPECT_FALSE(enforced.goes_on);
+  ASSERT_FALSE(enforced.diagnostics.empty());
+  EXPECT_EQ(enforced.diagnostics.back().code, Code::clearance_violated);
+  EXPECT_EQ(enforced.diagnostics.back().severity, Severity::error);
+  const Outcome reported = verified(program, 1000, Verify::report);
+  EXPECT_TRUE(reported.goes_on);
+  ASSERT_FALSE(reported.diagnostics.empty());
+  EXPECT_EQ(reported.diagnostics.back().severity, Severity::warning);
 }
 
 TEST(Verification, DoesNotDependOnHowTheTextIsCut) {

@@ -64,6 +64,46 @@ constexpr auto unfollowed_commands = std::to_array<std::string_view>(
     {"RTCP ", "TLC ", "KIN ", "WCS ", "ECS ", "BCS ", "CALL AX", "PUT AX", "SET AX", "GANTRY ",
      "CHANNEL ", "HANDWHEEL", "TRAFO OFF", "ROTATION OFF"});
 
+// Where a word of the block begins that stands behind a command: its motion would pass as text.
+// Names of the command and what stands in brackets or quotes are its own, variables are values.
+std::size_t word_behind_command(std::string_view command) {
+  std::size_t depth = 0;
+  bool is_over = false;
+  for (std::size_t at = 1; at < command.size();) {
+    const char sign = command[at];
+    if (sign == '"') {
+      at = std::min(command.find('"', at + 1), command.size() - 1) + 1;
+      continue;
+    }
+    if (sign == '[') ++depth;
+    if (sign == ']' && depth > 0) is_over = --depth == 0;
+    if (depth > 0 || (!is_letter(sign) && sign != '$' && sign != '#')) {
+      ++at;
+      continue;
+    }
+    const std::size_t begin = at;
+    while (at < command.size() && (is_letter(command[at]) || command[at] == '_')) ++at;
+    const bool has_digit = at < command.size() && is_digit(command[at]);
+    if (upper(sign) == 'V' && at == begin + 1 && at < command.size() && command[at] == '.') {
+      while (at < command.size() && (is_letter(command[at]) || is_digit(command[at]) ||
+                                     command[at] == '_' || command[at] == '.'))
+        ++at;
+      continue;
+    }
+    const bool is_parameter = upper(sign) == 'P' && at == begin + 1 && has_digit;
+    const bool is_call = at == begin + 2 && upper(sign) == 'L' && upper(command[begin + 1]) == 'L';
+    if (is_over || is_call || at < begin + 2 || has_digit) {
+      if (!is_parameter || is_over) return begin;
+    }
+  }
+  return std::string_view::npos;
+}
+
+// Their values are axis words.
+bool holds_axis_words(std::string_view name) {
+  return name.starts_with("PSET ") || name.starts_with("PRESET ");
+}
+
 }  // namespace
 
 bool Interpreter::read_command(const Word& word, ProgramLine& line, BlockWords& block) {
@@ -94,6 +134,10 @@ bool Interpreter::read_command(const Word& word, ProgramLine& line, BlockWords& 
     add(line, word, WordRole::comment);
     return true;
   }
+  if (const std::size_t behind = word_behind_command(command);
+      behind != std::string_view::npos && !holds_axis_words(name))
+    return wrong(
+        {.begin = static_cast<std::uint32_t>(behind), .detail = "a word behind a # command"});
   double time = 0;
   bool whole = false;
   if (name == "TIME ") {

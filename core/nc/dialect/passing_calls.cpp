@@ -72,6 +72,10 @@ bool assigns_variable(std::string_view text) {
   const bool is_parameter = text.size() > 2 && upper(text[0]) == 'P' && is_digit(text[1]);
   if (!is_variable && !is_parameter) return false;
   const std::size_t behind = std::min(text.find_first_of("= \t(;:", 1), text.size());
+  const bool is_number =
+      text.substr(1, text.find('[') - 1).substr(0, behind - 1).find_first_not_of(digits) ==
+      std::string_view::npos;
+  if (is_parameter && !is_number) return false;  // P1.5
   const std::string_view value = without_blanks_in_front(text.substr(behind));
   if (value.empty() || value.front() == ':') return is_variable || value.starts_with(':');
   return value.front() == '=' && !holds_words(value.substr(1));

@@ -218,13 +218,13 @@ bool computes(const ProgramSetup& setup, std::string_view line) {
 }
 
 std::unique_ptr<Flow> make_flow(const ProgramSetup& setup, CallPlaces& calls, ProgramText text,
-                                std::size_t start) {
+                                std::size_t start, bool has_begun) {
   if (setup.dialect == DialectName::linuxcnc)
     return std::make_unique<LinuxcncFlow>(setup, calls, std::move(text), start);
   if (setup.dialect == DialectName::sinumerik)
     return std::make_unique<SinumerikFlow>(setup, calls, std::move(text), start);
   if (setup.dialect == DialectName::isg)
-    return std::make_unique<IsgFlow>(setup, calls, std::move(text), start);
+    return std::make_unique<IsgFlow>(setup, calls, std::move(text), has_begun);
   return std::make_unique<FanucFlow>(setup, calls, std::move(text), start);
 }
 

@@ -171,8 +171,9 @@ class Flow {
 // Whether programs of the dialect may compute at all.
 [[nodiscard]] bool may_compute(DialectName dialect);
 
-// The program is executed from the line `start` of `text` on (0-based).
+// The program is executed from the line `start` of `text` on (0-based). `has_begun`: blocks of it
+// stand in front of that line.
 [[nodiscard]] std::unique_ptr<Flow> make_flow(const ProgramSetup& setup, CallPlaces& calls,
-                                              ProgramText text, std::size_t start);
+                                              ProgramText text, std::size_t start, bool has_begun);
 
 }  // namespace trc::program

@@ -27,6 +27,9 @@ bool IsgFlow::follow(std::string& flat) {
   if (word == "BREAK" || word == "CONTINUE") return leave_or_go_on(flat, word == "BREAK");
   using enum Structure;
   const Outline& outline = outline_of(frame());
+  if (const auto barred = outline.misplaced.find(frame().current);
+      barred != outline.misplaced.end())
+    return refuse_misplaced(barred->second);
   const auto condition_holds = [&] { return expression.holds(expression.expression()); };
   switch (const Structure structure = structure_of(line_)) {
     case branch:
@@ -40,7 +43,10 @@ bool IsgFlow::follow(std::string& flat) {
     }
     case choice:
       return choose(flat, expression);
-    case chosen:
+    case chosen:  // reached from the one in front of it
+      static_cast<void>(expression.expression());
+      if (expression.failed()) return refuse(expression.fault());
+      return refuse_words_behind(line_, expression.at());
     case by_default:
     case end_branch:
     case end_choice:
@@ -99,6 +105,21 @@ bool IsgFlow::follow(std::string& flat) {
   return finish_statement(flat, expression.at());
 }
 
+bool IsgFlow::refuse_misplaced(const Misplaced& misplaced) {
+  frame().current = misplaced.line;
+  const std::string_view line = text_of(frame()).line(misplaced.line);
+  std::string detail = misplaced.detail;
+  if (!misplaced.whole) detail.insert(0, "$" + word_behind_sign(line, isg_head_of(line).behind));
+  return refuse(misplaced.code, misplaced.begin, std::move(detail));
+}
+
+// True where nothing but comments stands there.
+bool IsgFlow::refuse_words_behind(std::string_view line, std::size_t at) {
+  const std::size_t behind = behind_blanks(line, at);
+  return is_isg_line_over(line, behind) ||
+         refuse(Code::expression_invalid, behind, name_of_character(line.substr(behind)));
+}
+
 std::optional<std::size_t> IsgFlow::partner(const std::map<std::size_t, std::size_t>& partners,
                                             std::string_view missing) {
   const auto found = partners.find(frame().current);
@@ -142,7 +163,9 @@ bool IsgFlow::choose(std::string& flat, ExpressionReader& expression) {
   const Outline& outline = outline_of(frame());
   const auto end = partner(outline.feet, "$ENDSWITCH");
   if (!end) return false;
+  assigns_in_choice_ = true;  // $SWITCH P1 = INT[…]
   const Value chosen = expression.expression();
+  assigns_in_choice_ = false;
   if (expression.failed()) return refuse(expression.fault());
   if (!finish_statement(flat, expression.at())) return false;
   std::size_t target = *end;
@@ -159,10 +182,9 @@ bool IsgFlow::choose(std::string& flat, ExpressionReader& expression) {
     constexpr std::size_t length = 5;  // of $CASE
     ExpressionReader value(isg_grammar(), text, isg_head_of(text).behind + length, *this);
     const Value named = value.expression();
-    if (value.failed()) {
-      frame().current = line;
-      return refuse(value.fault());
-    }
+    if (value.failed() || !is_isg_line_over(text, value.at())) frame().current = line;
+    if (value.failed()) return refuse(value.fault());
+    if (!refuse_words_behind(text, value.at())) return false;
     is_found = named.is_text == chosen.is_text && named.text == chosen.text &&
                std::abs(named.number - chosen.number) < difference;
     if (is_found) target = line;

@@ -18,8 +18,9 @@ namespace trc::program {
 // The language of ISG.
 //
 //   - P parameters, V.P. and V.CYC. variables belong to the whole run, V.L. to the main program and
-//     to each call. V.S. and V.E. outlast it: their assignments come out, with their values. V.A.
-//     and V.G. are the machine's, but for the tool radii that the setup and the program give.
+//     to each call; what is called knows those of its caller. V.S. and V.E. outlast it: their
+//     assignments come out, with their values. V.A. and V.G. are the machine's, but for the tool
+//     radii that the setup and the program give.
 //   - Subprograms stand in front of the program, behind %L NAME, or are texts of the setup, which
 //     may have their own; they share all modes with their caller.
 //   - A call of what is not there passes (D-47, D-67). It may ask for what the program has set:
@@ -28,7 +29,8 @@ namespace trc::program {
 //   - Where two operators stand side by side whose order nobody says, brackets are asked for.
 class IsgFlow : public Flow, private Variables {
  public:
-  IsgFlow(const ProgramSetup& setup, CallPlaces& calls, ProgramText text, std::size_t start);
+  // `has_begun`: blocks of the program stand in front of the text.
+  IsgFlow(const ProgramSetup& setup, CallPlaces& calls, ProgramText text, bool has_begun);
 
   void know(std::string_view lines) override;
 
@@ -58,8 +60,22 @@ class IsgFlow : public Flow, private Variables {
     repetition,
     until,
   };
+  // What stands against a statement, or one around it.
+  struct Misplaced {
+    std::size_t line = 0;
+    Code code = Code::block_structure;
+    std::size_t begin = 0;
+    std::string detail{};
+    bool whole = false;  // the detail names the statement
+  };
+  struct Open {
+    Structure structure = Structure::none;
+    std::size_t head = 0;
+    std::vector<std::size_t> branches{};
+  };
   // Where the lines of a unit lead.
   struct Outline {
+    std::map<std::size_t, Misplaced> misplaced{};
     std::map<std::int64_t, std::vector<std::size_t>> numbers{};
     std::map<std::string, std::vector<std::size_t>, std::less<>> labels{};
     std::map<std::size_t, Structure> structures{};
@@ -83,14 +99,27 @@ class IsgFlow : public Flow, private Variables {
   void keep_variables(std::size_t levels) override { locals_.resize(levels); }
 
   // isg_flow.cpp: programs and the order of their lines.
-  void add_units(std::size_t text);
+  void add_units(std::size_t text, bool has_begun);
+  [[nodiscard]] static bool ends_tape(const ProgramText& text, std::size_t line);
+  [[nodiscard]] static std::string name_of_second(std::string_view line);
   void take_line_in_front(std::string_view line);
   [[nodiscard]] const Unit* unit_called(const IsgCall& call) const;
   [[nodiscard]] const Outline& outline_of(const Frame& frame);
+  static void add_structure(Outline& outline, std::vector<Open>& open, Structure structure,
+                            std::size_t line);
+  static void misplace(Outline& outline, const std::vector<Open>& open, std::size_t line,
+                       const Misplaced& misplaced);
+  static void check_choice(Outline& outline, const std::vector<Open>& open, std::size_t line,
+                           std::string_view text);
+  void check_statement(Outline& outline, const std::vector<Open>& open, std::size_t line,
+                       std::string_view text) const;
+  bool refuse_misplaced(const Misplaced& misplaced);
   [[nodiscard]] static Structure structure_of(std::string_view line);
   void take_line();
-  bool end_of_frame(std::string& flat);
+  bool end_of_frame();
   bool end_of_program();
+  bool refuse_behind_end(std::size_t line, Code code, std::string detail);
+  bool pass_header(std::string& flat);
   bool pass_line(std::string& flat);
   [[nodiscard]] bool calls_the_unknown() const;
 
@@ -104,8 +133,11 @@ class IsgFlow : public Flow, private Variables {
   [[nodiscard]] std::optional<std::size_t> partner(
       const std::map<std::size_t, std::size_t>& partners, std::string_view missing);
   bool finish_statement(std::string& flat, std::size_t at);
+  bool refuse_words_behind(std::string_view line, std::size_t at);
   void write_behind_number(std::string& flat, std::string_view text);
-  bool call(std::string& flat, const IsgCall& call);
+  bool call(std::string& flat, IsgCall call);
+  bool call_the_machine(std::string& flat, const IsgCall& call);
+  bool refuse_call(const IsgCall& call);
   bool return_from();
 
   // isg_words.cpp: lines of words.
@@ -113,10 +145,14 @@ class IsgFlow : public Flow, private Variables {
   bool scan_word(std::size_t& at);
   bool scan_address(std::size_t& at);
   bool scan_value(std::size_t begin, std::size_t value, std::size_t& at);
+  bool scan_call(std::size_t& at, const IsgCall& call);
+  [[nodiscard]] std::size_t variable_in_name(std::size_t at, std::size_t& end) const;
+  [[nodiscard]] std::size_t value_in_command(std::size_t sign, std::size_t& behind) const;
   bool scan_command(std::size_t& at);
   bool scan_assignment(std::size_t& at);
   bool scan_radius(std::size_t& at, std::size_t value);
   bool end_or_return(bool& ends, bool& returns);
+  [[nodiscard]] bool has_changed_words() const;
   bool write_words(std::string& flat);
   bool refuse_rest(ExpressionReader& expression);
   static void append_number(std::string& text, const Value& value);
@@ -130,6 +166,7 @@ class IsgFlow : public Flow, private Variables {
   [[nodiscard]] std::string place_at(ExpressionReader& expression);
   [[nodiscard]] std::string indices_at(ExpressionReader& expression);
   bool assign(const std::string& name, Value value, std::size_t begin);
+  [[nodiscard]] std::size_t level_of(std::string_view name) const;
   [[nodiscard]] const Value* held(const std::string& name) const;
   [[nodiscard]] Values& values_of(std::string_view name);
   Value read(ExpressionReader& expression) override;
@@ -147,6 +184,7 @@ class IsgFlow : public Flow, private Variables {
   Values values_{};
   std::vector<Values> locals_{1};
   std::set<std::string, std::less<>> whole_{};      // declared with a type of whole numbers
+  std::set<std::string, std::less<>> fields_{};     // declared with sizes
   std::set<std::string, std::less<>> unwritten_{};  // set since they were last written
   std::map<std::string, std::string, std::less<>> spellings_{};  // of V. names, without indices
   // The program calls what is not there: V. variables come out where they are set, and P
@@ -166,6 +204,8 @@ class IsgFlow : public Flow, private Variables {
   bool has_computed_ = false;            // an assignment, or a jump
   std::vector<std::string> assigned_{};  // in this line
   bool reads_words_ = false;             // a value of a word, not of an assignment
+  bool assigns_in_choice_ = false;       // the value of a $SWITCH is read
+  std::string called_behind_words_{};    // what only the machine has
   std::optional<std::size_t> jump_{};    // of a $GOTO beside words
 };
 

@@ -35,6 +35,19 @@ bool is_function_at(std::string_view line, std::size_t at) {
   return std::ranges::find(functions, name, &FunctionRow::spelling) != functions.end();
 }
 
+bool is_in_isg_comment(std::string_view line, std::size_t at, std::size_t place) {
+  while (at < place) {
+    if (line[at] == '(' || line[at] == ';') {
+      const std::size_t behind = behind_isg_comment(line, at);
+      if (behind == 0 || behind > place) return true;
+      at = behind;
+    } else {
+      ++at;
+    }
+  }
+  return false;
+}
+
 // V.G.WZ_AKT.R = 5 and V.G.WZ_AKT.R = V.G.WZ_AKT.R - 0.1 are words of the reader, V.P.A = 5 is a
 // line that passes: nothing of them has to be computed.
 bool is_plain_assignment(std::string_view line, std::size_t at) {
@@ -210,7 +223,9 @@ IsgCall isg_call_at(std::string_view line, std::size_t at) {
   call.is_local = upper(sign_at(line, name)) == 'L';
   if (call.is_local) ++name;
   call.begin = behind_blanks(line, name);
-  if (call.begin == name || call.begin >= line.size()) return call;
+  // L4712, LPART2.NC
+  call.is_joined = call.begin == name;
+  if (call.begin >= line.size() || (call.is_joined && !goes_on_as_name(line[name]))) return call;
   const bool quoted = line[call.begin] == '"';
   if (quoted) ++call.begin;
   call.end = call.begin;
@@ -222,11 +237,24 @@ IsgCall isg_call_at(std::string_view line, std::size_t at) {
   call.name = in_upper_case(path);
   if (quoted && call.end < line.size()) ++call.end;
   // L X+10 is a line of another language.
-  const bool is_axis_word = call.name.size() > 1 &&
+  const bool is_axis_word = !call.is_joined && call.name.size() > 1 &&
+                            is_letter(call.name.front()) &&
                             call.name.find_first_of("+-0123456789", 1) == 1 &&
                             call.name.find_first_not_of("+-.0123456789", 1) == std::string::npos;
-  call.is_call = !call.name.empty() && !is_axis_word;
+  const bool is_other_word = call.is_joined && call.name.find('=') != std::string::npos;
+  call.is_call = !call.name.empty() && !is_axis_word && !is_other_word;
   return call;
+}
+
+std::size_t isg_call_behind_words(std::string_view line, std::size_t at) {
+  const std::string_view words = without_blanks_behind(line);
+  std::size_t begin = words.size();
+  while (begin > at && (goes_on_as_name(words[begin - 1]) || words[begin - 1] == '.')) --begin;
+  const bool is_last_word = begin > at && behind_blanks(line, begin - 1) == begin;
+  if (!is_last_word || upper(sign_at(words, begin)) != 'L' ||
+      !is_letter(sign_at(words, begin + 1)) || is_in_isg_comment(line, at, begin))
+    return npos;
+  return begin;
 }
 
 std::string plain_file_name(std::string_view name) {
@@ -251,7 +279,9 @@ bool isg_computes(const ProgramSetup& setup, std::string_view line) {
   const IsgHead head = isg_head_of(line);
   if (head.is_target || !head.label.empty()) return true;
   if (const IsgCall call = isg_call_at(line, head.behind); call.is_call)
-    return !call.is_local && call.name != "CYCLE" && given_subprogram(setup, call.name) != nullptr;
+    return (call.is_local && !call.is_joined) ||
+           (call.name != "CYCLE" && given_subprogram(setup, call.name) != nullptr) ||
+           is_isg_variable_at(call.name, 0);
   for (std::size_t at = head.behind; at < line.size(); at = behind_blanks(line, at)) {
     const char sign = line[at];
     if (sign == '$') return is_letter(sign_at(line, at + 1));

@@ -47,11 +47,14 @@ struct IsgHead {
 struct IsgCall {
   bool is_call = false;
   bool is_local = false;
-  std::string name{};     // in capitals, without folder; with its ending
-  std::size_t begin = 0;  // of the name
+  bool is_joined = false;  // no blank in front of the name: of LLNAME both L may be the call
+  std::string name{};      // in capitals, without folder; with its ending
+  std::size_t begin = 0;   // of the name
   std::size_t end = 0;
 };
 [[nodiscard]] IsgCall isg_call_at(std::string_view line, std::size_t at);
+// T5 LM06: where the call begins that is the last word of a block; npos: none.
+[[nodiscard]] std::size_t isg_call_behind_words(std::string_view line, std::size_t at);
 // The text of the setup that a call names, by the name of its file; null: none.
 [[nodiscard]] const std::string* given_subprogram(const ProgramSetup& setup, std::string_view name);
 // Without what stands behind its last point, in capitals, without folder.

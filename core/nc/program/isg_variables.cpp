@@ -18,7 +18,21 @@ bool goes_on_as_name(char sign) { return is_letter(sign) || is_digit(sign) || si
 // The variable an element belongs to: V.P.A of V.P.A[2].
 std::string_view base_of(std::string_view name) { return name.substr(0, name.find('[')); }
 
+bool has_base(const std::map<std::string, Value, std::less<>>& values, std::string_view base) {
+  const auto found = values.lower_bound(base);
+  return found != values.end() && base_of(found->first) == base;
+}
+
 bool is_local(std::string_view name) { return name.starts_with("V.L."); }
+
+// Where an axis stands: no one value holds for the whole program.
+bool is_place_of_axis(std::string_view name) {
+  constexpr auto groups =
+      std::to_array<std::string_view>({"V.A.ABS.", "V.A.ACS.", "V.A.PCS.", "V.A.WCS.", "V.A.MCS.",
+                                       "V.A.PROG.", "V.A.CMD.", "V.A.ACT.", "V.A.POS."});
+  return std::ranges::any_of(groups,
+                             [&](std::string_view group) { return name.starts_with(group); });
+}
 
 // Of P, V.P., V.L., V.S. and V.CYC. the program knows what they hold.
 bool belongs_to_program(std::string_view name) {
@@ -54,7 +68,7 @@ std::string IsgFlow::place_at(ExpressionReader& expression) {
       is_plain = true;
     }
     if (expression.failed()) return {};
-    if (number < 0) {
+    if (number < 1) {
       static_cast<void>(expression.fail(Code::value_invalid, begin, "the number of a parameter"));
       return {};
     }
@@ -108,12 +122,22 @@ std::string IsgFlow::indices_at(ExpressionReader& expression) {
   return indices;
 }
 
+// V.L. variables are known where they are declared and in what is called from there; what is called
+// may declare its own.
+std::size_t IsgFlow::level_of(std::string_view name) const {
+  const std::size_t own = locals_.size() - 1;
+  const std::string_view base = base_of(name);
+  const bool is_of_caller = own > 0 && !in_declaration_ && !has_base(locals_[own], base) &&
+                            has_base(locals_[own - 1], base);
+  return is_of_caller ? own - 1 : own;
+}
+
 IsgFlow::Values& IsgFlow::values_of(std::string_view name) {
-  return is_local(name) ? locals_.back() : values_;
+  return is_local(name) ? locals_[level_of(name)] : values_;
 }
 
 const Value* IsgFlow::held(const std::string& name) const {
-  const Values& values = is_local(name) ? locals_.back() : values_;
+  const Values& values = is_local(name) ? locals_[level_of(name)] : values_;
   const auto found = values.find(name);
   return found == values.end() ? nullptr : &found->second;
 }
@@ -125,6 +149,8 @@ bool IsgFlow::assign(const std::string& name, Value value, std::size_t begin) {
   if (whole_.contains(base_of(name)) && value.number != std::round(value.number))
     return refuse(Code::value_invalid, begin, name + ", which is declared whole");
   Values& values = values_of(name);
+  if (!in_declaration_ && fields_.contains(base_of(name)) && !values.contains(name))
+    return refuse(Code::value_invalid, begin, name + ", outside of what is declared");
   if (values.size() >= most_values && !values.contains(name))
     return refuse(Code::value_invalid, begin, "so many variables");
   values[name] = std::move(value);
@@ -147,9 +173,10 @@ Value IsgFlow::read(ExpressionReader& expression) {
   }
   const std::string name = place_at(expression);
   if (expression.failed()) return {};
-  // $SWITCH P1 = INT[…]
   const std::size_t equals = behind_blanks(line, expression.at());
   const bool assigns = equals + 1 < line.size() && line[equals] == '=' && line[equals + 1] != '=';
+  if (assigns && !assigns_in_choice_)
+    return expression.fail(Code::expression_invalid, equals, "=, where == compares");
   if (assigns) {
     expression.go_to(equals + 1);
     Value value = expression.expression();
@@ -162,7 +189,11 @@ Value IsgFlow::read(ExpressionReader& expression) {
   if (reads_words_ && std::ranges::find(assigned_, name) != assigned_.end())
     return expression.fail(Code::value_invalid, begin, name + ", which its own line sets");
   if (const Value* const value = held(name)) return *value;
-  if (const double* const value = given(name)) return {.number = *value};
+  if (const double* const value = given(name)) {
+    if (!is_place_of_axis(name)) return {.number = *value};
+    return without_value(expression, Code::machine_state, begin,
+                         name + ", which the motion of the program changes");
+  }
   if (name.starts_with("V.G.WZ")) return read_radius(expression, name, begin);
   if (!belongs_to_program(name)) return without_value(expression, Code::machine_state, begin, name);
   return without_value(expression, Code::variable_unset, begin,
@@ -220,12 +251,14 @@ bool IsgFlow::declare(std::string& flat) {
     expression.pass_blanks();
   }
   if (expression.failed()) return refuse(expression.fault());
+  if (!sizes.empty()) fields_.insert(name);
   const std::size_t value = expression.at();
   if (!declare_elements(expression, name, sizes)) return false;
   if (!writes_variables_) return finish_statement(flat, expression.at());
   for (std::size_t at = value; at < expression.at(); ++at)
     if (is_isg_parameter_at(line_, at) || is_isg_variable_at(line_, at))
       return refuse(Code::nc_unsupported, at, "a computed value between #VAR and #ENDVAR");
+  if (!refuse_words_behind(line_, expression.at())) return false;
   std::erase_if(unwritten_, [&](const std::string& each) { return base_of(each) == name; });
   return pass_line(flat);
 }
@@ -274,11 +307,12 @@ bool IsgFlow::forget_declared(std::size_t at) {
   for (ExpressionReader expression = expression_at(at);;) {
     const std::string name = place_at(expression);
     if (expression.failed()) return refuse(expression.fault());
+    fields_.erase(name);
     Values& values = values_of(name);
     std::erase_if(values, [&](const auto& each) { return base_of(each.first) == name; });
     std::erase_if(unwritten_, [&](const std::string& each) { return base_of(each) == name; });
     expression.pass_blanks();
-    if (expression.peek() != ',') return true;
+    if (expression.peek() != ',') return refuse_words_behind(line_, expression.at());
     expression.go_to(expression.at() + 1);
   }
 }
@@ -300,6 +334,7 @@ void IsgFlow::write_values(std::string& flat) {
 void IsgFlow::lose_values(const std::string& to) {
   lost_to_ = to;
   values_.clear();
+  fields_.clear();
 }
 
 }  // namespace trc::program

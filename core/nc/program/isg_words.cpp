@@ -18,6 +18,8 @@ std::size_t end_of(std::string_view line, std::size_t begin, std::size_t at) {
   return begin + without_blanks_behind(line.substr(begin, at - begin)).size();
 }
 
+bool goes_on_as_name(char sign) { return is_letter(sign) || is_digit(sign) || sign == '_'; }
+
 bool is_operator(char sign) {
   return sign != '\0' && std::string_view("+-*<>=&|^!]").find(sign) != npos;
 }
@@ -28,14 +30,18 @@ bool IsgFlow::execute_words(std::string& flat) {
   pieces_.clear();
   assigned_.clear();
   jump_.reset();
+  called_behind_words_.clear();
   has_computed_ = false;
   for (std::size_t at = head_.behind; at < line_.size(); at = behind_blanks(line_, at))
     if (!scan_word(at)) return false;
-  if (head_.to_skip && has_computed_)
+  if (head_.to_skip && (has_computed_ || has_changed_words()))
     return refuse(Code::block_skip_undecided, 0, "/, a line to skip that computes");
   bool ends = false;
   bool returns = false;
-  if (!end_or_return(ends, returns) || !write_words(flat)) return false;
+  if (!end_or_return(ends, returns)) return false;
+  if (!called_behind_words_.empty()) write_values(flat);
+  if (!write_words(flat)) return false;
+  if (!called_behind_words_.empty()) lose_values(called_behind_words_);
   if (jump_) frame().next = *jump_;
   if (returns) return return_from();
   return !ends || end_of_program();
@@ -51,11 +57,12 @@ bool IsgFlow::end_or_return(bool& ends, bool& returns) {
     if (read_number(line_.substr(piece.begin + 1), number, whole) == 0) continue;
     const bool ends_program = number == 2 || number == 30;
     const bool ends_subprogram = number == 17 || number == 29;
-    if (!is_main && ends_program)
+    const bool is_of_program = frame().text == 0;
+    if (!is_of_program && ends_program)
       return refuse(
           Code::nc_unsupported, piece.begin,
           std::string(line_.substr(piece.begin, piece.end - piece.begin)) + " in a subprogram");
-    ends |= is_main && ends_program;
+    ends |= ends_program;
     if (is_main || !ends_subprogram) continue;
     returns = true;
     piece.instead = std::string();
@@ -136,6 +143,8 @@ bool IsgFlow::scan_address(std::size_t& at) {
            refuse(Code::nc_unsupported, begin,
                   std::string(line_.substr(begin, length)) + ", a computed spindle");
   }
+  if (const IsgCall call = isg_call_at(line_, at); call.is_call && head_.behind < at)
+    return scan_call(at, call);
   std::size_t value = behind_blanks(line_, at + 1);
   if (sign_at(line_, value) == '=') value = behind_blanks(line_, value + 1);
   if (is_isg_expression_at(line_, value)) return scan_value(begin, value, at);
@@ -160,6 +169,19 @@ bool IsgFlow::scan_address(std::size_t& at) {
     return scan_value(begin, value, at);  // X10+P1
   }
   pieces_.push_back({.begin = begin, .end = at});
+  return true;
+}
+
+// T5 LM06. What is called there is the machine's: it alone may stand behind words.
+bool IsgFlow::scan_call(std::size_t& at, const IsgCall& call) {
+  const bool is_known = given_subprogram(setup_, call.name) != nullptr ||
+                        (call.is_local && unit_called(call) != nullptr);
+  if (is_known || isg_call_behind_words(line_, head_.behind) != at)
+    return refuse(Code::nc_unsupported, at,
+                  std::string(line_.substr(at, call.end - at)) + ", a call behind words");
+  called_behind_words_ = call.name;
+  pieces_.push_back({.begin = at, .end = call.end});
+  at = call.end;
   return true;
 }
 
@@ -191,7 +213,42 @@ void IsgFlow::append_number(std::string& text, const Value& value) {
     append_value(text, value.number, PointStyle::as_whole);
 }
 
-// Of a command the values between brackets, behind `=` and behind commas.
+// Where the variable begins that the name at `at` ends with: P1 of IDP1, V.L.A of XV.L.A. npos:
+// none. `end` is behind the name.
+std::size_t IsgFlow::variable_in_name(std::size_t at, std::size_t& end) const {
+  const std::size_t begin = at;
+  for (end = at; goes_on_as_name(sign_at(line_, end));) ++end;
+  if (is_isg_variable_at(line_, end - 1)) return end - 1;
+  std::size_t digits = end;
+  while (digits > begin && is_digit(line_[digits - 1])) --digits;
+  std::size_t parameter = digits;
+  while (parameter > begin && upper(line_[parameter - 1]) == 'P') --parameter;
+  return digits < end && is_isg_parameter_at(line_, parameter) ? parameter : npos;
+}
+
+// Where the value begins that stands in a command at or behind `sign` and hangs on a variable;
+// npos: none. `behind`: where to go on then.
+std::size_t IsgFlow::value_in_command(std::size_t sign, std::size_t& behind) const {
+  const char here = line_[sign];
+  behind = sign + 1;
+  if (here == '[' || here == ',' || here == '=') {
+    const std::size_t value = behind_blanks(line_, sign + 1);
+    std::size_t variable = value;
+    while (sign_at(line_, variable) == '-' || sign_at(line_, variable) == '+') ++variable;
+    const bool is_value =
+        is_isg_parameter_at(line_, variable) || is_isg_variable_at(line_, variable) ||
+        (is_letter(sign_at(line_, variable)) && is_isg_expression_at(line_, variable));
+    return is_value ? value : npos;
+  }
+  if (!is_letter(here)) return npos;
+  const std::size_t variable = variable_in_name(sign, behind);
+  const std::size_t before = without_blanks_behind(line_.substr(0, sign)).size() - 1;
+  // @P1=…: the name of a value of a cycle. TYPE=STEP1: a name.
+  const bool is_own_name = line_[before] == '@' || (line_[before] == '=' && variable != sign);
+  return is_own_name ? npos : variable;
+}
+
+// Of a command every value that hangs on a variable.
 bool IsgFlow::scan_command(std::size_t& at) {
   const std::size_t begin = at;
   const std::size_t end = line_[at] == '#' ? end_of_isg_command(line_, at)
@@ -199,25 +256,22 @@ bool IsgFlow::scan_command(std::size_t& at) {
   std::size_t kept = begin;
   std::string text;
   bool quoted = false;
-  std::size_t sign = begin;
-  while (sign < end) {
-    const char here = line_[sign++];
-    if (here == '"') quoted = !quoted;
-    if (quoted || (here != '[' && here != ',' && here != '=')) continue;
-    const std::size_t value = behind_blanks(line_, sign);
-    std::size_t variable = value;
-    while (sign_at(line_, variable) == '-' || sign_at(line_, variable) == '+') ++variable;
-    const bool is_value =
-        is_isg_parameter_at(line_, variable) || is_isg_variable_at(line_, variable) ||
-        (is_letter(sign_at(line_, variable)) && is_isg_expression_at(line_, variable));
-    // @P1=…: the name of a value of a cycle.
-    if (!is_value || sign_at(line_, variable - 1) == '@') continue;
+  std::size_t behind = begin;
+  for (std::size_t sign = begin; sign < end; sign = behind) {
+    behind = sign + 1;
+    if (line_[sign] == '"') quoted = !quoted;
+    const std::size_t value = quoted ? npos : value_in_command(sign, behind);
+    if (value == npos) continue;
+    // 2*P1: the value begins in front of the variable.
+    const char before = line_[without_blanks_behind(line_.substr(0, value)).size() - 1];
+    if (value == sign && (is_operator(before) || is_digit(line_[value - 1])) && before != ']')
+      return refuse(Code::expression_invalid, value, std::string(1, before));
     ExpressionReader expression = expression_at(value);
     const Value computed = expression.expression();
     if (expression.failed()) return refuse(expression.fault());
     text.append(line_.substr(kept, value - kept));
     append_number(text, computed);
-    kept = sign = end_of(line_, value, expression.at());
+    kept = behind = end_of(line_, value, expression.at());
   }
   at = std::max(end, begin + 1);
   pieces_.push_back({.begin = begin, .end = at});
@@ -303,11 +357,12 @@ bool IsgFlow::scan_radius(std::size_t& at, std::size_t value) {
   return true;
 }
 
+bool IsgFlow::has_changed_words() const {
+  return std::ranges::any_of(pieces_, [](const Piece& piece) { return piece.instead.has_value(); });
+}
+
 bool IsgFlow::write_words(std::string& flat) {
-  const bool changes =
-      head_.is_target || !head_.label.empty() ||
-      std::ranges::any_of(pieces_, [](const Piece& piece) { return piece.instead.has_value(); });
-  if (!changes) return pass_line(flat);
+  if (!head_.is_target && head_.label.empty() && !has_changed_words()) return pass_line(flat);
   const bool is_left = std::ranges::any_of(
       pieces_, [](const Piece& piece) { return !piece.instead || !piece.instead->empty(); });
   if (!is_left) return true;

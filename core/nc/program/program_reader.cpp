@@ -158,7 +158,8 @@ bool ProgramReader::begin_to_execute() {
   program::ProgramText text({}, std::exchange(before_, {}).append(std::exchange(text_, {})),
                             static_cast<std::uint32_t>(first_line));
   lines_of_text_ = first_line - 1 + text.size();
-  flow_ = program::make_flow(setup_, diagnostics_.calls(), std::move(text), start);
+  flow_ = program::make_flow(setup_, diagnostics_.calls(), std::move(text), start,
+                             interpreter_.blocks_read() > 0);
   flow_->know(told);
   return true;
 }
