@@ -259,7 +259,8 @@ constexpr auto rows = std::to_array<CodeRow>({
      "Where the corner has to be sharper, compensate the contour itself by the whole radius."},
     {Code::tool_radius_contradicts, warning, "TOOL_RADIUS_CONTRADICTS",
      "the program gives a tool another radius than the setup does, and that of the program counts",
-     "Check which tool is in the machine, and correct the setup or the program."},
+     "Check which tool is in the machine, and correct the table of tools or the "
+     "program."},
     {Code::tool_may_have_changed, warning, "TOOL_MAY_HAVE_CHANGED",
      "the tool may have been changed since the last contour, but its radius stays in force",
      "Program the T or D word of the tool behind it, with its radius in the tool table, or "

@@ -416,14 +416,13 @@ constexpr auto rows = std::to_array<Explanation>({
      .causes = {"A subprogram called within a contour whose lines are not in the program.",
                 "A shift or rotation of coordinates within a contour.",
                 "The program is written for another control."},
-     .example = "%L SIDE\n"
-                "N10 G01 X[10+P1] F500\n"
-                "N20 M30\n"
-                "%MAIN\n"
-                "N10 G00 X0 Y0\n"
-                "N20 P1=10\n"
-                "N30 LL SIDE\n"
-                "N40 M30\n"},
+     .example = "N10 G00 X0 Y0\n"
+                "N20 V.G.WZ_AKT.R = 5\n"
+                "N30 G41 G01 X10 Y10 F500\n"
+                "N40 X30\n"
+                "N50 L SIDE.NC\n"
+                "N60 X50\n"
+                "N70 M30\n"},
     {.code = Code::trc_option_unknown,
      .meaning = "#TRC [ ] takes the keywords of the table of options, each with a value.",
      .causes = {"A typing error."},
@@ -948,6 +947,9 @@ constexpr auto rows = std::to_array<Explanation>({
                 "nothing says which tool is in the spindle. If the call changes it, the second "
                 "contour has the radius of the first tool.",
      .causes = {"A subprogram of the machine's builder changes the tool."},
+     .on_command_line = "Program the T or D word of the tool behind it, with its radius in the "
+                        "table of tools, or compensate the parts of the program one by one. What "
+                        "changes no tool: --set pass_words=NAME.",
      .example = "G17 G90 G71\n"
                 "T1 D1\n"
                 "G0 X-20 Y0\n"

@@ -365,14 +365,17 @@ constexpr auto rows = std::to_array<GermanRow>({
     {.code = Code::tool_radius_contradicts,
      .title = "das Programm gibt einem Werkzeug einen anderen Radius als das Setup, und der "
               "des Programms gilt",
-     .help = "Prüfen, welches Werkzeug in der Maschine ist, und Setup oder Programm "
+     .help = "Prüfen, welches Werkzeug in der Maschine ist, und Werkzeugtabelle oder Programm "
              "berichtigen."},
     {.code = Code::tool_may_have_changed,
      .title = "seit der letzten Kontur kann das Werkzeug gewechselt worden sein, sein Radius gilt "
               "aber weiter",
      .help = "Dahinter das T- oder D-Wort des Werkzeugs programmieren, mit seinem Radius in der "
              "Werkzeugtabelle, oder die Teile des Programms einzeln korrigieren. Was kein Werkzeug "
-             "wechselt, wird in pass_words angegeben."},
+             "wechselt, wird in pass_words angegeben.",
+     .on_command_line = "Dahinter das T- oder D-Wort des Werkzeugs programmieren, mit seinem "
+                        "Radius in der Werkzeugtabelle, oder die Teile des Programms einzeln "
+                        "korrigieren. Was kein Werkzeug wechselt: --set pass_words=NAME."},
     {.code = Code::too_many_lines_executed,
      .title = "es werden mehr Zeilen ausgeführt als erlaubt",
      .help = "Nach einer Schleife suchen, die nie endet. Ein Programm, das so lang sein soll, "

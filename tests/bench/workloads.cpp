@@ -33,7 +33,7 @@ std::vector<Segment> closed(const std::vector<Point>& points) {
     return points[(first + index) % count];
   };
   const Point& start = at(0);
-  const Vector along = 1e-3 * left_of(start.normalized());
+  const Vector along = 1e-2 * left_of(start.normalized());
   std::vector<Segment> contour{Line{.start = start, .end = start + along}};
   const auto add = [&](const Point& end) {
     contour.emplace_back(Line{.start = end_of(contour.back()), .end = end});

@@ -142,6 +142,7 @@ class IsgFlow : public Flow, private Variables {
 
   // isg_words.cpp: lines of words.
   bool execute_words(std::string& flat);
+  [[nodiscard]] bool chooses_tool() const;
   bool scan_word(std::size_t& at);
   bool scan_address(std::size_t& at);
   bool scan_value(std::size_t begin, std::size_t value, std::size_t& at);

@@ -41,10 +41,18 @@ bool IsgFlow::execute_words(std::string& flat) {
   if (!end_or_return(ends, returns)) return false;
   if (!called_behind_words_.empty()) write_values(flat);
   if (!write_words(flat)) return false;
-  if (!called_behind_words_.empty()) lose_values(called_behind_words_);
+  // T5 LM06 changes tools as M06 does (D-76).
+  if (!called_behind_words_.empty() && !chooses_tool()) lose_values(called_behind_words_);
   if (jump_) frame().next = *jump_;
   if (returns) return return_from();
   return !ends || end_of_program();
+}
+
+bool IsgFlow::chooses_tool() const {
+  return std::ranges::any_of(pieces_, [&](const Piece& piece) {
+    return !piece.is_comment && upper(sign_at(line_, piece.begin)) == 'T' &&
+           is_digit(sign_at(line_, piece.begin + 1));
+  });
 }
 
 // M02 and M30 end the program, M17 and M29 a subprogram.
