@@ -264,11 +264,10 @@ bool IsgFlow::scan_command(std::size_t& at) {
   std::size_t kept = begin;
   std::string text;
   bool quoted = false;
-  std::size_t behind = begin;
-  for (std::size_t sign = begin; sign < end; sign = behind) {
-    behind = sign + 1;
+  for (std::size_t next = begin; next < end;) {
+    const std::size_t sign = next++;
     if (line_[sign] == '"') quoted = !quoted;
-    const std::size_t value = quoted ? npos : value_in_command(sign, behind);
+    const std::size_t value = quoted ? npos : value_in_command(sign, next);
     if (value == npos) continue;
     // 2*P1: the value begins in front of the variable.
     const char before = line_[without_blanks_behind(line_.substr(0, value)).size() - 1];
@@ -279,7 +278,7 @@ bool IsgFlow::scan_command(std::size_t& at) {
     if (expression.failed()) return refuse(expression.fault());
     text.append(line_.substr(kept, value - kept));
     append_number(text, computed);
-    kept = behind = end_of(line_, value, expression.at());
+    kept = next = end_of(line_, value, expression.at());
   }
   at = std::max(end, begin + 1);
   pieces_.push_back({.begin = begin, .end = at});
