@@ -43,7 +43,7 @@ bool IsgFlow::execute_words(std::string& flat) {
   if (!write_words(flat)) return false;
   if (!called_behind_words_.empty()) lose_values(called_behind_words_);
   if (jump_) frame().next = *jump_;
-  if (returns) return return_from();
+  if (returns) return check_behind_return() && return_from();
   return !ends || end_of_program();
 }
 
