@@ -138,9 +138,11 @@ class Selection {
 
   void measure(std::size_t number) {
     if (tree_.walls() == 0) return;
-    ++report_.checked;
     const PathPiece& path = held_.path()[number];
     const ProgrammedPiece& own = held_.programmed()[path.programmed];
+    // SUPPRESS_TRC: the path of no tool says nothing of the one that cuts.
+    if (const Rule& rule = held_.rule_of(own); !rule.follows && rule.radius > 0) return;
+    ++report_.checked;
     required_ = required_of(path);
     gouges_ = false;
     if (path.on_contour) check_side(path, own);

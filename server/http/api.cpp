@@ -286,7 +286,7 @@ void Api::decorate(const Request& request, Head& head) {
   if (origin.empty() || std::find(allowed.begin(), allowed.end(), origin) == allowed.end()) return;
   add("Access-Control-Allow-Origin", origin);
   add("Vary", "Origin");
-  add("Access-Control-Expose-Headers", "Trc-Status");
+  add("Access-Control-Expose-Headers", "Trc-Status, Trc-Warnings, Trc-First-Warning");
   if (request.method != "OPTIONS") return;
   add("Access-Control-Allow-Methods", "GET, POST, DELETE");
   add("Access-Control-Allow-Headers",

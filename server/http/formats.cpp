@@ -19,6 +19,17 @@ void ProblemFormat::refuse(const ExchangePointer& exchange, const grpc::Status& 
 
 bool ProblemFormat::stop(const grpc::Status& /*status*/, std::string& /*out*/) { return false; }
 
+Pairs ProblemFormat::warnings() const {
+  Pairs headers{{"Trc-Warnings", std::to_string(warnings_)}};
+  const auto first =
+      std::ranges::find(diagnostics_, v1::Diagnostic::WARNING, &v1::Diagnostic::severity);
+  if (first == diagnostics_.end()) return headers;
+  std::string& value =
+      headers.emplace_back("Trc-First-Warning", std::to_string(first->code())).second;
+  if (first->has_line()) value.append("; line=").append(std::to_string(first->line()));
+  return headers;
+}
+
 bool NcTextFormat::take(const grpc::ByteBuffer& answer, std::string& out) {
   if (!RpcCall::read_message(answer, answer_)) return false;
   remember(answer_.diagnostics());

@@ -21,15 +21,21 @@ class ProblemFormat : public Format {
   bool stop(const grpc::Status& status, std::string& out) override;
 
  protected:
+  // How many warnings there are, and the first one: where the answer has no place for them.
+  [[nodiscard]] Pairs warnings() const;
+
   template <class Diagnostics>
   void remember(const Diagnostics& diagnostics) {
-    for (const v1::Diagnostic& diagnostic : diagnostics)
+    for (const v1::Diagnostic& diagnostic : diagnostics) {
+      if (diagnostic.severity() == v1::Diagnostic::WARNING) ++warnings_;
       if (diagnostics_.size() < most_diagnostics) diagnostics_.push_back(diagnostic);
+    }
   }
 
  private:
   static constexpr std::size_t most_diagnostics = 1000;
   std::vector<v1::Diagnostic> diagnostics_;
+  std::size_t warnings_ = 0;
 };
 
 // NC text as it comes.
@@ -41,6 +47,10 @@ class NcTextFormat final : public ProblemFormat {
   // Ends with a line no control takes for a block.
   bool stop(const grpc::Status& status, std::string& out) override;
   [[nodiscard]] bool computes() const override { return false; }
+  [[nodiscard]] Pairs headers_at_end() const override { return warnings(); }
+  [[nodiscard]] std::string names_at_end() const override {
+    return ", Trc-Warnings, Trc-First-Warning";
+  }
 
  private:
   v1::CompensateProgramResponse answer_;

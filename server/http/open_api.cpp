@@ -270,6 +270,12 @@ void add_stream(Struct& answer) {
        "body ends with its last chunk and Trc-Status is OK");
   add_header(answer, "Trc-Status",
              "OK: the answer is whole. A header up to 1 MiB, a trailer above it");
+  add_header(
+      answer, "Trc-Warnings",
+      "Of NC text: how many warnings there are; they are in the JSON lines. Where Trc-Status "
+      "is");
+  add_header(answer, "Trc-First-Warning",
+             "Of NC text: the code of the first warning and its line, as in 900216; line=7");
 }
 
 void add_answers(const Route& route, Struct& operation, Schemas& known) {

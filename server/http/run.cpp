@@ -1,5 +1,7 @@
 #include "server/http/run.h"
 
+#include <algorithm>
+#include <iterator>
 #include <utility>
 
 namespace trc::server::http {
@@ -76,7 +78,7 @@ void Run::pass_on() {
   }
   if (!std::exchange(begun_, true)) {
     Head head = format_->head();
-    head.headers.emplace_back("Trailer", "Trc-Status");
+    head.headers.emplace_back("Trailer", "Trc-Status" + format_->names_at_end());
     exchange_->begin(std::move(head));
   }
   exchange_->write(std::exchange(held_, {}), [self = shared_from_this()](bool /*taken*/) {
@@ -105,12 +107,19 @@ void Run::on_done(const grpc::Status& status) {
 void Run::finish() {
   if (!begun_) {
     Head head = format_->head();
-    head.headers.emplace_back("Trc-Status", "OK");
+    std::ranges::move(headers_at_end(), std::back_inserter(head.headers));
     return exchange_->answer(std::move(head), std::move(held_));
   }
-  exchange_->write(std::exchange(held_, {}), [exchange = exchange_](bool taken) {
-    if (taken) exchange->end({{"Trc-Status", "OK"}});
-  });
+  exchange_->write(std::exchange(held_, {}),
+                   [exchange = exchange_, trailers = headers_at_end()](bool taken) {
+                     if (taken) exchange->end(trailers);
+                   });
+}
+
+Pairs Run::headers_at_end() const {
+  Pairs headers = format_->headers_at_end();
+  headers.emplace_back("Trc-Status", "OK");
+  return headers;
 }
 
 void Run::stop(const grpc::Status& status) {

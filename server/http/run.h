@@ -29,6 +29,10 @@ class Format {
   // else the connection ends without the end of the answer.
   [[nodiscard]] virtual bool stop(const grpc::Status& status, std::string& out) = 0;
 
+  // Headers that only the whole answer has, and their names.
+  [[nodiscard]] virtual Pairs headers_at_end() const { return {}; }
+  [[nodiscard]] virtual std::string names_at_end() const { return {}; }
+
   // It takes long enough to make it for the worker pool.
   [[nodiscard]] virtual bool computes() const { return true; }
   // May be sent before it is whole.
@@ -78,6 +82,7 @@ class Run : public std::enable_shared_from_this<Run> {
   void pass_on();
   void on_done(const grpc::Status& status);
   void finish();
+  [[nodiscard]] Pairs headers_at_end() const;
   void stop(const grpc::Status& status);
   void give_up();
 

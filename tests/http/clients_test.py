@@ -55,6 +55,17 @@ class Programs(unittest.TestCase):
             self.assertEqual(answer.read(), self.expected("--set", "tool_radius=5"))
             self.assertEqual(answer.headers["Trc-Status"], "OK")
 
+    def test_nc_text_tells_its_warnings_beside_its_status(self):
+        clean = self.server.ask("POST", "/v1/programs:compensate?tool_radius=5", SQUARE, TEXT)
+        self.assertEqual(clean[1]["Trc-Warnings"], "0")
+        self.assertNotIn("Trc-First-Warning", clean[1])
+        open_contour = "G00 X0 Y-10\nG42 G01 X0 Y0 F100\nX20\n"
+        warned = self.server.ask("POST", "/v1/programs:compensate?tool_radius=2", open_contour,
+                                 TEXT)
+        self.assertEqual(warned[0], 200)
+        self.assertEqual(warned[1]["Trc-Warnings"], "1")
+        self.assertRegex(warned[1]["Trc-First-Warning"], r"^900205; line=\d$")
+
     def test_curl_gets_the_text_of_the_command_line(self):
         done = subprocess.run(
             ["curl", "-sS", "--fail", "--data-binary", "@-", "-H", "Content-Type: text/plain",

@@ -132,6 +132,7 @@ TEST(IsgVariables, OfALevelAreKnownInWhatItCalls) {
 }
 
 TEST(IsgVariables, AreWithinWhatIsDeclared) {
+  EXPECT_EQ(refusal("P1=1\nV.L.A=20\nXV.L.A\n"), std::pair(900309, 2U));
   EXPECT_EQ(refusal("#VAR\nV.P.A[3]=[1,2,3]\n#ENDVAR\nV.P.A[5]=9\n"), std::pair(900309, 4U));
   EXPECT_EQ(flat("#VAR\nV.P.A[3]=[1,2,3]\n#ENDVAR\nV.P.A[2]=9\nXV.P.A[2]\n"), "X9\n");
   EXPECT_EQ(refusal("P0=4\nX1\n"), std::pair(900309, 1U));
@@ -205,7 +206,7 @@ TEST(IsgCalls, OfTheTextStandWhereTheyAreCalled) {
 TEST(IsgCalls, OfTheSetupStandWhereTheyAreCalled) {
   ProgramSessionSetup setup = isg();
   setup.session.program.subprograms = {
-      {"side.nc", "%L INNER\nXP1\nM29\n%SIDE\nV.L.A=3\nLL INNER\nYV.L.A\nM17\n"}};
+      {"side.nc", "%L INNER\nXP1\nM29\n%SIDE\n#VAR\nV.L.A=3\n#ENDVAR\nLL INNER\nYV.L.A\nM17\n"}};
   EXPECT_EQ(flat_of("P1=5\nL prog/SIDE.nc\nX0\n", setup), "(SIDE)\n(INNER)\nX5\nY3\nX0\n");
 }
 
@@ -238,6 +239,7 @@ TEST(IsgPrograms, EndInFrontOfAnotherOne) {
   EXPECT_EQ(refusal("$IF 1\nX1\n$ENDIF\n%\nX2\n"), std::pair(900003, 4U));
   EXPECT_EQ(refusal("G0 X1\n%L A\nX5\nM17\n%MAIN\nX2\nM30\n"), std::pair(900003, 2U));
   EXPECT_EQ(refusal("%L A\nX5\nM17\nX1\nM30\n").first, 900310);
+  EXPECT_EQ(refusal("%L A\nX5\nM17\nG00 X77\n%MAIN\nLL A\nM30\n"), std::pair(900310, 4U));
   EXPECT_EQ(flat("P1=3\nXP1\nM30\n%\n"), "X3\nM30\n");
   EXPECT_EQ(flat("(first)\n%L A\nX5\nM17\n%MAIN\nLL A\nM30\n"), "(first)\n%MAIN\n(A)\nX5\nM30\n");
 }

@@ -189,6 +189,8 @@ ClearanceReport slow_verification(std::span<const Block> programmed,
     const bool inserted =
         block.origin == Origin::transition || block.origin == Origin::radius_change;
     if (inserted && own->second.crosses_behind) continue;
+    const TrcMode& mode = *own->second.block->mode;
+    if (mode.options.suppress_trc && mode.tool_radius > 0) continue;
     ++report.checked;
     const double own_required = inserted
                                     ? std::min(own->second.required, own->second.required_behind)

@@ -93,6 +93,15 @@ TEST(Verification, IsNotSwitchedOffByIgnoredContourDamage) {
   EXPECT_EQ(reported.diagnostics.back().severity, Severity::warning);
 }
 
+// Nothing is compensated, so that nothing vouches for the tool.
+TEST(Verification, VouchesForNothingUnderSuppressedCompensation) {
+  const Outcome outcome = verified(std::string("#TRC [SUPPRESS_TRC=1]\n") + neck, 1000);
+  EXPECT_TRUE(outcome.goes_on);
+  EXPECT_EQ(outcome.clearance.checked, 0U);
+  EXPECT_FALSE(outcome.clearance.worst);
+  EXPECT_EQ(outcome.clearance.touched_length, 0);
+}
+
 TEST(Verification, DoesNotDependOnHowTheTextIsCut) {
   for (const char* program : {neck, step}) {
     const Outcome whole = verified(program, 10'000);

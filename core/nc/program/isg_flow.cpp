@@ -377,6 +377,25 @@ bool IsgFlow::refuse_behind_end(std::size_t line, Code code, std::string detail)
   return refuse(code, 0, std::move(detail));
 }
 
+// Behind the return of a subprogram nothing is executed, unless a jump or a branch leads there: a
+// line that stands there was meant for the program, whose beginning is missing.
+bool IsgFlow::check_behind_return() {
+  if (frames_.size() == 1 || looks_ahead()) return true;
+  const ProgramText& text = text_of(frame());
+  for (std::size_t line = frame().next; line < frame().end; ++line) {
+    const std::string_view content = text.line(line);
+    const IsgHead head = isg_head_of(content);
+    if (head.is_target || !head.label.empty() || bounds_isg_comment(content) ||
+        ends_tape(text, line))
+      return true;
+    if (is_isg_line_over(content, head.behind)) continue;
+    if (content[head.behind] == '$') return true;
+    frame().current = line;
+    return refuse(Code::block_structure, head.behind, "a line behind the end of a subprogram");
+  }
+  return true;
+}
+
 bool IsgFlow::return_from() {
   if (looks_ahead()) return true;
   if (frames_.size() == 1) return end_of_program();

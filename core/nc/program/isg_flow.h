@@ -138,6 +138,7 @@ class IsgFlow : public Flow, private Variables {
   bool call(std::string& flat, IsgCall call);
   bool call_the_machine(std::string& flat, const IsgCall& call);
   bool refuse_call(const IsgCall& call);
+  bool check_behind_return();
   bool return_from();
 
   // isg_words.cpp: lines of words.

@@ -149,6 +149,9 @@ bool IsgFlow::assign(const std::string& name, Value value, std::size_t begin) {
   if (whole_.contains(base_of(name)) && value.number != std::round(value.number))
     return refuse(Code::value_invalid, begin, name + ", which is declared whole");
   Values& values = values_of(name);
+  const bool is_known = in_declaration_ || looks_ahead() || has_base(values, base_of(name));
+  if (is_local(name) && !is_known)
+    return refuse(Code::value_invalid, begin, name + ", which is declared nowhere");
   if (!in_declaration_ && fields_.contains(base_of(name)) && !values.contains(name))
     return refuse(Code::value_invalid, begin, name + ", outside of what is declared");
   if (values.size() >= most_values && !values.contains(name))

@@ -44,7 +44,7 @@ bool IsgFlow::execute_words(std::string& flat) {
   // T5 LM06 changes tools as M06 does (D-76).
   if (!called_behind_words_.empty() && !chooses_tool()) lose_values(called_behind_words_);
   if (jump_) frame().next = *jump_;
-  if (returns) return return_from();
+  if (returns) return check_behind_return() && return_from();
   return !ends || end_of_program();
 }
 
