@@ -191,7 +191,11 @@ class Honest:
         alone = case.alone.get({self.measured: "verify", self.surveyed: "radii"}.get(way, "compensate"))
         if alone is not None and answer.code == alone[0]:
             if answer.output != alone[1]:
-                self.history.fail(f"{name}: exit {answer.code}, but not the output of trc alone ({case.source})")
+                got = os.path.join(self.folder, f"differs.{name}")
+                with open(got, "wb") as file:
+                    file.write(answer.output)
+                self.history.fail(f"{name} {way.__name__}: exit {answer.code}, but not the output of trc alone: "
+                                  f"{len(answer.output)} bytes instead of {len(alone[1])} ({case.source})")
             return
         if answer.code == DONE and alone is None:
             return
