@@ -36,12 +36,12 @@ inline std::string word(char letter, double value) { return letter + number(valu
 inline double sine(double degrees) { return std::sin(degrees * std::numbers::pi / 180); }
 inline double cosine(double degrees) { return std::cos(degrees * std::numbers::pi / 180); }
 
-inline ProgramSessionSetup computing_setup(DialectName name) {
+inline ProgramSessionSetup computing_setup(DialectName name, double tool_radius = 2) {
   ProgramSessionSetup setup;
   const Dialect& dialect = dialect_of(name);
   setup.session.program.dialect = name;
   dialect.begin(setup.session.program.mode);
-  setup.session.program.mode.tool_radius = 2;
+  setup.session.program.mode.tool_radius = tool_radius;
   setup.session.compensator.limits.passive_blocks = 10'000;
   return setup;
 }

@@ -14,11 +14,7 @@ namespace {
 
 using enum DialectName;
 
-ProgramSessionSetup setup_of(DialectName dialect) {
-  ProgramSessionSetup setup = computing_setup(dialect);
-  setup.session.program.mode.tool_radius = 5;
-  return setup;
-}
+ProgramSessionSetup setup_of(DialectName dialect) { return computing_setup(dialect, 5); }
 
 // The contour ends at X80 Y50, the tool at X80 Y55.
 std::string behind_contour(DialectName dialect, const std::string& text) {

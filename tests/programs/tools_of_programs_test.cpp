@@ -14,11 +14,7 @@ namespace {
 
 using enum DialectName;
 
-ProgramSessionSetup setup_of(DialectName dialect) {
-  ProgramSessionSetup setup = computing_setup(dialect);
-  setup.session.program.mode.tool_radius = 5;
-  return setup;
-}
+ProgramSessionSetup setup_of(DialectName dialect) { return computing_setup(dialect, 5); }
 
 // A wall from X0 Y0 to X0 Y40, travelled from X-20 on its left.
 std::string contour_of(DialectName dialect, const std::string& side) {

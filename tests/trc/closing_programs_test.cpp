@@ -153,6 +153,21 @@ TEST(ClosingPrograms, APartThatTouchesAnotherOneStaysAWall) {  // D-57
 
 // A pocket of chords, entered and left at one of its corners: what the kink there costs is below
 // the resolution of the input.
+// A line that is hardly there takes as much of the one before it as the corner behind needs: not
+// with the third axis, at another feed or at rapid, which have their place. Refused as ever.
+TEST(ClosingPrograms, WhatALineHardlyThereDoesKeepsItsPlace) {  // D-44
+  const auto corner = [](const std::string& before, const std::string& behind) {
+    return "N1 G0 X-10 Y-10 F800\nN2 G41 G1 X0 Y0\nN3 X20\n" + before + "X19.9992 Y0.0004" +
+           behind + "\nG1 F800 X20 Y30\nG40 X40\n";
+  };
+  EXPECT_TRUE(run("G140", 3, corner("N4 ", "")).whole);
+  for (const char* behind : {" Z-5", " F50"}) {
+    const Result outcome = run("G140", 3, corner("N4 ", behind));
+    EXPECT_TRUE(outcome.tells(Code::line_reversed)) << behind;
+  }
+  EXPECT_TRUE(run("G140", 3, corner("N4 G0 ", "")).tells(Code::line_reversed));
+}
+
 TEST(ClosingPrograms, APocketOfChordsMayBeEnteredAtACorner) {  // D-44
   for (const int chords : {300, 360, 720}) {
     std::string contour = "N1 G0 X10 Y0 F800\nN2 G139 G41 G1 X20 Y0\n";

@@ -30,6 +30,11 @@ double distance_to(const Point& point, const Line& line) {
   return (point - line.start - along * way).norm();
 }
 
+// What else a block does belongs to its own place: it would be done elsewhere.
+bool only_moves_in_plane(const MotionBlock& motion) {
+  return !motion.normal.moves() && motion.tracking.empty();
+}
+
 // With G239 the program has gone on from the end of the compensated path, which therefore must not
 // be turned any more.
 bool begins_in_end_of_path(const PathBlock* next) {
@@ -44,20 +49,22 @@ bool RoundedInput::is_short(const MotionBlock& motion, double input_resolution) 
   if (line == nullptr) return false;
   const TrcMode& mode = *motion.mode;
   const double longest = most_aside(mode, input_resolution);
-  return mode.active() && !mode.options.suppress_trc &&
+  return mode.active() && !mode.options.suppress_trc && only_moves_in_plane(motion) &&
          vector_of(*line).squaredNorm() <= longest * longest;
 }
 
 bool RoundedInput::is_contour_line(const PathBlock& block) {
   return block.role == Role::contour && std::holds_alternative<Line>(block.programmed.path) &&
          block.at_start == block.at_end && block.at_end.shift != 0 && !block.perpendicular_exit &&
-         !block.path_given;
+         !block.path_given && only_moves_in_plane(block.programmed);
 }
 
 bool RoundedInput::continues(const PathBlock& block) const {
-  return !held_.empty() && is_contour_line(block) && !block.perpendicular_entry &&
-         block.programmed.mode == held_.back()->programmed.mode &&
-         block.at_start == held_.back()->at_end;
+  if (held_.empty() || !is_contour_line(block) || block.perpendicular_entry) return false;
+  const PathBlock& last = *held_.back();
+  return block.programmed.mode == last.programmed.mode && block.at_start == last.at_end &&
+         block.programmed.rapid == last.programmed.rapid &&
+         block.programmed.feed == last.programmed.feed;
 }
 
 bool RoundedInput::feed(PathBlockPtr block, PathBlocks& out) {

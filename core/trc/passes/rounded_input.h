@@ -11,10 +11,11 @@ namespace trc {
 // Lines as short as rounding leaves them where nothing was meant decide nothing (rule 5.4, D-44):
 // the last micrometre to the point a contour began in, a step back, a corner in two points. Where
 // such a line turns, it comes to lie on what joins the ends of itself and the line before it, or
-// else the one behind. Each stays a block, as long as the corners at the ends need it.
+// else the one behind. Each stays a block, as long as the corners at the ends need it. Lines that
+// move other axes too, or with another feed, are left as they are: what they do has its place.
 //
-//   A --------------.C     B lies 1 µm beside A–C: both blocks lie on A–C then.
-//                  B'
+//   A ------------ B       B–C is 1 µm long, and turns: both blocks lie on A–C then.
+//                  C
 class RoundedInput {
  public:
   // `input_resolution` in mm; 0: every line is meant.
