@@ -488,6 +488,7 @@ constexpr auto phrases = std::to_array<Phrase>({
     {"a second program in one text", "ein zweites Programm in einem Text"},
     {"a statement", "eine Anweisung"},
     {"a statement in parentheses", "eine Anweisung in Klammern"},
+    {"a statement on several lines", "eine Anweisung über mehrere Zeilen"},
     {"a subprogram", "ein Unterprogramm"},
     {"a subprogram behind the program", "ein Unterprogramm hinter dem Programm"},
     {"a subprogram call", "ein Unterprogrammaufruf"},

@@ -252,6 +252,13 @@ TEST(IsgPrograms, KeepWhatMayBeSkipped) {
   EXPECT_EQ(refusal("P1=1\n$IF P1\nX1\n/$ENDIF\nX2\n"), std::pair(900017, 4U));
 }
 
+// The second line was executed once more on its own: X3 came out.
+TEST(IsgControl, StandsOnOneLine) {
+  EXPECT_EQ(refusal("P1=1\n$IF P1<2 AND \\\nP1=P1+1\nX[P1]\n$ENDIF\n"), std::pair(900003, 2U));
+  EXPECT_EQ(refusal("P1=1\n$WHILE P1<2 \\\nX[P1]\n$ENDWHILE\n"), std::pair(900003, 2U));
+  EXPECT_EQ(flat("P1=3\nG0 X[P1] \\\nY2\n"), "G0 X3  Y2\n");
+}
+
 TEST(IsgControl, HasNoWordsBehindIt) {
   EXPECT_EQ(refusal("$FOR P2=1,2,1\nXP2\n$ENDFOR X30\n"), std::pair(900308, 3U));
   EXPECT_EQ(refusal("P1=0\n$IF P1\nX1\n$ENDIF X88\n"), std::pair(900308, 4U));

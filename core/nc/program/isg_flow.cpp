@@ -278,7 +278,8 @@ void IsgFlow::take_line() {
   at.current = at.next++;
   const ProgramText& text = text_of(at);
   line_ = text.line(at.current);
-  if (is_continued(line_)) {
+  is_joined_ = is_continued(line_);
+  if (is_joined_) {
     joined_ = line_;
     while (is_continued(joined_) && at.next < at.end) {
       joined_.resize(without_blanks_behind(joined_).size() - 1);
@@ -309,7 +310,12 @@ bool IsgFlow::execute_line(std::string& flat) {
   if (is_isg_line_over(line_, head_.behind)) return pass_line(flat);
   if (in_declaration_) return declare(flat);
   if (line_[behind_blanks(line_, 0)] == '%') return pass_header(flat);
-  if (line_[head_.behind] == '$') return follow(flat);
+  if (line_[head_.behind] == '$') {
+    // Where a statement goes on to is counted in lines as they are written.
+    return !is_joined_
+               ? follow(flat)
+               : refuse(Code::nc_unsupported, head_.behind, "$, a statement on several lines");
+  }
   const IsgCall called = isg_call_at(line_, head_.behind);
   return called.is_call ? call(flat, called) : execute_words(flat);
 }

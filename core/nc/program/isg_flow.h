@@ -199,7 +199,8 @@ class IsgFlow : public Flow, private Variables {
   bool in_declaration_ = false;  // between #VAR and #ENDVAR
 
   // Of the line that is being executed.
-  std::string joined_{};  // of a line that goes on behind `\`
+  std::string joined_{};    // of a line that goes on behind `\`
+  bool is_joined_ = false;  // the line that is executed, of several
   std::string_view line_{};
   IsgHead head_{};
   std::vector<Piece> pieces_{};
