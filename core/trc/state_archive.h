@@ -48,10 +48,10 @@ void serialize(Archive& archive, Walls::Part& part) {
 
 template <class Archive>
 void serialize(Archive& archive, Walls& walls) {
-  auto& [leads, parts, rings, head, tail, touch, touch_of_rings, blocks_of_overrun,
-         blocks_of_round] = walls;
-  archive(leads, parts, rings, head, tail, touch, touch_of_rings, blocks_of_overrun,
-          blocks_of_round);
+  auto& [leads, parts, rings, head, tail, touch, touch_of_rings, blocks_beside_lead,
+         blocks_of_overrun, blocks_of_round] = walls;
+  archive(leads, parts, rings, head, tail, touch, touch_of_rings, blocks_beside_lead,
+          blocks_of_overrun, blocks_of_round);
 }
 
 template <class Archive>

@@ -570,6 +570,40 @@ TEST(Walls, ALeadOutThroughAFlatCornerMakesNoLeadOfIt) {  // D-38
     }
 }
 
+// Behind an overrun that ends just before the keyway of a bore the arc out stays within the closing
+// tolerance of the wall up to there.
+TEST(Walls, AnArcOutOfABoreIsALeadFromItsBegin) {  // D-38
+  for (const double lead : {5.0, 12.0, 18.0})
+    for (const double before : {0.5, 0.2, 0.02}) {
+      const double overrun = 4 - before;  // mm; the keyway begins 4 mm behind the start
+      const Point end(20 * std::sin(overrun / 20), -20 * std::cos(overrun / 20));
+      const Point center = (1 - lead / 20) * end;
+      const Walls walls = walls_of(Drawing(-lead, -20 + lead)
+                                       .arc(0, -20 + lead, pi / 2)
+                                       .arc(0, 0, 4.0 / 20)
+                                       .line(6, -25)
+                                       .line(10, -24)
+                                       .line(8, -std::sqrt(336))
+                                       .arc(0, 0, 2 * pi - std::asin(0.4))
+                                       .arc(0, 0, overrun / 20)
+                                       .arc(center.x(), center.y(), pi / 2),
+                                   Side::left);
+      EXPECT_EQ((Ranges{{0, 1}, {7, 8}}), walls.leads) << lead << ' ' << before;
+      ASSERT_EQ(1U, walls.parts.size()) << lead << ' ' << before;
+      EXPECT_NEAR(overrun, walls.parts[0].from, 1e-9) << lead << ' ' << before;
+    }
+}
+
+// A line in comes within the closing tolerance of the last walls before it meets the begin.
+TEST(Walls, ALineInAlongABossDoesNotHideItsBegin) {  // D-38
+  Drawing drawing(2, -2);
+  drawing.line(2, 0);
+  for (int arc = 0; arc < 720; ++arc) drawing.arc(0, 0, 2 * pi / 720);
+  const Walls walls = walls_of(drawing.line(2, 2), Side::right);
+  EXPECT_EQ((Ranges{{0, 1}, {721, 722}}), walls.leads);
+  EXPECT_TRUE(walls.parts.empty());
+}
+
 // Of a block without length both ends are the crossing: there is nothing beyond it.
 TEST(Walls, APointBehindAFullCircleTiesNothing) {  // D-44
   for (const double shift : {1.0, -1.0}) {

@@ -195,7 +195,11 @@ bool LoopRelease::holds_a_whole(const PathPlace& from, const PathPlace& to,
   const std::size_t last = number_of(end - 1);
   if (is_parted_by_rapid(first, last + 1)) return true;
   if (!stretch.is_long()) return false;
-  return obstacles_.walls().goes_round(first, last) || path_.changes_depth(from.block, end);
+  if (path_.changes_depth(from.block, end)) return true;
+  // Of few blocks nearly all may lie beside each other.
+  const Walls& walls = obstacles_.walls();
+  const double lap = stretch.of_walls / static_cast<double>(walls.rings.size() + 1);
+  return walls.goes_round(first, last) && stretch.length > 0.5 * lap;
 }
 
 bool LoopRelease::is_parted_by_rapid(std::size_t first, std::size_t end) const {
@@ -205,14 +209,29 @@ bool LoopRelease::is_parted_by_rapid(std::size_t first, std::size_t end) const {
   return false;
 }
 
+double LoopRelease::length_of_walls() const {
+  if (path_.begin_of_contour() > 0) return contour_length_;
+  double length = 0;
+  for (std::size_t number = 0; number < path_.end_of_contour(); ++number)
+    length += obstacles_.wall_length(number);
+  return length;
+}
+
 bool LoopRelease::check_left_out() {
   if (largest_masked_share_ >= 1 || path_.empty()) return true;
   LeftOut longest = longest_left_out_;
+  // Seldom wanted: mostly nothing is left out.
+  std::optional<double> known_length;
+  const auto of_walls = [&] {
+    if (!known_length) known_length = length_of_walls();
+    return *known_length;
+  };
   std::optional<LeftOut> whole_part;
   PathPlace reached{next_, 0};
   const auto consider = [&](const PathPlace& next) {
     if (next.block <= reached.block) return;
-    const LeftOut stretch = left_out(reached, next);
+    LeftOut stretch = left_out(reached, next);
+    if (stretch.length > 0) stretch.of_walls = of_walls();
     longest.add(stretch);
     if (!whole_part && holds_a_whole(reached, next, stretch)) whole_part = stretch;
   };
@@ -224,18 +243,13 @@ bool LoopRelease::check_left_out() {
   }
   consider({end_of_path(), 0});
   if (longest.length == 0) return true;
-  longest.of_walls = path_.begin_of_contour() > 0 ? contour_length_ : 0;
-  if (path_.begin_of_contour() == 0)
-    for (std::size_t number = 0; number < path_.end_of_contour(); ++number)
-      longest.of_walls += obstacles_.wall_length(number);
+  longest.of_walls = of_walls();
   // Of several contours linked by rapid motion the walls are unknown, and so is what share of them
   // a stretch is.
   const bool is_parted =
       longest.in_all > 0 && is_parted_by_rapid(path_.begin_of_contour(), path_.end_of_contour());
-  if (is_parted || whole_part) {
-    if (whole_part) whole_part->of_walls = longest.of_walls;
-    return diagnostics_.report(refusal_of(is_parted ? longest : *whole_part, 0));
-  }
+  if (is_parted || whole_part)
+    return diagnostics_.report(refusal_of(is_parted ? longest : *whole_part, std::nullopt));
   if (!longest.is_more_than(largest_masked_share_)) return true;
   return diagnostics_.report(refusal_of(longest, largest_masked_share_));
 }

@@ -85,6 +85,8 @@ class LoopRelease {
   void report_masked(const PathPlace& next, const Point& place);
   // From one place of the path to another one, which are next to a loop (D-39).
   [[nodiscard]] LeftOut left_out(const PathPlace& from, const PathPlace& to) const;
+  // mm, of all that is known.
+  [[nodiscard]] double length_of_walls() const;
   // Whether what is left out between them is no local damage, whatever its share (D-39): with it
   // goes a lap, a change of depth or a rapid motion.
   [[nodiscard]] bool holds_a_whole(const PathPlace& from, const PathPlace& to,

@@ -191,8 +191,10 @@ class InwardSearch {
           overruns_ == Overruns::along_the_last_lap && -earlier >= 0.5 * longest_ring();
       if (is_lap) return take(next);
       if (-earlier > tolerance_ && !runs_along(next)) {
-        // A lead-in that crosses the last walls does not hide the start of the contour.
-        if (is_crossing(*best_) && is_junction(next)) take(next);
+        // A lead-in that crosses the last walls, or comes near them, does not hide the start of the
+        // contour.
+        const bool is_beside = !is_block_end(best_->first) && best_->gap > next.gap + same_place;
+        if ((is_crossing(*best_) || is_beside) && is_junction(next)) take(next);
         return;
       }
       best_ = next;
@@ -211,6 +213,7 @@ class InwardSearch {
 
   [[nodiscard]] std::optional<Closing> result(std::span<const Candidate> candidates) {
     if (!best_) return std::nullopt;
+    end_before_lead_out();
     stay_with_all_laps();
     Closing found = closing();
     found.overrun = overrun_to(contour_, *best_, candidates, tolerance_);
@@ -334,6 +337,19 @@ class InwardSearch {
     gap_ = std::max(gap_, next.gap);
     joins_ = std::min(joins_, next.second.number);
     longest_ring_.reset();
+  }
+  // A lead-out in a slight curve is still near the first walls where one of them ends: the contour
+  // closes where the lead-out begins.
+  void end_before_lead_out() {
+    const ContourPlace out = overrun_.back().second;
+    if (is_block_end(out)) return;
+    const auto begins_there = [&](const Candidate& candidate) {
+      const auto& [number, along] = candidate.second;
+      if (number == out.number) return along <= same_place;
+      return number + 1 == out.number && is_block_end(candidate.second) && along > same_place;
+    };
+    const auto begin = std::find_if(overrun_.rbegin(), overrun_.rend(), begins_there);
+    if (begin != overrun_.rend()) overrun_.erase(begin.base(), overrun_.end());
   }
   // The end may cross the first lap where the last one, with round corners, does not come any more:
   // the contour closes where it still goes round as often as where the overrun begins.

@@ -8,6 +8,7 @@
 
 #include "core/base/tolerances.h"
 #include "core/geometry/along.h"
+#include "core/geometry/distance.h"
 #include "core/trc/corner/bow_tie.h"
 #include "core/trc/walls/closing.h"
 #include "core/trc/walls/laps.h"
@@ -17,6 +18,31 @@ namespace trc {
 namespace {
 
 constexpr double same_place = 1e-7;  // mm
+
+// Whether a block goes along the first few walls again, as exactly as both were programmed.
+bool is_overrun(const ContourView& contour, std::size_t number, std::size_t first_wall) {
+  constexpr std::size_t few = 5;
+  const Segment block = contour.segment(number);
+  const Point middle = point_along(block, length_of(block) / 2);
+  for (std::size_t wall = first_wall; wall < std::min(first_wall + few, number); ++wall)
+    if (distance(middle, contour.segment(wall)) <= Tolerances{}.on_top) return true;
+  return false;
+}
+
+// Of as many leads as the settings say.
+Closing closing_between(const ContourView& contour, const LeadSettings& settings) {
+  const std::size_t first = settings.blocks_in;
+  const std::size_t last = contour.count - settings.blocks_out - 1;
+  const Point begin = start_of(contour.segment(first));
+  double gap = (end_of(contour.segment(last)) - begin).norm();
+  if (settings.blocks_out > 0 && is_overrun(contour, last + 1, first))
+    gap = std::max(gap, Tolerances{}.on_top);
+  return {.first = {first, 0},
+          .second = {last, length_of(contour.segment(last))},
+          .point = begin,
+          .gap = gap <= settings.closing_tolerance ? gap : 0,
+          .joins = last};
+}
 
 std::optional<Closing> closing_of(const ContourView& contour, const LeadSettings& settings,
                                   double tool_radius) {
@@ -31,11 +57,7 @@ std::optional<Closing> closing_of(const ContourView& contour, const LeadSettings
   if (settings.blocks_in >= contour.count ||
       settings.blocks_out >= contour.count - settings.blocks_in)
     return std::nullopt;
-  const std::size_t last = contour.count - settings.blocks_out - 1;
-  return Closing{.first = {settings.blocks_in, 0},
-                 .second = {last, length_of(contour.segment(last))},
-                 .point = start_of(contour.segment(settings.blocks_in)),
-                 .joins = last};
+  return closing_between(contour, settings);
 }
 
 // Puts together what is a lead of one contour.
@@ -183,6 +205,29 @@ double kink_in(const ContourView& contour, const Closing& closing, double tool_r
   return kink;
 }
 
+// Walls that end beside a lead that goes along them are as near to it as the one it meets, by how
+// finely both are programmed.
+void reach_along_leads(const ContourView& contour, const Closing& closing, double input_resolution,
+                       Walls& walls) {
+  const auto goes_along = [&](const Point& point, const Segment& lead) {
+    const double apart = distance(point, lead);
+    // A coordinate is off by up to half of the resolution, two of them by its diagonal.
+    if (apart <= 1.5 * input_resolution) walls.touch = std::max(walls.touch, apart);
+    return apart <= Tolerances{}.on_top;
+  };
+  const std::size_t out = block_from(contour, closing.second);
+  if (out < contour.count)
+    while (walls.head.end < walls.tail.first &&
+           goes_along(end_of(contour.segment(walls.head.end - 2)), contour.segment(out)))
+      ++walls.head.end;
+  walls.blocks_beside_lead = walls.head.end - (closing.first.number + 2);
+  const std::size_t in = closing.first.number + (closing.first.along > same_place ? 1 : 0);
+  if (in > 0)
+    while (walls.head.end < walls.tail.first &&
+           goes_along(start_of(contour.segment(walls.tail.first + 1)), contour.segment(in - 1)))
+      --walls.tail.first;
+}
+
 // Of an overrun where it begins: what leads from one lap to the next need not come by where it
 // ends.
 Closing where_laps_meet(Closing closing) {
@@ -236,6 +281,7 @@ Walls find_walls(const ContourView& contour, const LeadSettings& settings, doubl
     walls.tail = {closing->joins - std::min<std::size_t>(closing->joins, 1), contour.count};
     walls.touch = std::max(closing->gap, kink_in(contour, *closing, tool_radius,
                                                  settings.input_resolution, scratch.memory()));
+    reach_along_leads(contour, *closing, settings.input_resolution, walls);
     // What comes by once goes over nothing of its own.
     if (!closing->is_alone || closing->overrun)
       add_rings(
@@ -256,6 +302,9 @@ Walls find_walls(const ContourView& contour, const LeadSettings& settings, doubl
       leads.mark(number, contour.role(number));
     }
   leads.give_to(walls);
+  // Where a lead meets the contour, rounding has it cut in by next to nothing (D-14).
+  if (walls.touch > 0 || !walls.leads.empty())
+    walls.touch = std::max(walls.touch, Tolerances{}.on_contour);
   if (contour.shift != 0)
     untie(contour, largest_bow_tie(settings.input_resolution, tool_radius), walls);
   return walls;

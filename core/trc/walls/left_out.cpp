@@ -36,12 +36,12 @@ Diagnostic note_of(const LeftOut& stretch) {
   return note;
 }
 
-Diagnostic refusal_of(const LeftOut& stretch, double largest_share) {
+Diagnostic refusal_of(const LeftOut& stretch, std::optional<double> largest_share) {
   Diagnostic refusal = diagnostic(Code::most_left_out, stretch.first);
   give_values(stretch, refusal);
   if (stretch.in_all > stretch.length)
     refusal.values.push_back({"left_out_in_all", stretch.in_all});
-  refusal.values.push_back({"max_masked_share", largest_share});
+  if (largest_share) refusal.values.push_back({"max_masked_share", *largest_share});
   return refusal;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <optional>
 
 #include "core/base/diagnostic.h"
 
@@ -28,7 +29,8 @@ struct LeftOut {
 
 // What is said of it: a note, or a warning where it is longer than 10 · R.
 [[nodiscard]] Diagnostic note_of(const LeftOut& stretch);
-// 900218, where that is more than the share of the walls that may be left out.
-[[nodiscard]] Diagnostic refusal_of(const LeftOut& stretch, double largest_share);
+// 900218, where that is more than the share of the walls that may be left out; nothing: where it is
+// what may not be left out whatever its share.
+[[nodiscard]] Diagnostic refusal_of(const LeftOut& stretch, std::optional<double> largest_share);
 
 }  // namespace trc

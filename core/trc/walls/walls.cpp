@@ -42,7 +42,9 @@ double Walls::touch_between(std::size_t number, std::size_t path) const {
   if (rings.empty()) return most;
   // Of several laps the end lies on the begin of the last one, which may be within the tail.
   const auto begin_of = [&](std::size_t ring) {
-    return ring > 0 ? Range{rings[ring - 1], rings[ring - 1] + 2 + blocks_of_overrun} : head;
+    if (ring == 0) return head;
+    const std::size_t first = rings[ring - 1];
+    return Range{first, first + 2 + blocks_of_overrun + blocks_beside_lead};
   };
   if (meet(begin_of(rings.size()), tail) || meet(tail, tail)) most = std::max(most, touch);
   const std::size_t ring = ring_of(path);

@@ -64,6 +64,8 @@ struct Walls {
   // The same, mm, for the path of one ring and the walls of later ones, which lie on top of it, and
   // for the end of each ring on its begin.
   double touch_of_rings = 0;
+  // How many blocks more than its first two the lead-out goes along at the begin of the contour.
+  std::size_t blocks_beside_lead = 0;
   // How many blocks an overrun goes over before the one it ends on.
   std::size_t blocks_of_overrun = 0;
   // How many blocks behind the begin of the contour its overrun goes along it again; 0: there is

@@ -1,5 +1,5 @@
-; expect: 900218 at line 11
-; D-39: two depths of a pocket of chords; the way goes on a lap later, which would leave out the first one.
+; expect: 90038 at line 222
+; D-39: two depths of a pocket of chords whose lead-out cuts its third one by 4 um; the way goes on a lap later only, which would leave out the first depth.
 G17 G90 G71 G162
 V.G.WZ_AKT.R = 1.5
 G141 G26
