@@ -260,6 +260,12 @@ TEST(Leads, AreNoWallsWhateverTheirSize) {
     };
     const std::vector<Point> path = samples_of(path_of(plain));
     if (plain.stopped || std::any_of(path.begin(), path.end(), is_near)) continue;
+    // What is left of an overrun may be so short that only the one of the two joins it (D-44).
+    const std::vector<Segment> blocks = path_of(plain);
+    const auto is_fine = [](const Segment& block) {
+      return !is_arc(block) && length_of(block) < 0.1;
+    };
+    if (std::any_of(blocks.begin(), blocks.end(), is_fine)) continue;
     ++compared;
     const std::string removing = text_of(program, "G26\nG141\n#TRC[REMOVE_MASKED_BLOCKS=1]");
     const Outcome outcome = run(removing, {});

@@ -9,6 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "core/geometry/along.h"
+#include "core/geometry/distance.h"
 #include "tests/support/run.h"
 #include "tests/support/slow_clearance.h"
 #include "tests/support/slow_shapes.h"
@@ -363,6 +365,71 @@ TEST(Rounding, IsRefusedNowhereWhereTheToolHasRoomAtTheEnds) {  // D-44
     }
   });
   std::cout << refused << " refused\n";
+}
+
+// Straight edges and half circles of fine steps, begun in the middle of an edge, as a pocket or
+// round a boss.
+struct FineSteps {
+  Job job{};
+  Line between{};  // the centres of the half circles
+  double radius = 0;
+
+  // How far the path is from where it would be beside the half circles themselves, mm, at most.
+  [[nodiscard]] double off_by(const std::vector<Segment>& path) const {
+    const double apart = radius + (job.mode.side == Side::left ? -1 : 1) * job.mode.tool_radius;
+    double most = 0;
+    for (const Segment& block : path)
+      for (const double share : {0.0, 0.5})
+        most = std::max(
+            most,
+            std::abs(distance(point_along(block, share * length_of(block)), between) - apart));
+    return most;
+  }
+};
+
+FineSteps with_fine_steps(Random& random) {
+  FineSteps made;
+  made.radius = random.between(6, 30);
+  const double half = random.between(5, 20);
+  const double step = random.between(0.02, 0.15);
+  const auto steps = static_cast<std::size_t>(pi * made.radius / step);
+  const Motion motion{.turn = random.between(0, 2 * pi),
+                      .shift = {random.between(-50, 50), random.between(-50, 50)}};
+  made.between = {.start = motion(Point(-half, 0)), .end = motion(Point(half, 0))};
+  Job& job = made.job;
+  job.corners.push_back(motion(Point(0, -made.radius)));
+  for (const double end : {1.0, -1.0})
+    for (std::size_t k = 0; k <= steps; ++k) {
+      const double angle = pi * (static_cast<double>(k) / static_cast<double>(steps) - end / 2);
+      job.corners.push_back(
+          motion(Point(end * half + made.radius * std::cos(angle), made.radius * std::sin(angle))));
+    }
+  const bool inside = random.chance(0.5);
+  const Vector along = (job.corners[1] - job.corners[0]).normalized();
+  // A start inside of a pocket has to fit into it.
+  job.out = (inside ? -0.3 : 1.0) * Vector(along.y(), -along.x());
+  job.mode.side = inside ? Side::left : Side::right;
+  job.mode.tool_radius = random.between(0.5, 0.7 * made.radius);
+  job.mode.selection = job.mode.deselection = Selection::direct;
+  job.mode.transition = random.chance(0.5) ? Transition::circular : Transition::linear;
+  job.mode.masking = random.chance(0.5) ? Masking::on : Masking::off;
+  return made;
+}
+
+TEST(Rounding, OfFineStepsMakesNoCorners) {  // D-44
+  for (std::uint64_t seed = 55'000'000; seed < 55'000'000 + contours_of_a_kind(); ++seed) {
+    Random random(seed);
+    const FineSteps made = with_fine_steps(random);
+    const Job& job = made.job;
+    SCOPED_TRACE("seed " + std::to_string(seed) + ", " + text_of(job.mode) + ", " +
+                 std::to_string(job.corners.size()) + " corners");
+    for (const double unit : {0.0, 1e-3, 1e-4}) {
+      const Outcome outcome = compensated(contour_of(job, unit), job.mode);
+      ASSERT_FALSE(outcome.stopped)
+          << "rounded to " << unit << ": " << message_of(*outcome.error());
+      EXPECT_LE(made.off_by(path_of(outcome)), 3e-3);
+    }
+  }
 }
 
 TEST(Rounding, LeavesLinearTransitionsWhereCircularOnesAre) {  // D-45

@@ -177,7 +177,9 @@ TEST(EveryProgram, GivesThePathOfItsBlocks) {
   for_each_program(8'000'000, [](const Contour& contour, const TrcMode& mode) {
     const std::string text = program_of(contour, mode, {});
     Outcome read = run(text, text.size());
-    Outcome given = compensate(contour, mode);
+    Feeding feeding;
+    feeding.compensator.leads.input_resolution = LeadSettings{}.input_resolution;
+    Outcome given = compensate(contour, mode, feeding);
     ASSERT_EQ(read.stopped, given.stopped);
     std::vector<CompensatedBlock> path = moving(read.blocks);
     if (!path.empty()) path.erase(path.begin());  // the motion to the start

@@ -35,6 +35,24 @@ bool only_moves_in_plane(const MotionBlock& motion) {
   return !motion.normal.moves() && motion.tracking.empty();
 }
 
+// Only what leaves no loops in keeps to every digit of a contour.
+bool keeps_every_digit(const TrcMode& mode) {
+  return mode.masking == Masking::on && mode.options.remove_masked_blocks && !mode.below_nominal;
+}
+
+// mm². A coordinate that is off turns two lines of the length l so that R·tan(β/2) is more than
+// half of l.
+double squared_length_of_short(const TrcMode& mode, double input_resolution) {
+  const double most = most_aside(mode, input_resolution);
+  if (keeps_every_digit(mode)) return most * most;
+  const double of_fine_steps =
+      2.5 * std::abs(mode.tool_radius) * resolution_for(mode, input_resolution);
+  return std::max(most * most, of_fine_steps);
+}
+
+// Of a line, by the corners at its ends.
+constexpr double most_used = 0.95;
+
 // With G239 the program has gone on from the end of the compensated path, which therefore must not
 // be turned any more.
 bool begins_in_end_of_path(const PathBlock* next) {
@@ -48,9 +66,8 @@ bool RoundedInput::is_short(const MotionBlock& motion, double input_resolution) 
   const auto* line = std::get_if<Line>(&motion.path);
   if (line == nullptr) return false;
   const TrcMode& mode = *motion.mode;
-  const double longest = most_aside(mode, input_resolution);
-  return mode.active() && !mode.options.suppress_trc && only_moves_in_plane(motion) &&
-         vector_of(*line).squaredNorm() <= longest * longest;
+  if (!mode.active() || mode.options.suppress_trc || !only_moves_in_plane(motion)) return false;
+  return vector_of(*line).squaredNorm() <= squared_length_of_short(mode, input_resolution);
 }
 
 bool RoundedInput::is_contour_line(const PathBlock& block) {
@@ -74,6 +91,7 @@ bool RoundedInput::feed(PathBlockPtr block, PathBlocks& out) {
     before_.reset();
     behind_contour_ = block->role == Role::contour && block->at_end.active;
     if (behind_contour_) before_ = tangent_at_end(block->programmed.path);
+    room_before_ = INFINITY;
     out.push_back(std::move(block));
     return true;
   }
@@ -115,12 +133,31 @@ bool RoundedInput::is_in_the_way(const Line& before, const Line& after) const {
          tangent_of(before).dot(tangent_of(after)) < cosine_of_slight_turn;
 }
 
-// Only what leaves no loops in keeps to every digit of a contour, between its ends: a tool that
-// goes no farther than to a point has no room at an end that points elsewhere.
-bool RoundedInput::is_exact() const {
-  const TrcMode& mode = held_.back()->mode();
-  return mode.masking == Masking::on && mode.options.remove_masked_blocks && !mode.below_nominal;
+double RoundedInput::taken_at_start(std::size_t chord) const {
+  std::optional<Vector> before = before_;
+  if (chord > 0) before = tangent_of(line_of(chords_[chord - 1]));
+  const Vector direction = tangent_of(line_of(chords_[chord]));
+  // What turns by more was meant.
+  return before && before->dot(direction) > 0 ? taken_between(*before, direction) : 0;
 }
+
+bool RoundedInput::is_used_up(std::size_t chord, const std::optional<Vector>& behind) const {
+  // Short lines that have been joined are longer.
+  const double longest = 16 * squared_length_of_short(held_.back()->mode(), input_resolution_);
+  const auto [direction, length] = directed(vector_of(line_of(chords_[chord])));
+  if (length * length > longest) return false;
+  double taken = taken_at_start(chord);
+  if (chord == 0 && taken > room_before_) return true;
+  if (chord + 1 < chords_.size())
+    taken += taken_at_start(chord + 1);
+  else if (behind && direction.dot(*behind) > 0)
+    taken += taken_between(direction, *behind);
+  return taken > most_used * length;
+}
+
+// Between its ends: a tool that goes no farther than to a point has no room at an end that points
+// elsewhere.
+bool RoundedInput::is_exact() const { return keeps_every_digit(held_.back()->mode()); }
 
 // Whether the corners between stay near enough to the line that takes the place of both.
 bool RoundedInput::may_be_one(const Chord& chord) const {
@@ -133,12 +170,60 @@ bool RoundedInput::may_be_one(const Chord& chord) const {
   return true;
 }
 
-bool RoundedInput::join_last() {
-  const Chord& first = chords_[chords_.size() - 2];
-  const Chord joined{.first = first.first, .count = first.count + chords_.back().count};
+bool RoundedInput::join(std::size_t first) {
+  const Chord joined{.first = chords_[first].first,
+                     .count = chords_[first].count + chords_[first + 1].count};
   if (!may_be_one(joined)) return false;
-  chords_.pop_back();
-  chords_.back() = joined;
+  chords_[first] = joined;
+  chords_.erase(chords_.begin() + static_cast<std::ptrdiff_t>(first) + 1);
+  return true;
+}
+
+bool RoundedInput::join_with_line_before(std::size_t chord) {
+  if (chord == 0) return false;
+  const Chord first = chords_[chord - 1];
+  const Chord second = chords_[chord];
+  if (!join(chord - 1)) return false;
+  const bool helps = !is_used_up(chord - 1, {}) && (chord < 2 || !is_used_up(chord - 2, {}));
+  if (helps) return true;
+  chords_[chord - 1] = first;
+  chords_.insert(chords_.begin() + static_cast<std::ptrdiff_t>(chord), second);
+  return false;
+}
+
+bool RoundedInput::move_corner_behind(std::size_t chord) {
+  const Chord before = chords_[chord];
+  const Chord behind = chords_[chord + 1];
+  const std::size_t count = before.count + behind.count;
+  for (std::size_t of_first = 1; of_first < count; ++of_first) {
+    chords_[chord] = {.first = before.first, .count = of_first};
+    chords_[chord + 1] = {.first = before.first + of_first, .count = count - of_first};
+    if (may_be_one(chords_[chord]) && may_be_one(chords_[chord + 1]) && !is_used_up(chord, {}) &&
+        !is_used_up(chord + 1, {}) && (chord == 0 || !is_used_up(chord - 1, {})))
+      return true;
+  }
+  chords_[chord] = before;
+  chords_[chord + 1] = behind;
+  return false;
+}
+
+bool RoundedInput::make_even() {
+  before_even_.assign(chords_.begin(), chords_.end());
+  for (std::size_t count = 2; 2 * count <= held_.size(); count *= 2) {
+    chords_.clear();
+    for (std::size_t first = 0; first + count <= held_.size(); first += count)
+      chords_.push_back({.first = first, .count = count});
+    chords_.back().count = held_.size() - chords_.back().first;
+    if (are_all_free()) return true;
+  }
+  chords_.assign(before_even_.begin(), before_even_.end());
+  return false;
+}
+
+bool RoundedInput::are_all_free() const {
+  for (std::size_t chord = 0; chord < chords_.size(); ++chord)
+    if (!may_be_one(chords_[chord]) || (chord + 1 < chords_.size() && is_used_up(chord, {})))
+      return false;
   return true;
 }
 
@@ -146,14 +231,29 @@ bool RoundedInput::join_last() {
 void RoundedInput::smooth() {
   while (chords_.size() >= 2 &&
          is_in_the_way(line_of(chords_[chords_.size() - 2]), line_of(chords_.back())) &&
-         join_last()) {
+         join(chords_.size() - 2)) {
+  }
+  if (is_exact()) return;
+  while (chords_.size() >= 2 && is_used_up(chords_.size() - 2, {})) {
+    const std::size_t full = chords_.size() - 2;
+    if (join_with_line_before(full)) continue;
+    if (move_corner_behind(full) || make_even() || !join(full)) return;
+  }
+}
+
+void RoundedInput::smooth_last_before(const Vector& behind) {
+  while (chords_.size() >= 2 && is_used_up(chords_.size() - 1, behind) &&
+         join(chords_.size() - 2)) {
   }
 }
 
 void RoundedInput::end_before(const PathBlock* next, PathBlocks& out) {
   if (held_.empty()) return;
-  if (next != nullptr && next->role == Role::contour)
-    return release_all(tangent_at_start(next->programmed.path), out);
+  if (next != nullptr && next->role == Role::contour) {
+    const Vector behind = tangent_at_start(next->programmed.path);
+    if (!is_exact() && next->at_start == held_.back()->at_end) smooth_last_before(behind);
+    return release_all(behind, out);
+  }
   if (is_exact()) smooth();
   Chord& last = chords_.back();
   if (begins_in_end_of_path(next) && last.count > 1) {
@@ -174,7 +274,10 @@ void RoundedInput::release_first(const std::optional<Vector>& behind_all, PathBl
   const Vector direction = tangent_of(line);
   std::optional<Vector> behind = behind_all;
   if (chords_.size() > 1) behind = tangent_of(line_of(chords_[1]));
+  const double taken = chord.count > 1 ? 0 : taken_at_start(0);
   if (chord.count > 1) lay_onto(line, chord.count, behind);
+  const Segment& last = held_[chord.count - 1]->programmed.path;
+  room_before_ = most_used * length_of(last) - taken;
   before_ = direction;
   const auto end = held_.begin() + static_cast<std::ptrdiff_t>(chord.count);
   std::move(held_.begin(), end, std::back_inserter(out));
@@ -188,13 +291,12 @@ void RoundedInput::release_first(const std::optional<Vector>& behind_all, PathBl
 void RoundedInput::lay_onto(const Line& line, std::size_t count,
                             const std::optional<Vector>& behind) {
   const auto [direction, length] = directed(vector_of(line));
-  constexpr double room = 1.05;
-  double at_start = before_ ? room * taken_between(*before_, direction) : 0;
-  double at_end = behind ? room * taken_between(direction, *behind) : 0;
-  const double scale = std::min(0.9 * length / (at_start + at_end), 1.0);
-  at_start *= scale;
-  at_end *= scale;
-  const double least = std::min(length / static_cast<double>(32 * count),
+  double at_start = before_ ? taken_between(*before_, direction) : 0;
+  double at_end = behind ? taken_between(direction, *behind) : 0;
+  const double room = std::min(1.05, 0.98 * length / (at_start + at_end));
+  at_start *= room;
+  at_end *= room;
+  const double least = std::min(length / static_cast<double>(64 * count),
                                 resolution_for(held_.back()->mode(), input_resolution_));
   double along = at_start;
   Point start = line.start;
@@ -209,10 +311,18 @@ void RoundedInput::lay_onto(const Line& line, std::size_t count,
   }
 }
 
-// The line before the last one may yet become one with it.
+// A line leaves when what has come behind it is long enough for all that rounding may do: under
+// REMOVE_MASKED_BLOCKS the line before the last one may yet become one with it.
 void RoundedInput::release_some(PathBlocks& out) {
-  while (chords_.size() > 2 || (chords_.size() > 1 && held_.size() > most_held))
+  const TrcMode& mode = held_.back()->mode();
+  const double enough = 150 * std::abs(mode.tool_radius) * resolution_for(mode, input_resolution_);
+  while (chords_.size() > (is_exact() ? 2 : 1)) {
+    const Point behind = end_of(held_[chords_.front().count - 1]->programmed.path);
+    const Vector way = end_of(held_.back()->programmed.path) - behind;
+    if (!is_exact() && held_.size() <= most_held && way.squaredNorm() < enough) return;
     release_first(std::nullopt, out);
+  }
+  while (chords_.size() > 1 && held_.size() > most_held) release_first(std::nullopt, out);
 }
 
 }  // namespace trc

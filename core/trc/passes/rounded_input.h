@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 #include <optional>
 #include <vector>
@@ -8,14 +9,20 @@
 
 namespace trc {
 
-// Lines as short as rounding leaves them where nothing was meant decide nothing (rule 5.4, D-44):
-// the last micrometre to the point a contour began in, a step back, a corner in two points. Where
-// such a line turns, it comes to lie on what joins the ends of itself and the line before it, or
-// else the one behind. Each stays a block, as long as the corners at the ends need it. Lines that
-// move other axes too, or with another feed, are left as they are: what they do has its place.
+// What rounding has made of a contour decides nothing (rule 5.4, D-44). Lines as short as it leaves
+// them where nothing was meant are one thing: the last micrometre to the point a contour began in,
+// a step back, a corner in two points. Where such a line turns, it comes to lie on what joins the
+// ends of itself and the line before it, or else the one behind. The corners of fine steps are
+// another: with a tool that is large beside them they take more than there is of a line, and go
+// where that moves the contour by next to nothing. Each line stays a block, as long as the corners
+// at the ends need it. Lines that move other axes too, or with another feed, are left as they are:
+// what they do has its place.
 //
 //   A ------------ B       B–C is 1 µm long, and turns: both blocks lie on A–C then.
 //                  C
+//
+// Under REMOVE_MASKED_BLOCKS a contour keeps every digit but between its ends: such corners are
+// loops that go by themselves.
 class RoundedInput {
  public:
   // `input_resolution` in mm; 0: every line is meant.
@@ -29,12 +36,12 @@ class RoundedInput {
   }
   [[nodiscard]] std::size_t look_ahead() const { return most_held + 1; }
 
-  // Whether a line is so short.
+  // Whether rounding may decide about a corner of the line.
   [[nodiscard]] static bool is_short(const MotionBlock& motion, double input_resolution);
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(held_, chords_, before_, behind_contour_, begins_);
+    archive(held_, chords_, before_, room_before_, behind_contour_, begins_);
   }
 
  private:
@@ -57,10 +64,22 @@ class RoundedInput {
   // mm of both blocks, where the tool is inside of the corner between.
   [[nodiscard]] double taken_between(const Vector& before, const Vector& after) const;
   [[nodiscard]] bool is_in_the_way(const Line& before, const Line& after) const;
+  // mm of a chord, by the corner where it begins.
+  [[nodiscard]] double taken_at_start(std::size_t chord) const;
+  // Whether the corners at both ends leave nothing of a chord. `behind`: tangent of what follows
+  // the last one.
+  [[nodiscard]] bool is_used_up(std::size_t chord, const std::optional<Vector>& behind) const;
   [[nodiscard]] bool is_exact() const;
   [[nodiscard]] bool may_be_one(const Chord& chord) const;
-  bool join_last();
+  // Makes one of a chord and the one behind it, where they may be.
+  bool join(std::size_t first);
+  bool join_with_line_before(std::size_t chord);
+  bool move_corner_behind(std::size_t chord);
+  // All chords of as many lines.
+  bool make_even();
+  [[nodiscard]] bool are_all_free() const;
   void smooth();
+  void smooth_last_before(const Vector& behind);
   // `next` follows, if anything does.
   void end_before(const PathBlock* next, PathBlocks& out);
   // `behind`: tangent of the contour block that follows.
@@ -72,9 +91,11 @@ class RoundedInput {
   double input_resolution_;
   PathBlocks held_;
   std::vector<Chord> chords_;
-  std::optional<Vector> before_;  // tangent at the end of the contour block before the held ones
-  bool behind_contour_ = false;   // what was fed last
-  bool begins_ = false;           // the held line is short, and the first of its contour
+  std::vector<Chord> before_even_;
+  std::optional<Vector> before_;   // tangent at the end of the contour block before the held ones
+  double room_before_ = INFINITY;  // mm that the corner there may take of that block
+  bool behind_contour_ = false;    // what was fed last
+  bool begins_ = false;            // the held line is short, and the first of its contour
 };
 
 }  // namespace trc
