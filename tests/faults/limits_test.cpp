@@ -9,7 +9,6 @@
 #include <csignal>
 #include <future>
 #include <memory>
-#include <numbers>
 #include <string>
 #include <thread>
 #include <vector>
@@ -17,6 +16,7 @@
 #include "core/session/program_session.h"
 #include "server/resources/memory_account.h"
 #include "tests/faults/control_group.h"
+#include "tests/faults/long_stream.h"
 #include "tests/faults/questions.h"
 #include "tests/server/calls.h"
 #include "tests/support/process.h"
@@ -262,57 +262,6 @@ TEST(Limits, OnePeerCannotTakeAllMemory) {
       << refused.status.error_message();
   EXPECT_TRUE(serves(socket));
 }
-
-// Laps of one circle: each block is near those of all laps.
-std::string laps(int count) {
-  constexpr int blocks_of_lap = 100;
-  constexpr double radius = 20;
-  std::string text = "G141\nG1 G41 V.G.WZ_AKT.R=0.5 X20 Y0 F800\n";
-  for (int i = 1; i <= count * blocks_of_lap; ++i) {
-    const double angle = 2 * std::numbers::pi * i / blocks_of_lap;
-    text += "X" + std::to_string(radius * std::cos(angle)) + " Y" +
-            std::to_string(radius * std::sin(angle)) + "\n";
-  }
-  return text + "G40\nX0 Y0\nM30\n";
-}
-
-// Sends all of it and reads what comes.
-class LongStream {
- public:
-  LongStream(const std::shared_ptr<grpc::Channel>& channel, const std::string& text)
-      : stub_(v1::TrcService::NewStub(channel)), stream_(stub_->CompensateProgram(&context_)) {
-    stream_->Write(server::setup_request(v1::ProgramSetup()));
-    constexpr std::size_t piece = 512U << 10U;
-    for (std::size_t at = 0; at < text.size(); at += piece)
-      stream_->Write(server::text_request(at, text.substr(at, piece), at + piece >= text.size()));
-    stream_->WritesDone();
-  }
-  ~LongStream() {
-    context_.TryCancel();
-    end();
-  }
-  LongStream(const LongStream&) = delete;
-  LongStream& operator=(const LongStream&) = delete;
-
-  Answer end() {
-    if (ended_) return answer_;
-    ended_ = true;
-    v1::CompensateProgramResponse response;
-    while (stream_->Read(&response)) {
-    }
-    answer_.status = stream_->Finish();
-    return answer_;
-  }
-
- private:
-  grpc::ClientContext context_;
-  std::unique_ptr<v1::TrcService::Stub> stub_;
-  std::unique_ptr<
-      grpc::ClientReaderWriter<v1::CompensateProgramRequest, v1::CompensateProgramResponse>>
-      stream_;
-  Answer answer_;
-  bool ended_ = false;
-};
 
 TEST(Limits, ASelectionMayComputeForSoLong) {
   const ServerProcess server({"--max-selection-cpu-s", "1"});
