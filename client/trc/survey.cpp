@@ -54,6 +54,14 @@ std::optional<Failure> ask(const Connection& connection, const v1::SurveySetup& 
   return whole ? std::nullopt : std::optional(missing_summary());
 }
 
+// But for the time that it took.
+bool is_the_same(const Response& before, const Response& again) {
+  MessageDifferencer differencer;
+  differencer.IgnoreField(v1::SurveySummary::descriptor()->FindFieldByNumber(
+      v1::SurveySummary::kWallTimeSecondsFieldNumber));
+  return differencer.Compare(before, again);
+}
+
 // What has been handed on. A survey that is asked for again begins anew: what comes again is held
 // against it, and goes no further.
 class Handed {
@@ -75,7 +83,7 @@ class Handed {
  private:
   bool take(const Response& response) {
     if (at_ < answers_.size()) {
-      differs_ = !MessageDifferencer::Equals(answers_[at_++], response);
+      differs_ = !is_the_same(answers_[at_++], response);
       return !differs_;
     }
     answers_.push_back(response);

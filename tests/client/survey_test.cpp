@@ -21,6 +21,8 @@ namespace {
 struct Call {
   std::vector<double> radii{};
   grpc::Status status{};
+  // Of the summary, where one comes before a status that is not OK.
+  std::optional<double> wall_time_s{};
 };
 
 grpc::Status no_place() {
@@ -58,9 +60,9 @@ class Told final : public v1::TrcService::Service {
       response.mutable_radius()->set_radius(radius);
       stream->Write(response);
     }
-    if (!call.status.ok()) return call.status;
+    if (!call.status.ok() && !call.wall_time_s) return call.status;
     v1::SurveyRadiiResponse last;
-    last.mutable_summary();
+    last.mutable_summary()->set_wall_time_seconds(call.wall_time_s.value_or(0));
     stream->Write(last);
     return call.status;
   }
@@ -95,6 +97,14 @@ TEST(Survey, ThatIsLostOnItsWayIsAskedForAnew) {
   std::vector<double> radii;
   EXPECT_FALSE(server.ask(radii));
   EXPECT_EQ(radii, (std::vector<double>{3, 5}));
+}
+
+TEST(Survey, ThatIsLostBehindItsSummaryIsTheSameThoughItTakesAnotherTime) {
+  Told server({{{3}, {grpc::UNAVAILABLE, "gone"}, 1.5}, {{3}, {}, 2.5}});
+  std::vector<double> radii;
+  EXPECT_FALSE(server.ask(radii));
+  EXPECT_EQ(radii, std::vector<double>{3});
+  EXPECT_EQ(server.asked(), 2U);
 }
 
 TEST(Survey, ThatIsAnotherOneTheNextTimeFails) {

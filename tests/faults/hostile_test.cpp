@@ -1,21 +1,13 @@
-// The built server under clients and surroundings that mean it harm.
+// The built server under clients that mean it harm.
 
-#include <fcntl.h>
 #include <grpcpp/grpcpp.h>
 #include <gtest/gtest.h>
-#include <sys/resource.h>
-#include <sys/stat.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <array>
 #include <atomic>
 #include <chrono>
-#include <csignal>
 #include <future>
 #include <memory>
-#include <regex>
-#include <sstream>
 #include <string>
 #include <thread>
 #include <vector>
@@ -34,10 +26,7 @@ using server::Answer;
 using server::eventually;
 using std::chrono::milliseconds;
 using std::chrono::seconds;
-using testing_support::content_of;
-using testing_support::Folder;
 using testing_support::memory_tells;
-using testing_support::Process;
 using testing_support::ServerProcess;
 
 // gRPC inflates a message before it looks at its size.
@@ -123,164 +112,6 @@ TEST(Hostile, SilentReflectionTakesNoThreadsAndEnds) {
     EXPECT_FALSE(stream->stream->Read(&response));
     EXPECT_EQ(stream->stream->Finish().error_code(), grpc::ABORTED);
   }
-}
-
-// A server whose log goes into a pipe that is read only when this test wants to.
-class UnreadServer {
- public:
-  explicit UnreadServer(const std::string& flags, const std::string& launcher = "")
-      : pipe_(made_pipe()),
-        process_({"/bin/sh", "-c",
-                  "exec " + launcher + testing_support::trcd_program() +
-                      " --listen 127.0.0.1:0 --admin-listen 127.0.0.1:0 " + flags + " >" +
-                      folder_.path("log")}) {
-    eventually([&] {
-      read_log();
-      return !port("ports").empty();
-    });
-  }
-  ~UnreadServer() { close(pipe_); }
-  UnreadServer(const UnreadServer&) = delete;
-  UnreadServer& operator=(const UnreadServer&) = delete;
-
-  [[nodiscard]] std::string address() const { return port("ports"); }
-  [[nodiscard]] std::string admin() const { return port("admin_port"); }
-  [[nodiscard]] Process& process() { return process_; }
-  // What has been read so far.
-  [[nodiscard]] const std::string& log() const { return log_; }
-  void read_log() {
-    std::array<char, 4096> part{};
-    for (ssize_t size = 0; (size = read(pipe_, part.data(), part.size())) > 0;)
-      log_.append(part.data(), static_cast<std::size_t>(size));
-  }
-
- private:
-  [[nodiscard]] int made_pipe() const {
-    mkfifo(folder_.path("log").c_str(), 0600);
-    return open(folder_.path("log").c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
-  }
-  [[nodiscard]] std::string port(const std::string& field) const {
-    std::smatch found;
-    return std::regex_search(log_, found, std::regex("\"" + field + "\":\"?(\\d+)"))
-               ? "127.0.0.1:" + found[1].str()
-               : "";
-  }
-
-  Folder folder_;
-  int pipe_;
-  Process process_;
-  std::string log_;
-};
-
-int count_of(const std::string& text, const std::string& part) {
-  int count = 0;
-  for (std::size_t at = 0; (at = text.find(part, at)) != std::string::npos; at += part.size())
-    ++count;
-  return count;
-}
-
-grpc::Status ask_info(const std::shared_ptr<grpc::Channel>& channel) {
-  grpc::ClientContext context;
-  context.set_deadline(std::chrono::system_clock::now() + seconds(10));
-  v1::GetServerInfoResponse info;
-  return v1::TrcService::NewStub(channel)->GetServerInfo(&context, {}, &info);
-}
-
-TEST(Hostile, LogThatNobodyReadsHoldsUpNothing) {
-  UnreadServer server("--max-log-lines-per-s 1000000");
-  ASSERT_FALSE(server.address().empty());
-  const auto channel = channel_to(server.address());
-  for (int i = 0; i < 2500; ++i) ASSERT_TRUE(ask_info(channel).ok()) << i;
-  const auto dropped = [&] {
-    return metric(server.admin(), "trc_log_lines_dropped_total{cause=\"unread\"}");
-  };
-  EXPECT_GT(dropped(), 0);
-  EXPECT_GT(metric(server.admin(), "trc_log_blocked_seconds"), 0);
-  EXPECT_EQ(testing_support::http_get(server.admin(), "/readyz"), "ready\n");
-
-  // Who reads again gets whole lines, and is told of those that are missing.
-  EXPECT_TRUE(eventually([&] {
-    server.read_log();
-    return server.log().find("\"log_lines_dropped\",\"unread\":") != std::string::npos;
-  }));
-  std::size_t begin = 0;
-  for (std::size_t end = 0; (end = server.log().find('\n', begin)) != std::string::npos;
-       begin = end + 1) {
-    EXPECT_EQ(server.log()[begin], '{');
-    EXPECT_EQ(server.log()[end - 1], '}');
-  }
-  EXPECT_TRUE(serves(server.address()));
-}
-
-TEST(Hostile, LogThatNobodyReadsDoesNotHoldUpTheEnd) {
-  UnreadServer server("--max-log-lines-per-s 1000000");
-  ASSERT_FALSE(server.address().empty());
-  const auto channel = channel_to(server.address());
-  for (int i = 0; i < 500; ++i) ASSERT_TRUE(ask_info(channel).ok()) << i;
-  const auto begin = std::chrono::steady_clock::now();
-  server.process().signal(SIGTERM);
-  EXPECT_EQ(server.process().wait(), 0);
-  EXPECT_LT(std::chrono::steady_clock::now() - begin, seconds(8));
-}
-
-// As where the disk is full: the file of the log may not grow any more.
-TEST(Hostile, LogThatCannotBeWrittenIsCountedAndHoldsUpNothing) {
-  const ServerProcess server({"--admin-listen", "127.0.0.1:0"});
-  ASSERT_FALSE(server.address().empty());
-  const auto channel = channel_to(server.address());
-  const auto room = [&](rlim_t bytes) {
-    const rlimit limit{.rlim_cur = bytes, .rlim_max = RLIM_INFINITY};
-    ASSERT_EQ(prlimit(server.id(), RLIMIT_FSIZE, &limit, nullptr), 0);
-  };
-  // The last line that finds room finds it in part only.
-  room(server.log().size() + 100);
-  constexpr int calls = 20;
-  for (int i = 0; i < calls; ++i) ASSERT_TRUE(ask_info(channel).ok()) << i;
-  const auto failed = [&] {
-    return metric(server.admin(), "trc_log_lines_dropped_total{cause=\"failed\"}");
-  };
-  EXPECT_TRUE(eventually([&] { return failed() >= calls; })) << failed();
-  EXPECT_EQ(testing_support::http_get(server.admin(), "/readyz"), "ready\n");
-
-  // With room again lines are whole, and begin behind the one that was torn.
-  room(RLIM_INFINITY);
-  EXPECT_TRUE(
-      eventually([&] { return server.log().find("\"log_lines_dropped\"") != std::string::npos; }));
-  ASSERT_TRUE(ask_info(channel).ok());
-  EXPECT_TRUE(eventually([&] { return server.log().ends_with("}\n"); }));
-  int torn = 0;
-  std::istringstream lines(server.log());
-  for (std::string line; std::getline(lines, line);) {
-    EXPECT_EQ(line.find("{\"ts\""), 0U) << line;
-    EXPECT_EQ(line.rfind("{\"ts\""), 0U) << line;
-    torn += line.ends_with('}') ? 0 : 1;
-  }
-  EXPECT_EQ(torn, 1) << server.log();
-  EXPECT_NE(server.log().find("\"failed\":"), std::string::npos);
-}
-
-// Who has started the server may have set the pipe so that it says that there is no room.
-TEST(Hostile, LogIntoAPipeThatDoesNotWaitLosesNothing) {
-  UnreadServer server("--max-log-lines-per-s 1000000",
-                      "/usr/bin/python3 -c 'import os, sys; os.set_blocking(1, False); "
-                      "os.execv(sys.argv[1], sys.argv[1:])' ");
-  ASSERT_FALSE(server.address().empty());
-  const auto channel = channel_to(server.address());
-  constexpr int calls = 400;
-  for (int i = 0; i < calls; ++i) ASSERT_TRUE(ask_info(channel).ok()) << i;
-  EXPECT_TRUE(eventually([&] {
-    server.read_log();
-    return count_of(server.log(), "\"GetServerInfo\"") == calls;
-  }));
-}
-
-TEST(Hostile, OneKindOfLineDoesNotFloodTheLog) {
-  const ServerProcess server({"--admin-listen", "127.0.0.1:0", "--max-log-lines-per-s", "5"});
-  const auto channel = channel_to(server.address());
-  for (int i = 0; i < 200; ++i) ASSERT_TRUE(ask_info(channel).ok());
-  EXPECT_GT(metric(server.admin(), "trc_log_lines_dropped_total{cause=\"rate\"}"), 50);
-  EXPECT_TRUE(
-      eventually([&] { return server.log().find("\"log_lines_dropped\"") != std::string::npos; }));
 }
 
 // Many times: what a stream does, with the number of the stream.
@@ -447,64 +278,6 @@ TEST(Hostile, ManyLargeProgramsOnOneConnectionAreLeftAlone) {
   for (auto& stream : streams) done += stream.get() ? 1 : 0;
   EXPECT_EQ(done, 32);
   EXPECT_EQ(closed_for(server, "overhead"), 0);
-}
-
-TEST(Hostile, FileThatIsNoSocketIsNotDeleted) {
-  const Folder folder;
-  const std::string file = folder.write("part.nc", "N5 G1 X0\n");
-  const auto ended =
-      testing_support::run({testing_support::trcd_program(), "--listen", "unix:" + file});
-  EXPECT_EQ(ended.code, 1);
-  EXPECT_EQ(ended.err, "trcd: error: cannot listen on unix:" + file +
-                           ": there is a file which is no socket\n");
-  EXPECT_EQ(content_of(file), "N5 G1 X0\n");
-}
-
-TEST(Hostile, KeyFileThatIsNoneIsSaidInOneLine) {
-  const Folder folder;
-  ASSERT_EQ(symlink("nowhere", folder.path("dangling").c_str()), 0);
-  ASSERT_EQ(mkdir(folder.path("directory").c_str(), 0700), 0);
-  for (const std::string& path : {folder.path("dangling"), folder.path("directory"),
-                                  folder.write("zeros", std::string(32, '\0'))}) {
-    const auto ended = testing_support::run(
-        {testing_support::trcd_program(), "--listen", "127.0.0.1:0", "--resume-key-file", path});
-    EXPECT_EQ(ended.code, 2) << path;
-    EXPECT_TRUE(ended.err.starts_with("trcd: error: resume-key-file: '" + path + "' "))
-        << ended.err;
-    EXPECT_EQ(ended.err.find('\n'), ended.err.size() - 1) << ended.err;
-  }
-}
-
-// Reading a pipe would wait for a writer for ever, and a device never comes to an end.
-TEST(Hostile, SettingThatNamesNoPlainFileIsSaidInOneLine) {
-  const Folder folder;
-  ASSERT_EQ(mkfifo(folder.path("pipe").c_str(), 0600), 0);
-  ASSERT_EQ(mkdir(folder.path("directory").c_str(), 0700), 0);
-  const std::string file = folder.write("any.pem", "");
-  const std::vector<std::vector<std::string>> settings{
-      {"--config"},
-      {"--resume-key-file"},
-      {"--tls-key-file", file, "--tls-cert-file"},
-      {"--tls-cert-file", file, "--tls-key-file"},
-      {"--tls-cert-file", file, "--tls-key-file", file, "--tls-client-ca-file"}};
-  for (const std::vector<std::string>& setting : settings) {
-    for (const std::string& path : {folder.path("pipe"), folder.path("directory"),
-                                    std::string("/dev/zero"), folder.path("none")}) {
-      if (setting.front() == "--resume-key-file" && path == folder.path("none")) continue;
-      std::vector<std::string> command{"/usr/bin/timeout", "10", testing_support::trcd_program(),
-                                       "--listen", "127.0.0.1:0"};
-      command.insert(command.end(), setting.begin(), setting.end());
-      command.push_back(path);
-      const auto ended = testing_support::run(command);
-      EXPECT_EQ(ended.code, 2) << setting.back() << " " << path;
-      EXPECT_NE(ended.err.find("'" + path + "'"), std::string::npos) << ended.err;
-      EXPECT_EQ(ended.err.find('\n'), ended.err.size() - 1) << ended.err;
-    }
-  }
-  const auto named =
-      testing_support::run({"/usr/bin/env", "TRCD_CONFIG=" + folder.path("pipe"),
-                            "/usr/bin/timeout", "10", testing_support::trcd_program()});
-  EXPECT_EQ(named.code, 2) << named.err;
 }
 
 }  // namespace

@@ -9,15 +9,17 @@
 #include <csignal>
 #include <future>
 #include <memory>
-#include <numbers>
 #include <string>
 #include <thread>
 #include <vector>
 
 #include "core/session/program_session.h"
+#include "grpc/health/v1/health.grpc.pb.h"
 #include "server/resources/memory_account.h"
 #include "tests/faults/control_group.h"
+#include "tests/faults/long_stream.h"
 #include "tests/faults/questions.h"
+#include "tests/faults/service_manager.h"
 #include "tests/server/calls.h"
 #include "tests/support/process.h"
 
@@ -147,25 +149,70 @@ TEST(Limits, TheTiniestStepsDoNotKillASmallServer) {
   small.expect_recovers(before);
 }
 
+grpc::health::v1::HealthCheckResponse::ServingStatus health_of(const std::string& address) {
+  grpc::ClientContext context;
+  context.set_deadline(std::chrono::system_clock::now() + seconds(10));
+  grpc::health::v1::HealthCheckResponse response;
+  grpc::health::v1::Health::NewStub(channel_to(address))->Check(&context, {}, &response);
+  return response.status();
+}
+
 // gRPC gives work to threads that could not be made, and the pool makes one for a turn that gives
-// way: neither leaves a client without an answer, nor keeps the server from its end.
+// way: neither leaves a client without an answer, nor keeps the server from its end. What it says
+// of itself is what its clients see.
 TEST(Limits, NoFurtherThreadIsNeededToAnswer) {
   if (!memory_tells) GTEST_SKIP() << "the reserve is not taken under a sanitizer";
   const ThreadGroup group(1000);
   if (!group.exists()) GTEST_SKIP() << "no cgroup can be made here";
-  ServerProcess server({"--admin-listen", "127.0.0.1:0"}, "127.0.0.1:0", 0, {}, group.launcher());
+  const Folder folder;
+  ServiceManager manager(folder.path("notify"));
+  ServerProcess server(
+      {"--admin-listen", "127.0.0.1:0", "--http-listen", "127.0.0.1:0"}, "127.0.0.1:0", 0,
+      {"NOTIFY_SOCKET=" + folder.path("notify"), "WATCHDOG_USEC=1000000"}, group.launcher());
   ASSERT_TRUE(serves(server.address()));
   ASSERT_TRUE(group.set_limit(static_cast<std::uint64_t>(server.threads())));
-  const std::string text = staircase(300'000, "G141\n");
-  const std::string expected = compensated(text);
-  for (const Answer& answer : ask_at_once(server.address(), text, 8)) {
-    EXPECT_TRUE(answer.status.ok()) << answer.status.error_message();
-    EXPECT_EQ(answer.text == expected, true);
+  // Held back until its end, and answered as it comes.
+  for (const std::string& text : {staircase(300'000, "G141\n"), staircase(900'000, "")}) {
+    const std::string expected = compensated(text);
+    for (const Answer& answer : ask_at_once(server.address(), text, 8)) {
+      EXPECT_TRUE(answer.status.ok()) << answer.status.error_message();
+      EXPECT_EQ(answer.text == expected, true);
+    }
   }
   EXPECT_GT(metric(server.admin(), "trc_pool_threads_missed_total"), 0);
   EXPECT_EQ(testing_support::http_get(server.admin(), "/readyz"), "ready\n");
+  EXPECT_EQ(health_of(server.address()), grpc::health::v1::HealthCheckResponse::SERVING);
+  EXPECT_TRUE(manager.hears("WATCHDOG=1"));
   server.signal(SIGTERM);
   EXPECT_EQ(server.wait(), 0) << server.log() << server.errors();
+}
+
+// Where the reserve is used up: the server ends, so that its clients go on elsewhere, before
+// anybody has waited long; health said so, or was asked no more.
+TEST(Limits, WhoGoesWithoutAThreadIsNotLeftWaiting) {
+  if (!memory_tells) GTEST_SKIP() << "the reserve is not taken under a sanitizer";
+  const ThreadGroup group(1000);
+  if (!group.exists()) GTEST_SKIP() << "no cgroup can be made here";
+  ServerProcess server({"--admin-listen", "127.0.0.1:0", "--drain-timeout-s", "2"}, "127.0.0.1:0",
+                       0, {}, group.launcher());
+  ASSERT_TRUE(serves(server.address()));
+  // Fewer than there are: nothing that ends may be replaced.
+  ASSERT_TRUE(group.set_limit(static_cast<std::uint64_t>(server.threads()) / 2));
+  const std::string text = staircase(900'000, "");
+  const std::string expected = compensated(text);
+  const auto begin = Clock::now();
+  for (int round = 0; round < 3; ++round)
+    for (const Answer& answer : ask_at_once(server.address(), text, 16))
+      EXPECT_TRUE(answer.status.ok() ? answer.text == expected
+                                     : !answer.status.error_message().empty());
+  EXPECT_LT(Clock::now() - begin, seconds(60));
+  const std::string ready = testing_support::http_get(server.admin(), "/readyz");
+  const bool is_serving =
+      health_of(server.address()) == grpc::health::v1::HealthCheckResponse::SERVING;
+  EXPECT_TRUE(ready != "ready\n" || (is_serving && serves(server.address()))) << ready;
+  server.signal(SIGTERM);
+  const bool went_without = server.log().find("threads_missing") != std::string::npos;
+  EXPECT_EQ(server.wait(), went_without ? 1 : 0) << server.log() << server.errors();
 }
 
 TEST(Limits, TooFewThreadsAreSaidBeforeAPortOpens) {
@@ -262,57 +309,6 @@ TEST(Limits, OnePeerCannotTakeAllMemory) {
       << refused.status.error_message();
   EXPECT_TRUE(serves(socket));
 }
-
-// Laps of one circle: each block is near those of all laps.
-std::string laps(int count) {
-  constexpr int blocks_of_lap = 100;
-  constexpr double radius = 20;
-  std::string text = "G141\nG1 G41 V.G.WZ_AKT.R=0.5 X20 Y0 F800\n";
-  for (int i = 1; i <= count * blocks_of_lap; ++i) {
-    const double angle = 2 * std::numbers::pi * i / blocks_of_lap;
-    text += "X" + std::to_string(radius * std::cos(angle)) + " Y" +
-            std::to_string(radius * std::sin(angle)) + "\n";
-  }
-  return text + "G40\nX0 Y0\nM30\n";
-}
-
-// Sends all of it and reads what comes.
-class LongStream {
- public:
-  LongStream(const std::shared_ptr<grpc::Channel>& channel, const std::string& text)
-      : stub_(v1::TrcService::NewStub(channel)), stream_(stub_->CompensateProgram(&context_)) {
-    stream_->Write(server::setup_request(v1::ProgramSetup()));
-    constexpr std::size_t piece = 512U << 10U;
-    for (std::size_t at = 0; at < text.size(); at += piece)
-      stream_->Write(server::text_request(at, text.substr(at, piece), at + piece >= text.size()));
-    stream_->WritesDone();
-  }
-  ~LongStream() {
-    context_.TryCancel();
-    end();
-  }
-  LongStream(const LongStream&) = delete;
-  LongStream& operator=(const LongStream&) = delete;
-
-  Answer end() {
-    if (ended_) return answer_;
-    ended_ = true;
-    v1::CompensateProgramResponse response;
-    while (stream_->Read(&response)) {
-    }
-    answer_.status = stream_->Finish();
-    return answer_;
-  }
-
- private:
-  grpc::ClientContext context_;
-  std::unique_ptr<v1::TrcService::Stub> stub_;
-  std::unique_ptr<
-      grpc::ClientReaderWriter<v1::CompensateProgramRequest, v1::CompensateProgramResponse>>
-      stream_;
-  Answer answer_;
-  bool ended_ = false;
-};
 
 TEST(Limits, ASelectionMayComputeForSoLong) {
   const ServerProcess server({"--max-selection-cpu-s", "1"});

@@ -2,11 +2,7 @@
 
 #include <grpcpp/grpcpp.h>
 #include <gtest/gtest.h>
-#include <sys/socket.h>
-#include <sys/un.h>
-#include <unistd.h>
 
-#include <array>
 #include <atomic>
 #include <chrono>
 #include <csignal>
@@ -16,6 +12,7 @@
 #include <vector>
 
 #include "grpc/health/v1/health.grpc.pb.h"
+#include "tests/faults/service_manager.h"
 #include "tests/server/calls.h"
 #include "tests/support/process.h"
 
@@ -415,41 +412,9 @@ TEST(Reload, ChangesTheLogLevelAndNothingElse) {
   }));
 }
 
-// The socket of a service manager.
-class Manager {
- public:
-  explicit Manager(const std::string& path) : socket_(socket(AF_UNIX, SOCK_DGRAM, 0)) {
-    sockaddr_un name{};
-    name.sun_family = AF_UNIX;
-    path.copy(name.sun_path, sizeof(name.sun_path) - 1);
-    EXPECT_EQ(bind(socket_, reinterpret_cast<const sockaddr*>(&name), sizeof(name)), 0);
-  }
-  ~Manager() { close(socket_); }
-  Manager(const Manager&) = delete;
-  Manager& operator=(const Manager&) = delete;
-
-  // Whether such a message comes.
-  bool hears(const std::string& part) {
-    return eventually([&] {
-      std::array<char, 512> message{};
-      for (ssize_t size = 0;
-           (size = recv(socket_, message.data(), message.size(), MSG_DONTWAIT)) > 0;)
-        heard_ += std::string(message.data(), static_cast<std::size_t>(size)) + "\n";
-      const std::size_t at = heard_.find(part);
-      if (at == std::string::npos) return false;
-      heard_.erase(0, at + part.size());
-      return true;
-    });
-  }
-
- private:
-  int socket_;
-  std::string heard_;
-};
-
 TEST(ServiceManager, IsToldWhatTheServerDoes) {
   const Folder folder;
-  Manager manager(folder.path("notify"));
+  faults::ServiceManager manager(folder.path("notify"));
   ServerProcess server({}, "127.0.0.1:0", 0,
                        {"NOTIFY_SOCKET=" + folder.path("notify"), "WATCHDOG_USEC=400000"});
   EXPECT_TRUE(manager.hears("READY=1"));

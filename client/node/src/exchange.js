@@ -47,6 +47,7 @@ class Exchange {
   goOn() {
     this.parts.length = this.#certain.parts;
     this.diagnostics.length = this.#certain.diagnostics;
+    this.summary = undefined;
     this.pathSetup.resumeToken = this.#token;
   }
 
@@ -61,23 +62,29 @@ class Exchange {
     if (response.summary) this.summary = response.summary;
   }
 
-  /** What has come since it was asked last and will not come again; none: nothing. */
+  /** What has come since it was asked last and will not come again; none: nothing. With the summary
+   * alone a stream may be lost still, and comes again then. */
   take() {
-    const isLast = this.summary !== undefined;
-    const count = isLast ? this.parts.length : this.#certain.parts;
-    const told = isLast ? this.diagnostics.length : this.#certain.diagnostics;
-    if (count === 0 && told === 0 && !isLast) return undefined;
+    const { parts, diagnostics } = this.#certain;
+    if (parts === 0 && diagnostics === 0) return undefined;
     this.#certain = { parts: 0, diagnostics: 0 };
+    return this.#first(parts, diagnostics);
+  }
+
+  /** The rest, with the summary; the stream has ended with OK. */
+  result() {
+    if (this.summary === undefined) throw noSummary();
     return {
-      ...this.joined(this.parts.splice(0, count)),
-      diagnostics: this.diagnostics.splice(0, told),
+      ...this.#first(this.parts.length, this.diagnostics.length), ...this.atEnd(),
       summary: this.summary,
     };
   }
 
-  result() {
-    if (this.summary === undefined) throw noSummary();
-    return this.take();
+  #first(parts, diagnostics) {
+    return {
+      ...this.joined(this.parts.splice(0, parts)),
+      diagnostics: this.diagnostics.splice(0, diagnostics),
+    };
   }
 }
 
@@ -106,7 +113,11 @@ export class ProgramExchange extends Exchange {
   }
 
   joined(parts) {
-    return { text: this.#decoder.write(Buffer.concat(parts)), record: this.record };
+    return { text: this.#decoder.write(Buffer.concat(parts)) };
+  }
+
+  atEnd() {
+    return { record: this.record };
   }
 }
 
@@ -132,6 +143,10 @@ export class PathExchange extends Exchange {
 
   joined(parts) {
     return { blocks: parts.flat() };
+  }
+
+  atEnd() {
+    return {};
   }
 }
 
@@ -162,6 +177,7 @@ export class SurveyExchange {
 
   goOn() {
     this.#radii = [];
+    this.#summary = undefined;
     this.diagnostics = [];
   }
 

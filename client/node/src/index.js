@@ -4,7 +4,7 @@ import { existsSync, readFileSync } from "node:fs";
 import grpc from "@grpc/grpc-js";
 import loader from "@grpc/proto-loader";
 
-import { noSummary, raisedBy, ServerError, TrcError } from "./errors.js";
+import { raisedBy, ServerError, TrcError } from "./errors.js";
 import { PathExchange, ProgramExchange, SurveyExchange } from "./exchange.js";
 import { localAddress } from "./local.js";
 import { Schema } from "./schema.js";
@@ -100,7 +100,7 @@ export class Client {
       const part = exchange.take();
       if (part !== undefined) yield part;
     }
-    if (exchange.summary === undefined) throw noSummary();
+    yield exchange.result();
   }
 
   /** Drives an exchange to its end, and stops behind each message it has absorbed. */

@@ -126,6 +126,37 @@ test("parts are the whole", async () => {
   client.close();
 });
 
+test("what is lost behind its summary comes once", async () => {
+  const field = (number, bytes) => Buffer.from([number << 3 | 2, bytes.length, ...bytes]);
+  const [accepted, text, summary] = [field(1, []), field(5, Buffer.from("N10\n")), field(4, [])];
+  const answered = [
+    Object.assign(new Error(), { code: grpc.status.UNAVAILABLE, details: "lost" }), undefined];
+  const bytes = (message) => message;
+  const lossy = new grpc.Server();
+  lossy.addService({ compensateProgram: {
+    path: "/trc.v1.TrcService/CompensateProgram", requestStream: true, responseStream: true,
+    requestSerialize: bytes, requestDeserialize: bytes,
+    responseSerialize: bytes, responseDeserialize: bytes,
+  } }, { compensateProgram: (call) => {
+    for (const message of [accepted, text, summary]) call.write(message);
+    const error = answered.shift();
+    // The messages are on their way before the status is.
+    setTimeout(() => (error ? call.emit("error", error) : call.end()), 100);
+  } });
+  const port = await new Promise((resolve, reject) => {
+    lossy.bindAsync("127.0.0.1:0", grpc.ServerCredentials.createInsecure(),
+      (error, bound) => (error ? reject(error) : resolve(bound)));
+  });
+  const client = new Client({ server: `127.0.0.1:${port}` });
+  const parts = [];
+  for await (const part of client.stream(pocket, { radius: 5 })) parts.push(part);
+  assert.equal(answered.length, 0);
+  assert.equal(parts.map((part) => part.text).join(""), "N10\n");
+  assert.deepEqual(parts.filter((part) => part.summary), parts.slice(-1));
+  client.close();
+  lossy.forceShutdown();
+});
+
 test("a loop that is left, and an aborted call, give the stream up", async () => {
   await withServer(["--max-streams", "1"], async (server) => {
     const client = new Client({ server });

@@ -13,6 +13,7 @@ import tempfile
 import threading
 import time
 import unittest
+from concurrent import futures
 from pathlib import Path as File
 
 import grpc
@@ -100,6 +101,37 @@ class Server:
             channel.close()
 
         return give_up
+
+
+class LosesItsStreams:
+    """Answers a program with these parts and the summary, and then is lost, but for the last time."""
+
+    def __init__(self, parts, times):
+        self._parts, self._left = parts, times
+        self._server = grpc.server(futures.ThreadPoolExecutor(4))
+        handler = grpc.stream_stream_rpc_method_handler(
+            self._answer, trc_service_pb2.CompensateProgramRequest.FromString,
+            trc_service_pb2.CompensateProgramResponse.SerializeToString)
+        self._server.add_generic_rpc_handlers([grpc.method_handlers_generic_handler(
+            "trc.v1.TrcService", {"CompensateProgram": handler})])
+        self.address = f"127.0.0.1:{self._server.add_insecure_port('127.0.0.1:0')}"
+
+    def _answer(self, requests, context):
+        response = trc_service_pb2.CompensateProgramResponse
+        yield response(accepted={})
+        for part in self._parts:
+            yield response(nc_text=part)
+        yield response(summary={})
+        self._left -= 1
+        if self._left > 0:
+            context.abort(grpc.StatusCode.UNAVAILABLE, "lost")
+
+    def __enter__(self):
+        self._server.start()
+        return self
+
+    def __exit__(self, *error):
+        self._server.stop(None).wait()
 
 
 class WrongArguments(unittest.TestCase):
@@ -244,6 +276,21 @@ class Streams(unittest.TestCase):
             told.extend(client.stream("N10 G0 X5\nN20 X\n"))
         self.assertEqual(caught.exception.cause.line, 2)
         self.assertFalse(any(part.summary for part in told))
+
+    def test_what_is_lost_behind_its_summary_comes_once(self):
+        async def awaited(address):
+            async with trc.aio.Client(address) as client:
+                return [part async for part in client.stream(POCKET, radius=5)]
+
+        def waited_for(address):
+            with trc.Client(address) as client:
+                return list(client.stream(POCKET, radius=5))
+
+        for ask in (waited_for, lambda address: asyncio.run(awaited(address))):
+            with LosesItsStreams([b"N10\n", b"N20\n"], times=2) as server:
+                parts = ask(server.address)
+            self.assertEqual("".join(part.text for part in parts), "N10\nN20\n")
+            self.assertEqual([part for part in parts if part.summary is not None], parts[-1:])
 
     def test_dropped_stream_is_given_up(self):
         with Server("--max-streams", "1") as server, trc.Client(server.address) as client:

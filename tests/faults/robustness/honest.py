@@ -195,7 +195,8 @@ class Honest:
                 with open(got, "wb") as file:
                     file.write(answer.output)
                 self.history.fail(f"{name} {way.__name__}: exit {answer.code}, but not the output of trc alone: "
-                                  f"{len(answer.output)} bytes instead of {len(alone[1])} ({case.source})")
+                                  f"{len(answer.output)} bytes instead of {len(alone[1])}, another one from byte "
+                                  f"{len(os.path.commonprefix([answer.output, alone[1]]))} on ({case.source})")
             return
         if answer.code == DONE and alone is None:
             return

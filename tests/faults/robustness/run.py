@@ -4,7 +4,7 @@
     run.py TRCD TRC [SECONDS [SEED]]
 
 Without SECONDS it is 20, and 300 where TRC_TEST_LONG is set. TRC_ROBUSTNESS_KEEP names a folder for
-what it leaves: history, logs, programs.
+what it leaves: history, logs, NC programs, and each answer that was not the right one (`differs.…`).
 
 A server of limited memory (told, or by a cgroup), descriptors and streams, behind proxies that slow,
 cut and stall; its log goes into a file, into a pipe, or onto a device that is full (trcd.py). Honest
@@ -234,14 +234,19 @@ class Test:
               f"{self.server.incarnation} servers, {len(self.history.failures)} failures", flush=True)
 
 
+def kept_programs(folder):
+    """The two programs as they are now: a build beside the test replaces them while it runs."""
+    return [shutil.copy2(path, os.path.join(folder, f"program.{name}"))
+            for name, path in zip(("trcd", "trc"), sys.argv[1:3])]
+
+
 def main():
-    trcd, trc = (os.path.abspath(path) for path in sys.argv[1:3])
     long_run = os.environ.get("TRC_TEST_LONG") is not None
     seconds = float(sys.argv[3]) if len(sys.argv) > 3 else 300 if long_run else 20
     seed = int(sys.argv[4]) if len(sys.argv) > 4 else random.SystemRandom().randrange(1 << 32)
     print(f"seed {seed}", flush=True)
     with tempfile.TemporaryDirectory() as folder:
-        test = Test(trcd, trc, folder, seconds, seed)
+        test = Test(*kept_programs(folder), folder, seconds, seed)
         try:
             test.run()
         finally:
@@ -249,7 +254,7 @@ def main():
             test.report()
             kept = os.environ.get("TRC_ROBUSTNESS_KEEP")
             if kept:
-                shutil.copytree(folder, kept, dirs_exist_ok=True)
+                shutil.copytree(folder, kept, dirs_exist_ok=True, ignore=shutil.ignore_patterns("program.*"))
         if test.history.failures:
             sys.exit(1)
 

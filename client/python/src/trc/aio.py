@@ -10,7 +10,7 @@ import grpc.aio
 
 from . import local, settings
 from .client import bytes_of, identity, path_of, survey_of
-from .errors import TrcError, no_summary, raised_by
+from .errors import TrcError, raised_by
 from .exchange import Exchange, PartExchange, PathExchange, ProgramExchange
 from .path import Path
 from .result import PathPart, PathResult, ProgramPart, Result
@@ -91,8 +91,7 @@ class Client:
             part = exchange.take()
             if part is not None:
                 yield part
-        if exchange.summary is None:
-            raise no_summary()
+        yield exchange.last()
 
     async def _messages(self, exchange: Exchange) -> AsyncIterator[None]:
         open_stream = self._channel.stream_stream(exchange.METHOD, identity, identity)

@@ -9,7 +9,7 @@ from typing import Any, Iterable, Iterator, Optional, Union
 import grpc
 
 from . import local, settings
-from .errors import TrcError, no_summary, raised_by
+from .errors import TrcError, raised_by
 from .exchange import Exchange, PartExchange, PathExchange, ProgramExchange, SurveyExchange
 from .path import Path
 from .result import PathPart, PathResult, ProgramPart, Result
@@ -134,8 +134,7 @@ class Client:
             part = exchange.take()
             if part is not None:
                 yield part
-        if exchange.summary is None:
-            raise no_summary()
+        yield exchange.last()
 
     def _messages(self, exchange: Exchange) -> Iterator[None]:
         """Drives an exchange to its end, and stops behind each message it has absorbed."""

@@ -59,6 +59,7 @@ class _Exchange:
         """The stream was lost: back to what the last token holds."""
         del self._parts[self._certain:]
         del self.diagnostics[self._diagnostics_certain:]
+        self.summary = None
         self._path_setup.resume_token = self._token
 
     def _absorb(self, part: Any, response: Any, consumed: Optional[int]) -> None:
@@ -73,9 +74,12 @@ class _Exchange:
         if response.HasField("summary"):
             self.summary = response.summary
 
-    def _take(self) -> tuple[list[Any], list[Diagnostic]]:
-        """What has come since it was asked last and will not come again."""
-        if self.summary is not None:
+    def _take(self, is_over: bool) -> tuple[list[Any], list[Diagnostic]]:
+        """What has come since it was asked last and will not come again: all, where the stream has
+        ended with OK. With the summary alone it may be lost still, and comes again then."""
+        if is_over:
+            if self.summary is None:
+                raise no_summary()
             self._certain, self._diagnostics_certain = len(self._parts), len(self.diagnostics)
         parts, told = self._parts[:self._certain], self.diagnostics[:self._diagnostics_certain]
         del self._parts[:self._certain]
@@ -109,11 +113,16 @@ class ProgramExchange(_Exchange):
 
     def take(self) -> Optional[ProgramPart]:
         """The next part that is certain; none: not yet."""
-        parts, told = self._take()
-        if not parts and not told and self.summary is None:
+        parts, told = self._take(is_over=False)
+        if not parts and not told:
             return None
-        return ProgramPart(text=self._decoder.decode(b"".join(parts), self.summary is not None),
-                           diagnostics=told, summary=self.summary, record=self.record)
+        return ProgramPart(text=self._decoder.decode(b"".join(parts)), diagnostics=told)
+
+    def last(self) -> ProgramPart:
+        """The rest, with the summary; the stream has ended with OK."""
+        parts, told = self._take(is_over=True)
+        return ProgramPart(text=self._decoder.decode(b"".join(parts), True), diagnostics=told,
+                           summary=self.summary, record=self.record)
 
     def result(self) -> Result:
         """All of it; the stream has ended with OK."""
@@ -152,9 +161,14 @@ class PathExchange(_Exchange):
 
     def take(self) -> Optional[PathPart]:
         """The next part that is certain; none: not yet."""
-        parts, told = self._take()
-        if not parts and not told and self.summary is None:
+        parts, told = self._take(is_over=False)
+        if not parts and not told:
             return None
+        return PathPart(path=CompensatedPath(parts), diagnostics=told)
+
+    def last(self) -> PathPart:
+        """The rest, with the summary; the stream has ended with OK."""
+        parts, told = self._take(is_over=True)
         return PathPart(path=CompensatedPath(parts), diagnostics=told, summary=self.summary)
 
     def result(self) -> PathResult:
@@ -199,6 +213,7 @@ class SurveyExchange:
 
     def go_on(self) -> None:
         """The stream was lost: from the begin."""
+        self._summary = None
         self._radii.clear()
         self.diagnostics.clear()
 
