@@ -104,7 +104,8 @@ Exit run(const Call& call) {
              .diagnostics = paths.diagnostics,
              .language = language_of_tag(setup.path().language()).value_or(Language::english),
              .inch = paths.inch,
-             .leads = paths.leads}),
+             .leads = paths.leads,
+             .start = paths.start}),
         {.numbers = call.numbers, .points = call.points});
   if (!drawing || !output.write(*drawing) || !output.commit()) return Exit::wrong_call;
   return paths.exit;

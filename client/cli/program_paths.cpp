@@ -79,6 +79,7 @@ ProgramPaths read_paths(const ProgramOptions& options, v1::ProgramSetup setup, I
   std::optional<ContourReader> reader;
   if (faults.empty()) reader.emplace(settings.path.session);
   paths.leads = settings.path.session.compensator.leads;
+  paths.start = settings.path.session.program.start;
   input.watch([&](std::string_view text) {
     if (reader) reader->feed(text);
   });

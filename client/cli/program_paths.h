@@ -26,6 +26,7 @@ struct ProgramPaths {
   // Whether the program counts in inch where it first compensates, else where it first moves.
   bool inch = false;
   LeadSettings leads{};                           // of the setup
+  Position start{};                               // of the setup
   std::optional<wire::ProgramSummary> summary{};  // complete runs only
 };
 

@@ -8,6 +8,7 @@
 #include <cstdlib>
 #include <utility>
 
+#include "core/base/utf8.h"
 #include "core/nc/text/characters.h"
 
 namespace trc::cli {
@@ -47,20 +48,6 @@ std::string_view colour_of(Severity severity) {
   return red;
 }
 
-// The bytes of the UTF-8 character at the beginning; 0: it is none.
-std::size_t character_length(std::string_view text) {
-  const auto lead = static_cast<unsigned char>(text.front());
-  const std::size_t length = lead < 0x80                   ? 1U
-                             : lead >= 0xC2 && lead < 0xE0 ? 2U
-                             : lead >= 0xE0 && lead < 0xF0 ? 3U
-                             : lead >= 0xF0 && lead < 0xF5 ? 4U
-                                                           : 0U;
-  if (length > text.size()) return 0;
-  for (std::size_t i = 1; i < length; ++i)
-    if ((static_cast<unsigned char>(text[i]) & 0xC0U) != 0x80U) return 0;
-  return length;
-}
-
 // Control characters of ASCII and of U+0080 to U+009F, and those that turn the direction of
 // writing, after which a line reads as something else than it is.
 bool is_control(std::string_view character) {
@@ -84,10 +71,12 @@ struct Character {
 std::vector<Character> characters_of(std::string_view text) {
   std::vector<Character> characters;
   for (std::size_t at = 0; at < text.size();) {
-    const std::size_t length = character_length(text.substr(at));
+    const std::size_t length = utf8_character(text.substr(at));
     const std::string_view one = text.substr(at, std::max<std::size_t>(1, length));
     Character next{.begin = at};
-    next.shown = one == "\t" ? " " : length == 0 || is_control(one) ? "?" : one;
+    // A byte that is no UTF-8 as the letter that it is in Latin-1.
+    const std::string shown = as_utf8(one);
+    next.shown = one == "\t" ? " " : is_control(shown) ? "?" : shown;
     characters.push_back(std::move(next));
     at += one.size();
   }
@@ -134,11 +123,14 @@ std::size_t word_length(std::string_view line, std::size_t begin, std::string_vi
     const std::size_t close = line.find(']', begin);
     return (close == line.npos ? line.find_last_not_of(" \r") : close) + 1 - begin;
   }
-  const bool is_name = begin + 1 < line.size() && is_letter(line[begin + 1]) &&
-                       (is_letter(line[begin]) || line[begin] == '$');
+  // V.G.WZ_AKT.R is one as well.
+  const bool is_dotted = line.substr(begin + 1).starts_with('.') && is_letter(line[begin]) &&
+                         begin + 2 < line.size() && is_letter(line[begin + 2]);
+  const bool is_name = is_dotted || (begin + 1 < line.size() && is_letter(line[begin + 1]) &&
+                                     (is_letter(line[begin]) || line[begin] == '$'));
   const auto goes_on = [&](char sign) {
-    return is_digit(sign) ||
-           (is_name ? is_letter(sign) || sign == '_' : sign == '.' || sign == '+' || sign == '-');
+    return is_digit(sign) || (is_name ? is_letter(sign) || sign == '_' || (is_dotted && sign == '.')
+                                      : sign == '.' || sign == '+' || sign == '-');
   };
   std::size_t end = begin + 1;
   while (end < line.size() && goes_on(line[end])) ++end;

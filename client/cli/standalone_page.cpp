@@ -137,7 +137,8 @@ std::string columns_of(const Elements& elements) {
     append(words, static_cast<std::uint32_t>(element.style) |
                       static_cast<std::uint32_t>(element.origin) << 16U |
                       static_cast<std::uint32_t>(element.plane) << server::http::plane_shift |
-                      (element.rapid ? server::http::rapid_flag : 0U));
+                      (element.rapid ? server::http::rapid_flag : 0U) |
+                      (element.unsaid ? server::http::unsaid_flag : 0U));
     const Segment shape = elements.shape_of(element);
     const auto* arc = std::get_if<Arc>(&shape);
     append(words, arc == nullptr ? 0U : static_cast<std::uint32_t>(element.arc + 1));

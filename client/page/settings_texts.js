@@ -68,6 +68,8 @@ const names = {
   pass_words: ['Words that pass', 'Wörter, die bleiben'],
   encoding: ['Bytes in comments', 'Bytes in Kommentaren'],
   renumber: ['Number blocks anew', 'Sätze neu nummerieren'],
+  max_executed_lines: ['Lines executed at most', 'Höchstens ausgeführte Zeilen'],
+  variables: ['Variables', 'Variablen'],
   block_skip: ['Lines behind /', 'Zeilen hinter /'],
   whole_numbers: ['Numbers without a point', 'Zahlen ohne Punkt'],
 };
@@ -76,6 +78,7 @@ const names = {
 const germanWords = {
   'a number': 'eine Zahl', 'a whole number': 'eine ganze Zahl', text: 'Text', 'x,y,z in mm': 'x,y,z in mm',
   'names with commas between': 'Namen, mit Kommas dazwischen',
+  'names with their values, as in #500=12.5,#501=3': 'Namen mit ihren Werten, wie in #500=12.5,#501=3',
   'auto, none or blocks:IN,OUT': 'auto, none oder blocks:EIN,AUS',
   'the tool table, number of the D or T word:radius in mm, as in 1:5,2:3.5, or with the wear too, as in 1:5:-0.02':
     'Nummer des D- oder T-Worts:Radius in mm, wie 1:5,2:3.5, oder mit Verschleiß, wie 1:5:-0.02',
@@ -147,6 +150,10 @@ const germanMeanings = {
   'bytes in comments: utf8 alone (900007), latin1 and auto any; isg utf8, else auto':
     'Bytes in Kommentaren: utf8 allein (900007), latin1 und auto beliebige; isg utf8, sonst auto',
   'number the blocks anew, also those that are inserted': 'die Sätze neu nummerieren, auch die eingefügten',
+  'lines that a program with loops and calls executes at most (900301)':
+    'so viele Zeilen führt ein Programm mit Schleifen und Aufrufen höchstens aus (900301)',
+  'what variables hold that the program does not set itself; not isg, heidenhain':
+    'was Variablen enthalten, die das Programm nicht selbst setzt; nicht isg, heidenhain',
   'the tools of D words, and of T words in a program without D': 'die Werkzeuge der D-Wörter, ohne D im Programm der T-Wörter',
   'the control the program is for': 'die Steuerung, für die das Programm ist',
   'what the program counts in where it does not say so itself': 'worin das Programm zählt, wo es das nicht selbst sagt',

@@ -3,6 +3,7 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "client/plot/words.h"
 #include "core/base/entry_help.h"
@@ -17,18 +18,22 @@ class Findings {
 
   void add() {
     for (const Diagnostic& diagnostic : contents_.diagnostics) {
-      if (diagnostic.severity == Severity::warning) add_warning(diagnostic);
+      if (diagnostic.severity == Severity::warning)
+        add_remark(words_.warning, diagnostic, picture_.warnings);
+      if (diagnostic.severity == Severity::note)
+        add_remark(words_.note, diagnostic, picture_.notes);
       if (diagnostic.severity == Severity::error && !picture_.fault) add_fault(diagnostic);
       if (diagnostic.entry_help) add_proposals(*diagnostic.entry_help);
     }
   }
 
  private:
-  void add_warning(const Diagnostic& diagnostic) {
-    if (picture_.warnings.size() == most_warnings) return;
-    picture_.warnings.push_back({.place = place_of(diagnostic),
-                                 .text = text_of(words_.warning, diagnostic),
-                                 .remedy = remedy_of(diagnostic)});
+  void add_remark(const char* severity, const Diagnostic& diagnostic,
+                  std::vector<Remark>& remarks) const {
+    if (remarks.size() == most_warnings) return;
+    remarks.push_back({.place = place_of(diagnostic),
+                       .text = text_of(severity, diagnostic),
+                       .remedy = remedy_of(diagnostic)});
   }
 
   void add_fault(const Diagnostic& diagnostic) {

@@ -14,6 +14,7 @@
 #include "client/plot/lead_blocks.h"
 #include "client/plot/words.h"
 #include "core/geometry/along.h"
+#include "core/trc/result/first_motions.h"
 #include "core/trc/result/listing.h"
 
 namespace trc::plot {
@@ -62,6 +63,11 @@ class Composer {
   Picture compose() {
     add_programmed();
     add_path();
+    if (picture_.strokes.empty()) {
+      draws_first_ = true;
+      add_programmed();
+      add_path();
+    }
     add_tools();
     add_radius_changes();
     add_findings(contents_, picture_);
@@ -106,11 +112,14 @@ class Composer {
     changed_ = changed_contour(contents_.programmed, contents_.path);
     const LeadBlocks leads(contents_);
     Position position{};
+    FirstMotions first(contents_.start);
     for (const Block& block : contents_.programmed)
       std::visit(overloaded{[&](const MotionBlock& motion) {
                               if (!motion.mode) return;
+                              const bool unsaid = first.begins_unsaid(
+                                  motion.mode->plane, motion.path, motion.normal, motion.rapid);
                               const bool lost = masked.contains(motion.source.index);
-                              show(motion, lost, leads);
+                              if (!unsaid || draws_first_) show(motion, lost, leads);
                               const PlaneAxes axes = axes_of(motion.mode->plane);
                               const Place end = place_at(motion.path, 1);
                               position[axes.first] = end.point.x();
@@ -119,8 +128,13 @@ class Composer {
                             },
                             [&](const PassiveBlock& passive) {
                               if (!passive.moves || !passive.mode) return;
-                              show(passive, position);
-                              position[axes_of(passive.mode->plane).third] = passive.normal.to;
+                              const PlaneAxes axes = axes_of(passive.mode->plane);
+                              const Point here = to_plane(passive.mode->plane, position);
+                              const bool unsaid = first.begins_unsaid(
+                                  passive.mode->plane, Line{.start = here, .end = here},
+                                  passive.normal, passive.rapid);
+                              if (!unsaid || draws_first_) show(passive, here);
+                              position[axes.third] = passive.normal.to;
                             }},
                  block);
     flush_joined();
@@ -181,9 +195,8 @@ class Composer {
                   (lost ? words_.not_travelled : "")});
   }
 
-  void show(const PassiveBlock& passive, const Position& position) {
+  void show(const PassiveBlock& passive, const Point& here) {
     const Plane plane = passive.mode->plane;
-    const Point here = to_plane(plane, position);
     add({.layer = Layer::beside,
          .rapid = passive.rapid,
          .segments =
@@ -192,9 +205,12 @@ class Composer {
   }
 
   void add_path() {
+    FirstMotions first(contents_.start);
     for (std::size_t at = 0; at < contents_.path.size(); ++at) {
       const CompensatedBlock& block = contents_.path[at];
       if (block.origin == Origin::passthrough) continue;
+      const bool unsaid = first.begins_unsaid(block.plane, block.path, block.normal, block.rapid);
+      if (unsaid && !draws_first_) continue;
       add({.layer = is_inserted(at) ? Layer::transition : layer_of(block.origin),
            .rapid = block.rapid,
            .segments = project(block.plane, block.path, block.normal, picture_.plane),
@@ -296,6 +312,7 @@ class Composer {
   const Words& words_;
   Picture picture_;
   bool single_ = true;
+  bool draws_first_ = false;  // of FirstMotions: where there is nothing else
   std::map<std::uint64_t, Segment> changed_{};
   std::array<Stroke, layer_count> joined_{};
 };

@@ -57,7 +57,8 @@ struct Fault {
   double tool_radius = 0;  // mm, where the tool stands there; else 0
 };
 
-struct Warning {
+// A warning, or a note.
+struct Remark {
   std::optional<Point> place{};
   std::string text{};
   std::string remedy{};
@@ -70,8 +71,9 @@ struct Picture {
   std::vector<Stroke> strokes{};
   // Where the first selection begins, where it touches, and both tools where the radius changes.
   std::vector<ToolCircle> tools{};
-  std::vector<Label> numbers{};     // N words, or lines where there is none
-  std::vector<Warning> warnings{};  // the first `most_warnings`
+  std::vector<Label> numbers{};    // N words, or lines where there is none
+  std::vector<Remark> warnings{};  // the first `most_warnings`
+  std::vector<Remark> notes{};     // as many, without marks
   std::optional<Fault> fault{};
   Language language = Language::english;
   bool inch = false;  // what axes and radii are said in
@@ -85,6 +87,7 @@ struct Contents {
   Language language = Language::english;
   bool inch = false;     // the program counts in inch
   LeadSettings leads{};  // which blocks are drawn thinner
+  Position start{};      // of the setup
   // The plane that is shown; none: that of the first compensated contour block.
   std::optional<Plane> plane{};
 };

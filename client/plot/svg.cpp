@@ -7,6 +7,7 @@
 #include <optional>
 #include <set>
 #include <utility>
+#include <vector>
 
 #include "client/plot/arrows.h"
 #include "client/plot/frame.h"
@@ -52,7 +53,7 @@ Bounds bounds_of(const Picture& picture) {
     bounds.add(Point(tool.center - Vector::Constant(tool.radius)));
     bounds.add(Point(tool.center + Vector::Constant(tool.radius)));
   }
-  for (const Warning& warning : picture.warnings)
+  for (const Remark& warning : picture.warnings)
     if (warning.place) bounds.add(*warning.place);
   if (picture.fault && picture.fault->place) {
     const Vector room = Vector::Constant(picture.fault->tool_radius);
@@ -255,7 +256,7 @@ class Sheet {
 
   void draw_warnings() {
     bool open = false;
-    for (const Warning& warning : picture_.warnings) {
+    for (const Remark& warning : picture_.warnings) {
       if (!warning.place) continue;
       if (!std::exchange(open, true))
         body_ += "<g class=\"warning\" stroke=\"#8a6d00\" stroke-width=\"1.2\" fill=\"gold\">\n";
@@ -331,23 +332,29 @@ class Sheet {
     return told.size() > most_told ? text + " …" : text;
   }
 
-  // The first warnings and the error, in words, each with what helps.
+  // The first warnings, the error and the first notes, in words, each with what helps.
   double draw_texts(double y) {
-    constexpr std::size_t most_told = 4;
-    const std::size_t told = std::min(picture_.warnings.size(), most_told);
-    for (std::size_t i = 0; i < told; ++i) {
-      const Warning& warning = picture_.warnings[i];
-      y = draw_wrapped(warning.text, "#8a6d00", y + (i == 0 ? 6 : 0));
-      // Warnings of a kind are followed by what helps once.
-      if (i + 1 == told || picture_.warnings[i + 1].remedy != warning.remedy)
-        y = draw_wrapped(warning.remedy, "#555", y);
+    y = draw_remarks(picture_.warnings, words_.more_warnings, "#8a6d00", y);
+    if (picture_.fault) {
+      y = draw_wrapped(picture_.fault->text, "red", y + 6);
+      y = draw_wrapped(picture_.fault->remedy, "#555", y);
     }
-    if (picture_.warnings.size() > told)
-      y = draw_wrapped(std::to_string(picture_.warnings.size() - told) + words_.more_warnings,
-                       "#8a6d00", y);
-    if (!picture_.fault) return y;
-    y = draw_wrapped(picture_.fault->text, "red", y + 6);
-    return draw_wrapped(picture_.fault->remedy, "#555", y);
+    return draw_remarks(picture_.notes, words_.more_notes, "#222", y);
+  }
+
+  double draw_remarks(const std::vector<Remark>& remarks, const char* more, const char* color,
+                      double y) {
+    constexpr std::size_t most_told = 4;
+    const std::size_t told = std::min(remarks.size(), most_told);
+    for (std::size_t i = 0; i < told; ++i) {
+      y = draw_wrapped(remarks[i].text, color, y + (i == 0 ? 6 : 0));
+      // Those of a kind are followed by what helps once.
+      if (i + 1 == told || remarks[i + 1].remedy != remarks[i].remedy)
+        y = draw_wrapped(remarks[i].remedy, "#555", y);
+    }
+    if (remarks.size() > told)
+      y = draw_wrapped(std::to_string(remarks.size() - told) + more, color, y);
+    return y;
   }
 
   double draw_wrapped(const std::string& text, const std::string& color, double y) {

@@ -18,8 +18,10 @@ struct Words {
   const char* tool_radius;
   const char* plane;
   const char* more_warnings;
+  const char* more_notes;
   const char* error;
   const char* warning;
+  const char* note;
   const char* in_line;
   const char* line;
   const char* block;

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/base/utf8.h"
 namespace trc {
 
 // A subprogram that is being executed, and where it was called.
@@ -62,7 +63,7 @@ class CallPlaces {
     std::vector<CallPlace> places;
     for (; chain != main_program; chain = calls_[chain - 1].caller) {
       const Call& call = calls_[chain - 1];
-      places.push_back({.subprogram = call.subprogram,
+      places.push_back({.subprogram = as_utf8(call.subprogram),
                         .called_from = call.called_from,
                         .line_within = std::exchange(line_within, 0U)});
     }

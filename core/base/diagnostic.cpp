@@ -4,6 +4,8 @@
 #include <array>
 #include <utility>
 
+#include "core/base/utf8.h"
+
 namespace trc {
 namespace {
 
@@ -326,7 +328,7 @@ Diagnostic diagnostic(Code code, const Source& source, std::string detail) {
   return {.code = code,
           .severity = row_of(code).severity,
           .source = source,
-          .detail = std::move(detail)};
+          .detail = is_utf8(detail) ? std::move(detail) : as_utf8(detail)};
 }
 
 }  // namespace trc

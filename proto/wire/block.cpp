@@ -4,6 +4,7 @@
 #include "proto/wire/block_values.h"
 #include "proto/wire/geometry.h"
 #include "proto/wire/modes.h"
+#include "proto/wire/text.h"
 
 namespace trc::wire {
 namespace {
@@ -218,7 +219,7 @@ void BlockWriter::write(const PathInput& item, v1::Block& block) {
                  },
                  [&](const TrcCommand& command) { to_proto(command, *block.mutable_command()); },
                  [&](const Passthrough& passthrough) {
-                   block.mutable_passthrough()->set_text(passthrough.text);
+                   set_text(passthrough.text, *block.mutable_passthrough());
                  },
              },
              item);

@@ -5,6 +5,7 @@
 #include "proto/wire/block.h"
 #include "proto/wire/block_values.h"
 #include "proto/wire/modes.h"
+#include "proto/wire/text.h"
 
 namespace trc::wire {
 namespace {
@@ -410,7 +411,7 @@ void BlockWriter::write(std::span<const PathInput> items, bool final, v1::BlockC
       kind = Columns::KIND_PASSTHROUGH;
       v1::BlockColumns::PassthroughAt& entry = *columns.add_passthroughs();
       entry.set_index(index);
-      entry.mutable_passthrough()->set_text(passthrough->text);
+      set_text(passthrough->text, *entry.mutable_passthrough());
     }
     const Source& source = source_of(items[i]);
     if (kind != Columns::KIND_OTHER && source.number != Source::no_number) {

@@ -5,6 +5,7 @@
 
 #include "proto/wire/enums.h"
 #include "proto/wire/geometry.h"
+#include "proto/wire/text.h"
 
 namespace trc::wire {
 namespace {
@@ -91,7 +92,7 @@ void fill(const CompensatedBlock& block, Message& message) {
     message.set_source_index(static_cast<std::uint32_t>(source.index));
   message.set_origin(to_proto(block.origin));
   if (!block.text.empty() || block.origin == Origin::passthrough)
-    message.mutable_passthrough()->set_text(block.text);
+    set_text(block.text, *message.mutable_passthrough());
   if (block.plane != Plane::xy) message.set_plane(to_proto(block.plane));
   if (source.line != 0) message.set_source_line(source.line);
   if (block.feed != 0) message.set_feed(block.feed);

@@ -7,6 +7,7 @@
 #include "core/geometry/segment.h"
 #include "proto/wire/compensated_block.h"
 #include "proto/wire/geometry.h"
+#include "proto/wire/text.h"
 
 namespace trc::wire {
 namespace {
@@ -208,7 +209,7 @@ void to_proto(std::span<const CompensatedBlock> blocks, std::uint64_t first_bloc
     if (!block.text.empty()) {
       Columns::TextAt& entry = *message.add_texts();
       entry.set_index(index);
-      entry.set_text(block.text);
+      set_text(block.text, entry);
     }
     kinds[i] = static_cast<char>(kind);
     all_flags[i] = static_cast<char>(flags);

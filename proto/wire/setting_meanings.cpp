@@ -115,7 +115,11 @@ constexpr auto rows = std::to_array<SettingMeaning>({
     {"encoding", "bytes in comments: utf8 alone (900007), latin1 and auto any; isg utf8, else auto",
      "", ""},
     {"renumber", "number the blocks anew, also those that are inserted", "", "false"},
+    {"max_executed_lines", "lines that a program with loops and calls executes at most (900301)",
+     "", "10000000", 1, 1e9},
     {"tools", "the tools of D words, and of T words in a program without D", "", ""},
+    {"variables", "what variables hold that the program does not set itself; not isg, heidenhain",
+     "", ""},
 });
 
 // Those of options, made of what is said of the #TRC words.

@@ -8,6 +8,7 @@
 #include <charconv>
 #include <cmath>
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <utility>
 
@@ -124,7 +125,8 @@ const std::vector<const FieldDescriptor*>& program_fields() {
       v1::ProgramSetup::descriptor()->FindFieldByName("block_skip"),
       v1::ProgramSetup::descriptor()->FindFieldByName("pass_words"),
       v1::ProgramSetup::descriptor()->FindFieldByName("encoding"),
-      v1::ProgramSetup::descriptor()->FindFieldByName("renumber")};
+      v1::ProgramSetup::descriptor()->FindFieldByName("renumber"),
+      v1::ProgramSetup::descriptor()->FindFieldByName("max_executed_lines")};
   return fields;
 }
 
@@ -269,6 +271,10 @@ bool set_field(Message& owner, const FieldDescriptor& field, std::string_view te
       if (const auto value = number_from<std::uint32_t>(text))
         return reflection.SetUInt32(&owner, &field, *value), true;
       return false;
+    case FieldDescriptor::CPPTYPE_UINT64:
+      if (const auto value = number_from<std::uint64_t>(text))
+        return reflection.SetUInt64(&owner, &field, *value), true;
+      return false;
     case FieldDescriptor::CPPTYPE_ENUM:
       if (const auto value = enum_from(*field.enum_type(), text))
         return reflection.SetEnumValue(&owner, &field, *value), true;
@@ -312,6 +318,8 @@ std::string value_of(const Message& owner, const FieldDescriptor& field) {
       return shortest(reflection.GetDouble(owner, &field));
     case FieldDescriptor::CPPTYPE_UINT32:
       return std::to_string(reflection.GetUInt32(owner, &field));
+    case FieldDescriptor::CPPTYPE_UINT64:
+      return std::to_string(reflection.GetUInt64(owner, &field));
     case FieldDescriptor::CPPTYPE_ENUM: {
       const std::string& name = reflection.GetEnum(owner, &field)->name();
       return lower(std::string_view(name).substr(prefix_of(*field.enum_type()).size()));
@@ -337,6 +345,13 @@ std::string set_tools(std::string_view text, v1::ProgramSetup& setup) {
     tool.set_radius(*radius);
     tool.set_wear(*wear);
   }
+  return {};
+}
+
+std::string set_variables(std::string_view text, v1::ProgramSetup& setup) {
+  for (const std::string_view assignment : split(text, ','))
+    if (std::string fault = apply_variable(assignment, setup); !fault.empty())
+      return "variables: " + fault;
   return {};
 }
 
@@ -366,6 +381,7 @@ std::string unknown_key(const std::string& key) {
   for (const Route& route : all_routes()) consider(key_of(route));
   for (const FieldDescriptor* field : program_fields()) consider(field->name());
   consider("tools");
+  consider("variables");
   std::stable_sort(near.begin(), near.end(),
                    [](const auto& a, const auto& b) { return a.first < b.first; });
   std::string text = "unknown setting \"" + key + "\"; nearest:";
@@ -388,6 +404,7 @@ std::string apply_setting(std::string_view assignment, v1::ProgramSetup& setup) 
   const std::string key = lower(trimmed(assignment.substr(0, equals)));
   const std::string_view value = trimmed(assignment.substr(equals + 1));
   if (key == "tools") return set_tools(value, setup);
+  if (key == "variables") return set_variables(value, setup);
   const auto impossible = [&](const std::string& whole, const FieldDescriptor& field) {
     return whole + ": \"" + std::string(value) + "\" is not possible; it takes " + values_of(field);
   };
@@ -446,6 +463,11 @@ std::vector<std::string> assignments_of(const v1::ProgramSetup& setup) {
     if (tool.wear() != 0) tools += ":" + shortest(tool.wear());
   }
   if (!tools.empty()) found.push_back("tools=" + tools);
+  std::string variables;
+  for (const auto& [name, value] :
+       std::map<std::string, double>(setup.variables().begin(), setup.variables().end()))
+    variables += (variables.empty() ? "" : ",") + name + "=" + shortest(value);
+  if (!variables.empty()) found.push_back("variables=" + variables);
   return found;
 }
 
@@ -458,6 +480,7 @@ std::vector<SettingRow> settings() {
       {"tools",
        "the tool table, number of the D or T word:radius in mm, as in 1:5,2:3.5, or with the wear "
        "too, as in 1:5:-0.02"});
+  rows.push_back({"variables", "names with their values, as in #500=12.5,#501=3"});
   return rows;
 }
 

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <regex>
@@ -403,6 +404,13 @@ TEST(Svg, MarksWarningsAtTheirPlace) {
   EXPECT_NE(svg.find(escaped(remedy.substr(0, remedy.find(' ', 20)))), std::string::npos);
 }
 
+TEST(Svg, TellsNotesInWordsWithoutAMark) {
+  const std::string svg = svg_of(corner_contour, {}, {}, {masked_note(2, 2)});
+  EXPECT_NE(svg.find("note 900213"), std::string::npos) << svg;
+  EXPECT_NE(svg.find("Use a smaller tool"), std::string::npos);
+  EXPECT_EQ(group(svg, "warning"), "");
+}
+
 TEST(Picture, DrawsTheToolAtTheFault) {
   Diagnostic error = diagnostic(Code::line_reversed, source(20));
   error.point = DiagnosticPoint{.x = 100, .y = 10};
@@ -584,6 +592,26 @@ TEST(Picture, JoinsStrokesOfLongPrograms) {
   const Picture picture = compose({.programmed = long_program});
   ASSERT_EQ(picture.strokes.size(), 1u);
   EXPECT_EQ(picture.strokes[0].segments.size(), most_single_strokes + 1);
+}
+
+TEST(Picture, LeavesOutTheRapidThatComesFromWhereNobodyHasSaid) {
+  const std::vector<Block> contour{motion(10, Line{{0, 0}, {-20, -20}}, mode(Side::off), true),
+                                   motion(20, Line{{-20, -20}, {0, 0}}, mode(Side::left)),
+                                   motion(30, Line{{0, 0}, {50, 0}}, mode(Side::left)),
+                                   motion(40, Line{{50, 0}, {70, -20}}, mode(Side::off), true)};
+  std::vector<CompensatedBlock> path{
+      compensated(10, Origin::uncompensated, Line{{0, 0}, {-20, -20}}, true),
+      compensated(30, Origin::programmed, Line{{0, 10}, {50, 10}})};
+  const auto rapids = [&](const Position& start) {
+    const Picture picture = compose({.programmed = contour, .path = path, .start = start});
+    return std::ranges::count_if(picture.strokes, &Stroke::rapid);
+  };
+  EXPECT_EQ(rapids({0, 0, 0}), 1);
+  EXPECT_EQ(rapids({1, 1, 0}), 3);
+  // A motion to where it stands says where that is.
+  std::vector<Block> said = contour;
+  said.insert(said.begin(), motion(5, Line{{0, 0}, {0, 0}}, mode(Side::off), true));
+  EXPECT_GE(std::ranges::count_if(compose({.programmed = said}).strokes, &Stroke::rapid), 2);
 }
 
 TEST(Picture, SeesOtherPlanesFromTheSide) {

@@ -114,6 +114,7 @@ TEST(Report, MarksNamesAndValuesWhole) {
   EXPECT_EQ(mark_in("N60 CYCLE81(1,2)"), "^~~~~~~");
   EXPECT_EQ(mark_in("N60 T=\"MILL 5\" D1"), "^~~~~~~~~~");
   EXPECT_EQ(mark_in("N60 AR=40.5 X1"), "^~~~~~~");
+  EXPECT_EQ(mark_in("N60 V.G.WZ_AKT.R=3"), "^~~~~~~~~~~~~~");
   EXPECT_EQ(mark_in("N60 $IF 1"), "^~~");
   EXPECT_EQ(mark_in("N60 X40.5Y2"), "^~~~~");
 }
@@ -125,6 +126,13 @@ TEST(Report, CountsCharactersNotBytesAndKeepsTheMarkUnderTabs) {
                 .find("    7 |  (\xC3\xB8 12) X5\n      |        ^\n"),
             std::string::npos)
       << text_of(received, {.file = "p", .source_line = "\t(\xC3\xB8 12) X5"});
+}
+
+TEST(Report, ShowsLatin1AsTheLettersItIs) {
+  Sent received = reversed_line();
+  received.diagnostic.column = 8;
+  const std::string text = text_of(received, {.file = "p", .source_line = "1 ;\x80\xC4\xD6 T5"});
+  EXPECT_NE(text.find("    7 | 1 ;?ÄÖ T5\n      |        ^~\n"), std::string::npos) << text;
 }
 
 TEST(Report, ShowsThePartOfALongLineThatMatters) {
@@ -147,7 +155,7 @@ TEST(Report, KeepsControlCharactersFromTheTerminal) {
   Sent received = reversed_line();
   received.texts.text = "bad \x1B[2J word\n \xC2\x9B \xFF";
   EXPECT_EQ(text_of(received, {.file = "p\n", .source_line = "\x1B[2J\xFFX"}),
-            "p?:7: N60: error 90019: bad ?[2J word? ? ?\n    7 | ?[2J?X\n"
+            "p?:7: N60: error 90019: bad ?[2J word? ? ÿ\n    7 | ?[2JÿX\n"
             "help: use a smaller tool\n");
 }
 

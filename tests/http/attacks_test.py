@@ -10,7 +10,7 @@ import threading
 import time
 import unittest
 
-from server import BUILD, SQUARE, TOP, Server
+from server import BUILD, SQUARE, TOP, HalfSent, Server, trc
 
 TEXT = {"Content-Type": "text/plain"}
 TEXT_HEAD = b"Content-Type: text/plain\r\n"
@@ -73,8 +73,12 @@ class Attacks(unittest.TestCase):
 
     def setUp(self):
         self.before = self.server.grpc_works()
+        self.stream = HalfSent(self.server.grpc_address, SQUARE, "--set", "tool_radius=5")
 
     def tearDown(self):
+        # A stream that was open all the time goes on as if nothing had been.
+        self.assertEqual(self.stream.finish(), trc("compensate", "-", "--set", "tool_radius=5",
+                                                   text=SQUARE.encode()))
         self.assertLess(self.server.grpc_works(), self.before + 5)
         self.assertEqual(self.server.ask("GET", "/v1/info")[0], 200)
 
@@ -315,6 +319,24 @@ class Attacks(unittest.TestCase):
 
     def test_memory_stays(self):
         self.assertLess(self.server.resident_mib(), 400)
+
+
+class Idle(unittest.TestCase):
+    def test_a_thousand_that_are_kept_take_little(self):
+        with Server("--http-max-connections", "1100") as server:
+            server.ask("GET", "/v1/info")
+            before, resident = server.grpc_works(), server.resident_mib()
+            idle = [server.connect() for _ in range(1000)]
+            try:
+                for connection in idle:
+                    connection.sendall(b"GET /v1/info HTTP/1.1\r\nHost: localhost\r\n\r\n")
+                for connection in idle:
+                    self.assertTrue(connection.recv(16).startswith(b"HTTP/1.1 200"))
+                self.assertLess(server.grpc_works(), before + 5)
+                self.assertLess(server.resident_mib(), resident + 100)
+            finally:
+                for connection in idle:
+                    connection.close()
 
 
 class Views(unittest.TestCase):

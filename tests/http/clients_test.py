@@ -66,6 +66,42 @@ class Programs(unittest.TestCase):
         self.assertEqual(warned[1]["Trc-Warnings"], "1")
         self.assertRegex(warned[1]["Trc-First-Warning"], r"^900205; line=\d$")
 
+    def test_a_program_that_computes_has_its_variables_and_subprograms(self):
+        text = ("O1\nG21 G17 G90\nG0 X-20. Y-20.\nG41 D1 G1 X0. Y0. F500.\nY#500\nX60.\nM98 P2\n"
+                "G40 X-20. Y-20.\nM30\nO2\nY0.\nX0.\nM99\n")
+        query = "/v1/programs:compensate?dialect=fanuc&tool_radius=5"
+        _, problem = self.server.ask_json("POST", query, text, TEXT)
+        self.assertEqual(problem["diagnostics"][0]["code"], 900303)
+        self.assertIn("variables", problem["diagnostics"][0]["help"])
+        status, _, same = self.server.ask("POST", query + "&variables=%23500%3D40", text, TEXT)
+        self.assertEqual(status, 200, same)
+        self.assertEqual(same, self.expected("--dialect", "fanuc", "--radius", "5", "--variable",
+                                             "#500=40", text=text))
+        _, problem = self.server.ask_json("POST", query + "&variables=%23500=40&"
+                                          "max_executed_lines=5", text, TEXT)
+        self.assertEqual(problem["diagnostics"][0]["code"], 900301)
+
+    def test_a_program_in_latin1_is_answered_and_shown(self):
+        text = ('0 BEGIN PGM FRÄSEN MM\n1 TOOL CALL "FRÄSER" Z\n2 L X-20 Y-20 R0 FMAX\n'
+                '3 L X+0 Y+0 RL F500 ; Öl\n4 L Y+40\n5 L X+40\n6 L X+60 Y+60 R0\n'
+                '7 END PGM FRÄSEN MM\n').encode("latin-1")
+        query = "?dialect=heidenhain&tool_radius=5"
+        _, _, same = self.server.ask("POST", "/v1/programs:compensate" + query, text, TEXT)
+        self.assertIn("FRÄSER".encode("latin-1"), same)
+        status, _, lines = self.server.ask("POST", "/v1/programs:compensate" + query, text,
+                                           {**TEXT, "Accept": "application/x-ndjson"})
+        self.assertEqual(status, 200)
+        self.assertIn("FRÄSER", lines.decode())
+        status, view = self.server.ask_json("POST", "/v1/views" + query, text, TEXT)
+        self.assertEqual(status, 201)
+        _, shown = self.server.ask_json("GET", f"/v1/views/{view['id']}/lines?from=2&count=1")
+        self.assertEqual(shown["lines"], ['1 TOOL CALL "FRÄSER" Z'])
+        # A tool that is not in the table is named as it is written.
+        status, problem = self.server.ask_json(
+            "POST", "/v1/programs:compensate?dialect=heidenhain&tools=7:5", text, TEXT)
+        self.assertEqual(status, 422)
+        self.assertIn("FRÄSER", problem["diagnostics"][0]["text"])
+
     def test_curl_gets_the_text_of_the_command_line(self):
         done = subprocess.run(
             ["curl", "-sS", "--fail", "--data-binary", "@-", "-H", "Content-Type: text/plain",
@@ -728,8 +764,8 @@ class Programs(unittest.TestCase):
         _, view = self.server.ask_json("POST", "/v1/views?tool_radius=5", SQUARE, TEXT)
         contour, beside = 0, 5
         styles = self.styles_in(view, 0, (25, 25))
-        # Four sides; the rapid move to the start, the approach and the retract.
-        self.assertEqual((styles[contour], styles[beside]), (4, 3 + 1))
+        # Four sides; the approach and the retract.
+        self.assertEqual((styles[contour], styles[beside]), (4, 2))
         self.server.ask("DELETE", "/v1/views/" + view["id"])
 
     def test_an_arc_that_leads_to_a_wall_is_none(self):
@@ -771,11 +807,33 @@ class Programs(unittest.TestCase):
         self.assertNotIn("toolRadius", self.server.ask_json("GET", at + "0")[1]["block"])
         self.server.ask("DELETE", "/v1/views/" + view["id"])
 
+    def test_a_worn_tool_on_a_centre_path_is_shown_as_large_as_it_is(self):
+        _, view = self.server.ask_json(
+            "POST", "/v1/views?nominal_radius=5&wear=-0.02", SQUARE, TEXT)
+        self.assertNotIn("refused", view, view.get("diagnostics"))
+        self.assertEqual([round(radius, 6) for radius in view["toolRadii"]], [4.98])
+        _, blocks = self.server.ask_json("GET", f"/v1/views/{view['id']}/blocks?line=3")
+        self.assertAlmostEqual(blocks["blocks"][1]["toolRadius"], 4.98, places=5)
+
+    def test_the_way_from_where_nobody_has_said_is_not_drawn(self):
+        # Up to 100, then down to the contour: from X0 Y0 it would lead across the picture.
+        text = SQUARE.replace("X-20 Y-20", "X60 Y-20").replace("N20", "N15 G00 X-20\nN20")
+        drawn = {}
+        for query in ("tool_radius=5", "tool_radius=5&start_position=0.5,90,0"):
+            _, view = self.server.ask_json("POST", "/v1/views?" + query, text, TEXT)
+            _, _, tile = self.server.ask("GET", f"/v1/views/{view['id']}/tiles/0/0/0")
+            drawn[query] = {line for line, _, _ in self.segments_of(tile)}, view["high"]["y"]
+        self.assertNotIn(1, drawn["tool_radius=5"][0])
+        self.assertIn(2, drawn["tool_radius=5"][0])
+        self.assertIn(1, drawn["tool_radius=5&start_position=0.5,90,0"][0])
+        self.assertEqual([high for _, high in drawn.values()], [55, 90])
+
     def test_each_tool_sweeps_its_own_band(self):
         # A square outside with 5 mm, and once more with 3 mm.
         square = ("G00 X-20 Y-20\nG41 D{0} G01 X0 Y0 F500\nY50\nX50\nY0\nX0\nG40 X-20 Y-20\n")
         text = square.format(1) + square.format(2) + "M30\n"
-        _, view = self.server.ask_json("POST", "/v1/views?tools=1:5,2:3", text, TEXT)
+        _, view = self.server.ask_json(
+            "POST", "/v1/views?tools=1:5,2:3&start_position=-30,-30", text, TEXT)
         self.assertEqual((view["toolRadius"], view["toolRadii"]), (5, [5, 3]))
         _, _, tile = self.server.ask("GET", f"/v1/views/{view['id']}/tiles/0/0/0")
         path = 1 << 9

@@ -40,6 +40,23 @@ def trc(*arguments, text=None):
     return done.returncode, done.stdout
 
 
+class HalfSent:
+    """A program of which gRPC has one half: its stream is open until the other one comes."""
+
+    def __init__(self, address, text, *arguments):
+        self.begin, self.rest = text[:len(text) // 2], text[len(text) // 2:]
+        self.process = subprocess.Popen(
+            [BUILD + "/bin/trc", "compensate", "-", "--server", address, "--wait", "0", *arguments],
+            stdin=subprocess.PIPE, stdout=subprocess.PIPE)
+        self.process.stdin.write(self.begin.encode())
+        self.process.stdin.flush()
+
+    def finish(self):
+        """What comes of the whole of it."""
+        out, _ = self.process.communicate(self.rest.encode(), timeout=60)
+        return self.process.returncode, out
+
+
 class Server:
     """trcd with HTTP on a free port; ends with the `with`."""
 

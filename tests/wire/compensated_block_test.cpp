@@ -103,6 +103,13 @@ TYPED_TEST(ResultLayout, ReadsBackEveryField) {
   expect_same_blocks(blocks, there_and_back<TypeParam>(blocks, 1));
 }
 
+TYPED_TEST(ResultLayout, CarriesTextOfAProgramThatIsLatin1) {
+  const std::vector<CompensatedBlock> sent{{.origin = Origin::passthrough, .text = "; Fr\xE4ser"}};
+  const std::vector<CompensatedBlock> read = there_and_back<TypeParam>(sent, 1);
+  ASSERT_EQ(read.size(), 1U);
+  EXPECT_EQ(read[0].text, "; Fräser");
+}
+
 TYPED_TEST(ResultLayout, ReadsBackRandomPathsInAnyBatches) {
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));

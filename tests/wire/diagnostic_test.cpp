@@ -79,6 +79,16 @@ TEST(DiagnosticMessage, CarriesTextsAndPlacesForPeople) {
             message.related_places(0).SerializeAsString());
 }
 
+TEST(DiagnosticMessage, IsReadAlsoWhereItsProgramIsLatin1) {
+  Diagnostic sent = diagnostic(Code::tool_unknown, {.line = 2}, "FR\xC4SER");
+  v1::Diagnostic message;
+  to_proto(sent, message);
+  v1::Diagnostic received;
+  ASSERT_TRUE(received.ParseFromString(message.SerializeAsString()));
+  EXPECT_EQ(received.detail(), "FRÄSER");
+  EXPECT_NE(received.text().find("FRÄSER"), std::string::npos) << received.text();
+}
+
 TEST(DiagnosticMessage, ReadsBackAbsence) {
   v1::Diagnostic message;
   to_proto({.code = Code::line_reversed}, message);

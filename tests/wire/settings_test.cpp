@@ -49,12 +49,19 @@ TEST(Settings, AreWrittenAsTheyAreRead) {
       "pass_words=POPEN,G777",
       "encoding=latin1",
       "renumber=true",
+      "max_executed_lines=5000",
       "tools=1:5,2:3.5:-0.02",
+      "variables=#500=12.5,#501=-3",
   };
   v1::ProgramSetup setup;
   for (const std::string& assignment : assignments) EXPECT_EQ(apply_setting(assignment, setup), "");
   EXPECT_EQ(assignments_of(setup), assignments);
   EXPECT_TRUE(assignments_of({}).empty());
+}
+
+TEST(Settings, NameTheVariableThatHasNoNumber) {
+  EXPECT_NE(fault_of("variables=#500=12.5,#501=x").find("variables: #501"), std::string::npos);
+  EXPECT_NE(fault_of("variables=12.5"), "");
 }
 
 TEST(Settings, TakeLeads) {

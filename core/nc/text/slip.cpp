@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 
+#include "core/base/utf8.h"
 #include "core/nc/text/characters.h"
 
 namespace trc {

@@ -17,7 +17,10 @@ void Elements::add(Element element, const Segment& shape) {
   if (size_ % group_size == 0) groups_.push_back({.length = length_});
   Group& group = groups_.back();
   verify::Bounds box;
-  box.add(shape);
+  if (element.unsaid)
+    box.add(element.end);
+  else
+    box.add(shape);
   for (const Point& corner : {box.low, box.high}) {
     group.box.add(corner);
     bounds_.add(corner);

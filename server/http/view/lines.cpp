@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "core/base/utf8.h"
 #include "server/text.h"
 
 namespace trc::server::http {
@@ -53,7 +54,7 @@ v1::ViewLines Lines::some(std::uint64_t first, std::uint64_t count) const {
   const std::uint64_t end =
       std::min<std::uint64_t>(first - 1 + std::min(count, most_lines), this->count());
   for (std::uint64_t i = first - 1; i < end; ++i) {
-    lines.add_lines(presentable(line(i), longest));
+    lines.add_lines(presentable(as_utf8(line(i)), longest));
     if (!sources_.empty()) lines.add_source_lines(sources_[i]);
   }
   return lines;

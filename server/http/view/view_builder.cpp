@@ -99,6 +99,8 @@ ViewBuilder::ViewBuilder(ViewedProgram program, Memory& memory, std::function<bo
       share_(memory),
       make_room_(std::move(make_room)),
       reader_(settings_.path.session),
+      first_on_contour_(settings_.path.session.program.start),
+      first_on_path_(settings_.path.session.program.start),
       asked_plane_(program.plane) {
   said_.set_name(std::move(program.name));
 }
@@ -136,12 +138,14 @@ bool ViewBuilder::add(const std::vector<CompensatedBlock>& blocks) {
   settle_plane();
   for (const CompensatedBlock& block : blocks) {
     if (block.origin == Origin::passthrough) continue;
-    const Element element{.feed = block.rapid ? 0 : static_cast<float>(block.feed),
-                          .line = block.source.line,
-                          .tool_radius = tool_radius_of(block),
-                          .style = style_of(block.origin),
-                          .origin = static_cast<std::uint8_t>(wire::to_proto(block.origin)),
-                          .rapid = block.rapid};
+    const Element element{
+        .feed = block.rapid ? 0 : static_cast<float>(block.feed),
+        .line = block.source.line,
+        .tool_radius = tool_radius_of(block),
+        .style = style_of(block.origin),
+        .origin = static_cast<std::uint8_t>(wire::to_proto(block.origin)),
+        .rapid = block.rapid,
+        .unsaid = first_on_path_.begins_unsaid(block.plane, block.path, block.normal, block.rapid)};
     add_seen(path_, element, {.plane = block.plane, .shape = block.path, .normal = block.normal},
              *plane_);
   }
@@ -232,18 +236,21 @@ void ViewBuilder::add_contour(const Block& block) {
   if (contour_.empty() || (active && said_.tool_radius() == 0))
     said_.set_unit(reader_.is_inch(motion.source.index) ? v1::LENGTH_UNIT_INCH
                                                         : v1::LENGTH_UNIT_MM);
-  const Element element{.feed = motion.rapid ? 0 : static_cast<float>(motion.feed),
-                        .line = motion.source.line,
-                        .tool_radius = active ? static_cast<float>(motion.mode->tool_radius) : 0,
-                        .style = is_contour ? Style::contour : Style::plain,
-                        .rapid = motion.rapid};
+  const Element element{
+      .feed = motion.rapid ? 0 : static_cast<float>(motion.feed),
+      .line = motion.source.line,
+      .tool_radius = active ? static_cast<float>(motion.mode->cutting_radius()) : 0,
+      .style = is_contour ? Style::contour : Style::plain,
+      .rapid = motion.rapid,
+      .unsaid = first_on_contour_.begins_unsaid(motion.mode->plane, motion.path, motion.normal,
+                                                motion.rapid)};
   add_seen(contour_, element,
            {.plane = motion.mode->plane, .shape = motion.path, .normal = motion.normal}, *plane_);
   contour_blocks_.resize(contour_.size(), static_cast<std::uint32_t>(motion.source.index));
   if (active && selection_.size() <= longest_with_leads) selection_.push_back(block);
   if (element.line >= radius_of_line_.size()) radius_of_line_.resize(element.line + 1);
   radius_of_line_[element.line] = element.tool_radius;
-  if (active) add_tool_radius(motion.mode->tool_radius);
+  if (active) add_tool_radius(motion.mode->cutting_radius());
 }
 
 void ViewBuilder::add_tool_radius(double radius) {

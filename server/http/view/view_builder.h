@@ -10,6 +10,7 @@
 #include "core/geometry/plane.h"
 #include "core/session/contour_reader.h"
 #include "core/trc/result/compensated_block.h"
+#include "core/trc/result/first_motions.h"
 #include "proto/wire/setup.h"
 #include "server/http/memory.h"
 #include "server/http/view/elements.h"
@@ -71,6 +72,8 @@ class ViewBuilder {
   std::vector<Diagnostic> masked_;  // as far as the picture needs them
 
   ContourReader reader_;
+  FirstMotions first_on_contour_;
+  FirstMotions first_on_path_;
   std::size_t read_bytes_ = 0;  // of the text
   std::uint64_t read_lines_ = 0;
   // Read before it was known which plane is shown.
