@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/geometry/segment.h"
+#include "core/verify/box.h"
 #include "core/verify/piece.h"
 
 namespace trc::verify {
@@ -17,5 +18,13 @@ struct Capsule {
 
 // Holds all of the piece.
 [[nodiscard]] Capsule capsule_of(const Piece& piece);
+// Holds all of the box.
+[[nodiscard]] inline Capsule capsule_of(const Box& box) {
+  return {.center = box.center,
+          .half = box.half.x() * box.along,
+          .normal = left_of(box.along),
+          .half_length = box.half.x(),
+          .margin = box.half.y()};
+}
 
 }  // namespace trc::verify

@@ -79,15 +79,17 @@ class Selection {
 
   // The pieces of the path from `next` on that stem from this selection. Returns the one behind.
   std::size_t measure_from(std::size_t next) {
+    auto pieces = held_.path().from(next);
     while (has(next)) {
       begin_group(next);
       for (; next < group_.behind; ++next) {
         checkpoint_.pass();
-        measure(next);
+        measure(next, pieces.next());
       }
       const auto& all = held_.path();
       if (progress_) progress_(next - all.begin(), all.end() - all.begin());
     }
+    if (report_.checked > 0) count_left_out(end_, place_);
     return next;
   }
 
@@ -127,18 +129,22 @@ class Selection {
   void begin_group(std::size_t first) {
     group_ = {.first = first, .behind = first};
     is_group_known_ = false;
-    for (; group_.behind < first + most_of_group && has(group_.behind); ++group_.behind) {
-      const PathPiece& path = held_.path()[group_.behind];
+    auto pieces = held_.path().from(first);
+    const Point& start = held_.path()[first].piece.start;
+    const std::size_t last = std::min(first + most_of_group, held_.path().end());
+    for (; group_.behind < last; ++group_.behind) {
+      const PathPiece& path = pieces.next();
+      if (path.programmed >= end_) break;
       group_.required = std::max(group_.required, required_of(path));
-      const Vector way = path.piece.end - held_.path()[first].piece.start;
       const double most = reach_of_group * group_.required;
-      if (group_.behind >= first + few_of_group && way.squaredNorm() > most * most) break;
+      if (group_.behind >= first + few_of_group &&
+          (path.piece.end - start).squaredNorm() > most * most)
+        break;
     }
   }
 
-  void measure(std::size_t number) {
+  void measure(std::size_t number, const PathPiece& path) {
     if (tree_.walls() == 0) return;
-    const PathPiece& path = held_.path()[number];
     const ProgrammedPiece& own = held_.programmed()[path.programmed];
     // SUPPRESS_TRC: the path of no tool says nothing of the one that cuts.
     if (const Rule& rule = held_.rule_of(own); !rule.follows && rule.radius > 0) return;
@@ -146,10 +152,14 @@ class Selection {
     required_ = required_of(path);
     gouges_ = false;
     if (path.on_contour) check_side(path, own);
-    if (!path.inserted && own.is_contour) count_touched(path.programmed, path.piece);
-    count_left_out(path);
-    if (!is_clear_here(path.piece) && !was_clear(number)) {
-      search(number);
+    if (!path.inserted && own.is_contour)
+      count_touched(path.programmed,
+                    touched(own.piece, walls_.wall_of(own), path.piece, required_));
+    // Over the seam of a closed contour the path comes back to the first blocks.
+    count_left_out(path.programmed < latest_ ? end_ : path.programmed, path.piece.start);
+    place_ = path.piece.end;
+    if (!is_clear_here(path.piece) && !was_clear(path)) {
+      search(number, path);
       // What gouges has been compared with what is nearer than that alone.
       if (!is_near_ && !gouges_) keep_clear(number);
     }
@@ -159,9 +169,8 @@ class Selection {
 
   // Laps on top of each other have the same path again and again: where a piece of it was clear,
   // it is so in later laps, which have to keep clear of no more walls.
-  [[nodiscard]] bool was_clear(std::size_t number) {
+  [[nodiscard]] bool was_clear(const PathPiece& path) {
     if (clear_before_.empty()) return false;
-    const PathPiece& path = held_.path()[number];
     slot_ = slot_of(path.piece);
     const std::size_t known = clear_before_[slot_];
     if (known == none) return false;
@@ -179,21 +188,20 @@ class Selection {
     return key >> 32U & (clear_before_.size() - 1);
   }
 
-  void count_touched(std::size_t number, const Piece& path) {
-    const ProgrammedPiece& block = held_.programmed()[number];
-    const Stretch stretch = touched(block.piece, walls_.wall_of(block), path, required_);
+  void count_touched(std::size_t number, const Stretch& stretch) {
+    if (!(stretch.from < stretch.to)) return;
     report_.touched_length += stretch.length();
-    if (!touched_.empty() && stretch.length() > 0) touched_[number - begin_].push_back(stretch);
+    if (!touched_.empty()) touched_[number - begin_].push_back(stretch);
   }
 
-  // Of arcs as large as the tool nothing is travelled: it turns in their centre.
-  void count_left_out(const PathPiece& path) {
-    for (std::size_t number = std::exchange(latest_, path.programmed) + 1; number < path.programmed;
-         ++number) {
+  // Of arcs as large as the tool, and of what is smaller than the input is exact, nothing is
+  // travelled: the tool turns in one place. Those before `behind`.
+  void count_left_out(std::size_t behind, const Point& place) {
+    for (std::size_t number = std::exchange(latest_, behind) + 1; number < behind; ++number) {
       checkpoint_.pass();
       const ProgrammedPiece& block = held_.programmed()[number];
-      if (block.is_contour && block.piece.is_arc())
-        count_touched(number, {.start = path.piece.start, .end = path.piece.start});
+      if (block.is_contour && is_touched_from(place, block.piece, required_))
+        count_touched(number, walls_.wall_of(block));
     }
   }
 
@@ -237,9 +245,10 @@ class Selection {
     const Vector way = path[group_.behind - 1].piece.end - path[group_.first].piece.start;
     const double length = way.norm();
     BoxAlong around(length > 0 ? Vector(way / length) : Vector::UnitX());
+    auto pieces = path.from(group_.first);
     for (std::size_t number = group_.first; number < group_.behind; ++number) {
       Capsule& capsule = capsules_[number - group_.first];
-      capsule = capsule_of(path[number].piece);
+      capsule = capsule_of(pieces.next().piece);
       around.add(capsule.center + capsule.half, capsule.margin);
       around.add(capsule.center - capsule.half, capsule.margin);
     }
@@ -247,56 +256,78 @@ class Selection {
     const double reach = group_.required + widest_of_interest() + slack;
     // What goes round in windings is near to all of them by its box. So is what comes next then.
     if (!winds_) {
-      has_near_ = tree_.find_near(box, reach, stretches_);
+      has_near_ = tree_.find_near(box, reach, leaves_);
       winds_ = !has_near_;
     }
     if (winds_) {
-      Ring ring = tree_.about_middle(path[group_.first].piece);
-      for (std::size_t number = group_.first + 1; number < group_.behind; ++number)
-        ring = verify::around(ring, tree_.about_middle(path[number].piece));
-      has_near_ = tree_.find_near(box, ring, reach, stretches_);
+      has_near_ = tree_.find_near(box, ring_of_group(), reach, leaves_);
       winds_ = has_near_;
     }
     if (!has_near_) return;
-    report_.steps += stretches_.size();
+    report_.steps += leaves_.size();
     origin_ = box.center;
-    for (const WallTree::Stretch& stretch : stretches_)
-      near_.push_back(tree_.leaf_of(stretch, origin_));
+    tree_.gather(leaves_, origin_, winds_, near_);
   }
 
-  void search(std::size_t number) {
-    const PathPiece& path = held_.path()[number];
+  // Between which distances from the middle of all walls it lies.
+  Ring ring_of_group() {
+    auto pieces = held_.path().from(group_.first);
+    Ring ring;
+    for (std::size_t number = 0; number < group_.behind - group_.first; ++number) {
+      rings_[number] = tree_.about_middle(pieces.next().piece);
+      ring = ring.exists() ? verify::around(ring, rings_[number]) : rings_[number];
+    }
+    return ring;
+  }
+
+  void search(std::size_t number, const PathPiece& path) {
     const double margin = margin_of_interest();
     is_near_ = false;
     if (!is_group_known_) find_near();
     if (has_near_)
-      search_near(path, capsules_[number - group_.first]);
+      search_near(path, number - group_.first);
     else
       search_all(path);
     if (!is_near_) clear_ = {.place = path.piece.start, .margin = margin, .required = required_};
   }
 
-  void search_near(const PathPiece& path, const Capsule& capsule) {
+  // `number`: in the group.
+  void search_near(const PathPiece& path, std::size_t number) {
+    const Capsule& capsule = capsules_[number];
+    const double reach = required_ + margin_of_interest() + slack;
+    Reached reached{
+        .piece = Compared(path.piece), .reach = reach, .around = {capsule, origin_, reach}};
+    if (winds_) reached.between = {rings_[number], reach};
     double least = least_;
-    double reach = required_ + margin_of_interest() + slack;
-    FourWalls::Surroundings around(capsule, origin_, reach);
-    FourRings::Surroundings between;
-    if (winds_) between = {tree_.about_middle(path.piece), reach};
-    for (const WallTree::Leaf& leaf : near_) {
-      if (winds_ && leaf.rings.near(between) == 0) continue;
-      FourWalls::Bits near = leaf.walls.near(around);
-      if (near == 0) continue;
-      if (winds_) near &= leaf.rings.near(between);
-      tree_.for_each_of(leaf, near,
-                        [&](const ProgrammedPiece& block, const Piece& wall, std::size_t first) {
-                          if (!are_apart(path.piece, wall, reach))
-                            compare(path, block, wall, first);
-                        });
-      if (least_ == least) continue;
-      least = least_;
-      reach = required_ + margin_of_interest() + slack;
-      around = FourWalls::Surroundings(capsule, origin_, reach);
+    for (const WallTree::FourLeaves& four : near_) {
+      FourWalls::Bits leaves = near(reached, four.around, four.rings);
+      for (; leaves != 0; leaves &= leaves - 1) {
+        search_near(path, four.leaves[static_cast<std::size_t>(std::countr_zero(leaves))], reached);
+        if (least_ == least) continue;
+        least = least_;
+        reached.reach = required_ + margin_of_interest() + slack;
+        reached.around = {capsule, origin_, reached.reach};
+      }
     }
+  }
+  // A piece of path and all that counts as near to it.
+  struct Reached {
+    Compared piece;
+    double reach;  // mm
+    FourWalls::Surroundings around;
+    FourRings::Surroundings between{};
+  };
+  [[nodiscard]] FourWalls::Bits near(const Reached& reached, const FourWalls& walls,
+                                     const FourRings& rings) const {
+    const FourWalls::Bits between = winds_ ? rings.near(reached.between) : ~FourWalls::Bits{0};
+    return between == 0 ? 0 : between & walls.near(reached.around);
+  }
+  void search_near(const PathPiece& path, const WallTree::Leaf& leaf, const Reached& reached) {
+    tree_.for_each_of(leaf, near(reached, leaf.walls, leaf.rings),
+                      [&](const ProgrammedPiece& block, const Piece& wall, std::size_t first) {
+                        if (!reached.piece.is_apart_from(wall, reached.reach))
+                          compare(path, block, wall, first);
+                      });
   }
 
   void search_all(const PathPiece& path) {
@@ -447,7 +478,8 @@ class Selection {
   const HeldPath& held_;
   std::size_t begin_;
   std::size_t end_;
-  std::size_t latest_;  // programmed piece whose path has been measured
+  std::size_t latest_;  // programmed piece whose path has been measured; `end_`: all that have one
+  Point place_ = Point::Zero();  // where that path ends
   double allowed_;
   double input_resolution_;
   const std::function<void(std::size_t, std::size_t)>& progress_;
@@ -470,16 +502,17 @@ class Selection {
   };
   Group group_{};
   std::array<Capsule, most_of_group> capsules_;  // around them
+  std::array<Ring, most_of_group> rings_;        // where they wind: about the middle of all walls
   // Numbers of pieces of path that were clear, by slot_of(); empty: there are no laps.
   std::vector<std::size_t> clear_before_;
   std::size_t slot_ = 0;  // of the piece that is being measured
   // What may be near to the group.
   bool is_group_known_ = false;
   bool winds_ = false;  // looked for by its distances from the middle of all walls as well
-  std::vector<WallTree::Leaf> near_;
+  std::vector<WallTree::FourLeaves> near_;
   Point origin_ = Point::Zero();  // that its coordinates count from
   bool has_near_ = false;         // else they are too many to be looked at for each piece
-  std::vector<WallTree::Stretch> stretches_;
+  std::vector<std::size_t> leaves_;
   // A place of the path that is clear with `slack` to spare.
   struct Clear {
     Point place = Point::Zero();

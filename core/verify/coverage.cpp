@@ -14,48 +14,49 @@ namespace {
 constexpr double most_apart = 1e-3;
 
 // How far along the programmed block the path begins and ends beside it.
-Stretch beside(const Line& programmed, const Segment& path) {
+Stretch along_line(const Piece& programmed, const Piece& path) {
   const Vector along = (programmed.end - programmed.start).normalized();
-  return {.from = (place_at(path, 0).point - programmed.start).dot(along),
-          .to = (place_at(path, 1).point - programmed.start).dot(along)};
+  return {.from = (path.start - programmed.start).dot(along),
+          .to = (path.end - programmed.start).dot(along)};
 }
 
-Stretch beside(const Arc& programmed, const Segment& path) {
-  const double radius = (programmed.start - programmed.center).norm();
+// How far an arc has turned from its start to the direction of a point, rad, positive in its own
+// sense. Paths begin beside the start of their block mostly, where the angle is its own tangent.
+double turned(const Piece& arc, const Point& point) {
+  constexpr double is_its_tangent = 1e-6;  // rad: the cube of that is nothing beside it
+  const Vector from = arc.start - arc.center;
+  const Vector to = point - arc.center;
+  const double sine = cross(from, to);
+  const double cosine = from.dot(to);
+  const double angle =
+      std::abs(sine) < is_its_tangent * cosine ? sine / cosine : std::atan2(sine, cosine);
+  return arc.sweep < 0 ? -angle : angle;
+}
+
+Stretch along_arc(const Piece& programmed, const Piece& path) {
+  const double from = turned(programmed, path.start);
   const double sense = programmed.sweep < 0 ? -1 : 1;
-  const auto turned = [&](const Point& point) {
-    const Vector from = programmed.start - programmed.center;
-    const Vector to = point - programmed.center;
-    return sense * std::atan2(cross(from, to), from.dot(to));
-  };
-  const double from = turned(place_at(path, 0).point);
-  const auto* arc = std::get_if<Arc>(&path);
-  const double sweep = arc != nullptr ? sense * arc->sweep : turned(place_at(path, 1).point) - from;
+  const double sweep = path.is_arc() ? sense * path.sweep : turned(programmed, path.end) - from;
   // Behind half a turn the angle has come round.
   const double begin =
       from < -std::numbers::pi / 2 && -from + std::abs(programmed.sweep) > 1.5 * std::numbers::pi
           ? from + 2 * std::numbers::pi
           : from;
+  const double radius = programmed.radius();
   return {.from = begin * radius, .to = (begin + sweep) * radius};
 }
 
-// Of two arcs about one centre.
-Stretch beside_arc(const Piece& programmed, const Piece& path, double required) {
-  if (std::abs(std::abs(path.radius() - programmed.radius()) - required) > most_apart) return {};
-  return beside(std::get<Arc>(segment_of(programmed)), segment_of(path));
-}
-
 // Nothing where it is not that far from it.
-Stretch beside(const Segment& programmed, const Segment& path, double required) {
-  const Point middle = place_at(path, 0.5).point;
-  const double apart = (nearest_point(programmed, middle) - middle).norm();
+Stretch beside(const Piece& programmed, const Piece& path, double required) {
+  const Point middle = place_at(segment_of(path), 0.5).point;
+  const double apart = (nearest_point(segment_of(programmed), middle) - middle).norm();
   if (std::abs(apart - required) > most_apart) return {};
-  return std::visit([&](const auto& shape) { return beside(shape, path); }, programmed);
+  return programmed.is_arc() ? along_arc(programmed, path) : along_line(programmed, path);
 }
 
 // The same of two lines, by the middle of what lies beside the wall: at a mitre the path reaches
 // far beyond its end.
-Stretch beside(const Piece& programmed, const Piece& path, double required) {
+Stretch beside_lines(const Piece& programmed, const Piece& path, double required) {
   const double length = programmed.length();
   const Vector along = (programmed.end - programmed.start) / length;
   const double from = (path.start - programmed.start).dot(along);
@@ -71,18 +72,36 @@ Stretch beside(const Piece& programmed, const Piece& path, double required) {
 
 Stretch touched(const Piece& programmed, const Stretch& within, const Piece& path,
                 double required) {
-  if (programmed.is_arc() && std::abs(programmed.radius() - required) <= most_apart &&
-      (path.start - programmed.center).norm() <= most_apart)
+  if (programmed.is_point()) return {};
+  // In one place it stands, or turns about the centre of an arc of its own radius.
+  if ((path.is_point() || programmed.is_arc()) && is_touched_from(path.start, programmed, required))
     return within;
-  if (path.is_point() || programmed.is_point()) return {};
+  if (path.is_point()) return {};
   Stretch stretch;
   if (!programmed.is_arc() && !path.is_arc())
+    stretch = beside_lines(programmed, path, required);
+  else if (!programmed.is_arc() || !path.is_arc() || programmed.center != path.center)
     stretch = beside(programmed, path, required);
-  else if (programmed.is_arc() && path.is_arc() && programmed.center == path.center)
-    stretch = beside_arc(programmed, path, required);
-  else
-    stretch = beside(segment_of(programmed), segment_of(path), required);
-  return {.from = std::max(stretch.from, within.from), .to = std::min(stretch.to, within.to)};
+  else if (std::abs(std::abs(path.radius() - programmed.radius()) - required) <= most_apart)
+    stretch = along_arc(programmed, path);
+  stretch = {.from = std::max(stretch.from, within.from), .to = std::min(stretch.to, within.to)};
+  if (!(stretch.from < stretch.to)) return {};
+  // What is left between an end of the path and the corner there.
+  const double reach = required + most_apart;
+  if ((path.start - programmed.start).squaredNorm() <= reach * reach) stretch.from = within.from;
+  if ((path.end - programmed.end).squaredNorm() <= reach * reach) stretch.to = within.to;
+  return stretch;
+}
+
+bool is_touched_from(const Point& place, const Piece& programmed, double required) {
+  const double reach = required + most_apart;
+  const auto reaches = [&](const Point& point) {
+    return (point - place).squaredNorm() <= reach * reach;
+  };
+  if (!programmed.is_arc()) return reaches(programmed.start) && reaches(programmed.end);
+  // Of a tighter one there is a rest, however little that is.
+  return std::abs(programmed.radius() - required) <= most_apart &&
+         (place - programmed.center).norm() <= most_apart;
 }
 
 Segment part_of(const Segment& programmed, const Stretch& within) {

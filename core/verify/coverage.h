@@ -14,9 +14,15 @@ struct Stretch {
 };
 
 // What of `within` the path touches, where it runs beside the programmed block at the distance
-// `required`. In the centre of an arc of that radius it touches all of it.
+// `required`. Up to the end of the block, where less than a micrometre is left standing between
+// that and the end of the path.
 [[nodiscard]] Stretch touched(const Piece& programmed, const Stretch& within, const Piece& path,
                               double required);
+
+// All of a programmed block that has no path is touched from the place where the tool turns: an arc
+// of its radius, in whose centre that is, or a line of which less than a micrometre is left
+// standing.
+[[nodiscard]] bool is_touched_from(const Point& place, const Piece& programmed, double required);
 
 // The part of a programmed block between two places.
 [[nodiscard]] Segment part_of(const Segment& programmed, const Stretch& within);

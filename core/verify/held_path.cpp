@@ -66,20 +66,22 @@ bool HeldPath::is_contour(const MotionBlock& block, Side side) const {
 void HeldPath::add(const MotionBlock& block) {
   if (!is_finite(block.path)) return;
   const std::uint32_t rule = number_of(block.mode);
-  ProgrammedPiece piece{.piece = piece_of(block.path),
-                        .source = block.source,
-                        .rule = rule,
-                        .is_contour = is_contour(block, rules_[rule].side),
-                        .role = block.role};
-  if (rules_[rule].nominal > 0) put_at_part(piece);
-  if (!programmed_.empty()) {
-    ProgrammedPiece& before = programmed_.back();
-    if (rule_of(before).selection == rules_[rule].selection) {
-      piece.number = before.number + (before.is_contour ? 1 : 0);
-      before.crosses_behind = piece.is_contour && rule_of(before).side != rules_[rule].side;
-    }
-  }
-  programmed_.push_back(piece);
+  const Rule& own = rules_[rule];
+  const bool contour = is_contour(block, own.side);
+  ProgrammedPiece* before = programmed_.empty() ? nullptr : &programmed_.back();
+  ProgrammedPiece& piece = programmed_.push_made([&] {
+    return ProgrammedPiece{.piece = piece_of(block.path),
+                           .source = block.source,
+                           .rule = rule,
+                           .is_contour = contour,
+                           .role = block.role};
+  });
+  if (own.nominal > 0) put_at_part(piece);
+  if (before == nullptr) return;
+  const Rule& rule_before = rule_of(*before);
+  if (rule_before.selection != own.selection) return;
+  piece.number = before->number + (before->is_contour ? 1 : 0);
+  before->crosses_behind = piece.is_contour && rule_before.side != own.side;
 }
 
 void HeldPath::put_at_part(ProgrammedPiece& last) {
@@ -88,7 +90,7 @@ void HeldPath::put_at_part(ProgrammedPiece& last) {
   wall.exists = wall.exists && last.is_contour;
   // Short walls may end before they begin: the one before them is the neighbour then.
   constexpr std::size_t most_gone = 64;
-  const std::size_t end = programmed_.end();
+  const std::size_t end = programmed_.end() - 1;
   for (std::size_t place = end; place > programmed_.begin() && end - place < most_gone;) {
     ProgrammedPiece& before = programmed_[--place];
     const Rule& rule_before = rule_of(before);
@@ -107,16 +109,18 @@ void HeldPath::put_at_part(ProgrammedPiece& last) {
 }
 
 void HeldPath::add(const CompensatedBlock& block) {
-  if (!is_measured(block.origin) || programmed_.empty() || !is_finite(block.path) ||
-      !find(block.source))
-    return;
+  if (!is_measured(block.origin) || programmed_.empty() || !is_finite(block.path)) return;
+  const ProgrammedPiece* stems_from = find(block.source);
+  if (stems_from == nullptr) return;
   const bool inserted = block.origin == Origin::transition || block.origin == Origin::radius_change;
-  if (inserted && programmed_[last_].crosses_behind) return;
-  path_.push_back({.piece = piece_of(block.path),
-                   .height = block.normal.to,
-                   .programmed = last_,
-                   .inserted = inserted,
-                   .on_contour = block.origin == Origin::programmed});
+  if (inserted && stems_from->crosses_behind) return;
+  path_.push_made([&] {
+    return PathPiece{.piece = piece_of(block.path),
+                     .height = block.normal.to,
+                     .programmed = last_,
+                     .inserted = inserted,
+                     .on_contour = block.origin == Origin::programmed};
+  });
 }
 
 std::size_t HeldPath::first_from(std::uint64_t index) const {
@@ -137,12 +141,15 @@ std::size_t HeldPath::first_from(const Source& source) const {
 }
 
 // The path follows the program, but for the seam of a closed contour: the next one is near.
-bool HeldPath::find(const Source& source) {
+const ProgrammedPiece* HeldPath::find(const Source& source) {
   last_ = std::max(last_, programmed_.begin());
   if (last_ >= programmed_.end() || is_before(source, programmed_[last_].source))
     last_ = first_from(source);
-  while (last_ < programmed_.end() && is_before(programmed_[last_].source, source)) ++last_;
-  return last_ < programmed_.end() && !is_before(source, programmed_[last_].source);
+  for (; last_ < programmed_.end(); ++last_) {
+    const ProgrammedPiece& piece = programmed_[last_];
+    if (!is_before(piece.source, source)) return is_before(source, piece.source) ? nullptr : &piece;
+  }
+  return nullptr;
 }
 
 void HeldPath::forget_before(std::size_t number) {

@@ -79,10 +79,10 @@ class HeldPath {
  private:
   std::uint32_t number_of(const std::shared_ptr<const TrcMode>& mode);
   [[nodiscard]] bool is_contour(const MotionBlock& block, Side side) const;
-  // Of a piece that is to be the last one: it becomes the wall it stands for in wear mode.
+  // Of the last one: it becomes the wall it stands for in wear mode.
   void put_at_part(ProgrammedPiece& last);
-  // The programmed piece that a path stems from; false: there is none.
-  bool find(const Source& source);
+  // The programmed piece that a path stems from; null: there is none.
+  const ProgrammedPiece* find(const Source& source);
   [[nodiscard]] std::size_t first_from(const Source& source) const;
 
   NumberedQueue<ProgrammedPiece> programmed_;

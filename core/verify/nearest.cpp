@@ -280,7 +280,7 @@ Gap gap_between(const Piece& a, const Piece& b, double enough) {
     gap.on_a = bow.nearest(gap.on_a);
     return gap;
   }
-  if (are_apart(a, b, enough)) return {enough, a.start};
+  if (is_beside(a, b, enough) || is_beside(b, a, enough)) return {enough, a.start};
   return gap_between(line_of(a), line_of(b));
 }
 

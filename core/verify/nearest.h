@@ -32,11 +32,58 @@ struct Gap {
                                       distance * distance * along.squaredNorm();
 }
 
-// No point of one is nearer to one of the other than `distance`, mm, which takes little to tell.
-// False: they may be nearer, or not.
-[[nodiscard]] inline bool are_apart(const Piece& a, const Piece& b, double distance) {
-  return !a.is_arc() && !b.is_arc() && (is_beside(a, b, distance) || is_beside(b, a, distance));
+// The circles that an arc lies between: its start and its end may lie on two that differ a little.
+struct Circles {
+  Point center = Point::Zero();
+  double inner = 0;  // mm
+  double outer = 0;  // mm
+};
+[[nodiscard]] inline Circles circles_of(const Piece& arc) {
+  const double start = arc.radius();
+  const double end = (arc.end - arc.center).norm();
+  return {.center = arc.center, .inner = std::min(start, end), .outer = std::max(start, end)};
 }
+
+// One circle lies beyond the other one or within it, and nowhere nearer to it than `distance`, mm.
+// False: they may be nearer, or not.
+[[nodiscard]] inline bool are_apart(const Circles& a, const Circles& b, double distance) {
+  const double square = (b.center - a.center).squaredNorm();
+  const double beyond = distance + a.outer + b.outer;
+  const double within = std::max(a.inner - b.outer, b.inner - a.outer) - distance;
+  return beyond <= 0 || square >= beyond * beyond || (within >= 0 && square <= within * within);
+}
+
+// The same of such circles and a line.
+[[nodiscard]] inline bool are_apart(const Circles& circles, const Piece& line, double distance) {
+  const Vector start = line.start - circles.center;
+  const Vector end = line.end - circles.center;
+  const Vector along = end - start;
+  const double square = along.squaredNorm();
+  const double across = cross(along, start);
+  const double beyond = distance + circles.outer;
+  const double within = circles.inner - distance;
+  return beyond <= 0 || (square > 0 && across * across >= beyond * beyond * square) ||
+         (within >= 0 && std::max(start.squaredNorm(), end.squaredNorm()) <= within * within);
+}
+
+// A piece that is compared with many, each of which takes little to be told apart from it.
+class Compared {
+ public:
+  explicit Compared(const Piece& piece)
+      : piece_(piece), circles_(piece.is_arc() ? circles_of(piece) : Circles{}) {}
+  // No point of the other one is nearer than `distance`, mm. False: it may be nearer, or not.
+  [[nodiscard]] bool is_apart_from(const Piece& other, double distance) const {
+    if (piece_.is_arc())
+      return other.is_arc() ? are_apart(circles_, circles_of(other), distance)
+                            : are_apart(circles_, other, distance);
+    if (other.is_arc()) return are_apart(circles_of(other), piece_, distance);
+    return is_beside(piece_, other, distance) || is_beside(other, piece_, distance);
+  }
+
+ private:
+  const Piece& piece_;
+  Circles circles_;  // of an arc
+};
 
 // Of arcs about one centre, the second of at most half a turn: every direction from the centre that
 // the first one passes is one that the second one passes.

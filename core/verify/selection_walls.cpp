@@ -61,9 +61,8 @@ double SelectionWalls::largest_radius() const {
   return radius;
 }
 
-Stretch SelectionWalls::wall_of(const ProgrammedPiece& block) const {
+Stretch SelectionWalls::part_of(const ProgrammedPiece& block) const {
   const double length = block.piece.length();
-  if (tree_->is_whole(block.number)) return {0, length};
   if (sides_.is_lead(block.number)) return {};
   const auto part = sides_.part_of(block.number);
   return part ? Stretch{part->from, std::min(part->to, length)} : Stretch{0, length};

@@ -31,7 +31,9 @@ class SelectionWalls {
   [[nodiscard]] double length() const { return length_; }  // mm, of all of them
 
   // What of a contour block is a wall; nothing where none of it is.
-  [[nodiscard]] Stretch wall_of(const ProgrammedPiece& block) const;
+  [[nodiscard]] Stretch wall_of(const ProgrammedPiece& block) const {
+    return tree_->is_whole(block.number) ? Stretch{0, block.piece.length()} : part_of(block);
+  }
 
   // Goes over to the pieces of another path, from `begin` on, whose tool radius may be another one.
   // The contour has to be the same, and by_radius().
@@ -42,6 +44,8 @@ class SelectionWalls {
   }
 
  private:
+  // Of a contour block that is not a wall from end to end.
+  [[nodiscard]] Stretch part_of(const ProgrammedPiece& block) const;
   void find_contour(Checkpoint& checkpoint);
   [[nodiscard]] ContourView contour(Checkpoint& checkpoint) const;
   [[nodiscard]] double largest_radius() const;

@@ -164,7 +164,6 @@ void WallTree::build_buckets(Checkpoint& checkpoint) {
       add_to(box, wall);
       leaf.walls.set(places[number], capsule_of(wall), leaf.origin);
       const Ring of_wall = ring_of(wall, middle_);
-      leaf.rings.set(places[number], of_wall);
       about_middle = about_middle.exists() ? around(about_middle, of_wall) : of_wall;
       if (!is_bow) continue;
       const Ring own = ring_of(wall, walls[longest].center);
@@ -207,41 +206,80 @@ WallTree::Node WallTree::both(const Node& a, const Node& b) {
   return node;
 }
 
+// Two leaves beside each other are hardly ever told apart by the box around a whole group: they are
+// found together.
 template <class IsNear>
-bool WallTree::find_leaves(const IsNear& is_near, std::vector<Stretch>& found) const {
-  found.assign(1, whole());
-  for (std::size_t next = 0; next < found.size();) {
-    const Stretch stretch = found[next];
+bool WallTree::find_leaves(const IsNear& is_near, std::vector<std::size_t>& found) const {
+  found.clear();
+  const auto add = [&](std::size_t index) {
+    if (nodes_[index].required >= 0) found.push_back(index);
+  };
+  // Of each level one node waits for its sibling.
+  std::array<Stretch, most_levels> open;
+  std::size_t count = 0;
+  open[count++] = whole();
+  for (std::size_t looked_at = 0; count > 0; ++looked_at) {
+    if (looked_at > most_nodes) return false;
+    const Stretch stretch = open[--count];
     const Node& node = node_at(stretch);
-    if (node.required < 0 || !is_near(node)) {
-      found[next] = found.back();
-      found.pop_back();
-    } else if (stretch.level == 0) {
-      ++next;
-    } else {
-      found[next] = {.level = stretch.level - 1, .index = 2 * stretch.index};
-      if (2 * stretch.index + 1 < levels_[stretch.level - 1].size)
-        found.push_back({.level = stretch.level - 1, .index = 2 * stretch.index + 1});
+    if (node.required < 0 || !is_near(node)) continue;
+    if (stretch.level == 0) {
+      add(stretch.index);
+      continue;
     }
-    if (found.size() > most_stretches) return false;
+    const std::size_t left = 2 * stretch.index;
+    const bool has_right = left + 1 < levels_[stretch.level - 1].size;
+    if (stretch.level == 1) {
+      add(left);
+      if (has_right) add(left + 1);
+      if (found.size() > most_leaves) return false;
+      continue;
+    }
+    if (has_right) open[count++] = {.level = stretch.level - 1, .index = left + 1};
+    open[count++] = {.level = stretch.level - 1, .index = left};
   }
   return true;
 }
 
-bool WallTree::find_near(const Box& box, double reach, std::vector<Stretch>& found) const {
+bool WallTree::find_near(const Box& box, double reach, std::vector<std::size_t>& found) const {
   return find_leaves([&](const Node& node) { return least_gap(node.box, box, reach) < reach; },
                      found);
 }
 
 bool WallTree::find_near(const Box& box, const Ring& about_middle, double reach,
-                         std::vector<Stretch>& found) const {
+                         std::vector<std::size_t>& found) const {
   const double inner = about_middle.inner - reach;
   const double outer = about_middle.outer + reach;
+  // A box that holds a whole winding is near to everything within.
+  const auto goes_round = [](const Node& node) { return node.box.half.sum() > 1.5 * node.outer; };
   return find_leaves(
       [&](const Node& node) {
-        return node.outer > inner && node.inner < outer && least_gap(node.box, box, reach) < reach;
+        return node.outer > inner && node.inner < outer &&
+               (goes_round(node) || least_gap(node.box, box, reach) < reach);
       },
       found);
+}
+
+void WallTree::gather(const std::vector<std::size_t>& found, const Point& origin, bool with_rings,
+                      std::vector<FourLeaves>& near) const {
+  for (std::size_t number = 0; number < found.size(); ++number) {
+    const std::size_t place = number % FourWalls::count;
+    const std::size_t index = found[number];
+    const Node& node = nodes_[index];
+    const KeptLeaf& kept = leaves_[index];
+    FourLeaves& four = place == 0 ? near.emplace_back() : near.back();
+    Leaf& leaf = four.leaves[place];
+    leaf = {.index = index, .walls = kept.walls};
+    leaf.walls.move_origin(origin - kept.origin);
+    four.around.set(place, capsule_of(node.box), origin);
+    if (!with_rings) continue;
+    four.rings.set(place, {.center = middle_, .inner = node.inner, .outer = node.outer});
+    const std::size_t first = begin_ + index * bucket_size;
+    for (std::size_t wall = first; wall < std::min(first + bucket_size, end_); ++wall)
+      visit_wall(wall, [&](const ProgrammedPiece&, const Piece& piece, std::size_t) {
+        leaf.rings.set(wall - first, ring_of(piece, middle_));
+      });
+  }
 }
 
 double WallTree::gap_of(const Probe& probe, const Stretch& stretch, double reach) const {

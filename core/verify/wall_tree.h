@@ -54,13 +54,15 @@ class WallTree {
     std::size_t index = 0;
   };
   // No more of them are worth being looked at for each piece of path.
-  static constexpr std::size_t most_stretches = 64;
-  // The stretches that may be nearer to the box than `reach`, short ones, for several pieces of
-  // path there. False: they are too many.
-  bool find_near(const Box& box, double reach, std::vector<Stretch>& found) const;
+  static constexpr std::size_t most_leaves = 64;
+  // Nor are they worth being looked for longer.
+  static constexpr std::size_t most_nodes = 8 * most_leaves;
+  // The leaves that may be nearer to the box than `reach`, in their order, for several pieces of
+  // path there; some that lie beside such a leaf are among them. False: they are too many.
+  bool find_near(const Box& box, double reach, std::vector<std::size_t>& found) const;
   // The same of what is in the box and in the ring, which is about the middle of all walls.
   bool find_near(const Box& box, const Ring& about_middle, double reach,
-                 std::vector<Stretch>& found) const;
+                 std::vector<std::size_t>& found) const;
   [[nodiscard]] Ring about_middle(const Piece& path) const { return ring_of(path, middle_); }
 
   // Calls `visit(block, wall, first)` for all walls that may be nearer than
@@ -103,18 +105,21 @@ class WallTree {
     }
   }
 
-  // The walls of a leaf, side by side, seen from `origin`.
+  // The walls of a leaf, side by side, and of up to four leaves what lies around each, all seen
+  // from one origin.
   struct Leaf {
     std::size_t index = 0;
     FourWalls walls{};
-    FourRings rings{};  // about the middle of all walls
+    FourRings rings{};  // about the middle of all walls; only where they are asked for
   };
-  [[nodiscard]] Leaf leaf_of(const Stretch& found, const Point& origin) const {
-    const KeptLeaf& kept = leaves_[found.index];
-    Leaf leaf{.index = found.index, .walls = kept.walls, .rings = kept.rings};
-    leaf.walls.move_origin(origin - kept.origin);
-    return leaf;
-  }
+  struct FourLeaves {
+    FourWalls around{};
+    FourRings rings{};
+    std::array<Leaf, FourWalls::count> leaves;
+  };
+  // Places those found at the end of `near`, four by four.
+  void gather(const std::vector<std::size_t>& found, const Point& origin, bool with_rings,
+              std::vector<FourLeaves>& near) const;
   // Calls `visit(block, wall, first)`, as for_each_near() does, for some walls of the leaf.
   template <class Visit>
   void for_each_of(const Leaf& leaf, FourWalls::Bits wanted, const Visit& visit) const {
@@ -151,7 +156,6 @@ class WallTree {
   struct KeptLeaf {
     Point origin = Point::Zero();
     FourWalls walls{};
-    FourRings rings{};
   };
   struct Level {
     std::size_t first = 0;  // of the nodes
@@ -166,7 +170,7 @@ class WallTree {
     return nodes_[place_of(stretch)];
   }
   template <class IsNear>
-  bool find_leaves(const IsNear& is_near, std::vector<Stretch>& found) const;
+  bool find_leaves(const IsNear& is_near, std::vector<std::size_t>& found) const;
   // Only whether it is below `reach` need be right.
   [[nodiscard]] double gap_of(const Probe& probe, const Stretch& stretch, double reach) const;
   template <class Visit>

@@ -1,8 +1,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
+#include <cstdio>
 #include <numbers>
 #include <set>
 #include <string>
@@ -149,6 +151,26 @@ TEST(ClosingPrograms, APartThatTouchesAnotherOneStaysAWall) {  // D-57
                 {Line{Point(43, 70), Point(43, 67)}, Line{Point(53, 67), Point(53, 70)}}),
             6 - 1e-6);
   EXPECT_TRUE(outcome.tells(Code::blocks_masked));
+}
+
+// Of the chords of a pocket in four decimals many have no path beside them, and nothing is left
+// standing there (D-44): there is nothing to tell.
+TEST(ClosingPrograms, ChordsBelowTheResolutionAreNotTold) {
+  const auto pocket = [](int chords) {
+    std::string contour = "N1 G0 X3 Y0\nN2 G41 G1 X10 Y0 F500\n";
+    for (int i = 1; i <= chords; ++i) {
+      const double angle = 2 * std::numbers::pi * i / chords;
+      std::array<char, 80> line{};
+      std::snprintf(line.data(), line.size(), "N%d G1 X%.4f Y%.4f\n", i + 2, 10 * std::cos(angle),
+                    10 * std::sin(angle));
+      contour += line.data();
+    }
+    return contour + "N899 G40 G1 X3 Y0\n";
+  };
+  const Result fine = run(removing, 6, pocket(10'000));
+  ASSERT_TRUE(fine.whole);
+  EXPECT_LT(fine.travelled().size(), 9'000U);
+  EXPECT_FALSE(fine.tells(Code::blocks_masked));
 }
 
 // A pocket of chords, entered and left at one of its corners: what the kink there costs is below

@@ -115,18 +115,18 @@ TEST(Gap, OfArcsWhoseEndsNearlyMeet) {
   }
 }
 
-TEST(Gap, IsNotSmallerThanLinesAreApart) {
+TEST(Gap, IsNotSmallerThanPiecesAreApart) {
   constexpr std::uint64_t seed = 20261124;
   SCOPED_TRACE(seed);
   Chance chance(seed);
   int apart = 0;
   for (int i = 0; i < 3000; ++i) {
-    const Line a{.start = chance.point(), .end = chance.point()};
-    const Line b{.start = chance.point(), .end = chance.point()};
+    const Piece a = piece_of(chance.segment());
+    const Piece b = piece_of(chance.segment());
     const double distance = chance.between(0, 50);
-    if (!are_apart(piece_of(a), piece_of(b), distance)) continue;
+    if (!Compared(a).is_apart_from(b, distance)) continue;
     ++apart;
-    EXPECT_GE(gap_between(a, b).distance, distance - 1e-9) << i;
+    EXPECT_GE(gap_between(segment_of(a), segment_of(b)).distance, distance - 1e-9) << i;
   }
   EXPECT_GT(apart, 100);
 }
@@ -253,6 +253,30 @@ TEST(Clearance, CountsWhatIsTouchedBesideALongMitre) {
   EXPECT_EQ(report.gouging, 0u);
   EXPECT_NEAR(report.wall_length, 60, 1e-9);
   EXPECT_NEAR(report.touched_length, 18, 1e-9);
+}
+
+// Between the corners of a fine polygon the tool leaves less standing than coordinates tell.
+TEST(Clearance, CountsAFinePocketAsTouched) {
+  constexpr int chords = 1000;
+  const double flat = std::cos(pi / chords);
+  const auto corner = [&](int number, double radius) {
+    const double angle = 2 * pi * number / chords;
+    return Point(radius * std::cos(angle), radius * std::sin(angle));
+  };
+  std::vector<Block> programmed{contour(0, Line{{0, 0}, corner(0, 20)})};
+  std::vector<CompensatedBlock> path;
+  for (int i = 0; i < chords; ++i) {
+    const auto index = static_cast<std::uint64_t>(i + 1);
+    programmed.emplace_back(contour(index, Line{corner(i, 20), corner(i + 1, 20)}));
+    const double inside = 20 - 10 / flat;
+    // Of some chords there is no path: the tool turns in one place.
+    if (i % 10 != 9)
+      path.push_back(
+          path_block(index, Line{corner(i, inside), corner(i % 10 == 8 ? i + 2 : i + 1, inside)}));
+  }
+  const ClearanceReport report = measure_clearance(programmed, path, 1e-3);
+  EXPECT_EQ(report.gouging, 0u);
+  EXPECT_NEAR(report.touched_length, report.wall_length, 1e-9);
 }
 
 // The tool turns in the centre of a fillet of its own radius, which has no path.

@@ -136,6 +136,7 @@ TEST(QuickRejects, WhatIsHugeIsNear) {
 // Where it is told that two are no nearer than `enough`, they are not.
 TEST(QuickRejects, EnoughIsTrue) {
   std::size_t far = 0;
+  std::size_t told_apart = 0;
   for (std::uint64_t seed = 200'000; seed < 300'000; ++seed) {
     Random random(seed);
     const Piece a = any_piece(random, Point::Zero(), 10, random.chance(0.5) ? 0 : 1e-6);
@@ -150,11 +151,13 @@ TEST(QuickRejects, EnoughIsTrue) {
       EXPECT_GE(told, enough - 1e-12) << seed;
       ++far;
     }
-    if (verify::are_apart(a, b, enough)) {
+    if (verify::Compared(a).is_apart_from(b, enough)) {
       EXPECT_GE(exact, enough - 1e-9) << seed;
+      ++told_apart;
     }
   }
   EXPECT_GT(far, 10'000U);
+  EXPECT_GT(told_apart, 10'000U);
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <utility>
+#include <variant>
 
 #include "core/trc/loops/removed_loop.h"
 
@@ -160,10 +161,24 @@ void LoopRelease::report_masked(const PathPlace& next, const Point& place) {
   stretch.first = path_.source_of(number_of(first));
   stretch.last = path_.source_of(number_of(last));
   if (window_ > 0) longest_left_out_.add(stretch);
+  if (!stretch.is_long() && leaves_nothing_of(number_of(first), number_of(last), place)) return;
   Diagnostic note = note_of(stretch);
   const Position position = from_plane(path_.mode_of(first).plane, place, path_.height_of(first));
   note.point = DiagnosticPoint{.x = position[0], .y = position[1], .z = position[2]};
   diagnostics_.report(std::move(note));
+}
+
+bool LoopRelease::leaves_nothing_of(std::size_t first, std::size_t last, const Point& place) const {
+  for (std::size_t number = first; number <= last; ++number) {
+    const HeldPath::ContourBlock contour = path_.contour_block(number);
+    const Line* line = std::get_if<Line>(&contour.programmed);
+    if (line == nullptr) return false;
+    const double reach = path_.radius_of_tool(contour.block) + input_resolution_;
+    if (std::max((line->start - place).squaredNorm(), (line->end - place).squaredNorm()) >
+        reach * reach)
+      return false;
+  }
+  return true;
 }
 
 LeftOut LoopRelease::left_out(const PathPlace& from, const PathPlace& to) const {

@@ -22,14 +22,16 @@ class LoopRelease {
     std::size_t count = 0;
   };
 
-  // `window` in contour blocks, 0: all of them; `largest_masked_share` as in CompensatorSetup.
+  // `window` in contour blocks, 0: all of them; `largest_masked_share` as in CompensatorSetup,
+  // `input_resolution` as in LeadSettings.
   LoopRelease(HeldPath& path, WalkedPath& walked, const Obstacles& obstacles, std::size_t window,
-              double largest_masked_share, Diagnostics& diagnostics)
+              double largest_masked_share, double input_resolution, Diagnostics& diagnostics)
       : path_(path),
         walked_(walked),
         obstacles_(obstacles),
         window_(window),
         largest_masked_share_(largest_masked_share),
+        input_resolution_(input_resolution),
         diagnostics_(diagnostics) {}
 
   // A new selection begins.
@@ -81,6 +83,10 @@ class LoopRelease {
   [[nodiscard]] std::size_t last_dropped_before(std::size_t end) const;
   // Whether nothing comes out in their place.
   [[nodiscard]] bool leave_no_trace(std::size_t end) const;
+  // Whether less than the input is exact is left standing of the lines among these contour blocks
+  // by a tool at the place: nobody wants to know (D-44).
+  [[nodiscard]] bool leaves_nothing_of(std::size_t first, std::size_t last,
+                                       const Point& place) const;
   // What is left out before the next place, at the point.
   void report_masked(const PathPlace& next, const Point& place);
   // From one place of the path to another one, which are next to a loop (D-39).
@@ -99,6 +105,7 @@ class LoopRelease {
   const Obstacles& obstacles_;
   std::size_t window_;
   double largest_masked_share_;
+  double input_resolution_;  // mm
   Diagnostics& diagnostics_;
 
   std::size_t next_ = 0;

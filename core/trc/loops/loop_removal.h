@@ -38,7 +38,8 @@ class LoopRemoval {
         walked_(path_, window_ > 0),
         walk_(path_, obstacles_, walked_, window_, tolerances_, diagnostics, checkpoint),
         linear_(path_, walked_, obstacles_, tolerances_, checkpoint),
-        release_(path_, walked_, obstacles_, window_, setup.largest_masked_share, diagnostics) {}
+        release_(path_, walked_, obstacles_, window_, setup.largest_masked_share,
+                 setup.leads.input_resolution, diagnostics) {}
 
   bool feed(PathBlockPtr block, PathBlocks& out);
   bool drain(PathBlocks& out);
