@@ -369,6 +369,8 @@ class Selection {
                                     : touch_of_laps(block.number, first, own);
     }
     is_near_ = true;
+    if (is_fine_step(block) || is_beside_fine_step(path.programmed))
+      touch = std::max(touch, shortest_step());
     note(path, {.distance = gap.distance,
                 .required = required,
                 .touch = touch,
@@ -405,10 +407,28 @@ class Selection {
     return is_inside == (turns_left == (side == Side::left)) && is_within(path, own);
   }
 
-  // A line as short as rounding leaves it where nothing was meant has no side (D-44).
+  // mm. A line no longer than that is as short as rounding leaves it where nothing was meant.
+  [[nodiscard]] double shortest_step() const {
+    return 1.5 * std::min(input_resolution_, 0.01 * required_);
+  }
+  // Such a line has no side (D-44).
   [[nodiscard]] bool is_hardly_there(const Piece& own) const {
-    const double longest = 1.5 * std::min(input_resolution_, 0.01 * required_);
-    return !own.is_arc() && (own.end - own.start).norm() <= longest;
+    return !own.is_arc() && (own.end - own.start).norm() <= shortest_step();
+  }
+  // Lines that rounding has bent so that a corner takes more than there is of them may be joined
+  // within that distance (D-44).
+  [[nodiscard]] bool is_fine_step(const ProgrammedPiece& block) const {
+    if (block.piece.is_arc() || !held_.rule_of(block).joins_fine_steps) return false;
+    const double longest = 2.5 * required_ * std::min(input_resolution_, 0.01 * required_);  // mm²
+    return (block.piece.end - block.piece.start).squaredNorm() <= longest;
+  }
+
+  // With it a line before or behind one is turned.
+  [[nodiscard]] bool is_beside_fine_step(std::size_t place) const {
+    const auto& blocks = held_.programmed();
+    return is_fine_step(blocks[place]) ||
+           (place > blocks.begin() && is_fine_step(blocks[place - 1])) ||
+           (place + 1 < blocks.end() && is_fine_step(blocks[place + 1]));
   }
 
   // Whether the middle of the path lies on the side of its own block that the program asks for.

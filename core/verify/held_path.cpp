@@ -47,7 +47,9 @@ std::uint32_t HeldPath::number_of(const std::shared_ptr<const TrcMode>& shared) 
                   .nominal = follows ? mode.nominal_radius : 0,
                   .plane = mode.plane,
                   .reverses = mode.options.reverse,
-                  .follows = follows};
+                  .follows = follows,
+                  .joins_fine_steps = mode.masking != Masking::on ||
+                                      !mode.options.remove_masked_blocks || mode.below_nominal};
   if (rules_.empty() || rules_.back() != rule) rules_.push_back(rule);
   return static_cast<std::uint32_t>(rules_.size() - 1);
 }

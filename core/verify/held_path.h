@@ -22,8 +22,9 @@ struct Rule {
   Side side = Side::off;  // of the wall
   double nominal = 0;     // mm; above 0: wear mode, the walls are beside the program (part_wall.h)
   Plane plane = Plane::xy;
-  bool reverses = false;  // REVERSE
-  bool follows = false;   // the path follows the contour: no SUPPRESS_TRC, a tool radius
+  bool reverses = false;          // REVERSE
+  bool follows = false;           // the path follows the contour: no SUPPRESS_TRC, a tool radius
+  bool joins_fine_steps = false;  // whose corners would leave nothing of them (rule 5.4)
 
   bool operator==(const Rule&) const = default;
 };

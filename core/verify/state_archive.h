@@ -20,8 +20,9 @@ void serialize(Archive& archive, Piece& piece) {
 
 template <class Archive>
 void serialize(Archive& archive, Rule& rule) {
-  auto& [selection, required, radius, side, nominal, plane, reverses, follows] = rule;
-  archive(selection, required, radius, side, nominal, plane, reverses, follows);
+  auto& [selection, required, radius, side, nominal, plane, reverses, follows, joins_fine_steps] =
+      rule;
+  archive(selection, required, radius, side, nominal, plane, reverses, follows, joins_fine_steps);
 }
 
 template <class Archive>
