@@ -4,8 +4,12 @@ import {asideFlag, pathFlag, rapidFlag, segmentSize, unsaidFlag} from './styles.
 // A program that lies in this file itself, as `trc plot -o part.html` writes it: it is asked as the
 // server is.
 const bytesOf = text => Uint8Array.from(atob(text), c => c.charCodeAt(0));
+// Text that is no UTF-8 is Latin-1, as on the page of a server.
+const decoded = bytes => {
+  try { return new TextDecoder('utf-8', {fatal: true}).decode(bytes); } catch { return new TextDecoder('latin1').decode(bytes); }
+};
 const linesOf = bytes => {
-  const lines = new TextDecoder().decode(bytes).split(/\r?\n/);
+  const lines = decoded(bytes).split(/\r?\n/);
   if (lines.at(-1) === '') lines.pop();
   return lines;
 };

@@ -536,6 +536,15 @@ const tests = {
       assert.equal(await page.evaluate(() => document.body.dataset.foreign), undefined);
       page.problems = page.problems.filter(problem => !/Content Security Policy/.test(problem));
     }
+    // Letters of Latin-1 are read as such, and come out in the bytes they came in.
+    const latin = Buffer.from('O1 (FR\u00c4SEN)\nG0 X0 Y0\nG41 D1 G1 X10. Y0 F100.\nX40.\nG40 Y20.\nM30\n', 'latin1');
+    const path = file('latin.nc', latin), written = join(folder, 'latin.html');
+    trc('plot', path, '-o', written, '--radius', '5', '--dialect', 'fanuc');
+    await page.goto(`file://${written}`);
+    await page.waitForSelector('body[data-complete=true]');
+    await page.waitForFunction(() => /O1 \(FR\u00c4SEN\)/.test(document.getElementById('input').textContent));
+    const [download] = await Promise.all([page.waitForEvent('download'), page.click('#save-nc')]);
+    assert.ok(readFileSync(await download.path()).includes(latin.subarray(0, 11)));
   },
 
   async 'fingers and keys do what the mouse does'(page) {
