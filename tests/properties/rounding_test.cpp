@@ -432,6 +432,36 @@ TEST(Rounding, OfFineStepsMakesNoCorners) {  // D-44
   }
 }
 
+// A round pocket in exact steps, hardly larger than the tool: its corners leave next to nothing of
+// the lines, and all of them stay.
+TEST(Rounding, ThatIsNoneChangesNothingOfFineSteps) {  // D-44
+  for (std::uint64_t seed = 59'000'000; seed < 59'000'000 + contours_of_a_kind(); ++seed) {
+    Random random(seed);
+    const double radius = random.between(1, 20);
+    const double step = std::pow(10, random.between(-4, -1));
+    const auto steps =
+        std::min<std::size_t>(static_cast<std::size_t>(2 * pi * radius / step), 2000);
+    Job job;
+    for (std::size_t k = 0; k < steps; ++k)
+      job.corners.push_back(radius * Point(std::cos(step / radius * static_cast<double>(k)),
+                                           std::sin(step / radius * static_cast<double>(k))));
+    job.mode.side = Side::left;
+    job.mode.tool_radius = radius - std::pow(10, random.between(-4, -0.5));
+    job.mode.selection = job.mode.deselection = Selection::direct;
+    job.mode.masking = random.chance(0.5) ? Masking::on : Masking::off;
+    Contour contour = contour_of(job, 0);
+    contour.blocks.pop_back();  // open
+    contour.retract.start = end_of(contour.blocks.back());
+    SCOPED_TRACE("seed " + std::to_string(seed) + ", " + text_of(job.mode) + ", step " +
+                 std::to_string(step));
+    const Outcome given = support::compensate(contour, job.mode, {});
+    ASSERT_FALSE(given.stopped);
+    EXPECT_EQ(
+        difference(compensated(contour, job.mode).blocks, given.blocks, trc::support::Motion{}, 0),
+        "");
+  }
+}
+
 TEST(Rounding, LeavesLinearTransitionsWhereCircularOnesAre) {  // D-45
   for_each_job(52'000'000, [&](const Job& job) {
     for (const double unit : {0.0, 1e-3}) {

@@ -50,8 +50,8 @@ double squared_length_of_short(const TrcMode& mode, double input_resolution) {
   return std::max(most * most, of_fine_steps);
 }
 
-// Of a line, by the corners at its ends.
-constexpr double most_used = 0.95;
+// What corners may take of lines that are joined: each block of them keeps something.
+constexpr double most_of_joined = 0.97;
 
 // With G239 the program has gone on from the end of the compensated path, which therefore must not
 // be turned any more.
@@ -152,7 +152,7 @@ bool RoundedInput::is_used_up(std::size_t chord, const std::optional<Vector>& be
     taken += taken_at_start(chord + 1);
   else if (behind && direction.dot(*behind) > 0)
     taken += taken_between(direction, *behind);
-  return taken > most_used * length;
+  return taken > (chords_[chord].count > 1 ? most_of_joined : 1) * length;
 }
 
 // Between its ends: a tool that goes no farther than to a point has no room at an end that points
@@ -277,7 +277,7 @@ void RoundedInput::release_first(const std::optional<Vector>& behind_all, PathBl
   const double taken = chord.count > 1 ? 0 : taken_at_start(0);
   if (chord.count > 1) lay_onto(line, chord.count, behind);
   const Segment& last = held_[chord.count - 1]->programmed.path;
-  room_before_ = most_used * length_of(last) - taken;
+  room_before_ = length_of(last) - taken;
   before_ = direction;
   const auto end = held_.begin() + static_cast<std::ptrdiff_t>(chord.count);
   std::move(held_.begin(), end, std::back_inserter(out));
