@@ -89,6 +89,7 @@ constexpr auto words_of_places = std::to_array<PlaceWords>({
     {"first", "first block", "erster Satz"},
     {"last", "last block", "letzter Satz"},
     {"other", "other block", "anderer Satz"},
+    {"selection", "selection block", "Anwahlsatz"},
 });
 
 Measure measure_of(std::string_view name) {
