@@ -36,6 +36,7 @@ ProgramState::ProgramState(const ProgramSetup& setup, const Tolerances& toleranc
   // Programs in inch with three decimals.
   constexpr double half_of_a_thousandth = 0.0127;
   if (setup.dialect != DialectName::isg) circle_.largest_radius_shortfall = half_of_a_thousandth;
+  mode_.touches_corner_circle = setup.dialect == DialectName::sinumerik;
   update_side();
 }
 
