@@ -1,5 +1,6 @@
 #include "server/text.h"
 
+#include "core/base/utf8.h"
 #include "core/nc/text/characters.h"
 
 namespace trc::server {

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string_view>
 
+#include "core/base/utf8.h"
 #include "core/nc/text/characters.h"
 
 namespace trc::c {

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <system_error>
 
+#include "core/base/utf8.h"
 #include "core/nc/text/characters.h"
 
 namespace trc::cli {

@@ -12,6 +12,7 @@
 #include "client/cli/file_name.h"
 #include "client/cli/told.h"
 #include "client/cli/tool_file.h"
+#include "core/base/utf8.h"
 #include "core/nc/dialect/dialect.h"
 #include "core/nc/text/characters.h"
 #include "core/nc/text/number_format.h"

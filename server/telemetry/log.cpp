@@ -17,6 +17,7 @@
 #include <exception>
 #include <thread>
 
+#include "core/base/utf8.h"
 #include "core/nc/text/characters.h"
 #include "server/text.h"
 

@@ -4,6 +4,8 @@
 #include <array>
 #include <charconv>
 
+#include "core/base/utf8.h"
+
 namespace trc {
 
 std::string in_upper_case(std::string_view text) {
@@ -11,6 +13,19 @@ std::string in_upper_case(std::string_view text) {
   for (char& letter : result) letter = upper(letter);
   return result;
 }
+
+std::string in_capitals_as_utf8(std::string_view text) {
+  std::string result = in_upper_case(as_utf8(text));
+  // U+00E0 to U+00FE and the capitals of them differ in one bit of their second byte.
+  constexpr char lead = '\xC3';
+  constexpr char division_sign = '\xB7';
+  for (std::size_t at = 1; at < result.size(); ++at) {
+    const bool small = result[at] >= '\xA0' && result[at] <= '\xBE' && result[at] != division_sign;
+    if (result[at - 1] == lead && small) result[at] = static_cast<char>(result[at] - 0x20);
+  }
+  return result;
+}
+
 namespace {
 
 bool is_control(char byte) { return static_cast<unsigned char>(byte) < 0x20 || byte == 0x7f; }
@@ -57,27 +72,6 @@ std::string hexadecimal(std::uint32_t value) {
 }
 
 }  // namespace
-
-std::size_t utf8_character(std::string_view text) {
-  const auto byte = [&](std::size_t at) {
-    return at < text.size() ? static_cast<unsigned char>(text[at]) : 0U;
-  };
-  const auto follows = [&](std::size_t at) { return (byte(at) & 0xc0U) == 0x80U; };
-  const unsigned lead = byte(0);
-  if (lead < 0x80) return 1;
-  if (lead >= 0xc2 && lead <= 0xdf) return follows(1) ? 2 : 0;
-  if (lead >= 0xe0 && lead <= 0xef) {
-    const bool overlong = lead == 0xe0 && byte(1) < 0xa0;
-    const bool surrogate = lead == 0xed && byte(1) > 0x9f;
-    return follows(1) && follows(2) && !overlong && !surrogate ? 3 : 0;
-  }
-  if (lead >= 0xf0 && lead <= 0xf4) {
-    const bool overlong = lead == 0xf0 && byte(1) < 0x90;
-    const bool too_large = lead == 0xf4 && byte(1) > 0x8f;
-    return follows(1) && follows(2) && follows(3) && !overlong && !too_large ? 4 : 0;
-  }
-  return 0;
-}
 
 std::uint32_t code_point(std::string_view character) {
   const auto lead = static_cast<unsigned char>(character.front());

@@ -12,14 +12,14 @@ namespace trc {
   return letter >= 'a' && letter <= 'z' ? static_cast<char>(letter - 'a' + 'A') : letter;
 }
 [[nodiscard]] std::string in_upper_case(std::string_view text);
+// Of names in the letters of Latin-1, written in it or in UTF-8.
+[[nodiscard]] std::string in_capitals_as_utf8(std::string_view text);
 [[nodiscard]] constexpr bool is_letter(char sign) {
   return upper(sign) >= 'A' && upper(sign) <= 'Z';
 }
 [[nodiscard]] constexpr bool is_digit(char sign) { return sign >= '0' && sign <= '9'; }
 [[nodiscard]] constexpr bool is_line_end(char sign) { return sign == '\n' || sign == '\r'; }
 
-// Bytes of the UTF-8 character at the start of `text`; 0: it is none.
-[[nodiscard]] std::size_t utf8_character(std::string_view text);
 // Of one character that is UTF-8.
 [[nodiscard]] std::uint32_t code_point(std::string_view character);
 

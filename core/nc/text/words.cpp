@@ -9,6 +9,7 @@
 #include <cstring>
 #include <limits>
 
+#include "core/base/utf8.h"
 #include "core/nc/text/characters.h"
 #include "core/nc/text/decimal.h"
 
