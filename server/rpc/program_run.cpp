@@ -20,8 +20,7 @@ ProgramRun::ProgramRun(const StreamContext& stream, const Settings& settings)
                  .nc_text = settings.nc_text,
                  .decimals = settings.decimals,
                  .longest_line = stream.backend.config.max_line_bytes}),
-      gives_text_(settings.nc_text),
-      may_compute_(program::may_compute(settings.path.session.program.dialect)) {}
+      gives_text_(settings.nc_text) {}
 
 void ProgramRun::feed(const Request& request) {
   stream_.record.received(0);
@@ -119,7 +118,7 @@ bool ProgramRun::is_short(const Request* request) const {
   constexpr std::size_t bytes_per_line = 16;
   const std::size_t bytes = request == nullptr ? 0 : request->text().text().size();
   // What the last text begins to execute may take long.
-  const bool executes = may_compute_ && (is_executing_ || (request && request->text().final()));
+  const bool executes = is_executing_ || (request && request->text().final());
   return input_.empty() && !executes && is_soon_done(bytes / bytes_per_line, few_bytes);
 }
 

@@ -87,7 +87,6 @@ class ProgramRun : public StreamRun<ProgramSession> {
   std::string input_{};
   std::size_t input_taken_ = 0;
   bool input_is_final_ = false;
-  bool may_compute_;           // programs of its dialect
   bool is_executing_ = false;  // all input is taken, and computes
 };
 
