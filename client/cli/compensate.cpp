@@ -127,7 +127,9 @@ Exit run(const Call& call) {
   }
 
   Input input(call.program.file);
-  Output output(call.output, as_nc ? Output::OnScreen::with_commit : Output::OnScreen::at_once);
+  const Output::Disk disk = call.worker ? Output::Disk::asked_by_others : Output::Disk::asked;
+  Output output(call.output, as_nc ? Output::OnScreen::with_commit : Output::OnScreen::at_once,
+                disk);
   if (!input.open() || !output.open()) return Exit::wrong_call;
   const Loudness& loudness = call.program.loudness;
   if (loudness.verbose)
@@ -161,7 +163,7 @@ Exit run(const Call& call) {
   if (keep && !output.commit()) return Exit::wrong_call;
   tell_done(call, job, input, seconds);
   if (call.record.empty() || (exit != Exit::done && exit != Exit::refused)) return exit;
-  Output record(call.record);
+  Output record(call.record, Output::OnScreen::at_once, disk);
   return record.open() && record.write(text_of(job.record)) && record.commit() ? exit
                                                                                : Exit::wrong_call;
 }

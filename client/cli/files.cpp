@@ -85,7 +85,18 @@ mode_t mode_of_new_files() {
   return 0666 & ~mask;
 }
 
+// What is no file has nothing to keep.
+bool is_asked_in_vain() { return errno == EINVAL || errno == EROFS || errno == ENOTSUP; }
+
 }  // namespace
+
+bool is_kept_by_disk(int descriptor) {
+  while (::fsync(descriptor) != 0)
+    if (errno != EINTR) return is_asked_in_vain();
+  return true;
+}
+
+bool are_kept_by_disk(int descriptor) { return ::syncfs(descriptor) == 0; }
 
 bool read_bounded(const std::string& path, std::size_t most, std::string& text) {
   std::ifstream stream(path, std::ios::binary);
@@ -132,8 +143,8 @@ std::string_view Input::read() {
   }
 }
 
-Output::Output(std::string path, OnScreen on_screen)
-    : path_(path == "-" ? std::string() : std::move(path)), on_screen_(on_screen) {}
+Output::Output(std::string path, OnScreen on_screen, Disk disk)
+    : path_(path == "-" ? std::string() : std::move(path)), on_screen_(on_screen), disk_(disk) {}
 
 Output::~Output() {
   if (descriptor_ > STDOUT_FILENO) ::close(descriptor_);
@@ -194,7 +205,7 @@ bool Output::release_held() {
   std::string text(piece, '\0');
   for (;;) {
     const ssize_t count = ::read(descriptor_, text.data(), text.size());
-    if (count == 0) return true;
+    if (count == 0) return is_kept_by_disk(STDOUT_FILENO) || complain("write");
     if (count < 0 && errno == EINTR) continue;
     if (count < 0 || !write_all(STDOUT_FILENO, {text.data(), static_cast<std::size_t>(count)}))
       return complain("write");
@@ -217,6 +228,7 @@ bool Output::commit() {
   if (failed_ || !flush()) return false;
   if (is_standard_output() && on_screen_ == OnScreen::with_commit) return release_held();
   if (temporary_.empty()) return true;
+  if (disk_ == Disk::asked && !is_kept_by_disk(descriptor_)) return complain("write");
   if (::close(std::exchange(descriptor_, -1)) != 0) return complain("write");
   if (::rename(temporary_.c_str(), path_.c_str()) != 0) return complain("write");
   temporary_.clear();

@@ -50,14 +50,24 @@ class Input {
   std::vector<std::function<void(std::string_view)>> watchers_;
 };
 
+// Whether the disk has all that was written to a file, or to others beside it. A thin volume, a
+// quota or a network takes more than it has room for, and says so only then. The reason is in
+// errno.
+[[nodiscard]] bool is_kept_by_disk(int descriptor);
+[[nodiscard]] bool are_kept_by_disk(int descriptor);
+
 // Where a result goes. A file gets its name only with `commit`: until then, and
 // when the program ends early, an older file of that name stays as it was. What
 // goes to standard output is gone at once, or held back until then as well.
 class Output {
  public:
   enum class OnScreen { at_once, with_commit };
+  // Who asks the disk whether it has all of a file: `commit`, or for many files at once whoever has
+  // them written.
+  enum class Disk { asked, asked_by_others };
   // "-" or nothing: standard output.
-  explicit Output(std::string path, OnScreen on_screen = OnScreen::at_once);
+  explicit Output(std::string path, OnScreen on_screen = OnScreen::at_once,
+                  Disk disk = Disk::asked);
   ~Output();
   Output(const Output&) = delete;
   Output& operator=(const Output&) = delete;
@@ -77,6 +87,7 @@ class Output {
 
   std::string path_;
   OnScreen on_screen_;
+  Disk disk_;
   std::string temporary_;  // empty: written in place (a device or a pipe)
   int descriptor_ = -1;
   bool failed_ = false;

@@ -1,12 +1,16 @@
 #include "client/cli/folder_run.h"
 
+#include <fcntl.h>
 #include <google/protobuf/util/message_differencer.h>
 #include <poll.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <chrono>
 #include <csignal>
 #include <cstdint>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
@@ -14,6 +18,7 @@
 #include <map>
 #include <set>
 
+#include "client/cli/files.h"
 #include "client/cli/job_record.h"
 #include "client/cli/program_options.h"
 #include "client/cli/progress.h"
@@ -257,10 +262,15 @@ Exit compensate_folder(const FolderRun& run) {
     }
     items.push_back({.file = file, .output = output, .record = record_in(run.directory, file)});
   }
+  // What goes wrong on the disk is told to who has had it open meanwhile.
+  const int folder = ::open(run.directory.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
   const int stopped_by = Work(run, items).go_through();
+  const bool is_kept = folder >= 0 && are_kept_by_disk(folder);
+  if (!is_kept) complain("cannot write " + run.directory + ": " + std::strerror(errno));
+  if (folder >= 0) ::close(folder);
   print_table(items);
   if (stopped_by != 0) end_by(stopped_by);
-  int worst = 0;
+  int worst = is_kept ? 0 : static_cast<int>(Exit::wrong_call);
   for (const Item& item : items) worst = std::max(worst, item.code);
   return static_cast<Exit>(worst);
 }

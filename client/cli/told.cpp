@@ -168,6 +168,8 @@ constexpr auto rows = std::to_array<Sentence>({
     {"{} blocks of the path checked, {}", "{} Sätze der Bahn gemessen, {}"},
     {"smallest clearance {} mm of {} mm at {}, path of {} beside contour block {}",
      "kleinster Abstand {} mm von {} mm bei {}, Bahn von {} neben Kontursatz {}"},
+    {"the contour closes there: that is a touch, no gouge",
+     "dort schließt die Kontur: das ist eine Berührung, keine Konturverletzung"},
     {"the path touches {} of {} mm of wall", "die Bahn berührt {} von {} mm Wand"},
     {"{}: gouge: {} block comes nearer to the contour than the tool radius, {}",
      "{}: Konturverletzung: {} Satz kommt der Kontur näher als der Werkzeugradius, {}"},

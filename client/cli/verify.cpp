@@ -140,6 +140,10 @@ Exit run(const ProgramOptions& options) {
   std::cout << told(std::to_string(report.checked) + " blocks of the path checked, " +
                     worst_line(*report.worst))
             << '\n';
+  if (report.worst->margin() < -allowed &&
+      (!report.gouge ||
+       report.worst->margin() < report.gouge->margin() - verify::margin_resolution))
+    std::cout << told("the contour closes there: that is a touch, no gouge") << '\n';
   if (report.wall_length > 0)
     std::cout << told("the path touches " + percent(report.coverage()) + " of " +
                       mm(report.wall_length) + " mm of wall")

@@ -264,10 +264,15 @@ constexpr auto rows = std::to_array<CodeRow>({
      "Check which tool is in the machine, and correct the table of tools or the "
      "program."},
     {Code::tool_may_have_changed, warning, "TOOL_MAY_HAVE_CHANGED",
-     "the tool may have been changed since the last contour, but its radius stays in force",
+     "the tool may have been changed since its radius was said, which stays in force",
      "Program the T or D word of the tool behind it, with its radius in the tool table, or "
      "compensate the parts of the program one by one. What changes no tool is declared in "
      "pass_words."},
+    {Code::call_taken_as_harmless, note, "CALL_TAKEN_AS_HARMLESS",
+     "the text of a called subprogram is not given: plane, unit, G25 or G26, G140 or G141 and #TRC "
+     "are taken to be behind it what they were in front of it",
+     "Give its text in `subprograms`, or program behind the call what has to hold. A name that "
+     "changes nothing is declared in pass_words."},
     {Code::too_many_lines_executed, error, "TOO_MANY_LINES_EXECUTED",
      "more lines are executed than allowed",
      "Look for a loop that never ends. A program that is meant to be so long needs a larger "

@@ -114,6 +114,7 @@ enum class Code : std::int32_t {
   wear_not_deeper = 900223,
   tool_radius_contradicts = 900224,
   tool_may_have_changed = 900225,
+  call_taken_as_harmless = 900226,
 
   // programs that compute
   too_many_lines_executed = 900301,

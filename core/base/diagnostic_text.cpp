@@ -89,6 +89,7 @@ constexpr auto words_of_places = std::to_array<PlaceWords>({
     {"first", "first block", "erster Satz"},
     {"last", "last block", "letzter Satz"},
     {"other", "other block", "anderer Satz"},
+    {"selection", "selection block", "Anwahlsatz"},
 });
 
 Measure measure_of(std::string_view name) {
@@ -434,7 +435,7 @@ std::string help_of(const Diagnostic& diagnostic, Language language) {
   if (slip == slip_helps.end()) {
     std::string_view help = help_in(diagnostic.words, diagnostic.code, language);
     constexpr std::array of_words{Code::nc_unsupported, Code::position_unknown, Code::nc_number,
-                                  Code::circle_incomplete};
+                                  Code::circle_incomplete, Code::ended_while_active};
     const std::string_view by_reason =
         std::ranges::find(of_words, diagnostic.code) != of_words.end()
             ? help_by_reason(diagnostic.detail, language)

@@ -945,7 +945,8 @@ constexpr auto rows = std::to_array<Explanation>({
     {.code = Code::tool_may_have_changed,
      .meaning = "Between two contours the program calls what only the machine has, and behind it "
                 "nothing says which tool is in the spindle. If the call changes it, the second "
-                "contour has the radius of the first tool.",
+                "contour has the radius of the first tool. In ISG so does the first contour behind "
+                "a call where V.G.WZ_AKT.R in front of it has said the radius.",
      .causes = {"A subprogram of the machine's builder changes the tool."},
      .on_command_line = "Program the T or D word of the tool behind it, with its radius in the "
                         "table of tools, or compensate the parts of the program one by one. What "
@@ -963,6 +964,22 @@ constexpr auto rows = std::to_array<Explanation>({
                 "G40 X-20\n"
                 "M30\n",
      .options = "--dialect sinumerik --radius 5"},
+    {.code = Code::call_taken_as_harmless,
+     .meaning = "A subprogram whose text is not given may change all that is modal. Position, "
+                "motion function and G90 or G91 have to be programmed anew behind it; the rest "
+                "subprograms hardly change: it is taken as it was, and that is said once.",
+     .causes = {"The subprogram is in the memory of the control, or in a file of its own."},
+     .on_command_line = "Give its file (--subprograms FILE, or the folder), or program behind the "
+                        "call what has to hold. A name that changes nothing: --set "
+                        "pass_words=NAME.",
+     .example = "G17 G90 G71\n"
+                "L HEAD.NC\n"
+                "G90 G00 X-20 Y0\n"
+                "G01 G41 X0 Y0 F500\n"
+                "Y40\n"
+                "G40 X-20\n"
+                "M30\n",
+     .options = "--radius 5"},
     {.code = Code::too_many_lines_executed,
      .meaning = "Loops, jumps and calls are followed, and every line that is executed becomes a "
                 "line of the flat program. A bound keeps a loop without end from running forever.",

@@ -368,14 +368,24 @@ constexpr auto rows = std::to_array<GermanRow>({
      .help = "Prüfen, welches Werkzeug in der Maschine ist, und Werkzeugtabelle oder Programm "
              "berichtigen."},
     {.code = Code::tool_may_have_changed,
-     .title = "seit der letzten Kontur kann das Werkzeug gewechselt worden sein, sein Radius gilt "
-              "aber weiter",
+     .title = "seit der Angabe des Radius, der weiter gilt, kann das Werkzeug gewechselt worden "
+              "sein",
      .help = "Dahinter das T- oder D-Wort des Werkzeugs programmieren, mit seinem Radius in der "
              "Werkzeugtabelle, oder die Teile des Programms einzeln korrigieren. Was kein Werkzeug "
              "wechselt, wird in pass_words angegeben.",
      .on_command_line = "Dahinter das T- oder D-Wort des Werkzeugs programmieren, mit seinem "
                         "Radius in der Werkzeugtabelle, oder die Teile des Programms einzeln "
                         "korrigieren. Was kein Werkzeug wechselt: --set pass_words=NAME."},
+    {.code = Code::call_taken_as_harmless,
+     .title =
+         "der Text eines aufgerufenen Unterprogramms fehlt: Ebene, Einheit, G25 oder G26, G140 "
+         "oder G141 und #TRC gelten dahinter als unverändert",
+     .help =
+         "Seinen Text in `subprograms` angeben, oder hinter dem Aufruf programmieren, was gelten "
+         "soll. Ein Name, der nichts ändert, wird in pass_words angegeben.",
+     .on_command_line = "Seine Datei angeben (--subprograms FILE oder der Ordner), oder hinter dem "
+                        "Aufruf programmieren, was gelten soll. Ein Name, der nichts ändert: "
+                        "--set pass_words=NAME."},
     {.code = Code::too_many_lines_executed,
      .title = "es werden mehr Zeilen ausgeführt als erlaubt",
      .help = "Nach einer Schleife suchen, die nie endet. Ein Programm, das so lang sein soll, "
@@ -602,6 +612,8 @@ constexpr auto phrases = std::to_array<Phrase>({
     {"plane W U", "Ebene W U"},
     {"pocket milling of a contour in a subprogram", "Taschenfräsen einer Kontur im Unterprogramm"},
     {"polar coordinate interpolation", "Polarkoordinaten-Interpolation"},
+    {"polar coordinate interpolation, or a work offset of Haas",
+     "Polarkoordinaten-Interpolation, oder ein Nullpunkt von Haas"},
     {"polar coordinates", "Polarkoordinaten"},
     {"positioning from one side", "Positionieren von einer Seite"},
     {"probing", "Antasten"},

@@ -421,8 +421,15 @@ constexpr auto rows = std::to_array<GermanExplanation>({
     {.code = Code::tool_may_have_changed,
      .meaning = "Zwischen zwei Konturen ruft das Programm auf, was nur die Maschine hat, und "
                 "dahinter sagt nichts, welches Werkzeug in der Spindel ist. Wechselt der Aufruf "
-                "es, so hat die zweite Kontur den Radius des ersten Werkzeugs.",
+                "es, so hat die zweite Kontur den Radius des ersten Werkzeugs. In ISG hat ihn auch "
+                "die erste Kontur hinter einem Aufruf, wenn V.G.WZ_AKT.R davor den Radius angibt.",
      .causes = {"Ein Unterprogramm des Maschinenherstellers wechselt das Werkzeug."}},
+    {.code = Code::call_taken_as_harmless,
+     .meaning =
+         "Ein Unterprogramm, dessen Text fehlt, kann alles umstellen. Position, Wegbedingung "
+         "und G90 oder G91 müssen dahinter neu programmiert werden, das übrige ändern "
+         "Unterprogramme kaum: es gilt als unverändert, und das wird einmal gesagt.",
+     .causes = {"Das Unterprogramm steht in der Steuerung oder in einer eigenen Datei."}},
     {.code = Code::too_many_lines_executed,
      .meaning = "Schleifen, Sprüngen und Aufrufen wird gefolgt, und jede ausgeführte Zeile wird "
                 "eine Zeile des flachen Programms. Eine Grenze verhindert, dass eine Schleife "

@@ -67,6 +67,16 @@ constexpr auto helps = std::to_array<ReasonHelp>({
      "Den Endpunkt mit beiden Achsen der Ebene schreiben."},
     {"CT straight back", "Write the arc with its centre or its radius.",
      "Den Bogen mit seinem Mittelpunkt oder seinem Radius schreiben."},
+    {"without T, which tool it is",
+     "Program the T of the tool in front of it, or give the radius of that one tool: tool_radius, "
+     "without a table of tools.",
+     "Davor das T des Werkzeugs programmieren, oder den Radius dieses einen Werkzeugs angeben: "
+     "tool_radius, ohne Werkzeugtabelle."},
+    {"a function of DIN/ISO",
+     "Write the block in Klartext: L, CC and C. Is this a program of G functions? Declare its "
+     "dialect (--dialect, `dialect` in the setup).",
+     "Den Satz in Klartext schreiben: L, CC und C. Ist es ein Programm aus G-Funktionen? Seinen "
+     "Dialekt angeben (--dialect, `dialect` im Setup)."},
     {"TRC of DIN/ISO",
      "Is this a program of G functions? Declare its dialect (--dialect, `dialect` in the setup).",
      "Ist es ein Programm aus G-Funktionen? Seinen Dialekt angeben (--dialect, `dialect` im "
@@ -76,10 +86,17 @@ constexpr auto helps = std::to_array<ReasonHelp>({
      "it anew with G41 or G42 behind it.",
      "Die Kontur vor dem Aufruf mit G40 beenden und dahinter mit G41 oder G42 neu beginnen."},
     {"not programmed anew behind",
-     "Program G90 or G91 and a motion function once more behind the call, in front of the "
-     "contour. In SINUMERIK a name that changes nothing may be declared in pass_words.",
-     "G90 oder G91 und eine Wegbedingung hinter dem Aufruf noch einmal programmieren, vor der "
-     "Kontur. In SINUMERIK kann ein Name, der nichts ändert, in pass_words angegeben werden."},
+     "Write G90 (or G91) and G00 or G01 into a block behind the call, in front of the contour: the "
+     "call may have left others in force. In ISG and SINUMERIK a name that changes nothing may be "
+     "declared in pass_words.",
+     "G90 (oder G91) und G00 oder G01 in einen Satz hinter dem Aufruf schreiben, vor der Kontur: "
+     "nach dem Aufruf können andere gelten. In ISG und SINUMERIK kann ein Name, der nichts ändert, "
+     "in pass_words angegeben werden."},
+    {"as G91 holds since",
+     "Program G90 in front of it, if its coordinates are absolute; else all axes of the plane "
+     "absolutely (G90) behind the change.",
+     "Davor G90 programmieren, wenn seine Koordinaten absolut sind; sonst hinter dem Wechsel alle "
+     "Achsen der Ebene absolut (G90)."},
     {"another wear than the setup gives",
      "Give the tool that wear in the table of the setup, or take the line out.",
      "Dem Werkzeug diesen Verschleiß in der Tabelle des Setups geben, oder die Zeile streichen."},
@@ -95,6 +112,28 @@ constexpr auto helps = std::to_array<ReasonHelp>({
     {"a position of a drilling cycle",
      "End the cycle in front of the contour: with G80, in SINUMERIK with MCALL alone.",
      "Den Zyklus vor der Kontur beenden: mit G80, in SINUMERIK mit MCALL allein."},
+    {"the end of the program in a label", "Write M30 or M2 in front of the labels that are called.",
+     "M30 oder M2 vor die Labels schreiben, die aufgerufen werden."},
+    {"a block of DIN/ISO of Heidenhain",
+     "Convert it to Klartext, on the control or at its programming station, and give that program.",
+     "Es in der Steuerung oder am Programmierplatz in Klartext umwandeln und dieses Programm "
+     "geben."},
+    {"TRC under a modal cycle", "End the cycle in front of the contour: #DISABLE MODAL CYCLE.",
+     "Den Zyklus vor der Kontur beenden: #DISABLE MODAL CYCLE."},
+    {"a work offset of Haas",
+     "Program G113 in front of the contour; for the work offset of Haas write G154 P3.",
+     "G113 vor der Kontur programmieren; für den Nullpunkt von Haas G154 P3 schreiben."},
+    {"a vector of the wall behind it",
+     "Take I, J and K out: the path then leaves in a straight line. Check that way.",
+     "I, J und K streichen: der Weg verlässt die Kontur dann auf einer Geraden. Diesen Weg "
+     "prüfen."},
+    {"a vector of the contour behind it", "Take I, J and K out: the contour itself says it.",
+     "I, J und K streichen: die Kontur selbst sagt es."},
+    {"R in a straight motion",
+     "To round the corner write ,R with a comma in front of it; an arc has G02 or G03.",
+     "Für eine Rundung der Ecke ,R mit einem Komma davor schreiben; ein Bogen hat G02 oder G03."},
+    {"without a motion behind it", "Program a motion in the plane behind it, before the end.",
+     "Dahinter eine Bewegung in der Ebene programmieren, vor dem Ende."},
     {"a motion under G66", "End the macro with G67 in front of the contour.",
      "Das Makro vor der Kontur mit G67 beenden."},
     {"a position that is not followed",

@@ -20,7 +20,7 @@ ProgramRun::ProgramRun(const StreamContext& stream, const Settings& settings)
                  .nc_text = settings.nc_text,
                  .decimals = settings.decimals,
                  .longest_line = stream.backend.config.max_line_bytes}),
-      may_compute_(program::may_compute(settings.path.session.program.dialect)) {}
+      gives_text_(settings.nc_text) {}
 
 void ProgramRun::feed(const Request& request) {
   stream_.record.received(0);
@@ -62,9 +62,12 @@ void ProgramRun::go_on() {
   if (open && !is_left && input_is_final_ && !is_executing_) finish_session();
   responses_.input_is_left(is_left || is_executing_);
 
-  const std::uint64_t blocks_in = session_.summary().blocks_in;
-  stream_.record.taken(blocks_in - blocks_seen_);
-  blocks_seen_ = blocks_in;
+  const Summary so_far = session_.summary();
+  stream_.record.taken(so_far.blocks_in - blocks_seen_);
+  blocks_seen_ = so_far.blocks_in;
+  // Those that leave as blocks are counted with their answers.
+  if (gives_text_) stream_.record.given(so_far.blocks_out - blocks_written_);
+  blocks_written_ = so_far.blocks_out;
   note_progress();
 }
 
@@ -107,6 +110,7 @@ std::optional<Ending> ProgramRun::resume(std::string_view token,
   auto refused = record_ ? go_on_from(token, setup, bytes_in_, bytes_out_, blocks_seen_, *record_)
                          : go_on_from(token, setup, bytes_in_, bytes_out_, blocks_seen_);
   bytes_answered_ = bytes_in_;
+  blocks_written_ = session_.summary().blocks_out;
   return refused;
 }
 
@@ -114,7 +118,7 @@ bool ProgramRun::is_short(const Request* request) const {
   constexpr std::size_t bytes_per_line = 16;
   const std::size_t bytes = request == nullptr ? 0 : request->text().text().size();
   // What the last text begins to execute may take long.
-  const bool executes = may_compute_ && (is_executing_ || (request && request->text().final()));
+  const bool executes = is_executing_ || (request && request->text().final());
   return input_.empty() && !executes && is_soon_done(bytes / bytes_per_line, few_bytes);
 }
 

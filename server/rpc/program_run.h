@@ -80,12 +80,13 @@ class ProgramRun : public StreamRun<ProgramSession> {
   std::uint64_t bytes_answered_ = 0;  // input whose output is all out
   std::uint64_t bytes_out_ = 0;
   std::uint64_t blocks_seen_ = 0;
+  std::uint64_t blocks_written_ = 0;
+  bool gives_text_;
   std::optional<StreamedRecord> record_{};
   // Of the request that is being taken.
   std::string input_{};
   std::size_t input_taken_ = 0;
   bool input_is_final_ = false;
-  bool may_compute_;           // programs of its dialect
   bool is_executing_ = false;  // all input is taken, and computes
 };
 

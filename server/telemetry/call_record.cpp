@@ -49,6 +49,11 @@ void CallRecord::taken(std::uint64_t blocks) {
   metrics_.blocks_in->Increment(static_cast<double>(blocks));
 }
 
+void CallRecord::given(std::uint64_t blocks) {
+  blocks_out_ += blocks;
+  metrics_.blocks_out->Increment(static_cast<double>(blocks));
+}
+
 void CallRecord::sent(std::uint64_t blocks) {
   ++messages_out_;
   blocks_out_ += blocks;

@@ -27,6 +27,8 @@ class CallRecord {
   void received(std::uint64_t blocks);
   // Blocks of a request that were not known when it was received.
   void taken(std::uint64_t blocks);
+  // Blocks that go out in answers as text.
+  void given(std::uint64_t blocks);
   void sent(std::uint64_t blocks);
   // All answers to the last request are out.
   void answered();

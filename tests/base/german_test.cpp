@@ -126,6 +126,10 @@ TEST(German, NamesBlocksAsTheProgramDoes) {
   EXPECT_TRUE(
       message_of(found, Language::german).ends_with(" (Anwahlsatz N40, Abstand 28.284 mm)"));
   EXPECT_TRUE(message_of(found).ends_with(" (selection block N40, distance 28.284 mm)"));
+  found.values.clear();
+  append_place(found.values, "selection", {.index = 3, .line = 4});
+  EXPECT_TRUE(message_of(found, Language::german).ends_with(" (Anwahlsatz Zeile 4)"));
+  EXPECT_TRUE(message_of(found).ends_with(" (selection block line 4)"));
 }
 
 TEST(German, OfEverySlipNamesWhatWasMeant) {

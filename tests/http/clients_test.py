@@ -102,6 +102,17 @@ class Programs(unittest.TestCase):
         self.assertEqual(status, 422)
         self.assertIn("FRÄSER", problem["diagnostics"][0]["text"])
 
+    def test_blocks_that_come_out_as_text_are_counted_in_the_log(self):
+        _, _, lines = self.server.ask("POST", "/v1/programs:compensate?tool_radius=5", SQUARE,
+                                      {**TEXT, "Accept": "application/x-ndjson"})
+        blocks = int(json.loads(lines.splitlines()[-1])["summary"]["blocksOut"])
+        self.assertGreater(blocks, 5)
+        self.server.ask("POST", "/v1/programs:compensate?tool_radius=5", SQUARE, TEXT)
+        time.sleep(0.5)  # until the log is written
+        calls = [json.loads(line) for line in self.server.said().splitlines()]
+        counted = [call["blocks_out"] for call in calls if call.get("method") == "CompensateProgram"]
+        self.assertEqual(counted[-2:], [blocks, blocks])
+
     def test_curl_gets_the_text_of_the_command_line(self):
         done = subprocess.run(
             ["curl", "-sS", "--fail", "--data-binary", "@-", "-H", "Content-Type: text/plain",

@@ -181,6 +181,13 @@ TEST(Blocks, OfAProgramThatComputesNameTheirLine) {
 
 // Lines of words that belong together and of such that do not: whatever comes of them is the same
 // in pieces, and ends.
+// Its M99 stands where no line of it is.
+TEST(Subprograms, MayBeTheLastLineAlone) {
+  EXPECT_EQ(
+      refusal_of("#1=1\nM98 P100\nM30\nO100 M99\n", computing_setup(DialectName::fanuc)).first,
+      900310);
+}
+
 TEST(LinesOfAnyKind, GiveTheSameInPieces) {
   const std::vector<std::string> words{
       "#1",      "#2",        "=",      "[",      "]",         "+",     "-",       "/",

@@ -121,6 +121,18 @@ TEST(LinuxcncCalls, ReturnValuesAndFindTheirSub) {
   EXPECT_EQ(flat_of("o<square> call [7]\nM2\n", setup), "(o<square>)\nG0 X7\nM2\n");
 }
 
+TEST(LinuxcncParameters, HaveTheDiameterOfTheToolInTheSpindle) {
+  ProgramSessionSetup setup = linuxcnc();
+  setup.session.program.tools = {{3, {2.5, 0.25}}};
+  EXPECT_EQ(flat_of("G21\nT3 M6\nG0 X#5410\nM2\n", setup), "G21\nT3 M6\nG0 X5.5\nM2\n");
+  EXPECT_EQ(refusal_of("G21\nT3\nG0 X#5410\nM2\n", setup), std::pair(900307, 3U));
+  EXPECT_EQ(refusal_of("G21\nT4 M6\nG0 X#5410\nM2\n", setup), std::pair(900307, 3U));
+  // The table counts in the unit of the machine, which G20 does not change.
+  EXPECT_EQ(refusal_of("G20\nT3 M6\nG0 X#5410\nM2\n", setup), std::pair(900307, 3U));
+  setup.session.program.variables["5410"] = 7;
+  EXPECT_EQ(flat_of("G21\nT3 M6\nG0 X#5410\nM2\n", setup), "G21\nT3 M6\nG0 X7\nM2\n");
+}
+
 TEST(LinuxcncCalls, OfNumberedProgramsShareParameters) {
   EXPECT_EQ(flat("o1 (MAIN)\n#1=0\nM98 P100 L2\nM98 P100 L0\nG0 Y#1\nM30\no100\n#1=[#1+1]\nG0 X#1\n"
                  "M99\n"),

@@ -134,13 +134,21 @@ TEST(MachineCalls, OfLinuxcncPassWhereTheyAreDeclared) {
             std::pair(900106, 4U));
 }
 
-// L6 as the change of tools of a builder: a subprogram that only the machine has.
+// L6 is the change of tools as Siemens delivers it, other numbers may be of a builder: subprograms
+// that only the machine has.
 TEST(MachineCalls, OfSinumerikByNumberPassWhereTheyAreDeclared) {
   ProgramSessionSetup setup = computing_setup(sinumerik);
-  const std::string text = "G17 G90 G71\nN20 T1\nN30 L6 ; change\nG90 G0 X-20 Y0 Z1\n";
-  EXPECT_EQ(refusal_of(text + "M30\n", setup), std::pair(900306, 3U));
-  setup.session.program.pass_words = {"L6"};
+  const std::string other = "G17 G90 G71\nN20 T1\nN30 L106 ; change\nG90 G0 X-20 Y0 Z1\n";
+  EXPECT_EQ(refusal_of(other + "M30\n", setup), std::pair(900306, 3U));
+  setup.session.program.pass_words = {"L106"};
+  EXPECT_EQ(flat_of(other + "M30\n", setup), other + "M30\n");
+  setup.session.program.pass_words = {};
+  const std::string text = "G17 G90 G71\nN20 T1 D1\nN30 L6 ; change\nG90 G0 X-20 Y0 Z1\n";
   EXPECT_EQ(flat_of(text + "M30\n", setup), text + "M30\n");
+  EXPECT_EQ(refusal_of("G17 G90 G71\nL06\nM30\n", setup), std::pair(900306, 2U));
+  setup.session.program.subprograms = {{"L6.SPF", "G0 X1\nM17\n"}};
+  EXPECT_EQ(flat_of("L6\nM30\n", setup), "; L6\nG0 X1\nM30\n");
+  setup.session.program.subprograms = {};
   EXPECT_EQ(refusal_of(text + contour_of_edge, setup), std::pair(0, 0U));
   EXPECT_EQ(refusal_of("G17 G90 G71\nR1=5\nL6\nG90 G0 X=R1\nM30\n", setup), std::pair(900303, 4U));
   EXPECT_EQ(refusal_of("G17 G90 G71\nG0 X-20 Y0\nL6\nG0 X-20 Y0\n" + contour_of_edge, setup),

@@ -117,12 +117,49 @@ TEST(ToolsOfPrograms, OfIsgMayBeOthersUnderOneRadius) {
            "M30\n";
   };
   EXPECT_EQ(told(program(""), setup_of(isg)), "");
-  EXPECT_EQ(told(program("L TOOL (again)\n"), setup_of(isg)), "900225 10 L TOOL in line 8\n");
+  EXPECT_EQ(told(program("L TOOL (again)\n"), setup_of(isg)),
+            "900225 10 L TOOL in line 8\n900226 10 L TOOL\n");
   EXPECT_EQ(told(program("T2\nL TOOL\n"), setup_of(isg)), "900225 11 T2 in line 8\n");
   ProgramSessionSetup setup = setup_of(isg);
   setup.session.program.tools[2] = 3;
   EXPECT_EQ(told(program("T2\nL TOOL\n"), setup), "");
   EXPECT_EQ(distance(program("T2\nL TOOL\n"), setup), 3);
+}
+
+// What a call may leave in force is told: the radius that the program has written is that of the
+// tool before it, the rest is taken as it was.
+TEST(ToolsOfPrograms, OfIsgAreTheirsInFrontOfACall) {
+  const auto program = [](const std::string& head) {
+    return "G17 G71 G90\n" + head + contour_of(isg, "G41") + "M30\n";
+  };
+  ProgramSessionSetup setup = setup_of(isg);
+  EXPECT_EQ(told(program("L HEAD\n"), setup), "900226 4 L HEAD\n");
+  EXPECT_EQ(told(program("V.G.WZ_AKT.R=4\nL HEAD\n"), setup),
+            "900225 5 L HEAD in line 3\n900226 5 L HEAD\n");
+  EXPECT_EQ(told(program("L HEAD\nV.G.WZ_AKT.R=4\n"), setup), "900226 5 L HEAD\n");
+  EXPECT_EQ(told(program("V.G.WZ_AKT.R=4\nT1\nL TOOL\n"), setup), "");
+  setup.session.program.pass_words = {"HEAD"};
+  EXPECT_EQ(told(program("V.G.WZ_AKT.R=4\nL HEAD\n"), setup), "");
+}
+
+// Declared, a call of ISG leaves everything in force.
+TEST(ToolsOfPrograms, StandWhereTheyWereBehindADeclaredCall) {
+  const std::string text =
+      "G17 G71 G90\nG00 X-20 Y0\nL \"LAMP\"\nG01 G41 X0 Y0 F300\nY40\nG40 X-20\nM30\n";
+  ProgramSessionSetup setup = setup_of(isg);
+  EXPECT_EQ(refusal_of(text, setup), std::pair(900106, 4U));
+  setup.session.program.pass_words = {"LAMP"};
+  EXPECT_EQ(refusal_of(text, setup), std::pair(0, 0U));
+}
+
+// The control executes such a cycle behind each motion of the contour.
+TEST(ToolsOfPrograms, CutNoContourUnderAModalCycleOfIsg) {
+  const auto program = [](const std::string& between) {
+    return "G17 G71 G90\nL CYCLE [NAME=DRILL.cyc MODAL_MOVE @P1=2]\n" + between +
+           "G90 G00 X-20 Y0\nG01 G41 X0 Y0 F300\nY40\nG40 X-20\nM30\n";
+  };
+  EXPECT_EQ(refusal_of(program(""), setup_of(isg)), std::pair(900003, 4U));
+  EXPECT_EQ(refusal_of(program("#DISABLE MODAL CYCLE\n"), setup_of(isg)), std::pair(0, 0U));
 }
 
 TEST(ToolsOfPrograms, HaveTheRadiusThatIsgWrites) {

@@ -89,6 +89,14 @@ TEST_P(Buffer, HasTheSameBoundary) {
   EXPECT_GE(compared, 4U);
 }
 
+std::vector<Segment> between_leads(const Outcome& outcome) {
+  std::vector<Segment> path;
+  for (const CompensatedBlock& block : moving(outcome.blocks, 1e-9))
+    if (block.origin != Origin::approach && block.origin != Origin::retract)
+      path.push_back(block.path);
+  return path;
+}
+
 // The centre path of a tool, with loops removed, as a program in wear mode (D-43): a larger tool
 // leaves the part that GEOS makes with its whole radius.
 TEST_P(Buffer, HasTheSameBoundaryInWearMode) {
@@ -105,10 +113,7 @@ TEST_P(Buffer, HasTheSameBoundaryInWearMode) {
       const Outcome nominal =
           compensate(led_to(*begun), removing_loops(side, radius), {.batch = 0});
       ASSERT_FALSE(nominal.stopped) << message_of(*nominal.error());
-      std::vector<Segment> centre;
-      for (const CompensatedBlock& block : moving(nominal.blocks, 1e-9))
-        if (block.origin != Origin::approach && block.origin != Origin::retract)
-          centre.push_back(block.path);
+      const std::vector<Segment> centre = between_leads(nominal);
       TrcMode mode = removing_loops(side, wear);
       mode.nominal_radius = radius;
       const Outcome outcome = compensate(led_to(centre), mode, {.batch = 0});
@@ -123,6 +128,41 @@ TEST_P(Buffer, HasTheSameBoundaryInWearMode) {
       ++compared;
     }
   EXPECT_GE(compared, 1U);
+}
+
+// A smaller tool (D-43) goes nearer to the part, turns about inside corners of the centre path, and
+// is nowhere nearer than it may: GEOS makes the centre path wider by the wear, towards the part.
+TEST_P(Buffer, HasTheSameBoundaryWithAWornTool) {
+  const auto [shape, side] = GetParam();
+  Geos geos;
+  std::size_t compared = 0;
+  for (const double radius : {0.4, 0.6, 1.0, 3.0, 5.0})
+    for (const double worn : {0.02, 0.3}) {
+      SCOPED_TRACE("R " + std::to_string(radius) + ", worn by " + std::to_string(worn));
+      const TrcMode nominal_tool = removing_loops(side, radius);
+      const auto part = big_contour(shape, 400);
+      const auto begun = begun_legally(part, nominal_tool);
+      if (!begun) continue;
+      const Outcome nominal = compensate(led_to(*begun), nominal_tool, {.batch = 0});
+      ASSERT_FALSE(nominal.stopped) << message_of(*nominal.error());
+      const std::vector<Segment> centre = between_leads(nominal);
+      TrcMode mode = removing_loops(side, -worn);
+      mode.nominal_radius = radius;
+      const Outcome outcome = compensate(led_to(centre), mode, {.batch = 0});
+      ASSERT_FALSE(outcome.stopped) << message_of(*outcome.error());
+      const double error = 1.5e-3 * radius;
+      const auto difference = difference_of(geos, points_along(centre, 1e-4 * worn), outcome,
+                                            removing_loops(other(side), worn));
+      ASSERT_TRUE(difference.has_value());
+      EXPECT_LE(difference->farthest, error);
+      EXPECT_LE(difference->area, error * difference->length);
+      const auto walls = geos.line(points_along(part, 1e-4 * radius));
+      const auto near_walls = geos.prepared(walls);
+      for (const Point& point : points_along(between_leads(outcome), 1e-4 * radius))
+        EXPECT_GE(geos.distance(near_walls, point), radius - worn - error);
+      ++compared;
+    }
+  EXPECT_GE(compared, 2U);
 }
 
 // Closed contours of a few lines and arcs, on either side, where they are simple.

@@ -406,6 +406,11 @@ TEST(PublishedValues, ComeWithTheirMessage) {
   EXPECT_EQ(values(program_of("X0 Y0", "N70 G238 V.G.WZ_AKT.R=12",
                               "N80 G41 G1 X-10 Y-10\nN90 X10\nY10\nX-10\nY-10\nG40 X0 Y0")),
             "90123: distance 10.000; selection_block 80.000; tool_radius 12.000; ");
+  // Without a number it is named by its line.
+  EXPECT_EQ(values(program_of("X0 Y0", "G238 V.G.WZ_AKT.R=12",
+                              "G41 G1 X-10 Y-10\nX10\nY10\nX-10\nY-10\nG40 X0 Y0")),
+            "90123: distance 10.000; selection_index 3.000; selection_line 4.000; "
+            "tool_radius 12.000; ");
 }
 
 }  // namespace

@@ -107,7 +107,7 @@ bool Interpreter::complete_code_block(ProgramLine& line, BlockWords& block) {
     forget_what_a_call_may_change(
         line, block,
         block.calls_the_machine ? called_name(line.text, block.of(single_move).begin) : code_.call);
-  const bool goes_on = copy_code_block(line, block);
+  const bool goes_on = copy_code_block(line, block) && check_circle_words(line, block);
   if (block.has(cycle)) code_.cycle = true;
   const WholeNumbers whole = state_.setup().whole_numbers;
   const bool plain_whole_numbers = dialect_.name != DialectName::fanuc ||
@@ -118,6 +118,28 @@ bool Interpreter::complete_code_block(ProgramLine& line, BlockWords& block) {
                        plain_whole_numbers && code_.modal_rounding == 0 && !code_.soft_approach &&
                        !called_motion_ && !called_dimension_ && !code_.tooth_feed;
   return goes_on && take_tool_data(line, block);
+}
+
+// What I, J, K and R mean in a straight motion of Fanuc: a vector beside G40 and G41, a corner.
+bool Interpreter::check_circle_words(const ProgramLine& line, const BlockWords& block) {
+  const MotionKind kind = block.has(motion)
+                              ? motions[static_cast<std::size_t>(block.of(motion).function->number)]
+                              : motion_;
+  const bool is_straight = kind == MotionKind::rapid || kind == MotionKind::linear;
+  if (dialect_.name != DialectName::fanuc || !block.center || !is_straight || block.copied ||
+      block.has(dwell) || block.has(tool_data))
+    return true;
+  const bool has_center = block.move.center[0] || block.move.center[1] || block.move.center[2];
+  const auto refused = [&](std::string detail) {
+    return refuse(line, TextFault{.code = Code::nc_unsupported,
+                                  .begin = *block.center,
+                                  .detail = std::move(detail)});
+  };
+  if (block.has(side) && has_center)
+    return refused(block.of(side).is(40)
+                       ? "I, J beside G40, a vector of the wall behind it"
+                       : "I, J beside G41, G42, a vector of the contour behind it");
+  return has_center || !block.axis || refused("R in a straight motion");
 }
 
 // G72 S0.5 of Fagor scales, where other controls drill holes on a line, with I J L. G41 and D
@@ -200,12 +222,14 @@ void Interpreter::forget_what_ends_nothing(BlockWords& block) {
   if (ends(frame, {2540, 2550})) code_.dynamic_offset = block.of(frame).is(254);
 }
 
-// G49 and G43 end the control of the tool tip, G07.1 with 0 its cylinder (D-51).
+// G49 and G43 end the control of the tool tip, G07.1 with 0 its cylinder (D-51), G113 is G13.1 too.
 void Interpreter::end_what_was_unfollowed(BlockWords& block) {
   constexpr std::array led{431, 434, 435, 2340};
   const bool ends_tip =
       block.changes_length && std::ranges::find(led, code_.unfollowed) != led.end();
   constexpr int cylinder = 71;
+  constexpr int polar = 1120;
+  if (code_.unfollowed == polar && block.of(zero_shift).is(113)) code_.unfollowed = -1;
   const bool ends_cylinder =
       code_.unfollowed == cylinder && block.has(unfollowed) &&
       block.of(unfollowed).function->tenths() == cylinder && !block.move.tracking.empty() &&

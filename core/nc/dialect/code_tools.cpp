@@ -175,6 +175,14 @@ bool Interpreter::check_code_selection(ProgramLine& line, BlockWords& block) {
                                 .detail = "D" + std::to_string(tool_of_row(number))});
 }
 
+std::optional<double> Interpreter::spindle_diameter() const {
+  if (code_.spindle_tool == 0 || state_.setup().every_radius) return std::nullopt;
+  if (const auto row = state_.tool().row_of_tool(code_.spindle_tool))
+    return 2 * (row->radius + row->wear);
+  if (!has_one_radius()) return std::nullopt;
+  return 2 * (state_.setup().mode.tool_radius + state_.setup().wear);
+}
+
 // The radius of the setup stands for the one register that the program selects with, where it has
 // no tools (D-65). D0 may have taken it out of force.
 bool Interpreter::take_only_register(const ProgramLine& line, BlockWords& block,
@@ -248,6 +256,11 @@ bool Interpreter::choose_tool_of_edge(ProgramLine& line, BlockWords& block) {
     return refuse_at(edge == 1 ? tool : code_.edge_place, Code::tool_unknown,
                      "D" + std::to_string(edge) + " of " + called);
   if (table && number > 0 && !state_.tool().has_tool(row)) return unknown(called);
+  if (table && number == 0 && !code_.tool_named && state_.tool().row_of_tool(row) == std::nullopt)
+    return refuse(
+        line, TextFault{.code = Code::nc_unsupported,
+                        .begin = begin,
+                        .detail = "D" + std::to_string(edge) + " without T, which tool it is of"});
   if (number == no_tool_number) {
     // The radius of the setup stands for the one tool that the program selects with.
     if (code_.only_tool_name.empty()) code_.only_tool_name = code_.tool_name;

@@ -112,7 +112,17 @@ const GFunction* Dialect::function(double number) const {
   return found != functions.end() && found->tenths() == key ? &*found : nullptr;
 }
 
+bool is_heidenhain_iso(std::string_view line) {
+  line = without_blanks_behind(without_blanks_in_front(line.substr(0, line.find(';'))));
+  const bool begins =
+      line.size() > 2 &&
+      (line[0] == '%' ||
+       (std::string_view("NGng").find(line[0]) != std::string_view::npos && is_digit(line[1])));
+  return begins && line.back() == '*';
+}
+
 std::optional<DialectName> looks_like(std::string_view line) {
+  if (is_heidenhain_iso(line)) return {};
   const std::string words = words_of(line);
   if (starts_with_any(words, {"BEGIN PGM", "TOOL CALL", "TOOL DEF", "CYCL DEF", "L X+", "L X-",
                               "CC X", "BLK FORM"}) ||

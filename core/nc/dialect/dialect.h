@@ -54,5 +54,8 @@ struct Dialect {
 // Which dialect a line looks like that makes no sense under ISG, or makes a dangerous one: for the
 // message, never for reading it.
 [[nodiscard]] std::optional<DialectName> looks_like(std::string_view line);
+// A block of the programs that Heidenhain writes in G functions, which are not read: it ends with
+// an asterisk.
+[[nodiscard]] bool is_heidenhain_iso(std::string_view line);
 
 }  // namespace trc

@@ -131,7 +131,7 @@ constexpr auto functions = std::to_array<GFunction>({
     {107, unfollowed, "cylindrical mapping"},
     {110, zero_shift, "work coordinate system"},
     {111, zero_shift, "work coordinate system"},
-    {112, zero_shift, "work coordinate system"},
+    {112, unfollowed, "polar coordinate interpolation, or a work offset of Haas"},
     {113, zero_shift, "work coordinate system"},
     {114, zero_shift, "work coordinate system"},
     {115, zero_shift, "work coordinate system"},

@@ -151,7 +151,7 @@ bool Interpreter::feed(std::string_view text, std::vector<LinePointer>& lines) {
 bool Interpreter::read(const FlatLine& line, std::vector<LinePointer>& lines) {
   if (diagnostics_.stopped()) return false;
   if (std::exchange(carriage_return_, false) && !take_line({}, "\r", lines)) return false;
-  lines_read_ = line.number - 1;
+  lines_read_ = line.number - 1 - continued_;
   knows_columns_ = line.is_as_written;
   // The text may be gone before the line is.
   const std::string_view line_end = line.line_end == "\n"     ? "\n"

@@ -139,6 +139,8 @@ class Interpreter {
   [[nodiscard]] MotionKind motion_in_force() const { return motion_; }
   [[nodiscard]] Plane plane_in_force() const { return state_.programmed_plane(); }
   [[nodiscard]] std::optional<double> radius_in_force() const { return state_.tool().radius(); }
+  // Of the tool that M6 has put there, wear included, mm.
+  [[nodiscard]] std::optional<double> spindle_diameter() const;
   [[nodiscard]] bool is_in_contour() const { return state_.contour_open(); }
   // Behind M02 or M30.
   [[nodiscard]] bool has_ended() const { return ended_; }
@@ -224,6 +226,7 @@ class Interpreter {
   bool check_code_selection(ProgramLine& line, BlockWords& block);
   bool take_corner(ProgramLine& line, BlockWords& block);
   bool take_modal_rounding(ProgramLine& line, BlockWords& block);
+  bool check_circle_words(const ProgramLine& line, const BlockWords& block);
   bool take_fagor_words(ProgramLine& line, BlockWords& block);
   bool take_tool_data(ProgramLine& line, BlockWords& block);
   bool refuse_code(const ProgramLine& line, const CodeWord& word, Code code,
@@ -323,6 +326,7 @@ class Interpreter {
   void take_call(const ProgramLine& line, std::string_view call);
   bool watch_tool(const ProgramLine& line, const BlockWords& block);
   bool warn_of_other_tool(const ProgramLine& line, std::uint32_t begin);
+  bool note_unknown_call(const ProgramLine& line, const BlockWords& block);
 
   bool apply(ProgramLine& line, const PlainMotion& plain);
   bool apply(ProgramLine& line, BlockWords& block);
@@ -412,6 +416,12 @@ class Interpreter {
     // Since then:
     bool tool_said = false;            // by T, D or a radius
     bool call_behind_contour = false;  // `call`, which may have changed the tool
+    // Of ISG: V.G.WZ_AKT.R stands behind the last T or D; a call has come behind that.
+    bool only_radius_said = false;
+    bool radius_doubtful = false;
+    bool tool_awaits_call = false;
+    std::optional<std::string> unknown_call{};  // the first one; empty: it has been told
+    std::optional<Source> modal_cycle{};
     // The one register that stands for the radius of the setup, where it has no tools.
     std::optional<std::int64_t> only_register{};
     std::optional<std::int64_t> only_spindle_tool{};  // of FANUC without D words
@@ -434,7 +444,8 @@ class Interpreter {
               polar_rewritten, missing_tool, only_tool_name, tangent_arcs, tool_named,
               spindle_empty, modal_rounding, soft_direction, soft_in_space, soft_approach,
               next_tool_place, spindle_tool_place, edge_place, edge_of_next_tool, offset_axes, call,
-              call_place, contour_seen, tool_said, call_behind_contour);
+              call_place, contour_seen, tool_said, call_behind_contour, only_radius_said,
+              radius_doubtful, tool_awaits_call, unknown_call, modal_cycle);
     }
   };
   // How many contours had been selected where a label stands, and at its LBL 0.

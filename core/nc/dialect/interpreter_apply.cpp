@@ -80,7 +80,11 @@ bool Interpreter::apply_modes(const ProgramLine& line, const BlockWords& block) 
     count_in(line, counts_in_inch(*block.of(unit).function));
     feed_in_mm_ = dialect_.name == DialectName::sinumerik && block.of(unit).function->number < 100;
   }
-  if (block.has(dimension)) incremental_ = block.of(dimension).is(91);
+  if (block.has(dimension)) {
+    const bool incremental = block.of(dimension).is(91);
+    if (incremental && !incremental_) state_.count_increments_since(line.source);
+    incremental_ = incremental;
+  }
   if (block.has(feed_mode)) feed_mode_ = block.of(feed_mode).function->number;
   if (block.feed) feed_ = block.feed->value * feed_unit(inch_);
   // A feed per tooth, which blocks have no number for.

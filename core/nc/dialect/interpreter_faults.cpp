@@ -65,9 +65,16 @@ bool Interpreter::refuse_at(const WordPlace& place, Code code, std::string detai
 void Interpreter::guard_against_other_dialects(const ProgramLine& line, Diagnostic& fault) const {
   constexpr std::array codes{Code::nc_syntax, Code::nc_unknown_function, Code::nc_unsupported,
                              Code::nc_number, Code::nc_axis_unknown,     Code::nc_word_twice};
+  const bool is_of_words = std::ranges::find(codes, fault.code) != codes.end();
+  if (is_of_words && is_heidenhain_iso(line.text)) {
+    fault.code = Code::nc_unsupported;
+    fault.detail = "a block of DIN/ISO of Heidenhain";
+    fault.slip = {};
+    return;
+  }
   const bool mistyped =
       fault.slip.kind != SlipKind::none && fault.slip.kind != SlipKind::unit_of_another;
-  if (isg_word_seen_ || mistyped || std::ranges::find(codes, fault.code) == codes.end()) return;
+  if (isg_word_seen_ || mistyped || !is_of_words) return;
   const auto other = looks_like(line.text);
   const bool is_declared = dialect_.name != DialectName::isg;
   if (!other || *other == dialect_.name || (is_declared && *other != DialectName::heidenhain))

@@ -309,7 +309,8 @@ bool Interpreter::check_block(ProgramLine& line, BlockWords& block) {
                                     .begin = g52->begin,
                                     .detail = "G52 with axis words"});
   }
-  if (!watch_tool(line, block) || !restate_modes(line, block)) return false;
+  if (!watch_tool(line, block) || !restate_modes(line, block) || !note_unknown_call(line, block))
+    return false;
   if (block.homes) {  // where the axes stand then only the machine knows
     block.copied = true;
     for (WordRange& word : line.words)

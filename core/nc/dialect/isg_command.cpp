@@ -153,6 +153,11 @@ bool Interpreter::read_command(const Word& word, ProgramLine& line, BlockWords& 
     add(line, word, WordRole::technology);
     return true;
   }
+  if (name == "DISABLE MODAL") {
+    code_.modal_cycle.reset();
+    add(line, word, WordRole::technology);
+    return true;
+  }
   if (passes_word(state_.setup(), command, 0)) {
     add(line, word, WordRole::technology);
     return true;

@@ -22,6 +22,10 @@ namespace trc {
 
 // A block in capitals, with single blanks, without what stands in quotes and behind `;`.
 [[nodiscard]] std::string statement_of(std::string_view text);
+// Of such a statement, LBL 1, LBL "A" or CALL LBL 1 REP 3, in the block where it begins: 1, or "A
+// as it is written.
+[[nodiscard]] std::string label_of(std::string_view text, std::size_t begin,
+                                   std::string_view statement);
 [[nodiscard]] bool begins_with_word(std::string_view statement, std::string_view word);
 
 // What scales the coordinates, or leads the tool tip along them: KlartextModes::unfollowed.

@@ -125,7 +125,8 @@ bool writes_radius(std::string_view statement) {
   return of_tools && (nr == "2" || nr == "5" || nr.starts_with('Q'));
 }
 
-// Of LBL 1, LBL "A", CALL LBL 1 REP 3.
+}  // namespace
+
 std::string label_of(std::string_view text, std::size_t begin, std::string_view statement) {
   const std::string_view name =
       without_blanks_in_front(statement.substr(statement.starts_with("CALL") ? 8 : 3));
@@ -136,8 +137,6 @@ std::string label_of(std::string_view text, std::size_t begin, std::string_view 
   }
   return label;
 }
-
-}  // namespace
 
 std::string statement_of(std::string_view text) {
   std::string statement;
@@ -304,6 +303,9 @@ bool Interpreter::read_klartext_statement(ProgramLine& line, std::size_t begin) 
   if (statement.find("MODE TURN") != std::string::npos)
     return refuse_klartext(line, begin, "FUNCTION MODE TURN", Code::turning);
   // Of the programs in DIN/ISO that these controls read as well, and of single axes.
+  const bool is_function = first.size() > 1 && first[0] == 'G' && is_digit(first[1]);
+  if (is_function && trc_active())
+    return refuse_klartext(line, begin, first + ", a function of DIN/ISO");
   if (statement.find("G41") != std::string::npos || statement.find("G42") != std::string::npos)
     return refuse_klartext(line, begin, first + ", TRC of DIN/ISO");
   if (statement.size() == 1 || !is_letter(statement[1]) || statement[0] == 'I')

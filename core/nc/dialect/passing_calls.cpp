@@ -39,6 +39,14 @@ bool calls_subprogram(std::string_view text) {
          (behind.empty() || std::string_view("[(;").find(behind.front()) != std::string_view::npos);
 }
 
+// L CYCLE [NAME=DRILL.cyc MODAL_MOVE …]: the control executes it behind each motion.
+bool begins_modal_cycle(std::string_view call) {
+  const std::string words = in_upper_case(call);
+  const std::size_t name = words.find_first_not_of(" \t", 1);
+  return name != std::string::npos && words.compare(name, 5, "CYCLE") == 0 &&
+         words.find("MODAL_") != std::string::npos;
+}
+
 // Whether words of a block stand in or behind the value of an assignment, as in V.P.A=5 G01 X9:
 // they would pass as text and be lost. P1 is a variable, 1E5 a number, V.L.X1 a name.
 bool holds_words(std::string_view value) {
@@ -156,7 +164,10 @@ bool Interpreter::read_passing_line(ProgramLine& line, BlockWords& block) {
   line.words.push_back({.begin = static_cast<std::uint32_t>(begin),
                         .end = static_cast<std::uint32_t>(text.size()),
                         .role = WordRole::technology});
-  if (calls) forget_what_a_call_may_change(line, block, words.substr(0, words.find_first_of("(;")));
+  if (!calls) return true;
+  const std::string_view call = words.substr(0, words.find_first_of("(;"));
+  if (begins_modal_cycle(call)) code_.modal_cycle = line.source;
+  forget_what_a_call_may_change(line, block, call);
   return true;
 }
 
@@ -178,8 +189,10 @@ bool Interpreter::read_call_behind_words(std::uint32_t begin, ProgramLine& line,
       {.begin = begin, .end = static_cast<std::uint32_t>(end), .role = WordRole::technology});
   // T5 LM06 changes tools as M06 does (D-76).
   const bool dimension_was_known = !called_dimension_;
+  const bool had_unknown_call = code_.unknown_call.has_value();
   forget_what_a_call_may_change(line, block, text.substr(begin, end - begin));
   if (block.tool_number && dimension_was_known) called_dimension_ = false;
+  if (block.tool_number && !had_unknown_call) code_.unknown_call.reset();
   return true;
 }
 
@@ -220,17 +233,26 @@ void Interpreter::forget_what_a_call_may_change(ProgramLine& line, BlockWords& b
                                                 std::string_view call) {
   line.calls_the_machine = true;
   line.feed_it_takes = feed_mode_ == 94 ? feed_ : 0;
+  take_call(line, call);
+  const bool isg = dialect_.name == DialectName::isg;
+  if (isg && changes_nothing(state_.setup(), call)) return;
+  // The call behind a T word changes the tool.
+  if (isg && !code_.unknown_call && !std::exchange(code_.tool_awaits_call, false))
+    code_.unknown_call = code_.call;
   block.forget = all_axes;
   called_motion_ = called_dimension_ = true;
   reads_plain_lines_ = false;
-  take_call(line, call);
 }
 
 // Of those that pass_words declares none changes the tool.
 void Interpreter::take_call(const ProgramLine& line, std::string_view call) {
   code_.call = without_blanks_behind(call);
   code_.call_place = {.source = line.source};
-  code_.call_behind_contour |= !changes_nothing(state_.setup(), call);
+  if (changes_nothing(state_.setup(), call)) return;
+  code_.call_behind_contour = true;
+  // A radius that the program has written is that of the tool before a change.
+  if (code_.only_radius_said) code_.tool_said = false;
+  code_.radius_doubtful |= std::exchange(code_.only_radius_said, false);
 }
 
 // Whether G00 or G01, G90 or G91 holds behind a call, the subprogram has decided: until the program
@@ -268,19 +290,34 @@ bool Interpreter::watch_tool(const ProgramLine& line, const BlockWords& block) {
   const bool names_radius = block.tool && dialect_.name != DialectName::sinumerik;
   code_.tool_said |= block.tool_number || block.loads_tool || block.names_tool || names_radius ||
                      block.tool_radius;
+  if (block.tool_number || block.tool || block.loads_tool || block.names_tool) {
+    code_.only_radius_said = code_.radius_doubtful = false;
+  } else if (block.tool_radius && dialect_.name == DialectName::isg) {
+    code_.only_radius_said = true;
+    code_.radius_doubtful = false;
+  }
   if (dialect_.name == DialectName::isg && block.tool_number) {
     code_.next_tool = whole_number(block.tool_number->value);
     code_.next_tool_place = place_of_word(line, block.tool_number->begin);
+    code_.tool_awaits_call = !block.changes_tool;
   }
   const bool selects = block.has(GGroup::side) && !block.of(GGroup::side).is(40);
-  return !selects || trc_active() || warn_of_other_tool(line, block.of(GGroup::side).begin);
+  if (!selects || trc_active()) return true;
+  const std::uint32_t begin = block.of(GGroup::side).begin;
+  if (code_.modal_cycle)
+    return refuse(line, TextFault{.code = Code::nc_unsupported,
+                                  .begin = begin,
+                                  .detail = "TRC under a modal cycle of the machine, " +
+                                            place_of(*code_.modal_cycle)});
+  return warn_of_other_tool(line, begin);
 }
 
 // At the begin of a contour (D-78).
 bool Interpreter::warn_of_other_tool(const ProgramLine& line, std::uint32_t begin) {
-  const bool may_be_another = code_.contour_seen && code_.call_behind_contour && !code_.tool_said;
+  const bool may_be_another = (code_.contour_seen || code_.radius_doubtful) &&
+                              code_.call_behind_contour && !code_.tool_said;
   code_.contour_seen = true;
-  code_.call_behind_contour = code_.tool_said = false;
+  code_.call_behind_contour = code_.tool_said = code_.radius_doubtful = false;
   std::string change = code_.call + " " + place_of(code_.call_place.source);
   bool is_another = false;
   // Other dialects refuse a second tool that has no radius of its own.
@@ -295,6 +332,17 @@ bool Interpreter::warn_of_other_tool(const ProgramLine& line, std::uint32_t begi
   Diagnostic warned = diagnostic(Code::tool_may_have_changed, line.source, std::move(change));
   warned.column = place_of_word(line, begin).column;
   return diagnostics_.report(std::move(warned));
+}
+
+// Once (D-81): what holds behind a call is what held before it, unless the program says it anew.
+bool Interpreter::note_unknown_call(const ProgramLine& line, const BlockWords& block) {
+  const bool selects = block.has(GGroup::side) && !block.of(GGroup::side).is(40) && !trc_active();
+  if (!selects || !code_.unknown_call || code_.unknown_call->empty() || !faults_.empty())
+    return true;
+  Diagnostic noted = diagnostic(Code::call_taken_as_harmless, line.source,
+                                std::exchange(*code_.unknown_call, std::string()));
+  noted.column = place_of_word(line, block.of(GGroup::side).begin).column;
+  return diagnostics_.report(std::move(noted));
 }
 
 }  // namespace trc

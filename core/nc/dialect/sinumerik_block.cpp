@@ -403,7 +403,11 @@ bool Interpreter::read_named_address(const NamedWord& word, ProgramLine& line, B
   }
   if (word.is_text) return refuse_code(line, code, Code::nc_syntax, "a text");
   if (letter == 'T') code_.tool_name.clear();
-  if (letter == 'L' && passes_word(state_.setup(), line.text, word.begin)) {
+  const bool passes =
+      letter == 'L' &&
+      (passes_word(state_.setup(), line.text, word.begin) ||
+       in_upper_case(line.word({.begin = word.begin, .end = word.end})) == standard_tool_change);
+  if (passes) {
     block.calls_the_machine = true;
     block.functions[static_cast<std::size_t>(single_move)] = {.function = &call_name,
                                                               .begin = word.begin};

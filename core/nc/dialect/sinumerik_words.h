@@ -16,6 +16,9 @@ namespace trc {
 // CR=, RND=, …
 [[nodiscard]] bool is_sinumerik_word(std::string_view name);
 // $P_UIFR, $P_PFRAME and the like: what coordinates mean.
+// L6, the change of tools as Siemens delivers it: only the machine has its text (D-64).
+inline constexpr std::string_view standard_tool_change = "L6";
+
 [[nodiscard]] bool is_sinumerik_frame(std::string_view name);
 // One of these.
 [[nodiscard]] bool is_sinumerik_word_of_any_kind(std::string_view name);

@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/base/utf8.h"
 #include "core/nc/dialect/block_skip.h"
 #include "core/nc/program/code_line.h"
 #include "core/nc/program/fanuc_flow.h"
 #include "core/nc/program/isg_flow.h"
+#include "core/nc/program/klartext_flow.h"
 #include "core/nc/program/linuxcnc_flow.h"
 #include "core/nc/program/sinumerik_flow.h"
 #include "core/nc/text/characters.h"
@@ -89,8 +91,10 @@ bool Flow::enter(Frame callee) {
     return false;
   }
   const Frame& caller = frames_.back();
+  // One that has no line but that of its name, the last one of the text.
+  callee.current = std::min(callee.current, texts_[callee.text].size() - 1);
   callee.chain =
-      calls_.enter(caller.chain, callee.name, texts_[caller.text].number(caller.current));
+      calls_.enter(caller.chain, as_utf8(callee.name), texts_[caller.text].number(caller.current));
   if (looks_ahead_) {
     forget_values();
     ahead_.push_back({.frames = frames_});
@@ -199,8 +203,6 @@ const double* Flow::given(std::string_view name) const {
   return known == given_.end() ? nullptr : &known->second;
 }
 
-bool may_compute(DialectName dialect) { return dialect != DialectName::heidenhain; }
-
 bool computes(const ProgramSetup& setup, std::string_view line) {
   switch (setup.dialect) {
     case DialectName::fanuc:
@@ -212,7 +214,7 @@ bool computes(const ProgramSetup& setup, std::string_view line) {
     case DialectName::isg:
       return isg_computes(setup, line);
     case DialectName::heidenhain:
-      break;
+      return klartext_computes(line);
   }
   return false;
 }
@@ -225,6 +227,8 @@ std::unique_ptr<Flow> make_flow(const ProgramSetup& setup, CallPlaces& calls, Pr
     return std::make_unique<SinumerikFlow>(setup, calls, std::move(text), start);
   if (setup.dialect == DialectName::isg)
     return std::make_unique<IsgFlow>(setup, calls, std::move(text), has_begun);
+  if (setup.dialect == DialectName::heidenhain)
+    return std::make_unique<KlartextFlow>(setup, calls, std::move(text), start);
   return std::make_unique<FanucFlow>(setup, calls, std::move(text), start);
 }
 

@@ -30,6 +30,8 @@ struct ModalState {
   bool incremental = false;
   bool inch = false;
   std::optional<double> tool_radius{};  // mm; none: nobody has given it
+  // Of the tool that M6 has put into the spindle, mm, where the setup or the program gives it.
+  std::optional<double> spindle_diameter{};
   bool contour_open = false;
 };
 
@@ -168,8 +170,6 @@ class Flow {
 
 // Whether a line makes its program one that computes.
 [[nodiscard]] bool computes(const ProgramSetup& setup, std::string_view line);
-// Whether programs of the dialect may compute at all.
-[[nodiscard]] bool may_compute(DialectName dialect);
 
 // The program is executed from the line `start` of `text` on (0-based). `has_begun`: blocks of it
 // stand in front of that line.

@@ -260,7 +260,7 @@ std::size_t isg_call_behind_words(std::string_view line, std::size_t at) {
 std::string plain_file_name(std::string_view name) {
   if (const std::size_t folder = name.find_last_of("/\\"); folder != npos)
     name.remove_prefix(folder + 1);
-  return in_upper_case(name.substr(0, name.rfind('.')));
+  return in_capitals_as_utf8(name.substr(0, name.rfind('.')));
 }
 
 const std::string* given_subprogram(const ProgramSetup& setup, std::string_view name) {

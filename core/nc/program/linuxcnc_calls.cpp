@@ -4,6 +4,7 @@
 
 #include "core/nc/program/linuxcnc_flow.h"
 #include "core/nc/text/characters.h"
+#include "core/nc/text/number_format.h"
 
 // Parameters, lines of words, and calls of LinuxCNC.
 
@@ -307,8 +308,13 @@ std::optional<double> LinuxcncFlow::content_of(const Target& target) const {
   if (name == "_absolute" || name == "_incremental")
     return (name == "_incremental") == modes_.incremental ? 1 : 0;
   if (!lost_to_.empty() && !is_own(target)) return {};
-  const double* const value = given(name.empty() ? std::to_string(number) : in_upper_case(name));
-  return value == nullptr ? std::optional<double>() : std::optional<double>(*value);
+  if (const double* value = given(name.empty() ? std::to_string(number) : in_upper_case(name)))
+    return *value;
+  // #5410 counts in the unit of the machine.
+  constexpr std::int64_t diameter_of_tool = 5410;
+  const bool is_diameter = number == diameter_of_tool && name.empty() && modes_.inch == setup_.inch;
+  if (!is_diameter || !modes_.spindle_diameter) return std::nullopt;
+  return *modes_.spindle_diameter / (modes_.inch ? mm_per_inch : 1);
 }
 
 Value LinuxcncFlow::read(ExpressionReader& expression) {

@@ -45,14 +45,13 @@ ProgramReader::ProgramReader(const ReaderLimits& limits, ProgramState& state,
       setup_(state.setup()),
       diagnostics_(diagnostics),
       interpreter_(limits, state, diagnostics),
-      checkpoint_(std::move(interrupt)),
-      passes_(!program::may_compute(state.setup().dialect)) {}
+      checkpoint_(std::move(interrupt)) {}
 
 ProgramReader::~ProgramReader() = default;
 
 bool ProgramReader::feed(std::string_view text, std::vector<LinePointer>& lines) {
   if (passes_) return interpreter_.feed(text, lines);
-  if (computing_) return collect(text);
+  if (computing_) return collect(text, lines);
   if (setup_.dialect == DialectName::isg && is_plain(text)) return pass_plain(text, lines);
   if (partial_.empty()) return split(text, lines);
   const std::string whole = std::exchange(partial_, {}).append(text);
@@ -67,7 +66,7 @@ bool ProgramReader::pass_plain(std::string_view text, std::vector<LinePointer>& 
     const std::string begun = std::exchange(partial_, {}).append(text.substr(0, behind));
     if (!split(begun, lines)) return false;
     text.remove_prefix(behind);
-    if (computing_) return collect(text);
+    if (computing_) return collect(text, lines);
     if (passes_) return interpreter_.feed(text, lines);
     if (text.empty()) return true;
   }
@@ -88,7 +87,7 @@ bool ProgramReader::split(std::string_view text, std::vector<LinePointer>& lines
       lines_before_ += count;
       if (!interpreter_.has_ended()) {
         computing_ = true;
-        return collect(text.substr(begin));
+        return collect(text.substr(begin), lines);
       }
       // Behind the end of the program there is text alone.
       passes_ = true;
@@ -132,8 +131,14 @@ void ProgramReader::keep_what_tells(std::string_view text) {
   }
 }
 
-bool ProgramReader::collect(std::string_view text) {
+bool ProgramReader::collect(std::string_view text, std::vector<LinePointer>& lines) {
   if (text_.size() + text.size() > most_computing_text) {
+    // Klartext only calls labels, which may as well pass as they stand.
+    if (setup_.dialect == DialectName::heidenhain) {
+      computing_ = false;
+      passes_ = true;
+      return interpreter_.feed(std::exchange(text_, {}), lines) && interpreter_.feed(text, lines);
+    }
     Diagnostic refused = diagnostic(Code::computing_text_too_long, {});
     refused.values = {{"bytes", static_cast<double>(text_.size() + text.size())},
                       {"limit", static_cast<double>(most_computing_text)}};
@@ -144,12 +149,12 @@ bool ProgramReader::collect(std::string_view text) {
   return true;
 }
 
-bool ProgramReader::begin_to_execute() {
+bool ProgramReader::begin_to_execute(std::vector<LinePointer>& lines) {
   if (flow_) return true;
   // A last line without an end may compute as well.
   if (!computing_ && !passes_ && program::computes(setup_, partial_) && !interpreter_.has_ended()) {
     computing_ = true;
-    collect(std::exchange(partial_, {}));
+    collect(std::exchange(partial_, {}), lines);
   }
   if (!computing_) return false;
   const std::uint64_t first_line = before_is_whole_ ? 1 : lines_before_ + 1;
@@ -165,7 +170,7 @@ bool ProgramReader::begin_to_execute() {
 }
 
 bool ProgramReader::resolve(std::vector<LinePointer>& lines) {
-  if (executed_ || diagnostics_.stopped() || !begin_to_execute()) return false;
+  if (executed_ || diagnostics_.stopped() || !begin_to_execute(lines)) return false;
   for (std::size_t executed = 0; executed < executed_per_call && lines.size() < lines_per_call;
        ++executed) {
     checkpoint_.pass();
@@ -186,6 +191,7 @@ program::ModalState ProgramReader::modes() const {
           .incremental = interpreter_.is_incremental(),
           .inch = interpreter_.counts_in_inch(),
           .tool_radius = interpreter_.radius_in_force(),
+          .spindle_diameter = interpreter_.spindle_diameter(),
           .contour_open = interpreter_.is_in_contour()};
 }
 
@@ -201,7 +207,8 @@ bool ProgramReader::read_flat_lines(std::vector<LinePointer>& lines) {
         .text = flat.substr(begin, end - begin),
         .line_end = flat.substr(end, next - end),
         .number = flow_->line_in_program(),
-        .is_as_written = flow_->is_as_written(),
+        // Columns are those of the program.
+        .is_as_written = flow_->is_as_written() && flow_->line_within() == 0,
         .calls_the_machine = flow_->calls_the_machine() && next == flat.size(),
         .machine_follows = flow_->machine_follows() && next == flat.size()};
     if (!interpreter_.read(line, lines)) return false;

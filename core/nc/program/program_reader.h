@@ -61,8 +61,8 @@ class ProgramReader {
   void keep_what_tells(std::string_view text);
   bool keep_partial(std::string_view text, std::vector<LinePointer>& lines);
   bool pass(std::string_view text, std::vector<LinePointer>& lines);
-  bool collect(std::string_view text);
-  bool begin_to_execute();
+  bool collect(std::string_view text, std::vector<LinePointer>& lines);
+  bool begin_to_execute(std::vector<LinePointer>& lines);
   [[nodiscard]] program::ModalState modes() const;
   bool read_flat_lines(std::vector<LinePointer>& lines);
   bool take_refusals();
@@ -73,7 +73,7 @@ class ProgramReader {
   Interpreter interpreter_;
   Checkpoint checkpoint_;
 
-  bool passes_;                     // nothing of it may compute, or not any more
+  bool passes_ = false;             // nothing of it may compute, or not any more
   std::string partial_{};           // of a line whose end is still to come
   std::string before_{};            // what went to the Interpreter, of ISG lines that tell a state
   std::uint64_t lines_before_ = 0;  // whole lines that did

@@ -229,7 +229,7 @@ bool SinumerikFlow::scan_address(std::size_t& at, std::vector<Call>& calls) {
   if (letter == 'L' && length > 0 && is_digit(line_[digits])) {
     const std::string name = "L" + std::string(line_.substr(digits, length));
     const Unit* const unit = unit_named(name);
-    if (unit == nullptr && setup_.pass_words.contains(name)) {
+    if (unit == nullptr && (name == standard_tool_change || setup_.pass_words.contains(name))) {
       calls_of_line_.push_back(name);
       keep(begin, at);
       return true;

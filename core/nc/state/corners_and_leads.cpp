@@ -30,6 +30,12 @@ bool ProgramState::refuse_corner(const Source& source) {
   return report(source, Code::nc_unsupported, corner_without_contour);
 }
 
+bool ProgramState::refuse_held_corner() {
+  const Source& before = std::get_if<MotionBlock>(&held_.front())->source;
+  return diagnostics_.report(
+      diagnostic(Code::nc_unsupported, corner_source_.value_or(before), corner_without_contour));
+}
+
 bool ProgramState::refuse_open_lead() {
   return report(lead_->request.source, Code::nc_unsupported,
                 "APPR or G147, G247, G347 without a contour behind it");
@@ -59,7 +65,7 @@ bool ProgramState::cut_corner_before(const MoveRequest& request, Segment& path, 
     release_held();
     return true;
   }
-  if (!alone || !in_contour) return refuse_corner(request.source);
+  if (!alone || !in_contour) return refuse_held_corner();
   const auto corner = cut_corner(before.path, path, *corner_, tolerances_);
   const bool beside_arc =
       corner_->form != CornerCut::Form::round && (is_arc(before.path) || is_arc(path));
@@ -234,7 +240,7 @@ bool ProgramState::approach_contour(const Segment& contour) {
 }
 
 bool ProgramState::depart_by(const Lead& lead, const MoveRequest& request, bool climbs) {
-  if (corner_ && corner_->form != CornerCut::Form::open) return refuse_corner(request.source);
+  if (corner_ && corner_->form != CornerCut::Form::open) return refuse_held_corner();
   release_held();
   if (!mode_.active() || in_plane_blocks_ <= (has_approach_ ? 1U : 0U))
     return report(request.source, Code::nc_unsupported,

@@ -36,6 +36,7 @@ ProgramState::ProgramState(const ProgramSetup& setup, const Tolerances& toleranc
   // Programs in inch with three decimals.
   constexpr double half_of_a_thousandth = 0.0127;
   if (setup.dialect != DialectName::isg) circle_.largest_radius_shortfall = half_of_a_thousandth;
+  mode_.touches_corner_circle = setup.dialect == DialectName::sinumerik;
   update_side();
 }
 
@@ -134,9 +135,17 @@ std::optional<Refusal> ProgramState::unknown_start(const MoveRequest& request) c
     if (counts_from_start || needed)
       return Refusal{.code = Code::position_unknown,
                      .detail = std::string(axis_words[axis]) + ", unknown since the change " +
-                               place_of(position_forgotten_)};
+                               place_of(position_forgotten_) +
+                               (counts_from_start ? told_increments() : "")};
   }
   return {};
+}
+
+// That G91 has been forgotten is the commonest mistake behind G28 G91.
+std::string ProgramState::told_increments() const {
+  if (increments_since_.line == 0) return {};
+  constexpr std::size_t in = std::string_view("in ").size();
+  return ", counted from there, as G91 holds since " + place_of(increments_since_).substr(in);
 }
 
 std::optional<Refusal> ProgramState::circle(const MoveRequest& request, const Position& end,
@@ -364,12 +373,15 @@ bool ProgramState::pass(const Source& source, std::string text) {
 bool ProgramState::end(const Source& source) {
   if (lead_) return refuse_open_lead();
   if (corner_ && corner_->form != CornerCut::Form::open && !corner_->modal)
-    return refuse_corner(source);
+    return refuse_held_corner();
   release_held();
   // Both axes may have been led away by copied motions, such as G53 X0 Y0.
   const bool has_left = retract_is_lost() && std::ranges::none_of(beside_contour_, std::identity{});
   if (std::exchange(ended_, true) || !contour_open() || has_left) return !diagnostics_.stopped();
-  return report(source, Code::ended_while_active);
+  const char* const ended = setup_.dialect == DialectName::heidenhain
+                                ? "R0 without a motion behind it"
+                                : "G40 without a motion behind it";
+  return report(source, Code::ended_while_active, mode_.active() ? "" : ended);
 }
 
 }  // namespace trc

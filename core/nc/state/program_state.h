@@ -203,6 +203,8 @@ class ProgramState {
   }
   // Whether the place of a main axis is known.
   [[nodiscard]] bool is_known(std::size_t axis) const { return known_[axis]; }
+  // G91 holds from there on.
+  void count_increments_since(const Source& source) { increments_since_ = source; }
   // TRC is selected; the motion that leads to the contour is still to come.
   [[nodiscard]] bool awaits_approach() const { return mode_.active() && in_plane_blocks_ == 0; }
   // That motion becomes an arc into the contour, as if G05 stood beside the selection.
@@ -222,7 +224,7 @@ class ProgramState {
             known_, position_forgotten_, displaced_, tracking_, selected_, selections_,
             in_plane_blocks_, has_approach_, last_path_, last_index_, last_part_, last_mode_,
             retract_pending_, beside_contour_, just_deselected_, next_plane_, corner_,
-            corner_source_, corner_feed_, lead_, held_, ended_);
+            corner_source_, corner_feed_, lead_, held_, ended_, increments_since_);
     terms_in_mode_ = tool_.terms();
   }
 
@@ -253,6 +255,8 @@ class ProgramState {
   // Where blocks go: they wait while a corner or a lead does.
   [[nodiscard]] std::vector<Block>& sink() { return corner_ || lead_ ? held_ : blocks_; }
   bool refuse_corner(const Source& source);
+  // The corner that waits for the motion behind it: it is told where it stands.
+  bool refuse_held_corner();
   bool refuse_open_lead();
   // Whether the motion to `end` may have a corner that is cut: at feed, in the plane alone.
   [[nodiscard]] bool moves_in_plane_alone(const MoveRequest& request, const Position& end,
@@ -272,6 +276,7 @@ class ProgramState {
   [[nodiscard]] bool find_end(const MoveRequest& request, Position& end) const;
   [[nodiscard]] Refusal end_out_of_range(const MoveRequest& request) const;
   [[nodiscard]] bool all_known() const { return known_[0] && known_[1] && known_[2]; }
+  [[nodiscard]] std::string told_increments() const;
   [[nodiscard]] std::optional<Refusal> unknown_start(const MoveRequest& request) const;
   bool move_straight(const MoveRequest& request, const Position& end);
   bool move_on_circle(const MoveRequest& request, const Position& end);
@@ -346,6 +351,7 @@ class ProgramState {
   std::optional<Plane> next_plane_{};  // named behind a bare G40
   // To be cut, and the blocks from the one before it on, until the next motion in the plane.
   std::optional<CornerCut> corner_{};
+  Source increments_since_{};              // where G91 stands last
   std::optional<Source> corner_source_{};  // of a line of its own
   double corner_feed_ = 0;
   std::optional<PendingLead> lead_{};

@@ -101,7 +101,7 @@ std::optional<Refusal> ToolInForce::load_tool() {
 }
 
 std::int64_t ToolInForce::tool_named(std::string_view name) const {
-  const auto tool = setup_.tool_names.find(in_upper_case(name));
+  const auto tool = setup_.tool_names.find(in_capitals_as_utf8(name));
   return tool == setup_.tool_names.end() ? no_tool_number : tool->second;
 }
 

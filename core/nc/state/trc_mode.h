@@ -86,6 +86,8 @@ struct TrcMode {
   // another mode is programmed before the retract block (rule 1.10).
   Selection deselection = Selection::indirect;
   bool tangential = false;  // G05 in this block's selection or deselection
+  // KONT: under `indirect` the way to and from an outside corner touches the circle round it, D-51.
+  bool touches_corner_circle = false;
   Transition transition = Transition::linear;
   Masking masking = Masking::off;
   FeedAdaptation feed_adaptation = FeedAdaptation::off;

@@ -125,7 +125,9 @@ std::optional<FoundSlip> letter_for_digit(std::string_view line, std::size_t at)
       sign(end) == '[' || sign(end) == '=' || sign(end) == ':';
   const char letter = upper(line[begin]);
   const bool statement = is_o(sign(begin + 1)) && (letter == 'D' || letter == 'T');  // DO1, TO
-  if (name_follows || statement || (!digits && word.size() != 2)) return std::nullopt;
+  // G00 with both of its zeros mistyped; other names may end in OO.
+  const bool is_rapid = letter == 'G' && word.size() == 3 && is_o(word[1]) && is_o(word[2]);
+  if (name_follows || statement || (!digits && word.size() != 2 && !is_rapid)) return std::nullopt;
   Slip slipped{.instead = word};
   for (std::size_t i = 1; i < slipped.instead.size(); ++i) {
     char& one = slipped.instead[i];

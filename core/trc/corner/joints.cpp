@@ -1,7 +1,9 @@
 #include "core/trc/corner/joints.h"
 
+#include <cmath>
 #include <numbers>
 
+#include "core/geometry/parallel.h"
 #include "core/trc/selection/direct.h"
 #include "core/trc/selection/on_path.h"
 #include "core/trc/selection/tangential.h"
@@ -23,6 +25,44 @@ JointResult on_path(const std::optional<Joint>& joint, bool of_after, const Corn
       .code = Code::selection_block_too_short, .of_after = of_after, .place = corner.programmed};
 }
 
+// The corner with a way in place of its first block (of its second one, where `leaves`) that comes
+// from `far`, or goes there, along a tangent of the circle about it. Nothing from within the
+// circle.
+std::optional<Corner> corner_touched_from(const Point& far, const Corner& corner, bool leaves) {
+  const Vector way = leaves ? far - corner.programmed : corner.programmed - far;
+  const double length = way.norm();
+  if (length < corner.tool_radius() || length == 0) return std::nullopt;
+  const double sine = (leaves ? -corner.shift : corner.shift) / length;
+  const Vector along = way / length;
+  const Vector tangent = std::sqrt(1 - sine * sine) * along + sine * left_of(along);
+  Corner touched = corner;
+  (leaves ? touched.after : touched.before) =
+      straight(parallel_point(corner.programmed, tangent, corner.shift), tangent);
+  touched.reversal = Reversal::none;
+  return touched;
+}
+
+// KONT, at an outside corner. The way turns further than the programmed one: the tool may go more
+// than half round the corner, which no line does.
+JointResult round_by_tangent(const Point& far, const Corner& corner, const TrcMode& mode,
+                             bool leaves, const Tolerances& tolerances) {
+  const auto touched = corner_touched_from(far, corner, leaves);
+  if (!touched)
+    return JointRefusal{
+        .code = Code::selection_block_too_short, .of_after = leaves, .place = corner.programmed};
+  const bool more_than_half = touched->sine_of_turn() * corner.shift > 0;
+  if (!more_than_half) return JoinedBlocks{.joint = transition_joint(*touched, mode, tolerances)};
+  const double turn = touched->turn();
+  Joint joint;
+  joint.end = touched->before.anchor;
+  joint.start = touched->after.anchor;
+  joint.insert(Arc{.start = joint.end,
+                   .end = joint.start,
+                   .center = corner.programmed,
+                   .sweep = turn > 0 ? turn - 2 * pi : turn + 2 * pi});
+  return JoinedBlocks{.joint = joint};
+}
+
 JointResult approach(const PathBlock& before, const PathBlock& after, const Corner& corner,
                      const Tolerances& tolerances) {
   const TrcMode& mode = before.mode();
@@ -34,9 +74,11 @@ JointResult approach(const PathBlock& before, const PathBlock& after, const Corn
   }
   switch (mode.selection) {
     case Selection::indirect:
-      if (kind_of(corner, tolerances) == CornerKind::outside)
-        return JoinedBlocks{.joint = transition_joint(corner, after.mode(), tolerances)};
-      break;
+      if (kind_of(corner, tolerances) != CornerKind::outside) break;
+      if (mode.touches_corner_circle)
+        return round_by_tangent(start_of(before.programmed.path), corner, after.mode(), false,
+                                tolerances);
+      return JoinedBlocks{.joint = transition_joint(corner, after.mode(), tolerances)};
     case Selection::on_path:
       return on_path(
           selection::approach_on_path(corner, before.programmed.path, before.tangent_at_end,
@@ -69,9 +111,11 @@ JointResult retract(const PathBlock& after, Selection mode, const Corner& corner
   }
   switch (mode) {
     case Selection::indirect:
-      if (kind_of(corner, tolerances) == CornerKind::outside)
-        return JoinedBlocks{.joint = transition_joint(corner, after.mode(), tolerances)};
-      break;
+      if (kind_of(corner, tolerances) != CornerKind::outside) break;
+      if (after.mode().touches_corner_circle && after.role == Role::retract)
+        return round_by_tangent(end_of(after.programmed.path), corner, after.mode(), true,
+                                tolerances);
+      return JoinedBlocks{.joint = transition_joint(corner, after.mode(), tolerances)};
     case Selection::on_path:
       return on_path(
           selection::retract_on_path(corner, after.programmed.path, after.tangent_at_start,

@@ -365,10 +365,13 @@ void Transitions::keep_refused_way(const Corner& corner, const PathBlock& after)
 
 bool Transitions::refuse(const JointRefusal& refusal, const Corner& corner,
                          const PathBlock& after) {
-  const bool is_of_way = refusal.code == Code::selection_block_too_short ||
-                         refusal.code == Code::tangential_start_on_tangent;
-  if (is_of_way) keep_refused_way(corner, after);
   const PathBlock& block = refusal.of_after ? after : *held_;
+  // KONT asks for a place outside of the circle about the corner, not for a length.
+  const Selection selection = refusal.of_after ? block.mode().deselection : block.mode().selection;
+  const bool is_of_way =
+      (refusal.code == Code::selection_block_too_short && selection != Selection::indirect) ||
+      refusal.code == Code::tangential_start_on_tangent;
+  if (is_of_way) keep_refused_way(corner, after);
   Diagnostic problem = diagnostic(refusal.code, block.programmed.source);
   const Position position =
       from_plane(block.mode().plane, refusal.place, block.programmed.normal.to);

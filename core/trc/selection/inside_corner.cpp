@@ -100,6 +100,15 @@ bool InsideCorner::check_contour(const PathBlock& approach, const PathBlock& fir
       {{"angle", transition_angle(start, tolerances_) * degrees}, {"largest_angle", 180}});
 }
 
+// The selection block by its number, as controls do; one without a number by its line.
+std::vector<DiagnosticValue> InsideCorner::named(const Source& selection_block) {
+  if (selection_block.number != Source::no_number)
+    return {{"selection_block", static_cast<double>(selection_block.number)}};
+  std::vector<DiagnosticValue> values;
+  append_place(values, "selection", selection_block);
+  return values;
+}
+
 // The tool stands free of the contour where it starts, and comes in between the
 // last and the first block only.
 bool InsideCorner::check_start(const PathBlock& approach) {
@@ -110,11 +119,12 @@ bool InsideCorner::check_start(const PathBlock& approach) {
     checkpoint_.pass();
     const PathBlock& block = *held_[i];
     const double clearance = distance(start, block.programmed.path);
-    if (clearance < radius - tolerances_.on_contour)
-      return refuse(Code::selection_point_too_near, block,
-                    {{"selection_block", static_cast<double>(approach.programmed.source.number)},
-                     {"distance", block.mode().cutting_radius(clearance)},
-                     {"tool_radius", block.mode().cutting_radius(radius)}});
+    if (clearance < radius - tolerances_.on_contour) {
+      std::vector<DiagnosticValue> values = named(approach.programmed.source);
+      values.push_back({"distance", block.mode().cutting_radius(clearance)});
+      values.push_back({"tool_radius", block.mode().cutting_radius(radius)});
+      return refuse(Code::selection_point_too_near, block, std::move(values));
+    }
     const bool neighbour = i == 1 || i + 1 == held_.size();
     if (!neighbour && meet(way, block.programmed.path, tolerances_.same_point))
       return refuse(Code::approach_crosses_contour, block);

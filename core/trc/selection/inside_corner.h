@@ -57,6 +57,7 @@ class InsideCorner {
   void keep_refused_way();
   bool give_points(PathBlock& approach, const PathBlock& first, PathBlock& last,
                    PathBlock* retract);
+  [[nodiscard]] static std::vector<DiagnosticValue> named(const Source& selection_block);
   bool refuse(Code code, const PathBlock& block, std::vector<DiagnosticValue> values = {});
 
   std::size_t selection_blocks_;

@@ -37,8 +37,9 @@ bool is_plain(const TrcMode& mode, bool removes_loops) {
   [[maybe_unused]] const auto& [plane, side /* the shift */, tool_radius /* the shift */,
                                 nominal_radius, below_nominal, selection_number,
                                 selection /* at the ends */, deselection /* at the ends */,
-                                tangential /* at the ends */, transition /* asked for */, masking,
-                                feed_adaptation, tangfeed_minimum /* of feed_adaptation */,
+                                tangential /* at the ends */,
+                                touches_corner_circle /* at the ends */, transition /* asked for */,
+                                masking, feed_adaptation, tangfeed_minimum /* of feed_adaptation */,
                                 options] = mode;
   const bool adapts = masking == Masking::on || feed_adaptation != FeedAdaptation::off;
   // Transitions tells how deep a smaller tool of wear mode reaches.

@@ -1,5 +1,5 @@
 ; radius 5
-; refused 900003 line 14
+; path -5 0 L; -5 60 L; 0 65 A; 60 65 L; 80 60 L; -20 -20 L; -5 0 L; -5 60 L; 0 65 A; 60 65 L; 80 60 L
 0 BEGIN PGM P MM
 1 TOOL CALL 1 Z S4000 F500
 2 L Z+50 R0 FMAX

@@ -1,5 +1,5 @@
-; refused 900003 line 10
 ; tool 1 5
+; path -5 0 L; -5 40 L; -20 60 L
 0 BEGIN PGM A MM
 1 TOOL CALL 1 Z S3000
 2 L X-20 Y-20 R0 FMAX

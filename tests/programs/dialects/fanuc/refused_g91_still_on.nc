@@ -1,0 +1,11 @@
+; tool 1 5
+; refused 900106 line 7
+G21 G17 G90
+T1 M6
+G54
+G28 G91 Z0
+G0 X-1. Y-1.
+G41 D1 G1 X0 Y0 F300.
+Y40.
+G40 X-20.
+M30

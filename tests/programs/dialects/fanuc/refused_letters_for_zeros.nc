@@ -1,0 +1,9 @@
+; tool 1 5
+; refused 900008 line 5
+G21 G17 G90
+T1 M6
+GOO X-20. Y0
+G41 D1 G1 X0 Y0 F300.
+Y40.
+G40 X-20.
+M30

@@ -1,0 +1,11 @@
+; tool 1 5
+; refused 900003 line 7
+G21 G17 G90
+T1 M6
+G0 X-20. Y0
+G41 D1 G1 X0 Y0 F300.
+Y40. ,R3.
+M8
+G0 X40.
+G40 Y60.
+M30

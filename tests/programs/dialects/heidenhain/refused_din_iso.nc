@@ -1,0 +1,7 @@
+; radius 5
+; refused 900003 line 3
+%S525I G71 *
+N10 G30 G17 X+0 Y+0 Z-20 *
+N20 G01 G41 X+0 Y+0 F300 *
+N30 Y+40 *
+N40 G40 X-20 M2 *

@@ -1,0 +1,8 @@
+; radius 5
+; refused 900003 line 6
+BEGIN PGM A MM
+L X-20 Y+0 R0 FMAX
+L X+0 Y+0 RL F300
+G1 X10 Y26.045
+L X-20 Y+40 R0
+END PGM A MM
