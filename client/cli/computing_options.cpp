@@ -1,11 +1,15 @@
 #include "client/cli/computing_options.h"
 
+#include <cstdint>
 #include <filesystem>
+#include <string_view>
 #include <system_error>
 
 #include "client/cli/file_name.h"
 #include "client/cli/files.h"
+#include "core/base/utf8.h"
 #include "proto/wire/settings.h"
+#include "proto/wire/setup.h"
 
 namespace trc::cli {
 namespace {
@@ -15,25 +19,45 @@ namespace fs = std::filesystem;
 // Together with the rest of the setup they fit a message.
 constexpr std::size_t most_bytes = 900 * 1024;
 
-std::string add_file(const fs::path& path, std::size_t& bytes, v1::ProgramSetup& setup) {
+// Pictures, archives and the like stand beside subprograms, too. What serial lines leave, zeros at
+// the begin and the end of a text, makes it none of them.
+bool is_text(std::string_view bytes) {
+  constexpr std::string_view zero("\0", 1);
+  const std::size_t begin = bytes.find_first_not_of(zero);
+  if (begin == std::string_view::npos) return bytes.empty();
+  return bytes.substr(0, bytes.find_last_not_of(zero) + 1).find('\0', begin) ==
+         std::string_view::npos;
+}
+
+enum class NoText : std::uint8_t { is_ignored, is_refused };
+
+std::string add_file(const fs::path& path, NoText no_text, std::size_t& bytes,
+                     v1::ProgramSetup& setup) {
   std::string text;
   if (!read_bounded(path, most_bytes, text))
-    return "--subprograms: " + path.string() + " cannot be read";
+    return "--subprograms: " + text_of_name(path.string()) + " cannot be read";
+  if (!is_text(text))
+    return no_text == NoText::is_ignored
+               ? std::string()
+               : "--subprograms: " + text_of_name(path.string()) + " is no NC text";
   bytes += text.size();
   if (bytes > most_bytes)
     return "--subprograms: more than 900 KiB; name the files that the program calls";
-  (*setup.mutable_subprograms())[text_of_name(path.filename().string())] = text;
+  wire::add_subprogram(as_utf8(path.filename().string()), text, setup);
   return {};
 }
 
 std::string add_path(const fs::path& path, std::size_t& bytes, v1::ProgramSetup& setup) {
   std::error_code failed;
-  if (!fs::is_directory(path, failed)) return add_file(path, bytes, setup);
+  if (!fs::is_directory(path, failed)) return add_file(path, NoText::is_refused, bytes, setup);
   for (const auto& entry : fs::directory_iterator(path, failed)) {
     if (!entry.is_regular_file(failed)) continue;
-    if (std::string fault = add_file(entry.path(), bytes, setup); !fault.empty()) return fault;
+    if (std::string fault = add_file(entry.path(), NoText::is_ignored, bytes, setup);
+        !fault.empty())
+      return fault;
   }
-  return failed ? "--subprograms: " + path.string() + ": " + failed.message() : std::string();
+  return failed ? "--subprograms: " + text_of_name(path.string()) + ": " + failed.message()
+                : std::string();
 }
 
 }  // namespace

@@ -1,7 +1,9 @@
 #include "client/cli/program_info.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <optional>
 #include <sstream>
 #include <utility>
@@ -30,6 +32,16 @@ std::optional<DialectName> suggestion(const std::string& program) {
        {DialectName::heidenhain, DialectName::sinumerik, DialectName::linuxcnc})
     if (votes[static_cast<std::size_t>(own)] > 0) return own;
   return static_cast<DialectName>(most);
+}
+
+bool is_written_in_din_iso(const std::string& program) {
+  std::size_t blocks = 0;
+  std::size_t others = 0;
+  std::istringstream lines(program);
+  for (std::string line; std::getline(lines, line);)
+    if (line.find_first_not_of(" \t\r") != std::string::npos)
+      ++(is_heidenhain_iso(line.substr(0, line.find('\r'))) ? blocks : others);
+  return blocks > others;
 }
 
 struct Contours {
@@ -68,23 +80,37 @@ ProgramInfo describe_program(const std::string& program, ProgramSessionSetup set
   const Dialect& declared = dialect_of(setup.session.program.dialect);
   const auto say = [&text](const std::string& line) { text << told(line) << '\n'; };
   std::string dialect = "dialect: " + std::string(declared.spelling);
-  if (const auto other = suggestion(program); other && *other != declared.name)
+  if (is_written_in_din_iso(program))
+    dialect += ", but it is DIN/ISO of Heidenhain, which is not read";
+  else if (const auto other = suggestion(program); other && *other != declared.name)
     dialect += ", but it looks like " + std::string(dialect_of(*other).spelling);
   say(dialect);
   say(std::string("unit at the start: ") + (setup.session.program.inch ? "inch" : "mm"));
 
   setup.nc_text = false;
+  // What is asked for are the contours of the program, whatever cuts them.
+  ProgramSetup& asked = setup.session.program;
+  const bool has_tools = !asked.tools.empty() || asked.tool_radius_given ||
+                         asked.mode.tool_radius != 0 || asked.nominal_radius > 0;
+  constexpr double hardly_any_radius = 1e-3;
+  if (!has_tools) asked.every_radius = hardly_any_radius;
   ProgramSession session(setup);
   Answers answers;
   if (session.feed(program, answers)) session.finish(answers);
   const Answer whole = answers.take();
   info.refused = session.diagnostics().stopped();
   const Contours contours = contours_of(whole.blocks);
-  say("lines: " + std::to_string(session.lines_read()));
+  const auto lines = static_cast<std::uint64_t>(std::ranges::count(program, '\n')) +
+                     (program.empty() || program.ends_with('\n') ? 0 : 1);
+  const std::uint64_t read = session.lines_read();
+  say("lines: " + std::to_string(lines) +
+      (read < lines ? ", read up to " + std::to_string(read) : ""));
+  if (!has_tools) say("tools: none are given, so that nothing is said of what fits");
   if (session.is_computing())
     say("computes: yes, " + std::to_string(session.executed_lines()) + " lines executed");
-  say("selections: " + std::to_string(contours.selections) + ", " +
-      std::to_string(contours.blocks) + " blocks, " + rounded(contours.length) + " mm");
+  say(std::string(info.refused ? "selections in front of the fault: " : "selections: ") +
+      std::to_string(contours.selections) + ", " + std::to_string(contours.blocks) + " blocks, " +
+      rounded(contours.length) + " mm");
   const std::vector<Diagnostic>& found = whole.diagnostics;
   say(info.refused ? "refused:" : found.empty() ? "nothing to refuse" : "to look at:");
   for (const Diagnostic& diagnostic : found) {

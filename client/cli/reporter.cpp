@@ -93,6 +93,7 @@ Diagnostic for_command_line(Diagnostic found, DialectName dialect) {
 Reporter::Reporter(Input& input, const v1::ProgramSetup& setup, Progress& progress, bool quiet)
     : input_(input),
       lines_(input),
+      subprograms_(setup),
       writing_{.dialect = dialect_of(setup)},
       in_colour_(colours_wanted()),
       quiet_(quiet),
@@ -117,6 +118,17 @@ void Reporter::report(const std::vector<Diagnostic>& diagnostics) {
 
 void Reporter::show(const Diagnostic& found) {
   progress_.clear();
+  const auto within =
+      found.calls.empty() ? std::nullopt : subprograms_.line_of(found.calls.front());
+  if (within) {
+    Diagnostic there = for_command_line(found, writing_.dialect);
+    there.source = {.line = found.calls.front().line_within};
+    std::cerr << text_of(there, {.file = within->file,
+                                 .source_line = within->text,
+                                 .writing = writing_,
+                                 .in_colour = in_colour_});
+    return;
+  }
   std::cerr << text_of(for_command_line(found, writing_.dialect),
                        {.file = input_.name(),
                         .source_line = lines_.line(found.source.line),

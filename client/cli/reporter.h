@@ -10,6 +10,7 @@
 
 #include "client/cli/entry_help_text.h"
 #include "client/cli/files.h"
+#include "client/cli/given_subprograms.h"
 #include "client/cli/progress.h"
 #include "client/cli/report.h"
 #include "client/cli/source_lines.h"
@@ -57,6 +58,7 @@ class Reporter {
 
   const Input& input_;
   SourceLines lines_;
+  GivenSubprograms subprograms_;
   Writing writing_;
   bool in_colour_;
   bool quiet_;

@@ -10,6 +10,7 @@
 
 #include "client/cli/files.h"
 #include "client/cli/table_text.h"
+#include "core/base/utf8.h"
 #include "core/nc/text/characters.h"
 #include "core/nc/text/number_format.h"
 
@@ -176,7 +177,7 @@ class Table {
     const std::size_t equals = std::min(line.find('=', close), line.size());
     const auto tool = tool_number(number_from(places[0]));
     if (names && tool && equals < line.size()) {
-      names_[*tool] = in_upper_case(trimmed(line.substr(equals + 1)));
+      names_[*tool] = in_capitals_as_utf8(trimmed(line.substr(equals + 1)));
       return {};
     }
     const auto edge = places.size() == 2 ? tool_number(number_from(places[1])) : std::nullopt;
@@ -229,7 +230,7 @@ class Table {
                            : std::optional<std::uint32_t>(0);
     if (!number || !index) return "T is no number of a tool";
     const std::string_view name = cell(line, "NAME");
-    if (!name.empty() && *index == 0) names_[*number] = in_upper_case(name);
+    if (!name.empty() && *index == 0) names_[*number] = in_capitals_as_utf8(name);
     const std::string_view radius = cell(line, "R");
     const std::string_view wear = cell(line, "DR");
     // Places without a tool.
@@ -249,12 +250,22 @@ class Table {
     return std::nullopt;
   }
 
+  // Columns count characters.
+  static std::size_t byte_of_character(std::string_view line, std::size_t character) {
+    if (!is_utf8(line)) return std::min(character, line.size());
+    std::size_t byte = 0;
+    for (; character > 0 && byte < line.size(); --character)
+      byte += utf8_character(line.substr(byte));
+    return byte;
+  }
+
   [[nodiscard]] std::string_view cell(std::string_view line, std::string_view name) const {
     const auto column = column_of(name);
-    if (!column || places_[*column].second >= line.size()) return {};
-    const std::size_t begin = places_[*column].second;
-    const std::size_t end =
-        *column + 1 < places_.size() ? places_[*column + 1].second : line.size();
+    if (!column) return {};
+    const std::size_t begin = byte_of_character(line, places_[*column].second);
+    const std::size_t end = *column + 1 < places_.size()
+                                ? byte_of_character(line, places_[*column + 1].second)
+                                : line.size();
     return trimmed(line.substr(begin, end - begin));
   }
 
@@ -295,7 +306,7 @@ class Table {
       const std::string_view cell = i < cells.size() ? cells[i] : std::string_view();
       const std::string& column = columns_[i];
       if (column == "NAME") {
-        name = in_upper_case(cell);
+        name = in_capitals_as_utf8(cell);
         continue;
       }
       if (column == "NUMBER" && cell.empty()) continue;  // the name tells
@@ -366,7 +377,7 @@ std::string read_tool_file(const std::string& path, v1::ProgramSetup& setup, boo
   Table table(setup);
   const std::string fault = table.read(text);
   unit_unsaid = table.unit_unsaid();
-  return fault.empty() ? fault : path + ": " + fault;
+  return fault.empty() ? fault : path + ": " + as_utf8(fault);
 }
 
 bool switches_to_inch(std::string_view program, v1::Dialect dialect) {

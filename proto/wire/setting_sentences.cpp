@@ -21,6 +21,7 @@ constexpr auto sentences = std::to_array<Sentence>({
     {"{}: is {}, which the enum has not", "{}: ist {}, was es nicht gibt"},
     {"{}: has {} entries, allowed are {}", "{}: hat {} Einträge, erlaubt sind {}"},
     {"{}: has more than {} entries", "{}: hat mehr als {} Einträge"},
+    {"{}: names {}, as subprograms do", "{}: nennt {} wie subprograms"},
     {"{}: has a name that is not 1 to {} bytes long",
      "{}: hat einen Namen, der nicht 1 bis {} Byte lang ist"},
     {"{}: is not a letter followed by up to 15 letters, digits or '_'",

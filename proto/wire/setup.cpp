@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "core/base/tolerances.h"
+#include "core/base/utf8.h"
 #include "core/nc/dialect/dialect.h"
 #include "core/nc/dialect/pass_words.h"
 #include "core/nc/text/characters.h"
@@ -245,7 +246,8 @@ void to_proto(const ProgramSetup& program, v1::PathSetup& message) {
 std::optional<std::int64_t> tool_named(const v1::Tool& tool, ProgramSetup& program) {
   const auto next = first_named_tool + static_cast<std::int64_t>(program.tool_names.size());
   const std::int64_t number = tool.number() > 0 ? tool.number() : next;
-  const auto [known, is_new] = program.tool_names.try_emplace(in_upper_case(tool.name()), number);
+  const auto [known, is_new] =
+      program.tool_names.try_emplace(in_capitals_as_utf8(tool.name()), number);
   if (!is_new && tool.number() > 0 && known->second != number) return std::nullopt;
   return known->second;
 }
@@ -361,6 +363,11 @@ void read_computing(const v1::ProgramSetup& message, const FieldPath& path, Prog
   if (!is_too_many(message.subprograms().size(), most_subprograms, "subprograms"))
     for (const auto& [name, text] : message.subprograms())
       if (is_name(name, "subprograms")) program.subprograms[name] = text;
+  if (!is_too_many(message.subprogram_files().size(), most_subprograms, "subprogram_files"))
+    for (const auto& [name, text] : message.subprogram_files())
+      if (is_name(name, "subprogram_files") && !program.subprograms.try_emplace(name, text).second)
+        add_fault(FieldPath(path, "subprogram_files"), "names " + name + ", as subprograms do",
+                  faults);
   if (message.has_max_executed_lines() &&
       check_range(static_cast<double>(message.max_executed_lines()), {1, 1e9},
                   FieldPath(path, "max_executed_lines"), faults))
@@ -511,6 +518,14 @@ void tools_to_proto(const ProgramSetup& program, v1::ProgramSetup& message) {
 
 }  // namespace
 
+void add_subprogram(const std::string& name, const std::string& text, v1::ProgramSetup& message) {
+  auto& texts =
+      is_utf8(text) ? *message.mutable_subprograms() : *message.mutable_subprogram_files();
+  message.mutable_subprograms()->erase(name);
+  message.mutable_subprogram_files()->erase(name);
+  texts[name] = text;
+}
+
 void to_proto(const ProgramSettings& settings, v1::ProgramSetup& message) {
   message.Clear();
   to_proto(settings.path, *message.mutable_path());
@@ -523,7 +538,7 @@ void to_proto(const ProgramSettings& settings, v1::ProgramSetup& message) {
   if (program.inch) message.set_unit(units.to_proto(true));
   if (program.copies_unknown_words) message.set_unknown_words(unknown_words.to_proto(true));
   message.mutable_variables()->insert(program.variables.begin(), program.variables.end());
-  message.mutable_subprograms()->insert(program.subprograms.begin(), program.subprograms.end());
+  for (const auto& [name, text] : program.subprograms) add_subprogram(name, text, message);
   if (program.max_executed_lines != ProgramSetup{}.max_executed_lines)
     message.set_max_executed_lines(program.max_executed_lines);
   if (program.whole_numbers != WholeNumbers::unsaid)

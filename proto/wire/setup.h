@@ -39,6 +39,9 @@ struct ProgramSettings {
 
 [[nodiscard]] v1::Dialect to_proto(DialectName dialect);
 
+// Of a subprogram, whatever encoding its text is in (D-80).
+void add_subprogram(const std::string& name, const std::string& text, v1::ProgramSetup& message);
+
 // Values at their default are left out, those of circles excepted.
 void to_proto(const PathSettings& settings, v1::PathSetup& message);
 void to_proto(const ProgramSettings& settings, v1::ProgramSetup& message);

@@ -1120,6 +1120,53 @@ TEST(Compensate, RemediesNameWhatTheCommandLineHas) {
   EXPECT_EQ(ended.err.find("setup"), std::string::npos) << ended.err;
 }
 
+// Bytes of programs come out as they came in; what is said of them is UTF-8.
+TEST(Compensate, TakesSubprogramsInEitherEncoding) {
+  const Folder folder;
+  folder.write("O7.nc",
+               "O7 (Au\xDF"
+               "en)\n(fr\xE4sen)\nG0 X4.5\nM99\n");
+  folder.write("part.nc", "G0 Y1.\nM98 P7\nM30\n");
+  const std::string picture("\x89PNG\r\n\x1A\n\0\0\0\rIHDR", 16);
+  folder.write("picture.png", picture);
+  for (const std::string& path : {folder.path("O7.nc"), folder.path("")}) {
+    const Ended ended =
+        trc({"compensate", folder.path("part.nc"), "--dialect", "fanuc", "--subprograms", path});
+    EXPECT_EQ(ended.code, 0) << ended.err;
+    EXPECT_EQ(ended.out, "G0 Y1.\n(O0007)\n(fr\xE4sen)\nG0 X4.5\nM30\n");
+  }
+  const Ended no_text = trc({"compensate", folder.path("part.nc"), "--dialect", "fanuc",
+                             "--subprograms", folder.path("picture.png")});
+  EXPECT_EQ(no_text.code, 2);
+  EXPECT_NE(no_text.err.find("picture.png is no NC text"), std::string::npos) << no_text.err;
+}
+
+TEST(Compensate, TellsOfProgramsInEitherEncoding) {
+  const Folder folder;
+  folder.write("tools.csv", "number,name,radius\n1,FR\xC4SER,5\n");
+  folder.write("part.mpf", "T=\"fr\xE4ser\" D1 M6\nG0 X0 Y-20\nG41 G1 Y0 F100\nY9\nG40 X-9\nM30\n");
+  const Ended done = trc({"compensate", folder.path("part.mpf"), "--dialect", "sinumerik",
+                          "--tools", folder.path("tools.csv")});
+  EXPECT_EQ(done.code, 0) << done.err;
+  const Ended refused =
+      trc({"compensate", folder.path("part.mpf"), "--dialect", "sinumerik", "--set", "tools=2:5"});
+  EXPECT_EQ(refused.code, 1);
+  EXPECT_NE(refused.err.find("part.mpf:1:1: error 900013: "), std::string::npos) << refused.err;
+  EXPECT_NE(refused.err.find("no such tool: fräser"), std::string::npos) << refused.err;
+}
+
+TEST(Compensate, ShowsTheLineOfASubprogramInItsFile) {
+  const Folder folder;
+  folder.write("O7.nc", "O7\nG0 X1.\nG0 X2. ?\nM99\n");
+  folder.write("part.nc", "G0 Y1.\nM98 P7\nM30\n");
+  const Ended ended = trc({"compensate", folder.path("part.nc"), "--dialect", "fanuc",
+                           "--subprograms", folder.path("")});
+  EXPECT_EQ(ended.code, 1);
+  EXPECT_NE(ended.err.find("O7.nc:3:8: error 900001: "), std::string::npos) << ended.err;
+  EXPECT_NE(ended.err.find("    3 | G0 X2. ?\n      |        ^\n"), std::string::npos) << ended.err;
+  EXPECT_NE(ended.err.find("called from line 2"), std::string::npos) << ended.err;
+}
+
 TEST(Compensate, TakesVariablesAndSubprogramsOfTheCall) {
   const Folder folder;
   folder.write("O7.nc", "O7\nG0 X#500\nM99\n");

@@ -47,6 +47,24 @@ TEST(ToolFile, IsACsvAsSpreadsheetsWriteIt) {
   EXPECT_EQ(fault_in({"\xFF\xFEn\0u\0", 6}), "it is text in UTF-16; save it as CSV UTF-8");
 }
 
+std::string name_in(std::string_view text) {
+  v1::ProgramSetup setup;
+  EXPECT_EQ(read_tool_table(text, setup), "");
+  return setup.tools().empty() ? std::string() : setup.tools(0).name();
+}
+
+TEST(ToolFile, HasNamesInEitherEncoding) {
+  for (const std::string_view umlaut : {"\xC4", "\xE4", "Ä", "ä"}) {
+    const std::string name = "FR" + std::string(umlaut) + "SER";
+    EXPECT_EQ(name_in("number,name,radius\n1," + name + ",5\n"), "FRÄSER");
+    EXPECT_EQ(name_in("$TC_TP2[1]=\"" + name + "\"\n$TC_DP6[1,1]=5\n"), "FRÄSER");
+    const std::string table =
+        "BEGIN TOOL .T MM\nT    NAME      R     DR\n1    " + name + "1234+5    +0.1\n[END]\n";
+    EXPECT_EQ(name_in(table), "FRÄSER1234");
+    EXPECT_EQ(radii_in(table).at(1), 5);
+  }
+}
+
 TEST(ToolFile, HalvesDiametersAndTheirWear) {
   constexpr const char* table =
       "Holds,Number,Radius,Wear,Name\nDIAMETER,7,12,-0.1,\"finisher\"\nradius,8,4,,\n";

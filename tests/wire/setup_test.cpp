@@ -122,6 +122,24 @@ TEST(Setup, ReadsBackEveryField) {
   EXPECT_EQ(again.SerializeAsString(), message.SerializeAsString());
 }
 
+// Whatever their encoding (D-80).
+TEST(Setup, TextsOfSubprogramsAreBytes) {
+  ProgramSettings sent;
+  sent.path.session.program.subprograms = {{"O1", "(fräsen)\n"}, {"O2", "(fr\xE4sen)\n"}};
+  v1::ProgramSetup message;
+  to_proto(sent, message);
+  EXPECT_EQ(message.subprograms().size(), 1U);
+  EXPECT_EQ(message.subprogram_files().at("O2"), "(fr\xE4sen)\n");
+  FieldFaults faults;
+  const ProgramSettings read = from_proto(message, FieldPath("setup"), faults);
+  EXPECT_TRUE(faults.empty());
+  EXPECT_EQ(read.path.session.program.subprograms, sent.path.session.program.subprograms);
+  (*message.mutable_subprogram_files())["O1"] = "M17\n";
+  static_cast<void>(from_proto(message, FieldPath("setup"), faults));
+  ASSERT_FALSE(faults.empty());
+  EXPECT_EQ(faults.listed()[0].field, "setup.subprogram_files");
+}
+
 TEST(Setup, EmptyMessageMeansTheInitialState) {
   FieldFaults faults;
   const ProgramSettings read = from_proto(v1::ProgramSetup(), FieldPath("setup"), faults);

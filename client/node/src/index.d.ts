@@ -36,6 +36,10 @@ export interface PathSettings {
 export interface ProgramSettings extends PathSettings {
   /** D number → radius in mm, or Tool messages. */
   tools?: Record<number, number> | object[];
+  /** What variables hold that a program does not set itself: `#500`. */
+  variables?: Record<string, number>;
+  /** Texts of subprograms, or the bytes of their files, by name: `O1001.nc`. */
+  subprograms?: Record<string, string | Uint8Array>;
   /** Asks for the record of the job. */
   record?: boolean;
 }

@@ -46,7 +46,7 @@ export class Schema {
       const { type } = this.#definition[`trc.v1.${name}`];
       const fields = type.field.map((field) => [
         field.name.replace(/_([a-z0-9])/g, (_, letter) => letter.toUpperCase()),
-        { ...field, values: this.#valuesOf(field, type) },
+        { ...field, values: this.#valuesOf(field, type), content: contentOf(field, type) },
       ]);
       this.#types.set(name, new Map(fields));
     }
@@ -78,6 +78,12 @@ export class Schema {
 
   /** What a field is given. */
   value(field, value, path) {
+    if (field.content) {
+      if (value === null || typeof value !== "object" || Array.isArray(value))
+        throw fault(path, "an object of names", value);
+      return Object.fromEntries(Object.entries(value).map(([name, each]) => (
+        [name, this.#single(field.content, each, `${path}["${name}"]`)])));
+    }
     if (field.label !== "LABEL_REPEATED") return this.#single(field, value, path);
     if (!Array.isArray(value) && !ArrayBuffer.isView(value)) throw fault(path, "an array", value);
     return Array.from(value, (each, at) => this.#single(field, each, `${path}[${at}]`));
@@ -99,6 +105,13 @@ export class Schema {
       default: return number(field, value, path);
     }
   }
+}
+
+/** Of a map what its names stand for. */
+function contentOf(field, owner) {
+  const entry = owner.nestedType?.find(({ name, options }) => (
+    name === field.typeName && options?.mapEntry));
+  return entry?.field.find(({ name }) => name === "value");
 }
 
 function number(field, value, path) {

@@ -1,6 +1,14 @@
 // Options of a call as the setup of the protocol. Each field of ProgramSetup, PathSetup and
 // TrcOptions has its own name, in camel case; enums also by the word of the control.
 
+/** With those `subprograms` that are bytes, as a file has them, in `subprogramFiles`. */
+function withFilesOfBytes({ subprograms, ...given }) {
+  if (subprograms === null || typeof subprograms !== "object") return { subprograms, ...given };
+  const [files, texts] = [true, false].map((isBytes) => Object.fromEntries(
+    Object.entries(subprograms).filter(([, text]) => ArrayBuffer.isView(text) === isBytes)));
+  return { ...given, subprograms: texts, subprogramFiles: { ...given.subprogramFiles, ...files } };
+}
+
 /** Splits the options of calls into the messages of the protocol they belong to. */
 export class Settings {
   #schema;
@@ -33,7 +41,7 @@ export class Settings {
     const own = this.#schema.fieldsOf("ProgramSetup");
     const setup = {};
     const path = {};
-    for (const [name, value] of Object.entries(given)) {
+    for (const [name, value] of Object.entries(withFilesOfBytes(given))) {
       if (value === undefined) continue;
       const isOwn = own.has(name) && name !== "path";
       if (isOwn) setup[name] = this.#schema.value(own.get(name), value, name);

@@ -61,6 +61,19 @@ test("a tool table serves D words", async () => {
   assert.equal(text.replace(" D7", ""), (await compensate(pocket, { radius: 5 })).text);
 });
 
+test("subprograms are texts or bytes", async () => {
+  const { text } = await compensate("G0 Y1.\nM98 P7\nM98 P8\nM30\n", {
+    dialect: "FANUC",
+    variables: { "#500": 4.5 },
+    subprograms: {
+      "O7.nc": "O7\nG0 X#500\nM99\n",
+      "O8.nc": Buffer.from("O8\n(fr\xe4sen)\nG0 X9.\nM99\n", "latin1"),
+    },
+  });
+  assert.match(text, /^G0 Y1\.\n\(O0007\)\nG0 X4\.5\n\(O0008\)\n\(fr.sen\)\nG0 X9\.\nM30\n$/);
+  await assert.rejects(compensate(pocket, { variables: [4.5] }), /variables/);
+});
+
 test("a setting that is none is named", async () => {
   await assert.rejects(compensate(pocket, { radus: 5 }), /radus/);
 });

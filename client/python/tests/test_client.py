@@ -118,6 +118,15 @@ class Compensate(unittest.TestCase):
         result = trc.compensate(POCKET.replace("F800", "F800 D7"), tools={7: 5.0})
         self.assertEqual(result.text.replace(" D7", ""), trc.compensate(POCKET, radius=5).text)
 
+    def test_subprograms_are_texts_or_bytes(self):
+        result = trc.compensate(
+            "G0 Y1.\nM98 P7\nM98 P8\nM30\n", dialect="FANUC", variables={"#500": 4.5},
+            subprograms={"O7.nc": "O7\nG0 X#500\nM99\n", "O8.nc": b"O8\n(fr\xe4sen)\nM99\n"})
+        self.assertEqual(result.text,
+                         "G0 Y1.\n(O0007)\nG0 X4.5\n(O0008)\n(fr\udce4sen)\nM30\n")
+        with self.assertRaisesRegex(TypeError, "variables"):
+            trc.compensate(POCKET, variables=[4.5])
+
     def test_setting_that_is_none_is_named(self):
         with self.assertRaisesRegex(TypeError, "radus"):
             trc.compensate(POCKET, radus=5)

@@ -8,6 +8,7 @@ transition="G26". What has another type is refused here, with the name of the fi
 
 from __future__ import annotations
 
+import base64
 import difflib
 import math
 import numbers
@@ -69,6 +70,11 @@ def _enum(descriptor: Any, value: Any) -> Any:
 
 def _value(descriptor: Any, value: Any) -> Any:
     """What a field is given, checked, as JSON has it."""
+    entry = descriptor.message_type
+    if entry is not None and entry.GetOptions().map_entry:
+        if not isinstance(value, Mapping) or not all(isinstance(name, str) for name in value):
+            raise _fault(descriptor.name, "a dictionary of names", value)
+        return {name: _single(entry.fields_by_name["value"], each) for name, each in value.items()}
     if descriptor.label == descriptor.LABEL_REPEATED:
         if isinstance(value, (str, bytes, Mapping)) or not isinstance(value, Iterable):
             raise _fault(descriptor.name, "a list", value)
@@ -87,6 +93,10 @@ def _single(descriptor: Any, value: Any) -> Any:
         if not isinstance(value, (bool, np.bool_)):
             raise _fault(descriptor.name, "True or False", value)
         return bool(value)
+    if descriptor.type == descriptor.TYPE_BYTES:
+        if not isinstance(value, (bytes, bytearray, memoryview)):
+            raise _fault(descriptor.name, "bytes", value)
+        return base64.b64encode(value).decode("ascii")
     if descriptor.cpp_type == descriptor.CPPTYPE_STRING:
         if not isinstance(value, str):
             raise _fault(descriptor.name, "text", value)
@@ -152,6 +162,7 @@ def _tool_table(tools: Tools) -> list[dict[str, Any]]:
 
 def program_setup(settings: Mapping[str, Any], tools: Tools = ()) -> setup_pb2.ProgramSetup:
     """A ProgramSetup of keywords: its own fields, and those of its path."""
+    settings = _with_files_of_bytes(settings)
     own = setup_pb2.ProgramSetup.DESCRIPTOR.fields_by_name
     mine = {name: _value(own[name], value) for name, value in settings.items()
             if name in own and name not in ("path", "tools") and value is not None}
@@ -159,6 +170,17 @@ def program_setup(settings: Mapping[str, Any], tools: Tools = ()) -> setup_pb2.P
     setup = _parsed({**mine, "tools": _tool_table(tools)}, setup_pb2.ProgramSetup())
     setup.path.CopyFrom(path_setup(path))
     return setup
+
+
+def _with_files_of_bytes(settings: Mapping[str, Any]) -> Mapping[str, Any]:
+    """With those `subprograms` that are bytes, as a file has them, in `subprogram_files`."""
+    texts = settings.get("subprograms")
+    if not isinstance(texts, Mapping):
+        return settings
+    files = {name: text for name, text in texts.items() if not isinstance(text, str)}
+    return {**settings,
+            "subprograms": {name: text for name, text in texts.items() if name not in files},
+            "subprogram_files": {**(settings.get("subprogram_files") or {}), **files}}
 
 
 def survey_setup(radii: Iterable[float], is_path: bool, uncut: bool, largest: bool,
