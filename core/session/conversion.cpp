@@ -8,7 +8,10 @@
 
 #include "core/nc/dialect/dialect.h"
 #include "core/nc/dialect/interpreter.h"
+#include "core/nc/dialect/klartext_block.h"
 #include "core/nc/text/characters.h"
+#include "core/nc/text/klartext_tool_words.h"
+#include "core/nc/text/words.h"
 #include "core/nc/writer/nc_writer.h"
 
 namespace trc {
@@ -32,17 +35,25 @@ std::int64_t whole_behind(std::string_view word, char letter) {
   return number;
 }
 
+// A number of S, without sign.
+bool is_speed(std::string_view text) {
+  return !text.empty() && text.find_first_not_of("0123456789.") == std::string_view::npos;
+}
+
+std::string_view name_of(Plane plane) {
+  return plane == Plane::xy ? "G17" : plane == Plane::zx ? "G18" : "G19";
+}
+
+constexpr std::string_view plane_of_klartext = ", a plane: Klartext has it with TOOL CALL";
+
 // What a line says besides its motion.
 struct Words {
   std::vector<std::string> functions{};  // M
   std::string speed{};                   // S, its number
   std::optional<std::int64_t> tool{};
+  std::optional<std::int64_t> next_tool{};  // T2 M6 T3: made ready behind the change
   bool loads_tool = false;
   std::string comment{};  // its text
-
-  [[nodiscard]] bool says_something() const {
-    return !functions.empty() || !speed.empty() || tool || loads_tool || !comment.empty();
-  }
 };
 
 class Conversion {
@@ -58,7 +69,9 @@ class Conversion {
                  .absolute_center = klartext_,
                  .plane = setup.mode.plane,
                  .spelling = {.points = to_.writes_points, .klartext = klartext_},
-                 .tracking_letters = letters_of(setup)}) {}
+                 .tracking_letters = letters_of(setup)}),
+        place_(setup.start),
+        plane_(setup.mode.plane) {}
 
   ConvertedProgram run(std::string_view program);
 
@@ -82,10 +95,14 @@ class Conversion {
   bool read_word(const ProgramLine& line, const WordRange& range, Words& words);
   bool read_mode(const ProgramLine& line, std::string_view word);
   bool read_technology(const ProgramLine& line, std::string_view word, Words& words);
-  bool read_tool_call(const ProgramLine& line, std::string_view statement, Words& words);
+  bool read_tool_call(const ProgramLine& line, std::string_view given, Words& words);
   bool write_line(const ProgramLine& line, std::vector<Block>& blocks);
-  void write_text(const std::string& text);
+  void write_text(const std::string& text, RoleSet roles = 0);
   bool write_tool(const ProgramLine& line, Words& words);
+  bool write_motions(const ProgramLine& line, const std::vector<Block>& blocks,
+                     const std::string& words, const std::string& comment);
+  [[nodiscard]] LinePointer line_of_motion(const ProgramLine& line, std::string_view words,
+                                           std::string_view comment);
   [[nodiscard]] std::string spelled(const Words& words) const;
   [[nodiscard]] std::string spelled_comment(std::string comment) const;
   [[nodiscard]] AxisSet axes_named(const ProgramLine& line) const;
@@ -100,9 +117,10 @@ class Conversion {
   NcWriter writer_;
   ConvertedProgram result_{};
   std::uint64_t index_ = 0;
-  Point place_ = Point::Zero();
-  Plane plane_ = Plane::xy;
+  Position place_;
+  Plane plane_;
   std::int64_t tool_ = 0;  // of T, until it is loaded
+  bool has_feed_ = false;
   bool ended_ = false;
 };
 
@@ -118,24 +136,26 @@ LinePointer Conversion::new_line() {
   return line;
 }
 
-void Conversion::write_text(const std::string& text) {
+void Conversion::write_text(const std::string& text, RoleSet roles) {
   LinePointer line = new_line();
   line->text = text;
+  line->roles = roles;
   writer_.take(std::move(line), {});
 }
 
 void Conversion::begin() {
+  const std::string plane(name_of(plane_));
   switch (to_.name) {
     case DialectName::heidenhain:
       return write_text("BEGIN PGM CONVERTED MM");
     case DialectName::fanuc:
-      return write_text("G17 G21 G40 G90 G94");
+      return write_text(plane + " G21 G40 G90 G94");
     case DialectName::linuxcnc:
-      return write_text("G17 G21 G40 G90 G91.1 G94");
+      return write_text(plane + " G21 G40 G90 G91.1 G94");
     case DialectName::sinumerik:
-      return write_text("G17 G71 G40 G90 G94");
+      return write_text(plane + " G71 G40 G90 G94");
     case DialectName::isg:
-      return write_text("G17 G71 G40 G90 G94 G162");
+      return write_text(plane + " G71 G40 G90 G94 G162");
   }
 }
 
@@ -150,56 +170,58 @@ bool Conversion::read_mode(const ProgramLine& line, std::string_view word) {
   for (const std::string_view known : {"G90", "G91", "G20", "G21", "G70", "G71", "G700", "G710",
                                        "G40", "R0", "G161", "G162", "G90.1", "G91.1"})
     if (word == known) return true;
-  for (const auto& [name, plane] :
-       {std::pair{"G17", Plane::xy}, std::pair{"G18", Plane::zx}, std::pair{"G19", Plane::yz}}) {
-    if (word != name) continue;
+  for (const Plane plane : {Plane::xy, Plane::zx, Plane::yz}) {
+    if (word != name_of(plane)) continue;
     if (plane == plane_) return true;
-    if (klartext_)
-      return fail(line, std::string(word) + ", a plane: Klartext has it with TOOL CALL");
+    if (klartext_) return fail(line, std::string(word).append(plane_of_klartext));
     plane_ = plane;
-    write_text(name);
+    write_text(std::string(word), bit(WordRole::mode));
     return true;
   }
   return fail(line, std::string(word));
 }
 
 // TOOL CALL 5 Z S900 F120 DR+0.1: the radius has been compensated, a length would be lost.
-bool Conversion::read_tool_call(const ProgramLine& line, std::string_view statement, Words& words) {
+bool Conversion::read_tool_call(const ProgramLine& line, std::string_view given, Words& words) {
+  const std::string statement = statement_of(given);
+  KlartextToolReader reader(
+      std::string_view(statement).substr(std::string_view("TOOL CALL").size()));
   bool first = true;
-  for (std::size_t at = 0; at < statement.size();) {
-    at = statement.find_first_not_of(' ', at);
-    if (at == std::string_view::npos) break;
-    const std::size_t behind = std::min(statement.find(' ', at), statement.size());
-    const std::string word = capitals(statement.substr(at, behind - at));
-    at = behind;
-    const bool is_call = word == "TOOL" || word == "CALL";
-    const std::int64_t number = whole_behind("T" + word, 'T');
-    if (!is_call && first && number >= 0) {
-      words.tool = number;
+  for (KlartextToolWord word = reader.next(); word.kind != KlartextToolWord::Kind::end;
+       word = reader.next()) {
+    const bool is_tool = std::exchange(first, false) && word.kind == KlartextToolWord::Kind::number;
+    const bool has_number = word.has == KlartextToolWord::Value::number;
+    const std::string text = capitals(word.text);
+    if (is_tool && is_whole(word.value)) {
+      words.tool = static_cast<std::int64_t>(word.value);
       words.loads_tool = true;
-    } else if (word.starts_with('S') && word.size() > 1) {
-      words.speed = word.substr(1);
-    } else if (!is_call && word != "Z" && !word.starts_with('F') && !word.starts_with("DR")) {
-      return fail(line, word + " of TOOL CALL");
+    } else if (word.name == "S" && has_number && is_speed(std::string_view(text).substr(1))) {
+      words.speed = text.substr(1);
+    } else if (word.name == "M" && has_number) {
+      if (!read_technology(line, text, words)) return false;
+    } else if (!(word.name == "Z" || word.name.starts_with("DR") ||
+                 ((word.name == "F" || (word.name == "DL" && word.value == 0)) && has_number))) {
+      return fail(line, text + " of TOOL CALL");
     }
-    first = is_call;
   }
   return true;
 }
 
 bool Conversion::read_technology(const ProgramLine& line, std::string_view given, Words& words) {
   const std::string word = capitals(given);
+  if (word[0] == '/' && setup_.block_skip == BlockSkip::execute) return true;
   if (word.starts_with("TOOLCALL")) return read_tool_call(line, given, words);
   if (word.starts_with("BLKFORM")) {
     words.comment = given;
     return true;
   }
-  if (word[0] == 'S' && word.find_first_not_of("0123456789.", 1) == std::string::npos) {
+  if (word[0] == 'S' && is_speed(std::string_view(word).substr(1))) {
     words.speed = word.substr(1);
     return true;
   }
   if (const std::int64_t tool = whole_behind(word, 'T'); tool >= 0) {
-    words.tool = tool;
+    if (words.next_tool) return fail(line, word + ", a third tool of its line");
+    (words.tool ? words.next_tool : words.tool) = tool;
     return true;
   }
   // The radius of D has been compensated. An edge of Sinumerik has a length of its own, and without
@@ -229,6 +251,18 @@ bool Conversion::read_technology(const ProgramLine& line, std::string_view given
 
 // All words are read, also behind one that cannot be said.
 bool Conversion::read_words(const ProgramLine& line, Words& words) {
+  const auto has = [&](char first, std::string_view whole = {}) {
+    return std::ranges::any_of(line.words, [&](const WordRange& range) {
+      const std::string_view word = line.word(range);
+      return range.role == WordRole::technology && upper(word[0]) == first &&
+             (whole.empty() || capitals(word) == whole);
+    });
+  };
+  // Stops and coolant behind a `/` that the setup has decided about; the line has nothing else.
+  if (setup_.block_skip == BlockSkip::leave_out && has('/')) return true;
+  // The limit would become the speed.
+  if (from_.name == DialectName::fanuc && has('S') && has('G', "G50"))
+    return fail(line, "G50 with S, a limit of the speed");
   bool said = true;
   for (const WordRange& range : line.words) said &= read_word(line, range, words);
   return said;
@@ -256,6 +290,11 @@ bool Conversion::read_word(const ProgramLine& line, const WordRange& range, Word
       return capitals(word).starts_with("ENDPGM") || read_technology(line, word, words);
     case WordRole::trc:
       return fail(line, capitals(word));
+    case WordRole::coordinate:
+      return !says_way_round(line, range) || fail(line, capitals(word) + ", a way round");
+    case WordRole::feed:
+      // FZ0.1, FQ1: the feed before would stay in force.
+      return line.feed > 0 || fail(line, capitals(word));
     default:
       return true;
   }
@@ -308,37 +347,40 @@ std::string Conversion::spelled_comment(std::string comment) const {
   return "(" + comment + ")";
 }
 
-bool Conversion::write_line(const ProgramLine& line, std::vector<Block>& blocks) {
-  Words words;
-  const bool said = read_words(line, words);
-  if (!write_tool(line, words) || !said) return false;
-  std::string text = spelled(words);
-  const std::string comment = spelled_comment(std::move(words.comment));
-  std::erase_if(blocks, [](const Block& block) {
-    const auto* passive = std::get_if<PassiveBlock>(&block);
-    return passive != nullptr && !passive->text.empty();
-  });
-  if (blocks.empty()) {
-    if (!text.empty() && !comment.empty()) text += ' ';
-    text += comment;
-    if (!text.empty()) write_text(text);
-    return true;
-  }
+// The words of the line for axes stay, also where they need not move by our count: where the
+// machine stands on them before, the line alone may say.
+LinePointer Conversion::line_of_motion(const ProgramLine& line, std::string_view words,
+                                       std::string_view comment) {
   LinePointer written = new_line();
   written->is_motion = written->has_trc_words = true;
   const AxisSet named = axes_named(line);
   written->main_axes = static_cast<std::uint8_t>(named & 7);
-  if (klartext_) written->klartext = KlartextLine{.axes = named};
-  for (const auto& [part, role] :
-       {std::pair<std::string_view, WordRole>{text, WordRole::technology},
-        {comment, WordRole::comment}}) {
-    if (part.empty()) continue;
+  const auto add = [&](std::string_view word, WordRole role) {
+    if (word.empty()) return;
     const auto begin = static_cast<std::uint32_t>(written->text.size());
-    written->text += part;
+    written->text += word;
     written->words.push_back(
         {.begin = begin, .end = static_cast<std::uint32_t>(written->text.size()), .role = role});
+    written->text += ' ';
     written->roles |= bit(role);
+  };
+  if (klartext_) {
+    written->klartext = KlartextLine{.axes = named};
+  } else {
+    const std::string letters = "XYZ" + letters_of(setup_);
+    for (std::size_t axis = 0; axis < letters.size(); ++axis)
+      if ((named & axis_bit(axis)) != 0)
+        add(std::string_view(letters).substr(axis, 1), WordRole::coordinate);
+    written->names_other_axes = (named & ~AxisSet{7}) != 0;
   }
+  add(words, WordRole::technology);
+  add(comment, WordRole::comment);
+  return written;
+}
+
+bool Conversion::write_motions(const ProgramLine& line, const std::vector<Block>& blocks,
+                               const std::string& words, const std::string& comment) {
+  LinePointer written = line_of_motion(line, words, comment);
   NcWriter::Meaning meaning{.gives_block = true};
   std::vector<CompensatedBlock> motions;
   for (const Block& block : blocks) {
@@ -354,12 +396,41 @@ bool Conversion::write_line(const ProgramLine& line, std::vector<Block>& blocks)
         },
         block);
     const auto* moved = std::get_if<MotionBlock>(&block);
-    motion.path = moved != nullptr ? moved->path : Segment(Line{place_, place_});
-    place_ = end_of(motion.path);
-    meaning.end = from_plane(motion.plane, place_, motion.normal.to);
+    const Point stands = to_plane(motion.plane, place_);
+    motion.path = moved != nullptr ? moved->path : Segment(Line{stands, stands});
+    place_ = from_plane(motion.plane, end_of(motion.path), motion.normal.to);
+    const bool cuts = !motion.rapid && (moved != nullptr || std::get<PassiveBlock>(block).moves);
+    // The feed before it would stay in force.
+    if (cuts && motion.feed == 0 && has_feed_)
+      return fail(line, "a feed that is no number per minute");
+    has_feed_ |= motion.feed > 0;
   }
+  meaning.end = place_;
   writer_.take(std::move(written), meaning);
   for (const CompensatedBlock& motion : motions) writer_.write(motion, result_.text);
+  return true;
+}
+
+bool Conversion::write_line(const ProgramLine& line, std::vector<Block>& blocks) {
+  Words words;
+  const bool said = read_words(line, words);
+  if (!write_tool(line, words) || !said) return false;
+  std::string text = spelled(words);
+  const std::string comment = spelled_comment(std::move(words.comment));
+  std::erase_if(blocks, [](const Block& block) {
+    const auto* passive = std::get_if<PassiveBlock>(&block);
+    return passive != nullptr && !passive->text.empty();
+  });
+  if (blocks.empty()) {
+    if (!text.empty() && !comment.empty()) text += ' ';
+    text += comment;
+    if (!text.empty()) write_text(text);
+  } else if (!write_motions(line, blocks, text, comment)) {
+    return false;
+  }
+  // T2 M6 T3: behind the change.
+  if (words.next_tool && klartext_) tool_ = *words.next_tool;
+  if (words.next_tool && !klartext_) write_text("T" + std::to_string(*words.next_tool));
   return true;
 }
 
@@ -369,13 +440,14 @@ ConvertedProgram Conversion::run(std::string_view program) {
   ProgramState state(setup_, {}, diagnostics, blocks);
   Interpreter interpreter({.longest_line = 1 << 20}, state, diagnostics);
   std::vector<LinePointer> lines;
-  place_ = to_plane(setup_.mode.plane, setup_.start);
   if (interpreter.feed(program, lines)) interpreter.finish(lines);
   if (diagnostics.stopped()) {
     const std::vector<Diagnostic> told = diagnostics.take();
     result_.faults.push_back({.word = message_of(told.back()), .line = told.back().source.line});
     return std::move(result_);
   }
+  if (klartext_ && plane_ != Plane::xy)
+    result_.faults.push_back({.word = std::string(name_of(plane_)).append(plane_of_klartext)});
   begin();
   auto next = blocks.begin();
   for (const LinePointer& line : lines) {

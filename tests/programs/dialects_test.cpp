@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <fstream>
 #include <iomanip>
@@ -667,6 +668,140 @@ TEST(Conversion, OfEveryPairOfDialectsIsTheSamePathTo1e6) {
         expect_same(moving(again.blocks, 1e-6), path, converted.text);
       }
     }
+  }
+}
+
+// A plain program of lines and arcs in all three planes, with an axis that turns, in the words that
+// all dialects of G code share.
+std::string program_in_space(DialectName dialect, std::minstd_rand& random) {
+  const auto below = [&](unsigned count) { return static_cast<unsigned>(random() % count); };
+  const auto number = [&] { return static_cast<double>(random() % 200'000) / 1000 - 100; };
+  std::ostringstream text;
+  text << std::fixed << std::setprecision(3);
+  const bool twenty = dialect == DialectName::fanuc || dialect == DialectName::linuxcnc;
+  text << "G17 G90 G94 " << (twenty ? "G21" : "G71") << (dialect == DialectName::isg ? " G162" : "")
+       << "\nG0 X0.5 Y0.5 Z0.5" << (below(2) == 0 ? " A0\nF200\n" : "\nF200\n");
+  constexpr std::array<std::string_view, 3> planes{"G17", "G18", "G19"};
+  constexpr std::array<std::string_view, 3> letters{"XYI", "ZXK", "YZJ"};
+  std::array<double, 3> place{0.5, 0.5, 0.5};
+  std::size_t plane = 0;
+  for (int line = 0; line < 20; ++line) {
+    if (below(3) == 0) {
+      plane = below(3);
+      text << planes[plane] << (below(2) == 0 ? "\n" : " ");
+    }
+    if (below(4) == 0) {  // half a turn
+      const std::size_t first = plane == 0 ? 0 : plane == 1 ? 2 : 1;
+      const std::size_t second = (first + 1) % 3;
+      const double half = 1 + below(9);
+      place[first] += 2 * half;
+      text << (below(2) == 0 ? "G2 " : "G3 ") << letters[plane][0] << place[first] << ' '
+           << letters[plane][1] << place[second] << ' ' << letters[plane][2] << half << '\n';
+      continue;
+    }
+    text << (below(3) == 0 ? "G0" : "G1");
+    const unsigned axes = 1 + below(7);
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      if ((axes >> axis & 1U) != 0) text << ' ' << "XYZ"[axis] << (place[axis] = number());
+    if (below(5) == 0) text << " A" << (below(3) == 0 ? 0 : number());
+    text << '\n';
+  }
+  text << "M30\n";
+  return text.str();
+}
+
+// Another plane changes what is across it, not where the tool goes.
+TEST(Conversion, OfProgramsInAllPlanesIsTheSamePathTo1e6) {
+  std::minstd_rand random(20210);  // NOLINT(cert-msc32-c,cert-msc51-cpp): the same in each run
+  constexpr double same = 1e-6;
+  const auto end_of_turn = [](const CompensatedBlock& block) {
+    return block.tracking.empty() ? 0 : block.tracking[0].to;
+  };
+  constexpr std::array dialects{DialectName::isg, DialectName::fanuc, DialectName::linuxcnc,
+                                DialectName::sinumerik};
+  for (int round = 0; round < 60; ++round) {
+    const DialectName from = dialects[static_cast<std::size_t>(round) % dialects.size()];
+    ProgramSessionSetup setup;
+    setup.session.program.dialect = from;
+    setup.session.program.tracking_axes = {"A"};
+    const std::string text = program_in_space(from, random);
+    const Written read = run(text, setup, false);
+    ASSERT_FALSE(read.stopped) << read.report() << text;
+    const auto wanted = moving(read.blocks, 1e-6);
+    for (const DialectName to : dialects) {
+      const ConvertedProgram converted = convert_program(text, setup.session.program, to, 7);
+      ASSERT_EQ(told(converted), "") << text;
+      ProgramSessionSetup other = setup;
+      other.session.program.dialect = to;
+      const Written again = run(converted.text, other, false);
+      ASSERT_FALSE(again.stopped) << again.report() << converted.text;
+      const auto path = moving(again.blocks, 1e-6);
+      ASSERT_EQ(path.size(), wanted.size()) << text << converted.text;
+      for (std::size_t k = 0; k < path.size(); ++k) {
+        EXPECT_EQ(path[k].rapid, wanted[k].rapid) << text << converted.text;
+        EXPECT_NEAR(end_of_turn(path[k]), end_of_turn(wanted[k]), same) << text << converted.text;
+        for (const double t : {0.5, 1.0})
+          ASSERT_LT((place_at(path[k], t) - place_at(wanted[k], t)).norm(), same)
+              << k << '\n'
+              << text << converted.text;
+      }
+    }
+  }
+}
+
+// What only the line says is said again: the table may stand at any angle.
+TEST(Conversion, KeepsTheFirstWordOfAnAxisAlsoWhereItIsZero) {
+  for (const DialectName to : {DialectName::isg, DialectName::fanuc, DialectName::linuxcnc,
+                               DialectName::sinumerik, DialectName::heidenhain}) {
+    ProgramSetup setup;
+    setup.dialect = DialectName::fanuc;
+    const std::string written =
+        convert_program("T1 M6\nG0 A0\nG0 X0 Y0 Z5 B0 C90.\nM30\n", setup, to, 3).text;
+    for (const char* word : {"A[+]?0", "B[+]?0", "C[+]?90"})
+      EXPECT_TRUE(std::regex_search(written, std::regex(std::string(" ") + word))) << written;
+  }
+}
+
+// The feed before would stay in force.
+TEST(Conversion, RefusesFeedsThatAreNoNumberPerMinute) {
+  const auto with = [](const std::string& feed) {
+    return "0 BEGIN PGM A MM\n1 TOOL CALL 1 Z S900\n2 L X+0 Y+0 FMAX\n3 L X+5 F400\n4 L X+9 " +
+           feed + "\n5 L Y+9\n6 M30\n7 END PGM A MM\n";
+  };
+  for (const std::string feed : {"FZ0.1", "FU0.2", "FQ1", "F AUTO"})
+    for (const DialectName to : {DialectName::fanuc, DialectName::isg, DialectName::sinumerik}) {
+      const ConvertedProgram refused = converted(with(feed), DialectName::heidenhain, to);
+      ASSERT_FALSE(refused.faults.empty()) << feed << refused.text;
+      EXPECT_EQ(refused.faults[0].line, 5U) << feed;
+      EXPECT_EQ(refused.faults[0].word.substr(0, 1), "F") << feed;
+    }
+  EXPECT_EQ(told(converted(with("F500"), DialectName::heidenhain, DialectName::fanuc)), "");
+}
+
+TEST(Conversion, SaysToolsSpeedsAndSwitchesAsTheyAreMeant) {
+  const std::string next =
+      converted("T2M06T3\nM6\nM30\n", DialectName::fanuc, DialectName::isg).text;
+  EXPECT_NE(next.find("\nT2 M6\nT3\nM6\n"), std::string::npos) << next;
+  const std::string called =
+      converted("T2M06T3\nM6\nM30\n", DialectName::fanuc, DialectName::heidenhain).text;
+  EXPECT_NE(called.find("TOOL CALL 2 Z\nTOOL CALL 3 Z\n"), std::string::npos) << called;
+  EXPECT_EQ(told(converted("G50 S3000\nG0 X5\nM30\n", DialectName::fanuc, DialectName::fanuc)),
+            "G50 with S, a limit of the speed 1\n");
+  EXPECT_EQ(told(converted("0 BEGIN PGM A MM\n1 TOOL CALL 1 Z S(VC=100)\n2 END PGM A MM\n",
+                           DialectName::heidenhain, DialectName::fanuc)),
+            "S(VC=100) of TOOL CALL 2\n");
+  const std::string planes =
+      converted("G18\nG3 X1 Z1 I1 K0 F9\nG17\nM30\n", DialectName::fanuc, DialectName::fanuc).text;
+  EXPECT_EQ(std::count(planes.begin(), planes.end(), '8'), 1) << planes;
+  for (const auto& [skip, word] :
+       {std::pair{BlockSkip::execute, true}, std::pair{BlockSkip::leave_out, false}}) {
+    ProgramSetup setup;
+    setup.dialect = DialectName::fanuc;
+    setup.block_skip = skip;
+    const ConvertedProgram written =
+        convert_program("G0 X5\n/M8\nG0 X6\nM30\n", setup, DialectName::isg, 3);
+    EXPECT_EQ(told(written), "");
+    EXPECT_EQ(written.text.find("\nM8\n") != std::string::npos, word) << written.text;
   }
 }
 

@@ -237,7 +237,7 @@ TEST(FanucRefusals, NameTheirLine) {
       {"G0 X[#7]\n", Code::variable_unset, 1},
       {"G0 X1.\n#100=#5041\n", Code::machine_state, 2},
       {"#2001=0\n", Code::machine_state, 1},
-      {"#3003=1\n", Code::machine_state, 1},
+      {"#3005=1\n", Code::machine_state, 1},
       {"#0=1\n", Code::value_invalid, 1},
       {"#50=1\n", Code::value_invalid, 1},
       {"#[-1]=1\n", Code::value_invalid, 1},

@@ -63,6 +63,69 @@ TEST(ToolsOfPrograms, HaveTheRadiusThatSinumerikWrites) {
             "900224 2 T1 D1\n");
 }
 
+// A wall behind these lines, with tool 1 of R 5, tool 2 of R 3.
+ProgramSessionSetup two_tools(DialectName dialect) {
+  ProgramSessionSetup setup = setup_of(dialect);
+  setup.session.program.mode.tool_radius = 0;
+  setup.session.program.tools = {{row_of_edge(1, 1), 5}, {row_of_edge(2, 1), 3}};
+  return setup;
+}
+
+std::string klartext(const std::string& lines) {
+  return "BEGIN PGM A MM\nTOOL CALL 1 Z S1000\n" + lines + "\n" + contour_of(heidenhain, "RL") +
+         "END PGM A MM\n";
+}
+
+// A line that says what the tool is holds no word that is passed over: it is read, or refused.
+TEST(ToolsOfPrograms, AreCalledWithAndWithoutBlanks) {
+  const ProgramSessionSetup setup = two_tools(heidenhain);
+  for (const auto& [line, radius] :
+       std::vector<std::pair<std::string, double>>{{"TOOL CALL 2Z S500", 3},
+                                                   {"TOOL CALL2 Z", 3},
+                                                   {"tool call 2zs500", 3},
+                                                   {"TOOL CALL 2 Z S 1500,000 F 300", 3},
+                                                   {"TOOL CALL 2 Z S(VC=100) FZ0.1 M3", 3},
+                                                   {"TOOL CALL 1 Z S1000 DL+0,1DR+0,5", 5.5},
+                                                   {"TOOL CALL 1 Z S1000DR+0.5", 5.5},
+                                                   {"TOOL CALL 1 Z S1000 DR + 0.5 DR2+0.2", 5.5},
+                                                   {"TOOL CALL DR0.5", 5.5},
+                                                   {"TOOL CALL 1ZS900DR-0,05DR2:0.1", 4.95},
+                                                   {"TOOL CALL S900", 5},
+                                                   {"TOOL DEF 3 L+0 R+8,5\nTOOL CALL 3 Z", 8.5},
+                                                   {"TOOL DEF3 L+0R+8\nTOOL CALL 3 Z", 8},
+                                                   {"TOOL DEF 3 L + 0 R 8\nTOOL CALL 3 Z", 8},
+                                                   {"TOOL DEF 3 R8L0\nTOOL CALL 3 Z", 8},
+                                                   {"TOOL DEF \"MILL\"", 5}}) {
+    EXPECT_NEAR(distance(klartext(line), setup), radius, 1e-9) << line;
+    EXPECT_EQ(told(klartext(line), setup), "") << line;
+  }
+}
+
+TEST(ToolsOfPrograms, AreNeverReadOver) {
+  const ProgramSessionSetup setup = two_tools(heidenhain);
+  for (const auto& [line, refused] : std::vector<std::pair<std::string, std::string>>{
+           {"TOOL CALL 2,Z", "900001 3 ,Z of TOOL CALL\n"},
+           {"TOOL CALL #2 Z", "900001 3 #2 of TOOL CALL\n"},
+           {"TOOL CALL T2 Z", "900001 3 T2 of TOOL CALL\n"},
+           {"TOOL CALL ABC", "900001 3 ABC of TOOL CALL\n"},
+           {"TOOL CALL -2 Z", "900001 3 -2 of TOOL CALL\n"},
+           {"TOOL CALL 2.25 Z", "900008 3 2.25 of TOOL CALL\n"},
+           {"TOOL CALL 1 Z 2", "900001 3 2 of TOOL CALL\n"},
+           {"TOOL CALL 1 Z S1000 D R+0.5", "900001 3 D of TOOL CALL\n"},
+           {"TOOL CALL 1 Z DR", "900008 3 DR of TOOL CALL\n"},
+           {"TOOL CALL 1 Z DR2", "900008 3 DR2 of TOOL CALL\n"},
+           {"TOOL CALL 1 Z DR+0.1 DR+0.2", "900008 3 DR+0.2 of TOOL CALL\n"},
+           {"TOOL CALL 1 Z M6 X", "900008 3 X of TOOL CALL\n"},
+           {"TOOL CALX 2 Z", "900001 3 TOOL CALX 2 Z\n"},
+           {"TOOL DEF", "900008 3 TOOL DEF without a tool\n"},
+           {"TOOL DEF 1 L+0 R+8,5,5", "900001 3 ,5 of TOOL DEF\n"},
+           {"TOOL DEF 1 L+0 F300", "900001 3 F300 of TOOL DEF\n"},
+           {"TOOL DEF 1 L+0 R", "900008 3 R of TOOL DEF\n"},
+           {"TOOL DEF 1 L+0 R+Q5", "900003 3 R+Q5 of TOOL DEF, a variable\n"},
+           {"TOOL DEF \"MILL\" L+0 R+5", "900008 3 \"????\" of TOOL DEF with a radius\n"}})
+    EXPECT_EQ(told(klartext(line), setup), refused) << line;
+}
+
 TEST(ToolsOfPrograms, CountInTheUnitThatSinumerikWritesThemIn) {
   const std::string wall = "T1 D1\nG90 G0 X-2 Y0\nG41 G1 X0 F10\nY2\nG40 X-2\nM30\n";
   ProgramSessionSetup setup = setup_of(sinumerik);

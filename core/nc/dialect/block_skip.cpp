@@ -43,6 +43,16 @@ SkipSign skip_sign_of(std::string_view line, DialectName dialect) {
   return {.begin = begin, .end = behind_blanks(line, number)};
 }
 
+SkipSign skip_sign_within(std::string_view line, DialectName dialect) {
+  if (dialect != DialectName::fanuc || skip_sign_of(line, dialect).is_there()) return {};
+  for (std::size_t at = 0; at < line.size() && line[at] != ';'; ++at) {
+    if (line[at] == '(') at = std::min(line.find(')', at), line.size() - 1);
+    if (line[at] == '/')
+      return {.begin = at, .end = behind_blanks(line, behind_digits(line, at + 1))};
+  }
+  return {};
+}
+
 bool is_beside_the_path(std::string_view line, const SkipSign& sign, DialectName dialect) {
   const bool klartext = dialect == DialectName::heidenhain;
   std::size_t at = behind_number(line, sign.end, klartext);

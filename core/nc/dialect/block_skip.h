@@ -19,6 +19,8 @@ struct SkipSign {
 // Stops, spindle and coolant alone stand behind it: the switch does not matter.
 [[nodiscard]] bool is_beside_the_path(std::string_view line, const SkipSign& sign,
                                       DialectName dialect);
+// `X40 /M8` of Fanuc: what stands behind the sign is left out, not the words in front of it.
+[[nodiscard]] SkipSign skip_sign_within(std::string_view line, DialectName dialect);
 [[nodiscard]] SkipSign skip_sign_of(std::string_view line, DialectName dialect);
 
 // What the setup has decided about the line, as BlockSkip says it. `refuse`: nothing, or the line

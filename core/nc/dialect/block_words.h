@@ -107,16 +107,17 @@ struct Interpreter::BlockWords {
   std::vector<EdgeRadius> edge_radii{};
   std::optional<std::uint32_t> changes_tool{};  // M06
   std::uint64_t whole = 0;  // coordinates without a decimal point: a bit each, as WholeWord has it
-  bool orients_spindle = false;           // M19: R is an angle
-  bool changes_length = false;            // G43, G44, G49
-  bool constant_speed = false;            // G96: D of LinuxCNC is the fastest turn
-  bool to_skip = false;                   // `/` in front
-  std::optional<std::uint32_t> corner{};  // ,R ,C RND= CHF= CHR=, G36 G39 with R
-  std::optional<Value> modal_rounding{};  // RNDM=
-  bool sets_position = false;             // G92: the axis words say where the machine stands
-  bool names_tool = false;                // M61 of LinuxCNC: Q is the tool in the spindle
-  std::optional<Value> quantity{};        // Q
-  std::optional<Value> offset{};          // H
+  bool orients_spindle = false;              // M19: R is an angle
+  bool changes_length = false;               // G43, G44, G49
+  bool constant_speed = false;               // G96: D of LinuxCNC is the fastest turn
+  bool to_skip = false;                      // `/` in front
+  std::optional<std::uint32_t> way_round{};  // C=DC(…)
+  std::optional<std::uint32_t> corner{};     // ,R ,C RND= CHF= CHR=, G36 G39 with R
+  std::optional<Value> modal_rounding{};     // RNDM=
+  bool sets_position = false;                // G92: the axis words say where the machine stands
+  bool names_tool = false;                   // M61 of LinuxCNC: Q is the tool in the spindle
+  std::optional<Value> quantity{};           // Q
+  std::optional<Value> offset{};             // H
   // Of Sinumerik. References: 1 for AC(), -1 for IC(), 0 as G90 and G91 say.
   std::array<std::int8_t, 3> end_reference{};
   std::array<std::int8_t, 3> center_reference{};

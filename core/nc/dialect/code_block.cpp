@@ -116,7 +116,8 @@ bool Interpreter::complete_code_block(ProgramLine& line, BlockWords& block) {
   reads_plain_lines_ = !code_.cycle && code_.unfollowed < 0 && !code_.tangent_arcs &&
                        !code_.dimension_uncertain && code_.y_seen && faults_.empty() &&
                        plain_whole_numbers && code_.modal_rounding == 0 && !code_.soft_approach &&
-                       !called_motion_ && !called_dimension_ && !code_.tooth_feed;
+                       !called_motion_ && !called_dimension_ && !code_.tooth_feed &&
+                       code_.open_corner.source.line == 0;
   return goes_on && take_tool_data(line, block);
 }
 
@@ -324,8 +325,9 @@ Interpreter::NotWhileActive Interpreter::find_what_is_copied(BlockWords& block) 
     copy_motion("a motion under G66 of a macro that only the machine has", all_axes);
   if (code_.unfollowed >= 0) copy_motion("a position that is not followed", all_axes);
   const bool hangs_on_it = told && block.copied;
-  // A pole moves nothing, nor does it count from where the tool stands.
-  if (block.of(axis_technology).is(111) || block.of(axis_technology).is(112)) {
+  // A pole moves nothing. That of G110 counts from where the tool stands.
+  const bool sets_pole = block.of(axis_technology).is(110) && !trc_active();
+  if (sets_pole || block.of(axis_technology).is(111) || block.of(axis_technology).is(112)) {
     block.copied = true;
   } else if (block.axis) {
     copy(axis_technology, AxisBits{0});
@@ -399,6 +401,26 @@ bool Interpreter::check_left_contour(const ProgramLine& line, std::uint32_t begi
   return true;
 }
 
+// What counts on the motion before it cannot be copied behind one that TRC moves, and what no
+// number says cannot be written anew.
+bool Interpreter::check_motion_before(const ProgramLine& line, const BlockWords& block) {
+  const bool selects = block.has(side) && !block.of(side).is(40);
+  if (code_.tangent_arcs && block.axis && code_.leaves_contour && faults_.empty() && !trc_active())
+    return refuse(line,
+                  TextFault{.code = Code::nc_unsupported,
+                            .begin = *block.axis,
+                            .detail = "CT behind a motion of the contour: program its centre"});
+  if (block.of(axis_technology).is(110) && contour_open() && !trc_active())
+    return refuse(line, TextFault{.code = Code::nc_unsupported,
+                                  .begin = block.of(axis_technology).begin,
+                                  .detail = "G110 behind G40 without motion"});
+  if (block.way_round && (selects || contour_open()))
+    return refuse(line, TextFault{.code = Code::nc_unsupported,
+                                  .begin = *block.way_round,
+                                  .detail = "DC, ACP or ACN, a way round, beside a contour"});
+  return true;
+}
+
 bool Interpreter::copy_code_block(ProgramLine& line, BlockWords& block) {
   if (block.axis && (block.of(axis_technology).is(5) || block.of(axis_technology).is(8)))
     return refuse(line, TextFault{.code = Code::nc_unsupported,
@@ -412,6 +434,7 @@ bool Interpreter::copy_code_block(ProgramLine& line, BlockWords& block) {
                                   .begin = *block.axis,
                                   .detail = "a turning axis under G254 while TRC is active"});
   if (shifts_zero) block.forget |= all_axes;
+  if (!check_motion_before(line, block)) return false;
   NotWhileActive found = find_what_is_copied(block);
   // G40 beside G28 and the like ends TRC first.
   const bool active = trc_active() && !block.of(side).is(40);
@@ -425,6 +448,11 @@ bool Interpreter::copy_code_block(ProgramLine& line, BlockWords& block) {
                                                 ? found.meaning.append(" while TRC is active")
                                                 : found.meaning});
   if (!block.copied) return true;
+  const PlaneAxes axes = axes_of(state_.mode().plane);
+  const bool says_place = block.has(axis_technology) || block.has(frame) || block.has(dwell) ||
+                          block.has(tool_data) || block.has(zero_shift);
+  if ((block.move.end[axes.first] || block.move.end[axes.second]) && !says_place)
+    code_.leaves_contour = false;
   for (WordRange& word : line.words)
     if (word.role == WordRole::coordinate || word.role == WordRole::trc)
       word.role = WordRole::technology;
@@ -496,8 +524,17 @@ bool Interpreter::take_modal_rounding(ProgramLine& line, BlockWords& block) {
 // While TRC is active the corner becomes blocks of its own, and its word is not written. Else the
 // control makes it.
 bool Interpreter::take_corner(ProgramLine& line, BlockWords& block) {
+  const bool moves = block.axis || block.center;
+  const bool selects = block.has(side) && !block.of(side).is(40);
+  // The approach is another line than the one that the program rounds into.
+  if (selects && code_.open_corner.source.line > 0)
+    return refuse_at(code_.open_corner, Code::nc_unsupported,
+                     "a rounding or a chamfer in front of the motion that selects TRC");
+  if (moves) code_.open_corner = {};
   if (!block.corner) return true;
   if (!contour_open() && !block.has(side)) {
+    if (moves && block.move.corner->size != 0)
+      code_.open_corner = place_of_word(line, *block.corner);
     block.move.corner.reset();
     return true;
   }

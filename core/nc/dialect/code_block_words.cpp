@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <string>
 #include <utility>
@@ -43,6 +44,25 @@ bool is_subprogram_call(double m) { return m == 96 || m == 97 || m == 98 || m ==
 bool prints_text(std::string_view line, std::size_t begin) {
   const std::string word = word_to_pass(line, begin);
   return word == "POPEN" || word == "PCLOS" || word == "DPRNT" || word == "BPRNT";
+}
+
+// #3003=1: switches of the machine, which move nothing: clocks, single block and feed hold,
+// counters.
+bool sets_switch(std::string_view line, std::size_t begin) {
+  constexpr auto switches =
+      std::to_array<std::string_view>({"#3001", "#3002", "#3003", "#3004", "#3901", "#3902"});
+  const std::string_view rest = line.substr(begin);
+  constexpr std::size_t length = 5;
+  if (std::ranges::find(switches, rest.substr(0, length)) == switches.end()) return false;
+  std::string_view behind = without_blanks_in_front(rest.substr(length));
+  if (!behind.starts_with('=')) return false;
+  behind = without_blanks_in_front(behind.substr(1));
+  double value = 0;
+  bool whole = false;
+  const std::size_t digits = read_number(behind, value, whole);
+  behind = without_blanks_in_front(behind.substr(digits));
+  if (digits == 0) return false;
+  return behind.empty() || behind.front() == '(' || behind.front() == ';';
 }
 
 // Behind NAME or NAME[…] nothing stands but comments.
@@ -121,7 +141,7 @@ bool Interpreter::read_code_words(ProgramLine& line, BlockWords& block) {
         add(line, word, WordRole::comment);
         break;
       case CodeWord::Kind::skip:
-        block.to_skip = true;
+        block.to_skip |= hangs_on_switch(line.text, block);
         add(line, word, WordRole::technology);
         break;
       case CodeWord::Kind::address:
@@ -134,9 +154,16 @@ bool Interpreter::read_code_words(ProgramLine& line, BlockWords& block) {
 
 // A name that nobody knows here and that has nothing to do with the path.
 bool Interpreter::names_what_passes(std::string_view line, std::uint32_t begin) const {
+  const bool fanuc = dialect_.name == DialectName::fanuc;
+  if (fanuc && sets_switch(line, begin)) return true;
   return is_name_alone(line, begin) &&
-         (passes_word(state_.setup(), line, begin) ||
-          (dialect_.name == DialectName::fanuc && prints_text(line, begin)));
+         (passes_word(state_.setup(), line, begin) || (fanuc && prints_text(line, begin)));
+}
+
+// Not where coolant and the like alone stand behind the sign, and the sign behind other words.
+bool Interpreter::hangs_on_switch(std::string_view line, const BlockWords& block) const {
+  const SkipSign within = skip_sign_within(line, dialect_.name);
+  return block.words == 0 || !within.is_there() || !is_beside_the_path(line, within, dialect_.name);
 }
 
 bool Interpreter::read_code_word(const CodeWord& word, ProgramLine& line, BlockWords& block) {

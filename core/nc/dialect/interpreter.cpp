@@ -336,9 +336,20 @@ bool Interpreter::is_left_out(ProgramLine& line) {
   const BlockSkip decided = decided_about(line.text, state_.setup(), cut_);
   if (decided == BlockSkip::execute) line.text.erase(cut_.begin, cut_.end - cut_.begin);
   if (decided == BlockSkip::refuse) cut_ = {};
+  if (decided == BlockSkip::refuse) cut_skipped_words(line);
   if (decided != BlockSkip::leave_out) return false;
   line.has_trc_words = true;
   return true;
+}
+
+// Where the sign stands within the line, what is behind it, up to a comment.
+void Interpreter::cut_skipped_words(ProgramLine& line) {
+  const SkipSign sign = skip_sign_within(line.text, dialect_.name);
+  if (!sign.is_there() || is_beside_the_path(line.text, sign, dialect_.name)) return;
+  cut_ = sign;
+  if (state_.setup().block_skip == BlockSkip::leave_out)
+    cut_.end = std::min(line.text.find_first_of("(;", sign.end), line.text.size());
+  line.text.erase(cut_.begin, cut_.end - cut_.begin);
 }
 
 bool Interpreter::read_line(ProgramLine& line) {

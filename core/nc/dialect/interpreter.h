@@ -17,6 +17,7 @@
 #include "core/nc/state/program_line.h"
 #include "core/nc/state/program_state.h"
 #include "core/nc/text/code_words.h"
+#include "core/nc/text/klartext_tool_words.h"
 #include "core/nc/text/klartext_words.h"
 #include "core/nc/text/named_words.h"
 #include "core/nc/text/number_format.h"
@@ -172,6 +173,7 @@ class Interpreter {
   void enter_modes(ProgramLine& line) const;
   bool read_line(ProgramLine& line);
   [[nodiscard]] bool is_left_out(ProgramLine& line);
+  void cut_skipped_words(ProgramLine& line);
   void forget_what_stands_in_front();
   bool read_line_of_subprogram(const ProgramLine& line);
   bool read_line_behind_end(ProgramLine& line);
@@ -192,6 +194,7 @@ class Interpreter {
 
   // Of the dialects of plain letters and numbers: code_block_words.cpp and code_block.cpp.
   bool read_code_words(ProgramLine& line, BlockWords& block);
+  [[nodiscard]] bool hangs_on_switch(std::string_view line, const BlockWords& block) const;
   bool read_code_word(const CodeWord& word, ProgramLine& line, BlockWords& block);
   [[nodiscard]] bool names_what_passes(std::string_view line, std::uint32_t begin) const;
   bool read_code_function(const CodeWord& word, ProgramLine& line, BlockWords& block);
@@ -217,6 +220,7 @@ class Interpreter {
   void take_words_of_few_controls(ProgramLine& line, BlockWords& block) const;
   void take_turns_of_arc(ProgramLine& line, BlockWords& block) const;
   bool copy_code_block(ProgramLine& line, BlockWords& block);
+  bool check_motion_before(const ProgramLine& line, const BlockWords& block);
   [[nodiscard]] bool leaves_from_lost_place(const BlockWords& block) const;
   bool leave_contour_by_copy(ProgramLine& line, const BlockWords& block);
   bool check_left_contour(const ProgramLine& line, std::uint32_t begin,
@@ -256,7 +260,13 @@ class Interpreter {
   bool read_tool_definition(ProgramLine& line, std::size_t begin, std::string_view statement);
   void take_assignment(const ProgramLine& line, std::string_view statement);
   void forget_parameters(std::string_view statement);
-  bool read_radius_delta(std::string_view word, double& delta, std::string& open_delta) const;
+  struct ToolCall;
+  bool read_words_of_call(const ProgramLine& line, std::size_t begin, std::string_view statement,
+                          ToolCall& call);
+  bool take_called_tool(const std::string& line, std::size_t at, const KlartextToolWord& word,
+                        ToolCall& call) const;
+  bool take_word_of_call(const KlartextToolWord& word, ToolCall& call) const;
+  void take_radius_delta(const KlartextToolWord& word, ToolCall& call) const;
   bool refuse_klartext(const ProgramLine& line, std::size_t begin, std::string detail,
                        Code code = Code::nc_unsupported);
   bool check_klartext(ProgramLine& line, KlartextBlock& block);
@@ -269,6 +279,11 @@ class Interpreter {
   bool apply_klartext_motion(ProgramLine& line, KlartextBlock& block);
   bool select_in_klartext(const ProgramLine& line, Side side, std::size_t begin);
   bool choose_called_tool(const ProgramLine& line, std::size_t begin);
+  bool check_corner_before(const ProgramLine& line, const KlartextBlock& block, bool selects);
+  bool check_klartext_form(const ProgramLine& line, const KlartextBlock& block);
+  bool check_words_of_form(const ProgramLine& line, const KlartextBlock& block);
+  void leave_plane_by_arc(KlartextBlock& block) const;
+  bool take_pole_across(ProgramLine& line, const KlartextBlock& block);
   bool take_klartext_pole(ProgramLine& line, KlartextBlock& block);
   bool find_klartext_end(ProgramLine& line, KlartextBlock& block);
   bool find_polar_end(ProgramLine& line, KlartextBlock& block, const Point& start, Point& end);
@@ -283,6 +298,7 @@ class Interpreter {
 
   // Of Sinumerik: sinumerik_block.cpp.
   bool read_named_words(ProgramLine& line, BlockWords& block);
+  bool check_index(const NamedWord& word, const ProgramLine& line);
   bool read_named_address(const NamedWord& word, ProgramLine& line, BlockWords& block);
   bool read_assignment(const NamedWord& word, ProgramLine& line, BlockWords& block);
   bool read_name(const NamedWord& word, ProgramLine& line, BlockWords& block);
@@ -406,11 +422,13 @@ class Interpreter {
     std::int64_t missing_tool = -1;  // of the last D word, which the table has not
     std::string tool_name{};         // of T="…"
     std::string only_tool_name{};
-    bool tangent_arcs = false;   // CT
-    double modal_rounding = 0;   // RNDM=, mm
-    double edge = 1;             // of the tool, Sinumerik: D; 0: none
-    bool changes_by_m6 = false;  // T only prepares a tool
-    std::string call{};          // the last one of what only the machine has
+    bool tangent_arcs = false;    // CT
+    bool leaves_contour = false;  // the last motion in the plane was one of a contour
+    WordPlace open_corner{};      // a rounding whose next motion is still to come
+    double modal_rounding = 0;    // RNDM=, mm
+    double edge = 1;              // of the tool, Sinumerik: D; 0: none
+    bool changes_by_m6 = false;   // T only prepares a tool
+    std::string call{};           // the last one of what only the machine has
     WordPlace call_place{};
     bool contour_seen = false;  // one has been selected
     // Since then:
@@ -444,8 +462,8 @@ class Interpreter {
               polar_rewritten, missing_tool, only_tool_name, tangent_arcs, tool_named,
               spindle_empty, modal_rounding, soft_direction, soft_in_space, soft_approach,
               next_tool_place, spindle_tool_place, edge_place, edge_of_next_tool, offset_axes, call,
-              call_place, contour_seen, tool_said, call_behind_contour, only_radius_said,
-              radius_doubtful, tool_awaits_call, unknown_call, modal_cycle);
+              call_place, contour_seen, tool_said, call_behind_contour, leaves_contour, open_corner,
+              only_radius_said, radius_doubtful, tool_awaits_call, unknown_call, modal_cycle);
     }
   };
   // How many contours had been selected where a label stands, and at its LBL 0.
@@ -466,6 +484,7 @@ class Interpreter {
   // What a program in Klartext has in force besides.
   struct KlartextModes {
     std::optional<Point> pole{};           // CC, mm, in the plane
+    AxisBits pole_across = 0;              // of a CC across the plane: its axes
     std::optional<double> polar_radius{};  // PR, mm
     std::optional<Vector> tangent{};       // behind the last motion in the plane
     bool rapid = false;                    // the last motion was one with FMAX
@@ -500,13 +519,15 @@ class Interpreter {
     // while one of them is read.
     std::map<std::string, std::uint32_t> labels_of_cycles{};
     std::uint32_t cycle_section = 0;
+    WordPlace open_corner{};  // RND, CHF whose next motion is still to come
 
     template <class Archive>
     void serialize(Archive& archive) {
       archive(pole, polar_radius, tangent, rapid, called_feed, feed_per_turn, modal_cycle,
               unfollowed, tool, radius_delta, open_delta, parameters, tool_name, tool_place,
               only_tool_name, contours, labels, calls, called_section, open_labels,
-              calls_behind_tool, calls_of_contours, tool_of_label, labels_of_cycles, cycle_section);
+              calls_behind_tool, calls_of_contours, tool_of_label, labels_of_cycles, cycle_section,
+              pole_across, open_corner);
     }
   };
   // The first of its kind; the others only count.

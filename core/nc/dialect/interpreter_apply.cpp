@@ -257,6 +257,9 @@ bool Interpreter::move(ProgramLine& line, MoveRequest& request) {
     state_.approach_tangentially();
   }
   line.is_motion = true;
+  const PlaneAxes axes = axes_of(state_.mode().plane);
+  if (request.end[axes.first] || request.end[axes.second])
+    code_.leaves_contour = state_.contour_open();
   return state_.move(request);
 }
 

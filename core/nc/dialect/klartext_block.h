@@ -53,6 +53,8 @@ struct Interpreter::KlartextBlock {
     return statement != KlartextStatement::none && statement != KlartextStatement::center &&
            statement < KlartextStatement::rounding;
   }
+  // For messages.
+  [[nodiscard]] std::string title() const { return name.empty() ? "M" : name; }
   [[nodiscard]] bool is_lead() const { return statement >= KlartextStatement::approach; }
   [[nodiscard]] bool is_polar() const {
     return statement == KlartextStatement::polar_line ||
@@ -98,6 +100,7 @@ struct Interpreter::KlartextBlock {
   std::optional<bool> masks{};                  // M120
   std::optional<FeedAdaptation> adapts_feed{};  // M109 M110 M111
   MoveRequest move{};                           // where it leads to
+  AxisBits leaves_on = 0;                       // an arc across the plane, which moves these
   // What keeps the block from being followed: a parameter, M91 … It is copied while TRC is off.
   std::optional<std::uint32_t> unfollowed{};
   std::string unfollowed_why{};

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <initializer_list>
 #include <numbers>
 #include <string>
 
@@ -61,6 +62,7 @@ bool Interpreter::check_klartext(ProgramLine& line, KlartextBlock& block) {
                                    : ", in coordinates that are scaled or led by the "
                                      "tool tip");
   }
+  leave_plane_by_arc(block);
   // R0 beside M91 ends TRC first.
   const bool in_contour = (active && block.side != Side::off) || selects;
   // RL under scaling or M128 has been told: what follows hangs on that.
@@ -71,13 +73,34 @@ bool Interpreter::check_klartext(ProgramLine& line, KlartextBlock& block) {
                            block.unfollowed_why + (active ? ", while TRC is active" : ""),
                            block.unfollowed_code);
   if (block.unfollowed) return true;
+  return check_klartext_form(line, block) && check_words_of_form(line, block);
+}
+
+// Arcs across the plane, as vertical leads are: only the control follows them.
+void Interpreter::leave_plane_by_arc(KlartextBlock& block) const {
+  using enum KlartextStatement;
+  const std::size_t third = axes_of(state_.mode().plane).third;
+  const bool by_pole = block.is(circle) || (block.is_polar() && !block.is_lead());  // C CP LP CTP
+  const bool pole_across = by_pole && klartext_.pole_across != 0;
+  const bool end_across =
+      (block.is(radius_arc) || block.is(tangent_arc)) && block.end[third].has_value();
+  if (block.unfollowed || !(pole_across || end_across)) return;
+  block.unfollowed = block.begin;
+  block.unfollowed_why = block.name + ", an arc or a pole across the plane";
+  if (pole_across) block.leaves_on = klartext_.pole_across;
+  for (std::size_t axis = 0; axis < block.end.size(); ++axis)
+    if (block.end[axis]) block.leaves_on |= static_cast<AxisBits>(1U << axis);
+}
+
+// What the words must be together.
+bool Interpreter::check_klartext_form(const ProgramLine& line, const KlartextBlock& block) {
+  const auto wrong = [&](std::string detail, Code code) {
+    return refuse_klartext(line, block.begin, block.name + std::move(detail), code);
+  };
   if ((is_arc_of(block.statement)) && !block.clockwise)
     return wrong(" without DR", Code::circle_incomplete);
   if (block.is(KlartextStatement::radius_arc) && !block.radius)
     return wrong(" without R", Code::circle_incomplete);
-  if (block.radius && !block.is(KlartextStatement::radius_arc) && !block.is_lead() &&
-      !block.is(KlartextStatement::rounding))
-    return refuse_klartext(line, block.radius->begin, "R beside " + block.name);
   const bool corner = block.is(KlartextStatement::rounding) || block.is(KlartextStatement::chamfer);
   const auto& size = block.is(KlartextStatement::rounding) ? block.radius : block.length;
   if (corner && (!size || size->value < 0)) return wrong(" without its size", Code::nc_number);
@@ -99,22 +122,62 @@ bool Interpreter::check_klartext(ProgramLine& line, KlartextBlock& block) {
   return true;
 }
 
+// A word that the statement does not count on would be passed over.
+bool Interpreter::check_words_of_form(const ProgramLine& line, const KlartextBlock& block) {
+  using enum KlartextStatement;
+  const bool lead = block.is_lead();
+  const bool by_arc = lead && block.lead.form == Lead::Form::arc;
+  const bool by_line =
+      lead && (block.lead.form == Lead::Form::tangent || block.lead.form == Lead::Form::normal);
+  const bool to_a_point =
+      block.is(approach) || (lead && block.lead.form == Lead::Form::arc_and_line);
+  const bool polar = lead ? block.polar_lead && to_a_point : block.is_polar();
+  const bool corner = block.is(rounding) || block.is(chamfer);
+  struct Given {
+    const std::optional<KlartextBlock::Value>& value;
+    const char* name;
+    bool counts;
+  };
+  const bool has_place = !corner && !block.is(none);
+  for (const Given& word : std::initializer_list<Given>{
+           {block.polar_radius, "PR", polar},
+           {block.polar_angle, "PA", polar},
+           {block.length, "LEN", block.is(chamfer) || by_line},
+           {block.center_angle, "CCA", by_arc},
+           {block.radius, "R", block.is(radius_arc) || block.is(rounding) || (lead && !by_line)},
+           {block.end[0], "X", has_place},
+           {block.end[1], "Y", has_place},
+           {block.end[2], "Z", has_place}})
+    if (word.value && !word.counts)
+      return refuse_klartext(line, word.value->begin,
+                             std::string(word.name) + " beside " + block.title());
+  for (std::size_t axis = 0; axis < block.tracking.size(); ++axis)
+    if (block.tracking[axis] && !block.is_motion() && !block.is(center))
+      return refuse_klartext(line, block.begin,
+                             state_.setup().tracking_axes[axis] + " beside " + block.title());
+  if (block.clockwise && !is_arc_of(block.statement))
+    return refuse_klartext(line, block.begin, "DR beside " + block.title());
+  return true;
+}
+
 bool Interpreter::apply_klartext(ProgramLine& line, KlartextBlock& block) {
   line.klartext.emplace();
   const bool is_lead = block.is_lead();
+  const bool selects = block.side && *block.side != Side::off;
+  if (!check_corner_before(line, block, selects)) return false;
   if (!apply_klartext_modes(line, block)) return false;
   const auto has = [&](WordRole role) {
     return std::ranges::find(line.words, role, &WordRange::role) != line.words.end();
   };
-  const bool selects = block.side && *block.side != Side::off;
   const bool approaches = block.is(KlartextStatement::approach) && selects;
   const bool departs = block.is(KlartextStatement::departure) && trc_active();
   const bool alone = leaves_from_lost_place(block);
   const bool copied = block.unfollowed.has_value() || alone || (is_lead && !approaches && !departs);
+  const bool corner = block.is(KlartextStatement::rounding) || block.is(KlartextStatement::chamfer);
+  if (corner && contour_open() && has(WordRole::stop))
+    return refuse_klartext(line, block.begin, "a stop beside " + block.name);
   if (!leave_contour_by_copy(line, block, copied)) return false;
-  if (copied || ((block.is(KlartextStatement::rounding) || block.is(KlartextStatement::chamfer) ||
-                  block.is(KlartextStatement::center)) &&
-                 !contour_open())) {
+  if (copied || ((corner || block.is(KlartextStatement::center)) && !contour_open())) {
     // As it stands: nothing of it is written anew.
     for (WordRange& word : line.words)
       if (word.role == WordRole::coordinate || word.role == WordRole::trc ||
@@ -132,6 +195,7 @@ bool Interpreter::apply_klartext(ProgramLine& line, KlartextBlock& block) {
         block.unfollowed_why.ends_with("variable") && klartext_.unfollowed == 0;
     for (std::size_t axis = 0; axis < axes.size(); ++axis)
       axes[axis] = by_parameters_alone || alone ? block.end[axis] || block.by_parameter.at(axis)
+                   : block.leaves_on != 0       ? (block.leaves_on >> axis & 1U) != 0
                                                 : !block.machine_place || !named || block.end[axis];
     forget_klartext_position(line, axes);
     if (block.is(KlartextStatement::center)) klartext_.pole.reset();
@@ -151,6 +215,21 @@ bool Interpreter::apply_klartext(ProgramLine& line, KlartextBlock& block) {
   ended_ = true;
   state_.place(0);
   return state_.end(line.source);
+}
+
+// As for the dialects of G code: the approach is another line than the one that RND rounds into.
+bool Interpreter::check_corner_before(const ProgramLine& line, const KlartextBlock& block,
+                                      bool selects) {
+  WordPlace& open = klartext_.open_corner;
+  if (selects && open.source.line > 0)
+    return refuse_at(open, Code::nc_unsupported,
+                     "RND or CHF in front of the motion that selects TRC");
+  const bool corner = block.is(KlartextStatement::rounding) || block.is(KlartextStatement::chamfer);
+  if (corner && !contour_open())
+    open = place_of_word(line, block.begin);
+  else if (block.is_motion() && block.names_axes())
+    open = {};
+  return true;
 }
 
 // As for the dialects of G code: its other axis stands beside the contour, or nobody knows where.
@@ -236,11 +315,25 @@ bool Interpreter::apply_klartext_motion(ProgramLine& line, KlartextBlock& block)
   return find_klartext_end(line, block);
 }
 
+// CC X Z of a tool along Z: what turns about it is copied.
+bool Interpreter::take_pole_across(ProgramLine& line, const KlartextBlock& block) {
+  if (contour_open()) return refuse_klartext(line, block.begin, "CC across the plane");
+  AxisBits named = 0;
+  for (std::size_t axis = 0; axis < block.end.size(); ++axis)
+    if (block.end[axis]) named |= static_cast<AxisBits>(1U << axis);
+  klartext_.pole_across = (named & (named - 1)) != 0 ? named : all_axes;
+  klartext_.pole.reset();
+  line.klartext->loses_pole = true;
+  return true;
+}
+
 // CC: the pole, also where it is told from where the tool stands.
 bool Interpreter::take_klartext_pole(ProgramLine& line, KlartextBlock& block) {
   const PlaneAxes axes = axes_of(state_.mode().plane);
-  if (block.end[axes.third] || !block.tracking.empty())
-    return refuse_klartext(line, block.begin, "CC across the plane");
+  if (!block.tracking.empty())
+    return refuse_klartext(line, block.begin, "CC with an axis that turns");
+  klartext_.pole_across = 0;
+  if (block.end[axes.third]) return take_pole_across(line, block);
   const bool alone = !block.end[axes.first] && !block.end[axes.second];
   const std::optional<Point> old = klartext_.pole;
   Point pole = old.value_or(Point::Zero());

@@ -272,6 +272,8 @@ bool Interpreter::read_klartext_statement(ProgramLine& line, std::size_t begin) 
     return refuse_klartext(line, begin, std::string(what).append(" while TRC is active"));
   };
   if (begins_with_word(statement, "BEGIN")) {
+    if (blocks_read_ > 0)
+      return refuse_klartext(line, begin, "BEGIN PGM, a second program in one text");
     if (faults_.empty()) count_in(line, statement.ends_with(" INCH"));
     return copy_klartext(line, begin, WordRole::mode);
   }
@@ -281,8 +283,10 @@ bool Interpreter::read_klartext_statement(ProgramLine& line, std::size_t begin) 
   }
   if (begins_with_word(statement, "TOOL")) {
     take_klartext_scaling(statement);
-    return begins_with_word(statement, "TOOL CALL") ? read_tool_call(line, begin, statement)
-                                                    : read_tool_definition(line, begin, statement);
+    if (begins_with_word(statement, "TOOL CALL")) return read_tool_call(line, begin, statement);
+    if (begins_with_word(statement, "TOOL DEF"))
+      return read_tool_definition(line, begin, statement);
+    return refuse_klartext(line, begin, statement, Code::nc_syntax);
   }
   if (begins_with_word(statement, "LBL") || begins_with_word(statement, "CALL LBL"))
     return read_label(line, begin, statement);

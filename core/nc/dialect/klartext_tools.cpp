@@ -1,141 +1,157 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "core/nc/dialect/block_words.h"
 #include "core/nc/dialect/klartext_block.h"
 #include "core/nc/text/characters.h"
+#include "core/nc/text/klartext_tool_words.h"
 
 // TOOL CALL and TOOL DEF of Klartext, and the radius that RL and RR take from them.
 
 namespace trc {
 namespace {
 
-// The words of a statement, one after the other.
-class Words {
- public:
-  explicit Words(std::string_view statement) : rest_(statement) {}
-  // Empty: no more.
-  [[nodiscard]] std::string_view next() {
-    rest_.remove_prefix(std::min(rest_.find_first_not_of(' '), rest_.size()));
-    const std::string_view word = rest_.substr(0, rest_.find(' '));
-    rest_.remove_prefix(word.size());
-    return word;
-  }
+using Kind = KlartextToolWord::Kind;
+using Value = KlartextToolWord::Value;
 
- private:
-  std::string_view rest_;
-};
-
-bool is_number(std::string_view word, double& value) {
-  bool whole = false;
-  return !word.empty() && read_number(word, value, whole) == word.size();
-}
+constexpr std::string_view tool_call = "TOOL CALL";
+constexpr std::string_view tool_definition = "TOOL DEF";
 
 // Also with the decimal comma that older controls write.
 bool is_number_of_any_sign(std::string_view word, double& value) {
   std::string number(word);
   std::ranges::replace(number, ',', '.');
-  return is_number(number, value);
+  bool whole = false;
+  return !number.empty() && read_number(number, value, whole) == number.size();
 }
 
-// DR2 is the radius of a corner of the tool.
-bool is_corner_radius(std::string_view word) {
-  return word.starts_with("DR2") && (word.size() == 3 || word.find_first_of("+-:") == 3);
-}
-
-struct CalledTool {
-  bool named = false;
-  std::int64_t number = 0;  // as row_of_edge() has it, unless it has a name
-  std::string name{};       // in quotes, or a parameter
-};
-
-// The tool of TOOL CALL, which begins at `begin` of the line; `word` is its first word and becomes
-// the one behind the tool. Nothing where quotes are not closed.
-std::optional<CalledTool> read_called_tool(
-    const std::string& line, std::size_t begin, std::string_view& word, Words& words,
-    const std::map<std::string, double, std::less<>>& parameters) {
-  CalledTool called;
-  double value = 0;
-  if (is_number(word, value)) {
-    called.named = true;
-    const double index = std::round(10 * value) - 10 * std::floor(value);
-    called.number = row_of_edge(static_cast<std::int64_t>(std::floor(value)),
-                                static_cast<std::int64_t>(index) + 1);
-    word = words.next();
-    return called;
-  }
-  if (const auto known = parameters.find(word); known != parameters.end()) {
-    if (!is_number_of_tool(known->second)) return {};
-    word = words.next();
-    return CalledTool{.named = true, .number = static_cast<std::int64_t>(known->second)};
-  }
-  const bool quoted = word.starts_with('"');
-  if (!quoted && !word.starts_with('Q')) return called;
-  const std::size_t open = line.find(word[0], begin + 9);
-  const std::size_t close =
-      quoted && open != std::string::npos ? line.find('"', open + 1) : open + word.size();
-  if (open == std::string::npos || close == std::string::npos) return {};
-  const std::size_t first = quoted ? open + 1 : open;
-  called = {.named = true, .number = no_tool_number, .name = line.substr(first, close - first)};
-  while (word.find('"', 1) == std::string_view::npos && word.starts_with('"')) {
-    const std::string_view more = words.next();
-    if (more.empty() || more.ends_with('"')) break;
-  }
-  word = words.next();
-  return called;
+// Words that act on the spindle and the coolant, as some programs write them there.
+bool is_function_beside_the_path(const KlartextToolWord& word) {
+  constexpr double last = 14;
+  return word.name == "M" && word.has == Value::number && is_whole(word.value) &&
+         word.value <= last && word.value != 2;
 }
 
 }  // namespace
 
-bool Interpreter::read_tool_call(ProgramLine& line, std::size_t begin, std::string_view statement) {
-  Words words(statement);
-  (void)words.next();
-  (void)words.next();
-  std::string_view word = words.next();
-  const auto wrong = [&](std::string_view which) {
-    return refuse_klartext(line, begin, std::string(which).append(" of TOOL CALL"),
-                           Code::nc_number);
-  };
-  KlartextModes& modes = klartext_;
-  const std::optional<CalledTool> called =
-      read_called_tool(line.text, begin, word, words, modes.parameters);
-  if (!called) return wrong(word);
-  Plane plane = state_.mode().plane;
-  double delta = 0;
-  std::string open_delta;
-  std::optional<double> feed;
+// What TOOL CALL says, before any of it takes effect.
+struct Interpreter::ToolCall {
+  bool named = false;
+  std::int64_t number = 0;  // as row_of_edge() has it, unless it has a name
+  std::string name{};       // in quotes, or a parameter
+  std::optional<Plane> plane{};
   bool changes_delta = false;
-  double value = 0;
-  for (; !word.empty(); word = words.next()) {
-    if (word == "Z") plane = Plane::xy;
-    if (word == "Y") plane = Plane::zx;
-    if (word == "X") plane = Plane::yz;
-    if (word.starts_with("DR") && !is_corner_radius(word)) {
-      if (!read_radius_delta(word, delta, open_delta)) return wrong(word);
-      changes_delta = true;
-    } else if (word.starts_with('F') && is_number(word.substr(1), value)) {
-      feed = value;
-    }
+  double delta = 0;
+  std::string open_delta{};      // of a parameter whose value is not known
+  std::optional<double> feed{};  // in the unit of the program; 0: a feed that is not per minute
+};
+
+// The tool is the first word; `at`: in quotes and parameters, from there on in the line.
+bool Interpreter::take_called_tool(const std::string& line, std::size_t at,
+                                   const KlartextToolWord& word, ToolCall& call) const {
+  call.named = true;
+  if (word.kind == Kind::number) {
+    const double tenths = std::round(10 * word.value);
+    if (tenths / 10 != word.value || !is_number_of_tool(std::floor(word.value))) return false;
+    const double tool = std::floor(word.value);
+    call.number = row_of_edge(static_cast<std::int64_t>(tool),
+                              static_cast<std::int64_t>(tenths - 10 * tool) + 1);
+    return true;
   }
-  if (trc_active() && (called->named || changes_delta))
+  if (const auto known = klartext_.parameters.find(word.text);
+      known != klartext_.parameters.end()) {
+    call.number = static_cast<std::int64_t>(known->second);
+    return is_number_of_tool(known->second);
+  }
+  const bool quoted = word.kind == Kind::text;
+  const std::size_t open = line.find_first_of(quoted ? "\"" : "Qq", at);
+  if (open == std::string::npos) return false;
+  call.number = no_tool_number;
+  call.name =
+      quoted ? line.substr(open + 1, word.text.size() - 2) : line.substr(open, word.text.size());
+  return true;
+}
+
+// DR-0.05, DR+Q5.
+void Interpreter::take_radius_delta(const KlartextToolWord& word, ToolCall& call) const {
+  call.changes_delta = true;
+  call.open_delta.clear();
+  call.delta = word.value;
+  if (word.has != Value::parameter) return;
+  const auto known = klartext_.parameters.find(word.parameter);
+  if (known == klartext_.parameters.end())
+    call.open_delta = word.text;
+  else
+    call.delta = word.negative ? -known->second : known->second;
+}
+
+// A word of TOOL CALL behind the tool; false: it is none.
+bool Interpreter::take_word_of_call(const KlartextToolWord& word, ToolCall& call) const {
+  if (word.kind != Kind::name) return false;
+  if (word.name == "X" || word.name == "Y" || word.name == "Z") {
+    if (call.plane) return false;
+    call.plane = word.name == "Z" ? Plane::xy : word.name == "Y" ? Plane::zx : Plane::yz;
+    return true;
+  }
+  if (word.has == Value::none) return false;
+  if (word.name == "DR") {
+    if (call.changes_delta) return false;
+    take_radius_delta(word, call);
+    return true;
+  }
+  if (word.name.starts_with('F')) {
+    if (call.feed) return false;
+    const bool known = word.name == "F" && word.has == Value::number;
+    call.feed = known ? word.value : 0;
+    return true;
+  }
+  return word.name == "S" || word.name == "DL" || word.name == "DR2" ||
+         is_function_beside_the_path(word);
+}
+
+// Every word counts: one that is not understood might be the tool, or its radius.
+bool Interpreter::read_words_of_call(const ProgramLine& line, std::size_t begin,
+                                     std::string_view statement, ToolCall& call) {
+  KlartextToolReader reader(statement.substr(tool_call.size()));
+  bool first = true;
+  for (KlartextToolWord word = reader.next(); word.kind != Kind::end; word = reader.next()) {
+    const bool is_tool =
+        std::exchange(first, false) &&
+        (word.kind == Kind::number || word.kind == Kind::text || word.kind == Kind::parameter);
+    const bool taken = is_tool ? take_called_tool(line.text, begin + tool_call.size(), word, call)
+                               : take_word_of_call(word, call);
+    if (!taken)
+      return refuse_klartext(
+          line, begin, std::string(word.text).append(" of TOOL CALL"),
+          is_tool || word.kind == Kind::name ? Code::nc_number : Code::nc_syntax);
+  }
+  return true;
+}
+
+bool Interpreter::read_tool_call(ProgramLine& line, std::size_t begin, std::string_view statement) {
+  ToolCall call;
+  if (!read_words_of_call(line, begin, statement, call)) return false;
+  if (trc_active() && (call.named || call.changes_delta))
     return refuse_klartext(line, begin, "TOOL CALL while TRC is active");
-  const bool changes_radius = called->named || changes_delta;
+  KlartextModes& modes = klartext_;
+  const bool changes_radius = call.named || call.changes_delta;
   if (changes_radius && !take_tool_of_label(line, begin)) return false;
   if (!faults_.empty()) return false;
-  if (called->named) {
+  const Plane plane = call.plane.value_or(state_.mode().plane);
+  // It holds from here on, not only for F AUTO.
+  if (call.feed) feed_ = modes.called_feed = *call.feed * (inch_ ? mm_per_inch / 10 : 1);
+  if (call.named) {
     modes.calls_behind_tool.clear();
     modes.tool_of_label = 0;
-  }
-  // It holds from here on, not only for F AUTO.
-  if (feed) feed_ = modes.called_feed = *feed * (inch_ ? mm_per_inch / 10 : 1);
-  if (called->named) {
-    modes.tool_name = called->name;
+    modes.tool_name = call.name;
     modes.tool_place = place_of_word(line, static_cast<std::uint32_t>(begin));
-    modes.tool = called->name.empty() ? called->number : state_.tool().tool_named(called->name);
+    modes.tool = call.name.empty() ? call.number : state_.tool().tool_named(call.name);
     modes.modal_cycle = false;
     modes.radius_delta = 0;
     modes.open_delta.clear();
@@ -144,9 +160,9 @@ bool Interpreter::read_tool_call(ProgramLine& line, std::size_t begin, std::stri
     third[axes_of(plane).third] = true;
     state_.forget_position(third, line.source);
   }
-  if (changes_delta) {
-    modes.radius_delta = delta * length_unit();
-    modes.open_delta = std::move(open_delta);
+  if (call.changes_delta) {
+    modes.radius_delta = call.delta * length_unit();
+    modes.open_delta = std::move(call.open_delta);
   }
   if (plane != state_.mode().plane) {
     modes.pole.reset();
@@ -155,24 +171,8 @@ bool Interpreter::read_tool_call(ProgramLine& line, std::size_t begin, std::stri
     if (!state_.set_plane(plane, line.source)) return false;
   }
   const bool goes_on = copy_klartext(line, begin, WordRole::technology);
-  if (feed) line.roles |= bit(WordRole::feed);
+  if (call.feed) line.roles |= bit(WordRole::feed);
   return goes_on;
-}
-
-// DR-0.05, DR+Q5.
-bool Interpreter::read_radius_delta(std::string_view word, double& delta,
-                                    std::string& open_delta) const {
-  const std::string_view value = word.substr(2);
-  if (is_number_of_any_sign(value, delta)) return true;
-  const bool negative = value.starts_with('-');
-  const std::string_view name = value.substr(negative || value.starts_with('+') ? 1 : 0);
-  if (!name.starts_with('Q')) return false;
-  const auto known = klartext_.parameters.find(name);
-  if (known == klartext_.parameters.end())
-    open_delta = word;
-  else
-    delta = negative ? -known->second : known->second;
-  return true;
 }
 
 // Q5 = +0.05, FN 0: Q5 = +0.05 (D-79). What is computed, read from the machine or may be skipped is
@@ -205,20 +205,40 @@ void Interpreter::forget_parameters(std::string_view statement) {
     });
 }
 
-// TOOL DEF 5 L+0 R+4 gives a tool its radius; TOOL DEF 5 prepares it.
+// TOOL DEF 5 L+0 R+4 gives a tool its radius; TOOL DEF 5 and TOOL DEF "MILL" prepare it.
 bool Interpreter::read_tool_definition(ProgramLine& line, std::size_t begin,
                                        std::string_view statement) {
-  Words words(statement);
-  (void)words.next();
-  (void)words.next();
-  double number = 0;
-  double radius = 0;
-  const bool has_number = is_number(words.next(), number);
-  for (std::string_view word = words.next(); !word.empty(); word = words.next())
-    if (has_number && is_whole(number) && word.starts_with('R') &&
-        is_number(word.substr(1), radius) && faults_.empty() &&
-        !state_.define_tool(static_cast<std::int64_t>(number), radius * length_unit(), line.source))
+  KlartextToolReader reader(statement.substr(tool_definition.size()));
+  const KlartextToolWord tool = reader.next();
+  const auto wrong = [&](const KlartextToolWord& word, std::string_view why, Code code) {
+    return refuse_klartext(line, begin, std::string(word.text).append(" of TOOL DEF").append(why),
+                           code);
+  };
+  const bool prepares =
+      tool.kind == Kind::number || tool.kind == Kind::text || tool.kind == Kind::parameter;
+  if (tool.kind == Kind::end)
+    return refuse_klartext(line, begin, "TOOL DEF without a tool", Code::nc_number);
+  if (!prepares) return wrong(tool, "", Code::nc_syntax);
+  std::optional<double> radius;
+  for (KlartextToolWord word = reader.next(); word.kind != Kind::end; word = reader.next()) {
+    const bool is_length = word.kind == Kind::name && word.name == "L";
+    const bool is_radius = word.kind == Kind::name && word.name == "R" && !radius;
+    if (!is_length && !is_radius) return wrong(word, "", Code::nc_syntax);
+    if (word.has == Value::none) return wrong(word, "", Code::nc_number);
+    if (is_length) continue;
+    const auto known = klartext_.parameters.find(word.parameter);
+    if (word.has == Value::parameter && known == klartext_.parameters.end())
+      return wrong(word, ", a variable", Code::nc_unsupported);
+    const double value = word.has == Value::parameter ? known->second : word.value;
+    radius = word.has == Value::parameter && word.negative ? -value : value;
+  }
+  if (radius) {
+    if (tool.kind != Kind::number || !is_number_of_tool(tool.value))
+      return wrong(tool, " with a radius", Code::nc_number);
+    if (faults_.empty() && !state_.define_tool(static_cast<std::int64_t>(tool.value),
+                                               *radius * length_unit(), line.source))
       return false;
+  }
   return copy_klartext(line, begin, WordRole::technology);
 }
 

@@ -19,6 +19,8 @@ constexpr auto single_functions = std::to_array<GFunction>({
     {17, plane, "plane X Y", true},
     {18, plane, "plane Z X"},
     {19, plane, "plane Y Z"},
+    {20, refused, "inch of the ISO mode: write G70, or declare the dialect FANUC"},
+    {21, refused, "mm of the ISO mode: write G71, or declare the dialect FANUC"},
     {25, axis_technology, "lower limits"},
     {26, axis_technology, "upper limits"},
     {33, turning, "thread cutting"},

@@ -389,10 +389,26 @@ bool Interpreter::read_named_words(ProgramLine& line, BlockWords& block) {
   }
 }
 
+// T1=5 and M1=6 are those of the spindle; further ones have tools of their own, which no contour of
+// G41 counts on. Beside them S, H and M of one spindle pass; axes are looked at by their names.
+bool Interpreter::check_index(const NamedWord& word, const ProgramLine& line) {
+  if (word.index < 0 || word.letter <= 'C' || word.letter >= 'U') return true;
+  if (word.letter >= 'I' && word.letter <= 'K') return true;
+  const auto wrong = [&](std::string_view why) {
+    return refuse_code(line, as_code(word), Code::nc_unsupported, why);
+  };
+  const bool changes = word.letter == 'M' && word.value == 6;
+  if (word.letter == 'T' || changes) return word.index == 1 || wrong("the tool of another spindle");
+  const bool ends = word.letter == 'M' && (word.value <= 2 || word.value == 17 || word.value == 30);
+  const bool passes = word.letter == 'S' || word.letter == 'H' || (word.letter == 'M' && !ends);
+  return passes || wrong("with the number of a spindle");
+}
+
 bool Interpreter::read_named_address(const NamedWord& word, ProgramLine& line, BlockWords& block) {
   const char letter = word.letter;
   const CodeWord code = as_code(word);
   const bool center = letter >= 'I' && letter <= 'K';
+  if (!check_index(word, line)) return false;
   if (letter == 'T' && word.is_text) {
     if (block.tool_number) return refuse_code(line, code, Code::nc_word_twice);
     code_.tool_name = word.name;
@@ -436,11 +452,13 @@ bool Interpreter::read_named_address(const NamedWord& word, ProgramLine& line, B
     add(line, word, WordRole::technology);
     return true;
   }
-  if (word.index >= 0) {  // S1=500, M1=3
+  const bool is_plain = letter == 'T' || (letter == 'M' && word.value == 6);
+  if (word.index >= 0 && !is_plain) {  // S1=500, M1=3
     ++block.words;
     add(line, word, WordRole::technology);
     return true;
   }
+  if (word.is_way_round && !block.way_round) block.way_round = word.begin;
   if (word.reference != NamedWord::Reference::modal) {
     const bool incremental = word.reference == NamedWord::Reference::incremental;
     if (letter >= 'X' && letter <= 'Z') {

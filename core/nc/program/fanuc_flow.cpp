@@ -16,6 +16,11 @@ bool is_statement_at(std::string_view line, std::size_t at) {
          has_word_at(line, at, "END") || has_word_at(line, at, "ELSE");
 }
 
+// Clocks, single block and feed hold, counters: what is written there moves nothing.
+bool is_switch(std::int64_t number) {
+  return (number >= 3001 && number <= 3004) || number == 3901 || number == 3902;
+}
+
 // IF [ ] THEN with nothing behind it: the lines up to ELSE or ENDIF.
 bool begins_branch(std::string_view line, std::size_t at) {
   if (!has_word_at(line, at, "IF")) return false;
@@ -275,7 +280,15 @@ bool FanucFlow::execute(std::string& flat) {
     flat.append(line_).append(line_end());
     return true;
   }
-  const std::size_t at = head_.behind;
+  std::size_t at = head_.behind;
+  // (B) #102=2: the comment comes out by itself.
+  std::size_t behind = at;
+  while (behind < line_.size() && line_[behind] == '(' && behind_comment(line_, behind) > 0)
+    behind = behind_blanks(line_, behind_comment(line_, behind));
+  if (behind > at && behind < line_.size() && line_[behind] == '#') {
+    flat.append(without_blanks_behind(line_.substr(at, behind - at))).append(line_end());
+    at = behind;
+  }
   const bool assigns = at < line_.size() && line_[at] == '#';
   if (!assigns && !is_statement_at(line_, at)) return execute_words(flat);
   if (head_.to_skip)
@@ -397,15 +410,30 @@ bool FanucFlow::assign(std::string& flat, std::size_t at) {
   const Value value = expression.expression();
   if (expression.failed()) return refuse(expression.fault());
   const std::size_t behind = expression.at();
-  if (!is_over(line_, behind))
-    return refuse(Code::expression_invalid, behind_blanks(line_, behind),
-                  name_of_character(line_.substr(behind_blanks(line_, behind))));
+  if (!is_over(line_, behind)) {
+    const std::size_t place = behind_blanks(line_, behind);
+    return refuse(Code::expression_invalid, place,
+                  line_[place] == '#' ? "#, a second assignment: one in a block"
+                                      : name_of_character(line_.substr(place)));
+  }
+  if (!value.vacant && is_switch(number)) {
+    std::string text = "#" + std::to_string(number) + "=";
+    append_value(text, value.number, PointStyle::as_whole);
+    const std::string comments = comments_of(line_, behind);
+    write_behind_number(flat, comments.empty() ? text : text + " " + comments);
+    return true;
+  }
   constexpr std::int64_t stop = 3006;
   if (number == stop) {
     const std::string comments = comments_of(line_, behind);
     write_behind_number(flat, comments.empty() ? "M00" : "M00 " + comments);
     return true;
   }
+  constexpr std::int64_t first_of_wear = 12001;
+  constexpr std::int64_t last_of_wear = 12999;
+  if (number >= first_of_wear && number <= last_of_wear && value.number != 0)
+    return refuse(Code::nc_unsupported, at,
+                  "#" + std::to_string(number) + ", the wear of a tool radius");
   if (const std::string data = data_setting(number, value); !data.empty()) {
     common_[number] = value.number;
     const std::string comments = comments_of(line_, behind);

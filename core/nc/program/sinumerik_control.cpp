@@ -67,6 +67,9 @@ bool SinumerikFlow::follow_structure(std::string& flat, Structure structure) {
     case Structure::until:
       return this->until(flat, expression);
     case end_branch:
+      if (!outline.heads.contains(frame().current))
+        return refuse(Code::block_structure, head_.behind, "ENDIF without IF");
+      break;
     case none:
       break;
   }

@@ -152,6 +152,7 @@ const SinumerikFlow::Outline& SinumerikFlow::outline_of(const Frame& frame) {
       case end_branch:
         if (!open.empty() && open.back().first == otherwise) {
           outline.behind[open.back().second] = line;
+          outline.heads[line] = open.back().second;
           open.pop_back();
         } else {
           close(branch, line);

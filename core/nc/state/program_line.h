@@ -130,6 +130,10 @@ struct ProgramLine {
          (is(word.begin + 1, 'P') || is(word.begin + 1, 'R'));
 }
 
+// C=DC(10), C=ACP(350), C=ACN(350) of Sinumerik: a place and the way round to it, which no number
+// says.
+[[nodiscard]] bool says_way_round(const ProgramLine& line, const WordRange& word);
+
 // Lines stay where they are on their way from the reader to the writer and back, with the memory
 // their text takes.
 using LinePointer = std::unique_ptr<ProgramLine>;

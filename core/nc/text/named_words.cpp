@@ -139,8 +139,8 @@ bool NamedWordReader::read_value(NamedWord& word) {
   std::string function;
   while (is_letter(peek())) function += upper(line_[at_++]);
   skip_blanks();
-  const bool reference = function == "AC" || function == "IC" || function == "DC" ||
-                         function == "ACP" || function == "ACN";
+  word.is_way_round = function == "DC" || function == "ACP" || function == "ACN";
+  const bool reference = function == "AC" || function == "IC" || word.is_way_round;
   const bool feed = function == "PM";
   const bool quick = function == "QU" && (word.letter == 'M' || word.letter == 'H');
   if ((reference || feed || quick) && peek() == '(') {

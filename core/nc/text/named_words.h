@@ -35,7 +35,8 @@ struct NamedWord {
   bool whole = false;
   double value = 0;
   Reference reference = Reference::modal;
-  std::uint32_t begin = 0;  // bytes of the line
+  bool is_way_round = false;  // DC(…), ACP(…), ACN(…): which way a turning axis goes
+  std::uint32_t begin = 0;    // bytes of the line
   std::uint32_t end = 0;
 };
 

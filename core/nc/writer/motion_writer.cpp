@@ -263,7 +263,7 @@ void MotionWriter::append_arc(TextBuffer& out, const NumberedArc& numbered, cons
   at = write_function(at, clockwise ? '2' : '3');
   Axes named = given;
   named.always |= plane_axes;
-  if (only_center) named.never = plane_axes;
+  if (only_center) named.never |= plane_axes;
   at = write_axes(at, named, known, state);
   const auto write_center = [&](std::size_t axis, std::size_t number) {
     at =
@@ -315,7 +315,7 @@ void MotionWriter::append_klartext_arc(TextBuffer& out, const NumberedArc& numbe
     at = write_name(at, " CP IPA");
     if (angle >= 0) *at++ = '+';
     at = write_units(at, angle, angle_decimals);
-    named.never = in_plane;
+    named.never |= in_plane;
     at = write_axes(at, named, {}, state);
     const Vector arm = to_plane(numbered.plane, state.position) - state.pole;
     const double turn = from_units(angle, angle_decimals) * std::numbers::pi / 180;

@@ -231,13 +231,16 @@ void NcWriter::write_piece(const CompensatedBlock& block, const Segment& piece,
   }
   if (own_ == nullptr) append_number_of_inserted();
   const MotionKind kind = kind_of(block);
-  const MotionWriter::Axes axes{.end = end, .tracking = tracking, .always = always};
+  MotionWriter::Axes axes{.end = end, .tracking = tracking, .always = always};
+  if (own_ != nullptr && own_->line->names_other_axes)
+    axes.never = axes_with_way_round(*own_->line);
   if (arc != nullptr) {
     motions_.append_arc(words_, {*arc, *numbers, block.plane}, axes, state_);
   } else {
     motions_.append_line(words_, kind == MotionKind::rapid ? kind : MotionKind::linear, axes,
                          state_);
   }
+  if (axes.never != 0) append_ways_round(*own_->line, tracking);
   append_feed_and_rest(block);
   write_words(own_ != nullptr ? own_->line->line_end : line_end_, out);
   if (own_ != nullptr) rewritten_index_ = own_->line->source.index;
@@ -387,6 +390,24 @@ void NcWriter::enter_modes(const Waiting& own) {
   state_.feed_in_inch = own.line->feed_in_inch;
   state_.absolute_center = own.line->absolute_center;
   state_.plane = own.line->plane;
+}
+
+AxisSet NcWriter::axes_with_way_round(const ProgramLine& line) const {
+  AxisSet axes = 0;
+  for (const WordRange& word : line.words)
+    if (const std::size_t axis = tracking_letters_.find(upper(line.text[word.begin]));
+        axis != std::string::npos && says_way_round(line, word))
+      axes |= axis_bit(3 + axis);
+  return axes;
+}
+
+void NcWriter::append_ways_round(const ProgramLine& line, const TrackingTravel& tracking) {
+  for (const WordRange& word : line.words) {
+    if (!says_way_round(line, word)) continue;
+    append(line, word);
+    const std::size_t axis = tracking_letters_.find(upper(line.text[word.begin]));
+    if (axis < tracking.size()) state_.tracking[axis] = tracking[axis].to;
+  }
 }
 
 AxisSet NcWriter::all_axes_named_in(const ProgramLine& line) const {

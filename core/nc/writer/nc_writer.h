@@ -137,6 +137,9 @@ class NcWriter {
   // In front of a line that is inserted.
   void append_number_of_inserted();
   [[nodiscard]] std::string take_number();
+  // Which axes of the line have a way round, which stands as the program has it.
+  [[nodiscard]] AxisSet axes_with_way_round(const ProgramLine& line) const;
+  void append_ways_round(const ProgramLine& line, const TrackingTravel& tracking);
   void append_feed_and_rest(const CompensatedBlock& block);
   void append_feed(double feed);
   void enter_feed(const ProgramLine& line);
