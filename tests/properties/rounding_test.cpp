@@ -449,7 +449,7 @@ TEST(Rounding, ThatIsNoneChangesNothingOfFineSteps) {  // D-44
     job.mode.tool_radius = radius - std::pow(10, random.between(-4, -0.5));
     job.mode.selection = job.mode.deselection = Selection::direct;
     job.mode.masking = random.chance(0.5) ? Masking::on : Masking::off;
-    Contour contour = contour_of(job, 0);
+    Contour contour = contour_of(job, random.chance(0.5) ? 1e-10 : 0);
     contour.blocks.pop_back();  // open
     contour.retract.start = end_of(contour.blocks.back());
     SCOPED_TRACE("seed " + std::to_string(seed) + ", " + text_of(job.mode) + ", step " +

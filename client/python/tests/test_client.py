@@ -333,11 +333,11 @@ class Surveys(unittest.TestCase):
     def test_survey_that_is_lost_begins_anew(self):
         text = long_program(20_000)
         with trc.Client() as client:
-            whole = client.survey_radii(text, [0.1, 0.2], uncut=True, largest=False)
+            whole = client.survey_radii(text, [1, 2], uncut=True, largest=False)
         proxy = CuttingProxy(local.address().removeprefix("unix:"), cut_after=30_000)
         try:
             with trc.Client(proxy.address) as client:
-                again = client.survey_radii(text, [0.1, 0.2], uncut=True, largest=False)
+                again = client.survey_radii(text, [1, 2], uncut=True, largest=False)
         finally:
             proxy.close()
         self.assertEqual(proxy.cuts, 1)
