@@ -348,7 +348,7 @@ std::string Conversion::spelled_comment(std::string comment) const {
 }
 
 // The words of the line for axes stay, also where they need not move by our count: where the
-// machine stands on them before, the line alone may say.
+// machine stands on them before, the line alone may say (D-94).
 LinePointer Conversion::line_of_motion(const ProgramLine& line, std::string_view words,
                                        std::string_view comment) {
   LinePointer written = new_line();

@@ -76,7 +76,7 @@ bool Interpreter::check_klartext(ProgramLine& line, KlartextBlock& block) {
   return check_klartext_form(line, block) && check_words_of_form(line, block);
 }
 
-// Arcs across the plane, as vertical leads are: only the control follows them.
+// Arcs across the plane, as vertical leads are: only the control follows them (D-91).
 void Interpreter::leave_plane_by_arc(KlartextBlock& block) const {
   using enum KlartextStatement;
   const std::size_t third = axes_of(state_.mode().plane).third;

@@ -12,7 +12,8 @@
 #include "core/nc/text/characters.h"
 #include "core/nc/text/klartext_tool_words.h"
 
-// TOOL CALL and TOOL DEF of Klartext, and the radius that RL and RR take from them.
+// TOOL CALL and TOOL DEF of Klartext, of which every word counts (D-90), and the radius that RL and
+// RR take from them.
 
 namespace trc {
 namespace {

@@ -16,7 +16,7 @@ bool is_statement_at(std::string_view line, std::size_t at) {
          has_word_at(line, at, "END") || has_word_at(line, at, "ELSE");
 }
 
-// Clocks, single block and feed hold, counters: what is written there moves nothing.
+// Clocks, single block and feed hold, counters: what is written there moves nothing (D-93).
 bool is_switch(std::int64_t number) {
   return (number >= 3001 && number <= 3004) || number == 3901 || number == 3902;
 }

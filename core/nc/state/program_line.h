@@ -131,7 +131,7 @@ struct ProgramLine {
 }
 
 // C=DC(10), C=ACP(350), C=ACN(350) of Sinumerik: a place and the way round to it, which no number
-// says.
+// says (D-92).
 [[nodiscard]] bool says_way_round(const ProgramLine& line, const WordRange& word);
 
 // Lines stay where they are on their way from the reader to the writer and back, with the memory
