@@ -48,8 +48,8 @@ std::optional<std::uint32_t> tool_number(std::optional<double> number) {
   return static_cast<std::uint32_t>(*number);
 }
 
-std::map<char, double> words_of(std::string_view line) {
-  std::map<char, double> words;
+std::multimap<char, double> words_of(std::string_view line) {
+  std::multimap<char, double> words;
   for (std::size_t at = 0; at < line.size();) {
     const char letter = in_upper_case(line.substr(at, 1))[0];
     if (letter == ';' || letter == '(') break;
@@ -58,7 +58,7 @@ std::map<char, double> words_of(std::string_view line) {
     std::size_t length = 0;
     const auto number = number_at(line.substr(at), length);
     if (!number) continue;
-    words[letter] = *number;
+    words.emplace(letter, *number);
     at += length;
   }
   return words;

@@ -20,7 +20,7 @@ namespace trc::cli {
 // Empty unless it is an integer from 0 to 2147483647.
 [[nodiscard]] std::optional<std::uint32_t> tool_number(std::optional<double> number);
 
-// The words of a line of letters and numbers, up to a comment; the last one of a letter counts.
-[[nodiscard]] std::map<char, double> words_of(std::string_view line);
+// The words of a line of letters and numbers, up to a comment.
+[[nodiscard]] std::multimap<char, double> words_of(std::string_view line);
 
 }  // namespace trc::cli

@@ -129,29 +129,22 @@ class Table {
     }
     if (in_upper_case(line).find("$TC_") < line.find_first_of(";=")) return data_of_edge(line);
     if (sinumerik_) return {};
-    const std::map<char, double> words = words_of(line);
+    const std::multimap<char, double> words = words_of(line);
     const auto has = [&](char letter) { return words.contains(letter); };
-    if (has('G') && (words.at('G') == 20 || words.at('G') == 21)) {
-      unit_ = words.at('G') == 20 ? mm_per_inch : 1;
+    const auto has_function = [&](double number) {
+      const auto [first, last] = words.equal_range('G');
+      return std::any_of(first, last, [&](const auto& word) { return word.second == number; });
+    };
+    if (has_function(20) || has_function(21)) {
+      unit_ = has_function(20) ? mm_per_inch : 1;
       unit_said_ = true;
-      return {};
     }
-    if (has('G') && words.at('G') == 10) {
-      if (!has('L') || !has('P') || !has('R')) return {};
-      const bool wear = words.at('L') == 13;
-      if (!wear && words.at('L') != 12) return {};
-      const auto number = tool_number(words.at('P'));
-      if (!number) return "P is no number of a tool";
-      Sizes& sizes =
-          tools_.try_emplace({.number = *number}, Sizes{.has_radius = false}).first->second;
-      (wear ? sizes.wear : sizes.radius) = words.at('R') * unit_;
-      sizes.has_radius |= !wear;
-      return {};
-    }
+    if (has_function(90) || has_function(91)) adds_ = has_function(91);
+    if (has_function(10)) return data_of_memory(words);
     if (has('T') && has('D')) {
-      const auto number = tool_number(words.at('T'));
+      const auto number = tool_number(words.find('T')->second);
       if (!number) return "T is no number of a tool";
-      tools_[{.number = *number}].radius = words.at('D') / 2 * unit_;
+      tools_[{.number = *number}].radius = words.find('D')->second / 2 * unit_;
       return {};
     }
     return has('G') || line == "%" || has('O') || has('M') || has('T')
@@ -159,6 +152,22 @@ class Table {
                : "\"" + std::string(line) +
                      "\" is no row of a table of tools; a CSV begins with a "
                      "header such as number,radius";
+  }
+
+  // G10 L12 P1 R5 of Fanuc.
+  std::string data_of_memory(const std::multimap<char, double>& words) {
+    const auto value = [&](char letter) { return words.find(letter)->second; };
+    if (!words.contains('L') || !words.contains('P') || !words.contains('R')) return {};
+    const bool wear = value('L') == 13;
+    if (!wear && value('L') != 12) return {};
+    const auto number = tool_number(value('P'));
+    if (!number) return "P is no number of a tool";
+    if (adds_) return "under G91 its R is added to what the memory holds: give it under G90";
+    Sizes& sizes =
+        tools_.try_emplace({.number = *number}, Sizes{.has_radius = false}).first->second;
+    (wear ? sizes.wear : sizes.radius) = value('R') * unit_;
+    sizes.has_radius |= !wear;
+    return {};
   }
 
   // $TC_DP6[1,1]=5 of Sinumerik.
@@ -352,6 +361,7 @@ class Table {
   std::optional<double> table_unit_{};  // of a CSV, for all of its rows
   bool unit_unsaid_ = false;
   bool unit_said_ = false;  // by G20 or G21 of Fanuc
+  bool adds_ = false;       // G91
   std::vector<std::string> columns_{};
   char separator_ = comma;  // of columns, as the first line of the CSV has it
   bool heidenhain_ = false;

@@ -139,6 +139,11 @@ TEST(ToolFile, HoldsTheOffsetsOfFanuc) {
   EXPECT_EQ(radii.size(), 1u);
   EXPECT_DOUBLE_EQ(radii.at(1), 5);
   EXPECT_DOUBLE_EQ(wear_in(table).at(1), -0.02);
+  for (const char* const line : {"G10 G90 L12 P1 R3.", "G10G90L12P1R3.", "G90 G10 L12 P1 R3.",
+                                 "G21 G90 G10 L12 P1 R3.", "G91\nG10 G90 L12 P1 R3."})
+    EXPECT_EQ(radii_in(line).at(1), 3) << line;
+  EXPECT_EQ(fault_in("G91 G10 L12 P1 R3.\n"),
+            "line 1: under G91 its R is added to what the memory holds: give it under G90");
 }
 
 TEST(ToolFile, IsATableOfHeidenhain) {
