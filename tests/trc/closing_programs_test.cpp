@@ -126,6 +126,17 @@ TEST(ClosingPrograms, NoLapOfASlenderBossIsALead) {  // D-57
   expect_all_depths(outcome, 7);
 }
 
+// A second lap 5 um beside the first one: the way goes on there, and would leave out the first one.
+TEST(ClosingPrograms, NoLapIsLeftOutForAnotherOne) {  // D-39
+  const Result outcome =
+      run(removing, 4,
+          "N10 G0 X-5 Y-29 F500\nN20 G42 G1 X-5 Y-25\nN30 G2 X0 Y-20 I5 J0\nN40 G1 X20\nN50 Y20\n"
+          "N60 X-20\nN70 Y-20\nN80 X0\nN90 X20 Y-19.995\nN100 Y20.005\nN110 X-20\n"
+          "N120 Y-19.995\nN130 X0\nN140 G2 X5 Y-24.995 I0 J-5\nN150 G40 G1 X5 Y-29\n");
+  EXPECT_FALSE(outcome.whole);
+  EXPECT_TRUE(outcome.tells(Code::most_left_out));
+}
+
 // Two squares outside, one after the other from the corner in which they touch: the second would be
 // cut through the first.
 TEST(ClosingPrograms, PartsThatTouchAreNotTakenForLaps) {  // D-57

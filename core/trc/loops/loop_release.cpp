@@ -211,10 +211,11 @@ bool LoopRelease::holds_a_whole(const PathPlace& from, const PathPlace& to,
   if (is_parted_by_rapid(first, last + 1)) return true;
   if (!stretch.is_long()) return false;
   if (path_.changes_depth(from.block, end)) return true;
-  // Of few blocks nearly all may lie beside each other.
   const Walls& walls = obstacles_.walls();
   const double lap = stretch.of_walls / static_cast<double>(walls.rings.size() + 1);
-  return walls.goes_round(first, last) && stretch.length > 0.5 * lap;
+  if (!walls.rings.empty() && stretch.length > 0.9 * lap) return true;
+  // Of few blocks nearly all may lie in one notch; laps that are not told are one long contour.
+  return walls.goes_round(first, last) && stretch.length > 0.1 * lap;
 }
 
 bool LoopRelease::is_parted_by_rapid(std::size_t first, std::size_t end) const {
