@@ -18,7 +18,10 @@ def main():
     except trc.ServerError as error:
         print(error, error.reason, file=sys.stderr)
         sys.exit(4 if error.status.name == "RESOURCE_EXHAUSTED" else 3)
-    sys.stdout.write(result.text)
+    # With PYTHONUNBUFFERED a write to sys.stdout that a signal cuts short is not gone on with: the rest
+    # of the text would be lost without an error.
+    with open(sys.stdout.fileno(), "wb", closefd=False) as output:
+        output.write(result.text.encode())
 
 
 if __name__ == "__main__":
