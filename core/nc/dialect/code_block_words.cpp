@@ -46,20 +46,20 @@ bool prints_text(std::string_view line, std::size_t begin) {
   return word == "POPEN" || word == "PCLOS" || word == "DPRNT" || word == "BPRNT";
 }
 
-// #3003=1: switches of the machine, which move nothing: clocks, single block and feed hold,
-// counters.
+// #3003=1
 bool sets_switch(std::string_view line, std::size_t begin) {
-  constexpr auto switches =
-      std::to_array<std::string_view>({"#3001", "#3002", "#3003", "#3004", "#3901", "#3902"});
-  const std::string_view rest = line.substr(begin);
-  constexpr std::size_t length = 5;
-  if (std::ranges::find(switches, rest.substr(0, length)) == switches.end()) return false;
-  std::string_view behind = without_blanks_in_front(rest.substr(length));
-  if (!behind.starts_with('=')) return false;
-  behind = without_blanks_in_front(behind.substr(1));
+  if (line[begin] != '#') return false;
+  std::string_view behind = line.substr(begin + 1);
   double value = 0;
   bool whole = false;
-  const std::size_t digits = read_number(behind, value, whole);
+  std::size_t digits = read_number(behind, value, whole);
+  constexpr double beyond_variables = 1e6;
+  if (digits == 0 || !whole || value > beyond_variables) return false;
+  if (!is_machine_switch(static_cast<std::int64_t>(value))) return false;
+  behind = without_blanks_in_front(behind.substr(digits));
+  if (!behind.starts_with('=')) return false;
+  behind = without_blanks_in_front(behind.substr(1));
+  digits = read_number(behind, value, whole);
   behind = without_blanks_in_front(behind.substr(digits));
   if (digits == 0) return false;
   return behind.empty() || behind.front() == '(' || behind.front() == ';';

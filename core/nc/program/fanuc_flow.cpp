@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/nc/dialect/pass_words.h"
 #include "core/nc/text/characters.h"
 
 namespace trc::program {
@@ -14,11 +15,6 @@ bool is_statement_at(std::string_view line, std::size_t at) {
   return has_word_at(line, at, "IF") || has_word_at(line, at, "WHILE") ||
          has_word_at(line, at, "GOTO") || has_word_at(line, at, "DO") ||
          has_word_at(line, at, "END") || has_word_at(line, at, "ELSE");
-}
-
-// Clocks, single block and feed hold, counters: what is written there moves nothing (D-93).
-bool is_switch(std::int64_t number) {
-  return (number >= 3001 && number <= 3004) || number == 3901 || number == 3902;
 }
 
 // IF [ ] THEN with nothing behind it: the lines up to ELSE or ENDIF.
@@ -416,7 +412,7 @@ bool FanucFlow::assign(std::string& flat, std::size_t at) {
                   line_[place] == '#' ? "#, a second assignment: one in a block"
                                       : name_of_character(line_.substr(place)));
   }
-  if (!value.vacant && is_switch(number)) {
+  if (!value.vacant && is_machine_switch(number)) {
     std::string text = "#" + std::to_string(number) + "=";
     append_value(text, value.number, PointStyle::as_whole);
     const std::string comments = comments_of(line_, behind);
