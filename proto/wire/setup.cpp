@@ -432,7 +432,7 @@ ProgramSettings from_proto(const v1::ProgramSetup& message, const FieldPath& pat
                          .value_or(settings.nc_text);
   if (message.has_decimals() &&
       check_range(message.decimals(), {1, 8}, FieldPath(path, "decimals"), faults))
-    settings.decimals = static_cast<int>(message.decimals());
+    settings.path.session.program.decimals = static_cast<int>(message.decimals());
   settings.file_name = message.file_name();
   if (settings.file_name.size() > 255)
     add_fault(FieldPath(path, "file_name"), "is longer than 255 bytes", faults);
@@ -531,10 +531,10 @@ void to_proto(const ProgramSettings& settings, v1::ProgramSetup& message) {
   to_proto(settings.path, *message.mutable_path());
   tools_to_proto(settings.path.session.program, message);
   if (!settings.nc_text) message.set_output(outputs.to_proto(false));
-  if (settings.decimals != ProgramSettings{}.decimals)
-    message.set_decimals(static_cast<std::uint32_t>(settings.decimals));
   message.set_file_name(settings.file_name);
   const ProgramSetup& program = settings.path.session.program;
+  if (program.decimals != ProgramSetup{}.decimals)
+    message.set_decimals(static_cast<std::uint32_t>(program.decimals));
   if (program.inch) message.set_unit(units.to_proto(true));
   if (program.copies_unknown_words) message.set_unknown_words(unknown_words.to_proto(true));
   message.mutable_variables()->insert(program.variables.begin(), program.variables.end());

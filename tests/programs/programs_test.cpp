@@ -84,7 +84,7 @@ Outcome run(const std::string& text, ProgramSessionSetup setup, std::size_t piec
 
 std::string resolved_text(const std::string& text, ProgramSessionSetup setup) {
   setup.nc_text = true;
-  setup.decimals = 6;
+  setup.session.program.decimals = 6;
   ProgramSession session(setup);
   Answers answers;
   if (session.feed(text, answers)) session.finish(answers);

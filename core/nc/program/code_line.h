@@ -55,9 +55,11 @@ enum class PointStyle : std::uint8_t {
   with_point,  // 30.
 };
 
-// The shortest decimal number that reads back to the value, with at most 8 decimals: 5e-9 away at
-// most.
-void append_value(std::string& out, double value, PointStyle style);
+// So many decimals a computed value has where nothing takes more off: it is 5e-9 away at most.
+inline constexpr int decimals_of_values = 8;
+// The shortest decimal number that reads back to the value, with at most so many decimals.
+void append_value(std::string& out, double value, PointStyle style,
+                  int decimals = decimals_of_values);
 // With so many decimals.
 void append_fixed(std::string& out, double value, int decimals);
 

@@ -130,8 +130,7 @@ std::string View::compensated_text(Verify verify, const std::function<void()>& i
   SessionSetup session_setup = parts_.settings.path.session;
   session_setup.compensator.interrupt = interrupt;
   session_setup.verify = verify;
-  ProgramSession session(
-      {.session = session_setup, .nc_text = true, .decimals = parts_.settings.decimals});
+  ProgramSession session({.session = session_setup, .nc_text = true});
   Answers out;
   std::string_view text = parts_.program.text();
   bool goes_on = true;
