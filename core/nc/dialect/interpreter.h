@@ -14,6 +14,7 @@
 #include "core/nc/dialect/block_skip.h"
 #include "core/nc/dialect/dialect.h"
 #include "core/nc/dialect/plain_motion.h"
+#include "core/nc/dialect/sinumerik_names.h"
 #include "core/nc/state/program_line.h"
 #include "core/nc/state/program_state.h"
 #include "core/nc/text/code_words.h"
@@ -296,12 +297,27 @@ class Interpreter {
   void forget_klartext_position(ProgramLine& line,
                                 const std::array<bool, 3>& axes = {true, true, true});
 
-  // Of Sinumerik: sinumerik_block.cpp.
+  // Of Sinumerik: sinumerik_block.cpp, _functions.cpp, _values.cpp and _arcs.cpp.
   bool read_named_words(ProgramLine& line, BlockWords& block);
   bool check_index(const NamedWord& word, const ProgramLine& line);
   bool read_named_address(const NamedWord& word, ProgramLine& line, BlockWords& block);
+  bool read_tool_name(const NamedWord& word, ProgramLine& line, BlockWords& block);
+  bool read_call_by_letter(const NamedWord& word, ProgramLine& line, BlockWords& block);
+  bool read_word_of_index(const NamedWord& word, ProgramLine& line, BlockWords& block);
+  bool take_reference(const NamedWord& word, const ProgramLine& line, BlockWords& block);
   bool read_assignment(const NamedWord& word, ProgramLine& line, BlockWords& block);
+  bool read_form_of_arc(const NamedWord& word, ProgramLine& line, BlockWords& block);
+  bool read_corner(const NamedWord& word, ProgramLine& line, BlockWords& block);
+  bool read_angle_or_turns(const NamedWord& word, ProgramLine& line, BlockWords& block);
+  bool pass_assignment(const NamedWord& word, ProgramLine& line, BlockWords& block);
   bool read_name(const NamedWord& word, ProgramLine& line, BlockWords& block);
+  bool read_named_call(const NamedWord& word, ProgramLine& line, BlockWords& block);
+  bool read_known_name(SinumerikMeaning meaning, const NamedWord& word, ProgramLine& line,
+                       BlockWords& block);
+  // Notes that the word stands for the function.
+  static bool read_as(const GFunction& function, const NamedWord& word, ProgramLine& line,
+                      BlockWords& block);
+  bool refuse_name(const ProgramLine& line, const NamedWord& word, std::string_view why);
   bool read_polar_word(const NamedWord& word, ProgramLine& line, BlockWords& block);
   void take_pole(const BlockWords& block);
   bool resolve_polar_words(ProgramLine& line, BlockWords& block);
