@@ -206,8 +206,15 @@ class Interpreter {
   bool read_comma_word(const CodeWord& word, ProgramLine& line, BlockWords& block);
   bool read_code_machine_function(const CodeWord& word, ProgramLine& line, BlockWords& block);
   bool complete_code_block(ProgramLine& line, BlockWords& block);
+  void take_spindle_limit(const ProgramLine& line, BlockWords& block);
+  void end_modes_before(const BlockWords& block);
+  static void take_words_that_are_no_motion(ProgramLine& line, BlockWords& block);
+  bool check_skipped_modes(const ProgramLine& line, const BlockWords& block);
+  void take_what_is_unfollowed(const ProgramLine& line, BlockWords& block);
+  [[nodiscard]] bool may_read_plain_lines() const;
   void take_unit_of_old(ProgramLine& line, BlockWords& block) const;
   void forget_what_ends_nothing(BlockWords& block);
+  // Of lines that are copied: copied_block.cpp.
   // Empty: nothing.
   struct NotWhileActive {
     Code code = Code::nc_unsupported;
@@ -216,6 +223,14 @@ class Interpreter {
     bool hangs_on_what_was_told = false;
   };
   [[nodiscard]] NotWhileActive find_what_is_copied(BlockWords& block);
+  static void copy_for(GGroup group, AxisBits forget, BlockWords& block, NotWhileActive& found);
+  static void copy_motion(const char* why, AxisBits forget, BlockWords& block,
+                          NotWhileActive& found);
+  // `named`: the axes that the line has words of.
+  void copy_for_functions(BlockWords& block, AxisBits named, NotWhileActive& found);
+  void follow_tool_offset(BlockWords& block, AxisBits named, NotWhileActive& found);
+  void copy_under_modes(BlockWords& block, AxisBits named, NotWhileActive& found);
+  void copy_for_words_of_line(BlockWords& block, AxisBits named, NotWhileActive& found);
   void end_what_was_unfollowed(BlockWords& block);
   void take_tool_words(const ProgramLine& line, BlockWords& block);
   void take_words_of_few_controls(ProgramLine& line, BlockWords& block) const;
@@ -229,6 +244,7 @@ class Interpreter {
   // Whether a contour hangs on what a line says that may be skipped (D-59).
   bool check_what_may_be_skipped(const ProgramLine& line, const BlockWords& block);
   bool check_code_selection(ProgramLine& line, BlockWords& block);
+  // code_corners.cpp
   bool take_corner(ProgramLine& line, BlockWords& block);
   bool take_modal_rounding(ProgramLine& line, BlockWords& block);
   bool check_circle_words(const ProgramLine& line, const BlockWords& block);
