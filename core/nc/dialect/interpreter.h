@@ -241,9 +241,18 @@ class Interpreter {
   bool leave_contour_by_copy(ProgramLine& line, const BlockWords& block);
   bool check_left_contour(const ProgramLine& line, std::uint32_t begin,
                           const std::array<bool, 3>& named);
+  // Tools, and what G41 and G42 need: code_tools.cpp.
   // Whether a contour hangs on what a line says that may be skipped (D-59).
   bool check_what_may_be_skipped(const ProgramLine& line, const BlockWords& block);
   bool check_code_selection(ProgramLine& line, BlockWords& block);
+  bool refuse_selection(const ProgramLine& line, const BlockWords& block, Code code,
+                        std::string detail);
+  bool check_turning(const ProgramLine& line, const BlockWords& block);
+  bool check_words_beside_contour(const ProgramLine& line, const BlockWords& block);
+  // What names the tool of a line.
+  enum class ToolSaid : std::uint8_t { by_d, by_h, by_spindle };
+  std::optional<ToolSaid> take_tool_of_selection(ProgramLine& line, BlockWords& block);
+  bool check_tool_of_table(const ProgramLine& line, BlockWords& block, ToolSaid said);
   // code_corners.cpp
   bool take_corner(ProgramLine& line, BlockWords& block);
   bool take_modal_rounding(ProgramLine& line, BlockWords& block);
