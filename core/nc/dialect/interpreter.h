@@ -188,8 +188,11 @@ class Interpreter {
   bool read_g_function(const Word& word, ProgramLine& line, BlockWords& block);
   bool read_address(const Word& word, ProgramLine& line, BlockWords& block);
   bool read_axis(const Word& word, ProgramLine& line, BlockWords& block);
+  bool read_machine_function(const Word& word, ProgramLine& line, BlockWords& block);
   bool read_number(const Word& word, ProgramLine& line, BlockWords& block);
   bool read_command(const Word& word, ProgramLine& line, BlockWords& block);
+  bool copy_unfollowed_command(const Word& word, std::string_view name, ProgramLine& line,
+                               BlockWords& block);
   bool read_call_behind_words(std::uint32_t begin, ProgramLine& line, BlockWords& block);
   bool check_feed(ProgramLine& line, const BlockWords& block);
 
@@ -203,6 +206,8 @@ class Interpreter {
   bool count_whole_numbers(ProgramLine& line, BlockWords& block);
   bool read_code_axis(const CodeWord& word, ProgramLine& line, BlockWords& block);
   bool read_code_address(const CodeWord& word, ProgramLine& line, BlockWords& block);
+  bool read_code_center(const CodeWord& word, ProgramLine& line, BlockWords& block);
+  bool read_code_tool(const CodeWord& word, ProgramLine& line, BlockWords& block);
   bool read_comma_word(const CodeWord& word, ProgramLine& line, BlockWords& block);
   bool read_code_machine_function(const CodeWord& word, ProgramLine& line, BlockWords& block);
   bool complete_code_block(ProgramLine& line, BlockWords& block);
@@ -273,7 +278,11 @@ class Interpreter {
   bool read_klartext_parameter(const KlartextWord& word, ProgramLine& line, KlartextBlock& block);
   bool read_klartext_feed(const KlartextWord& word, ProgramLine& line, KlartextBlock& block);
   bool read_klartext_function(const KlartextWord& word, ProgramLine& line, KlartextBlock& block);
+  void take_klartext_function(int m, KlartextBlock& block);
   bool read_klartext_statement(ProgramLine& line, std::size_t begin);
+  bool check_other_compensations(const ProgramLine& line, std::size_t begin,
+                                 std::string_view statement);
+  bool copy_motion_of_machine(ProgramLine& line, std::size_t begin, std::string_view statement);
   bool copy_klartext(ProgramLine& line, std::size_t begin, WordRole role);
   bool enter_label_behind_end(const ProgramLine& line);
   bool read_label(ProgramLine& line, std::size_t begin, std::string_view statement);
@@ -390,6 +399,7 @@ class Interpreter {
   bool apply_modes(const ProgramLine& line, const BlockWords& block);
   void forget_position(const ProgramLine& line, const BlockWords& block);
   bool apply_trc(const ProgramLine& line, const BlockWords& block);
+  bool apply_tool(const ProgramLine& line, const BlockWords& block);
   bool apply_motion(ProgramLine& line, BlockWords& block);
   bool check_feed_of_contour(const ProgramLine& line, const BlockWords& block, std::uint32_t begin);
   bool leave_out_bottlenecks(bool on, const Source& source);
