@@ -301,19 +301,8 @@ bool Interpreter::read_code_address(const CodeWord& word, ProgramLine& line, Blo
     case 'I':
     case 'J':
     case 'K':
-    case 'R': {
-      auto& target = letter == 'R' ? block.move.radius
-                                   : block.move.center[static_cast<std::size_t>(letter - 'I')];
-      if (target) return twice();
-      target = word.value;
-      see_whole(word,
-                letter == 'R' ? WholeWord::radius
-                              : WholeWord::center + static_cast<std::size_t>(letter - 'I'),
-                block);
-      if (!block.center) block.center = word.begin;
-      add(line, word, WordRole::coordinate);
-      return true;
-    }
+    case 'R':
+      return read_code_center(word, line, block);
     case 'F':
       if (block.feed) return twice();
       if (word.value < 0) return refuse_code(line, word, Code::nc_number);
@@ -327,14 +316,7 @@ bool Interpreter::read_code_address(const CodeWord& word, ProgramLine& line, Blo
       block.tool = value;
       break;
     case 'T':
-      if (block.later_tool || (block.tool_number && dialect_.name != DialectName::fanuc))
-        return twice();
-      if (!is_number_of_tool(std::floor(word.value)))
-        return refuse_code(line, word, Code::nc_number);
-      (block.tool_number ? block.later_tool : block.tool_number) = {.value = std::floor(word.value),
-                                                                    .begin = word.begin};
-      code_.turning |= is_turning_tool(line.word({.begin = word.begin, .end = word.end}));
-      break;
+      return read_code_tool(word, line, block);
     case 'M':
       return read_code_machine_function(word, line, block);
     case 'L':
@@ -355,6 +337,31 @@ bool Interpreter::read_code_address(const CodeWord& word, ProgramLine& line, Blo
     default:  // E
       break;
   }
+  add(line, word, WordRole::technology);
+  return true;
+}
+
+// I, J, K and R.
+bool Interpreter::read_code_center(const CodeWord& word, ProgramLine& line, BlockWords& block) {
+  const bool is_radius = word.letter == 'R';
+  const auto axis = is_radius ? 0 : static_cast<std::size_t>(word.letter - 'I');
+  auto& target = is_radius ? block.move.radius : block.move.center[axis];
+  if (target) return refuse_code(line, word, Code::nc_word_twice);
+  target = word.value;
+  see_whole(word, is_radius ? WholeWord::radius : WholeWord::center + axis, block);
+  if (!block.center) block.center = word.begin;
+  add(line, word, WordRole::coordinate);
+  return true;
+}
+
+// T of FANUC may have the number of an offset behind a point, and stand twice.
+bool Interpreter::read_code_tool(const CodeWord& word, ProgramLine& line, BlockWords& block) {
+  if (block.later_tool || (block.tool_number && dialect_.name != DialectName::fanuc))
+    return refuse_code(line, word, Code::nc_word_twice);
+  if (!is_number_of_tool(std::floor(word.value))) return refuse_code(line, word, Code::nc_number);
+  (block.tool_number ? block.later_tool : block.tool_number) = {.value = std::floor(word.value),
+                                                                .begin = word.begin};
+  code_.turning |= is_turning_tool(line.word({.begin = word.begin, .end = word.end}));
   add(line, word, WordRole::technology);
   return true;
 }

@@ -14,6 +14,7 @@
 #include "core/nc/dialect/block_skip.h"
 #include "core/nc/dialect/dialect.h"
 #include "core/nc/dialect/plain_motion.h"
+#include "core/nc/dialect/sinumerik_names.h"
 #include "core/nc/state/program_line.h"
 #include "core/nc/state/program_state.h"
 #include "core/nc/text/code_words.h"
@@ -187,8 +188,11 @@ class Interpreter {
   bool read_g_function(const Word& word, ProgramLine& line, BlockWords& block);
   bool read_address(const Word& word, ProgramLine& line, BlockWords& block);
   bool read_axis(const Word& word, ProgramLine& line, BlockWords& block);
+  bool read_machine_function(const Word& word, ProgramLine& line, BlockWords& block);
   bool read_number(const Word& word, ProgramLine& line, BlockWords& block);
   bool read_command(const Word& word, ProgramLine& line, BlockWords& block);
+  bool copy_unfollowed_command(const Word& word, std::string_view name, ProgramLine& line,
+                               BlockWords& block);
   bool read_call_behind_words(std::uint32_t begin, ProgramLine& line, BlockWords& block);
   bool check_feed(ProgramLine& line, const BlockWords& block);
 
@@ -202,11 +206,20 @@ class Interpreter {
   bool count_whole_numbers(ProgramLine& line, BlockWords& block);
   bool read_code_axis(const CodeWord& word, ProgramLine& line, BlockWords& block);
   bool read_code_address(const CodeWord& word, ProgramLine& line, BlockWords& block);
+  bool read_code_center(const CodeWord& word, ProgramLine& line, BlockWords& block);
+  bool read_code_tool(const CodeWord& word, ProgramLine& line, BlockWords& block);
   bool read_comma_word(const CodeWord& word, ProgramLine& line, BlockWords& block);
   bool read_code_machine_function(const CodeWord& word, ProgramLine& line, BlockWords& block);
   bool complete_code_block(ProgramLine& line, BlockWords& block);
+  void take_spindle_limit(const ProgramLine& line, BlockWords& block);
+  void end_modes_before(const BlockWords& block);
+  static void take_words_that_are_no_motion(ProgramLine& line, BlockWords& block);
+  bool check_skipped_modes(const ProgramLine& line, const BlockWords& block);
+  void take_what_is_unfollowed(const ProgramLine& line, BlockWords& block);
+  [[nodiscard]] bool may_read_plain_lines() const;
   void take_unit_of_old(ProgramLine& line, BlockWords& block) const;
   void forget_what_ends_nothing(BlockWords& block);
+  // Of lines that are copied: copied_block.cpp.
   // Empty: nothing.
   struct NotWhileActive {
     Code code = Code::nc_unsupported;
@@ -215,6 +228,14 @@ class Interpreter {
     bool hangs_on_what_was_told = false;
   };
   [[nodiscard]] NotWhileActive find_what_is_copied(BlockWords& block);
+  static void copy_for(GGroup group, AxisBits forget, BlockWords& block, NotWhileActive& found);
+  static void copy_motion(const char* why, AxisBits forget, BlockWords& block,
+                          NotWhileActive& found);
+  // `named`: the axes that the line has words of.
+  void copy_for_functions(BlockWords& block, AxisBits named, NotWhileActive& found);
+  void follow_tool_offset(BlockWords& block, AxisBits named, NotWhileActive& found);
+  void copy_under_modes(BlockWords& block, AxisBits named, NotWhileActive& found);
+  void copy_for_words_of_line(BlockWords& block, AxisBits named, NotWhileActive& found);
   void end_what_was_unfollowed(BlockWords& block);
   void take_tool_words(const ProgramLine& line, BlockWords& block);
   void take_words_of_few_controls(ProgramLine& line, BlockWords& block) const;
@@ -225,9 +246,19 @@ class Interpreter {
   bool leave_contour_by_copy(ProgramLine& line, const BlockWords& block);
   bool check_left_contour(const ProgramLine& line, std::uint32_t begin,
                           const std::array<bool, 3>& named);
+  // Tools, and what G41 and G42 need: code_tools.cpp.
   // Whether a contour hangs on what a line says that may be skipped (D-59).
   bool check_what_may_be_skipped(const ProgramLine& line, const BlockWords& block);
   bool check_code_selection(ProgramLine& line, BlockWords& block);
+  bool refuse_selection(const ProgramLine& line, const BlockWords& block, Code code,
+                        std::string detail);
+  bool check_turning(const ProgramLine& line, const BlockWords& block);
+  bool check_words_beside_contour(const ProgramLine& line, const BlockWords& block);
+  // What names the tool of a line.
+  enum class ToolSaid : std::uint8_t { by_d, by_h, by_spindle };
+  std::optional<ToolSaid> take_tool_of_selection(ProgramLine& line, BlockWords& block);
+  bool check_tool_of_table(const ProgramLine& line, BlockWords& block, ToolSaid said);
+  // code_corners.cpp
   bool take_corner(ProgramLine& line, BlockWords& block);
   bool take_modal_rounding(ProgramLine& line, BlockWords& block);
   bool check_circle_words(const ProgramLine& line, const BlockWords& block);
@@ -247,7 +278,11 @@ class Interpreter {
   bool read_klartext_parameter(const KlartextWord& word, ProgramLine& line, KlartextBlock& block);
   bool read_klartext_feed(const KlartextWord& word, ProgramLine& line, KlartextBlock& block);
   bool read_klartext_function(const KlartextWord& word, ProgramLine& line, KlartextBlock& block);
+  void take_klartext_function(int m, KlartextBlock& block);
   bool read_klartext_statement(ProgramLine& line, std::size_t begin);
+  bool check_other_compensations(const ProgramLine& line, std::size_t begin,
+                                 std::string_view statement);
+  bool copy_motion_of_machine(ProgramLine& line, std::size_t begin, std::string_view statement);
   bool copy_klartext(ProgramLine& line, std::size_t begin, WordRole role);
   bool enter_label_behind_end(const ProgramLine& line);
   bool read_label(ProgramLine& line, std::size_t begin, std::string_view statement);
@@ -296,12 +331,27 @@ class Interpreter {
   void forget_klartext_position(ProgramLine& line,
                                 const std::array<bool, 3>& axes = {true, true, true});
 
-  // Of Sinumerik: sinumerik_block.cpp.
+  // Of Sinumerik: sinumerik_block.cpp, _functions.cpp, _values.cpp and _arcs.cpp.
   bool read_named_words(ProgramLine& line, BlockWords& block);
   bool check_index(const NamedWord& word, const ProgramLine& line);
   bool read_named_address(const NamedWord& word, ProgramLine& line, BlockWords& block);
+  bool read_tool_name(const NamedWord& word, ProgramLine& line, BlockWords& block);
+  bool read_call_by_letter(const NamedWord& word, ProgramLine& line, BlockWords& block);
+  bool read_word_of_index(const NamedWord& word, ProgramLine& line, BlockWords& block);
+  bool take_reference(const NamedWord& word, const ProgramLine& line, BlockWords& block);
   bool read_assignment(const NamedWord& word, ProgramLine& line, BlockWords& block);
+  bool read_form_of_arc(const NamedWord& word, ProgramLine& line, BlockWords& block);
+  bool read_corner(const NamedWord& word, ProgramLine& line, BlockWords& block);
+  bool read_angle_or_turns(const NamedWord& word, ProgramLine& line, BlockWords& block);
+  bool pass_assignment(const NamedWord& word, ProgramLine& line, BlockWords& block);
   bool read_name(const NamedWord& word, ProgramLine& line, BlockWords& block);
+  bool read_named_call(const NamedWord& word, ProgramLine& line, BlockWords& block);
+  bool read_known_name(SinumerikMeaning meaning, const NamedWord& word, ProgramLine& line,
+                       BlockWords& block);
+  // Notes that the word stands for the function.
+  static bool read_as(const GFunction& function, const NamedWord& word, ProgramLine& line,
+                      BlockWords& block);
+  bool refuse_name(const ProgramLine& line, const NamedWord& word, std::string_view why);
   bool read_polar_word(const NamedWord& word, ProgramLine& line, BlockWords& block);
   void take_pole(const BlockWords& block);
   bool resolve_polar_words(ProgramLine& line, BlockWords& block);
@@ -349,6 +399,7 @@ class Interpreter {
   bool apply_modes(const ProgramLine& line, const BlockWords& block);
   void forget_position(const ProgramLine& line, const BlockWords& block);
   bool apply_trc(const ProgramLine& line, const BlockWords& block);
+  bool apply_tool(const ProgramLine& line, const BlockWords& block);
   bool apply_motion(ProgramLine& line, BlockWords& block);
   bool check_feed_of_contour(const ProgramLine& line, const BlockWords& block, std::uint32_t begin);
   bool leave_out_bottlenecks(bool on, const Source& source);

@@ -125,6 +125,10 @@ bool writes_radius(std::string_view statement) {
   return of_tools && (nr == "2" || nr == "5" || nr.starts_with('Q'));
 }
 
+std::string first_word(std::string_view statement) {
+  return std::string(statement.substr(0, statement.find(' ')));
+}
+
 }  // namespace
 
 std::string label_of(std::string_view text, std::size_t begin, std::string_view statement) {
@@ -264,13 +268,53 @@ bool Interpreter::leave_contour_by_cycle(const ProgramLine& line, std::size_t be
   return true;
 }
 
+// Of the programs in DIN/ISO that these controls read as well, of single axes and of contours with
+// a name.
+bool Interpreter::check_other_compensations(const ProgramLine& line, std::size_t begin,
+                                            std::string_view statement) {
+  const std::string first = first_word(statement);
+  if (statement.find("MODE TURN") != std::string::npos)
+    return refuse_klartext(line, begin, "FUNCTION MODE TURN", Code::turning);
+  const bool is_function = first.size() > 1 && first[0] == 'G' && is_digit(first[1]);
+  if (is_function && trc_active())
+    return refuse_klartext(line, begin, first + ", a function of DIN/ISO");
+  if (statement.find("G41") != std::string::npos || statement.find("G42") != std::string::npos)
+    return refuse_klartext(line, begin, first + ", TRC of DIN/ISO");
+  if (statement.size() == 1 || !is_letter(statement[1]) || statement[0] == 'I')
+    for (const char* side : {" R+", " R-", " RL", " RR"})
+      if (statement.find(side) != std::string::npos)
+        return refuse_klartext(line, begin,
+                               std::string(side).substr(1) + ", a compensation along one axis");
+  const bool own_contour = is_any(statement, contour_blocks);
+  if (has_side(statement) && (own_contour || state_.setup().copies_unknown_words))
+    return refuse_klartext(line, begin, first + " with RL or RR");
+  return true;
+}
+
+// A statement whose end only the control knows: a cycle, a program that is called, a datum shift.
+bool Interpreter::copy_motion_of_machine(ProgramLine& line, std::size_t begin,
+                                         std::string_view statement) {
+  const std::string first = first_word(statement);
+  if (trc_active()) return refuse_klartext(line, begin, first + " while TRC is active");
+  if (!leave_contour_by_cycle(line, begin, statement)) return false;
+  line.calls_the_machine = first == "CALL" || first == "PGM";
+  if (line.calls_the_machine || is_any(statement, contour_blocks) || first.size() == 1 ||
+      !is_letter(first[1]))
+    line.feed_it_takes = feed_;
+  if (line.calls_the_machine) {
+    hand_on_klartext_pole(line);
+    const std::string_view call = std::string_view(line.text).substr(begin);
+    take_call(line, call.substr(0, call.find(';')));
+  }
+  forget_klartext_position(line);
+  klartext_.pole.reset();
+  return copy_klartext(line, begin, WordRole::technology);
+}
+
 // Everything that is no contour.
 bool Interpreter::read_klartext_statement(ProgramLine& line, std::size_t begin) {
   const std::string statement = statement_of(std::string_view(line.text).substr(begin));
-  const std::string first = statement.substr(0, std::min(statement.find(' '), statement.size()));
-  const auto while_active = [&](std::string_view what) {
-    return refuse_klartext(line, begin, std::string(what).append(" while TRC is active"));
-  };
+  const std::string first = first_word(statement);
   if (begins_with_word(statement, "BEGIN")) {
     if (blocks_read_ > 0)
       return refuse_klartext(line, begin, "BEGIN PGM, a second program in one text");
@@ -304,39 +348,9 @@ bool Interpreter::read_klartext_statement(ProgramLine& line, std::size_t begin) 
   forget_parameters(statement);
   take_klartext_scaling(statement);
   if (!take_labels_of_cycle(line, begin, statement)) return false;
-  if (statement.find("MODE TURN") != std::string::npos)
-    return refuse_klartext(line, begin, "FUNCTION MODE TURN", Code::turning);
-  // Of the programs in DIN/ISO that these controls read as well, and of single axes.
-  const bool is_function = first.size() > 1 && first[0] == 'G' && is_digit(first[1]);
-  if (is_function && trc_active())
-    return refuse_klartext(line, begin, first + ", a function of DIN/ISO");
-  if (statement.find("G41") != std::string::npos || statement.find("G42") != std::string::npos)
-    return refuse_klartext(line, begin, first + ", TRC of DIN/ISO");
-  if (statement.size() == 1 || !is_letter(statement[1]) || statement[0] == 'I')
-    for (const char* side : {" R+", " R-", " RL", " RR"})
-      if (statement.find(side) != std::string::npos)
-        return refuse_klartext(line, begin,
-                               std::string(side).substr(1) + ", a compensation along one axis");
-  const bool own_contour = is_any(statement, contour_blocks);
-  if (has_side(statement) && (own_contour || state_.setup().copies_unknown_words))
-    return refuse_klartext(line, begin, first + " with RL or RR");
-  const bool moves =
-      defines_frame(statement) || (is_any(statement, moving) && !is_any(statement, passing));
-  if (moves && trc_active()) return while_active(first);
-  if (moves) {
-    if (!leave_contour_by_cycle(line, begin, statement)) return false;
-    line.calls_the_machine = first == "CALL" || first == "PGM";
-    if (line.calls_the_machine || own_contour || first.size() == 1 || !is_letter(first[1]))
-      line.feed_it_takes = feed_;
-    if (line.calls_the_machine) {
-      hand_on_klartext_pole(line);
-      const std::string_view call = std::string_view(line.text).substr(begin);
-      take_call(line, call.substr(0, call.find(';')));
-    }
-    forget_klartext_position(line);
-    klartext_.pole.reset();
-    return copy_klartext(line, begin, WordRole::technology);
-  }
+  if (!check_other_compensations(line, begin, statement)) return false;
+  if (defines_frame(statement) || (is_any(statement, moving) && !is_any(statement, passing)))
+    return copy_motion_of_machine(line, begin, statement);
   if (is_any(statement, passing) || state_.setup().copies_unknown_words ||
       passes_word(state_.setup(), line.text, begin))
     return copy_klartext(line, begin, WordRole::technology);

@@ -4,7 +4,7 @@
 #include <array>
 
 #include "core/nc/dialect/dialect.h"
-#include "core/nc/dialect/sinumerik_words.h"
+#include "core/nc/dialect/sinumerik_names.h"
 #include "core/nc/text/characters.h"
 #include "core/nc/text/words.h"
 

@@ -107,6 +107,12 @@ bool bounds_isg_comment(std::string_view line) {
   return sign != npos && word_behind_sign(line, sign) == "COMMENT";
 }
 
+bool isg_comment_behind(std::string_view line, bool holds) {
+  if (!bounds_isg_comment(line)) return holds;
+  const std::string text = in_upper_case(line.substr(line.find('#')));
+  return text.find("BEGIN") != std::string::npos;
+}
+
 bool isg_tells_state(std::string_view line) {
   return bounds_isg_comment(line) || is_isg_variable_at(line, head_of(line).behind);
 }

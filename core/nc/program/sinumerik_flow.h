@@ -78,7 +78,11 @@ class SinumerikFlow : public Flow, private Variables {
     until,
   };
   // Where the lines of a unit lead.
+  // With their lines.
+  using OpenStructures = std::vector<std::pair<Structure, std::size_t>>;
   struct Outline {
+    void take(Structure structure, std::size_t line, OpenStructures& open);
+
     std::map<std::string, std::vector<std::size_t>, std::less<>> labels{};
     std::map<std::int64_t, std::vector<std::size_t>> numbers{};
     std::map<std::size_t, std::size_t> feet{};    // by head: the end; of IF the ELSE, if it has one

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "core/nc/dialect/sinumerik_words.h"
+#include "core/nc/dialect/sinumerik_names.h"
 #include "core/nc/program/code_line.h"
 #include "core/nc/text/characters.h"
 #include "core/nc/text/named_words.h"

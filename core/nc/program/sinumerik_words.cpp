@@ -1,4 +1,4 @@
-#include "core/nc/dialect/sinumerik_words.h"
+#include "core/nc/dialect/sinumerik_names.h"
 
 #include <algorithm>
 #include <array>
