@@ -17,7 +17,6 @@
 #include "grpc/health/v1/health.grpc.pb.h"
 #include "server/resources/memory_account.h"
 #include "tests/faults/control_group.h"
-#include "tests/faults/long_stream.h"
 #include "tests/faults/questions.h"
 #include "tests/faults/service_manager.h"
 #include "tests/server/calls.h"
@@ -308,47 +307,6 @@ TEST(Limits, OnePeerCannotTakeAllMemory) {
   EXPECT_NE(refused.status.error_message().find("max-memory-per-peer-mib"), std::string::npos)
       << refused.status.error_message();
   EXPECT_TRUE(serves(socket));
-}
-
-TEST(Limits, ASelectionMayComputeForSoLong) {
-  const ServerProcess server({"--max-selection-cpu-s", "1"});
-  LongStream stream(channel_to(server.address()), laps(1000));
-  const Answer answer = stream.end();
-  EXPECT_EQ(answer.status.error_code(), grpc::RESOURCE_EXHAUSTED);
-  EXPECT_EQ(answer.reason(), "CPU_LIMIT") << answer.status.error_message();
-  EXPECT_EQ(answer.metadata("setting"), "max-selection-cpu-s");
-}
-
-TEST(Limits, AStreamMayComputeForSoLong) {
-  const ServerProcess server({"--max-stream-cpu-s", "1", "--max-selection-cpu-s", "0"});
-  LongStream stream(channel_to(server.address()), laps(1000));
-  const Answer answer = stream.end();
-  EXPECT_EQ(answer.reason(), "CPU_LIMIT") << answer.status.error_message();
-  EXPECT_EQ(answer.metadata("setting"), "max-stream-cpu-s");
-}
-
-// Two that compute on both workers, and others beside them.
-TEST(Limits, LongSelectionsKeepNobodyFromHisTurn) {
-  const Folder folder;
-  const std::string socket = "unix:" + folder.path("socket");
-  ServerProcess server(
-      {"--worker-threads", "2", "--drain-timeout-s", "1", "--admin-listen", "127.0.0.1:0"},
-      "127.0.0.1:0," + socket);
-  const std::string text = laps(1000);
-  std::vector<std::unique_ptr<LongStream>> busy;
-  for (int i = 0; i < 4; ++i)
-    busy.push_back(std::make_unique<LongStream>(channel_to(server.address()), text));
-  std::this_thread::sleep_for(seconds(1));
-  for (int i = 0; i < 5; ++i) {
-    const auto begin = Clock::now();
-    EXPECT_TRUE(serves(socket));
-    EXPECT_LT(Clock::now() - begin, seconds(5));
-  }
-  // And it ends when it is told to, whatever computes.
-  const auto told = Clock::now();
-  server.signal(SIGTERM);
-  server.wait();
-  EXPECT_LT(Clock::now() - told, seconds(1 + 2) + times_slower * std::chrono::milliseconds(500));
 }
 
 }  // namespace
