@@ -26,6 +26,10 @@ int milliseconds(std::uint32_t seconds) { return static_cast<int>(seconds) * 100
 constexpr std::uint32_t health_buffer_mib = 8;
 // The name of a service.
 constexpr std::uint32_t health_message_bytes = 4096;
+// gRPC itself refuses without details. What is larger than allowed by less than this is refused by
+// the stream it came for, with its reason. Before gRPC looks at the size of a message it has all of
+// it: nothing more is held for that.
+constexpr std::uint32_t refused_message_bytes = 16U << 20U;
 // A megabyte under way is what a link of a gigabit takes in 8 ms.
 constexpr int stream_window_bytes = 1 << 20;
 
@@ -119,7 +123,8 @@ std::string Server::open(bool with_addresses) {
   const Config& config = backend_.config;
   grpc::EnableDefaultHealthCheckService(true);
   grpc::ServerBuilder builder;
-  set_limits(builder, config, config.max_message_bytes, config.max_grpc_buffer_mib);
+  set_limits(builder, config, config.max_message_bytes + refused_message_bytes,
+             config.max_grpc_buffer_mib);
   builder.RegisterService(&service_);
   if (config.reflection) {
     reflection_ = std::make_unique<Reflection>(backend_);
