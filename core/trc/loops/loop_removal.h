@@ -6,7 +6,6 @@
 #include "core/base/checkpoint.h"
 #include "core/base/diagnostics.h"
 #include "core/base/tolerances.h"
-#include "core/trc/compensator.h"
 #include "core/trc/loops/held_path_append.h"
 #include "core/trc/loops/linear_transitions.h"
 #include "core/trc/loops/loop_release.h"
@@ -15,6 +14,7 @@
 #include "core/trc/loops/walked_path.h"
 #include "core/trc/path_block.h"
 #include "core/trc/selection/refused_way.h"
+#include "core/trc/setup.h"
 
 namespace trc {
 

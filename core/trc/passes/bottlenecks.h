@@ -8,8 +8,8 @@
 #include "core/base/diagnostics.h"
 #include "core/base/tolerances.h"
 #include "core/geometry/box_tree.h"
-#include "core/trc/compensator.h"
 #include "core/trc/path_block.h"
+#include "core/trc/setup.h"
 #include "core/trc/walls/sided_walls.h"
 
 namespace trc {

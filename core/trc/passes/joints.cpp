@@ -1,4 +1,4 @@
-#include "core/trc/corner/joints.h"
+#include "core/trc/passes/joints.h"
 
 #include <cmath>
 #include <numbers>
