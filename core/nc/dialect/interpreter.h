@@ -179,6 +179,7 @@ class Interpreter {
   bool count_whole_numbers(ProgramLine& line, BlockWords& block);
   bool read_code_axis(const CodeWord& word, ProgramLine& line, BlockWords& block);
   bool read_code_address(const CodeWord& word, ProgramLine& line, BlockWords& block);
+  bool read_code_sign(const CodeWord& word, ProgramLine& line, BlockWords& block);
   bool read_code_center(const CodeWord& word, ProgramLine& line, BlockWords& block);
   bool read_code_tool(const CodeWord& word, ProgramLine& line, BlockWords& block);
   bool read_comma_word(const CodeWord& word, ProgramLine& line, BlockWords& block);

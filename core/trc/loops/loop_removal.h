@@ -36,10 +36,9 @@ class LoopRemoval {
         checkpoint_(checkpoint),
         obstacles_(path_, window_, tolerances_, checkpoint),
         walked_(path_, window_ > 0),
-        walk_(path_, obstacles_, walked_, window_, tolerances_, diagnostics, checkpoint),
+        walk_(setup, path_, obstacles_, walked_, diagnostics, checkpoint),
         linear_(path_, walked_, obstacles_, tolerances_, checkpoint),
-        release_(path_, walked_, obstacles_, window_, setup.largest_masked_share,
-                 setup.leads.input_resolution, diagnostics) {}
+        release_(setup, path_, walked_, obstacles_, diagnostics) {}
 
   bool feed(PathBlockPtr block, PathBlocks& out);
   bool drain(PathBlocks& out);
