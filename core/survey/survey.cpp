@@ -83,7 +83,7 @@ Surveyed Survey::run(double radius) {
   } else if (auto wear = too_much_wear(reading, radius)) {
     found.refusal = std::move(wear);
   } else {
-    compensate(reading, false, found);
+    compensate(reading, Loops::as_programmed, found);
   }
   found.reaches_all = found.accepted() && found.clearance.gouging == 0 && found.limits.empty();
   if (!found.reaches_all && found.limits.empty()) found.limits = limits_of(reading, found);
@@ -95,12 +95,13 @@ Surveyed Survey::run(double radius) {
   return found;
 }
 
-void Survey::compensate(const Reading& reading, bool removes_loops, Surveyed& found) {
+void Survey::compensate(const Reading& reading, Loops loops, Surveyed& found) {
   // So many at once lie in the caches still.
   constexpr std::size_t portion = 256;
   CompensatorSetup compensator = setup_.session.compensator;
   compensator.start = setup_.session.program.start;
   compensator.inverse_path = false;
+  const bool removes_loops = loops == Loops::removed;
   if (removes_loops) compensator.largest_masked_share = 1;
   verify::UncutSink uncut;
   if (setup_.uncut)
@@ -147,7 +148,7 @@ void Survey::compensate(const Reading& reading, bool removes_loops, Surveyed& fo
 // The verification has not measured what was refused before its end.
 void Survey::look_for_uncut(const Reading& reading, Surveyed& found) {
   Surveyed other{.radius = found.radius};
-  compensate(reading, true, other);
+  compensate(reading, Loops::removed, other);
   found.uncut_known = other.accepted();
   found.uncut_by_removal = other.accepted();
   if (!other.accepted()) return;

@@ -54,7 +54,7 @@ struct Compensator::Passes {
         bottlenecks(setup, log, checkpoint),
         reporting(setup, log),
         short_way(
-            setup.inverse_path, setup.tolerances, setup.leads.input_resolution, log, loop_removal,
+            setup, log, loop_removal,
             [this](PathBlocks& free, std::vector<CompensatedBlock>& out) {
               path.blocks.swap(free);
               const bool goes_on = finish_path(Input::more, out);
@@ -62,7 +62,7 @@ struct Compensator::Passes {
               return goes_on;
             },
             reporting),
-        short_release(setup.inverse_path, setup.tolerances, loop_removal, reporting) {}
+        short_release(setup, loop_removal, reporting) {}
 
   // clang-format off
   bool step(Input input, std::vector<CompensatedBlock>& out) {

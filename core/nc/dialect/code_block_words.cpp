@@ -284,18 +284,7 @@ bool Interpreter::read_code_address(const CodeWord& word, ProgramLine& line, Blo
   const BlockWords::Value value{.value = word.value, .begin = word.begin};
   if (word.comma) return read_comma_word(word, line, block);
   const char letter = word.letter;
-  if (letter == '$') {
-    if (dialect_.name != DialectName::linuxcnc) return refuse_code(line, word, Code::nc_syntax);
-    add(line, word, WordRole::technology);
-    return true;
-  }
-  if (letter == '@') {
-    if (dialect_.name != DialectName::linuxcnc || trc_active())
-      return refuse_code(line, word, Code::nc_unsupported, "polar coordinates");
-    block.unfollowed_word = word.begin;
-    add(line, word, WordRole::technology);
-    return true;
-  }
+  if (letter == '$' || letter == '@') return read_code_sign(word, line, block);
   if (letter <= 'C' || letter >= 'U') return read_code_axis(word, line, block);
   switch (letter) {
     case 'I':
@@ -336,6 +325,20 @@ bool Interpreter::read_code_address(const CodeWord& word, ProgramLine& line, Blo
       break;
     default:  // E
       break;
+  }
+  add(line, word, WordRole::technology);
+  return true;
+}
+
+// Of LinuxCNC: $ is a spindle, @ a polar radius.
+bool Interpreter::read_code_sign(const CodeWord& word, ProgramLine& line, BlockWords& block) {
+  const bool linuxcnc = dialect_.name == DialectName::linuxcnc;
+  if (word.letter == '$') {
+    if (!linuxcnc) return refuse_code(line, word, Code::nc_syntax);
+  } else {
+    if (!linuxcnc || trc_active())
+      return refuse_code(line, word, Code::nc_unsupported, "polar coordinates");
+    block.unfollowed_word = word.begin;
   }
   add(line, word, WordRole::technology);
   return true;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/nc/program/expression.h"
+#include "core/nc/text/characters.h"
 
 namespace trc::program {
 
@@ -38,6 +39,11 @@ struct LineHead {
 
 // Behind the blanks from `at` on.
 [[nodiscard]] std::size_t behind_blanks(std::string_view line, std::size_t at);
+// The end of what was read up to `at`, without the blanks behind it.
+[[nodiscard]] inline std::size_t end_without_blanks(std::string_view line, std::size_t begin,
+                                                    std::size_t at) {
+  return begin + without_blanks_behind(line.substr(begin, at - begin)).size();
+}
 // Behind the comment that begins there; 0: it has no end.
 [[nodiscard]] std::size_t behind_comment(std::string_view line, std::size_t at);
 // Whether nothing but comments stands from `at` on.

@@ -15,8 +15,6 @@ namespace {
 
 constexpr int most_brackets = 32;
 
-bool goes_on_as_name(char sign) { return is_letter(sign) || is_digit(sign) || sign == '_'; }
-
 bool is_comparison(Operator sign) { return sign >= Operator::equal && sign <= Operator::at_most; }
 
 }  // namespace

@@ -12,10 +12,6 @@ namespace {
 
 constexpr std::size_t npos = std::string_view::npos;
 
-char sign_at(std::string_view line, std::size_t at) { return at < line.size() ? line[at] : '\0'; }
-
-bool goes_on_as_name(char sign) { return is_letter(sign) || is_digit(sign) || sign == '_'; }
-
 // `#`, `[` and `$` begin what is computed, P, V and L a variable or a call, `%` a subprogram.
 constexpr std::string_view signs_of_computing = "$[#%PVLpvl";
 
