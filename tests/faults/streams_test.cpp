@@ -4,6 +4,7 @@
 #include <grpcpp/grpcpp.h>
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <chrono>
 #include <future>
 #include <memory>
@@ -12,6 +13,7 @@
 #include <thread>
 #include <vector>
 
+#include "core/session/program_session.h"
 #include "tests/faults/long_stream.h"
 #include "tests/faults/questions.h"
 #include "tests/faults/raw_connection.h"
@@ -26,6 +28,7 @@ using server::eventually;
 using std::chrono::milliseconds;
 using std::chrono::seconds;
 using testing_support::Folder;
+using testing_support::Process;
 using testing_support::ServerProcess;
 using testing_support::times_slower;
 using Clock = std::chrono::steady_clock;
@@ -156,6 +159,56 @@ TEST(Streams, WithATokenOfAnotherSetupAreRefused) {
   const Answer first = goes_on(token_setup());
   EXPECT_TRUE(first.status.ok()) << first.status.error_message();
   EXPECT_EQ(goes_on(token_setup()).text, first.text);
+}
+
+// --- large messages ----------------------------------------------------------------------------
+
+// Sends messages as large as they may be and reads no answer, until it is over.
+void send_and_never_read(const std::string& address, const std::atomic<bool>& over) {
+  grpc::ClientContext context;
+  const auto stub = v1::TrcService::NewStub(channel_to(address));
+  const auto stream = stub->CompensateProgram(&context);
+  std::thread end([&] {
+    while (!over) std::this_thread::sleep_for(milliseconds(50));
+    context.TryCancel();
+  });
+  const std::string text = zigzag(1'000'000);
+  bool sends = stream->Write(server::setup_request(v1::ProgramSetup()));
+  for (std::uint64_t at = 0; sends; at += text.size())
+    sends = stream->Write(server::text_request(at, text, false));
+  end.join();
+  stream->Finish();
+}
+
+// gRPC ends whatever stream it comes upon when its buffers are full: they are large enough.
+TEST(Streams, OfOthersOutliveAClientOfLargeMessages) {
+  constexpr int hostile_streams = 40;
+  const Folder folder;
+  const std::string socket = "unix:" + folder.path("socket");
+  const ServerProcess server({"--admin-listen", "127.0.0.1:0", "--memory-limit-mib", "512"},
+                             "127.0.0.1:0," + socket);
+  const std::string text = zigzag(300'000);
+  const std::string file = folder.write("program.nc", text);
+  ProgramSession session({});
+  Answers alone;
+  ASSERT_TRUE(session.feed(text, alone) && session.finish(alone));
+  const std::string expected = alone.take().text;
+  std::atomic<bool> over = false;
+  std::vector<std::thread> hostile;
+  for (int i = 0; i < hostile_streams; ++i)
+    hostile.emplace_back([&] { send_and_never_read(server.address(), over); });
+  std::vector<std::unique_ptr<Process>> honest;
+  for (int i = 0; i < 3; ++i)
+    honest.push_back(std::make_unique<Process>(std::vector<std::string>{
+        FAULT_CLIENT, socket, file, folder.path(std::to_string(i)), "50"}));
+  for (std::size_t i = 0; i < honest.size(); ++i) {
+    EXPECT_EQ(honest[i]->wait(), 0) << honest[i]->err();
+    EXPECT_NE(honest[i]->out().find("resumed 0"), std::string::npos) << honest[i]->out();
+    EXPECT_EQ(testing_support::content_of(folder.path(std::to_string(i))) == expected, true);
+  }
+  over = true;
+  for (std::thread& one : hostile) one.join();
+  expect_nothing_is_left(server);
 }
 
 // --- surveys ----------------------------------------------------------------------------------
