@@ -39,8 +39,8 @@ class CrowdedServer {
   CrowdedServer()
       : ballast_(empty_file(path())),
         group_(limit_mib * mib),
-        server_(flags(), "127.0.0.1:0", 0,
-                {"LD_PRELOAD=" BALLAST_LIBRARY, "BALLAST=" + path()}, group_.launcher()) {}
+        server_(flags(), "127.0.0.1:0", 0, {"LD_PRELOAD=" BALLAST_LIBRARY, "BALLAST=" + path()},
+                group_.launcher()) {}
   ~CrowdedServer() { close(ballast_); }
   CrowdedServer(const CrowdedServer&) = delete;
   CrowdedServer& operator=(const CrowdedServer&) = delete;
@@ -72,8 +72,7 @@ class CrowdedServer {
               static_cast<ssize_t>(sizeof wanted_mib));
   }
   [[nodiscard]] std::vector<std::string> flags() const {
-    std::vector<std::string> flags{"--admin-listen", "127.0.0.1:0", "--http-listen",
-                                   "127.0.0.1:0"};
+    std::vector<std::string> flags{"--admin-listen", "127.0.0.1:0", "--http-listen", "127.0.0.1:0"};
     // In a group it has to find the limit by itself.
     if (!group_.exists())
       flags.insert(flags.end(), {"--memory-limit-mib", std::to_string(limit_mib)});
@@ -169,8 +168,8 @@ TEST_F(ScarceMemory, Above85PercentNothingNewIsBegunAndWhatIsOpenGoesOn) {
   EXPECT_TRUE(is_refused_for_memory(
       server::call_path(channel_to(address), {server::setup_request(preview.setup())})));
   for (const char* command : {"compensate", "verify"}) {
-    const auto said = testing_support::run({testing_support::trc_program(), command, program,
-                                            "--server", address, "--wait", "0"});
+    const auto said = testing_support::run(
+        {testing_support::trc_program(), command, program, "--server", address, "--wait", "0"});
     EXPECT_EQ(said.code, 4) << said.err;
     EXPECT_NE(said.err.find("memory-limit-mib"), std::string::npos) << said.err;
     EXPECT_EQ(said.out, "");
@@ -222,8 +221,8 @@ TEST_F(ScarceMemory, WithoutAStreamToEndTheServerLivesOn) {
   ASSERT_TRUE(serves(address));
   crowded.fill_to(97);
   for (int i = 0; i < 20; ++i)
-    EXPECT_TRUE(is_refused_for_memory(
-        server::run_program(channel_to(address), {}, server::g239_program)));
+    EXPECT_TRUE(
+        is_refused_for_memory(server::run_program(channel_to(address), {}, server::g239_program)));
   EXPECT_EQ(http_get(crowded.process().admin(), "/healthz"), "ok\n");
   crowded.empty();
   EXPECT_TRUE(eventually([&] { return serves(address); }));

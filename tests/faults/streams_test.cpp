@@ -1,5 +1,5 @@
-// The built server under streams that go the wrong way: that let nothing out, give up while they are
-// measured, come with another one's token, ask much at once or bring very much to begin with.
+// The built server under streams that go the wrong way: that let nothing out, give up while they
+// are measured, come with another one's token, ask much at once or bring very much to begin with.
 
 #include <grpcpp/grpcpp.h>
 #include <gtest/gtest.h>
@@ -33,15 +33,16 @@ using testing_support::ServerProcess;
 using testing_support::times_slower;
 using Clock = std::chrono::steady_clock;
 
-// A zigzag of so many bytes, compensated.
-std::string zigzag(std::size_t bytes) {
+// A zigzag of so many bytes, compensated; without an end it goes on and on.
+std::string zigzag(std::size_t bytes, bool ends = true) {
   std::string text = "G1 G41 V.G.WZ_AKT.R=0.01 X1 Y1 F800\nG91\n";
   while (text.size() < bytes) text += "X1\nY1\n";
-  return text + "G40\nG1 X10 Y-10\nM30\n";
+  return ends ? text + "G40\nG1 X10 Y-10\nM30\n" : text;
 }
 
 void expect_nothing_is_left(const ServerProcess& server) {
-  for (const char* what : {"trc_streams_active", "trc_session_memory_bytes", "trc_pool_queue_depth"})
+  for (const char* what :
+       {"trc_streams_active", "trc_session_memory_bytes", "trc_pool_queue_depth"})
     EXPECT_TRUE(eventually([&] { return metric(server.admin(), what) == 0; })) << what;
   EXPECT_TRUE(serves(server.address()));
 }
@@ -49,8 +50,8 @@ void expect_nothing_is_left(const ServerProcess& server) {
 // HTTP/2 lets a client keep its window shut: what is computed for it never leaves, and neither do
 // the heartbeats that go beside.
 TEST(Streams, ThatLetNothingOutAreEnded) {
-  const ServerProcess server({"--admin-listen", "127.0.0.1:0", "--idle-timeout-s", "3",
-                              "--heartbeat-s", "1"});
+  const ServerProcess server(
+      {"--admin-listen", "127.0.0.1:0", "--idle-timeout-s", "3", "--heartbeat-s", "1"});
   const std::string initial_window = http2::number(4, 2) + http2::number(0, 4);
   std::vector<std::unique_ptr<RawConnection>> shut;
   for (const auto verification : {v1::VERIFICATION_OFF, v1::VERIFICATION_REPORT}) {
@@ -60,10 +61,10 @@ TEST(Streams, ThatLetNothingOutAreEnded) {
     for (const bool final : {true, false}) {
       shut.push_back(std::make_unique<RawConnection>(server.address(), "127.0.0.2"));
       const std::string text = server::text_request(0, zigzag(40'000), final).SerializeAsString();
-      ASSERT_TRUE(shut.back()->send_bytes(
-          http2::greeting(initial_window) +
-          http2::headers(1, "/trc.v1.TrcService/CompensateProgram") + http2::message(1, first) +
-          http2::message(1, text)));
+      ASSERT_TRUE(
+          shut.back()->send_bytes(http2::greeting(initial_window) +
+                                  http2::headers(1, "/trc.v1.TrcService/CompensateProgram") +
+                                  http2::message(1, first) + http2::message(1, text)));
     }
   }
   ASSERT_TRUE(eventually([&] { return metric(server.admin(), "trc_streams_active") == 4; }));
@@ -172,7 +173,7 @@ void send_and_never_read(const std::string& address, const std::atomic<bool>& ov
     while (!over) std::this_thread::sleep_for(milliseconds(50));
     context.TryCancel();
   });
-  const std::string text = zigzag(1'000'000);
+  const std::string text = zigzag(1'000'000, false);
   bool sends = stream->Write(server::setup_request(v1::ProgramSetup()));
   for (std::uint64_t at = 0; sends; at += text.size())
     sends = stream->Write(server::text_request(at, text, false));
@@ -279,9 +280,8 @@ TEST(Streams, WithAllTheToolsThereMayBeBeginAtOnce) {
       tool.set_radius(0.001 * (1 + i % numbers));
     }
     const auto begin = Clock::now();
-    const Answer answer =
-        server::run_program(channel_to(server.address()), setup,
-                            "G1 G41 D10000 X20 Y0 F800\nX50\nY50\nG40 X0\nM30\n");
+    const Answer answer = server::run_program(channel_to(server.address()), setup,
+                                              "G1 G41 D10000 X20 Y0 F800\nX50\nY50\nG40 X0\nM30\n");
     EXPECT_LT(Clock::now() - begin, times_slower * seconds(2)) << count;
     return answer;
   };
