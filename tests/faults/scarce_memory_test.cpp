@@ -153,7 +153,11 @@ TEST_F(ScarceMemory, Above85PercentNothingNewIsBegunAndWhatIsOpenGoesOn) {
   CrowdedServer crowded;
   const std::string address = crowded.process().address();
   ASSERT_TRUE(serves(address));
-  HeldSelection open(address, 20'000);
+  // One that hardly holds anything, and one that would grow.
+  HeldSelection open(address, 2'000);
+  HeldSelection growing(address, 40'000);
+  ASSERT_TRUE(eventually(
+      [&] { return metric(crowded.process().admin(), "trc_session_memory_bytes") > 3.0 * mib; }));
   crowded.fill_to(90);
   ASSERT_TRUE(eventually([&] {
     return is_refused_for_memory(
@@ -183,6 +187,7 @@ TEST_F(ScarceMemory, Above85PercentNothingNewIsBegunAndWhatIsOpenGoesOn) {
   const Answer goes_on = open.end();
   EXPECT_TRUE(goes_on.status.ok()) << goes_on.status.error_message();
   EXPECT_TRUE(goes_on.text.ends_with("M30\n"));
+  EXPECT_TRUE(is_refused_for_memory(growing.end()));
   EXPECT_EQ(crowded.evictions(), 0);
   crowded.empty();
   EXPECT_EQ(patient.wait(), 0) << patient.err();
