@@ -45,6 +45,9 @@ void set_limits(grpc::ServerBuilder& builder, const Config& config, std::uint32_
   set(GRPC_ARG_MAX_CONCURRENT_STREAMS, static_cast<int>(config.max_streams_per_connection));
   set(GRPC_ARG_KEEPALIVE_TIME_MS, milliseconds(config.keepalive_time_s));
   set(GRPC_ARG_KEEPALIVE_TIMEOUT_MS, milliseconds(config.keepalive_timeout_s));
+  // Nobody is asked before the handshake of TLS is over: it may take as long as one who is.
+  set(GRPC_ARG_SERVER_HANDSHAKE_TIMEOUT_MS,
+      milliseconds(config.keepalive_time_s + config.keepalive_timeout_s));
   set(GRPC_ARG_KEEPALIVE_PERMIT_WITHOUT_CALLS, 1);
   set(GRPC_ARG_HTTP2_MAX_PINGS_WITHOUT_DATA, 0);
   // What waits in gRPC behind a stream whose turn has not come is bounded by its window. gRPC would

@@ -1,5 +1,5 @@
-// Servers of which nobody knows what they were built from: what one seals, another build of the same
-// name does not take for its own.
+// Servers of which nobody knows what they were built from: what one seals, another build of the
+// same name does not take for its own.
 
 #include <grpcpp/grpcpp.h>
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
-// Numbers at the ends of their types in every field that a client can set: what is asked is answered
-// or refused in the words of the field, and never a fault of the server.
+// Numbers at the ends of their types in every field that a client can set: what is asked is
+// answered, or refused in words of the request, and never a fault of the server.
 
 #include <google/protobuf/descriptor.h>
 #include <google/protobuf/message.h>
@@ -12,6 +12,7 @@
 #include <limits>
 #include <set>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 #include "tests/faults/questions.h"
@@ -36,15 +37,24 @@ template <class Value>
 void add(std::vector<Changed>& all, const std::string& name, const std::vector<Value>& values,
          const std::function<void(Message&, Value)>& set) {
   for (const Value value : values)
-    all.push_back({name + "=" + std::to_string(value), [set, value](Message& m) { set(m, value); }});
+    all.push_back(
+        {name + "=" + std::to_string(value), [set, value](Message& m) { set(m, value); }});
 }
 
 template <class Value>
 std::vector<Value> ends() {
   using Limits = std::numeric_limits<Value>;
   if constexpr (std::is_floating_point_v<Value>)
-    return {Limits::quiet_NaN(), Limits::infinity(), -Limits::infinity(), 1e308,    -1e308,
-            Limits::denorm_min(), -0.0,              214748.3647,         -1e-300, Limits::epsilon()};
+    return {Limits::quiet_NaN(),
+            Limits::infinity(),
+            -Limits::infinity(),
+            1e308,
+            -1e308,
+            Limits::denorm_min(),
+            -0.0,
+            214748.3647,
+            -1e-300,
+            Limits::epsilon()};
   else
     return {Limits::min(), Limits::max(), static_cast<Value>(Limits::max() - 1), Value{0}};
 }
@@ -117,9 +127,13 @@ void expect_finite(const Answer& answer, const std::string& what) {
 }
 
 std::vector<v1::Block> square() {
-  return {server::command(v1::COMPENSATION_SIDE_LEFT), server::line_to(10, 0),
-          server::line_to(30, 0), server::line_to(30, 30), server::line_to(0, 30),
-          server::command(v1::COMPENSATION_SIDE_OFF), server::line_to(-10, -10)};
+  return {server::command(v1::COMPENSATION_SIDE_LEFT),
+          server::line_to(10, 0),
+          server::line_to(30, 0),
+          server::line_to(30, 30),
+          server::line_to(0, 30),
+          server::command(v1::COMPENSATION_SIDE_OFF),
+          server::line_to(-10, -10)};
 }
 
 v1::Block circle_to(double x, double y) {
@@ -163,15 +177,19 @@ TEST_F(Extremes, OfASetupOfAPath) {
 }
 
 TEST_F(Extremes, OfASetupOfAProgram) {
+  int answered = 0;
   for (const Changed& changed : changes_of(*v1::ProgramSetup::descriptor())) {
     v1::ProgramSetup setup;
     setup.mutable_path()->set_tool_radius(2);
     changed.change(setup);
     const Answer answer = server::run_program(
-        channel(), setup, "N1 G0 X0 Y0\nN2 G1 G41 X10 Y0 F800\nX30\nG2 X40 Y10 I10\nY30\nG40 X0\nM30\n");
+        channel(), setup,
+        "G0 X0 Y0\nG1 G41 X10 Y0 F800\nX30\nG3 X40 Y10 J10\nG1 Y30\nG40\nX50 Y40\nM30\n");
     expect_answered(answer.status, changed.name);
     expect_finite(answer, changed.name);
+    answered += answer.status.ok() ? 1 : 0;
   }
+  EXPECT_GT(answered, 0) << "all of them were refused";
 }
 
 TEST_F(Extremes, OfBlocks) {
@@ -217,11 +235,11 @@ TEST_F(Extremes, OfASurvey) {
 // A zero with a sign is a zero.
 TEST_F(Extremes, MinusZeroIsZero) {
   for (const auto& set : std::vector<std::function<void(v1::PathSetup&, double)>>{
-           [](auto& setup, double zero) { setup.set_allowance(zero); },
-           [](auto& setup, double zero) { setup.set_wear(zero); },
-           [](auto& setup, double zero) { setup.mutable_start_position()->set_x(zero); },
-           [](auto& setup, double zero) { setup.set_tangfeed_min_radius(zero); },
-           [](auto& setup, double zero) { setup.set_input_resolution(zero); }}) {
+           [](auto&setup, double zero) { setup.set_allowance(zero); },
+           [](auto&setup, double zero) { setup.set_wear(zero); },
+           [](auto&setup, double zero) { setup.mutable_start_position()->set_x(zero); },
+           [](auto&setup, double zero) { setup.set_tangfeed_min_radius(zero); },
+           [](auto&setup, double zero) { setup.set_input_resolution(zero); }}) {
     std::vector<std::string> listings;
     for (const double zero : {0.0, -0.0}) {
       v1::PathSetup setup;

@@ -1,5 +1,5 @@
-// What the built server says of its health while its worker stands still, as one does that waits for
-// a lock nobody gives back: one of its threads is stopped from outside.
+// What the built server says of its health while its worker stands still, as one does that waits
+// for a lock nobody gives back: one of its threads is stopped from outside.
 
 #include <grpcpp/grpcpp.h>
 #include <gtest/gtest.h>
@@ -43,7 +43,7 @@ std::map<pid_t, long> ticks_of_threads(pid_t process) {
     std::istringstream fields(line.substr(line.rfind(')') + 1));
     std::string field;
     for (int i = 0; i < 12; ++i) fields >> field;
-    if (!field.empty()) ticks[std::stoi(thread.path().filename())] = std::stol(field);
+    if (!field.empty()) ticks[std::stoi(thread.path().filename().string())] = std::stol(field);
   }
   return ticks;
 }

@@ -148,7 +148,7 @@ TEST(Limits, TheTiniestStepsDoNotKillASmallServer) {
   small.expect_recovers(before);
 }
 
-// Arcs whose centre is a little off, each of which is told: a line of ten bytes becomes as many texts.
+// Arcs whose centre is a little off, each of which is told: ten bytes become a page of text.
 std::string arcs_off_centre(std::size_t bytes) {
   std::string text = "G0 X0 Y0\nG1 F800\nG91\n";
   while (text.size() < bytes) text += "G2X2I1.02\n";

@@ -39,8 +39,8 @@ class CrowdedServer {
   CrowdedServer()
       : ballast_(empty_file(path())),
         group_(limit_mib * mib),
-        server_(flags(), "127.0.0.1:0", 0,
-                {"LD_PRELOAD=" BALLAST_LIBRARY, "BALLAST=" + path()}, group_.launcher()) {}
+        server_(flags(), "127.0.0.1:0", 0, {"LD_PRELOAD=" BALLAST_LIBRARY, "BALLAST=" + path()},
+                group_.launcher()) {}
   ~CrowdedServer() { close(ballast_); }
   CrowdedServer(const CrowdedServer&) = delete;
   CrowdedServer& operator=(const CrowdedServer&) = delete;
@@ -72,8 +72,7 @@ class CrowdedServer {
               static_cast<ssize_t>(sizeof wanted_mib));
   }
   [[nodiscard]] std::vector<std::string> flags() const {
-    std::vector<std::string> flags{"--admin-listen", "127.0.0.1:0", "--http-listen",
-                                   "127.0.0.1:0"};
+    std::vector<std::string> flags{"--admin-listen", "127.0.0.1:0", "--http-listen", "127.0.0.1:0"};
     // In a group it has to find the limit by itself.
     if (!group_.exists())
       flags.insert(flags.end(), {"--memory-limit-mib", std::to_string(limit_mib)});
@@ -154,7 +153,11 @@ TEST_F(ScarceMemory, Above85PercentNothingNewIsBegunAndWhatIsOpenGoesOn) {
   CrowdedServer crowded;
   const std::string address = crowded.process().address();
   ASSERT_TRUE(serves(address));
-  HeldSelection open(address, 20'000);
+  // One that hardly holds anything, and one that would grow.
+  HeldSelection open(address, 2'000);
+  HeldSelection growing(address, 40'000);
+  ASSERT_TRUE(eventually(
+      [&] { return metric(crowded.process().admin(), "trc_session_memory_bytes") > 3.0 * mib; }));
   crowded.fill_to(90);
   ASSERT_TRUE(eventually([&] {
     return is_refused_for_memory(
@@ -169,8 +172,8 @@ TEST_F(ScarceMemory, Above85PercentNothingNewIsBegunAndWhatIsOpenGoesOn) {
   EXPECT_TRUE(is_refused_for_memory(
       server::call_path(channel_to(address), {server::setup_request(preview.setup())})));
   for (const char* command : {"compensate", "verify"}) {
-    const auto said = testing_support::run({testing_support::trc_program(), command, program,
-                                            "--server", address, "--wait", "0"});
+    const auto said = testing_support::run(
+        {testing_support::trc_program(), command, program, "--server", address, "--wait", "0"});
     EXPECT_EQ(said.code, 4) << said.err;
     EXPECT_NE(said.err.find("memory-limit-mib"), std::string::npos) << said.err;
     EXPECT_EQ(said.out, "");
@@ -184,6 +187,7 @@ TEST_F(ScarceMemory, Above85PercentNothingNewIsBegunAndWhatIsOpenGoesOn) {
   const Answer goes_on = open.end();
   EXPECT_TRUE(goes_on.status.ok()) << goes_on.status.error_message();
   EXPECT_TRUE(goes_on.text.ends_with("M30\n"));
+  EXPECT_TRUE(is_refused_for_memory(growing.end()));
   EXPECT_EQ(crowded.evictions(), 0);
   crowded.empty();
   EXPECT_EQ(patient.wait(), 0) << patient.err();
@@ -222,8 +226,8 @@ TEST_F(ScarceMemory, WithoutAStreamToEndTheServerLivesOn) {
   ASSERT_TRUE(serves(address));
   crowded.fill_to(97);
   for (int i = 0; i < 20; ++i)
-    EXPECT_TRUE(is_refused_for_memory(
-        server::run_program(channel_to(address), {}, server::g239_program)));
+    EXPECT_TRUE(
+        is_refused_for_memory(server::run_program(channel_to(address), {}, server::g239_program)));
   EXPECT_EQ(http_get(crowded.process().admin(), "/healthz"), "ok\n");
   crowded.empty();
   EXPECT_TRUE(eventually([&] { return serves(address); }));

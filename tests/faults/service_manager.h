@@ -50,7 +50,8 @@ class ServiceManager {
  private:
   void listen() {
     std::array<char, 512> message{};
-    for (ssize_t size = 0; (size = recv(socket_, message.data(), message.size(), MSG_DONTWAIT)) > 0;)
+    for (ssize_t size = 0;
+         (size = recv(socket_, message.data(), message.size(), MSG_DONTWAIT)) > 0;)
       heard_ += std::string(message.data(), static_cast<std::size_t>(size)) + "\n";
   }
 

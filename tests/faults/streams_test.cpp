@@ -1,9 +1,10 @@
-// The built server under streams that go the wrong way: that let nothing out, give up while they are
-// measured, come with another one's token, ask much at once or bring very much to begin with.
+// The built server under streams that go the wrong way: that let nothing out, give up while they
+// are measured, come with another one's token, ask much at once or bring very much to begin with.
 
 #include <grpcpp/grpcpp.h>
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <chrono>
 #include <future>
 #include <memory>
@@ -12,6 +13,7 @@
 #include <thread>
 #include <vector>
 
+#include "core/session/program_session.h"
 #include "tests/faults/long_stream.h"
 #include "tests/faults/questions.h"
 #include "tests/faults/raw_connection.h"
@@ -26,19 +28,21 @@ using server::eventually;
 using std::chrono::milliseconds;
 using std::chrono::seconds;
 using testing_support::Folder;
+using testing_support::Process;
 using testing_support::ServerProcess;
 using testing_support::times_slower;
 using Clock = std::chrono::steady_clock;
 
-// A zigzag of so many bytes, compensated.
-std::string zigzag(std::size_t bytes) {
+// A zigzag of so many bytes, compensated; without an end it goes on and on.
+std::string zigzag(std::size_t bytes, bool ends = true) {
   std::string text = "G1 G41 V.G.WZ_AKT.R=0.01 X1 Y1 F800\nG91\n";
   while (text.size() < bytes) text += "X1\nY1\n";
-  return text + "G40\nG1 X10 Y-10\nM30\n";
+  return ends ? text + "G40\nG1 X10 Y-10\nM30\n" : text;
 }
 
 void expect_nothing_is_left(const ServerProcess& server) {
-  for (const char* what : {"trc_streams_active", "trc_session_memory_bytes", "trc_pool_queue_depth"})
+  for (const char* what :
+       {"trc_streams_active", "trc_session_memory_bytes", "trc_pool_queue_depth"})
     EXPECT_TRUE(eventually([&] { return metric(server.admin(), what) == 0; })) << what;
   EXPECT_TRUE(serves(server.address()));
 }
@@ -46,8 +50,8 @@ void expect_nothing_is_left(const ServerProcess& server) {
 // HTTP/2 lets a client keep its window shut: what is computed for it never leaves, and neither do
 // the heartbeats that go beside.
 TEST(Streams, ThatLetNothingOutAreEnded) {
-  const ServerProcess server({"--admin-listen", "127.0.0.1:0", "--idle-timeout-s", "3",
-                              "--heartbeat-s", "1"});
+  const ServerProcess server(
+      {"--admin-listen", "127.0.0.1:0", "--idle-timeout-s", "3", "--heartbeat-s", "1"});
   const std::string initial_window = http2::number(4, 2) + http2::number(0, 4);
   std::vector<std::unique_ptr<RawConnection>> shut;
   for (const auto verification : {v1::VERIFICATION_OFF, v1::VERIFICATION_REPORT}) {
@@ -57,10 +61,10 @@ TEST(Streams, ThatLetNothingOutAreEnded) {
     for (const bool final : {true, false}) {
       shut.push_back(std::make_unique<RawConnection>(server.address(), "127.0.0.2"));
       const std::string text = server::text_request(0, zigzag(40'000), final).SerializeAsString();
-      ASSERT_TRUE(shut.back()->send_bytes(
-          http2::greeting(initial_window) +
-          http2::headers(1, "/trc.v1.TrcService/CompensateProgram") + http2::message(1, first) +
-          http2::message(1, text)));
+      ASSERT_TRUE(
+          shut.back()->send_bytes(http2::greeting(initial_window) +
+                                  http2::headers(1, "/trc.v1.TrcService/CompensateProgram") +
+                                  http2::message(1, first) + http2::message(1, text)));
     }
   }
   ASSERT_TRUE(eventually([&] { return metric(server.admin(), "trc_streams_active") == 4; }));
@@ -158,6 +162,56 @@ TEST(Streams, WithATokenOfAnotherSetupAreRefused) {
   EXPECT_EQ(goes_on(token_setup()).text, first.text);
 }
 
+// --- large messages ----------------------------------------------------------------------------
+
+// Sends messages as large as they may be and reads no answer, until it is over.
+void send_and_never_read(const std::string& address, const std::atomic<bool>& over) {
+  grpc::ClientContext context;
+  const auto stub = v1::TrcService::NewStub(channel_to(address));
+  const auto stream = stub->CompensateProgram(&context);
+  std::thread end([&] {
+    while (!over) std::this_thread::sleep_for(milliseconds(50));
+    context.TryCancel();
+  });
+  const std::string text = zigzag(1'000'000, false);
+  bool sends = stream->Write(server::setup_request(v1::ProgramSetup()));
+  for (std::uint64_t at = 0; sends; at += text.size())
+    sends = stream->Write(server::text_request(at, text, false));
+  end.join();
+  stream->Finish();
+}
+
+// gRPC ends whatever stream it comes upon when its buffers are full: they are large enough.
+TEST(Streams, OfOthersOutliveAClientOfLargeMessages) {
+  constexpr int hostile_streams = 40;
+  const Folder folder;
+  const std::string socket = "unix:" + folder.path("socket");
+  const ServerProcess server({"--admin-listen", "127.0.0.1:0", "--memory-limit-mib", "512"},
+                             "127.0.0.1:0," + socket);
+  const std::string text = zigzag(300'000);
+  const std::string file = folder.write("program.nc", text);
+  ProgramSession session({});
+  Answers alone;
+  ASSERT_TRUE(session.feed(text, alone) && session.finish(alone));
+  const std::string expected = alone.take().text;
+  std::atomic<bool> over = false;
+  std::vector<std::thread> hostile;
+  for (int i = 0; i < hostile_streams; ++i)
+    hostile.emplace_back([&] { send_and_never_read(server.address(), over); });
+  std::vector<std::unique_ptr<Process>> honest;
+  for (int i = 0; i < 3; ++i)
+    honest.push_back(std::make_unique<Process>(std::vector<std::string>{
+        FAULT_CLIENT, socket, file, folder.path(std::to_string(i)), "50"}));
+  for (std::size_t i = 0; i < honest.size(); ++i) {
+    EXPECT_EQ(honest[i]->wait(), 0) << honest[i]->err();
+    EXPECT_NE(honest[i]->out().find("resumed 0"), std::string::npos) << honest[i]->out();
+    EXPECT_EQ(testing_support::content_of(folder.path(std::to_string(i))) == expected, true);
+  }
+  over = true;
+  for (std::thread& one : hostile) one.join();
+  expect_nothing_is_left(server);
+}
+
 // --- surveys ----------------------------------------------------------------------------------
 
 grpc::Status survey(const std::string& address, const std::string& text, std::string& told) {
@@ -226,9 +280,8 @@ TEST(Streams, WithAllTheToolsThereMayBeBeginAtOnce) {
       tool.set_radius(0.001 * (1 + i % numbers));
     }
     const auto begin = Clock::now();
-    const Answer answer =
-        server::run_program(channel_to(server.address()), setup,
-                            "G1 G41 D10000 X20 Y0 F800\nX50\nY50\nG40 X0\nM30\n");
+    const Answer answer = server::run_program(channel_to(server.address()), setup,
+                                              "G1 G41 D10000 X20 Y0 F800\nX50\nY50\nG40 X0\nM30\n");
     EXPECT_LT(Clock::now() - begin, times_slower * seconds(2)) << count;
     return answer;
   };

@@ -215,19 +215,17 @@ TEST(MemoryWatch, EndsNobodyForWhatIsOnlyNotGivenBack) {
   std::atomic<int> rounds = 0;
   std::atomic<int> ended = 0;
   bool is_first = false;  // measure of a round
-  const MemoryWatch watch({.limit_bytes = 1000 * mib,
-                           .end_largest = [&] { ++ended; },
-                           .is_one_ending =
-                               [&] {
-                                 is_first = is_full;
-                                 if (is_full) ++rounds;
-                                 return false;
-                               },
-                           .counted_bytes = [] { return std::uint64_t{0}; },
-                           .resident_bytes =
-                               [&] {
-                                 return (std::exchange(is_first, false) ? 960 : 870) * mib;
-                               }});
+  const MemoryWatch watch(
+      {.limit_bytes = 1000 * mib,
+       .end_largest = [&] { ++ended; },
+       .is_one_ending =
+           [&] {
+             is_first = is_full;
+             if (is_full) ++rounds;
+             return false;
+           },
+       .counted_bytes = [] { return std::uint64_t{0}; },
+       .resident_bytes = [&] { return (std::exchange(is_first, false) ? 960 : 870) * mib; }});
   ASSERT_TRUE(eventually([&] { return watch.state() == MemoryWatch::State::scarce; }));
   is_full = true;
   ASSERT_TRUE(eventually([&] { return rounds > 5; }));
