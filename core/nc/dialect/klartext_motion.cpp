@@ -30,8 +30,13 @@ bool Interpreter::check_klartext(ProgramLine& line, KlartextBlock& block) {
   if (block.feed && block.feed->begin == ~0U) return wrong(" with F alone", Code::nc_number);
   const double unit = inch_ ? mm_per_inch / 10 : 1;
   if (block.feed && !state_.is_feed(block.feed->value * unit))
-    return refuse_klartext(line, block.feed->begin, "F, more than 0 and at most 1000000000 mm/min",
-                           Code::nc_number);
+    return refuse_klartext(
+        line, block.feed->begin,
+        std::string(line.text.substr(
+            block.feed->begin,
+            line.text.find_first_of(" \t\r\n;", block.feed->begin) - block.feed->begin)) +
+            ", more than 0 and at most 1000000000 mm/min",
+        Code::nc_number);
   const bool active = trc_active();
   const bool selects = block.side && *block.side != Side::off;
   const bool moves = block.is_motion() || block.is_lead() ||
