@@ -339,7 +339,9 @@ std::string set_tools(std::string_view text, v1::ProgramSetup& setup) {
     if (!number || !radius || !wear)
       return "tools: \"" + std::string(entry) +
              "\" is no D or T word with its radius in mm, as in 1:5, or with its wear too, as in "
-             "1:5:-0.02";
+             "1:5:-0.02" +
+             (entry.find(':') == entry.npos ? "; commas separate tools, decimals have a point"
+                                            : "");
     v1::Tool& tool = *setup.add_tools();
     tool.set_number(*number);
     tool.set_radius(*radius);
@@ -406,7 +408,14 @@ std::string apply_setting(std::string_view assignment, v1::ProgramSetup& setup) 
   if (key == "tools") return set_tools(value, setup);
   if (key == "variables") return set_variables(value, setup);
   const auto impossible = [&](const std::string& whole, const FieldDescriptor& field) {
-    return whole + ": \"" + std::string(value) + "\" is not possible; it takes " + values_of(field);
+    std::string text = whole + ": \"" + std::string(value) + "\" is not possible; it takes ";
+    text += values_of(field);
+    std::string number(value);
+    std::ranges::replace(number, ',', '.');
+    if (field.cpp_type() == FieldDescriptor::CPPTYPE_DOUBLE && number != value &&
+        finite_from(number))
+      text += "; write " + number + ", with a decimal point";
+    return text;
   };
   for (const FieldDescriptor* field : program_fields())
     if (field->name() == key)

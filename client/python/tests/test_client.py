@@ -220,7 +220,8 @@ class Compensate(unittest.TestCase):
             self.assertEqual([(block.kind, block.origin) for block in result.blocks],
                              [("rapid", "UNCOMPENSATED"), ("linear", "APPROACH"),
                               ("linear", "PROGRAMMED"), ("text", "PASSTHROUGH"),
-                              ("linear", "PROGRAMMED"), ("linear", "RETRACT")])
+                              ("linear", "PROGRAMMED"), ("linear", "RETRACT"),
+                              ("text", "PASSTHROUGH")])
             np.testing.assert_allclose(result.blocks.end[1:3, :2], [[10, 5], [45, 5]], atol=1e-9)
         self.assertIsNone(trc.compensate(POCKET, radius=5).blocks)
         with self.assertRaisesRegex(TypeError, "blocks=True"):

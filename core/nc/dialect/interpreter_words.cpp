@@ -330,10 +330,15 @@ bool Interpreter::check_feed(ProgramLine& line, const BlockWords& block) {
   const bool preset = block.of(zero_shift).is(92);
   const int feed = block.has(feed_mode) ? block.of(feed_mode).function->number : feed_mode_;
   const bool inch = block.has(unit) ? counts_in_inch(*block.of(unit).function) : inch_;
-  if (block.feed && feed == 94 && !state_.is_feed(block.feed->value * feed_unit(inch)))
+  if (block.feed && feed == 94 && !state_.is_feed(block.feed->value * feed_unit(inch))) {
+    const auto word = std::ranges::find(line.words, block.feed->begin, &WordRange::begin);
+    const std::uint32_t end = word == line.words.end() ? block.feed->begin + 1 : word->end;
     return refuse(line, TextFault{.code = Code::nc_number,
                                   .begin = block.feed->begin,
-                                  .detail = "F, more than 0 and at most 1000000000 mm/min"});
+                                  .detail = line.text.substr(block.feed->begin,
+                                                             end - block.feed->begin) +
+                                            ", more than 0 and at most 1000000000 mm/min"});
+  }
   for (WordRange& range : line.words) {
     const bool no_position = range.role == WordRole::coordinate && (preset || block.has(dwell));
     const bool no_feed = range.role == WordRole::feed && feed != 94;

@@ -16,6 +16,11 @@ bool is_arc_of(Interpreter::KlartextStatement statement) {
   return statement == circle || statement == radius_arc || statement == polar_circle;
 }
 
+std::string word_at(const ProgramLine& line, std::size_t begin) {
+  return std::string(
+      line.text.substr(begin, line.text.find_first_of(" \t\r\n;", begin) - begin));
+}
+
 }  // namespace
 
 // What the words must be together, and whether the block is followed.
@@ -26,7 +31,9 @@ bool Interpreter::check_klartext(ProgramLine& line, KlartextBlock& block) {
   if (block.feed && block.feed->begin == ~0U) return wrong(" with F alone", Code::nc_number);
   const double unit = inch_ ? mm_per_inch / 10 : 1;
   if (block.feed && !state_.is_feed(block.feed->value * unit))
-    return refuse_klartext(line, block.feed->begin, "F, more than 0 and at most 1000000000 mm/min",
+    return refuse_klartext(line, block.feed->begin,
+                           word_at(line, block.feed->begin) +
+                               ", more than 0 and at most 1000000000 mm/min",
                            Code::nc_number);
   const bool active = trc_active();
   const bool selects = block.side && *block.side != Side::off;
@@ -36,10 +43,7 @@ bool Interpreter::check_klartext(ProgramLine& line, KlartextBlock& block) {
   if (block.open_feed && active && adaptation != FeedAdaptation::off)
     return refuse_klartext(
         line, *block.open_feed,
-        std::string(line.text.substr(
-            *block.open_feed,
-            line.text.find_first_of(" \t\r\n;", *block.open_feed) - *block.open_feed)) +
-            ", no feed per minute, while TRC is active");
+        word_at(line, *block.open_feed) + ", no feed per minute, while TRC is active");
   // `/ L M8` moves nothing.
   const bool moves_nothing = block.is(KlartextStatement::straight) && !block.names_axes() &&
                              !block.side && !block.feed && !block.open_feed;
