@@ -367,7 +367,10 @@ std::vector<const Route*> routes_named(const std::string& key) {
   return found;
 }
 
-std::string unknown_key(const std::string& key) {
+std::string unknown_key(const std::string& given) {
+  // As much of it as a key has: what it is compared with costs as much as it is long.
+  constexpr std::size_t longest = 64;
+  const std::string_view key = std::string_view(given).substr(0, longest);
   std::vector<std::pair<std::size_t, std::string>> near;
   const auto consider = [&](const std::string& full) {
     const std::string last = full.substr(full.rfind('.') + 1);
@@ -386,7 +389,7 @@ std::string unknown_key(const std::string& key) {
   consider("variables");
   std::stable_sort(near.begin(), near.end(),
                    [](const auto& a, const auto& b) { return a.first < b.first; });
-  std::string text = "unknown setting \"" + key + "\"; nearest:";
+  std::string text = "unknown setting \"" + given + "\"; nearest:";
   for (std::size_t i = 0; i < 3; ++i) text += (i == 0 ? " " : ", ") + near[i].second;
   return text;
 }

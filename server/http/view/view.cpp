@@ -183,7 +183,10 @@ void View::make_output(const std::function<void()>& interrupt) {
     const Position end = from_plane(plane, element.end, double{element.third_to});
     ends.push_back({.x = end[0], .y = end[1], .z = end[2], .line = element.line});
   }
-  auto lines = std::make_shared<Lines>(std::move(text));
+  text.shrink_to_fit();
+  const std::size_t bytes = text.size();
+  auto lines = std::make_shared<Lines>(std::make_shared<const std::string>(std::move(text)));
+  lines->find_to(bytes);
   lines->set_sources(sources_of(lines->count(), reached, ends));
   const std::lock_guard lock(mutex_);
   output_ = std::move(lines);

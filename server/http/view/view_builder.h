@@ -22,7 +22,7 @@ namespace trc::server::http {
 
 // What a view is made of.
 struct ViewedProgram {
-  std::string text{};
+  std::shared_ptr<const std::string> text{};
   std::string name{};
   wire::ProgramSettings settings{};
   std::optional<Plane> plane{};  // that is shown; none: that of the first compensated block
@@ -59,11 +59,11 @@ class ViewBuilder {
   void mark_masked();
   // Draws what of the selection read last is no wall as what leads to one.
   void mark_leads();
-  void describe(const Lines& program);
+  void describe();
   // Takes the memory for what there is by now.
   bool account();
 
-  std::string text_;
+  Lines program_;
   wire::ProgramSettings settings_;
   Share share_;
   std::function<bool()> make_room_;
@@ -75,7 +75,6 @@ class ViewBuilder {
   FirstMotions first_on_contour_;
   FirstMotions first_on_path_;
   std::size_t read_bytes_ = 0;  // of the text
-  std::uint64_t read_lines_ = 0;
   // Read before it was known which plane is shown.
   std::vector<Block> waiting_;
   std::optional<Plane> asked_plane_;
