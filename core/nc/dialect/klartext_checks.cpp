@@ -17,8 +17,7 @@ bool is_arc_of(Interpreter::KlartextStatement statement) {
 }
 
 std::string word_at(const ProgramLine& line, std::size_t begin) {
-  return std::string(
-      line.text.substr(begin, line.text.find_first_of(" \t\r\n;", begin) - begin));
+  return std::string(line.text.substr(begin, line.text.find_first_of(" \t\r\n;", begin) - begin));
 }
 
 }  // namespace
@@ -31,10 +30,10 @@ bool Interpreter::check_klartext(ProgramLine& line, KlartextBlock& block) {
   if (block.feed && block.feed->begin == ~0U) return wrong(" with F alone", Code::nc_number);
   const double unit = inch_ ? mm_per_inch / 10 : 1;
   if (block.feed && !state_.is_feed(block.feed->value * unit))
-    return refuse_klartext(line, block.feed->begin,
-                           word_at(line, block.feed->begin) +
-                               ", more than 0 and at most 1000000000 mm/min",
-                           Code::nc_number);
+    return refuse_klartext(
+        line, block.feed->begin,
+        word_at(line, block.feed->begin) + ", more than 0 and at most 1000000000 mm/min",
+        Code::nc_number);
   const bool active = trc_active();
   const bool selects = block.side && *block.side != Side::off;
   const bool moves = block.is_motion() || block.is_lead() ||

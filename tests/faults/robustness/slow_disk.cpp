@@ -15,8 +15,7 @@ namespace {
 void wait() {
   const char* told = std::getenv("SLOW_DISK_MS");
   const long milliseconds = told == nullptr ? 0 : std::atol(told);
-  const timespec pause{.tv_sec = milliseconds / 1000,
-                       .tv_nsec = milliseconds % 1000 * 1'000'000};
+  const timespec pause{.tv_sec = milliseconds / 1000, .tv_nsec = milliseconds % 1000 * 1'000'000};
   nanosleep(&pause, nullptr);
 }
 
