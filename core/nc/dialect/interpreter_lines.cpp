@@ -2,6 +2,7 @@
 #include <utility>
 
 #include "core/nc/dialect/interpreter.h"
+#include "core/nc/dialect/klartext_block.h"
 #include "core/nc/text/characters.h"
 
 // How text becomes lines, wherever it is cut; each is read as soon as it is whole.
