@@ -9,14 +9,6 @@
 // What the words of a block of Klartext must be together, and whether the block is followed.
 
 namespace trc {
-namespace {
-
-bool is_arc_of(Interpreter::KlartextStatement statement) {
-  using enum Interpreter::KlartextStatement;
-  return statement == circle || statement == radius_arc || statement == polar_circle;
-}
-
-}  // namespace
 
 // What the words must be together, and whether the block is followed.
 bool Interpreter::check_klartext(ProgramLine& line, KlartextBlock& block) {

@@ -147,7 +147,7 @@ class LoopRemoval {
   bool leaving_ = false;
   PathBlocks behind_;
   PathBlocks were_behind_;  // while they are fed again; holds nothing else
-  bool ended_ = false;  // nothing comes behind that
+  bool ended_ = false;      // nothing comes behind that
 };
 
 template <class Programmed, class Path>
