@@ -10,7 +10,6 @@
 namespace trc {
 namespace {
 
-constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
 constexpr std::size_t spare_lines = 2048;  // as many as a message of 64 KiB holds
 constexpr std::size_t longest_spare_line = 256;
 constexpr std::size_t usual_words = 8;
