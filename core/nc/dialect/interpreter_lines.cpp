@@ -2,6 +2,7 @@
 #include <utility>
 
 #include "core/nc/dialect/interpreter.h"
+#include "core/nc/dialect/klartext_block.h"
 #include "core/nc/text/characters.h"
 
 // How text becomes lines, wherever it is cut; each is read as soon as it is whole.
@@ -9,7 +10,6 @@
 namespace trc {
 namespace {
 
-constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
 constexpr std::size_t spare_lines = 2048;  // as many as a message of 64 KiB holds
 constexpr std::size_t longest_spare_line = 256;
 constexpr std::size_t usual_words = 8;

@@ -11,11 +11,6 @@
 namespace trc {
 namespace {
 
-bool is_arc_of(Interpreter::KlartextStatement statement) {
-  using enum Interpreter::KlartextStatement;
-  return statement == circle || statement == radius_arc || statement == polar_circle;
-}
-
 std::string word_at(const ProgramLine& line, std::size_t begin) {
   return std::string(line.text.substr(begin, line.text.find_first_of(" \t\r\n;", begin) - begin));
 }

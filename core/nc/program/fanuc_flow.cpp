@@ -15,7 +15,6 @@ bool is_statement_at(std::string_view line, std::size_t at) {
 
 // O1001, :1001 at the beginning of a line; -1: none.
 std::int64_t number_of_unit(std::string_view line) {
-  constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
   if (line.starts_with(byte_order_mark)) line.remove_prefix(byte_order_mark.size());
   std::size_t at = behind_blanks(line, 0);
   if (at >= line.size() || (upper(line[at]) != 'O' && line[at] != ':')) return -1;

@@ -4,6 +4,7 @@
 #include "core/nc/text/characters.h"
 
 namespace trc::program {
+
 IsgFlow::IsgFlow(const ProgramSetup& setup, CallPlaces& calls, ProgramText text, bool has_begun)
     : Flow(setup, calls) {
   texts_.push_back(std::move(text));

@@ -8,6 +8,7 @@
 // has.
 
 namespace trc::program {
+
 // CALL "NAME", EXTCALL "NAME": as NAME, where it is there.
 bool SinumerikFlow::scan_call_of_text(std::size_t& at, std::vector<Call>& calls) {
   const std::size_t begin = at;

@@ -7,6 +7,9 @@
 
 namespace trc {
 
+// In front of a text in UTF-8.
+inline constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+
 // Of ASCII alone, whatever the locale.
 [[nodiscard]] constexpr char upper(char letter) {
   return letter >= 'a' && letter <= 'z' ? static_cast<char>(letter - 'a' + 'A') : letter;

@@ -10,8 +10,6 @@
 namespace trc {
 namespace {
 
-constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
-
 // What is left of a line besides its N word when its motion is gone.
 constexpr RoleSet roles_without_motion =
     bit(WordRole::mode) | bit(WordRole::feed) | bit(WordRole::technology) | bit(WordRole::comment);

@@ -146,7 +146,8 @@ class LoopRemoval {
 
   bool leaving_ = false;
   PathBlocks behind_;
-  bool ended_ = false;  // nothing comes behind that
+  PathBlocks were_behind_;  // while they are fed again; holds nothing else
+  bool ended_ = false;      // nothing comes behind that
 };
 
 template <class Programmed, class Path>
