@@ -193,7 +193,7 @@ class InwardSearch {
       if (-earlier > tolerance_ && !runs_along(next)) {
         // A lead-in that crosses the last walls, or comes near them, does not hide the start of the
         // contour.
-        const bool is_beside = !is_block_end(best_->first) && best_->gap > next.gap + same_place;
+        const bool is_beside = !is_junction(*best_) && best_->gap > next.gap + same_place;
         if ((is_crossing(*best_) || is_beside) && is_junction(next)) take(next);
         return;
       }
@@ -397,6 +397,43 @@ class InwardSearch {
   std::optional<ContourPlace> last_lap_{};
 };
 
+// Whether two blocks go on from each other without a corner.
+bool is_smooth(const Segment& before, const Segment& behind) {
+  constexpr double slight = 0.02;  // of a turn a corner begins there, as a sine
+  const Vector in = tangent_at_end(before);
+  const Vector out = tangent_at_start(behind);
+  return in.dot(out) > 0 && std::abs(cross(in, out)) < slight;
+}
+
+// A lead-out that crosses the first walls, or a lead-in that crosses the last ones, because the
+// walls do not end where they begin: what lies up to there is a step, and no contour closes on it.
+// Such a lead is an arc that begins or ends with a wall, or a block of which less than half would
+// be a wall, and that less than the tool is wide.
+bool is_lead_across_walls(const ContourView& contour, const Candidate& candidate, double tolerance,
+                          double tool_radius) {
+  constexpr double slight = 0.03;  // along each other, but for rounding: the sine of the crossing
+  constexpr std::size_t most_blocks = 2;
+  const auto& [in, along_in] = candidate.first;
+  const auto& [out, along_out] = candidate.second;
+  const Segment first = contour.segment(in);
+  const Segment last = contour.segment(out);
+  const double left_in = length_of(first) - along_in;
+  const double left_out = length_of(last) - along_out;
+  if (std::min({along_in, along_out, left_in, left_out}) <= tolerance) return false;
+  if (std::abs(cross(tangent_along(first, along_in), tangent_along(last, along_out))) < slight)
+    return false;
+  const auto is_mostly_lead = [&](double wall, double lead) {
+    return wall < lead && wall < 2 * tool_radius;
+  };
+  const bool leads_out = out + most_blocks >= contour.count && out > 0 &&
+                         (is_mostly_lead(along_out, left_out) ||
+                          (is_arc(last) && is_smooth(contour.segment(out - 1), last)));
+  const bool leads_in =
+      in < most_blocks && (is_mostly_lead(left_in, along_in) ||
+                           (is_arc(first) && is_smooth(first, contour.segment(in + 1))));
+  return leads_out || leads_in;
+}
+
 // Whether what closes the contour in the other point are leads that begin and end there, or cross.
 bool lies_within(const Closing& inner, const Closing& outer) {
   const auto is_before = [](const ContourPlace& a, const ContourPlace& b) {
@@ -425,7 +462,9 @@ std::optional<Closing> find_closing(const ContourView& contour, double closing_t
   const auto search = [&](Overruns overruns, const auto& may_close) {
     InwardSearch inward(contour, closing_tolerance, overruns, memory);
     for (const Candidate& candidate : candidates)
-      if (may_close(candidate)) inward.consider(candidate);
+      if (may_close(candidate) &&
+          !is_lead_across_walls(contour, candidate, closing_tolerance, tool_radius))
+        inward.consider(candidate);
     return inward.result(candidates);
   };
   const auto leaves_half = [&](const Candidate& candidate) {
