@@ -7,6 +7,7 @@
 #include "core/trc/loops/obstacles.h"
 #include "core/trc/loops/walked_path.h"
 #include "core/trc/path_block.h"
+#include "core/trc/setup.h"
 #include "core/trc/walls/left_out.h"
 
 namespace trc {
