@@ -13,6 +13,7 @@
 #include "core/trc/passes/reporting.h"
 #include "core/trc/path_block.h"
 #include "core/trc/result/compensated_block.h"
+#include "core/trc/setup.h"
 
 namespace trc {
 
