@@ -33,7 +33,26 @@ TEST(MachineCalls, OfFanucPassWithTheirValues) {
   written.replace(written.find("[1+2]"), 5, "3.");
   EXPECT_EQ(flat(probing, fanuc), written);
   EXPECT_EQ(flat("G90 G0 X0 Y0 M98 P9001\nN7 #1=9001\nN8 M98 P#1 L2 (A)\nM30\n", fanuc),
-            "G90 G0 X0 Y0\nM98 P9001\nN8 M98 P9001 L2\nM30\n");
+            "G90 G0 X0 Y0\nM98 P9001\n#1=9001.\nN8 M98 P9001 L2\nM30\n");
+}
+
+// What the program has set they may read: it is set in front of them, and once only.
+TEST(MachineCalls, OfFanucFindTheVariablesOfTheProgram) {  // D-95
+  EXPECT_EQ(flat("G90 G0 X0 Y0\n#1=2\n#501=25/2 (LENGTH)\n#502=-#501\n#503=#0\nM98 P9100 (READS)\n"
+                 "G65 P9101 A2.\n#502=7\nG65 P9102\nM30\n",
+                 fanuc),
+            "G90 G0 X0 Y0\n#1=2.\n#501=12.5\n#502=-12.5\n#503=#0\nM98 P9100 (READS)\n"
+            "G65 P9101 A2.\n#502=7.\nG65 P9102\nM30\n");
+  EXPECT_EQ(flat("G90 G0 X0 Y0\nG66 P9100\n#501=3\nX1.\nY1.\nG67\nM30\n", fanuc),
+            "G90 G0 X0 Y0\nG66 P9100\n#501=3.\nX1.\nY1.\nG67\nM30\n");
+}
+
+TEST(MachineCalls, OfSinumerikFindTheParametersOfTheProgram) {  // D-95
+  EXPECT_EQ(flat("EXTERN TASCHE(REAL)\nG90 G0 X0 Y0\nR1=80\nR12=R1/3\nTASCHE(R1)\nR1=2\n"
+                 "EXTCALL(\"RAND\")\nM30\n",
+                 sinumerik),
+            "EXTERN TASCHE(REAL)\nG90 G0 X0 Y0\nR1=80\nR12=26.66666667\nTASCHE(80)\nR1=2\n"
+            "EXTCALL(\"RAND\")\nM30\n");
 }
 
 TEST(MachineCalls, AreNoCallsOfPrograms) {

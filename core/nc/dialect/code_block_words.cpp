@@ -46,20 +46,19 @@ bool prints_text(std::string_view line, std::size_t begin) {
   return word == "POPEN" || word == "PCLOS" || word == "DPRNT" || word == "BPRNT";
 }
 
-// #3003=1
-bool sets_switch(std::string_view line, std::size_t begin) {
+// #3003=1; #501=12.5 and #502=#0 in front of a macro that only the machine has.
+bool sets_variable(std::string_view line, std::size_t begin) {
   if (line[begin] != '#') return false;
   std::string_view behind = line.substr(begin + 1);
   double value = 0;
   bool whole = false;
   std::size_t digits = read_number(behind, value, whole);
-  constexpr double beyond_variables = 1e6;
-  if (digits == 0 || !whole || value > beyond_variables) return false;
-  if (!is_machine_switch(static_cast<std::int64_t>(value))) return false;
+  if (digits == 0 || !whole) return false;
   behind = without_blanks_in_front(behind.substr(digits));
   if (!behind.starts_with('=')) return false;
   behind = without_blanks_in_front(behind.substr(1));
-  digits = read_number(behind, value, whole);
+  constexpr std::string_view vacant = "#0";
+  digits = behind.starts_with(vacant) ? vacant.size() : read_number(behind, value, whole);
   behind = without_blanks_in_front(behind.substr(digits));
   if (digits == 0) return false;
   return behind.empty() || behind.front() == '(' || behind.front() == ';';
@@ -155,7 +154,7 @@ bool Interpreter::read_code_words(ProgramLine& line, BlockWords& block) {
 // A name that nobody knows here and that has nothing to do with the path.
 bool Interpreter::names_what_passes(std::string_view line, std::uint32_t begin) const {
   const bool fanuc = dialect_.name == DialectName::fanuc;
-  if (fanuc && sets_switch(line, begin)) return true;
+  if (fanuc && sets_variable(line, begin)) return true;
   return is_name_alone(line, begin) &&
          (passes_word(state_.setup(), line, begin) || (fanuc && prints_text(line, begin)));
 }

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cstdint>
 #include <string>
 #include <string_view>
 
@@ -20,12 +19,6 @@ namespace trc {
 [[nodiscard]] inline bool passes_word(const ProgramSetup& setup, std::string_view line,
                                       std::size_t begin) {
   return !setup.pass_words.empty() && setup.pass_words.contains(word_to_pass(line, begin));
-}
-
-// Variables of FANUC that are switches of the machine and move nothing (D-93): clocks, single block
-// and feed hold, counters.
-[[nodiscard]] constexpr bool is_machine_switch(std::int64_t variable) {
-  return (variable >= 3001 && variable <= 3004) || variable == 3901 || variable == 3902;
 }
 
 }  // namespace trc

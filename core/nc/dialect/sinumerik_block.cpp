@@ -47,6 +47,12 @@ bool Interpreter::read_named_words(ProgramLine& line, BlockWords& block) {
         faults += read_assignment(word, line, block) ? 0 : 1;
         break;
       case NamedWord::Kind::name:
+        if (word.name == "EXTERN") {  // of a subprogram that only the machine has
+          NamedWord declaration = word;
+          declaration.end = static_cast<std::uint32_t>(line.text.size());
+          add(line, declaration, WordRole::technology);
+          return complete_code_block(line, block) && faults == 0;
+        }
         faults += read_name(word, line, block) ? 0 : 1;
         // What follows is part of the statement.
         if (is_sinumerik_statement(word.name)) return false;

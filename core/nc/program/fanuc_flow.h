@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -96,6 +97,8 @@ class FanucFlow : public CodeFlow {
   bool call_modally(std::string& flat);
   bool pass_call(std::int64_t number, bool sees_locals);
   void forget_what_the_machine_may_set(std::int64_t number);
+  // Lines that set what the program has set, for a macro of the machine that is called behind them.
+  void write_values(std::string& flat, bool sees_locals);
 
   // fanuc_variables.cpp
   bool assign(std::string& flat, std::size_t at);
@@ -115,6 +118,7 @@ class FanucFlow : public CodeFlow {
   std::vector<bool> entered_{};  // by unit
   std::vector<Locals> locals_{1};
   std::map<std::int64_t, std::optional<double>> common_{};
+  std::set<std::int64_t> unwritten_{};  // of these, set since they were last written
   // G66
   struct ModalCall {
     std::int64_t number = 0;

@@ -1,12 +1,20 @@
 #include <algorithm>
 
-#include "core/nc/dialect/pass_words.h"
 #include "core/nc/program/fanuc_flow.h"
 #include "core/nc/text/characters.h"
 
 // Variables of Fanuc, and what the control itself holds in them.
 
 namespace trc::program {
+namespace {
+
+// Switches of the machine, which move nothing (D-93): clocks, single block and feed hold, counters.
+bool is_machine_switch(std::int64_t variable) {
+  return (variable >= 3001 && variable <= 3004) || variable == 3901 || variable == 3902;
+}
+
+}  // namespace
+
 bool FanucFlow::assign(std::string& flat, std::size_t at) {
   ExpressionReader expression = expression_at(at);
   const std::int64_t number = number_of_variable(expression);
@@ -89,6 +97,7 @@ bool FanucFlow::set(std::int64_t number, const Value& value, std::size_t begin) 
     locals_.back()[static_cast<std::size_t>(number)] = content;
   } else if (number >= 100 && number < 1000) {
     common_[number] = content;
+    unwritten_.insert(number);
   } else if (number == alarm) {
     return refuse(Code::program_alarm, begin,
                   std::string(without_blanks_behind(line_.substr(begin))));
@@ -97,6 +106,26 @@ bool FanucFlow::set(std::int64_t number, const Value& value, std::size_t begin) 
                   std::string("#").append(std::to_string(number)));
   }
   return true;
+}
+
+// D-95
+void FanucFlow::write_values(std::string& flat, bool sees_locals) {
+  const auto write = [&](std::int64_t number, const std::optional<double>& content) {
+    flat.append("#").append(std::to_string(number)).append("=");
+    if (content)
+      append_value(flat, *content, PointStyle::with_point);
+    else
+      flat.append("#0");
+    flat.append(line_end());
+    is_as_written_ = false;
+  };
+  if (sees_locals) {
+    const Locals& locals = locals_.back();
+    for (std::size_t number = 1; number < locals.size(); ++number)
+      if (locals[number]) write(static_cast<std::int64_t>(number), locals[number]);
+  }
+  for (const std::int64_t number : unwritten_) write(number, common_.at(number));
+  unwritten_.clear();
 }
 
 std::int64_t FanucFlow::number_of_variable(ExpressionReader& expression) {

@@ -27,6 +27,7 @@ bool SinumerikFlow::scan_call_of_text(std::size_t& at, std::vector<Call>& calls)
   if (unit == nullptr) {
     at = line_.size();
     keep(begin, at);
+    calls_of_line_.push_back(word);
     return true;
   }
   calls.push_back({.unit = unit, .begin = begin});
@@ -190,11 +191,22 @@ bool SinumerikFlow::return_from(std::string& flat) {
   return true;
 }
 
+// R parameters that the program has set, for a subprogram that only the machine has (D-95).
+void SinumerikFlow::write_parameters(std::string& flat) {
+  for (const std::int64_t number : unwritten_) {
+    flat.append("R").append(std::to_string(number)).append("=");
+    append_value(flat, parameters_.at(number), PointStyle::as_whole);
+    flat.append(line_end());
+  }
+  unwritten_.clear();
+}
+
 // R parameters, and what the calls were given by its name.
 void SinumerikFlow::lose_values() {
   if (calls_of_line_.empty()) return;
   lost_to_ = calls_of_line_.back();
   parameters_.clear();
+  unwritten_.clear();
   for (const std::string& name : given_to_calls_) declared(name)->is_lost = true;
 }
 

@@ -275,7 +275,8 @@ bool SinumerikFlow::execute_statement(std::string& flat, std::string_view word,
   if (word == "IF") return branch(flat, expression);
   if (word == "CASE") return choose_case(expression, flat);
   if (word == "DEF") return define(flat);
-  if (word == "PROC" || word == "EXTERN") return true;
+  if (word == "PROC") return true;
+  if (word == "EXTERN") return declare_external(flat, behind);
   if (word == "RET") {
     if (!is_named_line_over(line_, behind))
       return refuse(Code::nc_unsupported, begin, "RET with a target");
@@ -284,6 +285,14 @@ bool SinumerikFlow::execute_statement(std::string& flat, std::string_view word,
   if (word.starts_with("REPEAT")) return repeat(flat, behind, word == "REPEATB");
   expression.go_to(begin);
   return jump(expression) && finish_statement(flat, expression.at());
+}
+
+// What is there is executed, and needs no declaration in the flat program.
+bool SinumerikFlow::declare_external(std::string& flat, std::size_t at) {
+  if (unit_named(name_at(line_, behind_blanks(line_, at))) != nullptr) return true;
+  is_as_written_ = true;
+  flat.append(line_).append(line_end());
+  return true;
 }
 
 bool SinumerikFlow::finish_statement(std::string& flat, std::size_t at) {

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -114,6 +115,7 @@ class SinumerikFlow : public Flow, private Variables {
   bool end_of_program(std::string& flat);
   bool execute(std::string& flat);
   bool execute_statement(std::string& flat, std::string_view word, bool& is_statement);
+  bool declare_external(std::string& flat, std::size_t at);
   bool refuse_word(Code code, std::size_t begin, std::size_t end, std::string_view why);
 
   // sinumerik_control.cpp: branches, loops and jumps.
@@ -156,6 +158,7 @@ class SinumerikFlow : public Flow, private Variables {
   bool call(std::string& flat, const Call& call);
   bool pass_arguments(const Call& call, Scope& scope);
   bool return_from(std::string& flat);
+  void write_parameters(std::string& flat);
   void lose_values();
 
   // sinumerik_declarations.cpp
@@ -189,6 +192,7 @@ class SinumerikFlow : public Flow, private Variables {
   std::map<std::pair<std::size_t, std::size_t>, Outline> outlines_{};  // by text and end
   std::vector<Scope> scopes_{1};
   std::map<std::int64_t, double> parameters_{};  // R
+  std::set<std::int64_t> unwritten_{};           // of these, set since they were last written
   // What FOR counts to, by the depth of calls and its line.
   std::map<std::pair<std::size_t, std::size_t>, double> counts_{};
 

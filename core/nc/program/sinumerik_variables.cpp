@@ -135,10 +135,13 @@ bool SinumerikFlow::store(const Place& place, const Value& value, std::size_t be
   const bool is_parameter = place.parameter >= 0;
   Variable* const variable = is_parameter ? nullptr : &scopes_[place.scope][place.name];
   if (!convert(converted, is_parameter ? Type::real : variable->type, begin)) return false;
-  if (is_parameter)
+  if (is_parameter) {
     parameters_[place.parameter] = converted.number;
-  else
-    variable->elements[place.element] = std::move(converted), variable->is_lost = false;
+    unwritten_.insert(place.parameter);
+  } else {
+    variable->elements[place.element] = std::move(converted);
+    variable->is_lost = false;
+  }
   return true;
 }
 

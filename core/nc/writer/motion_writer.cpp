@@ -58,7 +58,7 @@ bool is_full_circle(const Arc& arc) { return arc.start == arc.end; }
 double sagitta_of(const Arc& arc) { return radius_of(arc) * (1 - std::cos(arc.sweep / 2)); }
 
 // A control that counts in thousandths of a millimetre, or ten-thousandths of an inch, takes both
-// ends of an arc so short for one place, and goes all the way round. `squared_chord`: mm².
+// ends of an arc so short for one place, and goes all the way round (D-97). `squared_chord`: mm².
 bool may_become_circle(const Arc& arc, double squared_chord, bool inch) {
   const double near = 1.5 * (inch ? mm_per_inch / 10'000 : 0.001);
   return squared_chord < near * near && std::abs(arc.sweep) < std::numbers::pi;
