@@ -165,7 +165,9 @@ class Drawing {
         (elements.planeOf(i) === elements.plane ? 0 : asideFlag);
       const small = Math.max(box[2] - box[0], box[3] - box[1]) <= 2 * this.tolerance;
       const about = {element: i, line: elements.line(i), word, radius: elements.values[4 * i + 3]};
-      if (elements.isSpecial(i) && small) this.dot(ax, ay, about);
+      // A circle that is too small to be one leads nowhere.
+      const isClosed = elements.arc(i) !== null && ax === bx && ay === by;
+      if (small && (elements.isSpecial(i) || isClosed)) this.dot(ax, ay, about);
       if (!small || !pen || pen.atX !== ax || pen.atY !== ay) {
         lift();
         pen = {x: ax, y: ay, atX: ax, atY: ay, ...about};

@@ -122,9 +122,9 @@ async function show(program, fit) {
   redraw();
   document.body.dataset.view = view.id;
   await input.show(view);
-  // To make it is as much work as all before: the picture comes first.
   output.clear();
-  await tiles.drawn;
+  // To make it is as much work as all before: the picture comes first.
+  if (!view.refused) await tiles.drawn;
   if (program.view === view) await output.show(view);
 }
 

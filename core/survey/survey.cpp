@@ -54,6 +54,12 @@ void note(const Diagnostic& found, double least, Surveyed& result) {
     result.limits.push_back(*last);
 }
 
+// Kerf masking fills a notch that the tool cannot enter, without a note: its walls are not reached.
+void note_filled(const CompensatedBlock& block, std::vector<Source>& filled) {
+  const bool is_known = filled.size() == 2 || (!filled.empty() && filled.back() == block.source);
+  if (block.origin == Origin::kerf && !is_known) filled.push_back(block.source);
+}
+
 }  // namespace
 
 Survey::Survey(SurveySetup setup, Reader reader)
@@ -114,11 +120,13 @@ void Survey::compensate(const Reading& reading, Loops loops, Surveyed& found) {
                               {.uncut = std::move(uncut), .known_walls = &walls_});
   std::vector<Block> blocks(portion);
   std::vector<CompensatedBlock> out;
+  std::vector<Source> filled;
   const auto drop = [&] {
     if (!out.empty() && setup_.progressed) setup_.progressed();
+    for (const CompensatedBlock& block : out) note_filled(block, filled);
     out.clear();
   };
-  // Of the path only what it tells is wanted.
+  // Of the path only what it tells is wanted, and which notches were filled.
   const auto take = [&] {
     for (drop(); session.is_releasing(); drop()) session.release(out);
     for (const Diagnostic& told : log.take()) {
@@ -138,6 +146,7 @@ void Survey::compensate(const Reading& reading, Loops loops, Surveyed& found) {
   }
   if (!log.stopped()) session.finish_until_portion(modes.at_end(), out);
   take();
+  if (found.limits.empty()) found.limits = std::move(filled);
   found.summary = session.summary();
   if (session.clearance() != nullptr) found.clearance = *session.clearance();
   found.uncut_known = setup_.uncut && found.accepted();

@@ -204,7 +204,9 @@ void Drawing::draw_element(const Elements& elements, std::size_t index, std::uin
   if (!sees(box)) return lift();
   const Pen pen = pen_of(elements, index, flags);
   const bool small = box.size().maxCoeff() <= 2 * tolerance_;
-  const bool is_dot = element.is_special() && small;
+  // A circle that is too small to be one leads nowhere.
+  const bool is_closed = element.arc >= 0 && element.start == element.end;
+  const bool is_dot = small && (element.is_special() || is_closed);
   if (is_dot) draw_dot(element.start, pen);
   // Something small keeps the pen of the stroke it is part of, unless that is of another kind and
   // can be seen.

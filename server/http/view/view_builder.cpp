@@ -107,10 +107,11 @@ ViewBuilder::ViewBuilder(ViewedProgram program, Memory& memory, std::function<bo
 bool ViewBuilder::account() {
   // What a line in the compensated text will take.
   constexpr std::size_t output_bytes = 64;
-  const std::size_t bytes = contour_.bytes() + path_.bytes() + output_bytes * path_.size() +
-                            (waiting_.size() + selection_.capacity()) * sizeof(Block) +
-                            contour_blocks_.capacity() * sizeof(std::uint32_t) +
-                            radius_of_line_.capacity() * sizeof(float);
+  const std::size_t bytes =
+      contour_.bytes() + path_.bytes() + output_bytes * path_.size() +
+      (waiting_.size() + selection_.capacity()) * sizeof(Block) +
+      (contour_blocks_.capacity() + replaced_.capacity()) * sizeof(std::uint32_t) +
+      radius_of_line_.capacity() * sizeof(float);
   while (has_memory_ && bytes > share_.bytes())
     if (!share_.take(bytes - share_.bytes())) has_memory_ = make_room_();
   return has_memory_;
@@ -138,6 +139,8 @@ bool ViewBuilder::add(const std::vector<CompensatedBlock>& blocks) {
   settle_plane();
   for (const CompensatedBlock& block : blocks) {
     if (block.origin == Origin::passthrough) continue;
+    if (block.origin == Origin::kerf || block.origin == Origin::converted_circle)
+      replaced_.push_back(static_cast<std::uint32_t>(block.source.index));
     const Element element{
         .feed = block.rapid ? 0 : static_cast<float>(block.feed),
         .line = block.source.line,
@@ -278,10 +281,15 @@ void ViewBuilder::mark_leads() {
 }
 
 void ViewBuilder::mark_masked() {
-  if (masked_.empty()) return;
+  if (masked_.empty() && replaced_.empty()) return;
   const NotTravelled masked(masked_);
-  for (std::size_t i = 0; i < contour_.size(); ++i)
-    if (masked.contains(contour_blocks_[i])) contour_.restyle(i, Style::contour_masked);
+  std::sort(replaced_.begin(), replaced_.end());
+  for (std::size_t i = 0; i < contour_.size(); ++i) {
+    const std::uint32_t block = contour_blocks_[i];
+    if (masked.contains(block) || std::binary_search(replaced_.begin(), replaced_.end(), block))
+      contour_.restyle(i, Style::contour_masked);
+  }
+  replaced_ = {};
 }
 
 void ViewBuilder::describe() {

@@ -70,6 +70,9 @@ class ViewBuilder {
   bool has_memory_ = true;
   v1::View said_;
   std::vector<Diagnostic> masked_;  // as far as the picture needs them
+  // Source::index of contour blocks that have another one in their place, as the sides of a notch
+  // that kerf masking has filled.
+  std::vector<std::uint32_t> replaced_;
 
   ContourReader reader_;
   FirstMotions first_on_contour_;
