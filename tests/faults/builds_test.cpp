@@ -21,8 +21,8 @@ using testing_support::content_of;
 using testing_support::Folder;
 using testing_support::ServerProcess;
 
-const std::string head = "G0 X0 Y0\nG0 X5\n";
-const std::string rest = "G1 G41 V.G.WZ_AKT.R=0.5 X10 Y0 F800\nX20\nG40\nX30 Y9\nM30\n";
+const std::string first_part = "G0 X0 Y0\nG0 X5\n";
+const std::string second_part = "G1 G41 V.G.WZ_AKT.R=0.5 X10 Y0 F800\nX20\nG40\nX30 Y9\nM30\n";
 
 // The same program as another build: the linker has given it another number.
 std::string another_build(const Folder& folder) {
@@ -55,7 +55,7 @@ class NamelessServer {
     const auto stub = v1::TrcService::NewStub(channel());
     const auto stream = stub->CompensateProgram(&context);
     stream->Write(server::setup_request(setup()));
-    stream->Write(server::text_request(0, head, false));
+    stream->Write(server::text_request(0, first_part, false));
     v1::CompensateProgramResponse response;
     while (response.resume_token().empty() && stream->Read(&response)) continue;
     context.TryCancel();
@@ -66,8 +66,9 @@ class NamelessServer {
   [[nodiscard]] Answer goes_on(const std::string& token) const {
     v1::ProgramSetup with_token = setup();
     with_token.mutable_path()->set_resume_token(token);
-    return server::call_program(channel(), {server::setup_request(with_token),
-                                            server::text_request(head.size(), rest, true)});
+    return server::call_program(channel(),
+                                {server::setup_request(with_token),
+                                 server::text_request(first_part.size(), second_part, true)});
   }
 
  private:

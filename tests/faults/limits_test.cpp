@@ -160,7 +160,7 @@ TEST(Limits, AWarningOfEveryLineDoesNotKillASmallServer) {
   SmallServer small;
   ASSERT_TRUE(serves(small.process().address()));
   const double before = small.process().resident_mib();
-  const std::string text = arcs_off_centre(863'000);
+  const std::string text = arcs_off_centre(40'000);
   const std::size_t lines = static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
   for (const Answer& answer : ask_at_once(small.process().address(), text, 14)) {
     if (answer.status.ok())

@@ -96,8 +96,8 @@ TEST(Streams, ThatAreCancelledWhileTheyAreMeasuredLeaveNothing) {
 
 // --- tokens -----------------------------------------------------------------------------------
 
-const std::string head = "G0 X0 Y0\nG0 X5\n";
-const std::string rest = "G1 G41 X10 Y0 F800\nX20\nG40\nX30 Y9\nM30\n";
+const std::string first_part = "G0 X0 Y0\nG0 X5\n";
+const std::string second_part = "G1 G41 X10 Y0 F800\nX20\nG40\nX30 Y9\nM30\n";
 
 v1::ProgramSetup token_setup() {
   v1::ProgramSetup setup;
@@ -111,7 +111,7 @@ std::string token_after_head(const std::string& address) {
   const auto stub = v1::TrcService::NewStub(channel_to(address));
   const auto stream = stub->CompensateProgram(&context);
   stream->Write(server::setup_request(token_setup()));
-  stream->Write(server::text_request(0, head, false));
+  stream->Write(server::text_request(0, first_part, false));
   v1::CompensateProgramResponse response;
   while (response.resume_token().empty() && stream->Read(&response)) continue;
   context.TryCancel();
@@ -128,7 +128,7 @@ TEST(Streams, WithATokenOfAnotherSetupAreRefused) {
     setup.mutable_path()->set_resume_token(token);
     return server::call_program(
         channel_to(server.address()),
-        {server::setup_request(setup), server::text_request(head.size(), rest, true)});
+        {server::setup_request(setup), server::text_request(first_part.size(), second_part, true)});
   };
   using Change = void (*)(v1::ProgramSetup&);
   const std::vector<Change> changes{
