@@ -53,8 +53,8 @@ grpc::ServerUnaryReactor* TrcService::GetServerInfo(grpc::CallbackServerContext*
     v1::GetServerInfoResponse answer;
     describe(backend_.config, answer);
     bool own = false;
-    static_cast<void>(grpc::SerializationTraits<v1::GetServerInfoResponse>::Serialize(
-        answer, response, &own));
+    static_cast<void>(
+        grpc::SerializationTraits<v1::GetServerInfoResponse>::Serialize(answer, response, &own));
   }
   record.ended(ending);
   grpc::ServerUnaryReactor* reactor = context->DefaultReactor();

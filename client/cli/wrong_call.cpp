@@ -90,14 +90,26 @@ std::string meant_number(const std::string& fault) {
 
 // The choice that a control, or a shop, calls by another name.
 std::optional<std::string> called_otherwise(const std::string& word) {
-  constexpr auto names = std::to_array<std::pair<std::string_view, std::string_view>>(
-      {{"siemens", "sinumerik"},  {"840d", "sinumerik"},    {"828d", "sinumerik"},
-       {"haas", "fanuc"},         {"mazak", "fanuc"},       {"fagor", "fanuc"},
-       {"mach3", "fanuc"},        {"grbl", "fanuc"},        {"iso", "fanuc"},
-       {"emc", "linuxcnc"},       {"emc2", "linuxcnc"},     {"tnc", "heidenhain"},
-       {"itnc", "heidenhain"},    {"klartext", "heidenhain"}, {"twincat", "isg"},
-       {"beckhoff", "isg"},       {"in", "inch"},           {"inches", "inch"},
-       {"metric", "mm"}});
+  constexpr auto names =
+      std::to_array<std::pair<std::string_view, std::string_view>>({{"siemens", "sinumerik"},
+                                                                    {"840d", "sinumerik"},
+                                                                    {"828d", "sinumerik"},
+                                                                    {"haas", "fanuc"},
+                                                                    {"mazak", "fanuc"},
+                                                                    {"fagor", "fanuc"},
+                                                                    {"mach3", "fanuc"},
+                                                                    {"grbl", "fanuc"},
+                                                                    {"iso", "fanuc"},
+                                                                    {"emc", "linuxcnc"},
+                                                                    {"emc2", "linuxcnc"},
+                                                                    {"tnc", "heidenhain"},
+                                                                    {"itnc", "heidenhain"},
+                                                                    {"klartext", "heidenhain"},
+                                                                    {"twincat", "isg"},
+                                                                    {"beckhoff", "isg"},
+                                                                    {"in", "inch"},
+                                                                    {"inches", "inch"},
+                                                                    {"metric", "mm"}});
   const auto* const found =
       std::ranges::find(names, word, &std::pair<std::string_view, std::string_view>::first);
   if (found == names.end()) return std::nullopt;

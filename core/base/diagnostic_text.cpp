@@ -453,10 +453,11 @@ std::string help_to_declare(const Diagnostic& diagnostic, bool german) {
   if (family == families.end()) return {};
   const std::string name(family->dialect);
   if (german)
-    return "Ist dies ein Programm " + std::string(family->german) + ", dann dies angeben: --dialect " +
-           name + ", `dialect` im Setup. Ist es eines für ISG, das Wort streichen.";
-  return "If this is a program " + std::string(family->english) + ", declare it: --dialect " + name +
-         ", `dialect` in the setup. If it is one for ISG, remove the word.";
+    return "Ist dies ein Programm " + std::string(family->german) +
+           ", dann dies angeben: --dialect " + name +
+           ", `dialect` im Setup. Ist es eines für ISG, das Wort streichen.";
+  return "If this is a program " + std::string(family->english) + ", declare it: --dialect " +
+         name + ", `dialect` in the setup. If it is one for ISG, remove the word.";
 }
 
 }  // namespace

@@ -588,9 +588,10 @@ TEST(WrongCall, SaysHowNumbersAreWritten) {
     return ended.err;
   };
   EXPECT_EQ(told({"--radius", "5mm"}), "trc compensate: --radius: 5mm is no number\n");
-  EXPECT_EQ(told({"--set", "tool_radius=5,5"}),
-            "trc: --set: tool_radius: \"5,5\" is not possible; it takes a number; write 5.5, with a "
-            "decimal point\n");
+  EXPECT_EQ(
+      told({"--set", "tool_radius=5,5"}),
+      "trc: --set: tool_radius: \"5,5\" is not possible; it takes a number; write 5.5, with a "
+      "decimal point\n");
   EXPECT_EQ(told({"--set", "tool_radius=5,5", "--lang", "de"}),
             "trc: --set: tool_radius: \"5,5\" ist nicht möglich; es nimmt eine Zahl; 5.5 "
             "schreiben, mit Dezimalpunkt\n");
@@ -1159,8 +1160,9 @@ TEST(Compensate, RemediesNameWhatTheCommandLineHas) {
   EXPECT_EQ(ended.err.find("setup"), std::string::npos) << ended.err;
   const Ended of_fanuc =
       trc({"compensate", "-"}, "O1\nG21 G41 D1 G01 X10 Y0 F500\nX20\nG40 X30 Y10\nM30\n");
-  EXPECT_NE(of_fanuc.err.find("Haas or the like, declare it: --dialect fanuc. If it is one for ISG"),
-            std::string::npos)
+  EXPECT_NE(
+      of_fanuc.err.find("Haas or the like, declare it: --dialect fanuc. If it is one for ISG"),
+      std::string::npos)
       << of_fanuc.err;
   const Ended calls = trc({"compensate", "-", "--dialect", "fanuc"}, "O1\nG41 D1\nM98 P7\nM30\n");
   EXPECT_NE(calls.err.find("help: Put it into the same file, or give its file: --subprograms FILE, "

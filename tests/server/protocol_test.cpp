@@ -122,8 +122,8 @@ TEST(Protocol, RequestThatIsTooLargeIsToldWithItsLimit) {
   config.max_message_bytes = 4096;
   const InProcessServer server(config);
   const std::string large(5000, ' ');
-  const Answer program =
-      call_program(server.channel(), {setup_request(v1::ProgramSetup()), text_request(0, large, true)});
+  const Answer program = call_program(
+      server.channel(), {setup_request(v1::ProgramSetup()), text_request(0, large, true)});
   EXPECT_EQ(program.status.error_code(), grpc::RESOURCE_EXHAUSTED);
   EXPECT_EQ(program.reason(), "MESSAGE_TOO_LARGE");
   EXPECT_EQ(program.metadata("max_message_bytes"), "4096");

@@ -331,11 +331,11 @@ bool Interpreter::check_feed(ProgramLine& line, const BlockWords& block) {
   if (block.feed && feed == 94 && !state_.is_feed(block.feed->value * feed_unit(inch))) {
     const auto word = std::ranges::find(line.words, block.feed->begin, &WordRange::begin);
     const std::uint32_t end = word == line.words.end() ? block.feed->begin + 1 : word->end;
-    return refuse(line, TextFault{.code = Code::nc_number,
-                                  .begin = block.feed->begin,
-                                  .detail = line.text.substr(block.feed->begin,
-                                                             end - block.feed->begin) +
-                                            ", more than 0 and at most 1000000000 mm/min"});
+    return refuse(line,
+                  TextFault{.code = Code::nc_number,
+                            .begin = block.feed->begin,
+                            .detail = line.text.substr(block.feed->begin, end - block.feed->begin) +
+                                      ", more than 0 and at most 1000000000 mm/min"});
   }
   for (WordRange& range : line.words) {
     const bool no_position = range.role == WordRole::coordinate && (preset || block.has(dwell));
