@@ -1,13 +1,10 @@
 #pragma once
 
-#include <optional>
-#include <string>
 #include <variant>
 #include <vector>
 
 #include "core/base/diagnostic.h"
 #include "core/base/tolerances.h"
-#include "core/geometry/plane.h"
 #include "core/geometry/segment.h"
 
 namespace trc {
@@ -48,19 +45,6 @@ using CircleResult = std::variant<Arc, CircleFault>;
 
 // The worth of the last digit of a program that counts in inch, or not, mm.
 [[nodiscard]] constexpr double last_digit(bool inch) { return inch ? 2.54e-3 : 1e-3; }
-
-// How a program writes a circle.
-struct CircleWords {
-  Plane plane = Plane::xy;
-  bool absolute_center = false;  // of I, J and K
-  bool klartext = false;         // CC
-  bool inch = false;
-};
-
-// "I25 J0, X0 Y40 → X40 Y40": the words of a circle that do not fit together, in the unit of the
-// program. Without a centre, which a radius stands for, its ends alone.
-[[nodiscard]] std::string told_circle(const CircleEnds& ends, const std::optional<Point>& center,
-                                      const CircleWords& words);
 
 // What correcting a centre does to an arc, as a length: the width of the narrowest ring about the
 // programmed centre that holds the arc, mm. On a short arc that is far less than the shift.

@@ -5,6 +5,7 @@
 #include <functional>
 #include <utility>
 
+#include "core/nc/state/circle_words.h"
 #include "core/nc/state/in_range.h"
 
 namespace trc {
