@@ -132,6 +132,8 @@ constexpr auto rows = std::to_array<Sentence>({
     {"{} blocks, clearance {} of {} mm", "{} Sätze, Abstand {} von {} mm"},
     {"{} blocks, {} warnings", "{} Sätze, {} Warnungen"},
     {"{} blocks", "{} Sätze"},
+    {"error {} at line {}", "Fehler {} in Zeile {}"},
+    {"error {}", "Fehler {}"},
     {"{} programs", "{} Programme"},
     // What the system says.
     {"No such file or directory", "die Datei oder das Verzeichnis gibt es nicht"},
