@@ -69,6 +69,17 @@ std::string about(const v1::PathSummary& path) {
   return text;
 }
 
+// The first error, where it is: in a long table that is looked for, not read above it.
+std::string about_refused(const v1::JobRecord& record) {
+  for (const v1::Diagnostic& found : record.diagnostics()) {
+    if (found.severity() != v1::Diagnostic::ERROR) continue;
+    std::string text = "error " + std::to_string(found.code());
+    if (found.line() > 0) text += " at line " + std::to_string(found.line());
+    return text;
+  }
+  return {};
+}
+
 // Never with jsonl, whose last line tells how long it took.
 bool is_unchanged(const FolderRun& run, Item& item) {
   v1::JobRecord record;
@@ -157,6 +168,8 @@ class Work {
       v1::JobRecord record;
       if (item.result == Result::done && read_record(item, record))
         item.about = about(record.summary().path());
+      if (item.result == Result::refused && read_record(item, record))
+        item.about = about_refused(record);
       // Beside a record that says REFUSED there is no result of an earlier run.
       std::error_code none;
       if (item.result == Result::refused) fs::remove(item.output, none);

@@ -14,6 +14,7 @@
 #include "client/cli/progress.h"
 #include "client/cli/reporter.h"
 #include "client/cli/told.h"
+#include "client/cli/untouched.h"
 #include "client/cli/verbose_text.h"
 #include "core/base/tolerances.h"
 #include "core/nc/text/number_format.h"
@@ -45,6 +46,30 @@ std::string worst_line(const verify::Clearance& worst) {
   return "smallest clearance " + mm(worst.distance) + " mm of " + mm(worst.required) + " mm at X" +
          mm(worst.place[0]) + " Y" + mm(worst.place[1]) + " Z" + mm(worst.place[2]) + ", path of " +
          block_name(worst.path) + " beside contour block " + block_name(worst.contour);
+}
+
+void print_share(const Untouched::Share& share, const char* what) {
+  if (share.stretches == 0) return;
+  std::cout << told("  " + mm(share.length) + " mm " + what + ": " +
+                    std::to_string(share.stretches) +
+                    (share.stretches == 1 ? " stretch" : " stretches") + ", the longest " +
+                    mm(share.longest) + " mm of " + block_name(share.longest_at))
+            << '\n';
+}
+
+// How much of the walls the path touches, and why not the rest.
+void print_coverage(const verify::ClearanceReport& report, const Untouched& untouched) {
+  if (report.wall_length <= 0) return;
+  using Reason = Untouched::Reason;
+  std::cout << told("the path touches " + percent(report.coverage()) + " of " +
+                    mm(report.wall_length) + " mm of wall")
+            << '\n';
+  print_share(untouched.of(Reason::inside_corner),
+              "lie in inside corners, into which a round tool does not reach");
+  print_share(untouched.of(Reason::left_out),
+              "are left out or passed by, as the tool has no room there");
+  print_share(untouched.of(Reason::farther_away),
+              "have the path farther away than the tool radius");
 }
 
 struct Call {
@@ -127,10 +152,12 @@ Exit run(const ProgramOptions& options) {
 
   const double allowed = Tolerances{}.on_contour;
   Progress progress(false, options.loudness.quiet, language_of(setup));
+  Untouched untouched(paths.programmed, paths.compensated);
   const verify::ClearanceReport report = verify::measure_clearance(
       paths.programmed, paths.compensated,
       {.allowed = allowed,
        .leads = paths.leads,
+       .uncut = [&](const verify::UncutWall& wall) { untouched.add(wall); },
        .progress = [&](std::size_t done, std::size_t all) { progress.measured(done, all); }});
   progress.clear();
   if (!report.worst) {
@@ -144,10 +171,7 @@ Exit run(const ProgramOptions& options) {
       (!report.gouge ||
        report.worst->margin() < report.gouge->margin() - verify::margin_resolution))
     std::cout << told("the contour closes there: that is a touch, no gouge") << '\n';
-  if (report.wall_length > 0)
-    std::cout << told("the path touches " + percent(report.coverage()) + " of " +
-                      mm(report.wall_length) + " mm of wall")
-              << '\n';
+  print_coverage(report, untouched);
   if (report.gouging == 0) return Exit::done;
   const verify::Clearance& gouge = *report.gouge;
   std::cerr << told(input.name() + ':' + std::to_string(gouge.path.line) +

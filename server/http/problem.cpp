@@ -1,5 +1,7 @@
 #include "server/http/problem.h"
 
+#include <algorithm>
+#include <array>
 #include <utility>
 
 #include "core/base/language.h"
@@ -65,9 +67,12 @@ void set_reason(v1::Problem& problem, std::string_view reason) {
   problem.set_type("urn:trc:" + std::string(reason));
 }
 
-// Limits that a smaller request keeps; waiting does not help.
+// Limits that a smaller request keeps; waiting does not help. Not what is too large on the machine:
+// WEAR_TOO_LARGE, INSIDE_CORNER_ANGLE_TOO_LARGE.
 bool is_about_size(std::string_view reason) {
-  return reason.ends_with("_TOO_LARGE") || reason.ends_with("_TOO_LONG");
+  constexpr std::array sizes{"ANSWER_TOO_LARGE", "BATCH_TOO_LARGE", "COMPUTING_TEXT_TOO_LONG",
+                             "NC_LINE_TOO_LONG", "SELECTION_TOO_LONG"};
+  return std::find(sizes.begin(), sizes.end(), reason) != sizes.end();
 }
 
 // A limit that this request meets whenever it comes.

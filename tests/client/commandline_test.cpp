@@ -1346,6 +1346,36 @@ TEST(Verify, FindsAGougeThatWasIgnored) {
       << ended.err;
 }
 
+// Inside a square of 40 mm: 5 mm at both sides of each corner.
+TEST(Verify, SaysWhyWallsAreNotTouched) {
+  const Ended pocket = trc({"verify", "-", "--radius", "5"},
+                           "N10 G0 X20 Y10 F1000\nN20 G41 G1 X20 Y0\nN30 X40\nN40 Y40\nN50 X0\n"
+                           "N60 Y0\nN70 X20\nN80 G40 Y10\nM30\n");
+  EXPECT_EQ(pocket.code, 0) << pocket.err;
+  EXPECT_NE(pocket.out.find("the path touches 75.0 % of 160.0000 mm of wall\n"
+                            "  40.0000 mm lie in inside corners, into which a round tool does not "
+                            "reach: 8 stretches, the longest 5.0000 mm of N30 (line 3)\n"),
+            std::string::npos)
+      << pocket.out;
+  EXPECT_EQ(pocket.out.find("left out"), std::string::npos) << pocket.out;
+
+  const std::string slot =
+      "#TRC[REMOVE_MASKED_BLOCKS=1]\nN10 G0 X-20 Y-20 F1000\nN20 G26 G41 G141\nN30 G1 X0 Y0\n"
+      "N40 Y40\nN50 X26\nN60 Y30\nN70 X34\nN80 Y40\nN90 X60\nN100 Y0\nN110 X0\nN120 G40 X-20 Y-20\n"
+      "M30\n";
+  const Ended passed = trc({"verify", "-", "--radius", "5"}, slot);
+  EXPECT_EQ(passed.code, 0) << passed.err;
+  EXPECT_NE(passed.out.find(" mm are left out or passed by, as the tool has no room there: "),
+            std::string::npos)
+      << passed.out;
+  EXPECT_EQ(passed.out.find("inside corners"), std::string::npos) << passed.out;
+  const Ended german = trc({"verify", "-", "--radius", "5", "--lang", "de"}, slot);
+  EXPECT_NE(german.out.find(" mm sind ausgelassen oder umgangen, weil das Werkzeug dort keinen "
+                            "Platz hat: "),
+            std::string::npos)
+      << german.out;
+}
+
 TEST(Verify, FindsNoGougeInGeneratedContours) {
   for (const char* shape :
        {"polygon", "square", "star", "gear", "wave", "spiral", "meander", "random"}) {

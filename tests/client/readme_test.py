@@ -66,6 +66,10 @@ class Readme(unittest.TestCase):
         shutil.copytree(TOP / "client" / "samples", samples)
         for name in ("part.nc", "nc/one.nc", "nc/other.nc"):
             (cls.work / name).write_text(PART)
+        # Inside a square of 40 mm.
+        (cls.work / "pocket.nc").write_text(
+            "N10 G0 X20 Y10 F1000\nN20 G41 G1 X20 Y0\nN30 X40\nN40 Y40\nN50 X0\nN60 Y0\n"
+            "N70 X20\nN80 G40 Y10\nM30\n")
         (cls.work / "tools.csv").write_text("number,radius,wear\n1,5,-0.02\n")
         # As a program of Fanuc that is both: its tool is that of the table.
         (cls.work / "fanuc.nc").write_text(

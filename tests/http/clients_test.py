@@ -500,6 +500,52 @@ class Programs(unittest.TestCase):
         self.assertEqual(problem["detail"],
                          'setup.tool_radius: "5,5" ist nicht möglich; es nimmt eine Zahl')
 
+    def test_what_a_tool_differs_by_may_be_said_in_every_way(self):
+        at = "/v1/programs:compensate"
+        whole = self.server.ask("POST", at + "?tool_radius=5.18", SQUARE, TEXT)[2]
+        terms = "?tool_radius=5&wear=0.08&allowance=0.1"
+        self.assertEqual(self.server.ask("POST", at + terms, SQUARE, TEXT)[2], whole)
+        head = "V.G.WZ_AKT.R = 5\nV.G.WZ_AKT.R = V.G.WZ_AKT.R + 0.18\n"
+        written = self.server.ask("POST", at, head + SQUARE, TEXT)[2]
+        self.assertTrue(written.endswith(whole), written)
+
+        corners = [(0, 0), (0, 50), (50, 50), (50, 0), (0, 0)]
+        blocks = ([{"linear": {"end": {"x": -20, "y": -20}}},
+                   {"command": {"side": "COMPENSATION_SIDE_LEFT"}}] +
+                  [{"linear": {"end": {"x": x, "y": y}}} for x, y in corners] +
+                  [{"command": {"side": "COMPENSATION_SIDE_OFF"}},
+                   {"linear": {"end": {"x": -20, "y": -20}}}])
+        answers = []
+        for setup in ({"toolRadius": 5.18}, {"toolRadius": 5, "wear": 0.08, "allowance": 0.1}):
+            status, answer = self.server.ask_json(
+                "POST", "/v1/paths:compensate",
+                json.dumps({"setup": {**setup, "verify": "VERIFICATION_REPORT"},
+                            "batch": {"blocks": blocks}}), JSON)
+            self.assertEqual(status, 200, answer)
+            answers.append(answer)
+        self.assertEqual(answers[0]["blocks"], answers[1]["blocks"])
+        said = answers[1]["summary"]
+        self.assertEqual((said["effectiveRadius"], said["wear"], said["allowance"]),
+                         (5.18, 0.08, 0.1))
+        self.assertAlmostEqual(said["certificate"]["clearance"], 5.18)
+
+        # The centre path of a tool of 5 mm, and one that is worn by 0.02 mm.
+        centre = ("G00 X-20 Y-20\nG41 G01 X-5 Y-5 F500\nY55\nX55\nY-5\nX-5\n"
+                  "G40 X-20 Y-20\nM30\n")
+        query = "/v1/programs:compensate?nominal_radius=5&wear="
+        worn = self.server.ask("POST", query + "-0.02", centre, TEXT)[2].decode()
+        for corner in ("X-4.98 Y54.98", "X54.98 Y54.98", "X54.98 Y-4.98"):
+            self.assertIn(corner, worn)
+        # It is the program that is at fault, and no request that is too large.
+        status, problem = self.server.ask_json("POST", query + "5", centre, TEXT)
+        self.assertEqual((status, problem["diagnostics"][0]["code"]), (422, 900222))
+        self.assertEqual(problem["title"], "The program cannot be compensated")
+        outside = ("G00 X60 Y-40\nG238 G41 G01 X0 Y0 F1000\nY100\nX100\nY0\nX0\n"
+                   "G40 X60 Y-40\nM30\n")
+        status, problem = self.server.ask_json(
+            "POST", "/v1/programs:compensate?tool_radius=5", outside, TEXT)
+        self.assertEqual((status, problem["diagnostics"][0]["code"]), (422, 90130), problem)
+
     def test_a_survey_of_a_path_is_that_of_its_program(self):
         setup = {"radii": [2, 4, 21], "wantUncut": True,
                  "path": {"selectionMode": "SELECTION_MODE_DIRECT"}}

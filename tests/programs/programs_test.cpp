@@ -214,8 +214,6 @@ TEST(Codes, AreEachRaisedByAProgram) {
     for (const ExpectedDiagnostic& expected :
          read_expectation(read_file(folder / "good" / (name + ".expected"))).diagnostics)
       raised.insert(expected.code);
-  // A limit of the server, which no program can set: tests/server raises it.
-  raised.insert(Code::selection_too_long);
   // It takes more than 16 MiB of text: computing_test.cpp raises it.
   raised.insert(Code::computing_text_too_long);
   // They are of calls and tool tables of other dialects: tools_of_programs_test.cpp raises them.

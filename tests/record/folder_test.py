@@ -251,6 +251,10 @@ class Folders(unittest.TestCase):
                  os.path.dirname(made)], env=ENVIRONMENT, capture_output=True, check=False)
             self.assertEqual(done.returncode, expected)
             self.assertEqual(os.path.exists(made), expected == 0)
+            # The table says of each what came of it.
+            told = done.stdout.decode().splitlines()[0]
+            self.assertRegex(told, r" done +\d+ blocks, " if expected == 0 else
+                             r" refused +error 90019 at line \d+$")
             with open(made + ".json", "rb") as file:
                 self.assertEqual(json.load(file)["outcome"], ("DONE", "REFUSED")[expected])
 

@@ -200,7 +200,10 @@ ProgramSessionSetup read_setup(std::string_view program) {
     } else if (key == "max_masked_share") {
       setup.session.compensator.largest_masked_share = words.number();
     } else if (key == "verify") {
-      setup.session.verify = Verify::enforce;
+      const bool reports = words.more() && words.word() == "report";
+      setup.session.verify = reports ? Verify::report : Verify::enforce;
+    } else if (key == "selection_blocks") {
+      setup.session.compensator.limits.selection_blocks = static_cast<std::size_t>(words.number());
     } else if (key == "wear") {
       setup.session.program.wear = words.number();
     } else if (key == "allowance") {
