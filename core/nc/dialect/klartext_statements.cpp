@@ -274,6 +274,8 @@ bool Interpreter::copy_motion_of_machine(ProgramLine& line, std::size_t begin,
 // Everything that is no contour.
 bool Interpreter::read_klartext_statement(ProgramLine& line, std::size_t begin) {
   const std::string statement = statement_of(std::string_view(line.text).substr(begin));
+  if (statement.empty())  // nothing but a comment goes on below
+    return refuse_klartext(line, begin, "~", Code::nc_syntax);
   const std::string first = first_word(statement);
   if (begins_with_word(statement, "BEGIN")) {
     if (blocks_read_ > 0)
