@@ -137,6 +137,13 @@ class Attacks(unittest.TestCase):
         statuses = [part[:3] for part in answer.split(b"HTTP/1.1 ")[1:]]
         self.assertEqual(statuses, [b"200", b"404", b"200", b"404"])
 
+    def test_what_is_no_http_ends_the_connection_behind_a_request_too(self):
+        get = b"GET /v1/info HTTP/1.1\r\nHost: localhost\r\n\r\n"
+        for nonsense in (b"nonsense\r\n\r\n", get[:-2] + b"X: " + b"a" * 40_000):
+            answer = answer_to(self.server, get + nonsense + get)
+            statuses = [part[:3] for part in answer.split(b"HTTP/1.1 ")[1:]]
+            self.assertEqual((statuses[0], len(statuses)), (b"200", 2), statuses)
+
     def test_changed_requests_never_make_the_server_fail(self):
         body = SQUARE.encode()
         path = json.dumps({"setup": {"toolRadius": 5}, "batch": {"blocks": [
