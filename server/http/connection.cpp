@@ -138,6 +138,7 @@ class Connection final : public Exchange,
 
   void await_request() {
     share_.release();
+    is_whole_ = false;
     parser_.emplace();
     parser_->header_limit(static_cast<std::uint32_t>(limits_.most_header_bytes));
     // The real limit follows when it is known what is asked.
