@@ -123,7 +123,7 @@ TEST(Turns, OfTwoGreedyClientsKeepNoThirdOneFromHis) {
   const Folder folder;
   const std::string socket = "unix:" + folder.path("socket");
   ServerProcess server({"--worker-threads", "2", "--max-selection-cpu-s", "0", "--drain-timeout-s",
-                        "0", "--admin-listen", "127.0.0.1:0", "--stall-timeout-s", "5"},
+                        "0", "--admin-listen", "127.0.0.1:0"},
                        "127.0.0.1:0,[::1]:0," + socket);
   const std::string log = server.log();
   const std::size_t second = log.find(',', log.find("\"ports\":"));
