@@ -187,7 +187,7 @@ TEST(ClosingPrograms, ChordsBelowTheResolutionAreNotTold) {
 // Where the last wall is deeper than the first one, or less deep, an arc or a line that leads out
 // or in crosses a wall: the contour does not close there, and that is told.
 TEST(ClosingPrograms, AStepBetweenTheLastWallAndTheFirstIsTold) {  // D-38
-  for (const double step : {0.011, 0.02, 0.1, 0.5, 0.9, 1.0, -0.02, -0.1, -0.5, -0.9}) {
+  for (const double step : {0.02, 0.1, 0.5, 0.9, 1.0, -0.02, -0.1, -0.5, -0.9}) {
     for (const bool arcs : {true, false}) {
       const std::string y = std::to_string(-step);
       const std::string out = std::to_string(2 - step);
@@ -208,7 +208,7 @@ TEST(ClosingPrograms, AStepBetweenTheLastWallAndTheFirstIsTold) {  // D-38
 // Hand-written programs begin beyond a corner and go on beyond it: they close where both cross.
 TEST(ClosingPrograms, LinesThatGoOnBeyondACornerCloseThere) {  // D-38
   const std::string contour =
-      "N1 G0 X-20 Y0 F800\nN2 G138 G26 G41 G1 X-12 Y-8\nN3 X-8 Y0\nN4 X15\nN5 Y15\nN6 X0\n"
+      "N1 G0 X-20 Y0 F800\nN2 G138 G26 G42 G1 X-12 Y-8\nN3 X-8 Y0\nN4 X15\nN5 Y15\nN6 X0\n"
       "N7 Y-6\nN8 G40 X-10 Y-10\n";
   const Result outcome = run(removing, 5, contour);
   ASSERT_TRUE(outcome.whole);

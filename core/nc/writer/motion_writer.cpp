@@ -180,10 +180,8 @@ MotionWriter::ArcNumbers MotionWriter::numbers_of(const Arc& arc, Plane plane,
   const ReadArc read{.start = start,
                      .end = {numbers.end[0].read, numbers.end[1].read},
                      .center = {numbers.center[0].read, numbers.center[1].read}};
-  if (may_become_circle(arc, (read.end - read.start).squaredNorm(), state.inch) &&
-      sagitta_of(arc) <= unit(state.inch))
-    numbers.form = ArcForm::line;
-  else if (!is_surely_read_alike(read, arc, unit(state.inch)))
+  if (may_become_circle(arc, (read.end - read.start).squaredNorm(), state.inch) ||
+      !is_surely_read_alike(read, arc, unit(state.inch)))
     numbers.form = form_of(arc, numbers, plane, state);
   return numbers;
 }
@@ -195,6 +193,9 @@ MotionWriter::ArcForm MotionWriter::form_of(const Arc& arc, const ArcNumbers& nu
   const Point end(numbers.end[0].read, numbers.end[1].read);
   const Point center(numbers.center[0].read, numbers.center[1].read);
 
+  if (may_become_circle(arc, (end - start).squaredNorm(), state.inch) &&
+      sagitta_of(arc) <= unit(state.inch))
+    return ArcForm::line;
   // Controls know no rounding.
   const CircleCheck check{.last_digit = 0};
   if ((center - start).norm() <= tolerances.same_point) return ArcForm::line;
