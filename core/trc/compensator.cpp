@@ -2,6 +2,7 @@
 
 #include <optional>
 
+#include "core/trc/entry_help.h"
 #include "core/trc/loops/loop_removal.h"
 #include "core/trc/pass.h"
 #include "core/trc/passes/bottlenecks.h"
@@ -14,7 +15,6 @@
 #include "core/trc/passes/reporting.h"
 #include "core/trc/passes/rounded_input.h"
 #include "core/trc/passes/transitions.h"
-#include "core/trc/selection/entry_help.h"
 #include "core/trc/selection/inside_corner.h"
 #include "core/trc/selection/refused_way.h"
 #include "core/trc/selection/split.h"

@@ -757,8 +757,9 @@ TEST(Conversion, KeepsTheFirstWordOfAnAxisAlsoWhereItIsZero) {
                                DialectName::sinumerik, DialectName::heidenhain}) {
     ProgramSetup setup;
     setup.dialect = DialectName::fanuc;
+    setup.decimals = 3;
     const std::string written =
-        convert_program("T1 M6\nG0 A0\nG0 X0 Y0 Z5 B0 C90.\nM30\n", setup, to, 3).text;
+        convert_program("T1 M6\nG0 A0\nG0 X0 Y0 Z5 B0 C90.\nM30\n", setup, to).text;
     for (const char* word : {"A[+]?0", "B[+]?0", "C[+]?90"})
       EXPECT_TRUE(std::regex_search(written, std::regex(std::string(" ") + word))) << written;
   }
@@ -801,7 +802,7 @@ TEST(Conversion, SaysToolsSpeedsAndSwitchesAsTheyAreMeant) {
     setup.dialect = DialectName::fanuc;
     setup.block_skip = skip;
     const ConvertedProgram written =
-        convert_program("G0 X5\n/M8\nG0 X6\nM30\n", setup, DialectName::isg, 3);
+        convert_program("G0 X5\n/M8\nG0 X6\nM30\n", setup, DialectName::isg);
     EXPECT_EQ(told(written), "");
     EXPECT_EQ(written.text.find("\nM8\n") != std::string::npos, word) << written.text;
   }
@@ -857,7 +858,7 @@ TEST(Conversion, LeavesOutTheRegisterOfTheRadiusAlone) {
     setup.dialect = from;
     setup.tools = {{1, 1.0}, {3, 1.0}, {21, 1.0}};
     const ConvertedProgram written =
-        convert_program("T1 M6\nG0 X1 " + word + "\nM30\n", setup, DialectName::linuxcnc, 3);
+        convert_program("T1 M6\nG0 X1 " + word + "\nM30\n", setup, DialectName::linuxcnc);
     EXPECT_EQ(written.text.find('D'), std::string::npos) << written.text;
     EXPECT_EQ(told(written), goes_on ? "" : word + " 2\n");
   }

@@ -191,22 +191,11 @@ bool SinumerikFlow::return_from(std::string& flat) {
   return true;
 }
 
-// R parameters that the program has set, for a subprogram that only the machine has (D-95).
-void SinumerikFlow::write_parameters(std::string& flat) {
-  for (const std::int64_t number : unwritten_) {
-    flat.append("R").append(std::to_string(number)).append("=");
-    append_value(flat, parameters_.at(number), PointStyle::as_whole);
-    flat.append(line_end());
-  }
-  unwritten_.clear();
-}
-
 // R parameters, and what the calls were given by its name.
 void SinumerikFlow::lose_values() {
   if (calls_of_line_.empty()) return;
   lost_to_ = calls_of_line_.back();
   parameters_.clear();
-  unwritten_.clear();
   for (const std::string& name : given_to_calls_) declared(name)->is_lost = true;
 }
 

@@ -158,7 +158,6 @@ class SinumerikFlow : public Flow, private Variables {
   bool call(std::string& flat, const Call& call);
   bool pass_arguments(const Call& call, Scope& scope);
   bool return_from(std::string& flat);
-  void write_parameters(std::string& flat);
   void lose_values();
 
   // sinumerik_declarations.cpp
@@ -192,7 +191,6 @@ class SinumerikFlow : public Flow, private Variables {
   std::map<std::pair<std::size_t, std::size_t>, Outline> outlines_{};  // by text and end
   std::vector<Scope> scopes_{1};
   std::map<std::int64_t, double> parameters_{};  // R
-  std::set<std::int64_t> unwritten_{};           // of these, set since they were last written
   // What FOR counts to, by the depth of calls and its line.
   std::map<std::pair<std::size_t, std::size_t>, double> counts_{};
 

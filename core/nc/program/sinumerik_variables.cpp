@@ -137,7 +137,6 @@ bool SinumerikFlow::store(const Place& place, const Value& value, std::size_t be
   if (!convert(converted, is_parameter ? Type::real : variable->type, begin)) return false;
   if (is_parameter) {
     parameters_[place.parameter] = converted.number;
-    unwritten_.insert(place.parameter);
   } else {
     variable->elements[place.element] = std::move(converted);
     variable->is_lost = false;

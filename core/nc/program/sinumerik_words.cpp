@@ -74,7 +74,6 @@ bool SinumerikFlow::execute_words(std::string& flat) {
     if (!is_main) piece.instead = std::string();
   }
   if (!calls.empty()) return call(flat, calls.front());
-  if (!calls_of_line_.empty()) write_parameters(flat);
   write_words(flat);
   lose_values();
   if (returns) return return_from(flat);

@@ -193,16 +193,10 @@ NamedWord NamedWordReader::address() {
     word.index = is_whole(word.value) && word.value < some_spindle ? static_cast<int>(word.value)
                                                                    : some_spindle;
   }
+  if (word.letter == 'R' && word.index >= 0)
+    return fail(Code::nc_unsupported, word.begin, "R, a variable");
   if (peek() != '=') return fail(Code::nc_number, word.begin, std::string(1, word.letter));
   ++at_;
-  if (word.letter == 'R' && word.index >= 0) {
-    // A value that the program has computed, in front of a call that may read it (D-95).
-    skip_blanks();
-    if (!begins_number(peek()) || !read_plain_number(word))
-      return fail(Code::nc_unsupported, word.begin, "R, a variable");
-    word.end = static_cast<std::uint32_t>(at_);
-    return word;
-  }
   const bool is_main_axis = word.letter >= 'X' && word.letter <= 'Z' && word.index < 0;
   word.is_variable = is_main_axis && read_variable();
   if (!word.is_variable && !read_value(word)) return failed();

@@ -1,4 +1,4 @@
-#include "core/trc/selection/entry_help.h"
+#include "core/trc/entry_help.h"
 
 #include <algorithm>
 #include <array>
