@@ -111,7 +111,7 @@ TEST(AProgramThatComputes, WritesPlacesOutsideOfContoursInTheDecimalsOfTheOutput
                     "G0 X#1 Y[2*#1] F#1\n"
                     "G81 X[3.7*#1] Z-#1 R[#1/7] F100.\n"
                     "G80\n"
-                    "G0 X0.\n"
+                    "G0 X0. Y0.\n"
                     "G2 X#1 Y0. R[#1/2]\n"
                     "G91 G1 X#1 F100.\n"
                     "X#1\n"
@@ -122,7 +122,7 @@ TEST(AProgramThatComputes, WritesPlacesOutsideOfContoursInTheDecimalsOfTheOutput
             "G0 X3.3333 Y6.6667 F3.33333333\n"
             "G81 X12.3333 Z-3.3333 R0.4762 F100.\n"
             "G80\n"
-            "G0 X0.\n"
+            "G0 X0. Y0.\n"
             "G2 X3.33333333 Y0. R1.66666667\n"
             "G91 G1 X3.33333333 F100.\n"
             "X3.33333333\n"
@@ -141,8 +141,9 @@ TEST(AProgramThatComputes, IsCompensatedWithAllDecimalsOfItsContour) {
   const Ran got = run_computing(std::string(part), coarse, Output::blocks);
   ASSERT_FALSE(wanted.stopped) << wanted.report();
   ASSERT_EQ(got.blocks.size(), wanted.blocks.size()) << got.report();
-  for (std::size_t block = 0; block + 1 < wanted.blocks.size(); ++block)
-    EXPECT_EQ(end_of(got.blocks[block].path), end_of(wanted.blocks[block].path)) << block;
+  for (std::size_t block = 0; block < wanted.blocks.size(); ++block)
+    if (wanted.blocks[block].origin != Origin::uncompensated)
+      EXPECT_EQ(end_of(got.blocks[block].path), end_of(wanted.blocks[block].path)) << block;
 }
 
 TEST(AProgramThatComputes, StopsWithAllThatCannotBeReadInIt) {
