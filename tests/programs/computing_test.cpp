@@ -126,14 +126,14 @@ TEST(AProgramThatComputes, WritesPlacesOutsideOfContoursInTheDecimalsOfTheOutput
             "G2 X3.33333333 Y0. R1.66666667\n"
             "G91 G1 X3.33333333 F100.\n"
             "X3.33333333\n"
-            "G90 G0 X3.3333\n"
+            "G90 G0 X3.33333333\n"
             "M30\n");
 }
 
 TEST(AProgramThatComputes, IsCompensatedWithAllDecimalsOfItsContour) {
   constexpr std::string_view part =
       "G21 G17 G90\n#1=10/3\nG0 X-20. Y-20.\nG41 D1 G1 X#1 Y-5. F100.\nY[9*#1]\nX[6*#1]\n"
-      "G40 X60.\nG0 Y#1\nM30\n";
+      "G40 X60.\nG0 Y3.\nM30\n";
   ProgramSessionSetup fine = computing_setup(DialectName::fanuc);
   ProgramSessionSetup coarse = fine;
   coarse.session.program.decimals = 1;
