@@ -27,6 +27,7 @@ constexpr auto rows = std::to_array<Sentence>({
     {"{}: File is actually a directory: {}", "{}: die Datei ist ein Verzeichnis: {}"},
     {"{}: Path does not exist: {}", "{}: das gibt es nicht: {}"},
     {"{}: Value {} not in range {} to {}", "{}: der Wert {} liegt nicht zwischen {} und {}"},
+    {"{} is {}, which is no number", "{} ist {}, und das ist keine Zahl"},
     {"{}: {} is no number; write {}, with a decimal point",
      "{}: {} ist keine Zahl; {} schreiben, mit Dezimalpunkt"},
     {"{}: {} is no number", "{}: {} ist keine Zahl"},
@@ -82,7 +83,6 @@ constexpr auto rows = std::to_array<Sentence>({
      "{} ist keine Zeile einer Werkzeugtabelle; eine CSV beginnt mit einem Kopf wie "
      "number,radius"},
     {"{} names no tool and edge, as in {}", "{} nennt kein Werkzeug mit Schneide, wie in {}"},
-    {"{} is {}, which is no number", "{} ist {}, und das ist keine Zahl"},
     {"the table has no column {}", "die Tabelle hat keine Spalte {}"},
     {"unknown column {}", "unbekannte Spalte {}"},
     {"the header needs number or name, and one of radius, diameter",

@@ -618,23 +618,29 @@ class Programs(unittest.TestCase):
             self.assertIn(setting, problem["detail"])
 
     def test_a_path_that_can_never_fit_is_not_asked_for_again(self):
-        def ask(count, headers):
-            blocks = [{"linear": {"end": {"x": i + 0.12345678, "y": 0.12345678}}}
-                      for i in range(count)]
+        def lines(count):
+            return [{"linear": {"end": {"x": i + 0.12345678, "y": 0.12345678}}}
+                    for i in range(count)]
+
+        def ask(blocks, headers):
             body = json.dumps({"batch": {"blocks": blocks}})
             status, answered, problem = self.server.ask("POST", "/v1/paths:compensate", body,
                                                         {**JSON, **headers})
             self.assertEqual((status, answered["Retry-After"]), (413, None))
             return json.loads(problem)
 
-        problem = ask(50_000, {})
-        self.assertIn(problem["reason"], ("MESSAGE_TOO_LARGE", "BATCH_TOO_LARGE"))
-        self.assertIn("max-", problem["detail"])
-        problem = ask(4500, {})
+        problem = ask([{"passthrough": {"text": "M8 " * 3000}}] * 200, {})
+        self.assertEqual(problem["reason"], "MESSAGE_TOO_LARGE")
+        self.assertIn("max-message-bytes", problem["detail"])
+        # So many are refused before they are read.
+        problem = ask(lines(50_000), {})
+        self.assertEqual(problem["reason"], "BATCH_TOO_LARGE")
+        problem = ask(lines(4500), {})
         self.assertEqual(problem["reason"], "BATCH_TOO_LARGE")
         self.assertIn("divide the path", problem["detail"])
         self.assertNotIn("smaller batches", problem["detail"])
-        self.assertRegex(ask(4500, {"Accept-Language": "de"})["detail"], "^sie hat 4500 Sätze")
+        self.assertRegex(ask(lines(4500), {"Accept-Language": "de"})["detail"],
+                         "^sie hat 4500 Sätze")
 
     def test_every_problem_is_in_the_language_that_is_preferred(self):
         german = {"Accept-Language": "de-AT, en;q=0.5"}

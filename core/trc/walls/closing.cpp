@@ -12,6 +12,7 @@
 #include "core/geometry/along.h"
 #include "core/geometry/box_tree.h"
 #include "core/trc/walls/contact.h"
+#include "core/trc/walls/crossing_leads.h"
 #include "core/trc/walls/long_leads.h"
 #include "core/trc/walls/outline.h"
 #include "core/trc/walls/rings.h"
@@ -396,43 +397,6 @@ class InwardSearch {
   std::optional<double> longest_ring_{};
   std::optional<ContourPlace> last_lap_{};
 };
-
-// Whether two blocks go on from each other without a corner.
-bool is_smooth(const Segment& before, const Segment& behind) {
-  constexpr double slight = 0.02;  // of a turn a corner begins there, as a sine
-  const Vector in = tangent_at_end(before);
-  const Vector out = tangent_at_start(behind);
-  return in.dot(out) > 0 && std::abs(cross(in, out)) < slight;
-}
-
-// A lead-out that crosses the first walls, or a lead-in that crosses the last ones, because the
-// walls do not end where they begin: what lies up to there is a step, and no contour closes on it.
-// Such a lead is an arc that begins or ends with a wall, or a block of which less than half would
-// be a wall, and that less than the tool is wide (D-96).
-bool is_lead_across_walls(const ContourView& contour, const Candidate& candidate, double tolerance,
-                          double tool_radius) {
-  constexpr double slight = 0.03;  // along each other, but for rounding: the sine of the crossing
-  constexpr std::size_t most_blocks = 2;
-  const auto& [in, along_in] = candidate.first;
-  const auto& [out, along_out] = candidate.second;
-  const Segment first = contour.segment(in);
-  const Segment last = contour.segment(out);
-  const double left_in = length_of(first) - along_in;
-  const double left_out = length_of(last) - along_out;
-  if (std::min({along_in, along_out, left_in, left_out}) <= tolerance) return false;
-  if (std::abs(cross(tangent_along(first, along_in), tangent_along(last, along_out))) < slight)
-    return false;
-  const auto is_mostly_lead = [&](double wall, double lead) {
-    return wall < lead && wall < 2 * tool_radius;
-  };
-  const bool leads_out = out + most_blocks >= contour.count && out > 0 &&
-                         (is_mostly_lead(along_out, left_out) ||
-                          (is_arc(last) && is_smooth(contour.segment(out - 1), last)));
-  const bool leads_in =
-      in < most_blocks && (is_mostly_lead(left_in, along_in) ||
-                           (is_arc(first) && is_smooth(first, contour.segment(in + 1))));
-  return leads_out || leads_in;
-}
 
 // Whether what closes the contour in the other point are leads that begin and end there, or cross.
 bool lies_within(const Closing& inner, const Closing& outer) {
