@@ -201,8 +201,10 @@ PathSettings from_proto(const v1::PathSetup& message, const FieldPath& path, Fie
   program.tool_radius_given = message.has_tool_radius();
   OptionalPosition start;
   from_proto(message.start_position(), FieldPath(path, "start_position"), start, faults);
+  // A zero with a sign becomes one without: the answer would carry the sign on.
+  constexpr double unsigned_zero = 0.0;
   for (std::size_t axis = 0; axis < start.size(); ++axis)
-    program.start[axis] = start[axis].value_or(0);
+    program.start[axis] = start[axis].value_or(0) + unsigned_zero;
   settings.session.compensator.start = program.start;
   const FieldPath circles(path, "circle_center_mode");
   program.circle = from_proto(message.circle_center_mode(), circles, faults);

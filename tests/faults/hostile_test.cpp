@@ -183,7 +183,7 @@ TEST(Hostile, ManyLargeProgramsOnOneConnectionAreLeftAlone) {
     text += "G1 X" + std::to_string(i) + ".125 Y" + std::to_string(i % 7) + ".25\n";
   std::vector<v1::CompensateProgramRequest> requests{server::setup_request(v1::ProgramSetup())};
   std::uint64_t at = 0;
-  for (int i = 0; i < 280; ++i, at += text.size())
+  for (int i = 0; i < 80; ++i, at += text.size())
     requests.push_back(server::text_request(at, text, false));
   requests.push_back(server::text_request(at, "M30\n", true));
   std::vector<std::future<bool>> streams;
