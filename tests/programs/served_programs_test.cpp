@@ -57,17 +57,24 @@ class ServedPrograms : public ::testing::Test {
     return config;
   }
 
-  void SetUp() override {
-    auto started = server::Server::start(loopback());
+  void start(std::size_t selection_blocks) {
+    server::Config config = loopback();
+    config.max_blocks_per_selection = selection_blocks;
+    auto started = server::Server::start(config);
     ASSERT_NE(started.server, nullptr) << started.fault;
+    connection_.reset();
     server_ = std::move(started.server);
+    selection_blocks_ = selection_blocks;
     const std::string address = "127.0.0.1:" + std::to_string(server_->ports().front());
     const auto failure = client::Connection::open(address, {}, connection_);
     ASSERT_FALSE(failure) << failure->message;
   }
 
-  Served serve(const std::string& text, wire::Layout layout, std::size_t piece) const {
+  Served serve(const std::string& text, wire::Layout layout, std::size_t piece) {
     const ProgramSessionSetup session = read_setup(text);
+    // It is the server that sets this limit.
+    const std::size_t limit = session.session.compensator.limits.selection_blocks;
+    if (limit != selection_blocks_) start(limit);
     wire::ProgramSettings settings;
     settings.path.session = session.session;
     settings.path.response_layout = layout;
@@ -91,6 +98,7 @@ class ServedPrograms : public ::testing::Test {
 
   std::unique_ptr<server::Server> server_;
   std::optional<client::Connection> connection_;
+  std::size_t selection_blocks_ = 0;  // of the server; 0: none has been started
 };
 
 Served run_here(const std::string& text) {
